@@ -1,0 +1,2 @@
+//! clearbeam
+pub mod part;

@@ -1,0 +1,211 @@
+//! Feature surfaces at every angle at once (P1 2.2).
+//!
+//! "Facets connected through edges of dihedral angle < α" is single-linkage clustering: edges are
+//! sorted by angle once and joined in that order; the joins form a tree, and any α is a cut of it.
+//! Dragging the α slider is then one pass over the tree, whatever the part.
+
+use super::angle;
+use super::topology::{Dead, Mesh, NO_EDGE};
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+/// Disjoint sets with path halving.
+#[derive(Clone, Debug)]
+pub struct Sets(Vec<u32>);
+
+impl Sets {
+    /// `count` sets of one member.
+    pub fn new(count: usize) -> Sets {
+        Sets((0..count as u32).collect())
+    }
+
+    /// The representative of a member's set: its lowest member.
+    pub fn root(&mut self, mut i: u32) -> u32 {
+        while self.0[i as usize] != i {
+            let up = self.0[self.0[i as usize] as usize];
+            self.0[i as usize] = up;
+            i = up;
+        }
+        i
+    }
+
+    /// Joins two sets; the lowest member stays the representative.
+    pub fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+}
+
+/// Dihedral angle at an edge, degrees: the angle between the normals of its two facets (P1 Eq. 1).
+/// `f64::INFINITY`, a crease at any α, where the edge is open, has more than two facets, or two
+/// that disagree in winding.
+///
+/// A facet without area has no normal; it takes that of the facet across its longest edge, whose
+/// sliver it is, so that it neither joins what it lies between nor shatters it.
+pub fn dihedral_angles(mesh: &Mesh) -> Vec<f64> {
+    let normals: Vec<Vector3<f64>> = (0..mesh.facets.len()).into_par_iter().map(|f| lent_normal(mesh, f)).collect();
+    (0..mesh.edges.len() as u32)
+        .into_par_iter()
+        .map(|e| match mesh.two_facets(e) {
+            Some([f, g]) if mesh.smooth_pair(e).is_some() || mesh.is_fold([f, g], e) => {
+                angle::between_deg(&normals[f as usize], &normals[g as usize])
+            }
+            _ => f64::INFINITY,
+        })
+        .collect()
+}
+
+fn lent_normal(mesh: &Mesh, facet: usize) -> Vector3<f64> {
+    let mut f = facet;
+    // A few steps: slivers come in strips, seldom longer.
+    for _ in 0..8 {
+        if mesh.dead[f] != Dead::Degenerate {
+            return mesh.normals[f];
+        }
+        let length = |e: u32| {
+            let [a, b] = mesh.edges[e as usize];
+            (mesh.vertices[a as usize] - mesh.vertices[b as usize]).norm_squared()
+        };
+        let across = mesh.facet_edges[f]
+            .iter()
+            .filter(|&&e| e != NO_EDGE)
+            .filter_map(|&e| mesh.smooth_pair(e).map(|pair| (e, pair)))
+            .max_by(|a, b| length(a.0).total_cmp(&length(b.0)));
+        let Some((_, [a, b])) = across else { break };
+        let next = if a as usize == f { b as usize } else { a as usize };
+        if next == facet {
+            break;
+        }
+        f = next;
+    }
+    mesh.normals[f]
+}
+
+/// The tree of joins over the facets.
+#[derive(Clone, Debug, Default)]
+pub struct MergeTree {
+    facets: usize,
+    /// Parent of facets (first) and joins (behind them, in order of angle); itself for a root.
+    parent: Vec<u32>,
+    /// Angle at which a join happens, degrees; 0 for facets.
+    height_deg: Vec<f64>,
+}
+
+impl MergeTree {
+    /// Builds the tree from the dihedral angle of each edge.
+    pub fn new(mesh: &Mesh, dihedral_deg: &[f64]) -> MergeTree {
+        let count = mesh.facets.len();
+        let mut order: Vec<u32> =
+            (0..dihedral_deg.len() as u32).filter(|&e| dihedral_deg[e as usize].is_finite()).collect();
+        order.par_sort_unstable_by(|&a, &b| {
+            dihedral_deg[a as usize].total_cmp(&dihedral_deg[b as usize]).then(a.cmp(&b))
+        });
+        let mut parent: Vec<u32> = (0..count as u32).collect();
+        let mut height_deg = vec![0.0; count];
+        let mut sets = Sets::new(count);
+        // Topmost join of each set, kept at its representative.
+        let mut top: Vec<u32> = (0..count as u32).collect();
+        for e in order {
+            let Some([f, g]) = mesh.two_facets(e) else { continue };
+            let (a, b) = (sets.root(f), sets.root(g));
+            if a == b {
+                continue;
+            }
+            let join = parent.len() as u32;
+            parent.push(join);
+            height_deg.push(dihedral_deg[e as usize]);
+            parent[top[a as usize] as usize] = join;
+            parent[top[b as usize] as usize] = join;
+            sets.join(a, b);
+            top[a.min(b) as usize] = join;
+        }
+        MergeTree { facets: count, parent, height_deg }
+    }
+
+    /// Surface of each facet at angle α, numbered from 1 in the order of their lowest facet; and
+    /// their count.
+    pub fn cut(&self, alpha_deg: f64) -> (Vec<u32>, u32) {
+        let limit = below(alpha_deg);
+        // Parents stand behind their children, so one pass from the end sees each parent first.
+        let mut top: Vec<u32> = (0..self.parent.len() as u32).collect();
+        for i in (0..self.parent.len()).rev() {
+            let p = self.parent[i] as usize;
+            if p != i && self.height_deg[p] < limit {
+                top[i] = top[p];
+            }
+        }
+        let mut number = vec![0u32; self.parent.len()];
+        let mut count = 0;
+        let surfaces = top[..self.facets]
+            .iter()
+            .map(|&t| {
+                let n = &mut number[t as usize];
+                if *n == 0 {
+                    count += 1;
+                    *n = count;
+                }
+                *n
+            })
+            .collect();
+        (surfaces, count)
+    }
+}
+
+/// Angles below this join at α. "θ ≥ α is a crease" must hold for a prism whose sides meet at
+/// exactly α, which f32 coordinates state to about 1e-4° only.
+pub fn below(alpha_deg: f64) -> f64 {
+    alpha_deg - 2e-4
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::stl::RawFacet;
+    use proptest::prelude::*;
+
+    /// A strip of quads bent by the given angles (degrees) from one to the next.
+    fn strip(bends: &[f64]) -> Mesh {
+        let (mut x, mut z, mut a) = (0.0, 0.0, 0.0f64);
+        let mut line = vec![(0.0, 0.0)];
+        for bend in std::iter::once(&0.0).chain(bends) {
+            a += bend.to_radians();
+            x += libm::cos(a);
+            z += libm::sin(a);
+            line.push((x, z));
+        }
+        let raw: Vec<RawFacet> = line
+            .windows(2)
+            .flat_map(|w| {
+                let p = |i: usize, y: f32| [w[i].0 as f32, y, w[i].1 as f32];
+                [[p(0, 0.0), p(1, 0.0), p(1, 1.0)], [p(0, 0.0), p(1, 1.0), p(0, 1.0)]]
+            })
+            .collect();
+        Mesh::weld(&raw, 1.0)
+    }
+
+    #[test]
+    fn the_angle_itself_is_a_crease() {
+        let mesh = strip(&[20.0, 10.0, 19.9, 20.0]);
+        let tree = MergeTree::new(&mesh, &dihedral_angles(&mesh));
+        assert_eq!(tree.cut(20.0).0, [1, 1, 2, 2, 2, 2, 2, 2, 3, 3]);
+        assert_eq!(tree.cut(20.1).1, 1);
+        assert_eq!(tree.cut(5.0).1, 5);
+    }
+
+    proptest! {
+        /// The cut equals a plain flood over the edges below α.
+        #[test]
+        fn a_cut_is_a_flood(bends in prop::collection::vec(0.0..60.0f64, 1..20), alpha in 1.0..60.0f64) {
+            let mesh = strip(&bends);
+            let tree = MergeTree::new(&mesh, &dihedral_angles(&mesh));
+            prop_assume!(bends.iter().all(|b| (b - alpha).abs() > 1e-2));
+            let mut number = 1;
+            let mut expected = vec![1, 1];
+            for b in &bends {
+                number += u32::from(*b >= alpha);
+                expected.extend([number, number]);
+            }
+            prop_assert_eq!(tree.cut(alpha).0, expected);
+        }
+    }
+}

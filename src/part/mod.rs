@@ -1,0 +1,29 @@
+//! The workpiece: reading an STL file, its topology, its feature surfaces and their shapes,
+//! its place in space, and rays against it.
+//!
+//! Everything here is in the part frame, millimetres. Nothing here knows of planes, beams or robots.
+
+pub mod angle;
+pub mod bvh;
+mod digest;
+pub mod inspect;
+pub mod load;
+pub mod merge_tree;
+pub mod orient;
+pub mod placement;
+pub mod shape;
+pub mod stl;
+mod stl_text;
+pub mod surfaces;
+pub mod topology;
+pub mod units;
+
+pub use bvh::Bvh;
+pub use digest::{Digest, Hasher};
+pub use load::{LoadError, Part, load};
+pub use merge_tree::MergeTree;
+pub use placement::Placement;
+pub use shape::Shape;
+pub use surfaces::{SurfaceEdit, SurfaceRule, Surfaces};
+pub use topology::Mesh;
+pub use units::Units;

@@ -1,0 +1,74 @@
+//! The unit an STL file was written in. STL itself does not say, so the operator does;
+//! an implausible size is remarked on, never scaled in silence.
+
+use serde::{Deserialize, Serialize};
+
+/// Unit of the coordinates in the file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Units {
+    /// Millimetres.
+    #[default]
+    Mm,
+    /// Metres.
+    M,
+    /// Inches.
+    Inch,
+}
+
+impl Units {
+    /// All units, in the order in which they are offered.
+    pub const ALL: [Units; 3] = [Units::Mm, Units::M, Units::Inch];
+
+    /// Millimetres in one unit.
+    pub fn mm(self) -> f64 {
+        match self {
+            Units::Mm => 1.0,
+            Units::M => 1000.0,
+            Units::Inch => 25.4,
+        }
+    }
+
+    /// The word used on the command line and in jobs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Units::Mm => "mm",
+            Units::M => "m",
+            Units::Inch => "inch",
+        }
+    }
+
+    /// The unit of that word.
+    pub fn from_word(word: &str) -> Option<Units> {
+        Units::ALL.into_iter().find(|u| u.word() == word)
+    }
+
+    /// A unit in which the part would have a plausible size, where this one gives none.
+    ///
+    /// `largest` is the longest side of the box around the part, in file units. Parts that a robot
+    /// carries measure 10 mm to 3 m. Bracketing cases: an IMU housing of 0.047 (metres), a
+    /// connecting rod of 5.6 (inches), a hip cup of 46 (mm, nothing offered).
+    pub fn better_guess(self, largest: f64) -> Option<Units> {
+        let plausible = |u: Units| (10.0..=3000.0).contains(&(largest * u.mm()));
+        if plausible(self) {
+            return None;
+        }
+        // Below one unit metres are the likelier slip (CAD in SI), above it inches.
+        let order = if largest < 1.0 { [Units::M, Units::Inch, Units::Mm] } else { [Units::Inch, Units::Mm, Units::M] };
+        order.into_iter().find(|&u| u != self && plausible(u))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_better_unit_is_offered_only_where_the_size_is_implausible() {
+        assert_eq!(Units::Mm.better_guess(46.0), None);
+        assert_eq!(Units::Mm.better_guess(0.047), Some(Units::M));
+        assert_eq!(Units::Mm.better_guess(5.6), Some(Units::Inch));
+        assert_eq!(Units::M.better_guess(46.0), Some(Units::Inch));
+        assert_eq!(Units::Mm.better_guess(1e9), None);
+    }
+}
