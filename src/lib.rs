@@ -1,2 +1,10 @@
 //! clearbeam
+pub mod cell;
+pub mod cli;
+pub mod job;
 pub mod part;
+pub mod path;
+pub mod pose;
+pub mod program;
+pub mod sample;
+pub mod view;

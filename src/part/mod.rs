@@ -6,6 +6,7 @@
 pub mod angle;
 pub mod bvh;
 mod digest;
+pub mod distance;
 pub mod inspect;
 pub mod load;
 pub mod merge_tree;

@@ -156,8 +156,7 @@ impl Mesh {
     pub fn is_fold(&self, [f, g]: [u32; 2], edge: u32) -> bool {
         self.runs_forward(f, edge) == self.runs_forward(g, edge)
             && between_deg(&self.normals[f as usize], &self.normals[g as usize]) < 1.0
-            && self.dead[f as usize] == Dead::No
-            && self.dead[g as usize] == Dead::No
+            && [f, g].iter().all(|&h| self.dead[h as usize] != Dead::Degenerate)
     }
 
     /// Whether the facet passes the edge from its lower to its higher vertex.

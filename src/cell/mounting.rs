@@ -1,0 +1,203 @@
+//! The cell file, and the pose of the flange for a pose of the beam on the part.
+//!
+//! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
+
+use super::rpy;
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use thiserror::Error;
+
+/// A frame as written in the cell file.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Frame {
+    /// Origin, mm.
+    pub position_mm: [f64; 3],
+    /// Rotation about Z, Y and X, degrees.
+    pub rz_ry_rx_deg: [f64; 3],
+}
+
+impl Frame {
+    /// As a transformation.
+    pub fn isometry(&self) -> Isometry3<f64> {
+        let rotation = UnitQuaternion::from_rotation_matrix(&rpy::to_rotation(self.rz_ry_rx_deg));
+        Isometry3::from_parts(Translation3::from(Vector3::from(self.position_mm)), rotation)
+    }
+}
+
+/// Moves with the laser off.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Air {
+    /// How far the focus is drawn back along the beam before a move, mm.
+    pub retreat_mm: f64,
+    /// How far outside the part's sphere long moves go, mm.
+    pub clearance_mm: f64,
+    /// How fast the part may be turned, degrees per second.
+    pub turn_deg_s: f64,
+    /// Where the program begins and ends, joint angles in degrees.
+    pub home_joints_deg: [f64; 6],
+    /// Speed from and to home, per cent.
+    pub home_percent: f64,
+}
+
+/// What the NACHI program needs; words that sources disagree on are templates.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Nachi {
+    /// Unit name, the first half of the file name.
+    pub unit: String,
+    /// Program number, the second half.
+    pub number: u32,
+    /// Tool number, `H=`.
+    pub tool: u32,
+    /// Accuracy 1 (finest) to 8, `A=`.
+    pub accuracy: u32,
+    /// Line that switches the laser on.
+    pub laser_on: String,
+    /// Line that switches it off.
+    pub laser_off: String,
+    /// Comment line; `{text}` is replaced.
+    pub comment: String,
+    /// Ends lines with CR LF.
+    pub crlf: bool,
+}
+
+/// A robot cell.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cell {
+    /// Name for people.
+    pub name: String,
+    /// Laser frame in the base, z against the light (L of P2).
+    pub base_from_laser: Frame,
+    /// Part frame on the flange (G).
+    pub flange_from_part: Frame,
+    /// Moves with the laser off.
+    pub air: Air,
+    /// The NACHI program.
+    pub nachi: Nachi,
+}
+
+/// Why a cell file cannot be used.
+#[derive(Debug, Error)]
+pub enum CellError {
+    /// It cannot be read.
+    #[error("{file}: cannot be read: {source}")]
+    Io {
+        /// The file.
+        file: String,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// It is not a cell file.
+    #[error("{file}: {message}")]
+    Toml {
+        /// The file.
+        file: String,
+        /// Where and what.
+        message: String,
+    },
+    /// A figure makes no sense.
+    #[error("{file}: {what}")]
+    Figure {
+        /// The file.
+        file: String,
+        /// Which, and what it may be.
+        what: String,
+    },
+}
+
+const SHIPPED: &str = include_str!("../../assets/cells/mz04.toml");
+
+impl Cell {
+    /// The cell that is taken when none is named.
+    pub fn shipped() -> Result<Cell, CellError> {
+        Cell::parse(SHIPPED, "assets/cells/mz04.toml")
+    }
+
+    /// Reads a cell file.
+    pub fn load(file: &Path) -> Result<Cell, CellError> {
+        let name = file.display().to_string();
+        let text = std::fs::read_to_string(file).map_err(|source| CellError::Io { file: name.clone(), source })?;
+        Cell::parse(&text, &name)
+    }
+
+    fn parse(text: &str, file: &str) -> Result<Cell, CellError> {
+        let cell: Cell = toml::from_str(text)
+            .map_err(|e| CellError::Toml { file: file.into(), message: e.to_string().trim_end().replace('\n', " ") })?;
+        cell.check().map_err(|what| CellError::Figure { file: file.into(), what })?;
+        Ok(cell)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let (air, nachi) = (&self.air, &self.nachi);
+        let frames = [&self.base_from_laser, &self.flange_from_part];
+        let mut numbers =
+            frames.iter().flat_map(|f| f.position_mm.iter().chain(&f.rz_ry_rx_deg)).chain(&air.home_joints_deg);
+        if let Some(bad) = numbers.find(|x| !x.is_finite()) {
+            return Err(format!("{bad} is not a number that a frame can have"));
+        }
+        let ranges = [
+            ("air.retreat_mm", air.retreat_mm, 0.0, 1000.0),
+            ("air.clearance_mm", air.clearance_mm, 1.0, 1000.0),
+            ("air.turn_deg_s", air.turn_deg_s, 1.0, 1000.0),
+            ("air.home_percent", air.home_percent, 0.1, 100.0),
+            ("nachi.number", f64::from(nachi.number), 0.0, 9999.0),
+            ("nachi.accuracy", f64::from(nachi.accuracy), 1.0, 8.0),
+            ("nachi.tool", f64::from(nachi.tool), 0.0, 32.0),
+        ];
+        if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
+            return Err(format!("{name} = {value}: give {low} to {high}"));
+        }
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        if nachi.unit.is_empty() || !nachi.unit.chars().all(plain) {
+            return Err(format!(
+                "nachi.unit = {:?}: give letters, digits, - and _; it becomes a file name",
+                nachi.unit
+            ));
+        }
+        if !nachi.comment.contains("{text}") {
+            return Err("nachi.comment has no {text}".into());
+        }
+        Ok(())
+    }
+
+    /// Pose of the flange in the base that brings a path frame of the part under the laser:
+    /// `T = L · (G · F)⁻¹`.
+    pub fn flange_for(&self, part_from_frame: &Isometry3<f64>) -> Isometry3<f64> {
+        self.base_from_laser.isometry() * (self.flange_from_part.isometry() * part_from_frame).inverse()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pose::target::frame;
+    use nalgebra::Point3;
+
+    /// P2 Eqs 4–6: with G = 1, `P = L − D − V'`, `V' = [n o a]ᵀ·v`.
+    #[test]
+    fn the_flange_stands_where_p2_says() {
+        let mut cell = Cell::shipped().expect("the shipped cell is valid");
+        cell.flange_from_part.position_mm = [0.0; 3];
+        let a = Vector3::new(0.6, 0.0, 0.8);
+        let o = Vector3::new(0.0, 1.0, 0.0);
+        let (v, d) = (Point3::new(10.0, -4.0, 7.0), 15.0);
+        let t = cell.flange_for(&frame(&(v + a * d), &a, &o));
+        let n = o.cross(&a);
+        let v_prime = Vector3::new(n.dot(&v.coords), o.dot(&v.coords), a.dot(&v.coords));
+        let expected = Vector3::from(cell.base_from_laser.position_mm) - Vector3::new(0.0, 0.0, d) - v_prime;
+        assert!((t.translation.vector - expected).norm() < 1e-12);
+        assert!((t.rotation * a - Vector3::z()).norm() < 1e-12, "the beam axis points up at the laser");
+    }
+
+    #[test]
+    fn bad_figures_are_named() {
+        let bad = SHIPPED.replace("clearance_mm = 20.0", "clearance_mm = -3.0");
+        let said = Cell::parse(&bad, "cell.toml").expect_err("refused").to_string();
+        assert!(said.contains("cell.toml") && said.contains("air.clearance_mm"), "{said}");
+        assert!(Cell::parse("name = 3", "cell.toml").is_err());
+    }
+}

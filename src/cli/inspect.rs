@@ -1,0 +1,49 @@
+//! `clearbeam inspect`.
+
+use super::{Failure, Outcome, print};
+use crate::job::plan::segmented;
+use crate::job::{Job, Parameter};
+use crate::part::{Placement, Units, inspect::InspectReport, load};
+use std::path::PathBuf;
+
+/// Options of `inspect`.
+#[derive(clap::Args, Debug)]
+pub struct Arguments {
+    /// The part
+    part: PathBuf,
+    /// Crease angle, degrees
+    #[arg(long, value_name = "DEG", default_value_t = 20.0, allow_negative_numbers = true)]
+    angle: f64,
+    /// Unit of the file: mm, m or inch
+    #[arg(long, default_value = "mm", value_parser = super::options::units)]
+    units: Units,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Reads the part and prints what was found.
+pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
+    if let Some(p) = Parameter::by_option("angle") {
+        p.check(a.angle).map_err(Failure::Usage)?;
+    }
+    let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(anyhow::Error::from)?;
+    let mut job = Job::default();
+    job.surfaces.angle_deg = a.angle;
+    let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
+    let sentences = part.findings.sentences(&part.mesh, &part.orientation);
+    if a.json {
+        let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
+        print(&format!("{json}\n"));
+        for s in sentences {
+            eprintln!("{}: {s}", a.part.display());
+        }
+    } else {
+        let mut text = report.text();
+        for s in sentences {
+            text.push_str(&format!("! {s}\n"));
+        }
+        print(&text);
+    }
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,140 @@
+//! The options of `plan`, and how they override a job.
+
+use super::Failure;
+use crate::job::{Chosen, Job, Offset, Parameter};
+use crate::part::Units;
+use crate::path::{Direction, Order};
+use crate::pose::Correction;
+use std::path::PathBuf;
+
+/// What can be overridden; what is not given stays as in the job, or its default.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct PlanOptions {
+    /// Unit of the file: mm, m or inch [default: mm]
+    #[arg(long, value_parser = units)]
+    units: Option<Units>,
+    /// Crease angle, degrees [default: 20]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    angle: Option<f64>,
+    /// Surfaces to clean, in the order of work: all, or numbers like 4,1 [default: all]
+    #[arg(long, value_name = "LIST", value_parser = surfaces)]
+    surfaces: Option<Chosen>,
+    /// Normal of the section planes: x, y, z, auto or DX,DY,DZ [default: z]
+    #[arg(long, allow_hyphen_values = true, value_parser = direction)]
+    direction: Option<Direction>,
+    /// Distance of the section planes, mm [default: 0.5]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    spacing: Option<f64>,
+    /// First plane above the lowest point, mm, or centred [default: centred]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = offset)]
+    offset: Option<Offset>,
+    /// zigzag or one-way [default: zigzag]
+    #[arg(long, value_parser = order)]
+    order: Option<Order>,
+    /// Focus above the surface, mm [default: 20]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    defocus: Option<f64>,
+    /// Largest distance of the surface from a straight move, mm [default: 0.02]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    chord_error: Option<f64>,
+    /// Longest move between two targets, mm [default: 5]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    max_step: Option<f64>,
+    /// Largest turn of the normal between two targets, degrees [default: 5]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    max_turn: Option<f64>,
+    /// section-plane or none [default: section-plane]
+    #[arg(long, value_parser = correction)]
+    correction: Option<Correction>,
+    /// Speed of the spot, mm/s [default: 3]
+    #[arg(long, value_name = "MM/S", allow_negative_numbers = true)]
+    speed: Option<f64>,
+    /// Speed with the laser off, mm/s [default: 100]
+    #[arg(long, value_name = "MM/S", allow_negative_numbers = true)]
+    air_speed: Option<f64>,
+    /// Laser power, W [default: 500]
+    #[arg(long, value_name = "W", allow_negative_numbers = true)]
+    power: Option<f64>,
+    /// Spot diameter, mm [default: 1]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    spot: Option<f64>,
+    /// Cell file [default: the shipped NACHI MZ04]
+    #[arg(long, value_name = "CELL.toml")]
+    cell: Option<PathBuf>,
+}
+
+impl PlanOptions {
+    /// Writes the given options into a job.
+    ///
+    /// # Errors
+    /// A number that is out of range.
+    pub fn apply(&self, job: &mut Job) -> Result<(), Failure> {
+        let numbers = [
+            ("angle", self.angle),
+            ("spacing", self.spacing),
+            ("defocus", self.defocus),
+            ("chord-error", self.chord_error),
+            ("max-step", self.max_step),
+            ("max-turn", self.max_turn),
+            ("speed", self.speed),
+            ("air-speed", self.air_speed),
+            ("power", self.power),
+            ("spot", self.spot),
+        ];
+        for (option, value) in numbers {
+            if let (Some(p), Some(value)) = (Parameter::by_option(option), value) {
+                p.check(value).map_err(|why| Failure::Usage(format!("--{why}")))?;
+                (p.set)(job, value);
+            }
+        }
+        if let Some(list) = &self.surfaces {
+            job.clean.surfaces = list.clone();
+        }
+        job.part.units = self.units.unwrap_or(job.part.units);
+        job.layers.direction = self.direction.unwrap_or(job.layers.direction);
+        job.layers.offset_mm = self.offset.unwrap_or(job.layers.offset_mm);
+        job.layers.order = self.order.unwrap_or(job.layers.order);
+        job.path.correction = self.correction.unwrap_or(job.path.correction);
+        crate::job::parameter::check_all(job).map_err(Failure::Usage)
+    }
+
+    /// The cell file, as seen from the current folder.
+    pub fn cell(&self) -> Option<&PathBuf> {
+        self.cell.as_ref()
+    }
+}
+
+fn word<T>(text: &str, parsed: Option<T>, words: &str) -> Result<T, String> {
+    parsed.ok_or_else(|| format!("{text:?}: give {words}"))
+}
+
+pub(super) fn units(text: &str) -> Result<Units, String> {
+    word(text, Units::from_word(text), "mm, m or inch")
+}
+
+fn order(text: &str) -> Result<Order, String> {
+    word(text, Order::from_word(text), "zigzag or one-way")
+}
+
+fn correction(text: &str) -> Result<Correction, String> {
+    word(text, Correction::from_word(text), "section-plane or none")
+}
+
+fn direction(text: &str) -> Result<Direction, String> {
+    text.parse()
+}
+
+fn offset(text: &str) -> Result<Offset, String> {
+    if text == "centred" {
+        return Ok(Offset::Centred);
+    }
+    word(text, text.parse().ok().filter(|x: &f64| x.is_finite()).map(Offset::FromLowest), "a number of mm, or centred")
+}
+
+fn surfaces(text: &str) -> Result<Chosen, String> {
+    if text == "all" {
+        return Ok(Chosen::All);
+    }
+    let list: Result<Vec<u32>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    word(text, list.ok().map(Chosen::These), "all, or surface numbers like 4,1")
+}

@@ -1,0 +1,74 @@
+//! `clearbeam plan`.
+
+use super::{Failure, Outcome, PlanOptions, print};
+use crate::job::plan::segmented;
+use crate::job::report::Report;
+use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
+use std::path::{Path, PathBuf};
+
+/// Options of `plan`.
+#[derive(clap::Args, Debug)]
+pub struct Arguments {
+    /// Part or job
+    input: PathBuf,
+    /// Folder for the files of the plan
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    #[command(flatten)]
+    options: PlanOptions,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Plans and writes.
+pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
+    let (mut job, job_file) = opened(&a.input)?;
+    a.options.apply(&mut job)?;
+    let job_file = job_file.as_deref();
+    if let Some(cell) = a.options.cell() {
+        let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
+        job.cell.file = file.display().to_string();
+    }
+    let part = files::load_part(&job, job_file).map_err(anyhow::Error::from)?;
+    job.part.sha256.clone_from(&part.sha256);
+    let cell = files::load_cell(&job, job_file).map_err(anyhow::Error::from)?;
+    for s in part.findings.sentences(&part.mesh, &part.orientation) {
+        eprintln!("{}: {s}", a.input.display());
+    }
+    let surfaces = segmented(&part, &job);
+    let plan =
+        job::plan(&part, &surfaces, &job, &cell, &Cache::default(), &Progress::default()).map_err(|e| match e {
+            PlanError::Parameter(_) | PlanError::NoSurface { .. } | PlanError::Twice(_) => {
+                Failure::Usage(e.to_string())
+            }
+            other => Failure::Failed(other.into()),
+        })?;
+    let written = output::write(&a.out, &job, job_file, &cell, &plan, &surfaces).map_err(anyhow::Error::from)?;
+    let report = Report::new(&plan, &surfaces);
+    if a.json {
+        let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
+        print(&format!("{json}\n"));
+    } else {
+        let mut text = report.text();
+        for path in written {
+            text.push_str(&format!("wrote {}\n", path.display()));
+        }
+        print(&text);
+    }
+    Ok(if report.is_complete() { Outcome::Done } else { Outcome::Found })
+}
+
+/// A job from a job file, or the job that cleans all of a part.
+pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
+    let is_job =
+        input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml") || e.eq_ignore_ascii_case("clearbeam"));
+    if is_job {
+        let job = files::read(input).map_err(anyhow::Error::from)?;
+        return Ok((job, Some(input.to_path_buf())));
+    }
+    let mut job = Job::default();
+    job.part.file = input.display().to_string();
+    job.clean.surfaces = Chosen::All;
+    Ok((job, None))
+}

@@ -1,0 +1,163 @@
+//! The job with its file, and undo and redo of every edit since it was opened.
+
+use super::edit::Edit;
+use super::model::Job;
+use std::path::PathBuf;
+
+/// A job that is being worked on.
+#[derive(Clone, Debug, Default)]
+pub struct Document {
+    job: Job,
+    /// Where the job is kept; `None` until it is saved first.
+    pub file: Option<PathBuf>,
+    saved: Job,
+    undo: Vec<(String, Job)>,
+    redo: Vec<(String, Job)>,
+    /// What the last edit is a piece of: a drag, a run of key presses.
+    gesture: Option<String>,
+}
+
+impl Document {
+    /// A document over a job as it is in its file.
+    pub fn new(job: Job, file: Option<PathBuf>) -> Document {
+        Document { saved: job.clone(), job, file, ..Default::default() }
+    }
+
+    /// The job as it is now.
+    pub fn job(&self) -> &Job {
+        &self.job
+    }
+
+    /// Applies an edit and records undo. Edits of the same name within one `gesture` are one step.
+    /// Returns whether anything changed.
+    pub fn apply(&mut self, edit: &Edit, all_surfaces: &[u32], gesture: Option<&str>) -> bool {
+        let before = self.job.clone();
+        edit.apply(&mut self.job, all_surfaces);
+        if self.job == before {
+            return false;
+        }
+        let name = edit.name();
+        let goes_on =
+            gesture.is_some() && self.gesture.as_deref() == gesture && self.undo.last().is_some_and(|u| u.0 == name);
+        if !goes_on {
+            self.undo.push((name, before));
+        }
+        self.gesture = gesture.map(str::to_owned);
+        self.redo.clear();
+        true
+    }
+
+    /// Ends a drag: the next edit is a step of its own.
+    pub fn end_gesture(&mut self) {
+        self.gesture = None;
+    }
+
+    /// Name of the step that undo would take back.
+    pub fn undo_name(&self) -> Option<&str> {
+        self.undo.last().map(|u| u.0.as_str())
+    }
+
+    /// Name of the step that redo would bring again.
+    pub fn redo_name(&self) -> Option<&str> {
+        self.redo.last().map(|u| u.0.as_str())
+    }
+
+    /// Takes the last step back.
+    pub fn undo(&mut self) {
+        if let Some((name, job)) = self.undo.pop() {
+            self.redo.push((name, std::mem::replace(&mut self.job, job)));
+            self.gesture = None;
+        }
+    }
+
+    /// Brings the last undone step again.
+    pub fn redo(&mut self) {
+        if let Some((name, job)) = self.redo.pop() {
+            self.undo.push((name, std::mem::replace(&mut self.job, job)));
+            self.gesture = None;
+        }
+    }
+
+    /// Whether there is anything that the file does not hold.
+    pub fn is_dirty(&self) -> bool {
+        self.job != self.saved
+    }
+
+    /// The job is in the file now; `job` is what was written.
+    pub fn mark_saved(&mut self, file: PathBuf, job: Job) {
+        self.file = Some(file);
+        self.job = job.clone();
+        self.saved = job;
+        self.gesture = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Chosen;
+    use crate::path::Order;
+    use proptest::prelude::*;
+
+    fn edits() -> impl Strategy<Value = Edit> {
+        prop_oneof![
+            (1.0..40.0f64).prop_map(|v| Edit::Set("layers.spacing_mm", v)),
+            prop::collection::vec(1u32..9, 1..4).prop_map(Edit::Clean),
+            prop::collection::vec(1u32..9, 1..4).prop_map(Edit::Unclean),
+            (prop::collection::vec(1u32..9, 1..4), prop_oneof![Just(-1), Just(1)])
+                .prop_map(|(l, by)| Edit::Shift(l, by)),
+            (1u32..9).prop_map(Edit::FlipSurface),
+            Just(Edit::Order(Order::OneWay)),
+            (1u32..9, "[a-z]{0,3}").prop_map(|(n, s)| Edit::Rename(n, s)),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn undo_brings_back_every_state_and_redo_too(list in prop::collection::vec(edits(), 1..25)) {
+            let mut doc = Document::default();
+            let all: Vec<u32> = (1..9).collect();
+            let mut states = vec![doc.job().clone()];
+            for e in &list {
+                if doc.apply(e, &all, None) {
+                    states.push(doc.job().clone());
+                }
+            }
+            for s in states.iter().rev() {
+                prop_assert_eq!(doc.job(), s);
+                doc.undo();
+            }
+            for s in states.iter().skip(1) {
+                doc.redo();
+                prop_assert_eq!(doc.job(), s);
+            }
+        }
+    }
+
+    #[test]
+    fn a_drag_is_one_step() {
+        let mut doc = Document::default();
+        for v in [1.0, 2.0, 3.0] {
+            doc.apply(&Edit::Set("layers.spacing_mm", v), &[], Some("drag"));
+        }
+        doc.end_gesture();
+        doc.apply(&Edit::Set("layers.spacing_mm", 4.0), &[], Some("drag"));
+        doc.undo();
+        assert_eq!(doc.job().layers.spacing_mm, 3.0);
+        doc.undo();
+        assert_eq!((doc.job().layers.spacing_mm, doc.is_dirty()), (0.5, false));
+    }
+
+    #[test]
+    fn order_of_work_moves_as_a_block() {
+        let mut doc = Document::default();
+        doc.apply(&Edit::Clean(vec![1, 2, 3, 4]), &[], None);
+        doc.apply(&Edit::Shift(vec![3, 4], -1), &[], None);
+        assert_eq!(doc.job().clean.surfaces, Chosen::These(vec![1, 3, 4, 2]));
+        doc.apply(&Edit::Shift(vec![1, 2], 1), &[], None);
+        assert_eq!(doc.job().clean.surfaces, Chosen::These(vec![3, 1, 4, 2]));
+        let merge = crate::part::SurfaceEdit::Merge { merge: vec![1, 4, 7] };
+        doc.apply(&Edit::Surfaces(merge), &[], None);
+        assert_eq!(doc.job().clean.surfaces, Chosen::These(vec![3, 1, 2]));
+    }
+}

@@ -1,0 +1,182 @@
+//! Every change of a job is an [`Edit`]; buttons, keys, menus, drag and drop and tests send the same.
+
+use super::model::{Chosen, Job, Offset};
+use super::parameter::Parameter;
+use crate::part::{Placement, SurfaceEdit, Units};
+use crate::path::{Direction, Order};
+use crate::pose::Correction;
+
+/// A change of the document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// A number of the parameter table, by its key in the job file.
+    Set(&'static str, f64),
+    /// Direction of the section planes.
+    Direction(Direction),
+    /// First plane.
+    Offset(Offset),
+    /// Zigzag or one-way.
+    Order(Order),
+    /// Correction.
+    Correction(Correction),
+    /// Surfaces to the end of *To clean*.
+    Clean(Vec<u32>),
+    /// Surfaces back out of it.
+    Unclean(Vec<u32>),
+    /// Surfaces up (−1) or down (1) in the order of work.
+    Shift(Vec<u32>, i32),
+    /// The whole list, in this order.
+    Reorder(Vec<u32>),
+    /// A merge or a split of surfaces.
+    Surfaces(SurfaceEdit),
+    /// Angle, island area or hysteresis changed: its number, and what *To clean* and flipped
+    /// surfaces are called afterwards. Merges and splits were made on other numbers and are gone.
+    Recut {
+        /// Key of the parameter.
+        key: &'static str,
+        /// Its new value.
+        value: f64,
+        /// The surfaces to clean by their new numbers.
+        clean: Vec<u32>,
+        /// The flipped ones.
+        flipped: Vec<u32>,
+    },
+    /// A name for a surface; empty takes it away.
+    Rename(u32, String),
+    /// The other side of a surface.
+    FlipSurface(u32),
+    /// The other side of a shell.
+    FlipShell(u32),
+    /// Where the part stands.
+    Place(Placement),
+    /// The unit of the file.
+    Units(Units),
+    /// A cell file, as written in the job.
+    Cell(String),
+}
+
+impl Edit {
+    /// What *Undo* calls it.
+    pub fn name(&self) -> String {
+        let some = |list: &[u32]| match list {
+            [one] => format!("surface {one}"),
+            many => format!("{} surfaces", many.len()),
+        };
+        match self {
+            Edit::Set(key, _) | Edit::Recut { key, .. } => {
+                let label = Parameter::by_key(key).map_or(*key, |p| p.label);
+                format!("change {}", label.to_lowercase())
+            }
+            Edit::Direction(_) => "change direction".into(),
+            Edit::Offset(_) => "change first offset".into(),
+            Edit::Order(_) => "change order".into(),
+            Edit::Correction(_) => "change correction".into(),
+            Edit::Clean(list) => format!("move {} to clean", some(list)),
+            Edit::Unclean(list) => format!("move {} back", some(list)),
+            Edit::Shift(list, _) => format!("move {} in the order", some(list)),
+            Edit::Reorder(_) => "change order of work".into(),
+            Edit::Surfaces(SurfaceEdit::Merge { merge }) => format!("merge {}", some(merge)),
+            Edit::Surfaces(SurfaceEdit::Split { split, .. }) => format!("split surface {split}"),
+            Edit::Rename(n, _) => format!("rename surface {n}"),
+            Edit::FlipSurface(n) => format!("flip surface {n}"),
+            Edit::FlipShell(n) => format!("flip shell {n}"),
+            Edit::Place(_) => "place part".into(),
+            Edit::Units(_) => "change unit".into(),
+            Edit::Cell(_) => "change cell".into(),
+        }
+    }
+
+    /// Applies it. `all` are the numbers of the surfaces that exist, for a job that cleans all.
+    pub fn apply(&self, job: &mut Job, all: &[u32]) {
+        match self {
+            Edit::Set(key, value) => {
+                if let Some(p) = Parameter::by_key(key) {
+                    (p.set)(job, *value);
+                }
+            }
+            Edit::Direction(d) => job.layers.direction = *d,
+            Edit::Offset(o) => job.layers.offset_mm = *o,
+            Edit::Order(o) => job.layers.order = *o,
+            Edit::Correction(c) => job.path.correction = *c,
+            Edit::Clean(list) => change_list(job, all, |clean| {
+                clean.retain(|n| !list.contains(n));
+                clean.extend(list);
+            }),
+            Edit::Unclean(list) => change_list(job, all, |clean| clean.retain(|n| !list.contains(n))),
+            Edit::Shift(list, by) => change_list(job, all, |clean| shift(clean, list, *by)),
+            Edit::Reorder(list) => job.clean.surfaces = Chosen::These(list.clone()),
+            Edit::Surfaces(edit) => {
+                job.surfaces.edits.push(edit.clone());
+                if let SurfaceEdit::Merge { merge } = edit {
+                    merged(job, all, merge);
+                }
+            }
+            Edit::Recut { key, value, clean, flipped } => {
+                Edit::Set(key, *value).apply(job, all);
+                job.surfaces.edits.clear();
+                job.surfaces.names.clear();
+                job.surfaces.flipped = flipped.clone();
+                if job.clean.surfaces != Chosen::All {
+                    job.clean.surfaces = Chosen::These(clean.clone());
+                }
+            }
+            Edit::Rename(n, name) => {
+                if name.trim().is_empty() {
+                    job.surfaces.names.remove(&n.to_string());
+                } else {
+                    job.surfaces.names.insert(n.to_string(), name.trim().into());
+                }
+            }
+            Edit::FlipSurface(n) => toggle(&mut job.surfaces.flipped, *n),
+            Edit::FlipShell(n) => toggle(&mut job.part.flipped_shells, *n),
+            Edit::Place(p) => job.part.placement = *p,
+            Edit::Units(u) => job.part.units = *u,
+            Edit::Cell(file) => job.cell.file = file.clone(),
+        }
+    }
+}
+
+fn change_list(job: &mut Job, all: &[u32], change: impl FnOnce(&mut Vec<u32>)) {
+    let mut list = job.clean.surfaces.numbers(all.iter().copied());
+    change(&mut list);
+    job.clean.surfaces = Chosen::These(list);
+}
+
+/// Moves the marked ones by one place, as a block, keeping their order.
+fn shift(list: &mut [u32], marked: &[u32], by: i32) {
+    let count = list.len();
+    let step = |i: usize| if by < 0 { i.checked_sub(1) } else { (i + 1 < count).then_some(i + 1) };
+    let order: Vec<usize> = if by < 0 { (0..count).collect() } else { (0..count).rev().collect() };
+    for i in order {
+        if let Some(to) = step(i)
+            && marked.contains(&list[i])
+            && !marked.contains(&list[to])
+        {
+            list.swap(i, to);
+        }
+    }
+}
+
+/// After a merge the kept number stands for all: it is cleaned if any of them was.
+fn merged(job: &mut Job, all: &[u32], merge: &[u32]) {
+    let Some(&keep) = merge.iter().min() else { return };
+    if job.clean.surfaces == Chosen::All {
+        return;
+    }
+    change_list(job, all, |clean| {
+        if let Some(at) = clean.iter().position(|n| merge.contains(n)) {
+            clean[at] = keep;
+            let mut seen = false;
+            clean.retain(|n| !merge.contains(n) || (*n == keep && !std::mem::replace(&mut seen, true)));
+        }
+    });
+}
+
+fn toggle(list: &mut Vec<u32>, n: u32) {
+    match list.iter().position(|&x| x == n) {
+        Some(at) => {
+            list.remove(at);
+        }
+        None => list.push(n),
+    }
+}

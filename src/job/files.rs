@@ -1,0 +1,213 @@
+//! Job files: reading, atomic writing, and paths relative to where the job stands.
+
+use super::model::Job;
+use crate::cell::{Cell, CellError};
+use crate::part::{LoadError, Part, load};
+use std::io::Write as _;
+use std::path::{Component, Path, PathBuf};
+use thiserror::Error;
+
+/// Why a job cannot be opened or saved.
+#[derive(Debug, Error)]
+pub enum JobError {
+    /// The job file cannot be read.
+    #[error("{file}: cannot be read: {source}")]
+    Read {
+        /// The file.
+        file: String,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// It is no job.
+    #[error("{file}: {message}")]
+    Toml {
+        /// The file.
+        file: String,
+        /// Where and what.
+        message: String,
+    },
+    /// The part is not where the job says.
+    #[error("the part {file} is not there; put it back, or write its place into `part.file` of the job")]
+    PartGone {
+        /// Where it was looked for.
+        file: String,
+    },
+    /// The part is another one now.
+    #[error(
+        "the part {file} has changed since the job was saved, so its surfaces may have other numbers; \
+         look at them again, then empty `part.sha256` in the job, or open and save it in the window"
+    )]
+    PartChanged {
+        /// The file.
+        file: String,
+    },
+    /// The part cannot be used.
+    #[error(transparent)]
+    Part(#[from] LoadError),
+    /// The cell cannot be used.
+    #[error(transparent)]
+    Cell(#[from] CellError),
+    /// Something cannot be written.
+    #[error("{what}")]
+    Write {
+        /// What, where, why.
+        what: String,
+    },
+}
+
+impl JobError {
+    pub(super) fn write(path: &Path, error: &std::io::Error) -> JobError {
+        JobError::Write { what: format!("{}: cannot be written: {error}; choose another folder", path.display()) }
+    }
+}
+
+/// Reads a job file.
+///
+/// # Errors
+/// It cannot be read, or is no job (with line and column).
+pub fn read(file: &Path) -> Result<Job, JobError> {
+    let name = file.display().to_string();
+    let text = std::fs::read_to_string(file).map_err(|source| JobError::Read { file: name.clone(), source })?;
+    toml::from_str(&text)
+        .map_err(|e| JobError::Toml { file: name, message: e.to_string().trim_end().replace('\n', " ") })
+}
+
+/// The job as text.
+///
+/// # Errors
+/// Never, for jobs made here.
+pub fn to_toml(job: &Job) -> Result<String, JobError> {
+    toml::to_string(job).map_err(|e| JobError::Write { what: format!("the job cannot be written: {e}") })
+}
+
+/// Loads the part of a job and checks that it is still the one the job was made for.
+///
+/// # Errors
+/// Gone, changed, or no usable STL.
+pub fn load_part(job: &Job, job_file: Option<&Path>) -> Result<Part, JobError> {
+    let file = beside(job_file, &job.part.file);
+    if !file.exists() {
+        return Err(JobError::PartGone { file: file.display().to_string() });
+    }
+    let part = load(&file, job.part.units, &job.part.placement, &job.part.flipped_shells)?;
+    if !job.part.sha256.is_empty() && job.part.sha256 != part.sha256 {
+        return Err(JobError::PartChanged { file: file.display().to_string() });
+    }
+    Ok(part)
+}
+
+/// The cell of a job.
+///
+/// # Errors
+/// The file cannot be read or has absurd figures.
+pub fn load_cell(job: &Job, job_file: Option<&Path>) -> Result<Cell, JobError> {
+    if job.cell.file.is_empty() {
+        return Ok(Cell::shipped()?);
+    }
+    Ok(Cell::load(&beside(job_file, &job.cell.file))?)
+}
+
+/// A path of a job, seen from the current folder.
+pub fn beside(job_file: Option<&Path>, path: &str) -> PathBuf {
+    match job_file.and_then(Path::parent) {
+        Some(folder) => folder.join(path),
+        None => PathBuf::from(path),
+    }
+}
+
+/// The job with its paths seen from another job file.
+///
+/// # Errors
+/// The folder cannot be found.
+pub fn rebased(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobError> {
+    let mut job = job.clone();
+    for path in [&mut job.part.file, &mut job.cell.file] {
+        if !path.is_empty() {
+            *path = relative(&beside(from, path), to)?;
+        }
+    }
+    Ok(job)
+}
+
+/// Path of `file` as seen from the folder of `job_file`, with '/' on every system.
+fn relative(file: &Path, job_file: &Path) -> Result<String, JobError> {
+    let whole = |p: &Path| std::path::absolute(p).map(|p| tidy(&p)).map_err(|e| JobError::write(p, &e));
+    let (file, job_file) = (whole(file)?, whole(job_file)?);
+    let folder: Vec<Component<'_>> = job_file.parent().map(|p| p.components().collect()).unwrap_or_default();
+    let target: Vec<Component<'_>> = file.components().collect();
+    let common = folder.iter().zip(&target).take_while(|(a, b)| a == b).count();
+    if common == 0 {
+        return Ok(file.display().to_string()); // another drive
+    }
+    let up = std::iter::repeat_n("..".to_owned(), folder.len() - common);
+    let down = target[common..].iter().map(|c| c.as_os_str().to_string_lossy().into_owned());
+    Ok(up.chain(down).collect::<Vec<_>>().join("/"))
+}
+
+/// Takes `.` and `..` out of an absolute path.
+fn tidy(path: &Path) -> PathBuf {
+    let mut out = PathBuf::new();
+    for c in path.components() {
+        match c {
+            Component::ParentDir => {
+                out.pop();
+            }
+            Component::CurDir => {}
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// Writes a job beside its part.
+///
+/// # Errors
+/// What could not be written, and why.
+pub fn save(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobError> {
+    let job = rebased(job, from, to)?;
+    write_atomic(to, to_toml(&job)?.as_bytes())?;
+    Ok(job)
+}
+
+/// Writes a file whole or not at all.
+///
+/// # Errors
+/// What could not be written, and why.
+pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), JobError> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let attempt = || -> std::io::Result<()> {
+        let mut file = tempfile::Builder::new().prefix(".clearbeam-").tempfile_in(folder)?;
+        file.write_all(bytes)?;
+        file.as_file().sync_all()?;
+        #[cfg(unix)]
+        {
+            // Temporary files are private; what an operator exports is not.
+            use std::os::unix::fs::PermissionsExt as _;
+            file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))?;
+        }
+        file.persist(path).map_err(|e| e.error)?;
+        Ok(())
+    };
+    attempt().map_err(|e| JobError::write(path, &e))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_follow_the_job() {
+        let job = Job {
+            part: crate::job::model::PartFile { file: "../parts/a.stl".into(), ..Default::default() },
+            ..Job::default()
+        };
+        let moved = rebased(&job, Some(Path::new("/x/jobs/a.toml")), Path::new("/x/out/b/job.toml")).expect("rebases");
+        assert_eq!(moved.part.file, "../../parts/a.stl");
+    }
+
+    #[test]
+    fn an_unwritable_folder_is_named() {
+        let said = write_atomic(Path::new("/proc/none/x"), b"x").expect_err("refused").to_string();
+        assert!(said.contains("/proc/none/x") && said.contains("choose another folder"), "{said}");
+    }
+}

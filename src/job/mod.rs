@@ -1,0 +1,22 @@
+//! What is saved, and how a plan is computed from it.
+//!
+//! [`Job`] is the document. It changes through [`Edit`] alone, and [`Document`] keeps what undo
+//! needs. [`plan()`] computes everything else; [`output`] writes it.
+
+pub mod document;
+pub mod edit;
+pub mod files;
+pub mod model;
+pub mod output;
+pub mod parameter;
+pub mod plan;
+pub mod progress;
+pub mod report;
+
+pub use document::Document;
+pub use edit::Edit;
+pub use files::JobError;
+pub use model::{Chosen, Job, Offset};
+pub use parameter::{PARAMETERS, Parameter};
+pub use plan::{Cache, Plan, PlanError, plan};
+pub use progress::Progress;

@@ -1,0 +1,303 @@
+//! The job: everything an operator decides, as TOML. What can be computed is not in it.
+
+use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
+use crate::path::{Direction, Order};
+use crate::pose::Correction;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+use std::collections::BTreeMap;
+
+/// A job. Lengths mm, angles degrees.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Job {
+    /// The part's file and how it stands.
+    pub part: PartFile,
+    /// How facets become feature surfaces.
+    pub surfaces: SurfaceParameters,
+    /// Which surfaces, in which order.
+    pub clean: Clean,
+    /// The section planes.
+    pub layers: Layers,
+    /// The beam and its speeds.
+    pub beam: BeamParameters,
+    /// Which points of a line become targets, and what is done about interference.
+    pub path: PathParameters,
+    /// The robot cell.
+    pub cell: CellFile,
+}
+
+/// The part's file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PartFile {
+    /// Path, relative to the job file.
+    pub file: String,
+    /// SHA-256 of its bytes when the job was saved; empty: any.
+    pub sha256: String,
+    /// Unit of its coordinates.
+    pub units: Units,
+    /// Shells whose other side is to be worked on.
+    pub flipped_shells: Vec<u32>,
+    /// Where the part stands.
+    pub placement: Placement,
+}
+
+/// How facets become feature surfaces.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SurfaceParameters {
+    /// Dihedral angle from which an edge is a crease (α).
+    pub angle_deg: f64,
+    /// Islands below this area are absorbed; 0 = off.
+    pub min_area_mm2: f64,
+    /// Lower angle of the hysteresis; 0 = off.
+    pub hysteresis_deg: f64,
+    /// Surfaces whose other side is to be worked on.
+    pub flipped: Vec<u32>,
+    /// Names given by the operator, by surface number.
+    pub names: BTreeMap<String, String>,
+    /// Merges and splits in the order made.
+    pub edits: Vec<SurfaceEdit>,
+}
+
+impl Default for SurfaceParameters {
+    fn default() -> Self {
+        SurfaceParameters {
+            angle_deg: 20.0,
+            min_area_mm2: 0.0,
+            hysteresis_deg: 0.0,
+            flipped: Vec::new(),
+            names: BTreeMap::new(),
+            edits: Vec::new(),
+        }
+    }
+}
+
+impl SurfaceParameters {
+    /// The rule without the operator's edits.
+    pub fn rule(&self) -> SurfaceRule {
+        SurfaceRule { angle_deg: self.angle_deg, min_area_mm2: self.min_area_mm2, hysteresis_deg: self.hysteresis_deg }
+    }
+}
+
+/// Which surfaces are cleaned.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Clean {
+    /// `"all"`, or their numbers in the order of work.
+    pub surfaces: Chosen,
+}
+
+/// All surfaces, or some in the order of work.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Chosen {
+    /// All, in the order of their numbers.
+    All,
+    /// These.
+    These(Vec<u32>),
+}
+
+impl Default for Chosen {
+    fn default() -> Self {
+        Chosen::These(Vec::new())
+    }
+}
+
+impl Chosen {
+    /// The numbers, given all that exist.
+    pub fn numbers(&self, all: impl Iterator<Item = u32>) -> Vec<u32> {
+        match self {
+            Chosen::All => all.collect(),
+            Chosen::These(list) => list.clone(),
+        }
+    }
+}
+
+impl Serialize for Chosen {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Chosen::All => s.serialize_str("all"),
+            Chosen::These(list) => list.serialize(s),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Chosen {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged)]
+        enum Raw {
+            Word(String),
+            List(Vec<u32>),
+        }
+        match Raw::deserialize(d)? {
+            Raw::Word(w) if w == "all" => Ok(Chosen::All),
+            Raw::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"all\" or a list of surface numbers"))),
+            Raw::List(list) => Ok(Chosen::These(list)),
+        }
+    }
+}
+
+/// The section planes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Layers {
+    /// Normal of the planes: `x`, `y`, `z`, `auto` or `DX,DY,DZ`.
+    #[serde(with = "as_text")]
+    pub direction: Direction,
+    /// Distance of the planes.
+    pub spacing_mm: f64,
+    /// Where the first plane lies.
+    pub offset_mm: Offset,
+    /// Sense of neighbouring lines.
+    pub order: Order,
+}
+
+impl Default for Layers {
+    fn default() -> Self {
+        Layers {
+            direction: Direction::Along([0.0, 0.0, 1.0]),
+            spacing_mm: 0.5,
+            offset_mm: Offset::Centred,
+            order: Order::Zigzag,
+        }
+    }
+}
+
+mod as_text {
+    use super::Direction;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error as _};
+
+    pub fn serialize<S: Serializer>(d: &Direction, s: S) -> Result<S::Ok, S::Error> {
+        s.collect_str(d)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Direction, D::Error> {
+        String::deserialize(d)?.parse().map_err(D::Error::custom)
+    }
+}
+
+/// Where the first plane of a family lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Offset {
+    /// The family is centred on the extent.
+    #[default]
+    Centred,
+    /// So far above the lowest point of the extent, mm.
+    FromLowest(f64),
+}
+
+impl Offset {
+    /// The number, where there is one.
+    pub fn mm(self) -> Option<f64> {
+        match self {
+            Offset::Centred => None,
+            Offset::FromLowest(mm) => Some(mm),
+        }
+    }
+}
+
+impl Serialize for Offset {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Offset::Centred => s.serialize_str("centred"),
+            Offset::FromLowest(mm) => s.serialize_f64(*mm),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Offset {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged)]
+        enum Raw {
+            Number(f64),
+            Word(String),
+        }
+        match Raw::deserialize(d)? {
+            Raw::Number(mm) => Ok(Offset::FromLowest(mm)),
+            Raw::Word(w) if w == "centred" => Ok(Offset::Centred),
+            Raw::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"centred\" or a number of mm"))),
+        }
+    }
+}
+
+/// The beam and its speeds (P1 Table 1).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct BeamParameters {
+    /// D: the focus stands at `p + D·a`.
+    pub defocus_mm: f64,
+    /// Laser power.
+    pub power_w: f64,
+    /// Diameter of the spot on the part.
+    pub spot_mm: f64,
+    /// Speed of the spot on the part.
+    pub speed_mm_s: f64,
+    /// Speed of the focus with the laser off.
+    pub air_speed_mm_s: f64,
+}
+
+impl Default for BeamParameters {
+    fn default() -> Self {
+        BeamParameters { defocus_mm: 20.0, power_w: 500.0, spot_mm: 1.0, speed_mm_s: 3.0, air_speed_mm_s: 100.0 }
+    }
+}
+
+/// Which points of a line become targets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PathParameters {
+    /// Distance of a dropped point from the chord that spans it (dε of P2).
+    pub chord_error_mm: f64,
+    /// Longest chord.
+    pub max_step_mm: f64,
+    /// Largest turn of the normal between two targets.
+    pub max_turn_deg: f64,
+    /// What is done about interference.
+    pub correction: Correction,
+}
+
+impl Default for PathParameters {
+    fn default() -> Self {
+        PathParameters {
+            chord_error_mm: 0.02,
+            max_step_mm: 5.0,
+            max_turn_deg: 5.0,
+            correction: Correction::SectionPlane,
+        }
+    }
+}
+
+/// The robot cell.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct CellFile {
+    /// Cell file, relative to the job file; empty: the shipped cell.
+    pub file: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_job_survives_the_file() {
+        let mut job = Job::default();
+        job.clean.surfaces = Chosen::These(vec![4, 1]);
+        job.layers.direction = Direction::Along([1.0, 0.5, 0.0]);
+        job.layers.offset_mm = Offset::FromLowest(0.25);
+        job.surfaces.edits =
+            vec![SurfaceEdit::Merge { merge: vec![1, 2] }, SurfaceEdit::Split { split: 3, angle_deg: 4.0 }];
+        job.surfaces.names.insert("4".into(), "Dichtfläche".into());
+        let text = toml::to_string(&job).expect("writes");
+        assert_eq!(toml::from_str::<Job>(&text).expect("reads"), job);
+        let all: Job = toml::from_str("[clean]\nsurfaces = \"all\"").expect("reads");
+        assert_eq!(all, Job { clean: Clean { surfaces: Chosen::All }, ..Job::default() });
+    }
+
+    #[test]
+    fn misspelt_keys_are_refused() {
+        assert!(toml::from_str::<Job>("[layers]\nspaceing_mm = 2").is_err());
+    }
+}

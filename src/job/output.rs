@@ -1,0 +1,145 @@
+//! The files of a finished plan: job, program, report and path. Each appears whole or not at all,
+//! and the same job gives the same bytes.
+
+use super::files::{self, JobError};
+use super::model::Job;
+use super::plan::Plan;
+use super::report::Report;
+use crate::cell::Cell;
+use crate::part::Surfaces;
+use crate::program::nachi;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// What a file of a plan is called, and its bytes.
+pub struct OutputFile {
+    /// Name within the folder.
+    pub name: String,
+    /// Contents.
+    pub bytes: Vec<u8>,
+}
+
+/// The files of a plan. `job` names its part and cell relative to the folder they will stand in.
+pub fn files(
+    job: &Job,
+    part_name: &str,
+    cell: &Cell,
+    plan: &Plan,
+    surfaces: &Surfaces,
+) -> Result<Vec<OutputFile>, JobError> {
+    let report = Report::new(plan, surfaces);
+    let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
+    json.push('\n');
+    let program = nachi::program(cell, &head(job, part_name, &report), &plan.steps);
+    let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
+    Ok(vec![
+        file("job.toml".into(), files::to_toml(job)?.into_bytes()),
+        file(nachi::file_name(cell), program.into_bytes()),
+        file("report.json".into(), json.into_bytes()),
+        file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()),
+    ])
+}
+
+/// Writes a plan into a folder, made if it is not there.
+///
+/// # Errors
+/// What could not be written, and why.
+pub fn write(
+    dir: &Path,
+    job: &Job,
+    job_file: Option<&Path>,
+    cell: &Cell,
+    plan: &Plan,
+    surfaces: &Surfaces,
+) -> Result<Vec<PathBuf>, JobError> {
+    std::fs::create_dir_all(dir).map_err(|e| JobError::write(dir, &e))?;
+    let part_name =
+        files::beside(job_file, &job.part.file).file_name().map_or(String::new(), |n| n.to_string_lossy().into());
+    let moved = files::rebased(job, job_file, &dir.join("job.toml"))?;
+    let mut written = Vec::new();
+    for f in files(&moved, &part_name, cell, plan, surfaces)? {
+        let path = dir.join(&f.name);
+        files::write_atomic(&path, &f.bytes)?;
+        written.push(path);
+    }
+    Ok(written)
+}
+
+/// Comments at the head of a program.
+fn head(job: &Job, part_name: &str, report: &Report) -> Vec<String> {
+    let b = &job.beam;
+    let list: Vec<String> = report.surfaces.iter().map(|s| s.surface.to_string()).collect();
+    let shown =
+        if list.len() > 20 { format!("{} and {} more", list[..20].join(" "), list.len() - 20) } else { list.join(" ") };
+    vec![
+        format!("clearbeam {}, part {part_name}", env!("CARGO_PKG_VERSION")),
+        format!("surfaces {shown}"),
+        format!(
+            "power {} W, spot {} mm, defocus {} mm, speed {} mm/s",
+            b.power_w, b.spot_mm, b.defocus_mm, b.speed_mm_s
+        ),
+        format!(
+            "direction {}, spacing {} mm, {}",
+            job.layers.direction,
+            job.layers.spacing_mm,
+            job.layers.order.word()
+        ),
+        format!("{} targets, {} corrected, {} blocked and left out", report.points, report.corrected, report.blocked),
+        "Flange poses of a fixed laser and the part in hand; reach and limits are NOT checked".into(),
+        "Not verified on a controller: run it with the laser off first".into(),
+    ]
+}
+
+/// `path.csv`: one row a target.
+fn path_csv(plan: &Plan, defocus_mm: f64) -> String {
+    let mut out = String::from(
+        "pass,point,surface,laser,state,px,py,pz,nx,ny,nz,ax,ay,az,ox,oy,oz,x,y,z,tilt_deg,clearance_mm\n",
+    );
+    for (number, pass) in plan.passes.iter().enumerate() {
+        for (point, t) in pass.targets.iter().enumerate() {
+            let _ = write!(out, "{number},{point},{},{},{}", pass.surface, u8::from(t.laser), t.state.word());
+            let focus = t.focus(defocus_mm);
+            let vectors = [&t.p.coords, &t.n, &t.a, &t.o, &focus.coords];
+            for value in vectors.into_iter().flat_map(|v| v.iter()).chain([&t.tilt_deg()]) {
+                out.push(',');
+                push_number(&mut out, *value);
+            }
+            out.push_str(",\n");
+        }
+    }
+    out
+}
+
+/// Eleven decimals without the zeros at the end: at least nine significant digits for every
+/// number that is not below a hundredth.
+fn push_number(out: &mut String, value: f64) {
+    let start = out.len();
+    let _ = write!(out, "{value:.11}");
+    while out.ends_with('0') {
+        out.pop();
+    }
+    if out.ends_with('.') {
+        out.pop();
+    }
+    if &out[start..] == "-0" {
+        out.replace_range(start.., "0");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_nine_digits_and_no_minus_zero() {
+        let text = |v: f64| {
+            let mut s = String::from("x,");
+            push_number(&mut s, v);
+            s
+        };
+        assert_eq!(text(35.2), "x,35.2");
+        assert_eq!(text(-1e-14), "x,0");
+        assert_eq!(text(1.0 / 3.0), "x,0.33333333333");
+        assert_eq!(text(100.0), "x,100");
+    }
+}

@@ -1,0 +1,258 @@
+//! One table of all numeric parameters: it makes the panel, the command line's options and help,
+//! the validation, and the README's table.
+
+use super::model::Job;
+
+/// One number that an operator sets.
+pub struct Parameter {
+    /// Its option without the dashes; `None` for what only jobs and the window set.
+    pub option: Option<&'static str>,
+    /// Key in the job file, `table.key`.
+    pub key: &'static str,
+    /// Label in the window.
+    pub label: &'static str,
+    /// Unit, as printed.
+    pub unit: &'static str,
+    /// Least and greatest value.
+    pub range: (f64, f64),
+    /// Whether the least value itself is allowed.
+    pub least_allowed: bool,
+    /// What it means, and what it does.
+    pub meaning: &'static str,
+    /// Symbol in the papers, where it has one.
+    pub symbol: &'static str,
+    /// Reads it.
+    pub get: fn(&Job) -> f64,
+    /// Writes it.
+    pub set: fn(&mut Job, f64),
+}
+
+macro_rules! parameter {
+    ($option:expr, $key:literal, $label:literal, $unit:literal, $from:literal $open:tt $to:literal,
+     $symbol:literal, $meaning:literal, $($field:ident).+) => {
+        Parameter {
+            option: $option,
+            key: $key,
+            label: $label,
+            unit: $unit,
+            range: ($from, $to),
+            least_allowed: parameter!(@ $open),
+            meaning: $meaning,
+            symbol: $symbol,
+            get: |job| job.$($field).+,
+            set: |job, value| job.$($field).+ = value,
+        }
+    };
+    (@ <) => { false };
+    (@ ..) => { true };
+}
+
+/// The table, in the order of the panel. `a .. b`: from a to b; `a < b`: above a, to b.
+pub const PARAMETERS: [Parameter; 13] = [
+    parameter!(
+        Some("angle"),
+        "surfaces.angle_deg",
+        "Crease angle",
+        "°",
+        0.0 < 180.0,
+        "α (P1)",
+        "Edges with at least this angle between their facets divide feature surfaces",
+        surfaces.angle_deg
+    ),
+    parameter!(
+        None,
+        "surfaces.min_area_mm2",
+        "Absorb islands below",
+        "mm²",
+        0.0..1e6,
+        "",
+        "Smaller surfaces join the neighbour with the smoothest border; 0 = off",
+        surfaces.min_area_mm2
+    ),
+    parameter!(
+        None,
+        "surfaces.hysteresis_deg",
+        "Hysteresis",
+        "°",
+        0.0..180.0,
+        "",
+        "Edges from this angle on are creases too where they continue one; 0 = off",
+        surfaces.hysteresis_deg
+    ),
+    parameter!(
+        Some("spacing"),
+        "layers.spacing_mm",
+        "Spacing",
+        "mm",
+        0.0 < 1000.0,
+        "d (P2)",
+        "Distance between section planes; on a slope the lines lie further apart",
+        layers.spacing_mm
+    ),
+    parameter!(
+        Some("defocus"),
+        "beam.defocus_mm",
+        "Defocus distance",
+        "mm",
+        -500.0..500.0,
+        "D (P1)",
+        "How far the focus stands above the surface, along the beam",
+        beam.defocus_mm
+    ),
+    parameter!(
+        Some("chord-error"),
+        "path.chord_error_mm",
+        "Chord error",
+        "mm",
+        0.0 < 10.0,
+        "dε (P2)",
+        "How far the surface may lie from the straight move between two targets",
+        path.chord_error_mm
+    ),
+    parameter!(
+        Some("max-step"),
+        "path.max_step_mm",
+        "Longest step",
+        "mm",
+        0.0 < 100000.0,
+        "",
+        "Longest move between two targets",
+        path.max_step_mm
+    ),
+    parameter!(
+        Some("max-turn"),
+        "path.max_turn_deg",
+        "Largest turn",
+        "°",
+        0.0 < 180.0,
+        "",
+        "Largest turn of the surface normal between two targets",
+        path.max_turn_deg
+    ),
+    parameter!(
+        Some("speed"),
+        "beam.speed_mm_s",
+        "Speed",
+        "mm/s",
+        0.0 < 10000.0,
+        "v (P1)",
+        "Speed of the spot on the part",
+        beam.speed_mm_s
+    ),
+    parameter!(
+        Some("air-speed"),
+        "beam.air_speed_mm_s",
+        "Air speed",
+        "mm/s",
+        0.0 < 10000.0,
+        "",
+        "Speed of the focus with the laser off",
+        beam.air_speed_mm_s
+    ),
+    parameter!(
+        Some("power"),
+        "beam.power_w",
+        "Power",
+        "W",
+        0.0..100000.0,
+        "P (P1)",
+        "Laser power; stated in the program's head, to be set at the laser",
+        beam.power_w
+    ),
+    parameter!(
+        Some("spot"),
+        "beam.spot_mm",
+        "Spot diameter",
+        "mm",
+        0.0 < 100.0,
+        "",
+        "Diameter of the spot on the part",
+        beam.spot_mm
+    ),
+    parameter!(
+        None,
+        "part.placement.scale",
+        "Scale",
+        "",
+        0.0 < 100000.0,
+        "",
+        "Factor on the part, on top of its unit",
+        part.placement.scale
+    ),
+];
+
+impl Parameter {
+    /// The parameter of that option.
+    pub fn by_option(option: &str) -> Option<&'static Parameter> {
+        PARAMETERS.iter().find(|p| p.option == Some(option))
+    }
+
+    /// The parameter of that key in the job file.
+    pub fn by_key(key: &str) -> Option<&'static Parameter> {
+        PARAMETERS.iter().find(|p| p.key == key)
+    }
+
+    /// Its default.
+    pub fn default(&self) -> f64 {
+        (self.get)(&Job::default())
+    }
+
+    /// Why a value cannot be taken, as a sentence.
+    ///
+    /// # Errors
+    /// What the value may be.
+    pub fn check(&self, value: f64) -> Result<(), String> {
+        let (low, high) = self.range;
+        let good = value <= high && if self.least_allowed { value >= low } else { value > low };
+        if good {
+            return Ok(());
+        }
+        let from = if self.least_allowed { "from" } else { "above" };
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+        Err(format!("{} = {value}: give a number {from} {low} to {high}{unit}", self.option.unwrap_or(self.key)))
+    }
+}
+
+/// Checks every number of a job.
+///
+/// # Errors
+/// The first that is out of range.
+pub fn check_all(job: &Job) -> Result<(), String> {
+    PARAMETERS.iter().try_for_each(|p| p.check((p.get)(job)))?;
+    if let Some(offset) = job.layers.offset_mm.mm()
+        && !(0.0..=job.layers.spacing_mm).contains(&offset)
+    {
+        return Err(format!(
+            "offset = {offset}: give a number from 0 to the spacing ({} mm), or centred; a wider strip at the rim would stay uncleaned",
+            job.layers.spacing_mm
+        ));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_sound() {
+        for p in &PARAMETERS {
+            assert!(p.check(p.default()).is_ok(), "{}", p.key);
+            assert!(p.check(f64::NAN).is_err() && p.check(p.range.1 * 2.0 + 1.0).is_err(), "{}", p.key);
+            let mut job = Job::default();
+            (p.set)(&mut job, p.range.1);
+            assert_eq!((p.get)(&job), p.range.1, "{} reads what was written", p.key);
+            let text = toml::to_string(&job).expect("writes");
+            let value: toml::Table = text.parse().expect("reads");
+            let found = p.key.split('.').try_fold(toml::Value::Table(value), |v, k| v.get(k).cloned());
+            assert_eq!(found.and_then(|v| v.as_float()), Some(p.range.1), "{} is its place in the file", p.key);
+        }
+    }
+
+    #[test]
+    fn zero_and_negative_spacing_are_refused_with_a_reason() {
+        let p = Parameter::by_option("spacing").expect("there");
+        assert_eq!(p.check(0.0), Err("spacing = 0: give a number above 0 to 1000 mm".into()));
+        assert!(p.check(-1.0).is_err());
+    }
+}

@@ -1,0 +1,226 @@
+//! From a job to a plan: planes, lines, poses, program, report. Surfaces whose inputs have not
+//! changed are taken from the cache.
+
+use super::model::Job;
+use super::parameter;
+use super::progress::{Cancelled, Progress};
+use crate::cell::Cell;
+use crate::part::{Digest, Hasher, Part, Surfaces};
+use crate::path::chord::ChordLimits;
+use crate::path::coverage::{Coverage, coverage};
+use crate::path::normals::VertexNormals;
+use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
+use crate::pose::{Correction, LineRules, Pass, plan_line};
+use crate::program::steps::{Speeds, Steps, steps};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+use thiserror::Error;
+
+/// A surface's share of a plan.
+#[derive(Clone, Debug)]
+pub struct SurfacePlan {
+    /// Its planes.
+    pub planes: SurfacePlanes,
+    /// Its passes in working order.
+    pub passes: Vec<Pass>,
+    /// What no line reaches.
+    pub coverage: Coverage,
+}
+
+/// A plan.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// By surface, in the order of work.
+    pub surfaces: Vec<Arc<SurfacePlan>>,
+    /// All passes in program order.
+    pub passes: Vec<Pass>,
+    /// The program, step by step.
+    pub steps: Steps,
+    /// Speeds it was made for.
+    pub speeds: Option<Speeds>,
+}
+
+/// Why there is no plan.
+#[derive(Debug, Error, PartialEq)]
+pub enum PlanError {
+    /// A number is out of range.
+    #[error("{0}")]
+    Parameter(String),
+    /// A surface that is not there.
+    #[error("surface {surface} does not exist: the part has surfaces {known}; look at `clearbeam inspect`")]
+    NoSurface {
+        /// The number asked for.
+        surface: u32,
+        /// Those there are.
+        known: String,
+    },
+    /// The same one twice.
+    #[error("surface {0} stands twice in the list; name it once")]
+    Twice(u32),
+    /// Nothing chosen.
+    #[error("no surface is chosen; move at least one to the list to clean")]
+    Nothing,
+    /// Spacing against size.
+    #[error("spacing = {spacing_mm} mm is larger than the part ({size_mm:.3} mm); give less, or the right --units")]
+    SpacingTooLarge {
+        /// Asked for.
+        spacing_mm: f64,
+        /// Diagonal of the part.
+        size_mm: f64,
+    },
+    /// The user ended it.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl From<Cancelled> for PlanError {
+    fn from(_: Cancelled) -> Self {
+        PlanError::Cancelled
+    }
+}
+
+/// Surface plans by the digest of all that they depend on.
+#[derive(Debug, Default)]
+pub struct Cache(Mutex<BTreeMap<Digest, Arc<SurfacePlan>>>);
+
+impl Cache {
+    fn get(&self, key: &Digest) -> Option<Arc<SurfacePlan>> {
+        self.0.lock().ok()?.get(key).cloned()
+    }
+
+    /// Keeps what the newest plan uses, and nothing else.
+    fn keep(&self, used: BTreeMap<Digest, Arc<SurfacePlan>>) {
+        if let Ok(mut map) = self.0.lock() {
+            *map = used;
+        }
+    }
+}
+
+/// The surfaces of a part under a job.
+pub fn segmented(part: &Part, job: &Job) -> Surfaces {
+    let s = &job.surfaces;
+    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &s.rule(), &s.edits, &s.flipped)
+}
+
+/// Numbers of the surfaces to clean, checked.
+fn chosen(surfaces: &Surfaces, job: &Job) -> Result<Vec<u32>, PlanError> {
+    let list = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
+    if list.is_empty() {
+        return Err(PlanError::Nothing);
+    }
+    for (i, &n) in list.iter().enumerate() {
+        if surfaces.get(n).is_none() {
+            let last = surfaces.list.last().map_or(0, |s| s.number);
+            return Err(PlanError::NoSurface { surface: n, known: format!("1 to {last}") });
+        }
+        if list[..i].contains(&n) {
+            return Err(PlanError::Twice(n));
+        }
+    }
+    Ok(list)
+}
+
+/// Computes the plan of a job.
+///
+/// # Errors
+/// What in the job cannot be planned on; [`PlanError::Cancelled`] when `progress` says so.
+pub fn plan(
+    part: &Part,
+    surfaces: &Surfaces,
+    job: &Job,
+    cell: &Cell,
+    cache: &Cache,
+    progress: &Progress,
+) -> Result<Plan, PlanError> {
+    parameter::check_all(job).map_err(PlanError::Parameter)?;
+    let list = chosen(surfaces, job)?;
+    let size_mm = part.mesh.diagonal();
+    if job.layers.spacing_mm > size_mm {
+        return Err(PlanError::SpacingTooLarge { spacing_mm: job.layers.spacing_mm, size_mm });
+    }
+    let families = planes::planes(
+        &part.mesh,
+        surfaces,
+        &list,
+        job.layers.direction,
+        job.layers.spacing_mm,
+        job.layers.offset_mm.mm(),
+    );
+    let rules = rules(job);
+    progress.begin("planning", families.iter().map(|f| f.heights_mm.len()).sum());
+    let planned: Vec<(Digest, Arc<SurfacePlan>)> = families
+        .into_par_iter()
+        .map(|family| {
+            let key = key(part, surfaces, &family, job, &rules);
+            if let Some(known) = cache.get(&key) {
+                return Ok((key, known));
+            }
+            let made = plan_surface(part, surfaces, family, job, &rules, size_mm, progress)?;
+            Ok((key, Arc::new(made)))
+        })
+        .collect::<Result<_, PlanError>>()?;
+    let surface_plans: Vec<_> = planned.iter().map(|(_, p)| p.clone()).collect();
+    cache.keep(planned.into_iter().collect());
+    let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
+    progress.begin("connecting moves", 1);
+    let speeds =
+        Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm };
+    let steps = steps(part, cell, &passes, &speeds);
+    progress.step()?;
+    Ok(Plan { surfaces: surface_plans, passes, steps, speeds: Some(speeds) })
+}
+
+fn rules(job: &Job) -> LineRules {
+    LineRules {
+        max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm),
+        chord: ChordLimits {
+            chord_error_mm: job.path.chord_error_mm,
+            max_step_mm: job.path.max_step_mm,
+            max_turn_deg: job.path.max_turn_deg,
+        },
+        correction: job.path.correction,
+    }
+}
+
+fn plan_surface(
+    part: &Part,
+    surfaces: &Surfaces,
+    planes: SurfacePlanes,
+    job: &Job,
+    rules: &LineRules,
+    size_mm: f64,
+    progress: &Progress,
+) -> Result<SurfacePlan, PlanError> {
+    let Some(surface) = surfaces.get(planes.surface) else { return Err(PlanError::Nothing) };
+    let normals = VertexNormals::new(&part.mesh, surfaces, surface);
+    let merge_mm = 1e-6 * size_mm;
+    let lines: Vec<TransversalLine> =
+        section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
+    let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);
+    let lines = order::ordered(lines, job.layers.order, &planes.normal);
+    let passes = lines
+        .par_iter()
+        .map(|line| {
+            progress.step()?;
+            Ok(plan_line(part, surface.number, line, &planes.normal, rules))
+        })
+        .collect::<Result<Vec<Pass>, Cancelled>>()?;
+    Ok(SurfacePlan { planes, passes, coverage })
+}
+
+fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rules: &LineRules) -> Digest {
+    let facets = surfaces.get(planes.surface).map_or(&[][..], |s| &s.facets);
+    let flipped = job.surfaces.flipped.contains(&planes.surface);
+    let one_way = job.layers.order == Order::OneWay;
+    let corrected = rules.correction == Correction::SectionPlane;
+    Hasher::default()
+        .digest(part.digest)
+        .u32s(facets)
+        .u32s(&[planes.surface, flipped.into(), one_way.into(), corrected.into()])
+        .f64s(planes.normal.as_slice())
+        .f64s(&planes.heights_mm)
+        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm])
+        .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
+        .finish()
+}

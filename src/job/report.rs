@@ -1,0 +1,214 @@
+//! `report.json`: what was planned, in numbers that scripts rely on.
+
+use super::plan::Plan;
+use crate::part::Surfaces;
+use crate::pose::{Pass, State, Target};
+use serde::Serialize;
+
+/// The report. Lengths mm, areas mm², angles degrees, times s.
+///
+/// `work_mm` is the length of all moves with the laser on, `corrected_mm` the share of it that
+/// begins or ends at a corrected target, `blocked_mm` the length of passes with the laser off.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// Lines.
+    pub passes: usize,
+    /// Rows of `path.csv`.
+    pub points: usize,
+    /// See above.
+    pub work_mm: f64,
+    /// See above.
+    pub corrected_mm: f64,
+    /// See above.
+    pub blocked_mm: f64,
+    /// Length of connecting moves.
+    pub air_mm: f64,
+    /// Work and connecting moves.
+    pub time_s: f64,
+    /// Rows whose beam along the normal hits the part.
+    pub interfering: usize,
+    /// Rows that were corrected.
+    pub corrected: usize,
+    /// Rows that are blocked.
+    pub blocked: usize,
+    /// Largest angle between beam and normal with the laser on.
+    pub max_tilt_deg: f64,
+    /// Largest distance of a dropped point from its chord.
+    pub max_chord_error_mm: f64,
+    /// Largest distance of neighbouring lines on any surface.
+    pub max_surface_spacing_mm: f64,
+    /// Area that no line reaches.
+    pub missed_area_mm2: f64,
+    /// By surface, in the order of work.
+    pub surfaces: Vec<SurfaceReport>,
+    /// What is blocked or missed, and why.
+    pub problems: Vec<Problem>,
+}
+
+/// One surface.
+#[derive(Clone, Debug, Serialize)]
+pub struct SurfaceReport {
+    /// Its number.
+    pub surface: u32,
+    /// Its area.
+    pub area_mm2: f64,
+    /// As above.
+    pub passes: usize,
+    /// As above.
+    pub points: usize,
+    /// As above.
+    pub work_mm: f64,
+    /// As above.
+    pub corrected_mm: f64,
+    /// As above.
+    pub blocked_mm: f64,
+    /// As above.
+    pub missed_area_mm2: f64,
+    /// Least distance of its lines on the surface; null where no line runs.
+    pub spacing_min_mm: Option<f64>,
+    /// Greatest.
+    pub spacing_max_mm: Option<f64>,
+}
+
+/// One thing that is not done.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Problem {
+    /// Pass; null for what is missed.
+    pub pass: Option<usize>,
+    /// Point of the pass.
+    pub point: Option<usize>,
+    /// Surface.
+    pub surface: u32,
+    /// `beam` or `missed`.
+    pub cause: &'static str,
+    /// The facet in the way.
+    pub by_facet: Option<u32>,
+    /// Its surface.
+    pub by_surface: Option<u32>,
+}
+
+impl Report {
+    /// The report of a plan.
+    pub fn new(plan: &Plan, surfaces: &Surfaces) -> Report {
+        let count = |passes: &[Pass], which: &dyn Fn(&Target) -> bool| {
+            passes.iter().flat_map(|p| &p.targets).filter(|t| which(t)).count()
+        };
+        let all = &plan.passes;
+        let rows: Vec<SurfaceReport> = plan
+            .surfaces
+            .iter()
+            .map(|s| SurfaceReport {
+                surface: s.planes.surface,
+                area_mm2: surfaces.get(s.planes.surface).map_or(0.0, |x| x.area_mm2),
+                passes: s.passes.len(),
+                points: count(&s.passes, &|_| true),
+                work_mm: length(&s.passes, |_, to| to.laser),
+                corrected_mm: length(&s.passes, is_corrected),
+                blocked_mm: length(&s.passes, |_, to| !to.laser),
+                missed_area_mm2: s.coverage.missed_area_mm2,
+                spacing_min_mm: s.coverage.spacing_min_mm,
+                spacing_max_mm: s.coverage.spacing_max_mm,
+            })
+            .collect();
+        let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
+        Report {
+            passes: all.len(),
+            points: count(all, &|_| true),
+            work_mm: length(all, |_, to| to.laser),
+            corrected_mm: length(all, is_corrected),
+            blocked_mm: length(all, |_, to| !to.laser),
+            air_mm: plan.steps.air_mm,
+            time_s: plan.steps.time_s,
+            interfering: count(all, &|t| t.normal_hits.is_some()),
+            corrected: count(all, &|t| t.state == State::Corrected),
+            blocked: count(all, &|t| t.state == State::Blocked),
+            max_tilt_deg: lit.map(Target::tilt_deg).fold(0.0, f64::max),
+            max_chord_error_mm: all.iter().map(|p| p.chord_error_mm).fold(0.0, f64::max),
+            max_surface_spacing_mm: rows.iter().filter_map(|r| r.spacing_max_mm).fold(0.0, f64::max),
+            missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).sum(),
+            problems: problems(plan, surfaces),
+            surfaces: rows,
+        }
+    }
+
+    /// Whether everything chosen is done.
+    pub fn is_complete(&self) -> bool {
+        self.problems.is_empty()
+    }
+
+    /// A few lines for people.
+    pub fn text(&self) -> String {
+        use std::fmt::Write as _;
+        let mut out = String::new();
+        let _ = writeln!(
+            out,
+            "{} passes, {} targets: {} free, {} corrected, {} blocked",
+            self.passes,
+            self.points,
+            self.points - self.corrected - self.blocked,
+            self.corrected,
+            self.blocked
+        );
+        let minutes = |s: f64| format!("{}:{:02}:{:02}", s as u64 / 3600, s as u64 / 60 % 60, s as u64 % 60);
+        let _ = writeln!(
+            out,
+            "{:.1} mm with the laser on, {:.1} mm blocked, {:.1} mm in the air, {}",
+            self.work_mm,
+            self.blocked_mm,
+            self.air_mm,
+            minutes(self.time_s)
+        );
+        let _ = writeln!(
+            out,
+            "largest tilt {:.1}°, chord error {:.4} mm, spacing on the surface up to {:.3} mm",
+            self.max_tilt_deg, self.max_chord_error_mm, self.max_surface_spacing_mm
+        );
+        for s in self.surfaces.iter().filter(|s| s.missed_area_mm2 > 0.0) {
+            let _ = writeln!(
+                out,
+                "surface {}: {:.2} of {:.2} mm² missed by the planes; another direction would reach it",
+                s.surface, s.missed_area_mm2, s.area_mm2
+            );
+        }
+        for s in self.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
+            let _ = writeln!(
+                out,
+                "surface {}: {:.1} mm of {:.1} mm blocked",
+                s.surface,
+                s.blocked_mm,
+                s.blocked_mm + s.work_mm
+            );
+        }
+        out
+    }
+}
+
+fn length(passes: &[Pass], which: impl Fn(&Target, &Target) -> bool + Copy) -> f64 {
+    passes.iter().map(|p| p.length_mm(which)).sum()
+}
+
+fn is_corrected(from: &Target, to: &Target) -> bool {
+    to.laser && (from.state == State::Corrected || to.state == State::Corrected)
+}
+
+/// Blocked targets in program order, then missed surfaces.
+pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
+    let mut out = Vec::new();
+    for (number, pass) in plan.passes.iter().enumerate() {
+        for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
+            out.push(Problem {
+                pass: Some(number),
+                point: Some(point),
+                surface: pass.surface,
+                cause: "beam",
+                by_facet: t.normal_hits,
+                by_surface: t.normal_hits.map(|f| surfaces.of_facet[f as usize]),
+            });
+        }
+    }
+    for s in plan.surfaces.iter().filter(|s| s.coverage.missed_area_mm2 > 0.0) {
+        let surface = s.planes.surface;
+        out.push(Problem { pass: None, point: None, surface, cause: "missed", by_facet: None, by_surface: None });
+    }
+    out
+}

@@ -1,0 +1,99 @@
+//! Distances in space: from a point or a ray to a triangle. Exact to rounding, no tolerance.
+
+use nalgebra::{Point3, Vector3};
+
+/// Distance from a point to a triangle, mm.
+pub fn point_triangle(p: &Point3<f64>, [a, b, c]: &[Point3<f64>; 3]) -> f64 {
+    let n = (b - a).cross(&(c - a));
+    let inside = |u: &Point3<f64>, v: &Point3<f64>| (v - u).cross(&(p - u)).dot(&n) >= 0.0;
+    let length = n.norm();
+    if length > 0.0 && inside(a, b) && inside(b, c) && inside(c, a) {
+        return ((p - a).dot(&n) / length).abs();
+    }
+    let segment = |u: &Point3<f64>, v: &Point3<f64>| point_segment(p, u, v);
+    segment(a, b).min(segment(b, c)).min(segment(c, a))
+}
+
+/// Distance from a point to a segment, mm.
+pub fn point_segment(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
+    let d = b - a;
+    let t = ((p - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
+    (a + d * t - p).norm()
+}
+
+/// Distance from the part `t >= t0` of a ray (unit direction) to a triangle, mm.
+pub fn ray_triangle(origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, corners: &[Point3<f64>; 3]) -> f64 {
+    if super::bvh::meet(corners, origin, dir).is_some_and(|t| t >= t0) {
+        return 0.0;
+    }
+    let [a, b, c] = corners;
+    let start = origin + dir * t0;
+    let edges = ray_segment(&start, dir, a, b).min(ray_segment(&start, dir, b, c)).min(ray_segment(&start, dir, c, a));
+    // The ray's start may stand over the middle of the triangle.
+    edges.min(point_triangle(&start, corners))
+}
+
+/// Distance from a ray (unit direction) to a segment, mm.
+pub fn ray_segment(origin: &Point3<f64>, dir: &Vector3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
+    let (d, w) = (b - a, a - origin);
+    let (dd, dr, wr, wd) = (d.norm_squared(), d.dot(dir), w.dot(dir), w.dot(&d));
+    let denominator = dd - dr * dr;
+    // Nearest points of the two lines; where they are parallel any s will do.
+    let s = if denominator > 1e-14 * dd { ((dr * wr - wd) / denominator).clamp(0.0, 1.0) } else { 0.0 };
+    let mut t = wr + s * dr;
+    let mut s = s;
+    if t < 0.0 {
+        t = 0.0;
+        s = (-wd / dd.max(1e-300)).clamp(0.0, 1.0);
+    }
+    (w + d * s - dir * t).norm()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn point(c: [f64; 3]) -> Point3<f64> {
+        Point3::from(Vector3::from(c))
+    }
+
+    const SIDE: std::ops::Range<f64> = -5.0..5.0;
+
+    proptest! {
+        /// No point of triangle and ray is nearer, and some pair is as near.
+        #[test]
+        fn the_ray_distance_is_the_least(c in prop::array::uniform9(SIDE), o in prop::array::uniform3(SIDE),
+                                         d in prop::array::uniform3(-1.0..1.0f64), t0 in 0.0..3.0f64) {
+            let corners = [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
+            let d = Vector3::from(d);
+            prop_assume!(d.norm() > 0.1 && (corners[1] - corners[0]).cross(&(corners[2] - corners[0])).norm() > 0.5);
+            let (o, d) = (point(o), d.normalize());
+            let found = ray_triangle(&o, &d, t0, &corners);
+            // Distance to a convex set is convex along a line: a ternary search finds its least.
+            let (mut lo, mut hi) = (t0, t0 + 60.0);
+            for _ in 0..200 {
+                let (a, b) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+                if point_triangle(&(o + d * a), &corners) < point_triangle(&(o + d * b), &corners) { hi = b } else { lo = a }
+            }
+            let least = point_triangle(&(o + d * lo), &corners);
+            prop_assert!((found - least).abs() < 1e-6, "{found} against {least}");
+        }
+
+        #[test]
+        fn the_point_distance_is_the_least(c in prop::array::uniform9(SIDE), p in prop::array::uniform3(SIDE)) {
+            let corners = [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
+            let p = point(p);
+            let found = point_triangle(&p, &corners);
+            let mut least = f64::INFINITY;
+            for i in 0..=60 {
+                for j in 0..=60 - i {
+                    let (u, v) = (f64::from(i) / 60.0, f64::from(j) / 60.0);
+                    let q = corners[0] + (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v;
+                    least = least.min((q - p).norm());
+                }
+            }
+            prop_assert!(found <= least + 1e-9 && least <= found + 0.5);
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What the planes miss, and the spacing that lines really have on a surface.
+//!
+//! Planes at distance d give lines d/sin∠(n, m) apart on a surface with normal n: 2 d at 30°,
+//! 5.8 d at 10°, nothing at all on a facet parallel to the planes. P1 and P2 ignore this.
+
+use super::planes::SurfacePlanes;
+use super::section::TransversalLine;
+use crate::part::{Mesh, surfaces::Surface, topology::Dead};
+use nalgebra::{Point3, Vector3};
+use std::collections::BTreeMap;
+
+/// Within this angle of the planes a facet counts as parallel to them: lines would be 5.8 times as
+/// far apart as wanted.
+const PARALLEL_DEG: f64 = 10.0;
+
+/// Coverage of one surface.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Coverage {
+    /// Area of the facets that no line reaches, mm².
+    pub missed_area_mm2: f64,
+    /// Those facets.
+    pub missed_facets: Vec<u32>,
+    /// Least distance of neighbouring lines on the surface, mm; `None` where all is missed.
+    pub spacing_min_mm: Option<f64>,
+    /// Greatest.
+    pub spacing_max_mm: Option<f64>,
+}
+
+/// Looks for missed facets: parallel within 10° to the planes, or crossed by no line of the surface
+/// and further than one spacing from any.
+pub fn coverage(
+    mesh: &Mesh,
+    surface: &Surface,
+    planes: &SurfacePlanes,
+    spacing_mm: f64,
+    lines: &[TransversalLine],
+) -> Coverage {
+    let m = &planes.normal;
+    let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
+    let mut grid: Option<PointGrid> = None;
+    let mut out = Coverage::default();
+    for &f in surface.facets.iter().filter(|&&f| mesh.dead[f as usize] == Dead::No) {
+        let sine = mesh.normals[f as usize].cross(m).norm();
+        let heights = mesh.corners(f as usize).map(|p| p.coords.dot(m));
+        let (lo, hi) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
+        let from = planes.heights_mm.partition_point(|&c| c <= lo);
+        let crossed = planes.heights_mm.get(from).is_some_and(|&c| c <= hi);
+        let missed = sine < parallel_sine
+            || (!crossed && {
+                let grid = grid.get_or_insert_with(|| PointGrid::new(lines, spacing_mm));
+                !grid.has_within(&mesh.centroid(f as usize), spacing_mm)
+            });
+        if missed {
+            out.missed_area_mm2 += mesh.areas[f as usize];
+            out.missed_facets.push(f);
+        } else {
+            let on_surface = spacing_mm / sine;
+            out.spacing_min_mm = Some(out.spacing_min_mm.map_or(on_surface, |s| s.min(on_surface)));
+            out.spacing_max_mm = Some(out.spacing_max_mm.map_or(on_surface, |s| s.max(on_surface)));
+        }
+    }
+    out
+}
+
+/// Pieces of lines by the cell they pass, cells of one spacing.
+struct PointGrid {
+    cell_mm: f64,
+    cells: BTreeMap<[i64; 3], Vec<Piece>>,
+}
+
+type Piece = (Point3<f64>, Point3<f64>);
+
+impl PointGrid {
+    fn new(lines: &[TransversalLine], cell_mm: f64) -> PointGrid {
+        let mut cells: BTreeMap<[i64; 3], Vec<Piece>> = BTreeMap::new();
+        for line in lines {
+            let closing = if line.closed { line.points.first() } else { None };
+            let ring: Vec<_> = line.points.iter().chain(closing).map(|q| q.p).collect();
+            for w in ring.windows(2) {
+                let pieces = ((w[1] - w[0]).norm() / cell_mm).ceil().max(1.0);
+                for i in 0..pieces as usize {
+                    let at = |k: usize| w[0] + (w[1] - w[0]) * (k as f64 / pieces);
+                    cells.entry(key(&at(i), cell_mm)).or_default().push((at(i), at(i + 1)));
+                }
+            }
+        }
+        PointGrid { cell_mm, cells }
+    }
+
+    fn has_within(&self, p: &Point3<f64>, distance_mm: f64) -> bool {
+        let k = key(p, self.cell_mm);
+        let near = |d: Vector3<i64>| self.cells.get(&[k[0] + d.x, k[1] + d.y, k[2] + d.z]);
+        // A piece is at most one cell long and filed under its start: two cells around hold all.
+        (-2..=2).flat_map(|x| (-2..=2).flat_map(move |y| (-2..=2).map(move |z| Vector3::new(x, y, z)))).any(|d| {
+            near(d).is_some_and(|pieces| {
+                pieces.iter().any(|(a, b)| crate::part::distance::point_segment(p, a, b) <= distance_mm)
+            })
+        })
+    }
+}
+
+fn key(p: &Point3<f64>, cell_mm: f64) -> [i64; 3] {
+    [0, 1, 2].map(|k| (p[k] / cell_mm).floor() as i64)
+}

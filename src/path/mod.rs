@@ -1,0 +1,17 @@
+//! Where the spot travels: section planes, transversal lines, normals along them, chord error,
+//! order, and what no line reaches.
+//!
+//! Part frame, millimetres. Nothing here knows whether a beam can get there: that is `pose`.
+
+pub mod chord;
+pub mod coverage;
+pub mod dense;
+pub mod normals;
+pub mod order;
+pub mod planes;
+pub mod section;
+
+pub use dense::DensePoint;
+pub use order::Order;
+pub use planes::{Direction, SurfacePlanes};
+pub use section::{SectionPoint, TransversalLine};

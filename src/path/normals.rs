@@ -1,0 +1,53 @@
+//! Vertex normals within one feature surface (P2 4.2.3).
+//!
+//! P2's formula weighs facets by area; by the corner angle the normal does not depend on how the
+//! face was cut into triangles. Only facets of the same surface count: across a crease the mean
+//! would tilt the beam by 45° at a cube's edge.
+
+use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::Dead};
+use nalgebra::Vector3;
+
+/// Unit normals at the vertices of one surface.
+#[derive(Clone, Debug, Default)]
+pub struct VertexNormals {
+    vertices: Vec<u32>,
+    normals: Vec<Vector3<f64>>,
+}
+
+impl VertexNormals {
+    /// Sums the facets of a surface, weighed by their angle at the vertex.
+    pub fn new(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface) -> VertexNormals {
+        let live = || surface.facets.iter().map(|&f| f as usize).filter(|&f| mesh.dead[f] == Dead::No);
+        let mut vertices: Vec<u32> = live().flat_map(|f| mesh.facets[f]).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let mut sums = vec![Vector3::zeros(); vertices.len()];
+        let mut last = sums.clone();
+        for f in live() {
+            let corners = mesh.corners(f);
+            for k in 0..3 {
+                let (here, next, before) = (corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
+                let weight = angle::between_deg(&(next - here), &(before - here));
+                if let Ok(i) = vertices.binary_search(&mesh.facets[f][k]) {
+                    sums[i] += surfaces.normals[f] * weight;
+                    last[i] = surfaces.normals[f];
+                }
+            }
+        }
+        // Facets that cancel out (a blade's edge within one surface): any one of them.
+        let normals =
+            sums.into_iter().zip(last).map(|(s, l)| if s.norm() < 1e-6 { l } else { s.normalize() }).collect();
+        VertexNormals { vertices, normals }
+    }
+
+    /// Normal at a vertex of the mesh; zero if it is not on the surface.
+    pub fn at(&self, vertex: u32) -> Vector3<f64> {
+        self.vertices.binary_search(&vertex).map_or(Vector3::zeros(), |i| self.normals[i])
+    }
+}
+
+/// Normal between two points, by the share `t` of the way (P2 4.2.3; the print has the weights
+/// swapped).
+pub fn between(from: &Vector3<f64>, to: &Vector3<f64>, t: f64) -> Vector3<f64> {
+    angle::unit(from * (1.0 - t) + to * t).unwrap_or(*from)
+}

@@ -1,0 +1,238 @@
+//! Families of section planes (P2 4.2.1).
+//!
+//! Surfaces with the same direction, spacing and offset share one family, centred on their joint
+//! extent, so that their lines meet at creases; P2's start at `min + d` would leave a strip of
+//! width d at one rim. A surface that falls between two planes gets one of its own.
+
+use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::Dead};
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+use std::fmt;
+use std::str::FromStr;
+
+/// Normal of the section planes, as the operator chooses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Direction {
+    /// A direction in the part frame, of any length but 0.
+    Along([f64; 3]),
+    /// Per surface the one that keeps the spacing on it truest.
+    Auto,
+}
+
+impl Direction {
+    /// The three axes, as shown in lists.
+    pub const AXES: [(&'static str, Direction); 3] = [
+        ("x", Direction::Along([1.0, 0.0, 0.0])),
+        ("y", Direction::Along([0.0, 1.0, 0.0])),
+        ("z", Direction::Along([0.0, 0.0, 1.0])),
+    ];
+}
+
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((name, _)) = Direction::AXES.iter().find(|(_, d)| d == self) {
+            return f.write_str(name);
+        }
+        match self {
+            Direction::Auto => f.write_str("auto"),
+            Direction::Along([x, y, z]) => write!(f, "{x},{y},{z}"),
+        }
+    }
+}
+
+impl FromStr for Direction {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        if let Some((_, d)) = Direction::AXES.iter().find(|(name, _)| name.eq_ignore_ascii_case(text)) {
+            return Ok(*d);
+        }
+        if text.eq_ignore_ascii_case("auto") {
+            return Ok(Direction::Auto);
+        }
+        let wrong = || format!("{text:?} is no direction: give x, y, z, auto or three numbers DX,DY,DZ");
+        let numbers: Vec<f64> =
+            text.split(',').map(|n| n.trim().parse()).collect::<Result<_, _>>().map_err(|_| wrong())?;
+        let v: [f64; 3] = numbers.try_into().map_err(|_| wrong())?;
+        if angle::unit(Vector3::from(v)).is_none() {
+            return Err(format!("the direction {text} has no length: give three numbers that are not all zero"));
+        }
+        Ok(Direction::Along(v))
+    }
+}
+
+/// The planes of one surface: `normal · p = height`, heights ascending.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfacePlanes {
+    /// Surface number.
+    pub surface: u32,
+    /// Unit normal of the planes (m).
+    pub normal: Vector3<f64>,
+    /// Heights along it, mm.
+    pub heights_mm: Vec<f64>,
+}
+
+/// The planes of the chosen surfaces, in their order.
+///
+/// `offset_mm` is the first plane's height above the lowest point of a family's extent; `None`
+/// centres the family. Surfaces without any proper facet get no planes.
+pub fn planes(
+    mesh: &Mesh,
+    surfaces: &Surfaces,
+    chosen: &[u32],
+    direction: Direction,
+    spacing_mm: f64,
+    offset_mm: Option<f64>,
+) -> Vec<SurfacePlanes> {
+    let mut all: Vec<(SurfacePlanes, (f64, f64))> = chosen
+        .iter()
+        .filter_map(|&number| surfaces.get(number))
+        .filter_map(|s| {
+            let normal = match direction {
+                Direction::Along(v) => angle::unit(Vector3::from(v))?,
+                Direction::Auto => truest_direction(mesh, s)?,
+            };
+            let extent = extent(mesh, s, &normal)?;
+            Some((SurfacePlanes { surface: s.number, normal, heights_mm: Vec::new() }, extent))
+        })
+        .collect();
+    for i in 0..all.len() {
+        let (normal, own) = (all[i].0.normal, all[i].1);
+        let joint = all.iter().filter(|(p, _)| p.normal == normal).fold(own, |j, (_, e)| (j.0.min(e.0), j.1.max(e.1)));
+        let family = family(joint, spacing_mm, offset_mm);
+        let touched = family.partition_point(|&h| h <= own.0)..family.partition_point(|&h| h <= own.1);
+        all[i].0.heights_mm = if touched.is_empty() { vec![0.5 * (own.0 + own.1)] } else { family[touched].to_vec() };
+    }
+    all.into_iter().map(|(p, _)| p).collect()
+}
+
+/// Heights of a family over an extent.
+fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f64>) -> Vec<f64> {
+    // A hair less, so that an extent of exactly n spacings does not get n + 1 planes by rounding.
+    let steps = (hi - lo) / spacing_mm * (1.0 - 1e-12);
+    let (first, count) = match offset_mm {
+        Some(offset) => (lo + offset, ((hi - lo - offset) / spacing_mm).floor().max(0.0) as usize + 1),
+        None => {
+            let count = steps.ceil().max(1.0);
+            (lo + 0.5 * ((hi - lo) - (count - 1.0) * spacing_mm), count as usize)
+        }
+    };
+    (0..count).map(|i| first + i as f64 * spacing_mm).collect()
+}
+
+fn live<'a>(mesh: &'a Mesh, s: &'a Surface) -> impl Iterator<Item = usize> + 'a {
+    s.facets.iter().map(|&f| f as usize).filter(|&f| mesh.dead[f] == Dead::No)
+}
+
+fn extent(mesh: &Mesh, s: &Surface, normal: &Vector3<f64>) -> Option<(f64, f64)> {
+    live(mesh, s)
+        .flat_map(|f| mesh.corners(f))
+        .map(|p| p.coords.dot(normal))
+        .map(|h| (h, h))
+        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
+/// The direction m with the least mean of 1/sin∠(n, m), the factor by which spacing on the surface
+/// exceeds the plane spacing. Axes are preferred where they are as good; on a plane, where every
+/// direction in it is perfect, the one with the fewest lines.
+fn truest_direction(mesh: &Mesh, s: &Surface) -> Option<Vector3<f64>> {
+    let mut spread: Matrix3<f64> = Matrix3::zeros();
+    let mut sum = Vector3::zeros();
+    for f in live(mesh, s) {
+        spread += mesh.normals[f] * mesh.normals[f].transpose() * mesh.areas[f];
+        sum += mesh.normals[f] * mesh.areas[f];
+    }
+    let eigen = SymmetricEigen::new(spread);
+    let mut candidates = vec![Vector3::z(), Vector3::x(), Vector3::y()];
+    let mut own: Vec<(f64, Vector3<f64>)> =
+        (0..3).map(|k| (eigen.eigenvalues[k], eigen.eigenvectors.column(k).into_owned())).collect();
+    own.sort_by(|a, b| a.0.total_cmp(&b.0));
+    candidates.extend(own.into_iter().filter_map(|(_, v)| angle::unit(signed(v))));
+    if let Some(n) = angle::unit(sum) {
+        candidates.extend(principal_in_plane(mesh, s, &n));
+    }
+    candidates
+        .into_iter()
+        .filter_map(|m| {
+            let (mut cost, mut area) = (0.0, 0.0);
+            for f in live(mesh, s) {
+                let sine = mesh.normals[f].cross(&m).norm();
+                cost += mesh.areas[f] / sine.max(1e-3);
+                area += mesh.areas[f];
+            }
+            let (lo, hi) = extent(mesh, s, &m)?;
+            // Steps of 1e-6: axis against eigenvector is decided by preference, not by rounding.
+            Some(((cost / area.max(1e-300) * 1e6).round(), ((hi - lo) * 1e3).round(), m))
+        })
+        .reduce(|a, b| if (b.0, b.1) < (a.0, a.1) { b } else { a })
+        .map(|(_, _, m)| m)
+}
+
+/// The two principal axes of a surface's corners within the plane square to `n`.
+fn principal_in_plane(mesh: &Mesh, s: &Surface, n: &Vector3<f64>) -> Vec<Vector3<f64>> {
+    let u = angle::any_square_to(n);
+    let v = n.cross(&u);
+    let (mut weight, mut mean) = (0.0, Vector3::zeros());
+    for f in live(mesh, s) {
+        mean += mesh.centroid(f).coords * mesh.areas[f];
+        weight += mesh.areas[f];
+    }
+    mean /= f64::max(weight, 1e-300);
+    let (mut uu, mut uv, mut vv) = (0.0, 0.0, 0.0);
+    for f in live(mesh, s) {
+        let d = mesh.centroid(f).coords - mean;
+        let (x, y) = (d.dot(&u), d.dot(&v));
+        (uu, uv, vv) = (uu + x * x * mesh.areas[f], uv + x * y * mesh.areas[f], vv + y * y * mesh.areas[f]);
+    }
+    let half_turn = 0.5 * libm::atan2(2.0 * uv, uu - vv);
+    let main = u * libm::cos(half_turn) + v * libm::sin(half_turn);
+    [n.cross(&main), main].into_iter().filter_map(|d| angle::unit(signed(d))).collect()
+}
+
+/// Of the two opposite directions the one whose largest component is positive.
+fn signed(v: Vector3<f64>) -> Vector3<f64> {
+    if v[v.iamax()] < 0.0 { -v } else { v }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_cup_of_p2_gets_five_planes() {
+        let heights = family((0.0, 28.0), 6.0, None);
+        assert_eq!(heights, [2.0, 8.0, 14.0, 20.0, 26.0]);
+        assert_eq!(family((0.0, 28.0), 6.0, Some(6.0)), [6.0, 12.0, 18.0, 24.0]);
+        assert_eq!(family((3.0, 3.1), 6.0, None), [3.05]);
+        assert_eq!(family((0.0, 3.0), 1.0, None), [0.5, 1.5, 2.5]);
+    }
+
+    proptest! {
+        #[test]
+        fn no_gap_exceeds_the_spacing(lo in -50.0..50.0f64, size in 0.01..80.0f64, d in 0.05..10.0f64, share in 0.0..1.0f64) {
+            for offset in [None, Some(share * d)] {
+                let hi = lo + size;
+                let heights = family((lo, hi), d, offset);
+                let inside = |h: &&f64| **h >= lo && **h <= hi;
+                let mut at: Vec<f64> = heights.iter().filter(inside).copied().collect();
+                if at.is_empty() {
+                    prop_assert!(size <= d);
+                    continue;
+                }
+                at.insert(0, lo);
+                at.push(hi);
+                prop_assert!(at.windows(2).all(|w| w[1] - w[0] <= d * (1.0 + 1e-9)), "{at:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn directions_read_and_print() {
+        for text in ["x", "auto", "1,0.5,-2"] {
+            assert_eq!(text.parse::<Direction>().expect("reads").to_string(), text);
+        }
+        assert!("0,0,0".parse::<Direction>().is_err());
+        assert!("up".parse::<Direction>().is_err());
+    }
+}

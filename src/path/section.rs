@@ -1,0 +1,171 @@
+//! Transversal lines: a surface cut by a plane, walked along the topology (P2 4.2.1, Algorithm 1).
+//!
+//! A vertex on the plane counts as above it, everywhere; then every crossed facet has one edge that
+//! the winding takes upwards and one downwards. Entering by the first and leaving by the second, the
+//! points come out in order, and every line runs in the sense of (facet normal × plane normal).
+
+use super::normals::{VertexNormals, between};
+use crate::part::{Mesh, surfaces::Surface, topology::Dead};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// A point of a transversal line with the surface normal there (unit).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionPoint {
+    /// On the part, mm.
+    pub p: Point3<f64>,
+    /// Unit normal of the surface.
+    pub n: Vector3<f64>,
+}
+
+/// One line of one surface in one plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransversalLine {
+    /// Index of the plane within its surface's planes.
+    pub plane: usize,
+    /// Points in order. A closed line does not repeat its first.
+    pub points: Vec<SectionPoint>,
+    /// Whether the last point joins the first.
+    pub closed: bool,
+}
+
+/// Cuts a surface by planes `normal · p = height` (heights ascending): all lines, plane by plane.
+///
+/// Points closer than `merge_mm` are merged; lines shorter than that are dropped.
+pub fn sections(
+    mesh: &Mesh,
+    surface: &Surface,
+    vertex_normals: &VertexNormals,
+    normal: &Vector3<f64>,
+    heights_mm: &[f64],
+    merge_mm: f64,
+) -> Vec<TransversalLine> {
+    let height = |v: u32| mesh.vertices[v as usize].coords.dot(normal);
+    let mut per_plane: Vec<Vec<u32>> = vec![Vec::new(); heights_mm.len()];
+    for &f in surface.facets.iter().filter(|&&f| mesh.dead[f as usize] == Dead::No) {
+        let h = mesh.facets[f as usize].map(height);
+        let (lo, hi) = (h[0].min(h[1]).min(h[2]), h[0].max(h[1]).max(h[2]));
+        // Crossed where lo < height <= hi.
+        let from = heights_mm.partition_point(|&c| c <= lo);
+        for facets in per_plane[from..].iter_mut().zip(&heights_mm[from..]).take_while(|(_, c)| **c <= hi).map(|p| p.0)
+        {
+            facets.push(f);
+        }
+    }
+    let cut = Cut { mesh, vertex_normals, normal };
+    per_plane
+        .par_iter()
+        .enumerate()
+        .flat_map_iter(|(plane, facets)| {
+            let lines = cut.lines(facets, heights_mm[plane]);
+            lines.into_iter().filter_map(move |(points, closed)| {
+                merged(points, closed, merge_mm).map(|(points, closed)| TransversalLine { plane, points, closed })
+            })
+        })
+        .collect()
+}
+
+struct Cut<'a> {
+    mesh: &'a Mesh,
+    vertex_normals: &'a VertexNormals,
+    normal: &'a Vector3<f64>,
+}
+
+impl Cut<'_> {
+    /// Lines of the crossed facets of one plane.
+    fn lines(&self, facets: &[u32], height: f64) -> Vec<(Vec<SectionPoint>, bool)> {
+        // Edge by which each facet is entered (upwards) and left (downwards).
+        let gates: Vec<(u32, u32)> = facets.iter().filter_map(|&f| self.gates(f, height)).collect();
+        let mut by_entry: Vec<(u32, u32)> = gates.iter().enumerate().map(|(i, g)| (g.0, i as u32)).collect();
+        by_entry.sort_unstable();
+        let mut exits: Vec<u32> = gates.iter().map(|g| g.1).collect();
+        exits.sort_unstable();
+        let once = |sorted: &[u32], e: u32| {
+            let at = sorted.partition_point(|&x| x < e);
+            sorted.get(at) == Some(&e) && sorted.get(at + 1) != Some(&e)
+        };
+        // Over an edge with more than two facets of the surface no line is led.
+        let next = |slot: usize| -> Option<usize> {
+            let e = gates[slot].1;
+            let at = by_entry.partition_point(|x| x.0 < e);
+            let unique = by_entry.get(at)?.0 == e && by_entry.get(at + 1).is_none_or(|x| x.0 != e);
+            (unique && once(&exits, e)).then(|| by_entry[at].1 as usize)
+        };
+        let successor: Vec<Option<usize>> = (0..gates.len()).map(next).collect();
+        let mut has_predecessor = vec![false; gates.len()];
+        for s in successor.iter().flatten() {
+            has_predecessor[*s] = true;
+        }
+        let mut visited = vec![false; gates.len()];
+        let mut lines = Vec::new();
+        let starts = (0..gates.len()).filter(|&s| !has_predecessor[s]).chain(0..gates.len());
+        for start in starts {
+            if visited[start] {
+                continue;
+            }
+            let mut points = Vec::new();
+            if !has_predecessor[start] {
+                points.push(self.point(gates[start].0, height));
+            }
+            let mut slot = Some(start);
+            while let Some(s) = slot.filter(|&s| !visited[s]) {
+                visited[s] = true;
+                points.push(self.point(gates[s].1, height));
+                slot = successor[s];
+            }
+            lines.push((points, has_predecessor[start]));
+        }
+        lines
+    }
+
+    fn gates(&self, facet: u32, height: f64) -> Option<(u32, u32)> {
+        let corners = self.mesh.facets[facet as usize];
+        let above = corners.map(|v| self.mesh.vertices[v as usize].coords.dot(self.normal) >= height);
+        let edge = |from: bool| {
+            (0..3)
+                .find(|&k| above[k] == from && above[(k + 1) % 3] != from)
+                .map(|k| self.mesh.facet_edges[facet as usize][k])
+        };
+        Some((edge(false)?, edge(true)?))
+    }
+
+    /// Where an edge crosses the plane, with the normal between its ends (P2 4.2.3).
+    fn point(&self, edge: u32, height: f64) -> SectionPoint {
+        let [mut a, mut b] = self.mesh.edges[edge as usize];
+        let at = |v: u32| self.mesh.vertices[v as usize];
+        // From the lower end, whatever the numbering: the same bits for the same edge.
+        let (ha, hb) = (at(a).coords.dot(self.normal), at(b).coords.dot(self.normal));
+        let (low, high) = if ha <= hb { (ha, hb) } else { (hb, ha) };
+        if ha > hb {
+            std::mem::swap(&mut a, &mut b);
+        }
+        let t = ((height - low) / (high - low)).clamp(0.0, 1.0);
+        SectionPoint {
+            p: at(a) + (at(b) - at(a)) * t,
+            n: between(&self.vertex_normals.at(a), &self.vertex_normals.at(b), t),
+        }
+    }
+}
+
+/// Drops points closer than `merge_mm` to the one before; `None` if no line is left.
+fn merged(points: Vec<SectionPoint>, closed: bool, merge_mm: f64) -> Option<(Vec<SectionPoint>, bool)> {
+    let mut kept: Vec<SectionPoint> = Vec::with_capacity(points.len());
+    for q in &points {
+        if kept.last().is_none_or(|k| (k.p - q.p).norm() >= merge_mm) {
+            kept.push(*q);
+        }
+    }
+    if closed {
+        while kept.len() > 1 && (kept[0].p - kept[kept.len() - 1].p).norm() < merge_mm {
+            kept.pop();
+        }
+    } else if let (Some(last), Some(end)) = (kept.last_mut(), points.last()) {
+        // The rim itself stays the end of an open line.
+        *last = *end;
+    }
+    let length: f64 = kept.windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
+    if closed && kept.len() == 2 {
+        return (length >= merge_mm).then_some((kept, false));
+    }
+    (kept.len() >= 2 && length >= merge_mm).then_some((kept, closed))
+}

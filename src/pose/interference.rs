@@ -1,0 +1,108 @@
+//! Does the beam hit the part? The ray of P1 3.1 against all facets, with what P1 leaves open:
+//! a beam that grazes a facet, and one that starts in it.
+//!
+//! This one routine serves detection, correction and verification; `checker` shares no code with it.
+
+use crate::part::{Bvh, Part, distance};
+use nalgebra::{Point3, Vector3};
+
+/// A beam closer than this to a facet interferes, mm. Two hundredths are well above the error of
+/// f32 coordinates on a metre of part, and well below any spot.
+pub const GRAZE_MM: f64 = 0.02;
+
+/// Least angle between the beam and a facet that its own point touches, degrees. At the foot of a
+/// 90° wall the floor's normal lies in the wall (0°: interferes); a draft of 2° is free.
+const TOUCH_DEG: f64 = 1.0;
+
+/// Steps along the beam at which its distance to a touched facet is compared with `TOUCH_DEG`, mm.
+/// At the last one that angle has opened to `GRAZE_MM`, which holds from there on.
+const TOUCH_STEPS_MM: [f64; 4] = [0.05, 0.2, 0.6, 1.146];
+
+/// What a beam hits first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blocker {
+    /// Facet index.
+    pub facet: u32,
+    /// Distance along the beam, mm.
+    pub t_mm: f64,
+}
+
+/// The beam as a ray without end.
+#[derive(Clone, Copy, Debug)]
+pub struct Beam<'a> {
+    bvh: &'a Bvh,
+}
+
+impl<'a> Beam<'a> {
+    /// A beam on this part.
+    pub fn on(part: &'a Part) -> Beam<'a> {
+        Beam { bvh: &part.bvh }
+    }
+
+    /// Whether the beam to the point `p` of the surface, along the unit axis `a`, meets nothing.
+    pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        let mut free = true;
+        self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |_, corners| {
+            free &= !interferes(p, a, corners);
+            if free { f64::INFINITY } else { -1.0 }
+        });
+        free
+    }
+
+    /// The first thing that the beam meets.
+    pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
+        let mut first: Option<Blocker> = None;
+        self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |facet, corners| {
+            if interferes(p, a, corners) {
+                let t_mm = crate::part::bvh::meet(corners, p, a)
+                    .filter(|t| *t > 0.0)
+                    .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
+                if first.is_none_or(|b| (t_mm, facet) < (b.t_mm, b.facet)) {
+                    first = Some(Blocker { facet, t_mm });
+                }
+            }
+            f64::INFINITY
+        });
+        first
+    }
+
+    /// The point nearest to `p` at which the line through `p` along `a` meets the part, within
+    /// `window_mm` either way; `p` itself where it meets none.
+    pub fn spot(&self, p: &Point3<f64>, a: &Vector3<f64>, window_mm: f64) -> Point3<f64> {
+        let start = p - a * window_mm;
+        let mut best: Option<f64> = None;
+        self.bvh.visit_ray(&start, a, 0.0, 2.0 * window_mm, 0.0, |_, corners| {
+            if let Some(t) = crate::part::bvh::meet(corners, &start, a) {
+                let off = t - window_mm;
+                if off.abs() <= window_mm && best.is_none_or(|b| (off.abs(), off) < (b.abs(), b)) {
+                    best = Some(off);
+                }
+            }
+            2.0 * window_mm
+        });
+        best.map_or(*p, |off| p + a * off)
+    }
+}
+
+/// Whether the beam from `p` along `a` interferes with one facet.
+fn interferes(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> bool {
+    // Most facets near a beam are those it stands on: it leaves their plane, from in front of it.
+    let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+    let (rise, height) = (n.dot(a), n.dot(&(p - corners[0])));
+    let length = n.norm();
+    // Twice TOUCH_DEG, so that the quick way out never decides a close case.
+    let leaves = rise.abs() > 0.035 * length;
+    if leaves && (height * rise > 0.0 || height.abs() <= 1e-7 * length) {
+        return false;
+    }
+    if distance::ray_triangle(p, a, 0.0, corners) > GRAZE_MM {
+        return false;
+    }
+    if distance::point_triangle(p, corners) > GRAZE_MM {
+        return true;
+    }
+    TOUCH_STEPS_MM.iter().any(|&t| {
+        let allowed = t * libm::tan(TOUCH_DEG.to_radians());
+        distance::ray_triangle(p, a, t, corners) <= allowed.min(GRAZE_MM)
+    })
+}

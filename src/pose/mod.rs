@@ -1,0 +1,17 @@
+//! How the beam stands at every target: path frames, interference, the corrections, the motion
+//! between targets, and an independent checker.
+//!
+//! Part frame, millimetres and degrees. The beam here is a ray (P1); robots come later.
+
+pub mod checker;
+pub mod correction;
+pub mod interference;
+pub mod line;
+pub mod motion;
+pub mod section_plane;
+pub mod target;
+
+pub use correction::Correction;
+pub use interference::{Beam, Blocker};
+pub use line::{LineRules, plan_line};
+pub use target::{Pass, State, Target};

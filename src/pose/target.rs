@@ -1,0 +1,107 @@
+//! Targets and passes, and the path frame `[n o a]` at a target (P2 4.3).
+
+use crate::part::angle;
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
+
+/// What became of a target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum State {
+    /// The beam stands along the surface normal.
+    Free,
+    /// The beam was tilted out of something's way.
+    Corrected,
+    /// No free beam was found; the laser is off here.
+    Blocked,
+}
+
+impl State {
+    /// The word in `path.csv`.
+    pub fn word(self) -> &'static str {
+        match self {
+            State::Free => "free",
+            State::Corrected => "corrected",
+            State::Blocked => "blocked",
+        }
+    }
+}
+
+/// One target of a pass. All directions are unit vectors in the part frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// On the part, mm.
+    pub p: Point3<f64>,
+    /// Surface normal.
+    pub n: Vector3<f64>,
+    /// Beam axis, from the surface towards the laser.
+    pub a: Vector3<f64>,
+    /// Travel direction, square to a.
+    pub o: Vector3<f64>,
+    /// What became of it.
+    pub state: State,
+    /// Whether the move that ends here is made with the laser on.
+    pub laser: bool,
+    /// Whether the beam along the normal hits something here, and the facet it hits first.
+    pub normal_hits: Option<u32>,
+}
+
+impl Target {
+    /// Angle between beam and normal, degrees.
+    pub fn tilt_deg(&self) -> f64 {
+        angle::between_deg(&self.a, &self.n)
+    }
+
+    /// Where the focus stands: `p + D·a`, mm.
+    pub fn focus(&self, defocus_mm: f64) -> Point3<f64> {
+        self.p + self.a * defocus_mm
+    }
+
+    /// The path frame `[n o a | p + D·a]` in the part frame (P2: n = o × a).
+    pub fn frame(&self, defocus_mm: f64) -> Isometry3<f64> {
+        frame(&self.focus(defocus_mm), &self.a, &self.o)
+    }
+}
+
+/// Frame with z along the unit axis `a` and y along the unit `o` square to it.
+pub fn frame(origin: &Point3<f64>, a: &Vector3<f64>, o: &Vector3<f64>) -> Isometry3<f64> {
+    let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[o.cross(a), *o, *a]));
+    Isometry3::from_parts(Translation3::from(origin.coords), UnitQuaternion::from_rotation_matrix(&rotation))
+}
+
+/// The part of a tangent that is square to the axis, unit.
+pub fn travel(tangent: &Vector3<f64>, a: &Vector3<f64>) -> Vector3<f64> {
+    angle::unit(tangent - a * a.dot(tangent)).unwrap_or_else(|| angle::any_square_to(a))
+}
+
+/// One line of one surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pass {
+    /// Surface number.
+    pub surface: u32,
+    /// Unit normal of its section plane (m).
+    pub plane_normal: Vector3<f64>,
+    /// Whether it ends where it began.
+    pub closed: bool,
+    /// Its targets in order.
+    pub targets: Vec<Target>,
+    /// Largest distance of a dropped point from its chord, mm.
+    pub chord_error_mm: f64,
+}
+
+impl Pass {
+    /// Length of the moves that `which` picks by the target they end at, mm.
+    pub fn length_mm(&self, which: impl Fn(&Target, &Target) -> bool) -> f64 {
+        self.targets.windows(2).filter(|w| which(&w[0], &w[1])).map(|w| (w[1].p - w[0].p).norm()).sum()
+    }
+
+    /// Runs of targets that are reached with the laser on: first and last index of each.
+    pub fn lit_pieces(&self) -> Vec<(usize, usize)> {
+        let mut pieces: Vec<(usize, usize)> = Vec::new();
+        for (i, _) in self.targets.iter().enumerate().filter(|(_, t)| t.laser) {
+            match pieces.last_mut() {
+                Some((_, last)) if *last + 1 == i => *last = i,
+                _ => pieces.push((i - 1, i)),
+            }
+        }
+        pieces
+    }
+}

@@ -1,0 +1,101 @@
+//! Connecting moves with the laser off: over the part, never through it.
+//!
+//! The focus is drawn back along the beam. Short hops go straight, if every pose on the way keeps
+//! clear of the part. All others go out to a sphere around the part, along the great circle over
+//! it, and back in along the next beam, which is free to infinity.
+
+use super::steps::Station;
+use crate::cell::mounting::Air;
+use crate::part::{Part, angle, distance};
+use nalgebra::Point3;
+
+/// Farther apart than this the way round is taken without looking at the straight one, mm.
+const HOP_MM: f64 = 40.0;
+/// Poses looked at on a straight hop, mm and degrees apart.
+const LOOK_MM: f64 = 0.5;
+const LOOK_DEG: f64 = 2.0;
+/// Stations on the great circle stand this far apart, degrees.
+const ARC_DEG: f64 = 30.0;
+
+/// The space around a part.
+#[derive(Clone, Copy, Debug)]
+pub struct Space<'a> {
+    part: &'a Part,
+    air: &'a Air,
+    defocus_mm: f64,
+    centre: Point3<f64>,
+    radius_mm: f64,
+}
+
+impl<'a> Space<'a> {
+    /// The sphere lies `air.clearance_mm` outside everything that the focus reaches.
+    pub fn new(part: &'a Part, air: &'a Air, defocus_mm: f64) -> Space<'a> {
+        let (lo, hi) = part.mesh.bounds();
+        let radius_mm = 0.5 * (hi - lo).norm() + defocus_mm.max(0.0) + air.retreat_mm + air.clearance_mm;
+        Space { part, air, defocus_mm, centre: lo + (hi - lo) * 0.5, radius_mm }
+    }
+
+    /// Stations between the end of one piece and the start of the next, both excluded.
+    pub fn between(&self, from: &Station, to: &Station) -> Vec<Station> {
+        let (up, down) = (self.drawn_back(from), self.drawn_back(to));
+        if (up.x - down.x).norm() <= HOP_MM && self.is_clear(&up, &down) {
+            return vec![up, down];
+        }
+        let (out, back) = (self.on_sphere(from), self.on_sphere(to));
+        let mut way = vec![out];
+        let (u, v) = (angle::unit(out.x - self.centre), angle::unit(back.x - self.centre));
+        if let (Some(u), Some(v)) = (u, v) {
+            let steps = (angle::between_deg(&u, &v) / ARC_DEG).ceil().max(1.0) as usize;
+            for i in 1..steps {
+                let t = i as f64 / steps as f64;
+                let radial = angle::slerp(&u, &v, t);
+                // Travel turns as well, so that the part does not spin at one station.
+                let o = crate::pose::target::travel(&angle::slerp(&from.o, &to.o, t), &radial);
+                way.push(Station { x: self.centre + radial * self.radius_mm, a: radial, o });
+            }
+        }
+        way.push(back);
+        way
+    }
+
+    /// Entry (before the first piece) or exit (behind the last).
+    pub fn outside(&self, at: &Station) -> Station {
+        self.on_sphere(at)
+    }
+
+    fn drawn_back(&self, s: &Station) -> Station {
+        Station { x: s.x + s.a * self.air.retreat_mm, ..*s }
+    }
+
+    /// Where the beam of a station leaves the sphere.
+    fn on_sphere(&self, s: &Station) -> Station {
+        let w = s.x - self.centre;
+        let along = w.dot(&s.a);
+        let t = -along + (along * along - w.norm_squared() + self.radius_mm * self.radius_mm).max(0.0).sqrt();
+        Station { x: s.x + s.a * t.max(0.0), ..*s }
+    }
+
+    /// Whether focus and beam keep clear of the part on the straight move.
+    fn is_clear(&self, from: &Station, to: &Station) -> bool {
+        // Half of what lies between focus and part at the ends, at most 2 mm.
+        let clear_mm = (0.5 * (self.defocus_mm + self.air.retreat_mm)).clamp(0.1, 2.0);
+        let turn = angle::between_deg(&from.a, &to.a);
+        let steps = ((to.x - from.x).norm() / LOOK_MM).max(turn / LOOK_DEG).ceil().max(1.0) as usize;
+        (0..=steps).all(|i| {
+            let t = i as f64 / steps as f64;
+            let (x, a) = (from.x + (to.x - from.x) * t, angle::slerp(&from.a, &to.a, t));
+            let mut clear = true;
+            self.part.bvh.visit_ray(&x, &a, 0.0, f64::INFINITY, clear_mm, |_, corners| {
+                clear &= distance::ray_triangle(&x, &a, 0.0, corners) > clear_mm;
+                if clear { f64::INFINITY } else { -1.0 }
+            });
+            clear
+        })
+    }
+
+    /// Duration of a move in the air, s: by its length or by its turn, whichever takes longer.
+    pub fn seconds(&self, from: &Station, to: &Station, air_speed_mm_s: f64) -> f64 {
+        let turn = from.turn_deg(to);
+        ((to.x - from.x).norm() / air_speed_mm_s).max(turn / self.air.turn_deg_s)
+    }
+}

@@ -1,0 +1,149 @@
+//! The program as a list of steps, before any controller's words: go to a station, switch the
+//! laser, say something.
+
+use super::air::Space;
+use crate::cell::Cell;
+use crate::part::Part;
+use crate::pose::target::frame;
+use crate::pose::{Pass, Target};
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// Where the focus stands and how: path frame in the part frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// Focus, mm.
+    pub x: Point3<f64>,
+    /// Beam axis, unit.
+    pub a: Vector3<f64>,
+    /// Travel axis, unit, square to a; of the two senses the one nearer to the station before.
+    pub o: Vector3<f64>,
+}
+
+impl Station {
+    fn of(t: &Target, defocus_mm: f64) -> Station {
+        Station { x: t.focus(defocus_mm), a: t.a, o: t.o }
+    }
+
+    /// `[n o a | x]`.
+    pub fn frame(&self) -> Isometry3<f64> {
+        frame(&self.x, &self.a, &self.o)
+    }
+
+    /// Angle by which the part is turned between two stations, degrees.
+    pub fn turn_deg(&self, to: &Station) -> f64 {
+        let q = self.frame().rotation.rotation_to(&to.frame().rotation);
+        2.0 * libm::atan2(q.imag().norm(), q.w.abs()).to_degrees()
+    }
+
+    /// With the sense of travel that needs the smaller turn from `before`: lines of a zigzag need
+    /// no half turn of the part.
+    fn nearest_to(self, before: &Station) -> Station {
+        let other = Station { o: -self.o, ..self };
+        if before.turn_deg(&other) < before.turn_deg(&self) { other } else { self }
+    }
+}
+
+/// One step of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// A comment.
+    Say(String),
+    /// The laser is switched.
+    Laser(bool),
+    /// A straight move that takes so long.
+    Go {
+        /// Where to.
+        to: Station,
+        /// Duration, s.
+        seconds: f64,
+        /// Pass and point, for a target; `None` in the air.
+        target: Option<(usize, usize)>,
+    },
+}
+
+/// A program's steps, and what its air moves come to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Steps {
+    /// In order.
+    pub list: Vec<Step>,
+    /// Length of the moves with the laser off, mm.
+    pub air_mm: f64,
+    /// Duration of all moves but those from and to home, s.
+    pub time_s: f64,
+}
+
+/// Speeds of the spot on the part and in the air, mm/s, and where the focus stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Speeds {
+    /// On the part.
+    pub work_mm_s: f64,
+    /// In the air.
+    pub air_mm_s: f64,
+    /// D, mm.
+    pub defocus_mm: f64,
+}
+
+/// Turns passes into steps. Blocked targets are not gone to.
+pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Steps {
+    let space = Space::new(part, &cell.air, speeds.defocus_mm);
+    let mut out = Steps::default();
+    let mut at: Option<Station> = None;
+    let mut said = None;
+    for (number, pass) in passes.iter().enumerate() {
+        for (first, last) in pass.lit_pieces() {
+            let mut start = Station::of(&pass.targets[first], speeds.defocus_mm);
+            match at {
+                None => {
+                    let entry = space.outside(&start);
+                    out.air(&space, entry, entry, speeds);
+                    at = Some(entry);
+                }
+                Some(from) => {
+                    start = start.nearest_to(&from);
+                    let mut before = from;
+                    for via in space.between(&from, &start) {
+                        let via = via.nearest_to(&before);
+                        out.air(&space, before, via, speeds);
+                        before = via;
+                    }
+                    at = Some(before);
+                }
+            }
+            let before = at.unwrap_or(start);
+            let start = start.nearest_to(&before);
+            if said != Some(number) {
+                out.list.push(Step::Say(format!("pass {number}, surface {}", pass.surface)));
+                said = Some(number);
+            }
+            out.go(start, space.seconds(&before, &start, speeds.air_mm_s), Some((number, first)));
+            out.air_mm += (start.x - before.x).norm();
+            out.list.push(Step::Laser(true));
+            let mut here = start;
+            for i in first + 1..=last {
+                let next = Station::of(&pass.targets[i], speeds.defocus_mm).nearest_to(&here);
+                let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
+                out.go(next, spot_mm / speeds.work_mm_s, Some((number, i)));
+                here = next;
+            }
+            out.list.push(Step::Laser(false));
+            at = Some(here);
+        }
+    }
+    if let Some(end) = at {
+        let exit = space.outside(&end);
+        out.air(&space, end, exit, speeds);
+    }
+    out
+}
+
+impl Steps {
+    fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
+        self.list.push(Step::Go { to, seconds, target });
+        self.time_s += seconds;
+    }
+
+    fn air(&mut self, space: &Space<'_>, from: Station, to: Station, speeds: &Speeds) {
+        self.air_mm += (to.x - from.x).norm();
+        self.go(to, space.seconds(&from, &to, speeds.air_mm_s), None);
+    }
+}

@@ -1,0 +1,95 @@
+//! What of the scene is on the graphics card, by key: uploaded when first seen, dropped when no
+//! longer in the scene.
+
+use super::gpu_mesh::{MeshColors, MeshGeometry};
+use super::gpu_strokes::{Dots, Lines, QuadIndices};
+use super::scene::{LineSegment, MeshItem, Rgba, Scene};
+use std::collections::{HashMap, HashSet};
+use three_d::Context;
+
+/// Crease lines: dark enough to part two facets of one colour, too faint to look like a path.
+const EDGE_COLOR: Rgba = [14, 18, 26, 170];
+
+/// The buffers. Looked up by key only, so hash order decides nothing.
+pub(super) struct GpuCache {
+    context: Context,
+    pub geometry: HashMap<u64, MeshGeometry>,
+    /// By geometry and colour key.
+    pub colors: HashMap<(u64, u64), MeshColors>,
+    /// By geometry key.
+    pub edges: HashMap<u64, Lines>,
+    pub lines: HashMap<u64, Lines>,
+    pub dots: HashMap<u64, Dots>,
+    pub indices: QuadIndices,
+    /// Buffers made so far, for tests of the reuse.
+    pub uploads: u64,
+}
+
+impl GpuCache {
+    pub fn new(context: &Context) -> Self {
+        Self {
+            context: context.clone(),
+            geometry: HashMap::new(),
+            colors: HashMap::new(),
+            edges: HashMap::new(),
+            lines: HashMap::new(),
+            dots: HashMap::new(),
+            indices: QuadIndices::new(context),
+            uploads: 0,
+        }
+    }
+
+    /// Makes the buffers those of the scene: no more, no fewer.
+    pub fn follow(&mut self, scene: &Scene) {
+        self.drop_unused(scene);
+        let Self { context, geometry, colors, edges, lines, dots, indices, uploads } = self;
+        for item in &scene.meshes {
+            geometry.entry(item.geometry_key).or_insert_with(|| {
+                *uploads += 1;
+                MeshGeometry::upload(context, item)
+            });
+            colors.entry(color_key(item)).or_insert_with(|| {
+                *uploads += 1;
+                MeshColors::upload(context, item)
+            });
+            if let Some(creases) = &item.edges {
+                edges.entry(item.geometry_key).or_insert_with(|| {
+                    *uploads += 1;
+                    let dark = creases.iter().map(|&[a, b]| LineSegment { a, b, color: EDGE_COLOR });
+                    Lines::upload(context, dark, indices)
+                });
+            }
+        }
+        for item in &scene.lines {
+            lines.entry(item.key).or_insert_with(|| {
+                *uploads += 1;
+                Lines::upload(context, item.segments.iter().copied(), indices)
+            });
+        }
+        for item in &scene.points {
+            dots.entry(item.key).or_insert_with(|| {
+                *uploads += 1;
+                Dots::upload(context, &item.points, indices)
+            });
+        }
+    }
+
+    /// First, so that a new part never needs room beside the old one.
+    fn drop_unused(&mut self, scene: &Scene) {
+        let meshes = || scene.meshes.iter();
+        let shown: HashSet<_> = meshes().map(|item| item.geometry_key).collect();
+        self.geometry.retain(|key, _| shown.contains(key));
+        self.edges.retain(|key, _| shown.contains(key));
+        let shown: HashSet<_> = meshes().map(color_key).collect();
+        self.colors.retain(|key, _| shown.contains(key));
+        let shown: HashSet<_> = scene.lines.iter().map(|item| item.key).collect();
+        self.lines.retain(|key, _| shown.contains(key));
+        let shown: HashSet<_> = scene.points.iter().map(|item| item.key).collect();
+        self.dots.retain(|key, _| shown.contains(key));
+    }
+}
+
+/// Names the colours of an item among all items.
+pub(super) fn color_key(item: &MeshItem) -> (u64, u64) {
+    (item.geometry_key, item.colors_key)
+}

@@ -1,0 +1,44 @@
+//! The room that draws: a scene of plain data, seen by a camera, becomes pixels.
+//!
+//! - [`scene`] says *what* is shown (meshes, lines, dots) without knowing OpenGL;
+//! - [`camera`] and its [`lens`] say *from where*, [`bounds`] how large the shown things are,
+//!   [`flight`] how one view glides into the next;
+//! - [`renderer`] draws one into the other with three-d on a glow context that somebody else
+//!   owns: eframe's window, or [`headless`] when there is no screen;
+//! - [`widget`] is the same as an egui widget with mouse, triad and view cube ([`overlay`]).
+//!
+//! It stops at pictures and gestures: it knows neither parts nor paths nor jobs, and picking
+//! is left to whoever owns the geometry ([`camera::Camera::ray_through`] gives the ray).
+//! Lengths are millimetres, z is up, pixels are physical and count from the top-left corner.
+
+pub mod bounds;
+pub mod camera;
+pub mod error;
+pub mod flight;
+pub mod headless;
+pub mod lens;
+pub mod overlay;
+pub mod renderer;
+pub mod scene;
+pub mod standard_view;
+pub mod viewport_response;
+pub mod widget;
+
+mod gl_state;
+mod gpu_cache;
+mod gpu_mesh;
+mod gpu_strokes;
+mod target;
+mod to_three_d;
+
+pub use bounds::Bounds;
+pub use camera::Camera;
+pub use error::ViewError;
+pub use flight::Flight;
+pub use headless::HeadlessGl;
+pub use lens::{Projection, ViewSize};
+pub use renderer::Renderer;
+pub use scene::{Depth, LineItem, LineSegment, MeshItem, PointItem, Scene};
+pub use standard_view::StandardView;
+pub use viewport_response::ViewportResponse;
+pub use widget::Viewport;

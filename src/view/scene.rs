@@ -1,0 +1,169 @@
+//! What is to be seen, as plain data: no OpenGL here, so that anything may build a scene on any
+//! thread and a test may look inside it.
+//!
+//! Every item names its data with a key. **Same key = same data**: the renderer then reuses what
+//! is already on the graphics card and does not look at the data again. Derive keys from a hash
+//! of the inputs; two items of one kind may share a key only if they share the data.
+
+use std::sync::Arc;
+
+/// 8-bit sRGB colour and straight (not premultiplied) alpha.
+pub type Rgba = [u8; 4];
+
+/// Everything in one picture, drawn in this order: background, meshes with their crease lines,
+/// tested lines and points, then lines and points on top.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Colour of the upper edge of the picture.
+    pub background_top: [u8; 3],
+    /// Colour of the lower edge; between them a vertical gradient.
+    pub background_bottom: [u8; 3],
+    /// Triangles.
+    pub meshes: Vec<MeshItem>,
+    /// Lines of constant width on the screen.
+    pub lines: Vec<LineItem>,
+    /// Round dots of constant size on the screen.
+    pub points: Vec<PointItem>,
+}
+
+/// Triangles with one colour per facet.
+#[derive(Debug, Clone)]
+pub struct MeshItem {
+    /// Names `positions` and `edges`.
+    pub geometry_key: u64,
+    /// Three corners per facet, counter-clockwise seen from outside, nothing shared: so a
+    /// colour ends where its facet ends.
+    pub positions: Arc<Vec<[f32; 3]>>,
+    /// Names `facet_colors` for this geometry; a new key uploads colours only.
+    pub colors_key: u64,
+    /// One colour per facet. Alpha 0 hides the facet, alpha below 255 lets shine through
+    /// (unsorted: meant for envelopes and beams, not for parts).
+    pub facet_colors: Arc<Vec<Rgba>>,
+    /// Crease lines, drawn thin and dark over the facets. Switching between `None` and `Some`
+    /// needs no new key.
+    pub edges: Option<Arc<Vec<[[f32; 3]; 2]>>>,
+}
+
+/// One straight piece of a line, in one colour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineSegment {
+    /// Start, mm.
+    pub a: [f32; 3],
+    /// End, mm.
+    pub b: [f32; 3],
+    /// Colour of the whole piece.
+    pub color: Rgba,
+}
+
+/// Lines that keep their width in pixels at any zoom.
+#[derive(Debug, Clone)]
+pub struct LineItem {
+    /// Names `segments`.
+    pub key: u64,
+    /// The pieces; a polyline is a row of pieces that share ends.
+    pub segments: Arc<Vec<LineSegment>>,
+    /// Width in physical pixels.
+    pub width_px: f32,
+    /// Hidden behind meshes or not.
+    pub depth: Depth,
+}
+
+/// Round dots that keep their size in pixels at any zoom.
+#[derive(Debug, Clone)]
+pub struct PointItem {
+    /// Names `points`.
+    pub key: u64,
+    /// Centre in mm, and colour.
+    pub points: Arc<Vec<([f32; 3], Rgba)>>,
+    /// Diameter in physical pixels.
+    pub size_px: f32,
+    /// Hidden behind meshes or not.
+    pub depth: Depth,
+}
+
+/// Whether meshes hide a line or a dot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Depth {
+    /// Hidden behind what is nearer; lies cleanly on a surface it coincides with.
+    #[default]
+    Tested,
+    /// Always seen.
+    OnTop,
+}
+
+impl Default for Scene {
+    /// Nothing, on the dark backdrop.
+    fn default() -> Self {
+        Self {
+            background_top: [58, 66, 78],
+            background_bottom: [28, 31, 37],
+            meshes: Vec::new(),
+            lines: Vec::new(),
+            points: Vec::new(),
+        }
+    }
+}
+
+impl MeshItem {
+    /// Number of whole facets; a rest of one or two corners is not drawn.
+    pub fn facet_count(&self) -> usize {
+        self.positions.len() / 3
+    }
+}
+
+impl Scene {
+    /// One number per thing that decides the picture: equal stamps, equal pictures (as long as
+    /// keys keep their promise). Compared as a whole, so that no two scenes can be confused.
+    pub(super) fn stamp(&self) -> Vec<u64> {
+        let [top, bottom] =
+            [self.background_top, self.background_bottom].map(|[r, g, b]| u64::from(u32::from_be_bytes([0, r, g, b])));
+        let mut stamp = vec![top, bottom, self.meshes.len() as u64, self.lines.len() as u64];
+        for mesh in &self.meshes {
+            stamp.extend([mesh.geometry_key, mesh.colors_key, u64::from(mesh.edges.is_some())]);
+        }
+        for line in &self.lines {
+            stamp.extend([line.key, size_and_depth(line.width_px, line.depth)]);
+        }
+        for dots in &self.points {
+            stamp.extend([dots.key, size_and_depth(dots.size_px, dots.depth)]);
+        }
+        stamp
+    }
+}
+
+fn size_and_depth(size_px: f32, depth: Depth) -> u64 {
+    u64::from(size_px.to_bits()) << 1 | u64::from(depth == Depth::OnTop)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stamp_sees_colours_edges_and_widths() {
+        let mesh = MeshItem {
+            geometry_key: 1,
+            positions: Arc::new(vec![[0.0; 3]; 3]),
+            colors_key: 2,
+            facet_colors: Arc::new(vec![[1, 2, 3, 255]]),
+            edges: None,
+        };
+        let line = LineItem { key: 3, segments: Arc::default(), width_px: 2.0, depth: Depth::Tested };
+        let scene = Scene { meshes: vec![mesh], lines: vec![line], ..Scene::default() };
+        let stamp = scene.stamp();
+        assert_eq!(stamp, scene.clone().stamp());
+
+        let changes: [fn(&mut Scene); 5] = [
+            |s| s.meshes[0].colors_key = 9,
+            |s| s.meshes[0].edges = Some(Arc::default()),
+            |s| s.lines[0].width_px = 3.0,
+            |s| s.lines[0].depth = Depth::OnTop,
+            |s| s.background_top = [0; 3],
+        ];
+        for change in changes {
+            let mut other = scene.clone();
+            change(&mut other);
+            assert_ne!(stamp, other.stamp());
+        }
+    }
+}

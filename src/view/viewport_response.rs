@@ -1,0 +1,54 @@
+//! What the view tells its owner in each frame, in physical pixels.
+
+use super::lens::ViewSize;
+use super::standard_view::StandardView;
+use eframe::egui::{self, Pos2, Rect, Response, emath::GuiRounding as _};
+use nalgebra::Point2;
+
+/// What happened in this frame. Pixels are physical, from the view's top-left corner.
+#[derive(Debug, Clone)]
+pub struct ViewportResponse {
+    /// Left click. The second click of a double click is only reported as that.
+    pub clicked_px: Option<Point2<f64>>,
+    /// Left double click.
+    pub double_clicked_px: Option<Point2<f64>>,
+    /// Right click, unless the mouse was moved in between.
+    pub secondary_clicked_px: Option<Point2<f64>>,
+    /// Where the mouse is, while it is over the view and not over the cube or dragging.
+    pub hover_px: Option<Point2<f64>>,
+    /// A drag is going on; hover effects should wait.
+    pub dragging: bool,
+    /// The camera is not where it was in the last frame.
+    pub camera_changed: bool,
+    /// Keys held meanwhile (Ctrl toggles, Shift adds).
+    pub modifiers: egui::Modifiers,
+    /// The face of the view cube that was clicked; the view already glides there.
+    pub view_chosen: Option<StandardView>,
+    /// Size of the view, for the camera's methods.
+    pub size: ViewSize,
+    /// Why there is no picture, in words for the user.
+    pub failure: Option<String>,
+    /// For a context menu, a tooltip, or the place of labels (in points).
+    pub response: Response,
+}
+
+/// The widget's rectangle on whole pixels.
+pub(super) struct Frame {
+    pub rect: Rect,
+    pub px_per_point: f64,
+    pub size: ViewSize,
+}
+
+impl Frame {
+    pub fn new(rect: Rect, pixels_per_point: f32) -> Self {
+        let rect = rect.round_to_pixels(pixels_per_point);
+        let px = |points: f32| f64::from((points * pixels_per_point).round());
+        let size = ViewSize::new(px(rect.width()), px(rect.height()));
+        Self { rect, px_per_point: f64::from(pixels_per_point), size }
+    }
+
+    pub fn to_px(&self, pos: Pos2) -> Point2<f64> {
+        let offset = pos - self.rect.min;
+        Point2::new(f64::from(offset.x), f64::from(offset.y)) * self.px_per_point
+    }
+}

@@ -1,0 +1,2 @@
+//! Shared by the tests of the window.
+pub mod glow_renderer;
