@@ -125,7 +125,7 @@ impl Report {
             max_tilt_deg: lit.map(Target::tilt_deg).fold(0.0, f64::max),
             max_chord_error_mm: all.iter().map(|p| p.chord_error_mm).fold(0.0, f64::max),
             max_surface_spacing_mm: rows.iter().filter_map(|r| r.spacing_max_mm).fold(0.0, f64::max),
-            missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).sum(),
+            missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
             problems: problems(plan, surfaces),
             surfaces: rows,
         }
@@ -184,7 +184,7 @@ impl Report {
 }
 
 fn length(passes: &[Pass], which: impl Fn(&Target, &Target) -> bool + Copy) -> f64 {
-    passes.iter().map(|p| p.length_mm(which)).sum()
+    passes.iter().map(|p| p.length_mm(which)).fold(0.0, |a, b| a + b)
 }
 
 fn is_corrected(from: &Target, to: &Target) -> bool {

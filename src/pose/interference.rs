@@ -10,13 +10,14 @@ use nalgebra::{Point3, Vector3};
 /// f32 coordinates on a metre of part, and well below any spot.
 pub const GRAZE_MM: f64 = 0.02;
 
-/// Least angle between the beam and a facet that its own point touches, degrees. At the foot of a
-/// 90° wall the floor's normal lies in the wall (0°: interferes); a draft of 2° is free.
+/// Near its own point the beam counts as a cone of this half angle, degrees, until that is as wide
+/// as `GRAZE_MM`. At the foot of a 90° wall the floor's normal lies in the wall (0°: interferes); a
+/// draft of 2° is free; and the facets that the point stands on or beside never count.
 const TOUCH_DEG: f64 = 1.0;
 
-/// Steps along the beam at which its distance to a touched facet is compared with `TOUCH_DEG`, mm.
-/// At the last one that angle has opened to `GRAZE_MM`, which holds from there on.
-const TOUCH_STEPS_MM: [f64; 4] = [0.05, 0.2, 0.6, 1.146];
+/// Where along the beam the width of that cone is taken for the stretch behind, mm; the first is
+/// the offset at which the test starts, and from the last on the cone is `GRAZE_MM` wide.
+const STRETCHES_MM: [f64; 5] = [1.146, 0.6, 0.2, 0.05, 0.01];
 
 /// What a beam hits first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,10 +99,7 @@ fn interferes(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> 
     if distance::ray_triangle(p, a, 0.0, corners) > GRAZE_MM {
         return false;
     }
-    if distance::point_triangle(p, corners) > GRAZE_MM {
-        return true;
-    }
-    TOUCH_STEPS_MM.iter().any(|&t| {
+    STRETCHES_MM.iter().any(|&t| {
         let allowed = t * libm::tan(TOUCH_DEG.to_radians());
         distance::ray_triangle(p, a, t, corners) <= allowed.min(GRAZE_MM)
     })

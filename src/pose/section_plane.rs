@@ -2,6 +2,7 @@
 //! open decided: no common point O, runs at a line's end, closed lines, and the test of the result.
 
 use super::interference::Beam;
+use super::motion::{self, Pose};
 use crate::part::{Part, angle};
 use crate::path::DensePoint;
 use nalgebra::{Point3, Vector3};
@@ -77,16 +78,12 @@ struct Line<'a> {
     m: &'a Vector3<f64>,
 }
 
-/// The corrected points first..=last with their axes.
+/// The corrected points from `first` on, with their axes.
 struct Attempt {
     first: usize,
     axes: Vec<Option<Vector3<f64>>>,
-}
-
-impl Attempt {
-    fn blocked(&self) -> usize {
-        self.axes.iter().filter(|a| a.is_none()).count()
-    }
+    /// Points without an axis, and moves between neighbours on which the beam hits something.
+    faults: usize,
 }
 
 impl Line<'_> {
@@ -127,12 +124,12 @@ impl Line<'_> {
             while last + 1 < self.points.len() && !self.is_end(last + 1) {
                 last = self.stretch_end(last + 1);
             }
-            let attempt = Attempt { first, axes: self.axes(first, last) };
-            let blocked = attempt.blocked();
-            if best.as_ref().is_none_or(|b| blocked < b.blocked()) {
-                best = Some(attempt);
+            let axes = self.axes(first, last);
+            let faults = self.faults(first, &axes);
+            if best.as_ref().is_none_or(|b| faults < b.faults) {
+                best = Some(Attempt { first, axes, faults });
             }
-            if blocked == 0 || (first == 0 && last + 1 >= self.points.len()) {
+            if faults == 0 || (first == 0 && last + 1 >= self.points.len()) {
                 break;
             }
             first = if first > 0 { self.stretch_start(first - 1) } else { 0 };
@@ -142,7 +139,21 @@ impl Line<'_> {
                 break;
             }
         }
-        best.unwrap_or(Attempt { first, axes: vec![None; last + 1 - first] })
+        best.unwrap_or(Attempt { first, axes: vec![None; last + 1 - first], faults: usize::MAX })
+    }
+
+    fn faults(&self, first: usize, axes: &[Option<Vector3<f64>>]) -> usize {
+        let last = first + axes.len() - 1;
+        let pose = |i: usize| {
+            let axis = if (first..=last).contains(&i) { axes[i - first] } else { Some(self.points[i].n) };
+            axis.map(|a| Pose { p: self.points[i].p, a })
+        };
+        let moves = first.saturating_sub(1)..(last + 1).min(self.points.len() - 1);
+        let hits = |i: &usize| match (pose(*i), pose(i + 1)) {
+            (Some(from), Some(to)) => !motion::is_free(self.beam, &from, &to, 0.0),
+            _ => false,
+        };
+        axes.iter().filter(|a| a.is_none()).count() + moves.filter(hits).count()
     }
 
     /// Whether a point can be the end p0 or pn of a run: free, with its projected axis too.

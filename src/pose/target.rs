@@ -90,7 +90,11 @@ pub struct Pass {
 impl Pass {
     /// Length of the moves that `which` picks by the target they end at, mm.
     pub fn length_mm(&self, which: impl Fn(&Target, &Target) -> bool) -> f64 {
-        self.targets.windows(2).filter(|w| which(&w[0], &w[1])).map(|w| (w[1].p - w[0].p).norm()).sum()
+        self.targets
+            .windows(2)
+            .filter(|w| which(&w[0], &w[1]))
+            .map(|w| (w[1].p - w[0].p).norm())
+            .fold(0.0, |a, b| a + b)
     }
 
     /// Runs of targets that are reached with the laser on: first and last index of each.
