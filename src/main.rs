@@ -8,6 +8,12 @@ fn main() -> ExitCode {
     let arguments = cli::Arguments::parse();
     match &arguments.command {
         Some(command) => cli::run(command),
-        None => ExitCode::FAILURE,
+        None => match clearbeam::app::run(arguments.file) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(e) => {
+                eprintln!("clearbeam: {e:#}");
+                ExitCode::FAILURE
+            }
+        },
     }
 }

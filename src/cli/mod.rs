@@ -6,6 +6,7 @@
 mod inspect;
 mod options;
 mod plan;
+mod render;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -31,6 +32,8 @@ pub enum Command {
     Inspect(inspect::Arguments),
     /// Plan a job and write job, program, report and path into a folder
     Plan(Box<plan::Arguments>),
+    /// Draw a part, or a planned job, into a picture
+    Render(render::Arguments),
 }
 
 /// How a command ended.
@@ -57,6 +60,7 @@ pub fn run(command: &Command) -> ExitCode {
     let result = match command {
         Command::Inspect(a) => inspect::run(a),
         Command::Plan(a) => plan::run(a),
+        Command::Render(a) => render::run(a),
     };
     match result {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

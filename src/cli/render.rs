@@ -1,1 +1,87 @@
-//! placeholder
+//! `clearbeam render`: a picture without a screen.
+
+use super::{Failure, Outcome, print};
+use crate::job::plan::segmented;
+use crate::job::{self, Cache, Chosen, Job, Progress, files};
+use crate::part::Part;
+use crate::picture::{PartLook, PartPicture, PathLook, paths};
+use crate::view::{Camera, HeadlessGl, Renderer, Scene, StandardView, ViewSize};
+use anyhow::{Context as _, anyhow};
+use std::io::Cursor;
+use std::path::PathBuf;
+
+/// Options of `render`.
+#[derive(clap::Args, Debug)]
+pub struct Arguments {
+    /// Part, or job to plan first
+    input: PathBuf,
+    /// Picture to write
+    #[arg(long, value_name = "FILE.png")]
+    out: PathBuf,
+    /// Size in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x800", value_parser = size)]
+    size: [u32; 2],
+    /// iso, front, back, left, right, top or bottom
+    #[arg(long, default_value = "iso", value_parser = view)]
+    view: StandardView,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let parsed = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    parsed
+        .filter(|s| s.iter().all(|x| (16..=8192).contains(x)))
+        .ok_or(format!("{text:?}: give WxH, 16 to 8192 pixels each"))
+}
+
+fn view(text: &str) -> Result<StandardView, String> {
+    let names = ["iso", "front", "back", "left", "right", "top", "bottom"];
+    let index = names.iter().position(|n| *n == text);
+    index.map(|i| StandardView::ALL[i]).ok_or(format!("{text:?}: give one of {}", names.join(", ")))
+}
+
+/// Draws and writes.
+pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
+    let (job, job_file) = super::plan::opened(&a.input)?;
+    let part = files::load_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+    let planned = job_file.is_some();
+    let scene = scene(&part, &job, job_file.as_deref(), planned)?;
+    let (min, max) = part.mesh.bounds();
+    let bounds = crate::view::Bounds { min, max };
+    let pixels = ViewSize::new(f64::from(a.size[0]), f64::from(a.size[1]));
+    let mut camera = Camera::fitted(bounds, pixels);
+    camera.look(a.view);
+    camera.fit(&bounds, pixels);
+    let gl = HeadlessGl::new().map_err(anyhow::Error::from)?;
+    let mut renderer = Renderer::new(gl.gl()).map_err(anyhow::Error::from)?;
+    renderer.draw(&scene, &camera, a.size).map_err(anyhow::Error::from)?;
+    let mut png = Cursor::new(Vec::new());
+    renderer.read_rgba().write_to(&mut png, image::ImageFormat::Png).context("the picture cannot be packed")?;
+    files::write_atomic(&a.out, png.get_ref()).map_err(|e| anyhow!(e))?;
+    print(&format!("wrote {}\n", a.out.display()));
+    Ok(Outcome::Done)
+}
+
+fn scene(part: &Part, job: &Job, job_file: Option<&std::path::Path>, planned: bool) -> Result<Scene, Failure> {
+    let surfaces = segmented(part, job);
+    let picture = PartPicture::new(part, &surfaces);
+    let mut look = PartLook::default();
+    let mut scene = Scene::default();
+    if planned && job.clean.surfaces != Chosen::These(Vec::new()) {
+        let cell = files::load_cell(job, job_file).map_err(anyhow::Error::from)?;
+        let plan = job::plan(part, &surfaces, job, &cell, &Cache::default(), &Progress::default())
+            .map_err(anyhow::Error::from)?;
+        look.chosen = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
+        let path_look = PathLook {
+            lines: true,
+            frames: false,
+            beams: false,
+            air: false,
+            before: false,
+            only_pass: None,
+            frame_mm: 0.02 * part.mesh.diagonal(),
+        };
+        scene.lines = paths(&plan, job.beam.defocus_mm, &path_look, 1).0;
+    }
+    scene.meshes.push(picture.item(&surfaces, &look));
+    Ok(scene)
+}

@@ -85,15 +85,31 @@ pub fn to_toml(job: &Job) -> Result<String, JobError> {
 /// # Errors
 /// Gone, changed, or no usable STL.
 pub fn load_part(job: &Job, job_file: Option<&Path>) -> Result<Part, JobError> {
-    let file = beside(job_file, &job.part.file);
-    if !file.exists() {
-        return Err(JobError::PartGone { file: file.display().to_string() });
-    }
+    let file = part_file(job, job_file)?;
     let part = load(&file, job.part.units, &job.part.placement, &job.part.flipped_shells)?;
     if !job.part.sha256.is_empty() && job.part.sha256 != part.sha256 {
         return Err(JobError::PartChanged { file: file.display().to_string() });
     }
     Ok(part)
+}
+
+/// Where the part of a job is: where the job says, or beside the job under the same name.
+///
+/// # Errors
+/// It is at neither place.
+pub fn part_file(job: &Job, job_file: Option<&Path>) -> Result<PathBuf, JobError> {
+    let named = beside(job_file, &job.part.file);
+    let near = named.file_name().zip(job_file.and_then(Path::parent)).map(|(name, folder)| folder.join(name));
+    [Some(named.clone()), near]
+        .into_iter()
+        .flatten()
+        .find(|f| f.is_file())
+        .ok_or(JobError::PartGone { file: named.display().to_string() })
+}
+
+/// A path as a job in `job_file` names it; whole where the job has no file yet.
+pub fn relative_to(path: &Path, job_file: Option<&Path>) -> String {
+    job_file.and_then(|f| relative(path, f).ok()).unwrap_or_else(|| path.display().to_string())
 }
 
 /// The cell of a job.

@@ -20,7 +20,7 @@ pub mod topology;
 pub mod units;
 
 pub use bvh::Bvh;
-pub use digest::{Digest, Hasher};
+pub use digest::{Digest, Hasher, file_sha256 as digest_of};
 pub use load::{LoadError, Part, load};
 pub use merge_tree::MergeTree;
 pub use placement::Placement;

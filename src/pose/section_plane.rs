@@ -82,7 +82,8 @@ struct Line<'a> {
 struct Attempt {
     first: usize,
     axes: Vec<Option<Vector3<f64>>>,
-    /// Points without an axis, and moves between neighbours on which the beam hits something.
+    /// Points without an axis, and moves between neighbours on which the beam hits something, before
+    /// single points were turned.
     faults: usize,
 }
 
@@ -112,7 +113,8 @@ impl Line<'_> {
         (0..=i).rev().take_while(|&k| !self.free[k]).last().unwrap_or(i)
     }
 
-    /// Corrects the run that begins at `first`, growing it while that helps.
+    /// Corrects the run that begins at `first`, growing it while that helps; points that still hit
+    /// something are turned one by one.
     fn run_from(&self, first: usize) -> Attempt {
         let (mut first, mut last) = (first, self.stretch_end(first));
         let mut best: Option<Attempt> = None;
@@ -124,22 +126,46 @@ impl Line<'_> {
             while last + 1 < self.points.len() && !self.is_end(last + 1) {
                 last = self.stretch_end(last + 1);
             }
-            let axes = self.axes(first, last);
+            let (before, behind) = (first.checked_sub(1), (last + 1 < self.points.len()).then_some(last + 1));
+            let (Some(start), Some(end)) = (before, behind) else {
+                // A run that has grown over a line's end would lose that end's beam.
+                return best.map_or_else(|| self.one_ended(first, last, before.or(behind)), |b| self.completed(b));
+            };
+            let wanted = self.between(start, end);
+            let free = |i: usize, axis: &Vector3<f64>| {
+                axis.dot(&self.points[i].n) > 0.0 && self.beam.is_free(&self.points[i].p, axis)
+            };
+            let axes: Vec<_> = (first..=last).map(|i| Some(wanted(i)).filter(|a| free(i, a))).collect();
             let faults = self.faults(first, &axes);
             if best.as_ref().is_none_or(|b| faults < b.faults) {
                 best = Some(Attempt { first, axes, faults });
             }
-            if faults == 0 || (first == 0 && last + 1 >= self.points.len()) {
+            if faults == 0 {
                 break;
             }
-            first = if first > 0 { self.stretch_start(first - 1) } else { 0 };
-            last = if last + 1 < self.points.len() { self.stretch_end(last + 1) } else { last };
-            // A run that swallows a line's end loses that end's beam.
-            if first == 0 && self.free[0] || last + 1 == self.points.len() && self.free[last] {
-                break;
+            first = self.stretch_start(start);
+            last = self.stretch_end(end);
+        }
+        best.map_or_else(|| Attempt { first, axes: vec![None; last + 1 - first], faults: 0 }, |b| self.completed(b))
+    }
+
+    /// A run at a line's end, or a line that is one run.
+    fn one_ended(&self, first: usize, last: usize, end: Option<usize>) -> Attempt {
+        let axes = (first..=last).map(|i| self.turned_away(i, &self.points[end?].n)).collect();
+        Attempt { first, axes, faults: 0 }
+    }
+
+    /// What the ends' beams cannot do, a turn of the point's own may.
+    fn completed(&self, mut attempt: Attempt) -> Attempt {
+        let last = attempt.first + attempt.axes.len() - 1;
+        if attempt.axes.iter().any(Option::is_none) {
+            let wanted = self.between(attempt.first - 1, last + 1);
+            for (k, axis) in attempt.axes.iter_mut().enumerate().filter(|(_, a)| a.is_none()) {
+                let i = attempt.first + k;
+                *axis = self.turned_away(i, &wanted(i));
             }
         }
-        best.unwrap_or(Attempt { first, axes: vec![None; last + 1 - first], faults: usize::MAX })
+        attempt
     }
 
     fn faults(&self, first: usize, axes: &[Option<Vector3<f64>>]) -> usize {
@@ -163,29 +189,6 @@ impl Line<'_> {
                 in_plane(&self.points[i].n, self.m).norm() < IN_PLANE
                     || self.beam.is_free(&self.points[i].p, &projected)
             })
-    }
-
-    /// Axes of the points first..=last between their free neighbours, each tested.
-    fn axes(&self, first: usize, last: usize) -> Vec<Option<Vector3<f64>>> {
-        let before = first.checked_sub(1);
-        let behind = (last + 1 < self.points.len()).then_some(last + 1);
-        match (before, behind) {
-            (None, None) => vec![None; last + 1 - first],
-            (Some(end), None) | (None, Some(end)) => {
-                let start = self.points[end].n;
-                (first..=last).map(|i| self.turned_away(i, &start)).collect()
-            }
-            (Some(start), Some(end)) => {
-                let wanted = self.between(start, end);
-                (first..=last)
-                    .map(|i| {
-                        let axis = wanted(i);
-                        let free = axis.dot(&self.points[i].n) > 0.0 && self.beam.is_free(&self.points[i].p, &axis);
-                        if free { Some(axis) } else { self.turned_away(i, &axis) }
-                    })
-                    .collect()
-            }
-        }
     }
 
     /// P1 Eqs 8–10: the axes towards O; where there is no O, the end axes interpolated.
@@ -236,7 +239,8 @@ impl Line<'_> {
                 && self.beam.is_free(&q.p, &a)
                 && self.beam.is_free(&q.p, &axis(by - SPARE_DEG))
         };
-        const STEP_DEG: f64 = 0.5;
+        // What is found has a degree to spare, so steps of a degree pass over no more than that.
+        const STEP_DEG: f64 = 1.0;
         let steps = (2.0 * MAX_TILT_DEG / STEP_DEG) as usize;
         let found = (0..=steps).map(|k| k as f64 * STEP_DEG).find(|&by| good(by))?;
         let (mut low, mut high) = (found - STEP_DEG, found);

@@ -35,11 +35,16 @@ impl<'a> Space<'a> {
         Space { part, air, defocus_mm, centre: lo + (hi - lo) * 0.5, radius_mm }
     }
 
-    /// Stations between the end of one piece and the start of the next, both excluded.
-    pub fn between(&self, from: &Station, to: &Station) -> Vec<Station> {
+    /// Whether the way from the end of one piece to the start of the next may go straight.
+    pub fn is_hop(&self, from: &Station, to: &Station) -> bool {
         let (up, down) = (self.drawn_back(from), self.drawn_back(to));
-        if (up.x - down.x).norm() <= HOP_MM && self.is_clear(&up, &down) {
-            return vec![up, down];
+        (up.x - down.x).norm() <= HOP_MM && self.is_clear(&up, &down)
+    }
+
+    /// Stations between the end of one piece and the start of the next, both excluded.
+    pub fn between(&self, from: &Station, to: &Station, hop: bool) -> Vec<Station> {
+        if hop {
+            return vec![self.drawn_back(from), self.drawn_back(to)];
         }
         let (out, back) = (self.on_sphere(from), self.on_sphere(to));
         let mut way = vec![out];
@@ -80,8 +85,15 @@ impl<'a> Space<'a> {
         // Half of what lies between focus and part at the ends, at most 2 mm.
         let clear_mm = (0.5 * (self.defocus_mm + self.air.retreat_mm)).clamp(0.1, 2.0);
         let turn = angle::between_deg(&from.a, &to.a);
-        let steps = ((to.x - from.x).norm() / LOOK_MM).max(turn / LOOK_DEG).ceil().max(1.0) as usize;
-        (0..=steps).all(|i| {
+        let steps = ((to.x - from.x).norm() / LOOK_MM).max(turn / LOOK_DEG).ceil().max(1.0);
+        let steps = (steps as usize).next_power_of_two();
+        // Both ends, the middle, the quarters, and so on: what stands between is met early.
+        let order = (0..=steps.ilog2()).rev().flat_map(|level| {
+            let stride = 1usize << level;
+            let odd = stride < steps;
+            (usize::from(odd)..=steps / stride).step_by(1 + usize::from(odd)).map(move |i| i * stride)
+        });
+        order.into_iter().all(|i| {
             let t = i as f64 / steps as f64;
             let (x, a) = (from.x + (to.x - from.x) * t, angle::slerp(&from.a, &to.a, t));
             let mut clear = true;

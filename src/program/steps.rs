@@ -7,6 +7,7 @@ use crate::part::Part;
 use crate::pose::target::frame;
 use crate::pose::{Pass, Target};
 use nalgebra::{Isometry3, Point3, Vector3};
+use rayon::prelude::*;
 
 /// Where the focus stands and how: path frame in the part frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,45 +90,57 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
     let mut out = Steps::default();
     let mut at: Option<Station> = None;
     let mut said = None;
-    for (number, pass) in passes.iter().enumerate() {
-        for (first, last) in pass.lit_pieces() {
-            let mut start = Station::of(&pass.targets[first], speeds.defocus_mm);
-            match at {
-                None => {
-                    let entry = space.outside(&start);
-                    out.air(&space, entry, entry, speeds);
-                    at = Some(entry);
+    let pieces: Vec<(usize, usize, usize)> = passes
+        .iter()
+        .enumerate()
+        .flat_map(|(number, pass)| pass.lit_pieces().into_iter().map(move |(first, last)| (number, first, last)))
+        .collect();
+    // Which ways may go straight depends on their two ends alone.
+    let hops: Vec<bool> = pieces
+        .par_windows(2)
+        .map(|w| {
+            let station = |pass: usize, point: usize| Station::of(&passes[pass].targets[point], speeds.defocus_mm);
+            space.is_hop(&station(w[0].0, w[0].2), &station(w[1].0, w[1].1))
+        })
+        .collect();
+    for (index, &(number, first, last)) in pieces.iter().enumerate() {
+        let pass = &passes[number];
+        let mut start = Station::of(&pass.targets[first], speeds.defocus_mm);
+        match at {
+            None => {
+                let entry = space.outside(&start);
+                out.air(&space, entry, entry, speeds);
+                at = Some(entry);
+            }
+            Some(from) => {
+                start = start.nearest_to(&from);
+                let mut before = from;
+                for via in space.between(&from, &start, hops[index - 1]) {
+                    let via = via.nearest_to(&before);
+                    out.air(&space, before, via, speeds);
+                    before = via;
                 }
-                Some(from) => {
-                    start = start.nearest_to(&from);
-                    let mut before = from;
-                    for via in space.between(&from, &start) {
-                        let via = via.nearest_to(&before);
-                        out.air(&space, before, via, speeds);
-                        before = via;
-                    }
-                    at = Some(before);
-                }
+                at = Some(before);
             }
-            let before = at.unwrap_or(start);
-            let start = start.nearest_to(&before);
-            if said != Some(number) {
-                out.list.push(Step::Say(format!("pass {number}, surface {}", pass.surface)));
-                said = Some(number);
-            }
-            out.go(start, space.seconds(&before, &start, speeds.air_mm_s), Some((number, first)));
-            out.air_mm += (start.x - before.x).norm();
-            out.list.push(Step::Laser(true));
-            let mut here = start;
-            for i in first + 1..=last {
-                let next = Station::of(&pass.targets[i], speeds.defocus_mm).nearest_to(&here);
-                let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
-                out.go(next, spot_mm / speeds.work_mm_s, Some((number, i)));
-                here = next;
-            }
-            out.list.push(Step::Laser(false));
-            at = Some(here);
         }
+        let before = at.unwrap_or(start);
+        let start = start.nearest_to(&before);
+        if said != Some(number) {
+            out.list.push(Step::Say(format!("pass {number}, surface {}", pass.surface)));
+            said = Some(number);
+        }
+        out.go(start, space.seconds(&before, &start, speeds.air_mm_s), Some((number, first)));
+        out.air_mm += (start.x - before.x).norm();
+        out.list.push(Step::Laser(true));
+        let mut here = start;
+        for i in first + 1..=last {
+            let next = Station::of(&pass.targets[i], speeds.defocus_mm).nearest_to(&here);
+            let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
+            out.go(next, spot_mm / speeds.work_mm_s, Some((number, i)));
+            here = next;
+        }
+        out.list.push(Step::Laser(false));
+        at = Some(here);
     }
     if let Some(end) = at {
         let exit = space.outside(&end);

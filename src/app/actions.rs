@@ -1,0 +1,294 @@
+//! What commands do, and the way every edit takes.
+
+use super::App;
+use super::command::{COMMANDS, Command};
+use super::dialogs::Purpose;
+use super::session::{AfterGuard, RecutAnchor, Tool};
+use crate::job::{Edit, Parameter};
+use crate::part::{Placement, Shape, SurfaceEdit, angle};
+use crate::view::{Bounds, Projection, StandardView};
+use eframe::egui;
+use nalgebra::Vector3;
+
+impl App {
+    /// Applies an edit as a step of its own.
+    pub(super) fn edit(&mut self, edit: Edit) {
+        let all = self.derived.numbers();
+        self.document.apply(&edit, &all, None);
+    }
+
+    /// Applies an edit as a piece of the drag that is going on.
+    pub(super) fn edit_dragging(&mut self, edit: &Edit, gesture: &str) {
+        let all = self.derived.numbers();
+        self.document.apply(edit, &all, Some(gesture));
+    }
+
+    /// Surfaces to clean, in the order of work.
+    pub(super) fn clean_list(&self) -> Vec<u32> {
+        self.document.job().clean.surfaces.numbers(self.derived.surfaces.list.iter().map(|s| s.number))
+    }
+
+    /// Whether a command can do anything now.
+    pub(super) fn is_enabled(&self, command: Command) -> bool {
+        use Command as C;
+        let selected = &self.session.selected;
+        let clean = || self.clean_list();
+        match command {
+            C::Open | C::Help | C::Escape | C::Theme => true,
+            C::Undo => self.document.undo_name().is_some(),
+            C::Redo => self.document.redo_name().is_some(),
+            C::Cancel => self.worker.progress().is_some(),
+            C::Export
+            | C::Play
+            | C::NextPoint
+            | C::LastPoint
+            | C::NextPass
+            | C::LastPass
+            | C::First
+            | C::Last
+            | C::Section => self.derived.plan.is_some(),
+            C::Clean => selected.iter().any(|n| !clean().contains(n)),
+            C::Unclean | C::Earlier | C::Later => selected.iter().any(|n| clean().contains(n)),
+            C::Merge => selected.len() > 1,
+            C::Split | C::Rename | C::FlipSurface | C::FlipShell => selected.len() == 1,
+            C::SelectSameShape | C::SelectSameNormal | C::SelectNeighbours | C::Hide | C::Isolate => {
+                !selected.is_empty()
+            }
+            _ => self.derived.part.is_some(),
+        }
+    }
+
+    pub(super) fn run(&mut self, command: Command, ctx: &egui::Context) {
+        use Command as C;
+        if !self.is_enabled(command) {
+            return;
+        }
+        match command {
+            C::Open if self.document.is_dirty() => self.session.after_guard = Some(AfterGuard::AskOpen),
+            C::Open => self.ask(Purpose::Open),
+            C::Save => self.save_job(),
+            C::SaveAs => self.ask(Purpose::SaveJob),
+            C::Export => self.ask(Purpose::Export),
+            C::Undo => self.document.undo(),
+            C::Redo => self.document.redo(),
+            C::Clean => self.move_selected(true),
+            C::Unclean => self.move_selected(false),
+            C::Earlier => self.edit(Edit::Shift(self.selected(), -1)),
+            C::Later => self.edit(Edit::Shift(self.selected(), 1)),
+            C::SelectAll | C::SelectSameShape | C::SelectSameNormal | C::SelectNeighbours => self.select_more(command),
+            C::Merge => {
+                let list = self.selected();
+                self.edit(Edit::Surfaces(SurfaceEdit::Merge { merge: list }));
+            }
+            C::Split => {
+                let angle_deg = self.session.split_angle_deg;
+                for n in self.selected() {
+                    self.edit(Edit::Surfaces(SurfaceEdit::Split { split: n, angle_deg }));
+                }
+            }
+            C::Rename => {
+                let first = self.session.selected.first().copied();
+                let names = &self.document.job().surfaces.names;
+                self.session.renaming = first.map(|n| (n, names.get(&n.to_string()).cloned().unwrap_or_default()));
+            }
+            C::FlipSurface => self.selected().into_iter().for_each(|n| self.edit(Edit::FlipSurface(n))),
+            C::FlipShell => {
+                let shell = self.selected().first().and_then(|n| {
+                    let first = *self.derived.surfaces.get(*n)?.facets.first()?;
+                    self.derived.part.as_ref()?.orientation.shell_of.get(first as usize).copied()
+                });
+                if let Some(shell) = shell {
+                    self.edit(Edit::FlipShell(shell));
+                }
+            }
+            C::PickOrigin => self.session.tool = Tool::PickOrigin,
+            C::LayFlat => self.session.tool = Tool::LayFlat,
+            C::TurnX => self.place(|p| p.quarter_turn(0)),
+            C::TurnY => self.place(|p| p.quarter_turn(1)),
+            C::TurnZ => self.place(|p| p.quarter_turn(2)),
+            C::Plan => self.plan_again(),
+            C::Cancel => self.worker.cancel(),
+            C::Theme => {
+                let dark = ctx.theme() == egui::Theme::Dark;
+                ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
+            }
+            C::Help => self.session.help_open = !self.session.help_open,
+            C::Escape => self.step_out(),
+            C::Play | C::NextPoint | C::LastPoint | C::NextPass | C::LastPass | C::First | C::Last => {
+                self.step(command)
+            }
+            _ => self.run_view(command),
+        }
+    }
+
+    fn run_view(&mut self, command: Command) {
+        use Command as C;
+        let show = &mut self.session.show;
+        match command {
+            C::Look(i) => self.viewport.look(StandardView::ALL[usize::from(i) % StandardView::ALL.len()]),
+            C::Fit => self.fit_selection(),
+            C::Projection => {
+                let now = self.viewport.camera.projection;
+                let parallel = matches!(now, Projection::Parallel);
+                self.viewport.set_projection(if parallel { Projection::Perspective } else { Projection::Parallel });
+            }
+            C::Hide => self.session.hidden.extend(&self.session.selected),
+            C::Isolate => {
+                let all = self.derived.numbers();
+                self.session.hidden = all.into_iter().filter(|n| !self.session.selected.contains(n)).collect();
+            }
+            C::ShowAll => self.session.hidden.clear(),
+            C::Lines => show.lines = !show.lines,
+            C::Frames => show.frames = !show.frames,
+            C::Beams => show.beams = !show.beams,
+            C::Air => show.air = !show.air,
+            C::Before => show.before = !show.before,
+            C::Plain => show.plain = !show.plain,
+            C::HideChosen => show.hide_chosen = !show.hide_chosen,
+            C::Section => {
+                show.section = !show.section;
+                if show.section {
+                    self.look_along_section();
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn selected(&self) -> Vec<u32> {
+        self.session.selected.iter().copied().collect()
+    }
+
+    /// Moves the selection to the list to clean or back; focus stays on the neighbour.
+    fn move_selected(&mut self, to_clean: bool) {
+        let clean = self.clean_list();
+        let list: Vec<u32> = self.selected().into_iter().filter(|n| clean.contains(n) != to_clean).collect();
+        let from: Vec<u32> = if to_clean { self.rows_left() } else { clean };
+        let neighbour = from
+            .iter()
+            .position(|n| list.contains(n))
+            .and_then(|at| from[at..].iter().chain(from[..at].iter().rev()).find(|n| !list.contains(n)).copied());
+        self.edit(if to_clean { Edit::Clean(list) } else { Edit::Unclean(list) });
+        self.session.selected = neighbour.into_iter().collect();
+        self.session.anchor = neighbour;
+    }
+
+    fn select_more(&mut self, command: Command) {
+        let d = &self.derived;
+        let selected = self.session.selected.clone();
+        let normal = |n: u32| match d.shapes.get(&n) {
+            Some(Shape::Plane { normal }) => Some(*normal),
+            _ => None,
+        };
+        let same_shape = |a: u32, b: u32| match (d.shapes.get(&a), d.shapes.get(&b)) {
+            (Some(x), Some(y)) => x.label() == y.label(),
+            _ => false,
+        };
+        let near = |a: Vector3<f64>, b: u32| normal(b).is_some_and(|v| angle::between_deg(&a, &v) < 1.0);
+        let more: Vec<u32> = match command {
+            Command::SelectAll => self.rows_left(),
+            Command::SelectSameShape => {
+                d.numbers().into_iter().filter(|&n| selected.iter().any(|&s| same_shape(s, n))).collect()
+            }
+            Command::SelectSameNormal => {
+                let normals: Vec<Vector3<f64>> = selected.iter().filter_map(|&s| normal(s)).collect();
+                d.numbers().into_iter().filter(|&n| normals.iter().any(|&a| near(a, n))).collect()
+            }
+            _ => match &d.part {
+                Some(part) => selected.iter().flat_map(|&s| d.surfaces.neighbours(&part.mesh, s)).collect(),
+                None => Vec::new(),
+            },
+        };
+        self.session.selected.extend(more);
+    }
+
+    /// Changes where the part stands.
+    pub(super) fn place(&mut self, change: impl FnOnce(&Placement) -> Placement) {
+        let placement = change(&self.document.job().part.placement);
+        self.edit(Edit::Place(placement));
+    }
+
+    /// Drag → tool → selection; never loses data.
+    fn step_out(&mut self) {
+        let s = &mut self.session;
+        if s.help_open {
+            s.help_open = false;
+        } else if s.renaming.is_some() {
+            s.renaming = None;
+        } else if s.tool != Tool::Select {
+            s.tool = Tool::Select;
+        } else if s.show.section {
+            s.show.section = false;
+        } else {
+            s.selected.clear();
+        }
+    }
+
+    fn fit_selection(&mut self) {
+        let Some(part) = &self.derived.part else { return };
+        let facets = self.session.selected.iter().filter_map(|n| self.derived.surfaces.get(*n)).flat_map(|s| &s.facets);
+        let points = facets.flat_map(|&f| part.mesh.corners(f as usize));
+        let (min, max) = part.mesh.bounds();
+        self.viewport.fit(Bounds::around(points).unwrap_or(Bounds { min, max }));
+    }
+
+    /// Sets a number of the parameter table. Those that cut the surfaces anew carry the lists over:
+    /// a new surface is chosen if most of its area was.
+    pub(super) fn set_parameter(&mut self, p: &'static Parameter, value: f64) {
+        if !p.key.starts_with("surfaces.") {
+            self.edit_dragging(&Edit::Set(p.key, value), p.key);
+            return;
+        }
+        let Some(part) = self.derived.part.clone() else { return };
+        let anchor = self.session.recut_anchor.get_or_insert_with(|| {
+            let clean = self.document.job().clean.surfaces.numbers(self.derived.numbers().into_iter());
+            let flipped = &self.document.job().surfaces.flipped;
+            let rank = |n: &u32| clean.iter().position(|c| c == n).map(|i| i as u32);
+            let of_facet = &self.derived.surfaces.of_facet;
+            RecutAnchor {
+                rank: of_facet.iter().map(rank).collect(),
+                flipped: of_facet.iter().map(|n| flipped.contains(n)).collect(),
+            }
+        });
+        let mut job = self.document.job().clone();
+        (p.set)(&mut job, value);
+        job.surfaces.edits.clear();
+        job.surfaces.flipped.clear();
+        let surfaces = crate::job::plan::segmented(&part, &job);
+        let (mut clean, mut flipped) = (Vec::new(), Vec::new());
+        for s in &surfaces.list {
+            let area = |which: &dyn Fn(usize) -> bool| -> f64 {
+                s.facets.iter().map(|&f| f as usize).filter(|&f| which(f)).map(|f| part.mesh.areas[f]).sum()
+            };
+            if 2.0 * area(&|f| anchor.rank[f].is_some()) > s.area_mm2 {
+                let rank = s.facets.iter().filter_map(|&f| anchor.rank[f as usize]).min();
+                clean.push((rank, s.number));
+            }
+            if 2.0 * area(&|f| anchor.flipped[f]) > s.area_mm2 {
+                flipped.push(s.number);
+            }
+        }
+        clean.sort_unstable();
+        let clean = clean.into_iter().map(|(_, n)| n).collect();
+        self.edit_dragging(&Edit::Recut { key: p.key, value, clean, flipped }, p.key);
+    }
+
+    /// Runs the commands whose keys were pressed, unless a text is being typed.
+    pub(super) fn take_shortcuts(&mut self, ctx: &egui::Context) {
+        let typing = ctx.text_edit_focused();
+        // More modifiers first: Shift+H is not H.
+        let mut rows: Vec<_> = COMMANDS.iter().filter_map(|r| r.keys.map(|k| (k, r.command))).collect();
+        rows.sort_by_key(|(k, _)| {
+            std::cmp::Reverse(u8::from(k.modifiers.alt) + u8::from(k.modifiers.shift) + u8::from(k.modifiers.command))
+        });
+        for (keys, command) in rows {
+            let plain = !keys.modifiers.command;
+            if typing && plain && command != Command::Escape {
+                continue;
+            }
+            if ctx.input_mut(|i| i.consume_shortcut(&keys)) {
+                self.run(command, ctx);
+            }
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! All that is computed from the document: part, surfaces, shapes, pictures, plan. Each keeps the
+//! inputs it was made from; [`App::sync`] starts what is out of date.
+
+use super::App;
+use super::worker::Outcome;
+use crate::cell::Cell;
+use crate::job::model::{PartFile, SurfaceParameters};
+use crate::job::plan::segmented;
+use crate::job::report::Report;
+use crate::job::{self, Cache, Chosen, Job, Plan, files};
+use crate::part::{Part, Shape, Surfaces, stl::RawPart};
+use crate::picture::PartPicture;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Computed state.
+#[derive(Default)]
+pub struct Derived {
+    /// Facets as read from the file.
+    pub raw: Option<Arc<RawPart>>,
+    /// The part, and what it was built from.
+    pub part: Option<Arc<Part>>,
+    pub(super) part_of: PartFile,
+    rebuilding: Option<PartFile>,
+    /// Its feature surfaces.
+    pub surfaces: Arc<Surfaces>,
+    surfaces_of: Option<(SurfaceParameters, Arc<Part>)>,
+    /// Their shapes, as far as known.
+    pub shapes: BTreeMap<u32, Shape>,
+    /// Buffers of the part.
+    pub picture: Option<PartPicture>,
+    /// The cell, and the file it was read from.
+    pub cell: Option<(String, Result<Cell, String>)>,
+    /// The last plan with its report.
+    pub plan: Option<(Arc<Plan>, Arc<Report>)>,
+    /// The job that it was made for.
+    pub plan_of: Option<Job>,
+    /// Why there is none for the job as it is.
+    pub plan_error: Option<(Job, String)>,
+    planning: Option<Job>,
+    cache: Arc<Cache>,
+    /// Counts plans, so that pictures of older ones are not taken for new.
+    pub plan_count: u64,
+}
+
+impl Derived {
+    /// Whether all that is shown belongs to this job.
+    pub fn is_current(&self, job: &Job) -> bool {
+        self.part.is_none() || self.rebuilding.is_none() && (self.is_planned(job) || is_empty(job))
+    }
+
+    fn is_planned(&self, job: &Job) -> bool {
+        self.plan_of.as_ref() == Some(job) || self.plan_error.as_ref().is_some_and(|(of, _)| of == job)
+    }
+
+    /// Numbers of all surfaces.
+    pub fn numbers(&self) -> Vec<u32> {
+        self.surfaces.list.iter().map(|s| s.number).collect()
+    }
+
+    /// Name of a surface in lists and at the cursor.
+    pub fn label(&self, job: &Job, surface: u32) -> String {
+        match job.surfaces.names.get(&surface.to_string()) {
+            Some(name) => name.clone(),
+            None => self.shapes.get(&surface).map_or_else(|| "…".into(), Shape::label),
+        }
+    }
+}
+
+fn is_empty(job: &Job) -> bool {
+    job.clean.surfaces == Chosen::These(Vec::new())
+}
+
+impl App {
+    /// Brings what is out of date on its way.
+    pub(super) fn sync(&mut self) {
+        let job = self.document.job().clone();
+        let d = &mut self.derived;
+        let Some(raw) = d.raw.clone() else { return };
+        if d.part_of != job.part && d.rebuilding.as_ref() != Some(&job.part) {
+            d.rebuilding = Some(job.part.clone());
+            let (of, sha) = (job.part.clone(), d.part.as_ref().map(|p| p.sha256.clone()).unwrap_or_default());
+            self.worker.spawn(move || {
+                let part = Part::from_raw(&raw, sha, of.units, &of.placement, &of.flipped_shells);
+                Outcome::Rebuilt(Arc::new(part))
+            });
+            return;
+        }
+        let Some(part) = self.derived.part.clone() else { return };
+        self.sync_surfaces(&part, &job);
+        self.sync_cell(&job);
+        self.sync_plan(part, job);
+    }
+
+    fn sync_surfaces(&mut self, part: &Arc<Part>, job: &Job) {
+        let d = &mut self.derived;
+        let same = |(of, p): &(SurfaceParameters, Arc<Part>)| {
+            Arc::ptr_eq(p, part)
+                && SurfaceParameters { names: BTreeMap::new(), ..of.clone() }
+                    == SurfaceParameters { names: BTreeMap::new(), ..job.surfaces.clone() }
+        };
+        if d.surfaces_of.as_ref().is_some_and(same) {
+            return;
+        }
+        d.surfaces = Arc::new(segmented(part, job));
+        d.surfaces_of = Some((job.surfaces.clone(), part.clone()));
+        d.picture = Some(PartPicture::new(part, &d.surfaces));
+        let there = |n: &u32| d.surfaces.get(*n).is_some();
+        self.session.selected.retain(there);
+        self.session.hidden.retain(there);
+        let (part, surfaces) = (part.clone(), d.surfaces.clone());
+        self.worker.spawn(move || {
+            use rayon::prelude::*;
+            let shapes = surfaces.list.par_iter().map(|s| (s.number, Shape::of(&part.mesh, s))).collect();
+            Outcome::Shaped(surfaces, shapes)
+        });
+    }
+
+    fn sync_cell(&mut self, job: &Job) {
+        let file = &job.cell.file;
+        if self.derived.cell.as_ref().is_none_or(|(of, _)| of != file) {
+            let cell = files::load_cell(job, self.document.file.as_deref()).map_err(|e| e.to_string());
+            self.derived.cell = Some((file.clone(), cell));
+        }
+    }
+
+    fn sync_plan(&mut self, part: Arc<Part>, job: Job) {
+        let d = &mut self.derived;
+        if is_empty(&job) {
+            d.plan = None;
+            d.plan_of = None;
+            d.plan_error = None;
+            return;
+        }
+        if d.is_planned(&job) || d.planning.as_ref() == Some(&job) {
+            return;
+        }
+        let cell = match &d.cell {
+            Some((_, Ok(cell))) => cell.clone(),
+            Some((_, Err(why))) => {
+                d.plan_error = Some((job, why.clone()));
+                return;
+            }
+            None => return,
+        };
+        d.planning = Some(job.clone());
+        let (surfaces, cache) = (d.surfaces.clone(), d.cache.clone());
+        self.worker.plan(move |progress| {
+            let plan = job::plan(&part, &surfaces, &job, &cell, &cache, progress);
+            let result = plan.map(|plan| {
+                let report = Report::new(&plan, &surfaces);
+                (Arc::new(plan), Arc::new(report))
+            });
+            Outcome::Planned(Box::new(job), result)
+        });
+    }
+
+    /// Takes over what threads have brought.
+    pub(super) fn take_results(&mut self) {
+        while let Some(outcome) = self.worker.take() {
+            match outcome {
+                Outcome::Opened(result) => self.opened(result),
+                Outcome::Rebuilt(part) => {
+                    if let Some(of) = self.derived.rebuilding.take() {
+                        self.derived.part_of = of;
+                        self.derived.part = Some(part);
+                        self.session.fit_pending = true;
+                    }
+                }
+                Outcome::Shaped(of, shapes) => {
+                    if Arc::ptr_eq(&of, &self.derived.surfaces) {
+                        self.derived.shapes = shapes;
+                    }
+                }
+                Outcome::Planned(job, result) => self.planned(*job, result),
+                Outcome::Exported(result) => self.exported(result),
+                Outcome::Picked(purpose, path) => self.picked(purpose, path),
+            }
+        }
+    }
+
+    fn planned(&mut self, job: Job, result: Result<(Arc<Plan>, Arc<Report>), job::PlanError>) {
+        let d = &mut self.derived;
+        if d.planning.as_ref() == Some(&job) {
+            d.planning = None;
+        }
+        if job != *self.document.job() {
+            return; // made for a job that is no more
+        }
+        match result {
+            Ok(plan) => {
+                d.plan = Some(plan);
+                d.plan_of = Some(job);
+                d.plan_error = None;
+                d.plan_count += 1;
+            }
+            Err(job::PlanError::Cancelled) => {
+                d.plan_error = Some((job, "planning was cancelled; Ctrl+R plans again".into()))
+            }
+            Err(e) => d.plan_error = Some((job, e.to_string())),
+        }
+    }
+
+    /// Plans again what was cancelled.
+    pub(super) fn plan_again(&mut self) {
+        self.derived.plan_error = None;
+        self.derived.plan_of = None;
+    }
+
+    /// Takes a part that was opened.
+    pub(super) fn take_part(&mut self, raw: Arc<RawPart>, part: Arc<Part>, of: PartFile) {
+        self.derived = Derived {
+            raw: Some(raw),
+            part: Some(part),
+            part_of: of,
+            plan_count: self.derived.plan_count,
+            ..Derived::default()
+        };
+        self.session.fit_pending = true;
+    }
+}

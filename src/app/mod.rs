@@ -1,0 +1,135 @@
+//! The window.
+//!
+//! `Document` (saved, undone) · `Session` (selection, what is shown) · `Derived` (computed, keyed
+//! by its inputs). Panels send [`Command`]s and edits; nothing else changes the document. Work over
+//! 100 ms runs on a thread of its own, and a result whose inputs are no longer current is dropped.
+
+mod actions;
+mod command;
+mod derived;
+mod dialogs;
+mod files;
+mod panels;
+mod pick;
+mod quantity;
+mod scene;
+mod session;
+mod theme;
+mod worker;
+
+pub use command::{COMMANDS, Command};
+pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
+
+use crate::job::Document;
+use crate::view::{Scene, Viewport};
+use derived::Derived;
+use eframe::egui;
+use session::Session;
+use std::path::PathBuf;
+use std::sync::Arc;
+use worker::Worker;
+
+/// The application's state.
+pub struct App {
+    document: Document,
+    derived: Derived,
+    session: Session,
+    viewport: Viewport,
+    scene: Arc<Scene>,
+    worker: Worker,
+    dialogs: Box<dyn FileDialogs>,
+    recent: Vec<PathBuf>,
+}
+
+const RECENT_KEY: &str = "recent";
+
+impl App {
+    /// Builds the window's contents; `open` is a part or a job.
+    pub fn new(cc: &eframe::CreationContext<'_>, dialogs: Box<dyn FileDialogs>, open: Option<PathBuf>) -> App {
+        theme::install(&cc.egui_ctx);
+        let viewport = cc.gl.clone().and_then(|gl| Viewport::new(gl).ok()).unwrap_or_else(Viewport::without_picture);
+        let recent = cc.storage.and_then(|s| eframe::get_value(s, RECENT_KEY)).unwrap_or_default();
+        let mut app = App {
+            document: Document::default(),
+            derived: Derived::default(),
+            session: Session::default(),
+            viewport,
+            scene: Arc::new(Scene::default()),
+            worker: Worker::new(cc.egui_ctx.clone()),
+            dialogs,
+            recent,
+        };
+        if let Some(path) = open {
+            app.open(path);
+        }
+        app
+    }
+
+    /// Whether nothing is being computed or waited for: what is shown is current.
+    pub fn is_settled(&self) -> bool {
+        self.worker.is_idle() && !self.viewport.is_gliding() && self.derived.is_current(self.document.job())
+    }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        self.take_results();
+        self.take_dropped_files(ctx);
+        self.guard_close(ctx);
+        self.take_shortcuts(ctx);
+        self.advance_playback(ctx);
+        self.sync();
+        if !ctx.input(|i| i.pointer.any_down()) {
+            self.document.end_gesture();
+            self.session.recut_anchor = None;
+        }
+        ctx.send_viewport_cmd(egui::ViewportCommand::Title(self.title()));
+    }
+
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        egui::Panel::top("menu").show(ui, |ui| self.menu(ui));
+        egui::Panel::bottom("status").show(ui, |ui| self.status(ui));
+        if self.derived.part.is_some() {
+            egui::Panel::left("lists").default_size(330.0).min_size(240.0).show(ui, |ui| self.lists(ui));
+            egui::Panel::right("parameters").default_size(300.0).min_size(240.0).show(ui, |ui| self.parameters(ui));
+            egui::Panel::bottom("timeline").show(ui, |ui| self.timeline(ui));
+            egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| self.view(ui));
+        } else {
+            egui::CentralPanel::default().show(ui, |ui| self.start(ui));
+        }
+        self.help(ui.ctx());
+        self.guard_dialog(ui.ctx());
+        self.message_dialog(ui.ctx());
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, RECENT_KEY, &self.recent);
+    }
+
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.worker.cancel();
+        self.viewport.release();
+    }
+}
+
+/// Opens the window and stays until it is closed.
+///
+/// # Errors
+/// There is no screen, or no OpenGL on it.
+pub fn run(open: Option<PathBuf>) -> anyhow::Result<()> {
+    let options = eframe::NativeOptions {
+        renderer: eframe::Renderer::Glow,
+        viewport: egui::ViewportBuilder::default()
+            .with_inner_size([1440.0, 900.0])
+            .with_min_inner_size([900.0, 600.0])
+            .with_app_id("clearbeam")
+            .with_drag_and_drop(true),
+        ..Default::default()
+    };
+    eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(App::new(cc, Box::new(NativeDialogs), open)))))
+        .map_err(|e| {
+            anyhow::anyhow!(
+                "the window cannot be opened: {e}; without a screen use `clearbeam plan`, or run under xvfb-run"
+            )
+        })
+}

@@ -1,0 +1,262 @@
+//! The two lists of P1 Fig. 3: *Feature surfaces*, and *To clean* in the order of work.
+
+use super::super::App;
+use super::super::command::Command;
+use super::super::session::Column;
+use super::super::theme;
+use crate::job::Edit;
+use eframe::egui::{self, Align, Key, Layout, RichText, Role, Sense, WidgetInfo};
+use egui_extras::{Column as Width, TableBuilder};
+use std::sync::Arc;
+
+/// Surfaces on the way from one list to the other.
+struct Dragged {
+    surfaces: Vec<u32>,
+    from_clean: bool,
+}
+
+impl App {
+    pub(in super::super) fn lists(&mut self, ui: &mut egui::Ui) {
+        // The hover of this frame is set by the rows and by the view, which is drawn after.
+        let hovered = self.session.hovered.take();
+        let height = ui.available_height();
+        self.list(ui, false, (height - 150.0) * 0.55, hovered);
+        self.between_lists(ui);
+        self.list(ui, true, ui.available_height(), hovered);
+    }
+
+    /// Rows of the left list as they stand: filtered and sorted.
+    pub(in super::super) fn rows_left(&self) -> Vec<u32> {
+        let clean = self.clean_list();
+        let d = &self.derived;
+        let job = self.document.job();
+        let mut rows: Vec<u32> =
+            d.numbers().into_iter().filter(|n| !clean.contains(n) && self.passes_filter(*n, 0)).collect();
+        let area = |n: u32| d.surfaces.get(n).map_or(0.0, |s| s.area_mm2);
+        let (column, turned) = self.session.sort;
+        match column {
+            Column::Number => {}
+            Column::Shape => rows.sort_by_key(|&n| d.label(job, n)),
+            Column::Area => rows.sort_by(|&a, &b| area(b).total_cmp(&area(a))),
+        }
+        if turned {
+            rows.reverse();
+        }
+        rows
+    }
+
+    fn passes_filter(&self, n: u32, list: usize) -> bool {
+        let filter = self.session.filter[list].trim().to_lowercase();
+        filter.is_empty()
+            || format!("{n} {}", self.derived.label(self.document.job(), n)).to_lowercase().contains(&filter)
+    }
+
+    fn list(&mut self, ui: &mut egui::Ui, is_clean: bool, height: f32, hovered: Option<u32>) {
+        let index = usize::from(is_clean);
+        let clean = self.clean_list();
+        let rows: Vec<u32> = if is_clean {
+            clean.iter().copied().filter(|&n| self.passes_filter(n, 1)).collect()
+        } else {
+            self.rows_left()
+        };
+        let whole = if is_clean {
+            clean.len()
+        } else {
+            self.derived.surfaces.list.len() - clean.len().min(self.derived.surfaces.list.len())
+        };
+        let title = if is_clean { "To clean" } else { "Feature surfaces" };
+        theme::heading(ui, title);
+        ui.horizontal(|ui| {
+            let hint = if is_clean { "filter the list to clean" } else { "filter surfaces" };
+            let edit =
+                egui::TextEdit::singleline(&mut self.session.filter[index]).hint_text("filter").desired_width(120.0);
+            ui.add(edit).widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
+            ui.label(RichText::new(format!("{} of {whole}", rows.len())).weak());
+        });
+        let (_, dropped) = ui.dnd_drop_zone::<Dragged, _>(egui::Frame::group(ui.style()), |ui| {
+            ui.push_id(title, |ui| self.table(ui, &rows, is_clean, height - 90.0, hovered));
+        });
+        if let Some(dragged) = dropped {
+            self.drop_on_list(&dragged, is_clean);
+        }
+    }
+
+    fn table(&mut self, ui: &mut egui::Ui, rows: &[u32], is_clean: bool, height: f32, hovered: Option<u32>) {
+        let height = height.max(80.0);
+        ui.set_min_height(height);
+        let mut table = TableBuilder::new(ui)
+            .striped(true)
+            .sense(Sense::click_and_drag())
+            .cell_layout(Layout::left_to_right(Align::Center))
+            .column(Width::exact(20.0))
+            .column(Width::exact(44.0))
+            .column(Width::remainder().clip(true).at_least(70.0))
+            .column(Width::exact(82.0))
+            .min_scrolled_height(height)
+            .max_scroll_height(height)
+            .auto_shrink([false, false]);
+        if let Some(at) = self.session.scroll_to.and_then(|n| rows.iter().position(|&r| r == n)) {
+            table = table.scroll_to_row(at, Some(Align::Center));
+            self.session.scroll_to = None;
+        }
+        table
+            .header(20.0, |mut header| {
+                header.col(|_| {});
+                for (column, name) in [(Column::Number, "No."), (Column::Shape, "Shape"), (Column::Area, "Area mm²")] {
+                    header.col(|ui| {
+                        if is_clean {
+                            ui.label(RichText::new(name).strong());
+                            return;
+                        }
+                        let arrow = match self.session.sort {
+                            (c, turned) if c == column => {
+                                if turned {
+                                    " ⏶"
+                                } else {
+                                    " ⏷"
+                                }
+                            }
+                            _ => "",
+                        };
+                        let button = egui::Button::new(RichText::new(format!("{name}{arrow}")).strong()).frame(false);
+                        if ui.add(button).clicked() {
+                            let (c, turned) = self.session.sort;
+                            self.session.sort = (column, c == column && !turned);
+                        }
+                    });
+                }
+            })
+            .body(|body| {
+                body.rows(20.0, rows.len(), |mut row| {
+                    let n = rows[row.index()];
+                    row.set_selected(self.session.selected.contains(&n));
+                    row.set_hovered(hovered == Some(n));
+                    let label = self.derived.label(self.document.job(), n);
+                    let area = self.derived.surfaces.get(n).map_or(0.0, |s| s.area_mm2);
+                    row.col(|ui| {
+                        let color = self.derived.picture.as_ref().map_or([128; 3], |p| p.swatch(n, is_clean));
+                        theme::swatch(ui, color);
+                    });
+                    row.col(|ui| {
+                        ui.add(egui::Label::new(n.to_string()).selectable(false));
+                    });
+                    row.col(|ui| self.shape_cell(ui, n, &label, is_clean));
+                    row.col(|ui| {
+                        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                            ui.add(egui::Label::new(format!("{area:.2}")).selectable(false));
+                        });
+                    });
+                    let response = row.response();
+                    let selected = self.session.selected.contains(&n);
+                    response.widget_info(|| {
+                        WidgetInfo::selected(Role::ListBoxOption, true, selected, format!("surface {n} {label}"))
+                    });
+                    self.take_row(&response, n, rows, is_clean);
+                });
+            });
+    }
+
+    fn shape_cell(&mut self, ui: &mut egui::Ui, n: u32, label: &str, is_clean: bool) {
+        if let Some((of, text)) = &mut self.session.renaming
+            && *of == n
+        {
+            let edit = ui.add(egui::TextEdit::singleline(text).desired_width(f32::INFINITY));
+            edit.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "surface name"));
+            edit.request_focus();
+            if ui.input(|i| i.key_pressed(Key::Enter)) {
+                let text = text.clone();
+                self.session.renaming = None;
+                self.edit(Edit::Rename(n, text));
+            }
+            return;
+        }
+        let state = if is_clean { self.state_of(n) } else { None };
+        ui.add(egui::Label::new(label).selectable(false).truncate());
+        if let Some((word, color)) = state {
+            ui.label(RichText::new(word).small().color(color));
+        }
+    }
+
+    /// What the plan says of a surface.
+    fn state_of(&self, n: u32) -> Option<(&'static str, egui::Color32)> {
+        let (_, report) = self.derived.plan.as_ref()?;
+        let row = report.surfaces.iter().find(|s| s.surface == n)?;
+        Some(if row.blocked_mm > 0.0 {
+            ("blocked", theme::WRONG)
+        } else if row.missed_area_mm2 > 0.0 {
+            ("missed", theme::ATTENTION)
+        } else if row.corrected_mm > 0.0 {
+            ("corrected", theme::ATTENTION)
+        } else {
+            ("planned", theme::ACCENT)
+        })
+    }
+
+    fn take_row(&mut self, response: &egui::Response, n: u32, rows: &[u32], is_clean: bool) {
+        if response.hovered() {
+            self.session.hovered = Some(n);
+        }
+        let modifiers = response.ctx.input(|i| i.modifiers);
+        if response.double_clicked() {
+            self.session.selected = [n].into();
+            let command = if is_clean { Command::Unclean } else { Command::Clean };
+            self.run(command, &response.ctx.clone());
+        } else if response.clicked() {
+            let from = self.session.anchor.and_then(|a| rows.iter().position(|&r| r == a));
+            let to = rows.iter().position(|&r| r == n);
+            match (from, to) {
+                (Some(a), Some(b)) if modifiers.shift => {
+                    self.session.selected.extend(&rows[a.min(b)..=a.max(b)]);
+                }
+                _ => self.select(Some(n), egui::Modifiers { shift: false, ..modifiers }),
+            }
+        }
+        if response.drag_started() {
+            if !self.session.selected.contains(&n) {
+                self.session.selected = [n].into();
+            }
+            let surfaces = rows.iter().copied().filter(|r| self.session.selected.contains(r)).collect();
+            response.dnd_set_drag_payload(Dragged { surfaces, from_clean: is_clean });
+        }
+        if is_clean && let Some(dragged) = response.dnd_release_payload::<Dragged>() {
+            self.drop_before(&dragged, n);
+        }
+    }
+
+    fn drop_on_list(&mut self, dragged: &Arc<Dragged>, is_clean: bool) {
+        match (dragged.from_clean, is_clean) {
+            (false, true) => self.edit(Edit::Clean(dragged.surfaces.clone())),
+            (true, false) => self.edit(Edit::Unclean(dragged.surfaces.clone())),
+            // To the end of the order.
+            (true, true) => self.edit(Edit::Clean(dragged.surfaces.clone())),
+            (false, false) => {}
+        }
+    }
+
+    /// Puts what is dragged before a row of the list to clean.
+    fn drop_before(&mut self, dragged: &Arc<Dragged>, row: u32) {
+        let mut list: Vec<u32> = self.clean_list().into_iter().filter(|n| !dragged.surfaces.contains(n)).collect();
+        let at = list.iter().position(|&n| n == row).unwrap_or(list.len());
+        list.splice(at..at, dragged.surfaces.iter().copied());
+        self.edit(Edit::Reorder(list));
+    }
+
+    fn between_lists(&mut self, ui: &mut egui::Ui) {
+        ui.add_space(4.0);
+        ui.horizontal(|ui| {
+            let buttons = [
+                ("⏷ To clean", Command::Clean),
+                ("⏶ Back", Command::Unclean),
+                ("Earlier", Command::Earlier),
+                ("Later", Command::Later),
+            ];
+            for (text, command) in buttons {
+                let tip = format!("{}  {}", super::name_of(command), super::keys_of(ui.ctx(), command));
+                if ui.add_enabled(self.is_enabled(command), egui::Button::new(text)).on_hover_text(tip).clicked() {
+                    let ctx = ui.ctx().clone();
+                    self.run(command, &ctx);
+                }
+            }
+        });
+    }
+}

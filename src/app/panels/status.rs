@@ -1,0 +1,37 @@
+//! The status line: what is being done, what was found, what was said last.
+
+use super::super::{App, theme};
+use eframe::egui::{self, ProgressBar, RichText};
+
+impl App {
+    pub(in super::super) fn status(&mut self, ui: &mut egui::Ui) {
+        ui.horizontal(|ui| {
+            if let Some((stage, share)) =
+                self.worker.progress().filter(|_| !self.derived.is_current(self.document.job()))
+            {
+                ui.add(ProgressBar::new(share).desired_width(160.0).text(format!("{stage} {:.0} %", share * 100.0)));
+                if ui.small_button("Cancel").clicked() {
+                    self.worker.cancel();
+                }
+            }
+            if let Some((_, report)) = &self.derived.plan {
+                let r = report;
+                let s = r.time_s as u64;
+                ui.label(format!("{} passes · {} targets", r.passes, r.points));
+                if r.corrected > 0 {
+                    ui.label(RichText::new(format!("{} corrected", r.corrected)).color(theme::ATTENTION));
+                }
+                if r.blocked > 0 {
+                    ui.label(RichText::new(format!("{} blocked", r.blocked)).color(theme::WRONG));
+                }
+                ui.label(format!("{:.1} mm · {:02}:{:02}:{:02}", r.work_mm, s / 3600, s / 60 % 60, s % 60));
+                if !self.derived.is_current(self.document.job()) {
+                    ui.label(RichText::new("out of date").color(theme::ATTENTION)).on_hover_text("Ctrl+R plans again");
+                }
+            }
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.add(egui::Label::new(RichText::new(&self.session.said).weak()).truncate());
+            });
+        });
+    }
+}

@@ -1,0 +1,83 @@
+//! Stepping through the plan: sliders over passes and points, play, and the numbers of the target.
+
+use super::super::App;
+use super::super::command::Command;
+use crate::cell::rpy;
+use crate::picture::palette::state;
+use crate::pose::State;
+use eframe::egui::{self, Color32, RichText, Slider};
+
+impl App {
+    pub(in super::super) fn timeline(&mut self, ui: &mut egui::Ui) {
+        let Some((plan, _)) = self.derived.plan.clone() else {
+            ui.label(RichText::new("Move a surface to the list to clean: its path appears here").weak());
+            return;
+        };
+        let passes = plan.passes.len();
+        if passes == 0 {
+            ui.label(RichText::new("No line crosses the chosen surfaces").weak());
+            return;
+        }
+        let (mut pass, mut point) = self.session.at;
+        pass = pass.min(passes - 1);
+        let points = plan.passes[pass].targets.len();
+        point = point.min(points.saturating_sub(1));
+        let shown = (pass, point);
+        ui.horizontal(|ui| {
+            let text = if self.session.playing { "⏸ Pause" } else { "▶ Play" };
+            if ui.button(text).on_hover_text("Space").clicked() {
+                let ctx = ui.ctx().clone();
+                self.run(Command::Play, &ctx);
+            }
+            ui.label("Pass");
+            ui.spacing_mut().slider_width = (ui.available_width() * 0.3).max(60.0);
+            let slider = Slider::new(&mut pass, 0..=passes - 1);
+            ui.add(slider).widget_info(|| egui::WidgetInfo::labeled(egui::Role::Slider, true, "pass"));
+            ui.label("Point");
+            let slider = Slider::new(&mut point, 0..=points.saturating_sub(1));
+            ui.add(slider).widget_info(|| egui::WidgetInfo::labeled(egui::Role::Slider, true, "point"));
+            let speed = egui::DragValue::new(&mut self.session.play_speed).range(0.1..=20.0).speed(0.05).prefix("× ");
+            ui.add(speed)
+                .on_hover_text("Times the real speed")
+                .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, "play speed"));
+            ui.checkbox(&mut self.session.play_loop, "loop");
+        });
+        if (pass, point) != shown {
+            self.session.at = (pass, if pass == shown.0 { point } else { 0 });
+        } else {
+            self.session.at = shown;
+        }
+        self.target_numbers(ui);
+    }
+
+    fn target_numbers(&self, ui: &mut egui::Ui) {
+        let Some(t) = self.target() else { return };
+        let (word, [r, g, b]) = match t.state {
+            State::Free => ("free", [90, 140, 230]),
+            State::Corrected => ("corrected", state::CORRECTED),
+            State::Blocked => ("blocked", [240, 70, 70]),
+        };
+        let (pass, point) = self.session.at;
+        ui.horizontal_wrapped(|ui| {
+            ui.label(RichText::new(word).strong().color(Color32::from_rgb(r, g, b)));
+            ui.label(format!("pass {pass} · point {point}"));
+            ui.label(format!("laser {}", if t.laser { "on" } else { "off" }));
+            ui.label(format!("tilt {:.2}°", t.tilt_deg()));
+            ui.monospace(format!("x {:.3}  y {:.3}  z {:.3}", t.p.x, t.p.y, t.p.z));
+            if let Some((_, Ok(cell))) = &self.derived.cell {
+                let flange = cell.flange_for(&t.frame(self.document.job().beam.defocus_mm));
+                let [rz, ry, rx] = rpy::from_rotation(&flange.rotation.to_rotation_matrix());
+                let v = flange.translation.vector;
+                let text = format!("flange {:.1} {:.1} {:.1} mm  RZ {rz:.2}° RY {ry:.2}° RX {rx:.2}°", v.x, v.y, v.z);
+                ui.monospace(text).on_hover_text("Pose of the flange in the robot's base");
+            }
+            if let (State::Blocked, Some(facet)) = (t.state, t.normal_hits) {
+                let by = self.derived.surfaces.of_facet.get(facet as usize).copied().unwrap_or(0);
+                ui.label(
+                    RichText::new(format!("the beam hits surface {by} (facet {facet})"))
+                        .color(super::super::theme::WRONG),
+                );
+            }
+        });
+    }
+}

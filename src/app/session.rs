@@ -1,0 +1,169 @@
+//! What is selected, shown and open: neither saved nor undone.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+/// State of the window that is no part of the job.
+#[derive(Debug)]
+pub struct Session {
+    /// Selected surfaces, in either list.
+    pub selected: BTreeSet<u32>,
+    /// Where Shift extends from.
+    pub anchor: Option<u32>,
+    /// Surface under the cursor in this frame, and in the last.
+    pub hovered: Option<u32>,
+    /// A selection made in the view: its row is scrolled into sight.
+    pub scroll_to: Option<u32>,
+    /// Surfaces that are not shown.
+    pub hidden: BTreeSet<u32>,
+    /// What is shown.
+    pub show: Show,
+    /// Filter texts of the two lists.
+    pub filter: [String; 2],
+    /// Sort column of the feature surfaces and whether it is turned.
+    pub sort: (Column, bool),
+    /// Target that is stepped through: pass and point.
+    pub at: (usize, usize),
+    /// Playback.
+    pub playing: bool,
+    /// Times real speed.
+    pub play_speed: f32,
+    /// Starts over at the end.
+    pub play_loop: bool,
+    /// Time since the current target was reached, s.
+    pub play_clock_s: f64,
+    /// Ranks of facets when a drag of the angle began.
+    pub recut_anchor: Option<RecutAnchor>,
+    /// Local angle of the next split.
+    pub split_angle_deg: f64,
+    /// Surface that is being renamed, and the text so far.
+    pub renaming: Option<(u32, String)>,
+    /// Page of shortcuts.
+    pub help_open: bool,
+    /// What waits for the answer to *Save changes?*.
+    pub after_guard: Option<AfterGuard>,
+    /// The answer was given; the window may close.
+    pub may_close: bool,
+    /// Last thing said in the status line.
+    pub said: String,
+    /// An error that must be read.
+    pub error: Option<String>,
+    /// What a click in the view does, other than select.
+    pub tool: Tool,
+    /// Camera must be fitted once the part is there.
+    pub fit_pending: bool,
+    /// Facet and point of the last right click in the view.
+    pub context_pick: Option<(u32, nalgebra::Point3<f64>)>,
+}
+
+/// What a click in the view does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// Select surfaces.
+    #[default]
+    Select,
+    /// Put the origin on the clicked place.
+    PickOrigin,
+    /// Lay the clicked face down on z = 0.
+    LayFlat,
+}
+
+/// What is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Show {
+    /// Path lines.
+    pub lines: bool,
+    /// Frames at targets.
+    pub frames: bool,
+    /// Beams.
+    pub beams: bool,
+    /// Connecting moves.
+    pub air: bool,
+    /// Before correction.
+    pub before: bool,
+    /// Part without colours.
+    pub plain: bool,
+    /// Chosen surfaces are hidden.
+    pub hide_chosen: bool,
+    /// One section plane.
+    pub section: bool,
+}
+
+/// Columns of the lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// Surface number.
+    Number,
+    /// Shape or name.
+    Shape,
+    /// Area.
+    Area,
+}
+
+/// What happens once unsaved changes are dealt with.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AfterGuard {
+    /// The window closes.
+    Close,
+    /// A file is opened.
+    Open(PathBuf),
+    /// A file is asked for.
+    AskOpen,
+}
+
+/// Before the first step of an angle drag: which facets were chosen, in which order, and flipped.
+#[derive(Clone, Debug)]
+pub struct RecutAnchor {
+    /// Place in the list to clean of each facet's surface.
+    pub rank: Vec<Option<u32>>,
+    /// Whether its surface was flipped.
+    pub flipped: Vec<bool>,
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Session {
+            selected: BTreeSet::new(),
+            anchor: None,
+            hovered: None,
+            scroll_to: None,
+            hidden: BTreeSet::new(),
+            show: Show {
+                lines: true,
+                frames: false,
+                beams: false,
+                air: false,
+                before: false,
+                plain: false,
+                hide_chosen: false,
+                section: false,
+            },
+            filter: Default::default(),
+            sort: (Column::Number, false),
+            at: (0, 0),
+            playing: false,
+            play_speed: 1.0,
+            play_loop: false,
+            play_clock_s: 0.0,
+            recut_anchor: None,
+            split_angle_deg: 10.0,
+            renaming: None,
+            help_open: false,
+            after_guard: None,
+            may_close: false,
+            said: String::new(),
+            error: None,
+            tool: Tool::Select,
+            fit_pending: false,
+            context_pick: None,
+        }
+    }
+}
+
+impl Session {
+    /// Forgets what belongs to one part.
+    pub fn forget_part(&mut self) {
+        let kept = Session { show: self.show.clone(), play_speed: self.play_speed, ..Session::default() };
+        *self = kept;
+    }
+}

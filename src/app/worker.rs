@@ -1,0 +1,104 @@
+//! Long work on its own threads: one thing at a time, with progress and cancel. Results come back
+//! over a channel and wake the window.
+
+use super::dialogs::Purpose;
+use crate::job::report::Report;
+use crate::job::{Job, Plan, PlanError, Progress};
+use crate::part::{Part, Shape, Surfaces, stl::RawPart};
+use eframe::egui;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+/// What a thread brings back.
+pub enum Outcome {
+    /// A part was read: its job, where that is kept, the facets, and the part.
+    Opened(Result<Box<Opened>, String>),
+    /// The part was built anew for another unit or place.
+    Rebuilt(Arc<Part>),
+    /// Shapes of surfaces.
+    Shaped(Arc<Surfaces>, BTreeMap<u32, Shape>),
+    /// A plan for this job.
+    Planned(Box<Job>, Result<(Arc<Plan>, Arc<Report>), PlanError>),
+    /// Files were written, or not.
+    Exported(Result<Vec<PathBuf>, String>),
+    /// A file was picked, or not.
+    Picked(Purpose, Option<PathBuf>),
+}
+
+/// A part with its job.
+pub struct Opened {
+    /// The job.
+    pub job: Job,
+    /// Its file.
+    pub file: Option<PathBuf>,
+    /// Facets as read.
+    pub raw: Arc<RawPart>,
+    /// The part.
+    pub part: Arc<Part>,
+}
+
+/// Threads and their results.
+pub struct Worker {
+    ctx: egui::Context,
+    sender: Sender<Outcome>,
+    receiver: Receiver<Outcome>,
+    running: usize,
+    progress: Arc<Progress>,
+}
+
+impl Worker {
+    /// A worker that wakes this window.
+    pub fn new(ctx: egui::Context) -> Worker {
+        let (sender, receiver) = channel();
+        Worker { ctx, sender, receiver, running: 0, progress: Arc::default() }
+    }
+
+    /// Whether nothing runs.
+    pub fn is_idle(&self) -> bool {
+        self.running == 0
+    }
+
+    /// Stage and share of the planning that runs.
+    pub fn progress(&self) -> Option<(&'static str, f32)> {
+        (self.running > 0).then(|| self.progress.now()).filter(|p| !p.0.is_empty())
+    }
+
+    /// Asks the planning that runs to end.
+    pub fn cancel(&self) {
+        self.progress.cancel();
+    }
+
+    /// Starts planning; one that runs is cancelled.
+    pub fn plan(&mut self, work: impl FnOnce(&Progress) -> Outcome + Send + 'static) {
+        self.progress.cancel();
+        self.progress = Arc::default();
+        let progress = self.progress.clone();
+        self.spawn(move || work(&progress));
+    }
+
+    /// Starts other work.
+    pub fn spawn(&mut self, work: impl FnOnce() -> Outcome + Send + 'static) {
+        let reply = self.reply();
+        std::thread::spawn(move || reply(work()));
+    }
+
+    /// Expects one result from elsewhere (a file dialog).
+    pub fn reply(&mut self) -> impl FnOnce(Outcome) + Send + 'static {
+        self.running += 1;
+        let (sender, ctx) = (self.sender.clone(), self.ctx.clone());
+        move |outcome| {
+            // The window may be gone by now.
+            let _ = sender.send(outcome);
+            ctx.request_repaint();
+        }
+    }
+
+    /// The next result.
+    pub fn take(&mut self) -> Option<Outcome> {
+        let outcome = self.receiver.try_recv().ok()?;
+        self.running -= 1;
+        Some(outcome)
+    }
+}

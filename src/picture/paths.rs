@@ -1,0 +1,158 @@
+//! Path lines, frames and beams (P1 Figs 7, 9, 13), and the moves between.
+
+use super::palette::{Rgb, state};
+use crate::job::Plan;
+use crate::part::Hasher;
+use crate::pose::{Pass, State, Target};
+use crate::program::Step;
+use crate::view::{Depth, LineItem, LineSegment, PointItem};
+use nalgebra::{Point3, Vector3};
+use std::sync::Arc;
+
+/// What is shown of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathLook {
+    /// Path lines.
+    pub lines: bool,
+    /// Frames at targets: x red = beam axis, y green = travel, z blue (P1 Fig. 13).
+    pub frames: bool,
+    /// Beams from the part to the focus.
+    pub beams: bool,
+    /// Moves with the laser off.
+    pub air: bool,
+    /// Before correction: all beams along the normal, those that hit red.
+    pub before: bool,
+    /// Only this pass.
+    pub only_pass: Option<usize>,
+    /// Length of a frame's axes, mm.
+    pub frame_mm: f64,
+}
+
+/// At most so many frames and beams are shown; of more, evenly every k-th.
+const MOST_FRAMES: usize = 1500;
+const MOST_BEAMS: usize = 4000;
+
+/// Draws a plan. `key` changes with the plan.
+pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> (Vec<LineItem>, Vec<PointItem>) {
+    let item = |part: u32, segments: Vec<LineSegment>, width_px: f32| {
+        let flags = [u32::from(look.before), look.only_pass.map_or(0, |p| p as u32 + 1), part];
+        let key =
+            Hasher::default().u32s(&[key as u32, (key >> 32) as u32]).u32s(&flags).f64s(&[look.frame_mm, defocus_mm]);
+        LineItem { key: key.finish().0 as u64, segments: Arc::new(segments), width_px, depth: Depth::Tested }
+    };
+    let shown = || plan.passes.iter().enumerate().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i)).map(|x| x.1);
+    let count: usize = shown().map(|p| p.targets.len()).sum();
+    let mut items = Vec::new();
+    if look.lines {
+        items.push(item(1, shown().flat_map(|p| pass_lines(p, look.before)).collect(), 2.0));
+    }
+    if look.beams {
+        let targets = thinned(shown(), count, MOST_BEAMS, look.before);
+        items.push(item(2, targets.map(|t| beam(t, defocus_mm, look.before)).collect(), 1.2));
+    }
+    if look.frames {
+        let targets = thinned(shown(), count, MOST_FRAMES, look.before);
+        items.push(item(3, targets.flat_map(|t| frame(t, defocus_mm, look)).collect(), 2.0));
+    }
+    if look.air && look.only_pass.is_none() {
+        items.push(item(4, air(plan), 1.0));
+    }
+    (items, Vec::new())
+}
+
+/// Evenly every k-th target, but all that interfere up to the limit.
+fn thinned<'a>(
+    passes: impl Iterator<Item = &'a Pass>,
+    count: usize,
+    most: usize,
+    before: bool,
+) -> impl Iterator<Item = &'a Target> {
+    let every = count.div_ceil(most).max(1);
+    passes
+        .flat_map(|p| &p.targets)
+        .enumerate()
+        .filter(move |(i, t)| i % every == 0 || (every < 8 && before && t.normal_hits.is_some() && i % 2 == 0))
+        .map(|(_, t)| t)
+}
+
+/// Colour of a target in a state, or before correction.
+pub fn color(t: &Target, before: bool) -> Rgb {
+    match (before, t.state) {
+        (true, _) if t.normal_hits.is_some() => state::BLOCKED,
+        (true, _) | (_, State::Free) => state::FREE,
+        (_, State::Corrected) => state::CORRECTED,
+        (_, State::Blocked) => state::BLOCKED,
+    }
+}
+
+fn segment(a: Point3<f64>, b: Point3<f64>, [r, g, blue]: Rgb) -> LineSegment {
+    let f = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
+    LineSegment { a: f(a), b: f(b), color: [r, g, blue, 255] }
+}
+
+fn pass_lines(pass: &Pass, before: bool) -> impl Iterator<Item = LineSegment> {
+    pass.targets.windows(2).map(move |w| {
+        // A move takes the worse colour of its ends.
+        let rank = |t: &Target| match color(t, before) {
+            state::BLOCKED => 2,
+            state::CORRECTED => 1,
+            _ => 0,
+        };
+        let worse = if rank(&w[0]) > rank(&w[1]) { &w[0] } else { &w[1] };
+        segment(w[0].p, w[1].p, color(worse, before))
+    })
+}
+
+fn axis(t: &Target, before: bool) -> Vector3<f64> {
+    if before { t.n } else { t.a }
+}
+
+fn beam(t: &Target, defocus_mm: f64, before: bool) -> LineSegment {
+    segment(t.p, t.p + axis(t, before) * defocus_mm, color(t, before))
+}
+
+/// The frame as P1 draws it: x = beam axis, y = travel, z = x × y, at the focus.
+fn frame(t: &Target, defocus_mm: f64, look: &PathLook) -> [LineSegment; 3] {
+    let x = axis(t, look.before);
+    let y = crate::pose::target::travel(&t.o, &x);
+    let at = if look.beams { t.p + x * defocus_mm } else { t.p };
+    let l = look.frame_mm;
+    [
+        segment(at, at + x * l, [226, 48, 48]),
+        segment(at, at + y * l, [28, 158, 60]),
+        segment(at, at + x.cross(&y) * l, [44, 92, 226]),
+    ]
+}
+
+fn air(plan: &Plan) -> Vec<LineSegment> {
+    let mut out = Vec::new();
+    let (mut at, mut lit) = (None, false);
+    for step in &plan.steps.list {
+        match step {
+            Step::Laser(on) => lit = *on,
+            Step::Go { to, .. } => {
+                if let (Some(from), false) = (at, lit) {
+                    out.push(segment(from, to.x, state::AIR));
+                }
+                at = Some(to.x);
+            }
+            Step::Say(_) => {}
+        }
+    }
+    out
+}
+
+/// One target with its beam and frame, on top of everything.
+pub fn marked(t: &Target, defocus_mm: f64, look: &PathLook, key: u64) -> (LineItem, PointItem) {
+    let look = PathLook { beams: false, frame_mm: 2.2 * look.frame_mm, ..look.clone() };
+    let mut segments = vec![beam(t, defocus_mm, look.before)];
+    segments.extend(frame(t, defocus_mm, &look));
+    let numbers = [t.p.x, t.p.y, t.p.z, t.a.x, t.a.y, t.a.z, look.frame_mm, defocus_mm];
+    let key = Hasher::default().u32s(&[key as u32, u32::from(look.before)]).f64s(&numbers).finish().0 as u64;
+    let [r, g, b] = color(t, look.before);
+    let points = vec![([t.p.x as f32, t.p.y as f32, t.p.z as f32], [r, g, b, 255])];
+    (
+        LineItem { key, segments: Arc::new(segments), width_px: 3.5, depth: Depth::OnTop },
+        PointItem { key, points: Arc::new(points), size_px: 10.0, depth: Depth::OnTop },
+    )
+}
