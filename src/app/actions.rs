@@ -275,6 +275,7 @@ impl App {
 
     /// Runs the commands whose keys were pressed, unless a text is being typed.
     pub(super) fn take_shortcuts(&mut self, ctx: &egui::Context) {
+        use Command as C;
         let typing = ctx.text_edit_focused();
         // More modifiers first: Shift+H is not H.
         let mut rows: Vec<_> = COMMANDS.iter().filter_map(|r| r.keys.map(|k| (k, r.command))).collect();
@@ -282,8 +283,8 @@ impl App {
             std::cmp::Reverse(u8::from(k.modifiers.alt) + u8::from(k.modifiers.shift) + u8::from(k.modifiers.command))
         });
         for (keys, command) in rows {
-            let plain = !keys.modifiers.command;
-            if typing && plain && command != Command::Escape {
+            // In a text, Ctrl+A and Ctrl+Z belong to the text.
+            if typing && !matches!(command, C::Open | C::Save | C::SaveAs | C::Export | C::Plan) {
                 continue;
             }
             if ctx.input_mut(|i| i.consume_shortcut(&keys)) {

@@ -41,8 +41,9 @@ impl App {
     fn toolbar(&mut self, ui: &mut egui::Ui) {
         use Command as C;
         let tools = [C::Lines, C::Frames, C::Beams, C::Air, C::Before, C::Section, C::HideChosen, C::Plain];
-        egui::Frame::new().inner_margin(4).show(ui, |ui| {
+        egui::Frame::new().inner_margin(4).fill(ui.visuals().panel_fill).show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
+                ui.set_min_width(ui.available_width());
                 for command in tools {
                     let on = self.is_shown(command);
                     let enabled = self.is_enabled(command);

@@ -9,8 +9,13 @@ pub const WRONG: Color32 = Color32::from_rgb(214, 48, 49);
 /// Something wants attention.
 pub const ATTENTION: Color32 = Color32::from_rgb(224, 132, 0);
 
-/// Sets the style of both themes.
+/// Sets fonts, and the style of both themes.
 pub fn install(ctx: &egui::Context) {
+    // The monospaced font has the arrows and signs that the text font lacks.
+    let mut fonts = egui::FontDefinitions::default();
+    let signs = fonts.families.get(&egui::FontFamily::Monospace).cloned().unwrap_or_default();
+    fonts.families.entry(egui::FontFamily::Proportional).or_default().extend(signs);
+    ctx.set_fonts(fonts);
     for theme in [Theme::Dark, Theme::Light] {
         ctx.style_mut_of(theme, |style| {
             style.spacing.item_spacing = vec2(6.0, 5.0);
@@ -34,6 +39,16 @@ pub fn install(ctx: &egui::Context) {
 pub fn heading(ui: &mut egui::Ui, text: &str) {
     ui.add_space(6.0);
     ui.label(egui::RichText::new(text).strong().size(13.5));
+}
+
+/// The name of a field, at the left of a column of this width.
+pub fn name(ui: &mut egui::Ui, text: &str, width: f32) -> egui::Response {
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let cell = ui.allocate_ui_with_layout(vec2(width, 20.0), layout, |ui| {
+        ui.set_min_width(width);
+        ui.add(egui::Label::new(text).truncate())
+    });
+    cell.inner
 }
 
 /// A small filled square of a surface's colour.

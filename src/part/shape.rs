@@ -55,11 +55,11 @@ impl Shape {
         }
     }
 
-    /// The word with its size: `cylinder ⌀12.00`.
+    /// The word with its size: `cylinder Ø12.00`.
     pub fn label(&self) -> String {
         match self {
             Shape::Cylinder { diameter_mm, .. } | Shape::Sphere { diameter_mm, .. } => {
-                format!("{} ⌀{diameter_mm:.2}", self.word())
+                format!("{} Ø{diameter_mm:.2}", self.word())
             }
             Shape::Cone { half_angle_deg, .. } => format!("cone {half_angle_deg:.1}°"),
             _ => self.word().into(),

@@ -29,7 +29,7 @@ pub struct PathLook {
 }
 
 /// At most so many frames and beams are shown; of more, evenly every k-th.
-const MOST_FRAMES: usize = 1500;
+const MOST_FRAMES: usize = 500;
 const MOST_BEAMS: usize = 4000;
 
 /// Draws a plan. `key` changes with the plan.
@@ -44,7 +44,7 @@ pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> (Vec<Li
     let count: usize = shown().map(|p| p.targets.len()).sum();
     let mut items = Vec::new();
     if look.lines {
-        items.push(item(1, shown().flat_map(|p| pass_lines(p, look.before)).collect(), 2.0));
+        items.push(item(1, shown().flat_map(|p| pass_lines(p, look.before)).collect(), 1.4));
     }
     if look.beams {
         let targets = thinned(shown(), count, MOST_BEAMS, look.before);
@@ -52,7 +52,7 @@ pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> (Vec<Li
     }
     if look.frames {
         let targets = thinned(shown(), count, MOST_FRAMES, look.before);
-        items.push(item(3, targets.flat_map(|t| frame(t, defocus_mm, look)).collect(), 2.0));
+        items.push(item(3, targets.flat_map(|t| frame(t, defocus_mm, look)).collect(), 1.6));
     }
     if look.air && look.only_pass.is_none() {
         items.push(item(4, air(plan), 1.0));

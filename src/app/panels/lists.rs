@@ -91,7 +91,7 @@ impl App {
             .column(Width::exact(20.0))
             .column(Width::exact(44.0))
             .column(Width::remainder().clip(true).at_least(70.0))
-            .column(Width::exact(82.0))
+            .column(Width::exact(88.0))
             .min_scrolled_height(height)
             .max_scroll_height(height)
             .auto_shrink([false, false]);
@@ -111,9 +111,9 @@ impl App {
                         let arrow = match self.session.sort {
                             (c, turned) if c == column => {
                                 if turned {
-                                    " ⏶"
+                                    " ▲"
                                 } else {
-                                    " ⏷"
+                                    " ▼"
                                 }
                             }
                             _ => "",
@@ -143,6 +143,7 @@ impl App {
                     row.col(|ui| self.shape_cell(ui, n, &label, is_clean));
                     row.col(|ui| {
                         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                            ui.add_space(10.0); // the scroll bar
                             ui.add(egui::Label::new(format!("{area:.2}")).selectable(false));
                         });
                     });
@@ -173,7 +174,8 @@ impl App {
         let state = if is_clean { self.state_of(n) } else { None };
         ui.add(egui::Label::new(label).selectable(false).truncate());
         if let Some((word, color)) = state {
-            ui.label(RichText::new(word).small().color(color));
+            // Not selectable: a text that takes the mouse would take the row's clicks.
+            ui.add(egui::Label::new(RichText::new(word).small().color(color)).selectable(false));
         }
     }
 
@@ -245,8 +247,8 @@ impl App {
         ui.add_space(4.0);
         ui.horizontal(|ui| {
             let buttons = [
-                ("⏷ To clean", Command::Clean),
-                ("⏶ Back", Command::Unclean),
+                ("▼ To clean", Command::Clean),
+                ("▲ Back", Command::Unclean),
                 ("Earlier", Command::Earlier),
                 ("Later", Command::Later),
             ];

@@ -26,7 +26,7 @@ impl App {
     fn menu_rows(&mut self, ui: &mut egui::Ui, menu: Menu) {
         for row in COMMANDS.iter().filter(|r| r.menu == menu) {
             let keys = row.keys.map_or_else(String::new, |k| ui.ctx().format_shortcut(&k));
-            let on = if self.is_shown(row.command) { "✔ " } else { "" };
+            let on = if self.is_shown(row.command) { "● " } else { "" };
             let button = egui::Button::new(format!("{on}{}", self.name_now(row.command))).shortcut_text(keys);
             if ui.add_enabled(self.is_enabled(row.command), button).clicked() {
                 let ctx = ui.ctx().clone();

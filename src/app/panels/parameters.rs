@@ -62,7 +62,7 @@ impl App {
         let (low, high) = p.range;
         let low = if p.least_allowed { low } else { low + 1e-6 * (high - low).min(1000.0) };
         ui.horizontal(|ui| {
-            let label = ui.add_sized([130.0, 20.0], egui::Label::new(p.label).truncate());
+            let label = theme::name(ui, p.label, 130.0);
             let speed = (before.abs() * 0.01).clamp(0.001, 1.0);
             let suffix = if p.unit == "°" { "°".into() } else { format!(" {}", p.unit) };
             let field = DragValue::new(&mut value)
@@ -98,7 +98,7 @@ impl App {
     fn direction(&mut self, ui: &mut egui::Ui) {
         let now = self.document.job().layers.direction;
         ui.horizontal(|ui| {
-            ui.add_sized([130.0, 20.0], egui::Label::new("Direction")).on_hover_text("Normal of the section planes");
+            theme::name(ui, "Direction", 130.0).on_hover_text("Normal of the section planes");
             for (name, direction) in Direction::AXES.into_iter().chain([("auto", Direction::Auto)]) {
                 let button = ui.selectable_label(now == direction, name);
                 button.widget_info(|| {
@@ -116,7 +116,7 @@ impl App {
         });
         let Direction::Along(mut v) = now else { return };
         ui.horizontal(|ui| {
-            ui.add_sized([130.0, 20.0], egui::Label::new("Vector"));
+            theme::name(ui, "Vector", 130.0);
             for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
                 let field = DragValue::new(&mut v[k]).speed(0.01).range(-1.0..=1.0).max_decimals(3);
                 let response = ui.add(field);
@@ -134,7 +134,7 @@ impl App {
         let now = self.document.job().layers.offset_mm;
         let spacing = self.document.job().layers.spacing_mm;
         ui.horizontal(|ui| {
-            ui.add_sized([130.0, 20.0], egui::Label::new("First plane"));
+            theme::name(ui, "First plane", 130.0);
             let mut centred = now == Offset::Centred;
             if ui.checkbox(&mut centred, "centred").changed() {
                 self.edit(Edit::Offset(if centred { Offset::Centred } else { Offset::FromLowest(0.5 * spacing) }));
@@ -158,7 +158,7 @@ impl App {
     fn order(&mut self, ui: &mut egui::Ui) {
         let now = self.document.job().layers.order;
         ui.horizontal(|ui| {
-            ui.add_sized([130.0, 20.0], egui::Label::new("Lines"));
+            theme::name(ui, "Lines", 130.0);
             for order in [Order::Zigzag, Order::OneWay] {
                 if ui.selectable_label(now == order, order.word()).clicked() {
                     self.edit(Edit::Order(order));
@@ -170,7 +170,7 @@ impl App {
     fn correction(&mut self, ui: &mut egui::Ui) {
         let now = self.document.job().path.correction;
         ui.horizontal(|ui| {
-            ui.add_sized([130.0, 20.0], egui::Label::new("Correction"))
+            theme::name(ui, "Correction", 130.0)
                 .on_hover_text("What is done where the beam along the normal hits the part");
             for c in Correction::ALL {
                 let button = ui.selectable_label(now == c, c.word());
@@ -211,7 +211,7 @@ impl App {
         let rows = [("Turn", "°", &mut placement.rotation_deg), ("Move", " mm", &mut placement.translation_mm)];
         for (name, unit, values) in rows {
             ui.horizontal(|ui| {
-                ui.add_sized([50.0, 20.0], egui::Label::new(name));
+                theme::name(ui, name, 50.0);
                 for (value, axis) in values.iter_mut().zip(["x", "y", "z"]) {
                     let field =
                         DragValue::new(value).speed(0.5).max_decimals(3).suffix(unit).custom_parser(quantity::read);

@@ -24,13 +24,14 @@ impl App {
         point = point.min(points.saturating_sub(1));
         let shown = (pass, point);
         ui.horizontal(|ui| {
-            let text = if self.session.playing { "⏸ Pause" } else { "▶ Play" };
+            let text = if self.session.playing { "Pause" } else { "▶ Play" };
             if ui.button(text).on_hover_text("Space").clicked() {
                 let ctx = ui.ctx().clone();
                 self.run(Command::Play, &ctx);
             }
             ui.label("Pass");
-            ui.spacing_mut().slider_width = (ui.available_width() * 0.3).max(60.0);
+            // What is left beside the numbers, for two sliders.
+            ui.spacing_mut().slider_width = ((ui.available_width() - 330.0) * 0.5).max(40.0);
             let slider = Slider::new(&mut pass, 0..=passes - 1);
             ui.add(slider).widget_info(|| egui::WidgetInfo::labeled(egui::Role::Slider, true, "pass"));
             ui.label("Point");
@@ -66,7 +67,9 @@ impl App {
             ui.monospace(format!("x {:.3}  y {:.3}  z {:.3}", t.p.x, t.p.y, t.p.z));
             if let Some((_, Ok(cell))) = &self.derived.cell {
                 let flange = cell.flange_for(&t.frame(self.document.job().beam.defocus_mm));
-                let [rz, ry, rx] = rpy::from_rotation(&flange.rotation.to_rotation_matrix());
+                // Rounded, and + 0 so that no −0.00 is shown.
+                let [rz, ry, rx] = rpy::from_rotation(&flange.rotation.to_rotation_matrix())
+                    .map(|a| (a * 100.0).round() / 100.0 + 0.0);
                 let v = flange.translation.vector;
                 let text = format!("flange {:.1} {:.1} {:.1} mm  RZ {rz:.2}° RY {ry:.2}° RX {rx:.2}°", v.x, v.y, v.z);
                 ui.monospace(text).on_hover_text("Pose of the flange in the robot's base");

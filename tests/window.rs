@@ -1,0 +1,209 @@
+//! The real window, driven by its labels and rendered without a screen: the whole job from opening
+//! a part to the exported program, which must be the command line's, byte for byte.
+//!
+//! `UPDATE_SNAPSHOTS=1 cargo test --test window` takes new pictures; look at them before keeping.
+
+mod common;
+
+use clearbeam::app::{App, COMMANDS, FileDialogs, Purpose};
+use common::glow_renderer::GlowTestRenderer;
+use eframe::egui::{self, Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+use egui_kittest::{Harness, SnapshotOptions};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// Answers file dialogs at once.
+#[derive(Clone, Default)]
+struct Answers(Arc<Mutex<Vec<(Purpose, PathBuf)>>>);
+
+impl FileDialogs for Answers {
+    fn ask(&self, purpose: Purpose, _name: &str, answer: Box<dyn FnOnce(Option<PathBuf>) + Send>) {
+        let known = self.0.lock().expect("not poisoned");
+        answer(known.iter().find(|(p, _)| *p == purpose).map(|(_, path)| path.clone()));
+    }
+}
+
+fn sample(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/samples").join(name)
+}
+
+fn window(open: Option<PathBuf>, answers: &Answers) -> Harness<'static, App> {
+    let answers = answers.clone();
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(1280.0, 800.0))
+        .with_render_cursor(false)
+        .with_step_dt(1.0 / 60.0)
+        .renderer(GlowTestRenderer::new())
+        .build_eframe(move |cc| App::new(cc, Box::new(answers), open));
+    settle(&mut harness);
+    harness
+}
+
+/// Runs frames until nothing is being computed.
+fn settle(harness: &mut Harness<'_, App>) {
+    for _ in 0..3000 {
+        harness.step();
+        if harness.state().is_settled() {
+            harness.run_steps(3);
+            if harness.state().is_settled() {
+                return;
+            }
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    panic!("the window never came to rest");
+}
+
+fn click(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_label(label).click();
+    settle(harness);
+}
+
+fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
+    harness.key_press_modifiers(modifiers, key);
+    settle(harness);
+}
+
+fn snapshot(harness: &mut Harness<'_, App>, name: &str) {
+    // Software OpenGL differs from version to version in single pixels of edges.
+    let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(4000);
+    harness.snapshot_options(name, &options);
+}
+
+/// Copies a sample into a folder of its own, so that jobs stand beside their part.
+fn copied(folder: &Path, name: &str) -> PathBuf {
+    let to = folder.join(name);
+    std::fs::copy(sample(name), &to).expect("copies");
+    to
+}
+
+fn assert_same_bytes(a: &Path, b: &Path) {
+    for name in ["MZ04-01-A.001", "path.csv", "report.json"] {
+        let (x, y) = (std::fs::read(a.join(name)).expect(name), std::fs::read(b.join(name)).expect(name));
+        assert!(!x.is_empty() && x == y, "{name} differs between window and command line");
+    }
+}
+
+#[test]
+fn the_whole_job_and_the_command_line_writes_the_same() {
+    let folder = tempfile::tempdir().expect("folder");
+    let part = copied(folder.path(), "workpiece.stl");
+    let exported = folder.path().join("from window");
+    let answers = Answers::default();
+    answers.0.lock().expect("fresh").push((Purpose::Export, exported.clone()));
+    let mut h = window(Some(part.clone()), &answers);
+    snapshot(&mut h, "opened");
+
+    // Crater and lug boss, in this order of work.
+    click(&mut h, "surface 2 sphere Ø17.51");
+    press(&mut h, Modifiers::NONE, Key::Enter);
+    click(&mut h, "surface 3 plane");
+    click(&mut h, "▼ To clean");
+    let field = h.get_by_label("Spacing");
+    field.click();
+    settle(&mut h);
+    press(&mut h, Modifiers::COMMAND, Key::A);
+    h.get_by_label("Spacing").type_text("0.1 cm");
+    press(&mut h, Modifiers::NONE, Key::Enter);
+    click(&mut h, "Pose frames");
+    for _ in 0..3 {
+        press(&mut h, Modifiers::NONE, Key::PageDown);
+    }
+    press(&mut h, Modifiers::NONE, Key::ArrowRight);
+    assert!(h.query_by_label("pass 3 · point 1").is_some(), "stepping shows where it is");
+    snapshot(&mut h, "planned");
+    click(&mut h, "Export program…");
+
+    let from_cli = folder.path().join("from command line");
+    let status = std::process::Command::new(env!("CARGO_BIN_EXE_clearbeam"))
+        .args(["plan", &part.display().to_string(), "--surfaces", "2,3", "--spacing", "1", "--out"])
+        .arg(&from_cli)
+        .output()
+        .expect("runs");
+    assert_eq!(status.status.code(), Some(3), "the crater's edge is not quite reached: {status:?}");
+    assert_same_bytes(&exported, &from_cli);
+}
+
+#[test]
+fn moving_back_undo_and_the_other_way_round() {
+    let mut h = window(Some(sample("workpiece.stl")), &Answers::default());
+    click(&mut h, "surface 3 plane");
+    press(&mut h, Modifiers::COMMAND, Key::A);
+    press(&mut h, Modifiers::NONE, Key::Enter);
+    assert!(h.query_by_label("0 of 0").is_some(), "all have left the list of feature surfaces");
+    press(&mut h, Modifiers::COMMAND, Key::Z);
+    assert!(h.query_by_label("18 of 18").is_some());
+    press(&mut h, Modifiers::COMMAND, Key::Y);
+    assert!(h.query_by_label("18 of 18").is_some(), "now in the list to clean");
+    assert!(h.query_by_label("0 of 0").is_some());
+    click(&mut h, "surface 4 cylinder Ø26.00");
+    press(&mut h, Modifiers::NONE, Key::Delete);
+    assert!(h.query_by_label("17 of 17").is_some() && h.query_by_label("1 of 1").is_some());
+}
+
+#[test]
+fn the_angle_recuts_and_keeps_what_was_chosen() {
+    let mut h = window(Some(sample("worm_gear.stl")), &Answers::default());
+    assert!(h.query_by_label("61 of 61").is_some());
+    click(&mut h, "surface 3 freeform");
+    press(&mut h, Modifiers::NONE, Key::Enter);
+    h.get_by_label("Crease angle").click();
+    settle(&mut h);
+    press(&mut h, Modifiers::COMMAND, Key::A);
+    h.get_by_label("Crease angle").type_text("60");
+    press(&mut h, Modifiers::NONE, Key::Enter);
+    assert!(h.query_by_label("61 of 61").is_none(), "other surfaces now");
+    press(&mut h, Modifiers::COMMAND, Key::Z);
+    assert!(h.query_by_label("60 of 60").is_some() && h.query_by_label("1 of 1").is_some(), "undo brings them back");
+}
+
+#[test]
+fn bad_files_are_said_and_the_window_stays() {
+    let folder = tempfile::tempdir().expect("folder");
+    let bad = folder.path().join("holiday.stl");
+    std::fs::write(&bad, b"\xff\xd8\xff\xe0\x00\x10JFIF").expect("writes");
+    let answers = Answers::default();
+    answers.0.lock().expect("fresh").push((Purpose::Open, bad));
+    let mut h = window(None, &answers);
+    snapshot(&mut h, "start");
+    press(&mut h, Modifiers::COMMAND, Key::O);
+    assert!(h.query_by_label_contains("this is not an STL file").is_some());
+    click(&mut h, "Close");
+    assert!(h.query_by_label_contains("this is not an STL file").is_none());
+}
+
+#[test]
+fn jobs_are_saved_opened_again_and_guarded() {
+    let folder = tempfile::tempdir().expect("folder");
+    let part = copied(folder.path(), "acetabular_cup.stl");
+    let file = folder.path().join("cup.toml");
+    let answers = Answers::default();
+    answers.0.lock().expect("fresh").extend([(Purpose::SaveJob, file.clone()), (Purpose::Open, part.clone())]);
+    let mut h = window(Some(part), &answers);
+    click(&mut h, "surface 1 freeform");
+    press(&mut h, Modifiers::NONE, Key::Enter);
+    press(&mut h, Modifiers::COMMAND, Key::O);
+    assert!(h.query_by_label("Save changes?").is_some(), "unsaved changes are guarded");
+    click(&mut h, "Cancel");
+    press(&mut h, Modifiers::COMMAND, Key::S);
+    let text = std::fs::read_to_string(&file).expect("saved");
+    assert!(text.contains("file = \"acetabular_cup.stl\"") && text.contains("surfaces = [1]"), "{text}");
+    drop(h);
+    let h = window(Some(file), &Answers::default());
+    assert!(h.query_by_label("1 of 1").is_some(), "the list is as it was saved");
+}
+
+#[test]
+fn every_command_can_be_given_at_any_time() {
+    for open in [None, Some(sample("workpiece.stl"))] {
+        let mut h = window(open, &Answers::default());
+        for row in COMMANDS {
+            if let Some(keys) = row.keys {
+                press(&mut h, keys.modifiers, keys.logical_key);
+            }
+        }
+        h.step();
+        assert!(h.query_by_label("File").is_some(), "the window is still there");
+    }
+}
