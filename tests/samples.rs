@@ -1,7 +1,12 @@
-//! The shipped samples are what the generator makes, byte for byte, and each has a job that plans.
+//! The shipped samples and their jobs are what is made here, byte for byte; each job plans, and
+//! what the samples are there to show holds.
 //!
 //! `CLEARBEAM_BLESS=1 cargo test --test samples` writes them anew.
 
+use clearbeam::job::plan::segmented;
+use clearbeam::job::report::Report;
+use clearbeam::job::{self, Cache, Chosen, Job, Progress, files};
+use clearbeam::part::digest_of;
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use std::path::PathBuf;
 
@@ -9,16 +14,75 @@ fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/samples")
 }
 
+fn blessing() -> bool {
+    std::env::var_os("CLEARBEAM_BLESS").is_some()
+}
+
+/// The job of a sample: what its paper cleans or clads, with that paper's parameters.
+fn sample_job(name: &str, stl: &[u8]) -> Job {
+    let mut job = Job::default();
+    job.part.file = format!("{name}.stl");
+    job.part.sha256 = digest_of(stl);
+    let (surfaces, direction) = match name {
+        // P1 Fig. 14: crater, lug boss, plane with holes.
+        "workpiece" => (vec![2, 3, 1], "z"),
+        // P1 Figs 7 and 8: the tooth gaps, at D = 3 mm.
+        "worm_gear" => ((0..26).map(|gap| 2 * gap + 1).collect(), "z"),
+        "acetabular_cup" => (vec![1], "z"),
+        "connecting_rod" => (vec![3], "z"),
+        // P1 Fig. 2b: both journals and the tube.
+        _ => (vec![5, 7, 11], "z"),
+    };
+    job.clean.surfaces = Chosen::These(surfaces);
+    job.layers.direction = direction.parse().expect("a direction");
+    if name == "worm_gear" {
+        job.beam.defocus_mm = 3.0;
+    }
+    if name == "acetabular_cup" {
+        // P2 Table 3.
+        job.layers.spacing_mm = 6.0;
+        job.beam.defocus_mm = 15.0;
+        job.path.chord_error_mm = 0.5;
+        job.path.max_step_mm = 1000.0;
+        job.path.max_turn_deg = 90.0;
+    }
+    job
+}
+
+fn assert_shipped(name: &str, made: &[u8]) {
+    let file = folder().join(name);
+    if blessing() {
+        std::fs::write(&file, made).expect("writes");
+    }
+    let shipped = std::fs::read(&file).unwrap_or_default();
+    assert!(shipped == made, "{} differs from what is made here", file.display());
+}
+
 #[test]
-fn the_files_are_what_the_generator_makes() {
-    let bless = std::env::var_os("CLEARBEAM_BLESS").is_some();
+fn the_files_are_what_is_made_here() {
     for s in SAMPLES {
-        let file = folder().join(format!("{}.stl", s.name));
-        let made = stl_bytes(&(s.triangles)());
-        if bless {
-            std::fs::write(&file, &made).expect("writes");
+        let stl = stl_bytes(&(s.triangles)());
+        assert_shipped(&format!("{}.stl", s.name), &stl);
+        let text = files::to_toml(&sample_job(s.name, &stl)).expect("writes");
+        assert_shipped(&format!("{}.toml", s.name), text.as_bytes());
+    }
+}
+
+#[test]
+fn every_job_plans_and_shows_what_it_is_there_for() {
+    for s in SAMPLES {
+        let file = folder().join(format!("{}.toml", s.name));
+        let job = files::read(&file).expect("reads");
+        let part = files::load_part(&job, Some(&file)).expect("loads");
+        let cell = files::load_cell(&job, Some(&file)).expect("a cell");
+        let surfaces = segmented(&part, &job);
+        let plan = job::plan(&part, &surfaces, &job, &cell, &Cache::default(), &Progress::default()).expect(s.name);
+        let report = Report::new(&plan, &surfaces);
+        assert_eq!(report.blocked, 0, "{}: nothing that the papers clean stays blocked", s.name);
+        let corrected = ["workpiece", "worm_gear"].contains(&s.name);
+        assert_eq!(report.interfering > 50, corrected, "{}: {} interfere", s.name, report.interfering);
+        if s.name == "acetabular_cup" {
+            assert_eq!(report.passes, 5);
         }
-        let shipped = std::fs::read(&file).unwrap_or_default();
-        assert!(shipped == made, "{} differs from the generator's", file.display());
     }
 }
