@@ -1,4 +1,52 @@
-//! clearbeam
+//! From an STL file to a robot program that cleans the chosen surfaces with a laser.
+//!
+//! Data flows one way, and the rooms stand in that order; a room uses only rooms above it.
+//!
+//! - [`part`]: the workpiece. An STL file becomes a [`part::Part`]: welded topology, outward
+//!   winding, the merge tree that gives *feature surfaces* at any crease angle, named shapes, and
+//!   rays against all facets.
+//! - [`path`]: where the spot travels. Families of section planes, transversal lines walked along
+//!   the topology, normals, the dense line, chord error, order, and what no line reaches.
+//! - [`pose`]: how the beam stands. Interference of the beam with the part, P1's correction in the
+//!   section plane, the motion between targets, the targets of a [`pose::Pass`]; and an independent
+//!   checker that shares no code with the rest.
+//! - [`cell`]: laser, part and flange in the robot's base: `T = L·(G·F)⁻¹`.
+//! - [`program`]: pieces joined by connecting moves over the part, written as a NACHI program.
+//! - [`job`]: what is saved ([`job::Job`]), edited ([`job::Edit`], [`job::Document`]), planned
+//!   ([`job::plan()`]) and written ([`job::output`]).
+//! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
+//! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
+//! - [`cli`] and [`app`] are the two doors: the command line and the window. Nothing imports them.
+//!
+//! Units: lengths mm, angles degrees, speeds mm/s, times s. Everything up to `program` is in the
+//! *part frame*, the STL's coordinates after scaling and placement. Names say unit and frame.
+//! The same part and job give the same bytes on any number of threads and any machine.
+//!
+//! ```
+//! use clearbeam::cell::Cell;
+//! use clearbeam::job::{self, Cache, Chosen, Job, Progress, plan::segmented, report::Report};
+//! use clearbeam::part::{Part, Placement, Units};
+//! use clearbeam::program::nachi;
+//! use clearbeam::sample::{solids, stl_bytes};
+//!
+//! let stl = stl_bytes(&solids::cube(20.0));
+//! let part = Part::from_bytes(&stl, Units::Mm, &Placement::default(), &[])?;
+//! let mut job = Job::default();
+//! let surfaces = segmented(&part, &job);
+//! assert_eq!(surfaces.list.len(), 6);
+//! let upright = surfaces.list.iter().find(|s| surfaces.normals[s.facets[0] as usize].x > 0.9).unwrap();
+//! job.clean.surfaces = Chosen::These(vec![upright.number]);
+//! job.layers.spacing_mm = 1.0;
+//! let cell = Cell::shipped()?;
+//! let plan = job::plan(&part, &surfaces, &job, &cell, &Cache::default(), &Progress::default())?;
+//! assert_eq!(plan.passes.len(), 20);
+//! let report = Report::new(&plan, &surfaces);
+//! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
+//! let program = nachi::program(&cell, &["a cube's side".into()], &plan.steps);
+//! assert!(program.ends_with("END\n"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
 pub mod app;
 pub mod cell;
 pub mod cli;

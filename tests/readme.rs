@@ -1,0 +1,27 @@
+//! The README's table of parameters is made from the table in the program.
+
+use clearbeam::job::PARAMETERS;
+use std::fmt::Write as _;
+
+#[test]
+fn the_readme_holds_the_parameter_table() {
+    let mut table = String::from("| parameter | option | key in the job | range | default | meaning |\n|---|---|---|---|---|---|\n");
+    for p in &PARAMETERS {
+        let option = p.option.map_or(String::new(), |o| format!("`--{o}`"));
+        let dots = if p.least_allowed { ".." } else { "<.." };
+        let symbol = if p.symbol.is_empty() { String::new() } else { format!(" ({})", p.symbol) };
+        let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
+        let _ = writeln!(
+            table,
+            "| {}{symbol} | {option} | `{}` | {} {dots} {}{unit} | {} | {} |",
+            p.label,
+            p.key,
+            p.range.0,
+            p.range.1,
+            p.default(),
+            p.meaning
+        );
+    }
+    let readme = include_str!("../README.md");
+    assert!(readme.contains(&table), "README.md should hold this table:\n{table}");
+}
