@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 
 #[test]
 fn the_readme_holds_the_parameter_table() {
-    let mut table = String::from("| parameter | option | key in the job | range | default | meaning |\n|---|---|---|---|---|---|\n");
+    let mut table = String::from(
+        "| parameter | option | key in the job | range | default | meaning |\n|---|---|---|---|---|---|\n",
+    );
     for p in &PARAMETERS {
         let option = p.option.map_or(String::new(), |o| format!("`--{o}`"));
         let dots = if p.least_allowed { ".." } else { "<.." };

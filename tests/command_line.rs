@@ -1,0 +1,203 @@
+//! The command line is a contract: files, columns, keys, exit statuses, and messages of one line.
+
+use clearbeam::sample::{SAMPLES, solids, stl_bytes};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_clearbeam")).args(arguments).output().expect("runs")
+}
+
+fn code(arguments: &[&str]) -> i32 {
+    run(arguments).status.code().expect("no signal")
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {output:?}"))
+}
+
+/// A folder with a cube of 10 mm in it.
+fn cube() -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().expect("folder");
+    let file = folder.path().join("cube.stl");
+    std::fs::write(&file, stl_bytes(&solids::cube(10.0))).expect("writes");
+    (folder, file.display().to_string())
+}
+
+fn inside(folder: &Path, name: &str) -> String {
+    folder.join(name).display().to_string()
+}
+
+/// Number of the cube's side that looks along +x.
+fn upright_side(file: &str) -> String {
+    let out = tempfile::tempdir().expect("folder");
+    run(&["plan", file, "--out", &inside(out.path(), "o"), "--spacing", "5"]);
+    let path = std::fs::read_to_string(out.path().join("o/path.csv")).expect("path");
+    let row = path.lines().skip(1).map(|l| l.split(',').collect::<Vec<_>>()).find(|c| c[8] == "1").expect("a side");
+    row[2].to_owned()
+}
+
+#[test]
+fn inspect_states_every_key() {
+    let (_folder, file) = cube();
+    let output = run(&["inspect", &file, "--json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let v = json(&output);
+    let keys: Vec<&str> = v.as_object().expect("object").keys().map(String::as_str).collect();
+    let expected = "facets vertices edges boundary_edges non_manifold_edges shells watertight degenerate_facets \
+                    duplicate_facets flipped_facets invalid_facets area_mm2 volume_mm3 bounds_mm angle_deg surfaces";
+    assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
+    assert_eq!((v["facets"].as_u64(), v["edges"].as_u64(), v["vertices"].as_u64()), (Some(12), Some(18), Some(8)));
+    assert_eq!((v["area_mm2"].as_f64(), v["volume_mm3"].as_f64()), (Some(600.0), Some(1000.0)));
+    assert_eq!(v["surfaces"].as_array().map(Vec::len), Some(6));
+    let first: Vec<&String> = v["surfaces"][0].as_object().expect("row").keys().collect();
+    assert_eq!(first, ["surface", "facets", "area_mm2", "shape"]);
+    let inch = json(&run(&["inspect", &file, "--units", "inch", "--json"]));
+    let side =
+        inch["bounds_mm"]["max"][0].as_f64().expect("number") - inch["bounds_mm"]["min"][0].as_f64().expect("number");
+    assert!((side - 254.0).abs() < 1e-9);
+}
+
+#[test]
+fn plan_writes_its_files_and_the_job_plans_the_same_again() {
+    let (folder, file) = cube();
+    let side = upright_side(&file);
+    let out = inside(folder.path(), "deep/er");
+    let output = run(&["plan", &file, "--surfaces", &side, "--spacing", "2", "--out", &out, "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = json(&output);
+    let keys: Vec<&str> = report.as_object().expect("object").keys().map(String::as_str).collect();
+    let expected = "passes points work_mm corrected_mm blocked_mm air_mm time_s interfering corrected blocked \
+                    max_tilt_deg max_chord_error_mm max_surface_spacing_mm missed_area_mm2 surfaces problems";
+    assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
+    let row: Vec<&String> = report["surfaces"][0].as_object().expect("row").keys().collect();
+    let expected =
+        "surface area_mm2 passes points work_mm corrected_mm blocked_mm missed_area_mm2 spacing_min_mm spacing_max_mm";
+    assert_eq!(row, expected.split_whitespace().collect::<Vec<_>>());
+    assert_eq!((report["passes"].as_u64(), report["work_mm"].as_f64()), (Some(5), Some(50.0)));
+    let names = ["job.toml", "MZ04-01-A.001", "report.json", "path.csv"];
+    let read = |dir: &str| names.map(|n| std::fs::read(PathBuf::from(dir).join(n)).expect(n));
+    let path = String::from_utf8(read(&out)[3].clone()).expect("text");
+    assert!(path.starts_with(
+        "pass,point,surface,laser,state,px,py,pz,nx,ny,nz,ax,ay,az,ox,oy,oz,x,y,z,tilt_deg,clearance_mm\n"
+    ));
+    assert!(path.lines().all(|l| l.split(',').count() == 22));
+
+    let again = inside(folder.path(), "deep/again");
+    assert_eq!(code(&["plan", &inside(folder.path(), "deep/er/job.toml"), "--out", &again]), 0);
+    assert!(read(&out) == read(&again), "a plan's own job gives the same bytes");
+}
+
+#[test]
+fn what_is_missed_or_blocked_is_told_by_the_status() {
+    let (folder, file) = cube();
+    let out = inside(folder.path(), "o");
+    let output = run(&["plan", &file, "--out", &out, "--json"]);
+    assert_eq!(output.status.code(), Some(3), "top and bottom lie in the planes");
+    let report = json(&output);
+    assert_eq!(report["missed_area_mm2"].as_f64(), Some(200.0));
+    let causes: Vec<&str> =
+        report["problems"].as_array().expect("list").iter().filter_map(|p| p["cause"].as_str()).collect();
+    assert_eq!(causes, ["missed", "missed"]);
+    assert_eq!(code(&["plan", &file, "--out", &out, "--direction", "auto"]), 0, "a direction of its own for each side");
+}
+
+#[test]
+fn wrong_usage_is_2() {
+    let (folder, file) = cube();
+    let out = inside(folder.path(), "o");
+    for bad in [
+        &["--spacing", "0"][..],
+        &["--spacing", "-1"],
+        &["--spacing", "nan"],
+        &["--surfaces", "7"],
+        &["--surfaces", "1,1"],
+        &["--surfaces", "one"],
+        &["--direction", "0,0,0"],
+        &["--direction", "up"],
+        &["--order", "spiral"],
+        &["--offset", "3"],
+        &["--units", "ft"],
+        &["--correction", "hope"],
+        &["--angle", "0"],
+        &["--no-such-option"],
+    ] {
+        let all: Vec<&str> = ["plan", &file, "--out", &out].iter().chain(bad).copied().collect();
+        assert_eq!(code(&all), 2, "{bad:?}");
+    }
+    assert_eq!(code(&["inspect", &file, "--angle", "181"]), 2);
+    assert_eq!(code(&["inspect"]), 2);
+    assert!(!folder.path().join("o").exists(), "nothing was written");
+}
+
+#[test]
+fn bad_input_is_1_with_one_line_that_names_it() {
+    let (folder, file) = cube();
+    let good = std::fs::read(&file).expect("reads");
+    let mut billions = good.clone();
+    billions[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
+    let cases: [(&str, &[u8]); 5] = [
+        ("empty.stl", b""),
+        ("cut.stl", &good[..300]),
+        ("billions.stl", &billions),
+        ("holiday.stl", b"\xff\xd8\xff\xe0\x00\x10JFIF\x00\x01"),
+        ("text.stl", b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
+    ];
+    for (name, bytes) in cases {
+        let bad = inside(folder.path(), name);
+        std::fs::write(&bad, bytes).expect("writes");
+        for arguments in [&["inspect", &bad][..], &["plan", &bad, "--out", &inside(folder.path(), "o")]] {
+            let output = run(arguments);
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert_eq!(output.status.code(), Some(1), "{name}: {said}");
+            assert!(said.lines().count() == 1 && said.contains(name), "{name}: {said}");
+        }
+    }
+    let blocked = inside(folder.path(), "cube.stl/o");
+    let output = run(&["plan", &file, "--out", &blocked]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("cannot be written"), "{output:?}");
+    let output = run(&["plan", &file, "--spacing", "500", "--out", &inside(folder.path(), "o")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("larger than the part"), "{output:?}");
+}
+
+#[test]
+fn a_job_whose_part_moved_or_changed_is_refused() {
+    let (folder, file) = cube();
+    let out = folder.path().join("job");
+    assert_eq!(code(&["plan", &file, "--out", &out.display().to_string()]), 3);
+    let job = inside(&out, "job.toml");
+    std::fs::write(&file, stl_bytes(&solids::cube(11.0))).expect("writes");
+    let output = run(&["plan", &job, "--out", &inside(folder.path(), "o")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("has changed"), "{output:?}");
+    std::fs::remove_file(&file).expect("removes");
+    let output = run(&["plan", &job, "--out", &inside(folder.path(), "o")]);
+    assert!(
+        output.status.code() == Some(1) && String::from_utf8_lossy(&output.stderr).contains("is not there"),
+        "{output:?}"
+    );
+    let misspelt = folder.path().join("misspelt.toml");
+    std::fs::write(&misspelt, "[layers]\nspaceing_mm = 1\n").expect("writes");
+    let output = run(&["plan", &misspelt.display().to_string(), "--out", &inside(folder.path(), "o")]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(1) && said.contains("spaceing_mm") && said.lines().count() == 1, "{said}");
+}
+
+#[test]
+fn render_draws_every_sample() {
+    let folder = tempfile::tempdir().expect("folder");
+    for s in SAMPLES {
+        let job = format!("{}/assets/samples/{}.toml", env!("CARGO_MANIFEST_DIR"), s.name);
+        let picture = inside(folder.path(), "p.png");
+        let output = run(&["render", &job, "--out", &picture, "--size", "320x200", "--view", "front"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let image = image::open(&picture).expect("a picture").to_rgb8();
+        assert_eq!(image.dimensions(), (320, 200));
+        let corner = image.get_pixel(2, 100);
+        let part = image.pixels().filter(|p| (0..3).any(|k| p[k].abs_diff(corner[k]) > 60)).count();
+        assert!(part > 2000, "{}: the part fills {part} pixels", s.name);
+    }
+}
