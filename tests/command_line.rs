@@ -159,8 +159,24 @@ fn bad_input_is_1_with_one_line_that_names_it() {
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("cannot be written"), "{output:?}");
     let output = run(&["plan", &file, "--spacing", "500", "--out", &inside(folder.path(), "o")]);
-    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("larger than the part"), "{output:?}");
+    let output = run(&["plan", &file, "--spacing", "1e-9", "--out", &inside(folder.path(), "o")]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("points"), "{output:?}");
+    let mut far = good.clone();
+    far[84 + 12 + 3] = 0x7e; // the exponent of one coordinate
+    let bad = inside(folder.path(), "far.stl");
+    std::fs::write(&bad, &far).expect("writes");
+    let output = run(&["plan", &bad, "--out", &inside(folder.path(), "o")]);
+    assert!(
+        output.status.code() == Some(1) && String::from_utf8_lossy(&output.stderr).contains("mm large"),
+        "{output:?}"
+    );
+    let flat: Vec<[[f64; 3]; 3]> = vec![[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]; 4];
+    let bad = inside(folder.path(), "lines.stl");
+    std::fs::write(&bad, stl_bytes(&flat)).expect("writes");
+    assert_eq!(code(&["inspect", &bad]), 1, "no facet has any area");
 }
 
 #[test]

@@ -82,7 +82,7 @@ impl App {
             let (of, sha) = (job.part.clone(), d.part.as_ref().map(|p| p.sha256.clone()).unwrap_or_default());
             self.worker.spawn(move || {
                 let part = Part::from_raw(&raw, sha, of.units, &of.placement, &of.flipped_shells);
-                Outcome::Rebuilt(Arc::new(part))
+                Outcome::Rebuilt(part.map(Arc::new).map_err(|e| e.to_string()))
             });
             return;
         }
@@ -160,13 +160,7 @@ impl App {
         while let Some(outcome) = self.worker.take() {
             match outcome {
                 Outcome::Opened(result) => self.opened(result),
-                Outcome::Rebuilt(part) => {
-                    if let Some(of) = self.derived.rebuilding.take() {
-                        self.derived.part_of = of;
-                        self.derived.part = Some(part);
-                        self.session.fit_pending = true;
-                    }
-                }
+                Outcome::Rebuilt(result) => self.rebuilt(result),
                 Outcome::Shaped(of, shapes) => {
                     if Arc::ptr_eq(&of, &self.derived.surfaces) {
                         self.derived.shapes = shapes;
@@ -176,6 +170,18 @@ impl App {
                 Outcome::Exported(result) => self.exported(result),
                 Outcome::Picked(purpose, path) => self.picked(purpose, path),
             }
+        }
+    }
+
+    fn rebuilt(&mut self, result: Result<Arc<Part>, String>) {
+        let Some(of) = self.derived.rebuilding.take() else { return };
+        self.derived.part_of = of;
+        match result {
+            Ok(part) => {
+                self.derived.part = Some(part);
+                self.session.fit_pending = true;
+            }
+            Err(why) => self.session.error = Some(why),
         }
     }
 

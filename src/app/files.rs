@@ -211,7 +211,8 @@ fn read(path: &Path) -> Result<Opened, String> {
     let changed = !job.part.sha256.is_empty() && job.part.sha256 != sha256;
     let raw = stl::read(&bytes).map_err(|e| format!("{name}: {e}"))?;
     let p = &job.part;
-    let part = Part::from_raw(&raw, sha256.clone(), p.units, &p.placement, &p.flipped_shells);
+    let part = Part::from_raw(&raw, sha256.clone(), p.units, &p.placement, &p.flipped_shells)
+        .map_err(|e| format!("{name}: {e}"))?;
     if changed {
         // The window may go on: the operator sees the surfaces and can choose again.
         job.clean = Default::default();

@@ -16,7 +16,7 @@ pub enum Outcome {
     /// A part was read: its job, where that is kept, the facets, and the part.
     Opened(Result<Box<Opened>, String>),
     /// The part was built anew for another unit or place.
-    Rebuilt(Arc<Part>),
+    Rebuilt(Result<Arc<Part>, String>),
     /// Shapes of surfaces.
     Shaped(Arc<Surfaces>, BTreeMap<u32, Shape>),
     /// A plan for this job.

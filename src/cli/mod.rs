@@ -51,7 +51,7 @@ pub enum Failure {
     #[error("{0}")]
     Usage(String),
     /// The work failed.
-    #[error("{0:#}")]
+    #[error("{0}")]
     Failed(#[from] anyhow::Error),
 }
 

@@ -39,9 +39,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let surfaces = segmented(&part, &job);
     let plan =
         job::plan(&part, &surfaces, &job, &cell, &Cache::default(), &Progress::default()).map_err(|e| match e {
-            PlanError::Parameter(_) | PlanError::NoSurface { .. } | PlanError::Twice(_) => {
-                Failure::Usage(e.to_string())
-            }
+            PlanError::Parameter(_)
+            | PlanError::NoSurface { .. }
+            | PlanError::Twice(_)
+            | PlanError::SpacingTooLarge { .. }
+            | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
             other => Failure::Failed(other.into()),
         })?;
     let written = output::write(&a.out, &job, job_file, &cell, &plan, &surfaces).map_err(anyhow::Error::from)?;

@@ -69,6 +69,22 @@ pub enum PlanError {
         /// Diagonal of the part.
         size_mm: f64,
     },
+    /// Spacing against size, the other way.
+    #[error(
+        "spacing = {spacing_mm} mm would need about {points:.0} points on this part; give more, or the right --units"
+    )]
+    SpacingTooSmall {
+        /// Asked for.
+        spacing_mm: f64,
+        /// Points of the dense lines, about.
+        points: f64,
+    },
+    /// A coordinate is out of all reason.
+    #[error("the part is {size_mm:e} mm large; a facet far away, or the wrong --units? look at `clearbeam inspect`")]
+    PartTooLarge {
+        /// Diagonal of the part.
+        size_mm: f64,
+    },
     /// The user ended it.
     #[error("cancelled")]
     Cancelled,
@@ -139,6 +155,7 @@ pub fn plan(
     if job.layers.spacing_mm > size_mm {
         return Err(PlanError::SpacingTooLarge { spacing_mm: job.layers.spacing_mm, size_mm });
     }
+    bound_size(surfaces, &list, job, size_mm)?;
     let families = planes::planes(
         &part.mesh,
         surfaces,
@@ -170,6 +187,26 @@ pub fn plan(
     progress.step()?;
     Ok(Plan { surfaces: surface_plans, passes, steps, speeds: Some(speeds) })
 }
+
+/// Refuses what no machine's memory would hold, before anything is allocated.
+fn bound_size(surfaces: &Surfaces, list: &[u32], job: &Job, size_mm: f64) -> Result<(), PlanError> {
+    // A hundred metres: no robot reaches that, and one flipped bit of a coordinate gives more.
+    if size_mm > 1e5 || size_mm.is_nan() {
+        return Err(PlanError::PartTooLarge { size_mm });
+    }
+    let spacing_mm = job.layers.spacing_mm;
+    let gap_mm = dense::max_gap_mm(spacing_mm);
+    let area: f64 = list.iter().filter_map(|&n| surfaces.get(n)).map(|s| s.area_mm2).sum();
+    // Every plane is cut through every surface at least once.
+    let points = area / (spacing_mm * gap_mm) + size_mm / spacing_mm * list.len() as f64;
+    if points > MOST_POINTS {
+        return Err(PlanError::SpacingTooSmall { spacing_mm, points });
+    }
+    Ok(())
+}
+
+/// Points of dense lines: a square metre at P1's spacing has 8 million, and takes a minute or two.
+const MOST_POINTS: f64 = 5e8;
 
 fn rules(job: &Job) -> LineRules {
     LineRules {

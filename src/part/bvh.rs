@@ -51,6 +51,11 @@ impl Bvh {
         Bvh { nodes, corners, facet }
     }
 
+    /// Diagonal of the box around all facets, mm.
+    pub fn diagonal_mm(&self) -> f64 {
+        self.nodes.first().map_or(0.0, |n| Vector3::from_fn(|k, _| n.hi[k] - n.lo[k]).norm())
+    }
+
     /// Visits every facet whose leaf box the segment `origin + t·dir`, `t` in `[t0, t1]`, comes
     /// within `radius` of (measured per axis). `visit` gets facet and corners, and returns the new
     /// `t1`: below `t0` to stop.

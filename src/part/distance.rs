@@ -33,6 +33,28 @@ pub fn ray_triangle(origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, corners: 
     edges.min(point_triangle(&start, corners))
 }
 
+/// Distance from a segment to a triangle that it does not pass through, mm.
+pub fn segment_triangle(p: &Point3<f64>, q: &Point3<f64>, corners: &[Point3<f64>; 3]) -> f64 {
+    let [a, b, c] = corners;
+    let ends = point_triangle(p, corners).min(point_triangle(q, corners));
+    [(a, b), (b, c), (c, a)].iter().map(|(u, v)| segments(p, q, u, v)).fold(ends, f64::min)
+}
+
+/// Distance of two segments, mm.
+fn segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
+    let (u, v, w) = (q - p, b - a, p - a);
+    let (uu, uv, vv, uw, vw) = (u.norm_squared(), u.dot(&v), v.norm_squared(), u.dot(&w), v.dot(&w));
+    let denominator = uu * vv - uv * uv;
+    let ends = [point_segment(p, a, b), point_segment(q, a, b), point_segment(a, p, q), point_segment(b, p, q)];
+    let ends = ends.into_iter().fold(f64::INFINITY, f64::min);
+    if denominator <= 1e-14 * uu * vv {
+        return ends;
+    }
+    let (s, t) = ((uv * vw - vv * uw) / denominator, (uu * vw - uv * uw) / denominator);
+    let inside = (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t);
+    if inside { ends.min((w + u * s - v * t).norm()) } else { ends }
+}
+
 /// Distance from a ray (unit direction) to a segment, mm.
 pub fn ray_segment(origin: &Point3<f64>, dir: &Vector3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     let (d, w) = (b - a, a - origin);
@@ -78,6 +100,23 @@ mod tests {
             }
             let least = point_triangle(&(o + d * lo), &corners);
             prop_assert!((found - least).abs() < 1e-6, "{found} against {least}");
+        }
+
+        #[test]
+        fn the_segment_distance_is_the_least(c in prop::array::uniform9(SIDE), d in prop::array::uniform6(SIDE)) {
+            let corners = [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
+            let (p, q) = (point([d[0], d[1], d[2]]), point([d[3], d[4], d[5]]));
+            prop_assume!((q - p).norm() > 0.1);
+            let dir = (q - p).normalize();
+            let through = crate::part::bvh::meet(&corners, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
+            prop_assume!(!through);
+            let (mut lo, mut hi) = (0.0, 1.0);
+            for _ in 0..200 {
+                let (a, b) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+                if point_triangle(&(p + (q - p) * a), &corners) < point_triangle(&(p + (q - p) * b), &corners) { hi = b } else { lo = a }
+            }
+            let least = point_triangle(&(p + (q - p) * lo), &corners);
+            prop_assert!((segment_triangle(&p, &q, &corners) - least).abs() < 1e-6);
         }
 
         #[test]

@@ -4,6 +4,7 @@ use super::inspect::Findings;
 use super::merge_tree::{MergeTree, dihedral_angles};
 use super::orient::{Orientation, orient};
 use super::stl::{self, RawPart, StlError};
+use super::topology::Dead;
 use super::{Bvh, Digest, Hasher, Mesh, Placement, Units};
 use std::path::Path;
 use thiserror::Error;
@@ -67,23 +68,29 @@ impl Part {
     ) -> Result<Part, StlError> {
         let raw = stl::read(bytes)?;
         let sha256 = super::digest::file_sha256(bytes);
-        Ok(Part::from_raw(&raw, sha256, units, placement, flipped_shells))
+        Part::from_raw(&raw, sha256, units, placement, flipped_shells)
     }
 
     /// The same from facets that were read already.
+    ///
+    /// # Errors
+    /// No facet has any area.
     pub fn from_raw(
         raw: &RawPart,
         sha256: String,
         units: Units,
         placement: &Placement,
         flipped_shells: &[u32],
-    ) -> Part {
+    ) -> Result<Part, StlError> {
         let mut mesh = Mesh::weld(&raw.facets, units.mm());
         if *placement != Placement::default() {
             for v in &mut mesh.vertices {
                 *v = placement.apply(v);
             }
             mesh.update_geometry();
+        }
+        if mesh.dead.iter().all(|d| *d != Dead::No) {
+            return Err(StlError::NoFacet { dropped: mesh.facets.len(), first: "no area" });
         }
         let orientation = orient(&mut mesh);
         for f in 0..mesh.facets.len() {
@@ -103,6 +110,6 @@ impl Part {
             .f64s(&p.translation_mm)
             .u32s(flipped_shells)
             .finish();
-        Part { mesh, orientation, findings, dihedral_deg, tree, bvh, digest, sha256 }
+        Ok(Part { mesh, orientation, findings, dihedral_deg, tree, bvh, digest, sha256 })
     }
 }

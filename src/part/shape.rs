@@ -75,8 +75,9 @@ impl Shape {
         samples
             .plane(tolerance)
             .or_else(|| samples.cylinder(tolerance))
-            .or_else(|| samples.sphere(tolerance))
+            // Before the sphere: the two rings of a cone's side lie on one as well.
             .or_else(|| samples.cone(tolerance))
+            .or_else(|| samples.sphere(tolerance))
             .unwrap_or(Shape::Freeform)
     }
 }

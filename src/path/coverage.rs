@@ -6,7 +6,7 @@
 use super::planes::SurfacePlanes;
 use super::section::TransversalLine;
 use crate::part::{Mesh, surfaces::Surface, topology::Dead};
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 use std::collections::BTreeMap;
 
 /// Within this angle of the planes a facet counts as parallel to them: lines would be 5.8 times as
@@ -48,7 +48,7 @@ pub fn coverage(
         let missed = sine < parallel_sine
             || (!crossed && {
                 let grid = grid.get_or_insert_with(|| PointGrid::new(lines, spacing_mm));
-                !grid.has_within(&mesh.centroid(f as usize), spacing_mm)
+                !grid.has_within(&mesh.corners(f as usize), spacing_mm)
             });
         if missed {
             out.missed_area_mm2 += mesh.areas[f as usize];
@@ -87,15 +87,16 @@ impl PointGrid {
         PointGrid { cell_mm, cells }
     }
 
-    fn has_within(&self, p: &Point3<f64>, distance_mm: f64) -> bool {
-        let k = key(p, self.cell_mm);
-        let near = |d: Vector3<i64>| self.cells.get(&[k[0] + d.x, k[1] + d.y, k[2] + d.z]);
+    fn has_within(&self, corners: &[Point3<f64>; 3], distance_mm: f64) -> bool {
         // A piece is at most one cell long and filed under its start: two cells around hold all.
-        (-2..=2).flat_map(|x| (-2..=2).flat_map(move |y| (-2..=2).map(move |z| Vector3::new(x, y, z)))).any(|d| {
-            near(d).is_some_and(|pieces| {
-                pieces.iter().any(|(a, b)| crate::part::distance::point_segment(p, a, b) <= distance_mm)
-            })
-        })
+        let lo = key(&corners[0].inf(&corners[1]).inf(&corners[2]), self.cell_mm).map(|k| k - 2);
+        let hi = key(&corners[0].sup(&corners[1]).sup(&corners[2]), self.cell_mm).map(|k| k + 2);
+        let near = |cell: &[i64; 3]| (0..3).all(|k| (lo[k]..=hi[k]).contains(&cell[k]));
+        let reaches = |(a, b): &Piece| crate::part::distance::segment_triangle(a, b, corners) <= distance_mm;
+        // Cells in order of x: those of other slices are never looked at.
+        self.cells
+            .range([lo[0], i64::MIN, i64::MIN]..=[hi[0], i64::MAX, i64::MAX])
+            .any(|(cell, pieces)| near(cell) && pieces.iter().any(reaches))
     }
 }
 

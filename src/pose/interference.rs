@@ -3,7 +3,8 @@
 //!
 //! This one routine serves detection, correction and verification; `checker` shares no code with it.
 
-use crate::part::{Bvh, Part, distance};
+use super::motion::Pose;
+use crate::part::{Bvh, Part, angle, distance};
 use nalgebra::{Point3, Vector3};
 
 /// A beam closer than this to a facet interferes, mm. Two hundredths are well above the error of
@@ -19,6 +20,13 @@ const TOUCH_DEG: f64 = 1.0;
 /// the offset at which the test starts, and from the last on the cone is `GRAZE_MM` wide.
 const STRETCHES_MM: [f64; 5] = [1.146, 0.6, 0.2, 0.05, 0.01];
 
+/// A beam that rises from a facet's plane by twice `TOUCH_DEG` leaves it: sin 2°.
+const LEAVES_SINE: f64 = 0.035;
+
+/// A facet that rises less than this above the spot stands in no beam's way, mm: the start of the
+/// test, `STRETCHES_MM`.
+const RISE_MM: f64 = 0.01;
+
 /// What a beam hits first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blocker {
@@ -32,12 +40,14 @@ pub struct Blocker {
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<'a> {
     bvh: &'a Bvh,
+    /// Diagonal of the part: nothing lies further along a beam.
+    size_mm: f64,
 }
 
 impl<'a> Beam<'a> {
     /// A beam on this part.
     pub fn on(part: &'a Part) -> Beam<'a> {
-        Beam { bvh: &part.bvh }
+        Beam { bvh: &part.bvh, size_mm: part.bvh.diagonal_mm() }
     }
 
     /// Whether the beam to the point `p` of the surface, along the unit axis `a`, meets nothing.
@@ -67,6 +77,39 @@ impl<'a> Beam<'a> {
         first
     }
 
+    /// How far along the beam the farthest facet lies that the motion between two poses may touch,
+    /// mm; `None` if it can touch none. `middle` is the pose half way, `sag_mm` how far the part
+    /// may lie from the chord.
+    ///
+    /// Two kinds of facets cannot be touched: those that the beam leaves on their face at both ends
+    /// (the points between lie on that side too, and so do the axes between), and those that do not
+    /// rise above the spot, such as the rest of a convex surface.
+    pub(super) fn conflict(&self, from: &Pose, to: &Pose, middle: &Pose, sag_mm: f64) -> Option<f64> {
+        let half_mm = 0.5 * (to.p - from.p).norm();
+        let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
+        let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM;
+        let mut farthest: Option<f64> = None;
+        self.bvh.visit_ray(&middle.p, &middle.a, 0.0, f64::INFINITY, radius(self.size_mm), |_, corners| {
+            let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+            let length = n.norm();
+            let side = n.dot(&middle.a).signum();
+            let leaves = |q: &Pose| {
+                side * n.dot(&q.a) > LEAVES_SINE * length && side * n.dot(&(q.p - corners[0])) >= -1e-7 * length
+            };
+            if leaves(from) && leaves(to) {
+                return f64::INFINITY;
+            }
+            let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
+            let top = rise(from).max(rise(to));
+            if top > RISE_MM + 2.0 * sag_mm && distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top)
+            {
+                farthest = Some(farthest.map_or(top, |f| f.max(top)));
+            }
+            f64::INFINITY
+        });
+        farthest
+    }
+
     /// The point nearest to `p` at which the line through `p` along `a` meets the part, within
     /// `window_mm` either way; `p` itself where it meets none.
     pub fn spot(&self, p: &Point3<f64>, a: &Vector3<f64>, window_mm: f64) -> Point3<f64> {
@@ -91,8 +134,7 @@ fn interferes(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> 
     let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
     let (rise, height) = (n.dot(a), n.dot(&(p - corners[0])));
     let length = n.norm();
-    // Twice TOUCH_DEG, so that the quick way out never decides a close case.
-    let leaves = rise.abs() > 0.035 * length;
+    let leaves = rise.abs() > LEAVES_SINE * length;
     if leaves && (height * rise > 0.0 || height.abs() <= 1e-7 * length) {
         return false;
     }

@@ -8,7 +8,7 @@ use super::section_plane;
 use super::target::{Pass, State, Target, travel};
 use crate::part::{Part, angle};
 use crate::path::TransversalLine;
-use crate::path::chord::{self, ChordLimits};
+use crate::path::chord::{self, ChordLimits, Place};
 use crate::path::dense::{self, DensePoint};
 use nalgebra::Vector3;
 
@@ -36,8 +36,12 @@ pub fn plan_line(part: &Part, surface: u32, line: &TransversalLine, m: &Vector3<
         Correction::None => points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect(),
         Correction::SectionPlane => section_plane::correct(part, &beam, &points, &free, line.closed, m),
     };
+    // What a correction leaves within rounding of the normal is the normal.
+    let snapped =
+        |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
+    let axes = points.iter().zip(axes).map(snapped).collect();
     let mut planned = Planned { points, axes };
-    planned.test_motion(&beam);
+    planned.test_motion(&beam, rules.chord.max_turn_deg);
     let kept = planned.reduce(&beam, &rules.chord);
     planned.pass(&beam, surface, m, line.closed, &kept)
 }
@@ -49,13 +53,13 @@ fn detected(beam: &Beam<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<b
     for q in points {
         let q_free = is_free(&q);
         if let (Some(last), Some(&last_free)) = (out.last().copied(), free.last()) {
+            let mut stops: Vec<(DensePoint, bool)> = vec![(last, last_free)];
             // Something thin may stand between two free points.
             let pose = |q: &DensePoint| Pose { p: q.p, a: q.n };
-            let between: Vec<f64> = motion::shares(&pose(&last), &pose(&q)).collect();
-            let mut stops: Vec<(DensePoint, bool)> = vec![(last, last_free)];
-            if last_free || q_free {
-                stops.extend(between.iter().map(|&t| {
-                    let mid = dense::midway(&last, &q, t);
+            if last_free && q_free && motion::hit(beam, &pose(&last), &pose(&q), 0.0).is_some() {
+                let steps = ((q.p - last.p).norm() / RUN_END_MM).ceil().max(2.0) * 4.0;
+                stops.extend((1..steps as usize).map(|i| {
+                    let mid = dense::midway(&last, &q, i as f64 / steps);
                     (mid, is_free(&mid))
                 }));
             }
@@ -99,8 +103,9 @@ impl Planned {
         }
     }
 
-    /// Where the beam hits something between two neighbours that are free, a blocked point is put.
-    fn test_motion(&mut self, beam: &Beam<'_>) {
+    /// Where the beam hits something between two neighbours that are free, a blocked point is put;
+    /// where it turns more than a move may, points between.
+    fn test_motion(&mut self, beam: &Beam<'_>, max_turn_deg: f64) {
         let (mut points, mut axes) = (Vec::with_capacity(self.points.len()), Vec::with_capacity(self.points.len()));
         for i in 0..self.points.len() {
             points.push(self.points[i]);
@@ -109,20 +114,24 @@ impl Planned {
             else {
                 continue;
             };
-            // Along the normals the detection has looked already.
-            let detected = self.state(i) == State::Free && self.state(i + 1) == State::Free;
-            if !detected
-                && let Some(t) = motion::shares(&from, &to).find(|&t| !motion::is_free_at(beam, &from, &to, t, 0.0))
-            {
-                points.push(dense::midway(&self.points[i], &self.points[i + 1], t));
+            let between = |t: f64| dense::midway(&self.points[i], &self.points[i + 1], t);
+            if let Some(t) = motion::hit(beam, &from, &to, 0.0) {
+                points.push(between(t));
                 axes.push(None);
+                continue;
+            }
+            let steps = (angle::between_deg(&from.a, &to.a) / max_turn_deg).ceil().max(1.0);
+            for k in 1..steps as usize {
+                let t = k as f64 / steps;
+                points.push(between(t));
+                axes.push(Some(motion::midway(&from, &to, t).a));
             }
         }
         (self.points, self.axes) = (points, axes);
     }
 
-    /// Indices of the points that become targets.
-    fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<usize> {
+    /// The places that become targets.
+    fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<Place> {
         let last = self.points.len() - 1;
         // Points at which the state changes stay, on both sides.
         let fixed: Vec<bool> = (0..=last)
@@ -131,37 +140,58 @@ impl Planned {
                 i > 0 && self.state(i - 1) != state || i < last && self.state(i + 1) != state
             })
             .collect();
-        chord::simplify(&self.points, &fixed, limits, |i, j| self.may_span(beam, i, j))
+        chord::simplify(&self.points, &fixed, limits, |from, to| self.may_span(beam, from, to, limits.max_turn_deg))
     }
 
-    /// Whether the straight motion from i to j can stand for the points between.
-    fn may_span(&self, beam: &Beam<'_>, i: usize, j: usize) -> bool {
-        let (Some(from), Some(to)) = (self.pose(i), self.pose(j)) else {
+    /// Axis at a place; between two points of one state.
+    fn axis(&self, place: Place) -> Option<Vector3<f64>> {
+        let a = self.axes[place.index]?;
+        if place.share == 0.0 {
+            return Some(a);
+        }
+        if self.state(place.index) == State::Free {
+            return Some(place.on(&self.points).n);
+        }
+        Some(angle::slerp(&a, &self.axes[place.index + 1]?, place.share))
+    }
+
+    /// Whether the straight motion between two places can stand for the points between.
+    fn may_span(&self, beam: &Beam<'_>, i: Place, j: Place, max_turn_deg: f64) -> bool {
+        let pose = |place: Place| self.axis(place).map(|a| Pose { p: place.on(&self.points).p, a });
+        let (Some(from), Some(to)) = (pose(i), pose(j)) else {
             // Blocked rows only say where; nothing moves along them with the laser on.
-            return self.axes[i].is_none() && self.axes[j].is_none();
+            return self.axes[i.index].is_none() && self.axes[j.index].is_none();
         };
         let whole = (to.p - from.p).norm().max(1e-12);
-        let same_axis = (i..=j).all(|k| self.axes[k] == Some(from.a));
+        let between = i.index + 1..j.index + usize::from(j.share > 0.0);
+        let same_axis = from.a == to.a && between.clone().all(|k| self.axes[k] == Some(from.a));
         let sag = chord::chord_error_mm(&self.points, i, j);
         if same_axis && sag < 1e-7 {
-            return true; // a flat: the detection has looked at these very poses
+            return true; // a flat: the detection has looked at this very motion
         }
         let on_axis = |k: usize| {
             let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
             self.axes[k].is_some_and(|a| angle::between_deg(&angle::slerp(&from.a, &to.a, share), &a) <= AXIS_ERROR_DEG)
         };
-        (i + 1..j).all(on_axis) && motion::is_free(beam, &from, &to, sag)
+        angle::between_deg(&from.a, &to.a) <= max_turn_deg
+            && between.clone().all(on_axis)
+            && motion::is_free(beam, &from, &to, sag)
     }
 
-    fn pass(&self, beam: &Beam<'_>, surface: u32, m: &Vector3<f64>, closed: bool, kept: &[usize]) -> Pass {
+    fn pass(&self, beam: &Beam<'_>, surface: u32, m: &Vector3<f64>, closed: bool, kept: &[Place]) -> Pass {
         let tangents = dense::tangents(&self.points, closed);
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
-        for &i in kept {
-            let q = self.points[i];
-            let (state, a) = (self.state(i), self.axes[i].unwrap_or(q.n));
+        for &place in kept {
+            let q = place.on(&self.points);
+            let axis = self.axis(place);
+            let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
             let laser = state != State::Blocked && targets.last().is_some_and(|t| t.state != State::Blocked);
             let normal_hits = beam.blocker(&q.p, &q.n).map(|b| b.facet);
-            targets.push(Target { p: q.p, n: q.n, a, o: travel(&tangents[i], &a), state, laser, normal_hits });
+            let tangent = match place.share {
+                0.0 => tangents[place.index],
+                _ => self.points[place.index + 1].p - self.points[place.index].p,
+            };
+            targets.push(Target { p: q.p, n: q.n, a, o: travel(&tangent, &a), state, laser, normal_hits });
         }
         let chord_error_mm =
             kept.windows(2).map(|w| chord::chord_error_mm(&self.points, w[0], w[1])).fold(0.0, f64::max);

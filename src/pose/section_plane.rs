@@ -8,8 +8,11 @@ use crate::path::DensePoint;
 use nalgebra::{Point3, Vector3};
 
 /// Greatest tilt from the normal that a search may reach, degrees: beyond it a round spot is drawn
-/// out to 1.4 times its length. P1's own rule (towards O) is not limited by it.
+/// out to 1.4 times its length. P1's own rule (towards O) has a limit of its own.
 pub const MAX_TILT_DEG: f64 = 45.0;
+/// Greatest tilt of a beam towards O, degrees: a round spot is 5.8 times as long as wide there. On
+/// every V-groove narrow enough to interfere the beam at its root is tilted more than 45°.
+const MAX_TILT_TO_O_DEG: f64 = 80.0;
 /// What a turned beam keeps to the nearest blocked direction, degrees.
 const SPARE_DEG: f64 = 1.0;
 /// Below this length a normal's part in the section plane gives no direction.
@@ -133,7 +136,8 @@ impl Line<'_> {
             };
             let wanted = self.between(start, end);
             let free = |i: usize, axis: &Vector3<f64>| {
-                axis.dot(&self.points[i].n) > 0.0 && self.beam.is_free(&self.points[i].p, axis)
+                angle::between_deg(axis, &self.points[i].n) <= MAX_TILT_TO_O_DEG
+                    && self.beam.is_free(&self.points[i].p, axis)
             };
             let axes: Vec<_> = (first..=last).map(|i| Some(wanted(i)).filter(|a| free(i, a))).collect();
             let faults = self.faults(first, &axes);
