@@ -93,7 +93,8 @@ impl eframe::App for App {
             egui::Panel::left("lists").default_size(330.0).min_size(240.0).show(ui, |ui| self.lists(ui));
             egui::Panel::right("parameters").default_size(300.0).min_size(240.0).show(ui, |ui| self.parameters(ui));
             egui::Panel::bottom("timeline").show(ui, |ui| self.timeline(ui));
-            egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| self.view(ui));
+            let frame = egui::Frame::NONE.fill(ui.visuals().panel_fill);
+            egui::CentralPanel::default().frame(frame).show(ui, |ui| self.view(ui));
         } else {
             egui::CentralPanel::default().show(ui, |ui| self.start(ui));
         }
