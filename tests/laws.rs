@@ -233,12 +233,6 @@ fn a_corrected_beam_differs_from_the_normal() {
     }
 }
 
-/// Where a closed line begins is part of the plan: it should not change with the frame.
-#[test]
-fn a_closed_line_begins_at_the_same_place_of_a_turned_part() {
-    moved_alike(&solids::cylinder(5.0, 7.0, 40), &[[5.0, 0.0, 3.0]], job("z", 0.83), [0.0, 0.0, 33.0], [1.0, 2.0, 3.0]);
-}
-
 /// A 10 mm cube at the default spacing: gaps of 0.25 mm go into 10 mm a whole number of times.
 #[test]
 fn whole_numbers_of_gaps_survive_a_motion() {

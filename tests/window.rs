@@ -194,6 +194,63 @@ fn jobs_are_saved_opened_again_and_guarded() {
     assert!(h.query_by_label("1 of 1").is_some(), "the list is as it was saved");
 }
 
+/// Drags from one place to another, as a hand does: in steps.
+fn drag(harness: &mut Harness<'_, App>, from: egui::Pos2, to: egui::Pos2) {
+    harness.hover_at(from);
+    harness.step();
+    harness.drag_at(from);
+    for i in 1..=8 {
+        harness.step();
+        harness.hover_at(from.lerp(to, i as f32 / 8.0));
+    }
+    harness.step();
+    harness.drop_at(to);
+    settle(harness);
+}
+
+#[test]
+fn rows_are_dragged_between_the_lists_and_within() {
+    let mut h = window(Some(sample("workpiece.stl")), &Answers::default());
+    let row = |h: &Harness<'_, App>, name: &str| h.get_by_label(name).rect().center();
+    let below_title = h.get_by_label("To clean").rect().center() + egui::vec2(60.0, 130.0);
+    for name in ["surface 3 plane", "surface 2 sphere Ø17.51"] {
+        let from = row(&h, name);
+        drag(&mut h, from, below_title);
+    }
+    assert!(h.query_by_label("16 of 16").is_some() && h.query_by_label("2 of 2").is_some());
+    let (plane, sphere) = (row(&h, "surface 3 plane"), row(&h, "surface 2 sphere Ø17.51"));
+    assert!(plane.y < sphere.y, "in the order in which they came");
+    drag(&mut h, sphere, plane);
+    assert!(row(&h, "surface 2 sphere Ø17.51").y < row(&h, "surface 3 plane").y, "dropped before the other");
+    let (from, back) = (row(&h, "surface 3 plane"), row(&h, "surface 5 plane"));
+    drag(&mut h, from, back);
+    assert!(h.query_by_label("17 of 17").is_some() && h.query_by_label("1 of 1").is_some());
+}
+
+#[test]
+fn a_click_in_the_view_selects_and_lights_the_row() {
+    let mut h = window(Some(sample("workpiece.stl")), &Answers::default());
+    let view = h.get_by_label("3D view").rect();
+    // A little right of and above the middle: the plate's front in the iso view.
+    let front = view.center() + egui::vec2(60.0, 90.0);
+    for pressed in [true, false] {
+        h.hover_at(front);
+        h.event(egui::Event::PointerButton {
+            pos: front,
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        h.step();
+    }
+    settle(&mut h);
+    press(&mut h, Modifiers::NONE, Key::Enter);
+    let list = h.get_by_label("To clean").rect();
+    assert!(h.get_by_label("surface 1 plane").rect().top() > list.top(), "the front is to be cleaned");
+    press(&mut h, Modifiers::NONE, Key::H);
+    press(&mut h, Modifiers::ALT, Key::H);
+}
+
 #[test]
 fn before_and_after_on_one_section_plane() {
     let mut h = window(Some(sample("worm_gear.toml")), &Answers::default());

@@ -124,7 +124,7 @@ pub const PARAMETERS: [Parameter; 13] = [
         "path.max_turn_deg",
         "Largest turn",
         "°",
-        0.0 < 180.0,
+        0.1..180.0,
         "",
         "Largest turn of the surface normal between two targets",
         path.max_turn_deg

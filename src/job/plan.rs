@@ -195,7 +195,7 @@ fn bound_size(surfaces: &Surfaces, list: &[u32], job: &Job, size_mm: f64) -> Res
         return Err(PlanError::PartTooLarge { size_mm });
     }
     let spacing_mm = job.layers.spacing_mm;
-    let gap_mm = dense::max_gap_mm(spacing_mm);
+    let gap_mm = rules(job).max_gap_mm;
     let area: f64 = list.iter().filter_map(|&n| surfaces.get(n)).map(|s| s.area_mm2).sum();
     // Every plane is cut through every surface at least once.
     let points = area / (spacing_mm * gap_mm) + size_mm / spacing_mm * list.len() as f64;
@@ -210,7 +210,8 @@ const MOST_POINTS: f64 = 5e8;
 
 fn rules(job: &Job) -> LineRules {
     LineRules {
-        max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm),
+        max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm).min(job.path.max_step_mm),
+        max_dense_turn_deg: dense::MAX_TURN_DEG.min(job.path.max_turn_deg),
         chord: ChordLimits {
             chord_error_mm: job.path.chord_error_mm,
             max_step_mm: job.path.max_step_mm,

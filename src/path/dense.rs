@@ -15,9 +15,9 @@ pub struct DensePoint {
     pub n: Vector3<f64>,
 }
 
-/// Largest turn of the normal between two points of a dense line, degrees: half of the least turn
-/// between targets that an operator may ask for.
-const MAX_TURN_DEG: f64 = 2.0;
+/// Largest turn of the normal between two points of a dense line, degrees; less where targets may
+/// turn less.
+pub const MAX_TURN_DEG: f64 = 2.0;
 
 /// Largest gap, mm: half a line spacing, at most 0.5 mm, the radius of P1's spot (Table 1).
 pub fn max_gap_mm(spacing_mm: f64) -> f64 {
@@ -25,7 +25,9 @@ pub fn max_gap_mm(spacing_mm: f64) -> f64 {
 }
 
 /// The dense line of a transversal line; a closed one ends with its first point again.
-pub fn dense(line: &TransversalLine, max_gap_mm: f64) -> Vec<DensePoint> {
+pub fn dense(line: &TransversalLine, max_gap_mm: f64, max_turn_deg: f64) -> Vec<DensePoint> {
+    // A hair of tolerance: four gaps that a turned part makes a little longer stay four.
+    let pieces = |whole: f64, most: f64| (whole / most - 1e-9).ceil().max(1.0);
     let mut out: Vec<DensePoint> = Vec::new();
     let closing = line.closed.then(|| line.points[0]);
     for q in line.points.iter().copied().chain(closing) {
@@ -33,7 +35,7 @@ pub fn dense(line: &TransversalLine, max_gap_mm: f64) -> Vec<DensePoint> {
         if let Some(from) = out.last().copied() {
             let gap = (to.p - from.p).norm();
             let turn = angle::between_deg(&from.n, &to.n);
-            let steps = (gap / max_gap_mm).ceil().max((turn / MAX_TURN_DEG).ceil()).max(1.0);
+            let steps = pieces(gap, max_gap_mm).max(pieces(turn, max_turn_deg));
             for i in 1..steps as usize {
                 out.push(midway(&from, &to, i as f64 / steps));
             }

@@ -17,6 +17,8 @@ use nalgebra::Vector3;
 pub struct LineRules {
     /// Largest gap of the dense line, mm.
     pub max_gap_mm: f64,
+    /// Largest turn of the normal on it, degrees.
+    pub max_dense_turn_deg: f64,
     /// What a chord may span.
     pub chord: ChordLimits,
     /// What is done about interference.
@@ -28,10 +30,15 @@ const RUN_END_MM: f64 = 0.05;
 /// A corrected axis that was dropped lies within this of the motion that replaces it, degrees.
 const AXIS_ERROR_DEG: f64 = 1.0;
 
+/// A move beside something that the beam was tilted away from turns the axis by no more than this,
+/// degrees. Controllers move the flange straight, not the spot: at a lever of 100 mm from flange to
+/// spot the spot then strays 0.02 mm, the beam's own margin; with 5° it strays 0.1 mm.
+const CORRECTED_TURN_DEG: f64 = 2.5;
+
 /// Plans one line of one surface; `m` is its section plane's normal.
 pub fn plan_line(part: &Part, surface: u32, line: &TransversalLine, m: &Vector3<f64>, rules: &LineRules) -> Pass {
     let beam = Beam::on(part);
-    let (points, free) = detected(&beam, dense::dense(line, rules.max_gap_mm));
+    let (points, free) = detected(&beam, dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg));
     let axes = match rules.correction {
         Correction::None => points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect(),
         Correction::SectionPlane => section_plane::correct(part, &beam, &points, &free, line.closed, m),
@@ -41,7 +48,7 @@ pub fn plan_line(part: &Part, surface: u32, line: &TransversalLine, m: &Vector3<
         |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
     let axes = points.iter().zip(axes).map(snapped).collect();
     let mut planned = Planned { points, axes };
-    planned.test_motion(&beam, rules.chord.max_turn_deg);
+    planned.test_motion(&beam, rules.chord.max_turn_deg.min(CORRECTED_TURN_DEG));
     let kept = planned.reduce(&beam, &rules.chord);
     planned.pass(&beam, surface, m, line.closed, &kept)
 }
@@ -173,6 +180,8 @@ impl Planned {
             let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
             self.axes[k].is_some_and(|a| angle::between_deg(&angle::slerp(&from.a, &to.a, share), &a) <= AXIS_ERROR_DEG)
         };
+        let corrected = self.state(i.index) == State::Corrected || self.state(j.index) == State::Corrected;
+        let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };
         angle::between_deg(&from.a, &to.a) <= max_turn_deg
             && between.clone().all(on_axis)
             && motion::is_free(beam, &from, &to, sag)
