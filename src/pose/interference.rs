@@ -5,15 +5,18 @@
 
 use crate::part::{Bvh, Part, distance};
 use nalgebra::{Point3, Vector3};
+use std::cell::Cell;
 
 /// A beam closer than this to a facet interferes, mm. Two hundredths are well above the error of
 /// f32 coordinates on a metre of part, and well below any spot.
 pub const GRAZE_MM: f64 = 0.02;
 
-/// Near its own point the beam counts as a cone of this half angle, degrees, until that is as wide
+/// Near its own point the beam counts as a cone of 1° to each side until that is as wide
 /// as `GRAZE_MM`. At the foot of a 90° wall the floor's normal lies in the wall (0°: interferes); a
 /// draft of 2° is free; and the facets that the point stands on or beside never count.
-const TOUCH_DEG: f64 = 1.0;
+///
+/// This is its tangent.
+const TOUCH_SLOPE: f64 = 0.017_455_064_928_217_585;
 
 /// Where along the beam the width of that cone is taken for the stretch behind, mm; the first is
 /// the offset at which the test starts, and from the last on the cone is `GRAZE_MM` wide.
@@ -29,32 +32,44 @@ pub struct Blocker {
 }
 
 /// The beam as a ray without end.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Beam<'a> {
     bvh: &'a Bvh,
+    /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
+    last: Cell<Option<[Point3<f64>; 3]>>,
 }
 
 impl<'a> Beam<'a> {
     /// A beam on this part.
     pub fn on(part: &'a Part) -> Beam<'a> {
-        Beam { bvh: &part.bvh }
+        Beam { bvh: &part.bvh, last: Cell::new(None) }
     }
 
     /// Whether the beam to the point `p` of the surface, along the unit axis `a`, meets nothing.
     pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        let ray = distance::WideRay::new(p, a, GRAZE_MM);
+        let stops = |corners: &[Point3<f64>; 3]| !ray.surely_misses(corners) && interferes(p, a, corners);
+        if self.last.get().is_some_and(|corners| stops(&corners)) {
+            return false;
+        }
         let mut free = true;
         self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |_, corners| {
-            free &= !interferes(p, a, corners);
-            if free { f64::INFINITY } else { -1.0 }
+            if stops(corners) {
+                self.last.set(Some(*corners));
+                free = false;
+                return -1.0;
+            }
+            f64::INFINITY
         });
         free
     }
 
     /// The first thing that the beam meets.
     pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
+        let ray = distance::WideRay::new(p, a, GRAZE_MM);
         let mut first: Option<Blocker> = None;
         self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |facet, corners| {
-            if interferes(p, a, corners) {
+            if !ray.surely_misses(corners) && interferes(p, a, corners) {
                 let t_mm = crate::part::bvh::meet(corners, p, a)
                     .filter(|t| *t > 0.0)
                     .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
@@ -91,7 +106,7 @@ fn interferes(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> 
     let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
     let (rise, height) = (n.dot(a), n.dot(&(p - corners[0])));
     let length = n.norm();
-    // Twice TOUCH_DEG, so that the quick way out never decides a close case.
+    // Twice the 1° of TOUCH_SLOPE, so that the quick way out never decides a close case.
     let leaves = rise.abs() > 0.035 * length;
     if leaves && (height * rise > 0.0 || height.abs() <= 1e-7 * length) {
         return false;
@@ -100,7 +115,17 @@ fn interferes(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> 
         return false;
     }
     STRETCHES_MM.iter().any(|&t| {
-        let allowed = t * libm::tan(TOUCH_DEG.to_radians());
+        let allowed = t * TOUCH_SLOPE;
         distance::ray_triangle(p, a, t, corners) <= allowed.min(GRAZE_MM)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slope_is_that_of_one_degree() {
+        assert_eq!(TOUCH_SLOPE, libm::tan(1f64.to_radians()));
+    }
 }

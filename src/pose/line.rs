@@ -111,9 +111,7 @@ impl Planned {
             };
             // Along the normals the detection has looked already.
             let detected = self.state(i) == State::Free && self.state(i + 1) == State::Free;
-            if !detected
-                && let Some(t) = motion::shares(&from, &to).find(|&t| !motion::is_free_at(beam, &from, &to, t, 0.0))
-            {
+            if !detected && let Some(t) = motion::first_hit(beam, &from, &to, 0.0) {
                 points.push(dense::midway(&self.points[i], &self.points[i + 1], t));
                 axes.push(None);
             }
@@ -146,9 +144,10 @@ impl Planned {
         if same_axis && sag < 1e-7 {
             return true; // a flat: the detection has looked at these very poses
         }
+        let arc = angle::Arc::new(&from.a, &to.a);
         let on_axis = |k: usize| {
             let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
-            self.axes[k].is_some_and(|a| angle::between_deg(&angle::slerp(&from.a, &to.a, share), &a) <= AXIS_ERROR_DEG)
+            self.axes[k].is_some_and(|a| angle::between_deg(&arc.at(share), &a) <= AXIS_ERROR_DEG)
         };
         (i + 1..j).all(on_axis) && motion::is_free(beam, &from, &to, sag)
     }

@@ -33,12 +33,15 @@ pub fn shares(from: &Pose, to: &Pose) -> impl Iterator<Item = f64> + use<> {
 /// Whether the beam meets nothing between two targets. `sag_mm`: how far the part may lie from the
 /// chord between them.
 pub fn is_free(beam: &Beam<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> bool {
-    shares(from, to).all(|t| is_free_at(beam, from, to, t, sag_mm))
+    first_hit(beam, from, to, sag_mm).is_none()
 }
 
-/// The same at one share of the way.
-pub fn is_free_at(beam: &Beam<'_>, from: &Pose, to: &Pose, t: f64, sag_mm: f64) -> bool {
-    let pose = midway(from, to, t);
-    let spot = if sag_mm > 1e-9 { beam.spot(&pose.p, &pose.a, 2.0 * sag_mm + 1e-3) } else { pose.p };
-    beam.is_free(&spot, &pose.a)
+/// The first share of the way at which the beam meets something.
+pub fn first_hit(beam: &Beam<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> Option<f64> {
+    let arc = angle::Arc::new(&from.a, &to.a);
+    shares(from, to).find(|&t| {
+        let (p, a) = (from.p + (to.p - from.p) * t, arc.at(t));
+        let spot = if sag_mm > 1e-9 { beam.spot(&p, &a, 2.0 * sag_mm + 1e-3) } else { p };
+        !beam.is_free(&spot, &a)
+    })
 }
