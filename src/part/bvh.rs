@@ -296,10 +296,11 @@ fn split(items: &mut [Item]) -> usize {
         b.with(&Bounds { lo: c, hi: c })
     });
     let width = [0, 1, 2].map(|k| centres.hi[k] - centres.lo[k]);
+    let scale = width.map(|w| BINS as f64 / w);
     let mut bins = [[(Bounds::NONE, 0usize); BINS]; 3];
     for i in items.iter() {
         for axis in (0..3).filter(|&k| width[k] > 0.0) {
-            let bin = &mut bins[axis][bin_of(i.bounds.middle(axis), centres.lo[axis], width[axis])];
+            let bin = &mut bins[axis][bin_of(i.bounds.middle(axis), centres.lo[axis], scale[axis])];
             *bin = (bin.0.with(&i.bounds), bin.1 + 1);
         }
     }
@@ -329,7 +330,7 @@ fn split(items: &mut [Item]) -> usize {
     }
     let mut middle = 0;
     for i in 0..items.len() {
-        if bin_of(items[i].bounds.middle(axis), centres.lo[axis], width[axis]) < bin {
+        if bin_of(items[i].bounds.middle(axis), centres.lo[axis], scale[axis]) < bin {
             items.swap(i, middle);
             middle += 1;
         }
@@ -337,8 +338,8 @@ fn split(items: &mut [Item]) -> usize {
     middle
 }
 
-fn bin_of(x: f64, lo: f64, width: f64) -> usize {
-    (((x - lo) / width * BINS as f64) as usize).min(BINS - 1)
+fn bin_of(x: f64, lo: f64, scale: f64) -> usize {
+    (((x - lo) * scale) as u32 as usize).min(BINS - 1)
 }
 
 #[cfg(test)]
