@@ -19,13 +19,30 @@ pub fn turned(v: &Vector3<f64>, axis: &Vector3<f64>, angle_deg: f64) -> Vector3<
 ///
 /// Opposite directions have no great circle of their own; then a fixed one is taken.
 pub fn slerp(a: &Vector3<f64>, b: &Vector3<f64>, t: f64) -> Vector3<f64> {
-    let angle_deg = between_deg(a, b);
-    if angle_deg < 1e-9 {
-        return *a;
+    Arc::new(a, b).at(t)
+}
+
+/// The way of [`slerp`], for many `t`.
+#[derive(Clone, Copy, Debug)]
+pub struct Arc {
+    from: Vector3<f64>,
+    /// Axis of the turn and its whole angle, degrees; `None`: no turn.
+    turn: Option<(Vector3<f64>, f64)>,
+}
+
+impl Arc {
+    /// From `a` to `b`, unit both.
+    pub fn new(a: &Vector3<f64>, b: &Vector3<f64>) -> Arc {
+        let angle_deg = between_deg(a, b);
+        let axis = a.cross(b);
+        let axis = || if axis.norm() > 1e-9 { axis.normalize() } else { any_square_to(a) };
+        Arc { from: *a, turn: (angle_deg >= 1e-9).then(|| (axis(), angle_deg)) }
     }
-    let axis = a.cross(b);
-    let axis = if axis.norm() > 1e-9 { axis.normalize() } else { any_square_to(a) };
-    turned(a, &axis, angle_deg * t)
+
+    /// The direction at the share `t` of the way.
+    pub fn at(&self, t: f64) -> Vector3<f64> {
+        self.turn.map_or(self.from, |(axis, angle_deg)| turned(&self.from, &axis, angle_deg * t))
+    }
 }
 
 /// A unit vector square to `v`, always the same for the same `v`.

@@ -5,15 +5,18 @@
 
 use super::topology::{Dead, Mesh};
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 
 const LEAF: usize = 4;
 const BINS: usize = 16;
 
+/// Subtrees of more facets than this are built side by side.
+const SIDE_BY_SIDE: usize = 1 << 13;
+
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    lo: [f64; 3],
-    hi: [f64; 3],
-    /// First facet of a leaf, or index of the second child (the first follows its parent).
+    bounds: Bounds,
+    /// First facet of a leaf, or index of the first child (the second follows it).
     at: u32,
     /// Facets of a leaf; 0 for an inner node.
     count: u32,
@@ -40,20 +43,17 @@ impl Bvh {
     /// Builds over all facets with area.
     pub fn new(mesh: &Mesh) -> Bvh {
         let facet: Vec<u32> = (0..mesh.facets.len() as u32).filter(|&f| mesh.dead[f as usize] == Dead::No).collect();
-        let boxes: Vec<Bounds> = facet.iter().map(|&f| Bounds::of(&mesh.corners(f as usize))).collect();
-        let mut order: Vec<u32> = (0..facet.len() as u32).collect();
-        let mut nodes = Vec::with_capacity(facet.len());
-        if !facet.is_empty() {
-            build(&boxes, &mut order, 0, &mut nodes);
-        }
-        let facet: Vec<u32> = order.iter().map(|&i| facet[i as usize]).collect();
+        let bounded = |&facet: &u32| Item { bounds: Bounds::of(&mesh.corners(facet as usize)), facet };
+        let mut items: Vec<Item> = facet.par_iter().map(bounded).collect();
+        let nodes = if items.is_empty() { Vec::new() } else { built(&mut items, 0) };
+        let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
         Bvh { nodes, corners, facet }
     }
 
     /// Diagonal of the box around all facets, mm.
     pub fn diagonal_mm(&self) -> f64 {
-        self.nodes.first().map_or(0.0, |n| Vector3::from_fn(|k, _| n.hi[k] - n.lo[k]).norm())
+        self.nodes.first().map_or(0.0, |n| Vector3::from_fn(|k, _| n.bounds.hi[k] - n.bounds.lo[k]).norm())
     }
 
     /// Visits every facet whose leaf box the segment `origin + t·dir`, `t` in `[t0, t1]`, comes
@@ -68,20 +68,23 @@ impl Bvh {
         radius: f64,
         mut visit: impl FnMut(u32, &[Point3<f64>; 3]) -> f64,
     ) {
-        if self.nodes.is_empty() {
-            return;
-        }
-        let inverse = dir.map(|d| 1.0 / d);
+        let Some(root) = self.nodes.first() else { return };
+        let slabs = Slabs::new(origin, dir, t0, radius);
         let mut far = t1;
-        let mut stack = [0u32; 96];
-        let mut depth = 1;
+        // Nodes that the ray enters, and where.
+        let mut stack = [(0u32, 0.0f64); 96];
+        let mut depth = 0;
+        if let Some(entry) = slabs.entry(&root.bounds, far) {
+            stack[0] = (0, entry);
+            depth = 1;
+        }
         while depth > 0 {
             depth -= 1;
-            let index = stack[depth] as usize;
-            let node = &self.nodes[index];
-            if !node.meets(origin, &inverse, t0, far, radius) {
-                continue;
+            let (index, entry) = stack[depth];
+            if entry > reach(far) {
+                continue; // something nearer was found meanwhile
             }
+            let node = &self.nodes[index as usize];
             if node.count > 0 {
                 for i in node.at as usize..(node.at + node.count) as usize {
                     far = far.min(visit(self.facet[i], &self.corners[i]));
@@ -89,17 +92,24 @@ impl Bvh {
                         return;
                     }
                 }
+                continue;
+            }
+            let at = node.at;
+            let first = slabs.entry(&self.nodes[at as usize].bounds, far);
+            let second = slabs.entry(&self.nodes[at as usize + 1].bounds, far);
+            let mut push = |index: u32, entry: Option<f64>| {
+                if let Some(entry) = entry {
+                    stack[depth] = (index, entry);
+                    depth += 1;
+                }
+            };
+            // The nearer child last, so that it is taken first.
+            if first <= second {
+                push(at + 1, second);
+                push(at, first);
             } else {
-                // The nearer child last, so that it is taken first.
-                let (first, second) = (index as u32 + 1, node.at);
-                let along = |n: u32| {
-                    let n = &self.nodes[n as usize];
-                    (0..3).map(|k| (n.lo[k] + n.hi[k]) * dir[k]).sum::<f64>()
-                };
-                let (near, later) = if along(first) <= along(second) { (first, second) } else { (second, first) };
-                stack[depth] = later;
-                stack[depth + 1] = near;
-                depth += 2;
+                push(at, first);
+                push(at + 1, second);
             }
         }
     }
@@ -128,7 +138,8 @@ impl Bvh {
             depth -= 1;
             let index = stack[depth] as usize;
             let node = &self.nodes[index];
-            if (0..3).any(|k| point[k] < node.lo[k] - radius || point[k] > node.hi[k] + radius) {
+            let b = &node.bounds;
+            if (0..3).any(|k| point[k] < b.lo[k] - radius || point[k] > b.hi[k] + radius) {
                 continue;
             }
             if node.count > 0 {
@@ -136,33 +147,56 @@ impl Bvh {
                     visit(self.facet[i], &self.corners[i]);
                 }
             } else {
-                stack[depth] = index as u32 + 1;
-                stack[depth + 1] = node.at;
+                stack[depth] = node.at;
+                stack[depth + 1] = node.at + 1;
                 depth += 2;
             }
         }
     }
 }
 
-impl Node {
-    fn meets(&self, origin: &Point3<f64>, inverse: &Vector3<f64>, t0: f64, t1: f64, radius: f64) -> bool {
-        let (mut near, mut far) = (t0, t1);
-        for k in 0..3 {
-            let (lo, hi) = (self.lo[k] - radius, self.hi[k] + radius);
-            if inverse[k].is_infinite() {
-                // Parallel: 0·∞ below would be NaN for an origin on the slab.
-                if origin[k] < lo || origin[k] > hi {
-                    return false;
-                }
-                continue;
-            }
-            let (a, b) = ((lo - origin[k]) * inverse[k], (hi - origin[k]) * inverse[k]);
-            near = near.max(a.min(b));
-            far = far.min(a.max(b));
-        }
-        // Rounding of the slab distances must not lose a facet that lies in the box's side.
-        near <= far + 1e-9 * (1.0 + far.abs().min(1e12))
+/// A ray made ready for boxes, which it may pass by at `radius` (per axis).
+struct Slabs {
+    origin: [[f64; 3]; 2],
+    inverse: [f64; 3],
+    t0: f64,
+}
+
+impl Slabs {
+    fn new(origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, radius: f64) -> Slabs {
+        let at = |off: f64| [0, 1, 2].map(|k| origin[k] + off);
+        // Parallel to a slab: a finite number, because 0·∞ would be NaN for an origin on its side.
+        let inverse = [0, 1, 2].map(|k| (1.0 / dir[k]).clamp(-1e300, 1e300));
+        Slabs { origin: [at(radius), at(-radius)], inverse, t0 }
     }
+
+    /// Where the ray enters a box before `far`.
+    #[inline]
+    fn entry(&self, b: &Bounds, far: f64) -> Option<f64> {
+        let (mut near, mut far) = (self.t0, far);
+        for k in 0..3 {
+            let x = (b.lo[k] - self.origin[0][k]) * self.inverse[k];
+            let y = (b.hi[k] - self.origin[1][k]) * self.inverse[k];
+            near = larger(near, smaller(x, y));
+            far = smaller(far, larger(x, y));
+        }
+        (near <= reach(far)).then_some(near)
+    }
+}
+
+/// Rounding of the slab distances must not lose a facet that lies in a box's side.
+fn reach(far: f64) -> f64 {
+    far + 1e-9 * (1.0 + smaller(far.abs(), 1e12))
+}
+
+/// `f64::min` for numbers: one instruction, where that one looks for NaN as well.
+fn smaller(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// `f64::max` for numbers.
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Möller–Trumbore: distance along the ray to a facet, any sign.
@@ -182,7 +216,14 @@ pub fn meet([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vector3<f6
     (u >= -slack && v >= -slack && u + v <= 1.0 + slack).then(|| e2.dot(&q) / det)
 }
 
+/// A facet on its way into the tree.
 #[derive(Clone, Copy)]
+struct Item {
+    bounds: Bounds,
+    facet: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
 struct Bounds {
     lo: [f64; 3],
     hi: [f64; 3],
@@ -197,8 +238,8 @@ impl Bounds {
 
     fn with(&self, o: &Bounds) -> Bounds {
         Bounds {
-            lo: std::array::from_fn(|k| self.lo[k].min(o.lo[k])),
-            hi: std::array::from_fn(|k| self.hi[k].max(o.hi[k])),
+            lo: std::array::from_fn(|k| smaller(self.lo[k], o.lo[k])),
+            hi: std::array::from_fn(|k| larger(self.hi[k], o.hi[k])),
         }
     }
 
@@ -212,39 +253,67 @@ impl Bounds {
     }
 }
 
-fn build(boxes: &[Bounds], order: &mut [u32], offset: u32, nodes: &mut Vec<Node>) {
-    let all = order.iter().fold(Bounds::NONE, |b, &i| b.with(&boxes[i as usize]));
-    let me = nodes.len();
-    nodes.push(Node { lo: all.lo, hi: all.hi, at: offset, count: order.len() as u32 });
-    if order.len() <= LEAF {
+/// The nodes over `items`, which are put in the order of the leaves; the root is the first.
+/// `offset`: how many items stand before these.
+fn built(items: &mut [Item], offset: u32) -> Vec<Node> {
+    let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
+    nodes.push(Node { bounds: Bounds::NONE, at: 0, count: 0 });
+    build(items, offset, &mut nodes, 0);
+    nodes
+}
+
+fn build(items: &mut [Item], offset: u32, nodes: &mut Vec<Node>, me: usize) {
+    let bounds = items.iter().fold(Bounds::NONE, |b, i| b.with(&i.bounds));
+    if items.len() <= LEAF {
+        nodes[me] = Node { bounds, at: offset, count: items.len() as u32 };
         return;
     }
-    let middle = split(boxes, order, &all);
-    let (left, right) = order.split_at_mut(middle);
-    build(boxes, left, offset, nodes);
-    nodes[me].at = nodes.len() as u32;
-    nodes[me].count = 0;
-    build(boxes, right, offset + middle as u32, nodes);
+    let children = nodes.len();
+    nodes[me] = Node { bounds, at: children as u32, count: 0 };
+    nodes.extend([nodes[me]; 2]);
+    let side_by_side = items.len() > SIDE_BY_SIDE;
+    let middle = split(items);
+    let (left, right) = items.split_at_mut(middle);
+    let behind = offset + middle as u32;
+    if side_by_side {
+        let pair = rayon::join(|| built(left, offset), || built(right, behind));
+        graft(nodes, children, &pair.0);
+        graft(nodes, children + 1, &pair.1);
+    } else {
+        build(left, offset, nodes, children);
+        build(right, behind, nodes, children + 1);
+    }
+}
+
+/// Takes a tree over, its root to `place`, the rest behind all others.
+fn graft(nodes: &mut Vec<Node>, place: usize, tree: &[Node]) {
+    // A child's index in `tree` counts the root.
+    let shift = nodes.len() as u32 - 1;
+    let moved = |n: &Node| if n.count == 0 { Node { at: n.at + shift, ..*n } } else { *n };
+    let mut tree = tree.iter().map(moved);
+    if let Some(root) = tree.next() {
+        nodes[place] = root;
+    }
+    nodes.extend(tree);
 }
 
 /// Orders facets into two groups and tells where the second begins (neither is empty).
-fn split(boxes: &[Bounds], order: &mut [u32], all: &Bounds) -> usize {
-    let centres = order.iter().fold(Bounds::NONE, |b, &i| {
-        let c = std::array::from_fn(|k| boxes[i as usize].middle(k));
+fn split(items: &mut [Item]) -> usize {
+    let centres = items.iter().fold(Bounds::NONE, |b, i| {
+        let c = [0, 1, 2].map(|k| i.bounds.middle(k));
         b.with(&Bounds { lo: c, hi: c })
     });
+    let width = [0, 1, 2].map(|k| centres.hi[k] - centres.lo[k]);
+    let scale = width.map(|w| BINS as f64 / w);
+    let mut bins = [[(Bounds::NONE, 0usize); BINS]; 3];
+    for i in items.iter() {
+        for axis in (0..3).filter(|&k| width[k] > 0.0) {
+            let bin = &mut bins[axis][bin_of(i.bounds.middle(axis), centres.lo[axis], scale[axis])];
+            *bin = (bin.0.with(&i.bounds), bin.1 + 1);
+        }
+    }
     let mut best = (f64::INFINITY, 0, 0);
-    for axis in 0..3 {
-        let (lo, width) = (centres.lo[axis], centres.hi[axis] - centres.lo[axis]);
-        if width <= 0.0 {
-            continue;
-        }
-        let mut bins = [(Bounds::NONE, 0usize); BINS];
-        for &i in order.iter() {
-            let b = &boxes[i as usize];
-            let bin = bin_of(b.middle(axis), lo, width);
-            bins[bin] = (bins[bin].0.with(b), bins[bin].1 + 1);
-        }
+    for (axis, bins) in bins.iter().enumerate() {
         let mut right = [(0.0, 0usize); BINS];
         let mut sum = (Bounds::NONE, 0);
         for k in (1..BINS).rev() {
@@ -265,22 +334,20 @@ fn split(boxes: &[Bounds], order: &mut [u32], all: &Bounds) -> usize {
     }
     let (cost, axis, bin) = best;
     if cost.is_infinite() {
-        return order.len() / 2; // all centres in one point
+        return items.len() / 2; // all centres in one point
     }
-    let (lo, width) = (centres.lo[axis], centres.hi[axis] - centres.lo[axis]);
-    debug_assert!(all.half_area() >= 0.0);
     let mut middle = 0;
-    for i in 0..order.len() {
-        if bin_of(boxes[order[i] as usize].middle(axis), lo, width) < bin {
-            order.swap(i, middle);
+    for i in 0..items.len() {
+        if bin_of(items[i].bounds.middle(axis), centres.lo[axis], scale[axis]) < bin {
+            items.swap(i, middle);
             middle += 1;
         }
     }
     middle
 }
 
-fn bin_of(x: f64, lo: f64, width: f64) -> usize {
-    (((x - lo) / width * BINS as f64) as usize).min(BINS - 1)
+fn bin_of(x: f64, lo: f64, scale: f64) -> usize {
+    (((x - lo) * scale) as u32 as usize).min(BINS - 1)
 }
 
 #[cfg(test)]

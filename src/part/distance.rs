@@ -55,6 +55,50 @@ fn segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) 
     if inside { ends.min((w + u * s - v * t).norm()) } else { ends }
 }
 
+/// A ray with a width, made ready to tell most triangles that keep farther away at little cost.
+#[derive(Clone, Copy, Debug)]
+pub struct WideRay {
+    origin: Point3<f64>,
+    dir: Vector3<f64>,
+    u: Vector3<f64>,
+    v: Vector3<f64>,
+    radius_mm: f64,
+}
+
+impl WideRay {
+    /// The ray from `origin` along the unit vector `dir`.
+    pub fn new(origin: &Point3<f64>, dir: &Vector3<f64>, radius_mm: f64) -> WideRay {
+        // Duff et al., Building an Orthonormal Basis, Revisited (2017): no root, one division.
+        let sign = 1f64.copysign(dir.z);
+        let a = -1.0 / (sign + dir.z);
+        let b = dir.x * dir.y * a;
+        let u = Vector3::new(1.0 + sign * dir.x * dir.x * a, sign * b, -sign * dir.x);
+        let v = Vector3::new(b, sign + dir.y * dir.y * a, -dir.y);
+        // Wider by more than the rounding of what follows.
+        WideRay { origin: *origin, dir: *dir, u, v, radius_mm: radius_mm * 1.001 + 1e-9 }
+    }
+
+    /// `true`: the triangle is certainly farther than the radius. `false`: who knows.
+    ///
+    /// Seen along the ray, its start is a point; it is looked for a line between it and the
+    /// triangle along one of the sides.
+    #[inline]
+    pub fn surely_misses(&self, corners: &[Point3<f64>; 3]) -> bool {
+        let d = corners.map(|c| c - self.origin);
+        let r = self.radius_mm;
+        if d.iter().all(|d| d.dot(&self.dir) < -r) {
+            return true;
+        }
+        let (x, y) = (d.map(|d| d.dot(&self.u)), d.map(|d| d.dot(&self.v)));
+        [(0, 1, 2), (1, 2, 0), (2, 0, 1)].into_iter().any(|(i, j, k)| {
+            let (ex, ey) = (x[j] - x[i], y[j] - y[i]);
+            let (side, opposite) = (ex * y[i] - ey * x[i], ex * y[k] - ey * x[k]);
+            let least = if side.abs() < opposite.abs() { side } else { opposite };
+            side * opposite > 0.0 && least * least > r * r * (ex * ex + ey * ey)
+        })
+    }
+}
+
 /// Distance from a ray (unit direction) to a segment, mm.
 pub fn ray_segment(origin: &Point3<f64>, dir: &Vector3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     let (d, w) = (b - a, a - origin);
@@ -100,6 +144,21 @@ mod tests {
             }
             let least = point_triangle(&(o + d * lo), &corners);
             prop_assert!((found - least).abs() < 1e-6, "{found} against {least}");
+        }
+
+        /// A miss is one; and a triangle well off the ray is told.
+        #[test]
+        fn the_quick_look_never_errs(c in prop::array::uniform9(SIDE), o in prop::array::uniform3(SIDE),
+                                     d in prop::array::uniform3(-1.0..1.0f64), radius in 0.0..3.0f64) {
+            let corners = [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
+            let d = Vector3::from(d);
+            prop_assume!(d.norm() > 0.1);
+            let (o, d) = (point(o), d.normalize());
+            if WideRay::new(&o, &d, radius).surely_misses(&corners) {
+                prop_assert!(ray_triangle(&o, &d, 0.0, &corners) > radius);
+            }
+            let far = corners.map(|p| p + super::super::angle::any_square_to(&d) * 40.0);
+            prop_assert!(WideRay::new(&o, &d, radius).surely_misses(&far));
         }
 
         #[test]

@@ -6,21 +6,24 @@
 use super::motion::Pose;
 use crate::part::{Bvh, Part, angle, distance};
 use nalgebra::{Point3, Vector3};
+use std::cell::Cell;
 
 /// A beam closer than this to a facet interferes, mm. Two hundredths are well above the error of
 /// f32 coordinates on a metre of part, and well below any spot.
 pub const GRAZE_MM: f64 = 0.02;
 
-/// Near its own point the beam counts as a cone of this half angle, degrees, until that is as wide
+/// Near its own point the beam counts as a cone of 1° to each side until that is as wide
 /// as `GRAZE_MM`. At the foot of a 90° wall the floor's normal lies in the wall (0°: interferes); a
 /// draft of 2° is free; and the facets that the point stands on or beside never count.
-const TOUCH_DEG: f64 = 1.0;
+///
+/// This is its tangent.
+const TOUCH_SLOPE: f64 = 0.017_455_064_928_217_585;
 
 /// Where along the beam the width of that cone is taken for the stretch behind, mm; the first is
 /// the offset at which the test starts, and from the last on the cone is `GRAZE_MM` wide.
 const STRETCHES_MM: [f64; 5] = [1.146, 0.6, 0.2, 0.05, 0.01];
 
-/// A beam that rises from a facet's plane by twice `TOUCH_DEG` leaves it: sin 2°.
+/// A beam that rises from a facet's plane by 2°, twice the cone's half angle, leaves it: its sine.
 const LEAVES_SINE: f64 = 0.035;
 
 /// A facet that rises less than this above the spot stands in no beam's way, mm: the start of the
@@ -37,34 +40,46 @@ pub struct Blocker {
 }
 
 /// The beam as a ray without end.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Beam<'a> {
     bvh: &'a Bvh,
     /// Diagonal of the part: nothing lies further along a beam.
     size_mm: f64,
+    /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
+    last: Cell<Option<[Point3<f64>; 3]>>,
 }
 
 impl<'a> Beam<'a> {
     /// A beam on this part.
     pub fn on(part: &'a Part) -> Beam<'a> {
-        Beam { bvh: &part.bvh, size_mm: part.bvh.diagonal_mm() }
+        Beam { bvh: &part.bvh, size_mm: part.bvh.diagonal_mm(), last: Cell::new(None) }
     }
 
     /// Whether the beam to the point `p` of the surface, along the unit axis `a`, meets nothing.
     pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        let ray = distance::WideRay::new(p, a, GRAZE_MM);
+        let stops = |corners: &[Point3<f64>; 3]| !ray.surely_misses(corners) && interferes(p, a, corners);
+        if self.last.get().is_some_and(|corners| stops(&corners)) {
+            return false;
+        }
         let mut free = true;
         self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |_, corners| {
-            free &= !interferes(p, a, corners);
-            if free { f64::INFINITY } else { -1.0 }
+            if stops(corners) {
+                self.last.set(Some(*corners));
+                free = false;
+                return -1.0;
+            }
+            f64::INFINITY
         });
         free
     }
 
     /// The first thing that the beam meets.
     pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
+        let ray = distance::WideRay::new(p, a, GRAZE_MM);
         let mut first: Option<Blocker> = None;
         self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |facet, corners| {
-            if interferes(p, a, corners) {
+            if !ray.surely_misses(corners) && interferes(p, a, corners) {
                 let t_mm = crate::part::bvh::meet(corners, p, a)
                     .filter(|t| *t > 0.0)
                     .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
@@ -88,8 +103,13 @@ impl<'a> Beam<'a> {
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
         let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM;
+        let widest = radius(self.size_mm);
+        let ray = distance::WideRay::new(&middle.p, &middle.a, widest);
         let mut farthest: Option<f64> = None;
-        self.bvh.visit_ray(&middle.p, &middle.a, 0.0, f64::INFINITY, radius(self.size_mm), |_, corners| {
+        self.bvh.visit_ray(&middle.p, &middle.a, 0.0, f64::INFINITY, widest, |_, corners| {
+            if ray.surely_misses(corners) {
+                return f64::INFINITY;
+            }
             let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
             let length = n.norm();
             let side = n.dot(&middle.a).signum();
@@ -142,7 +162,17 @@ fn interferes(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> 
         return false;
     }
     STRETCHES_MM.iter().any(|&t| {
-        let allowed = t * libm::tan(TOUCH_DEG.to_radians());
+        let allowed = t * TOUCH_SLOPE;
         distance::ray_triangle(p, a, t, corners) <= allowed.min(GRAZE_MM)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slope_is_that_of_one_degree() {
+        assert_eq!(TOUCH_SLOPE, libm::tan(1f64.to_radians()));
+    }
 }

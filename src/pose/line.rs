@@ -176,9 +176,10 @@ impl Planned {
         if same_axis && sag < 1e-7 {
             return true; // a flat: the detection has looked at this very motion
         }
+        let arc = angle::Arc::new(&from.a, &to.a);
         let on_axis = |k: usize| {
             let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
-            self.axes[k].is_some_and(|a| angle::between_deg(&angle::slerp(&from.a, &to.a, share), &a) <= AXIS_ERROR_DEG)
+            self.axes[k].is_some_and(|a| angle::between_deg(&arc.at(share), &a) <= AXIS_ERROR_DEG)
         };
         let corrected = self.state(i.index) == State::Corrected || self.state(j.index) == State::Corrected;
         let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };

@@ -96,9 +96,10 @@ impl<'a> Space<'a> {
         order.into_iter().all(|i| {
             let t = i as f64 / steps as f64;
             let (x, a) = (from.x + (to.x - from.x) * t, angle::slerp(&from.a, &to.a, t));
+            let ray = distance::WideRay::new(&x, &a, clear_mm);
             let mut clear = true;
             self.part.bvh.visit_ray(&x, &a, 0.0, f64::INFINITY, clear_mm, |_, corners| {
-                clear &= distance::ray_triangle(&x, &a, 0.0, corners) > clear_mm;
+                clear &= ray.surely_misses(corners) || distance::ray_triangle(&x, &a, 0.0, corners) > clear_mm;
                 if clear { f64::INFINITY } else { -1.0 }
             });
             clear
