@@ -61,8 +61,7 @@ pub fn simplify(
     let last = points.len() - 1;
     while from.index < last {
         let mut to = from.index + 1;
-        let mut allowed = |to: Place| spans(points, from, to, limits) && may_span(from, to);
-        while to < last && !fixed[to] && allowed(Place::point(to + 1)) {
+        while to < last && !fixed[to] && spans(points, from, Place::point(to + 1), limits) {
             to += 1;
         }
         let mut end = Place::point(to);
@@ -77,10 +76,16 @@ pub fn simplify(
                     high = middle
                 }
             }
-            let further = Place { index: to, share: low };
-            if low > 0.0 && may_span(from, further) {
-                end = further;
+            end.share = low;
+        }
+        // The dear question is asked of the farthest place first, then of those half way back.
+        let (mut good, mut bad) = (from.index + 1, to + usize::from(end.share > 0.0));
+        if (end.share > 0.0 || to > good) && !may_span(from, end) {
+            while bad > good + 1 {
+                let middle = usize::midpoint(good, bad);
+                if may_span(from, Place::point(middle)) { good = middle } else { bad = middle }
             }
+            end = Place::point(good);
         }
         kept.push(end);
         from = end;
