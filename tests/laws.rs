@@ -67,7 +67,7 @@ fn moved_alike(triangles: &Triangles, on_surfaces: &[[f64; 3]], mut job: Job, ro
 }
 
 proptest! {
-    #![proptest_config(cases(6))]
+    #![proptest_config(cases(12))]
     #[test]
     fn a_rigid_motion_changes_nothing_but_the_frame(r in prop::array::uniform3(-180.0..180.0f64),
                                                     t in prop::array::uniform3(-60.0..60.0f64)) {

@@ -127,7 +127,8 @@ impl Planned {
                 axes.push(None);
                 continue;
             }
-            let steps = (angle::between_deg(&from.a, &to.a) / max_turn_deg).ceil().max(1.0);
+            // A hair of tolerance: turns are found in whole fractions of a degree.
+            let steps = (angle::between_deg(&from.a, &to.a) / max_turn_deg - 1e-6).ceil().max(1.0);
             for k in 1..steps as usize {
                 let t = k as f64 / steps;
                 points.push(between(t));
@@ -183,7 +184,7 @@ impl Planned {
         };
         let corrected = self.state(i.index) == State::Corrected || self.state(j.index) == State::Corrected;
         let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };
-        angle::between_deg(&from.a, &to.a) <= max_turn_deg
+        angle::between_deg(&from.a, &to.a) <= max_turn_deg + 1e-6
             && between.clone().all(on_axis)
             && motion::is_free(beam, &from, &to, sag)
     }
