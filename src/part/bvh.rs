@@ -285,8 +285,11 @@ fn graft(nodes: &mut Vec<Node>, place: usize, tree: &[Node]) {
     // A child's index in `tree` counts the root.
     let shift = nodes.len() as u32 - 1;
     let moved = |n: &Node| if n.count == 0 { Node { at: n.at + shift, ..*n } } else { *n };
-    nodes[place] = moved(&tree[0]);
-    nodes.extend(tree[1..].iter().map(moved));
+    let mut moved = tree.iter().map(moved);
+    if let Some(root) = moved.next() {
+        nodes[place] = root;
+    }
+    nodes.extend(moved);
 }
 
 /// Orders facets into two groups and tells where the second begins (neither is empty).
