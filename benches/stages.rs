@@ -144,8 +144,8 @@ fn surface_points(mesh: &Mesh) -> Vec<(Point3<f64>, Vector3<f64>)> {
     out
 }
 
-/// Lines over tooth gaps (flank, root, flank), nearly all of which begin free, meet the tooth
-/// opposite on both flanks, and are free at the root.
+/// Lines over tooth gaps (flank, root, flank). With 40 teeth 228 of the 240 have a run on either
+/// flank, and all of it is corrected; the 14 teeth of 10 k stand too far apart: detection alone.
 fn correction(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let (gaps, surfaces) = tooth_gaps(part);
     let rules = LineRules {

@@ -93,7 +93,15 @@ impl PointGrid {
         let hi = key(&corners[0].sup(&corners[1]).sup(&corners[2]), self.cell_mm).map(|k| k + 2);
         let near = |cell: &[i64; 3]| (0..3).all(|k| (lo[k]..=hi[k]).contains(&cell[k]));
         let reaches = |(a, b): &Piece| crate::part::distance::segment_triangle(a, b, corners) <= distance_mm;
-        // Cells in order of x: those of other slices are never looked at.
+        let cells = (0..3).map(|k| (hi[k] - lo[k] + 1) as f64).product::<f64>();
+        if cells < 1000.0 {
+            let span = |k: usize| lo[k]..=hi[k];
+            return span(0)
+                .flat_map(|x| span(1).flat_map(move |y| span(2).map(move |z| [x, y, z])))
+                .filter_map(|cell| self.cells.get(&cell))
+                .any(|pieces| pieces.iter().any(reaches));
+        }
+        // A long facet: cells in order of x, so those of other slices are never looked at.
         self.cells
             .range([lo[0], i64::MIN, i64::MIN]..=[hi[0], i64::MAX, i64::MAX])
             .any(|(cell, pieces)| near(cell) && pieces.iter().any(reaches))
