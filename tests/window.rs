@@ -277,6 +277,15 @@ fn problems_lead_to_their_place() {
 }
 
 #[test]
+fn an_idle_window_repaints_nothing() {
+    let mut h = window(Some(sample("workpiece.toml")), &Answers::default());
+    h.remove_cursor();
+    // Runs while frames are asked for, and fails if that never ends.
+    assert!(h.try_run().is_ok(), "frames are asked for without end");
+    assert!(h.try_run().is_ok_and(|frames| frames <= 2), "nothing more to paint");
+}
+
+#[test]
 fn every_command_can_be_given_at_any_time() {
     for open in [None, Some(sample("workpiece.stl"))] {
         let mut h = window(open, &Answers::default());

@@ -83,7 +83,12 @@ impl eframe::App for App {
             self.document.end_gesture();
             self.session.recut_anchor = None;
         }
-        ctx.send_viewport_cmd(egui::ViewportCommand::Title(self.title()));
+        let title = self.title();
+        if title != self.session.title {
+            // Every command asks for another frame: an idle window must not give any.
+            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.session.title = title;
+        }
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {

@@ -44,6 +44,8 @@ pub struct Session {
     pub after_guard: Option<AfterGuard>,
     /// The answer was given; the window may close.
     pub may_close: bool,
+    /// The window's title as it was last set.
+    pub title: String,
     /// Last thing said in the status line.
     pub said: String,
     /// An error that must be read.
@@ -151,6 +153,7 @@ impl Default for Session {
             help_open: false,
             after_guard: None,
             may_close: false,
+            title: String::new(),
             said: String::new(),
             error: None,
             tool: Tool::Select,

@@ -30,6 +30,9 @@ const LEAVES_SINE: f64 = 0.035;
 /// test, `STRETCHES_MM`.
 const RISE_MM: f64 = 0.01;
 
+/// Length of the first stretch of a moving beam that is looked at by itself, mm.
+const FIRST_STRETCH_MM: f64 = 1.0;
+
 /// What a beam hits first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blocker {
@@ -103,30 +106,36 @@ impl<'a> Beam<'a> {
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
         let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM;
-        let widest = radius(self.size_mm);
-        let ray = distance::WideRay::new(&middle.p, &middle.a, widest);
         let mut farthest: Option<f64> = None;
-        self.bvh.visit_ray(&middle.p, &middle.a, 0.0, f64::INFINITY, widest, |_, corners| {
-            if ray.surely_misses(corners) {
-                return f64::INFINITY;
-            }
-            let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
-            let length = n.norm();
-            let side = n.dot(&middle.a).signum();
-            let leaves = |q: &Pose| {
-                side * n.dot(&q.a) > LEAVES_SINE * length && side * n.dot(&(q.p - corners[0])) >= -1e-7 * length
-            };
-            if leaves(from) && leaves(to) {
-                return f64::INFINITY;
-            }
-            let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
-            let top = rise(from).max(rise(to));
-            if top > RISE_MM + 2.0 * sag_mm && distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top)
-            {
-                farthest = Some(farthest.map_or(top, |f| f.max(top)));
-            }
-            f64::INFINITY
-        });
+        // A turning beam sweeps wide only far out: each stretch is looked at as wide as it gets, so
+        // that the surface around the spot is not visited for the sake of the far end.
+        let (mut near, mut far) = (0.0, FIRST_STRETCH_MM + 2.0 * half_mm);
+        while near < self.size_mm {
+            let start = middle.p + middle.a * near;
+            let ray = distance::WideRay::new(&start, &middle.a, radius(far));
+            self.bvh.visit_ray(&start, &middle.a, 0.0, far - near, radius(far), |_, corners| {
+                if ray.surely_misses(corners) {
+                    return f64::INFINITY;
+                }
+                let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+                let length = n.norm();
+                let side = n.dot(&middle.a).signum();
+                let leaves = |q: &Pose| {
+                    side * n.dot(&q.a) > LEAVES_SINE * length && side * n.dot(&(q.p - corners[0])) >= -1e-7 * length
+                };
+                if leaves(from) && leaves(to) {
+                    return f64::INFINITY;
+                }
+                let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
+                let top = rise(from).max(rise(to));
+                let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
+                if top > RISE_MM + 2.0 * sag_mm && touchable() {
+                    farthest = Some(farthest.map_or(top, |f| f.max(top)));
+                }
+                f64::INFINITY
+            });
+            (near, far) = (far, 6.0 * far);
+        }
         farthest
     }
 
