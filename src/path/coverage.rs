@@ -65,6 +65,8 @@ pub fn coverage(
 /// Pieces of lines by the cell they pass, cells of one spacing.
 struct PointGrid {
     cell_mm: f64,
+    /// Steps to the cells around one, the nearest first.
+    around: Vec<[i64; 3]>,
     cells: BTreeMap<[i64; 3], Vec<Piece>>,
 }
 
@@ -84,7 +86,9 @@ impl PointGrid {
                 }
             }
         }
-        PointGrid { cell_mm, cells }
+        let mut around: Vec<[i64; 3]> = (0..27).map(|i| [i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1]).collect();
+        around.sort_by_key(|d| d.iter().map(|k| k * k).sum::<i64>());
+        PointGrid { cell_mm, around, cells }
     }
 
     fn has_within(&self, corners: &[Point3<f64>; 3], distance_mm: f64) -> bool {
@@ -93,6 +97,15 @@ impl PointGrid {
         let hi = key(&corners[0].sup(&corners[1]).sup(&corners[2]), self.cell_mm).map(|k| k + 2);
         let near = |cell: &[i64; 3]| (0..3).all(|k| (lo[k]..=hi[k]).contains(&cell[k]));
         let reaches = |(a, b): &Piece| crate::part::distance::segment_triangle(a, b, corners) <= distance_mm;
+        // Mostly a line passes near the middle: the nearest cells tell that at little cost.
+        let middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
+        let here = key(&middle, self.cell_mm);
+        let passes = |(a, b): &Piece| crate::part::distance::point_segment(&middle, a, b) <= distance_mm;
+        let around =
+            self.around.iter().filter_map(|d| self.cells.get(&[here[0] + d[0], here[1] + d[1], here[2] + d[2]]));
+        if around.flatten().any(passes) {
+            return true;
+        }
         let cells = (0..3).map(|k| (hi[k] - lo[k] + 1) as f64).product::<f64>();
         if cells < 1000.0 {
             let span = |k: usize| lo[k]..=hi[k];
