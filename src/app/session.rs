@@ -10,6 +10,8 @@ pub struct Session {
     pub selected: BTreeSet<u32>,
     /// Where Shift extends from.
     pub anchor: Option<u32>,
+    /// Row that was clicked last.
+    pub last_clicked: Option<u32>,
     /// Surface under the cursor in this frame, and in the last.
     pub hovered: Option<u32>,
     /// A selection made in the view: its row is scrolled into sight.
@@ -127,6 +129,7 @@ impl Default for Session {
         Session {
             selected: BTreeSet::new(),
             anchor: None,
+            last_clicked: None,
             hovered: None,
             scroll_to: None,
             hidden: BTreeSet::new(),

@@ -199,7 +199,12 @@ impl App {
             self.session.hovered = Some(n);
         }
         let modifiers = response.ctx.input(|i| i.modifiers);
-        if response.double_clicked() {
+        // After a move the next row stands where the last one was clicked: that is no double click.
+        let same_row = self.session.last_clicked == Some(n);
+        if response.clicked() {
+            self.session.last_clicked = Some(n);
+        }
+        if response.double_clicked() && same_row {
             self.session.selected = [n].into();
             let command = if is_clean { Command::Unclean } else { Command::Clean };
             self.run(command, &response.ctx.clone());
