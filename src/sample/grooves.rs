@@ -11,7 +11,7 @@ pub const UNDER_GROOVE: f64 = 5.0;
 /// A block with a symmetric V-groove along y (0 to `length`), open to +z: 24 facets.
 ///
 /// The flanks stand `half_angle_deg` off the plane of symmetry x = 0 and meet in the root, `depth`
-/// below the lands z = 0; the lands are `width_of_top_lands` wide each; [`UNDER_GROOVE`] is left
+/// below the lands z = 0; the lands are `width_of_top_lands` wide each; `UNDER_GROOVE` is left
 /// under the root.
 pub fn v_groove(half_angle_deg: f64, depth: f64, width_of_top_lands: f64, length: f64) -> Triangles {
     let half = depth * libm::tan(radians(half_angle_deg));
