@@ -195,9 +195,7 @@ impl App {
 
 /// Reads a part or a job with its part.
 fn read(path: &Path) -> Result<Opened, String> {
-    let is_job =
-        path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml") || e.eq_ignore_ascii_case("clearbeam"));
-    let (mut job, file) = if is_job {
+    let (mut job, file) = if files::is_job(path) {
         (files::read(path).map_err(|e| e.to_string())?, Some(path.to_path_buf()))
     } else {
         let mut job = Job::default();

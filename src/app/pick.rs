@@ -146,13 +146,11 @@ impl App {
                 None => self.session.fit_pending = true,
             }
         }
-        if let Some(px) = r.secondary_clicked_px {
-            self.session.context_pick = self.picked_at(px, r);
-            if let Some(n) = self.surface_at(Some(px), r)
-                && !self.session.selected.contains(&n)
-            {
-                self.session.selected = [n].into();
-            }
+        if let Some(px) = r.secondary_clicked_px
+            && let Some(n) = self.surface_at(Some(px), r)
+            && !self.session.selected.contains(&n)
+        {
+            self.session.selected = [n].into();
         }
     }
 

@@ -45,7 +45,7 @@ impl App {
         } else {
             scene.meshes.push(picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
             if let Some((plan, _)) = &d.plan {
-                scene.lines = paths::paths(plan, defocus_mm, &look, d.plan_count).0;
+                scene.lines = paths::paths(plan, defocus_mm, &look, d.plan_count);
             }
         }
         if let Some(t) = self.target() {

@@ -56,8 +56,6 @@ pub struct Session {
     pub tool: Tool,
     /// Camera must be fitted once the part is there.
     pub fit_pending: bool,
-    /// Facet and point of the last right click in the view.
-    pub context_pick: Option<(u32, nalgebra::Point3<f64>)>,
 }
 
 /// What a click in the view does.
@@ -161,7 +159,6 @@ impl Default for Session {
             error: None,
             tool: Tool::Select,
             fit_pending: false,
-            context_pick: None,
         }
     }
 }

@@ -63,9 +63,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
 
 /// A job from a job file, or the job that cleans all of a part.
 pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
-    let is_job =
-        input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml") || e.eq_ignore_ascii_case("clearbeam"));
-    if is_job {
+    if files::is_job(input) {
         let job = files::read(input).map_err(anyhow::Error::from)?;
         return Ok((job, Some(input.to_path_buf())));
     }

@@ -80,7 +80,7 @@ fn scene(part: &Part, job: &Job, job_file: Option<&std::path::Path>, planned: bo
             only_pass: None,
             frame_mm: 0.02 * part.mesh.diagonal(),
         };
-        scene.lines = paths(&plan, job.beam.defocus_mm, &path_look, 1).0;
+        scene.lines = paths(&plan, job.beam.defocus_mm, &path_look, 1);
     }
     scene.meshes.push(picture.item(&surfaces, &look));
     Ok(scene)

@@ -61,6 +61,11 @@ impl JobError {
     }
 }
 
+/// Whether a path names a job rather than a part.
+pub fn is_job(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml") || e.eq_ignore_ascii_case("clearbeam"))
+}
+
 /// Reads a job file.
 ///
 /// # Errors

@@ -33,7 +33,7 @@ const MOST_FRAMES: usize = 500;
 const MOST_BEAMS: usize = 4000;
 
 /// Draws a plan. `key` changes with the plan.
-pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> (Vec<LineItem>, Vec<PointItem>) {
+pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> Vec<LineItem> {
     let item = |part: u32, segments: Vec<LineSegment>, width_px: f32| {
         let flags = [u32::from(look.before), look.only_pass.map_or(0, |p| p as u32 + 1), part];
         let key =
@@ -57,7 +57,7 @@ pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> (Vec<Li
     if look.air && look.only_pass.is_none() {
         items.push(item(4, air(plan), 1.0));
     }
-    (items, Vec::new())
+    items
 }
 
 /// Evenly every k-th target, but all that interfere up to the limit.

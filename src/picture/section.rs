@@ -44,7 +44,7 @@ pub fn section(
             && other.targets.first().is_some_and(|t| (t.p.coords.dot(&p.plane_normal) - height).abs() < 1e-6);
         if same {
             let look = PathLook { lines: true, beams: true, frames: false, only_pass: Some(i), ..look.clone() };
-            items.extend(paths(plan, defocus_mm, &look, key).0);
+            items.extend(paths(plan, defocus_mm, &look, key));
         }
     }
     items
