@@ -23,10 +23,10 @@
 //! The same part and job give the same bytes on any number of threads and any machine.
 //!
 //! ```
-//! use clearbeam::cell::Cell;
+//! use clearbeam::cell::{Cell, Mount};
 //! use clearbeam::job::{self, Cache, Chosen, Job, Progress, plan::segmented, report::Report};
 //! use clearbeam::part::{Part, Placement, Units};
-//! use clearbeam::program::nachi;
+//! use clearbeam::program::{Program, lines, nachi};
 //! use clearbeam::sample::{solids, stl_bytes};
 //!
 //! let stl = stl_bytes(&solids::cube(20.0));
@@ -42,8 +42,10 @@
 //! assert_eq!(plan.passes.len(), 20);
 //! let report = Report::new(&plan, &surfaces);
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
-//! let program = nachi::program(&cell, &["a cube's side".into()], &plan.steps);
-//! assert!(program.ends_with("END\n"));
+//! let mount = Mount::PartInHand;
+//! let lines = lines(&plan.steps, &cell, mount, None);
+//! let program = Program { head: vec!["a cube's side".into()], lines, cell: &cell, robot: None, mount };
+//! assert!(nachi::program(&program).ends_with("END\n"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -54,14 +54,42 @@ pub struct Nachi {
     pub tool: u32,
     /// Accuracy 1 (finest) to 8, `A=`.
     pub accuracy: u32,
-    /// Line that switches the laser on.
-    pub laser_on: String,
+    /// Line that switches output `{n}` on.
+    pub output_on: String,
     /// Line that switches it off.
-    pub laser_off: String,
+    pub output_off: String,
+    /// Line that waits `{s}` seconds.
+    pub wait: String,
     /// Comment line; `{text}` is replaced.
     pub comment: String,
     /// Ends lines with CR LF.
     pub crlf: bool,
+}
+
+/// What the robot carries.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Mount {
+    /// The part, under a fixed laser (P1, P2).
+    #[default]
+    PartInHand,
+    /// The head, over a fixed part (P3, P4).
+    ToolInHand,
+}
+
+impl Mount {
+    /// The word on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Mount::PartInHand => "part-in-hand",
+            Mount::ToolInHand => "tool-in-hand",
+        }
+    }
+
+    /// The mount of that word.
+    pub fn from_word(word: &str) -> Option<Mount> {
+        [Mount::PartInHand, Mount::ToolInHand].into_iter().find(|m| m.word() == word)
+    }
 }
 
 /// A robot cell.
@@ -70,12 +98,18 @@ pub struct Nachi {
 pub struct Cell {
     /// Name for people.
     pub name: String,
-    /// Laser frame in the base, z against the light (L of P2).
+    /// Part in hand: laser frame in the base, z against the light (L of P2).
     pub base_from_laser: Frame,
-    /// Part frame on the flange (G).
+    /// Part in hand: part frame on the flange (G).
     pub flange_from_part: Frame,
+    /// Tool in hand: part frame in the base (B).
+    pub base_from_part: Frame,
+    /// Tool in hand: tool frame on the flange (H), its origin in the focus, z with the light.
+    pub flange_from_tool: Frame,
     /// Moves with the laser off.
     pub air: Air,
+    /// Output that switches the laser.
+    pub laser_output: u32,
     /// The NACHI program.
     pub nachi: Nachi,
 }
@@ -133,7 +167,7 @@ impl Cell {
 
     fn check(&self) -> Result<(), String> {
         let (air, nachi) = (&self.air, &self.nachi);
-        let frames = [&self.base_from_laser, &self.flange_from_part];
+        let frames = [&self.base_from_laser, &self.flange_from_part, &self.base_from_part, &self.flange_from_tool];
         let mut numbers =
             frames.iter().flat_map(|f| f.position_mm.iter().chain(&f.rz_ry_rx_deg)).chain(&air.home_joints_deg);
         if let Some(bad) = numbers.find(|x| !x.is_finite()) {
@@ -164,11 +198,43 @@ impl Cell {
         Ok(())
     }
 
-    /// Pose of the flange in the base that brings a path frame of the part under the laser:
-    /// `T = L · (G · F)⁻¹`.
-    pub fn flange_for(&self, part_from_frame: &Isometry3<f64>) -> Isometry3<f64> {
-        self.base_from_laser.isometry() * (self.flange_from_part.isometry() * part_from_frame).inverse()
+    /// Pose of the flange in the base that brings focus and beam to a path frame of the part.
+    ///
+    /// Part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot_o(180°)·H⁻¹`.
+    pub fn flange_for(&self, mount: Mount, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
+        match mount {
+            Mount::PartInHand => {
+                self.base_from_laser.isometry() * (self.flange_from_part.isometry() * part_from_focus).inverse()
+            }
+            Mount::ToolInHand => {
+                self.base_from_part.isometry()
+                    * part_from_focus
+                    * half_turn()
+                    * self.flange_from_tool.isometry().inverse()
+            }
+        }
     }
+
+    /// The path frame at a pose of the flange: the inverse of [`Cell::flange_for`].
+    pub fn focus_for(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match mount {
+            Mount::PartInHand => {
+                (base_from_flange * self.flange_from_part.isometry()).inverse() * self.base_from_laser.isometry()
+            }
+            Mount::ToolInHand => {
+                self.base_from_part.isometry().inverse()
+                    * base_from_flange
+                    * self.flange_from_tool.isometry()
+                    * half_turn()
+            }
+        }
+    }
+}
+
+/// Half a turn about y: a tool's z points with the light, a path frame's against it.
+fn half_turn() -> Isometry3<f64> {
+    let half = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(0.0, 0.0, 1.0, 0.0));
+    Isometry3::from_parts(Translation3::identity(), half)
 }
 
 #[cfg(test)]
@@ -185,7 +251,7 @@ mod tests {
         let a = Vector3::new(0.6, 0.0, 0.8);
         let o = Vector3::new(0.0, 1.0, 0.0);
         let (v, d) = (Point3::new(10.0, -4.0, 7.0), 15.0);
-        let t = cell.flange_for(&frame(&(v + a * d), &a, &o));
+        let t = cell.flange_for(Mount::PartInHand, &frame(&(v + a * d), &a, &o));
         let n = o.cross(&a);
         let v_prime = Vector3::new(n.dot(&v.coords), o.dot(&v.coords), a.dot(&v.coords));
         let expected = Vector3::from(cell.base_from_laser.position_mm) - Vector3::new(0.0, 0.0, d) - v_prime;

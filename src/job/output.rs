@@ -5,9 +5,9 @@ use super::files::{self, JobError};
 use super::model::Job;
 use super::plan::Plan;
 use super::report::Report;
-use crate::cell::Cell;
+use crate::cell::{Cell, Mount};
 use crate::part::Surfaces;
-use crate::program::nachi;
+use crate::program::{Program, lines, nachi};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -30,11 +30,17 @@ pub fn files(
     let report = Report::new(plan, surfaces);
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
-    let program = nachi::program(cell, &head(job, part_name, &report), &plan.steps);
+    let program = Program {
+        head: head(job, part_name, &report),
+        lines: lines(&plan.steps, cell, Mount::PartInHand, None),
+        cell,
+        robot: None,
+        mount: Mount::PartInHand,
+    };
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
     Ok(vec![
         file("job.toml".into(), files::to_toml(job)?.into_bytes()),
-        file(nachi::file_name(cell), program.into_bytes()),
+        file(nachi::file_name(cell), nachi::program(&program).into_bytes()),
         file("report.json".into(), json.into_bytes()),
         file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()),
     ])

@@ -1,6 +1,6 @@
 //! Angles between directions, from `libm`, so that they are the same on every machine.
 
-use nalgebra::{Unit, UnitQuaternion, Vector3};
+use nalgebra::{Rotation3, Unit, UnitQuaternion, Vector3};
 
 /// Angle between two vectors of any length, degrees in `[0, 180]`; 0 if one of them is zero.
 ///
@@ -54,6 +54,12 @@ pub fn any_square_to(v: &Vector3<f64>) -> Vector3<f64> {
 /// `v` of length 1, or `None` where its length is below `1e-12` or not a number.
 pub fn unit(v: Vector3<f64>) -> Option<Vector3<f64>> {
     Unit::try_new(v, 1e-12).map(Unit::into_inner).filter(|u| u.iter().all(|x| x.is_finite()))
+}
+
+/// The whole angle of a rotation, degrees in `[0, 180]`.
+pub fn turned_deg(r: &Rotation3<f64>) -> f64 {
+    let twice_sine = Vector3::new(r[(2, 1)] - r[(1, 2)], r[(0, 2)] - r[(2, 0)], r[(1, 0)] - r[(0, 1)]).norm();
+    libm::atan2(twice_sine, r.matrix().trace() - 1.0).to_degrees()
 }
 
 /// The rotation that turns `from` onto `onto` the short way.

@@ -130,13 +130,13 @@ fn air(plan: &Plan) -> Vec<LineSegment> {
     for step in &plan.steps.list {
         match step {
             Step::Laser(on) => lit = *on,
-            Step::Go { to, .. } => {
+            Step::Go(go) => {
                 if let (Some(from), false) = (at, lit) {
-                    out.push(segment(from, to.x, state::AIR));
+                    out.push(segment(from, go.to.x, state::AIR));
                 }
-                at = Some(to.x);
+                at = Some(go.to.x);
             }
-            Step::Say(_) => {}
+            Step::Say(_) | Step::Home => {}
         }
     }
     out

@@ -2,7 +2,11 @@
 //! the text that one controller reads.
 
 pub mod air;
+pub mod dialect;
+pub mod lines;
 pub mod nachi;
 pub mod steps;
 
-pub use steps::{Step, Steps, steps};
+pub use dialect::{Dialect, Program, ProgramFile};
+pub use lines::{Line, Move, lines};
+pub use steps::{Go, Pace, Step, Steps, Way, steps};

@@ -4,7 +4,9 @@
 //! than the spot. Not verified on a controller: brackets of outputs, and the order of the file's
 //! home moves; both are templates in the cell file.
 
-use super::steps::{Station, Step, Steps};
+use super::dialect::Program;
+use super::lines::{Line, Move};
+use super::steps::{Pace, Way};
 use crate::cell::{Cell, rpy};
 use nalgebra::Isometry3;
 use std::fmt::Write as _;
@@ -15,28 +17,27 @@ pub fn file_name(cell: &Cell) -> String {
 }
 
 /// The program's text, ASCII.
-pub fn program(cell: &Cell, head: &[String], steps: &Steps) -> String {
-    let mut out = Text { cell, text: String::new() };
-    for line in head {
+pub fn program(program: &Program<'_>) -> String {
+    let mut out = Text { cell: program.cell, text: String::new() };
+    for line in &program.head {
         out.say(line);
     }
-    out.line(&cell.nachi.laser_off);
-    out.home();
-    let mut last_seconds = None;
-    for step in &steps.list {
-        match step {
-            Step::Say(text) => out.say(text),
-            Step::Laser(true) => out.line(&cell.nachi.laser_on),
-            Step::Laser(false) => out.line(&cell.nachi.laser_off),
-            Step::Go { to, seconds, .. } => {
-                // From home the arm goes by joints: how far is not known here.
-                out.go(to, last_seconds.is_some().then_some(*seconds));
-                last_seconds = Some(*seconds);
+    for line in &program.lines {
+        match line {
+            Line::Say(text) => out.say(text),
+            Line::Output { number, on } => {
+                let n = &out.cell.nachi;
+                let template = if *on { &n.output_on } else { &n.output_off };
+                let line = template.replace("{n}", &number.to_string());
+                out.line(&line);
             }
+            Line::Wait(seconds) => {
+                let line = out.cell.nachi.wait.replace("{s}", &fixed(*seconds, 2));
+                out.line(&line);
+            }
+            Line::Move(m) => out.go(m),
         }
     }
-    out.line(&cell.nachi.laser_off);
-    out.home();
     out.line("END");
     out.text
 }
@@ -58,17 +59,23 @@ impl Text<'_> {
         self.line(&self.cell.nachi.comment.replace("{text}", &plain));
     }
 
-    fn home(&mut self) {
-        let joints: Vec<String> = self.cell.air.home_joints_deg.iter().map(|j| fixed(*j, 4)).collect();
-        self.movex("M1J", "P", &joints, &format!("R={}", fixed(self.cell.air.home_percent, 1)));
-    }
-
-    fn go(&mut self, to: &Station, seconds: Option<f64>) {
-        let numbers = numbers(&self.cell.flange_for(&to.frame()));
-        match seconds {
+    fn go(&mut self, m: &Move) {
+        let way = match m.way {
+            Way::Joint => "P",
+            Way::Linear => "L",
+        };
+        let speed = match m.pace {
             // T=0 would ask for infinite speed.
-            Some(s) => self.movex("M1X", "L", &numbers, &format!("T={}", fixed(s.max(0.001), 4))),
-            None => self.movex("M1X", "P", &numbers, &format!("R={}", fixed(self.cell.air.home_percent, 1))),
+            Pace::Seconds(s) => format!("T={}", fixed(s.max(0.001), 4)),
+            Pace::Percent(p) => format!("R={}", fixed(p, 1)),
+        };
+        match (&m.joints_deg, &m.base_from_flange) {
+            (Some(joints), _) => {
+                let joints: Vec<String> = joints.iter().map(|j| fixed(*j, 4)).collect();
+                self.movex("M1J", way, &joints, &speed);
+            }
+            (None, Some(flange)) => self.movex("M1X", way, &numbers(flange), &speed),
+            (None, None) => {}
         }
     }
 

@@ -1,5 +1,5 @@
 //! The program as a list of steps, before any controller's words: go to a station, switch the
-//! laser, say something.
+//! laser, say something; here without a robot, as poses of the focus.
 
 use super::air::Space;
 use crate::cell::Cell;
@@ -51,15 +51,43 @@ pub enum Step {
     Say(String),
     /// The laser is switched.
     Laser(bool),
-    /// A straight move that takes so long.
-    Go {
-        /// Where to.
-        to: Station,
-        /// Duration, s.
-        seconds: f64,
-        /// Pass and point, for a target; `None` in the air.
-        target: Option<(usize, usize)>,
-    },
+    /// Home, all joints in proportion.
+    Home,
+    /// A move.
+    Go(Go),
+}
+
+/// A move to a station.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Go {
+    /// Where to; turned by the spin, where a robot chose one.
+    pub to: Station,
+    /// By joints or straight.
+    pub way: Way,
+    /// Joints at its end, degrees; `None` without a robot.
+    pub joints_deg: Option<[f64; 6]>,
+    /// How fast.
+    pub pace: Pace,
+    /// Pass and point, for a target; `None` in the air, and between two targets.
+    pub target: Option<(usize, usize)>,
+}
+
+/// How a move goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Way {
+    /// All joints in proportion.
+    Joint,
+    /// The tool centre point straight, the orientation about one axis.
+    Linear,
+}
+
+/// How fast a move goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pace {
+    /// Its duration, s: that is what gives the spot its speed on the part.
+    Seconds(f64),
+    /// Share of the joints' full speed, per cent.
+    Percent(f64),
 }
 
 /// A program's steps, and what its air moves come to.
@@ -90,6 +118,7 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
     let mut out = Steps::default();
     let mut at: Option<Station> = None;
     let mut said = None;
+    out.list.push(Step::Home);
     let pieces: Vec<(usize, usize, usize)> = passes
         .iter()
         .enumerate()
@@ -109,7 +138,14 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
         match at {
             None => {
                 let entry = space.outside(&start);
-                out.air(&space, entry, entry, speeds);
+                // From home the arm goes by joints: how far is not known without a robot.
+                out.list.push(Step::Go(Go {
+                    to: entry,
+                    way: Way::Joint,
+                    joints_deg: None,
+                    pace: Pace::Percent(cell.air.home_percent),
+                    target: None,
+                }));
                 at = Some(entry);
             }
             Some(from) => {
@@ -146,12 +182,14 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
         let exit = space.outside(&end);
         out.air(&space, end, exit, speeds);
     }
+    out.list.push(Step::Home);
     out
 }
 
 impl Steps {
     fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
-        self.list.push(Step::Go { to, seconds, target });
+        let (way, pace) = (Way::Linear, Pace::Seconds(seconds));
+        self.list.push(Step::Go(Go { to, way, joints_deg: None, pace, target }));
         self.time_s += seconds;
     }
 

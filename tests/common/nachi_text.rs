@@ -38,9 +38,9 @@ pub fn read(text: &str) -> Vec<Line> {
     let cell = cell();
     text.lines()
         .map(|line| {
-            if line == cell.nachi.laser_on {
+            if line == cell.nachi.output_on.replace("{n}", "3") {
                 return Line::Laser(true);
-            } else if line == cell.nachi.laser_off {
+            } else if line == cell.nachi.output_off.replace("{n}", "3") {
                 return Line::Laser(false);
             } else if line == "END" {
                 return Line::End;

@@ -1,0 +1,166 @@
+//! What every controller dialect does: write a program, know its own text, read it back.
+//!
+//! A dialect neither plans nor judges: what it reads is compared with the plan elsewhere.
+
+use super::lines::Line;
+use super::steps::{Pace, Way};
+use crate::cell::{Cell, Mount, Robot};
+use nalgebra::Isometry3;
+use thiserror::Error;
+
+/// A program before any controller's words.
+#[derive(Clone, Debug)]
+pub struct Program<'a> {
+    /// Comments at its head.
+    pub head: Vec<String>,
+    /// What it does, in order; home moves included.
+    pub lines: Vec<Line>,
+    /// Frames, outputs, templates.
+    pub cell: &'a Cell,
+    /// The robot; `None`: poses only.
+    pub robot: Option<&'a Robot>,
+    /// What the robot carries.
+    pub mount: Mount,
+}
+
+/// A file of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProgramFile {
+    /// By the dialect's rule.
+    pub name: String,
+    /// ASCII.
+    pub text: String,
+}
+
+/// Why a program cannot be written.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum WriteError {
+    /// The controller takes joint angles, and without a robot there are none.
+    #[error("a {0} program needs a robot; give --robot")]
+    NoRobot(&'static str),
+    /// A name or number of the cell file breaks the controller's rule.
+    #[error("{0}")]
+    Rule(String),
+}
+
+/// Why a program cannot be read.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum ReadError {
+    /// A line that the dialect does not know.
+    #[error("{file}, line {line}: {what}")]
+    Line {
+        /// The file.
+        file: String,
+        /// Its line, from 1.
+        line: usize,
+        /// What is wrong with it, and what was expected.
+        what: String,
+    },
+    /// A sub-program that is not there.
+    #[error("{file}, line {line}: calls {called}, which is not in the same folder")]
+    Gone {
+        /// The calling file.
+        file: String,
+        /// Its line, from 1.
+        line: usize,
+        /// File that was looked for.
+        called: String,
+    },
+    /// The text ends too early.
+    #[error("{file}: ends without {expected}; it was cut off")]
+    CutOff {
+        /// The file.
+        file: String,
+        /// What its end would be.
+        expected: &'static str,
+    },
+}
+
+/// Where a move that was read goes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// Joint angles as in the robot file (couplings of the pendant taken out), degrees.
+    Joints([f64; 6]),
+    /// Flange in the base.
+    Flange(Isometry3<f64>),
+    /// Focus in the part: programs with a stationary tool, and tool in hand with a work object.
+    Focus(Isometry3<f64>),
+}
+
+/// A move that was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadMove {
+    /// By joints or straight.
+    pub way: Way,
+    /// Where to.
+    pub goal: Goal,
+    /// How fast.
+    pub pace: Pace,
+    /// Everything else the instruction says (tool, accuracy, zone, configuration), verbatim: it has
+    /// to be as it was written.
+    pub rest: String,
+}
+
+/// What a line that was read does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Read {
+    /// A move.
+    Move(ReadMove),
+    /// An output.
+    Output {
+        /// Its number.
+        number: u32,
+        /// On or off.
+        on: bool,
+    },
+    /// A dwell, s.
+    Wait(f64),
+    /// A comment.
+    Say(String),
+    /// A setting, declaration or any other statement that acts: it has to be as it was written.
+    Other(String),
+}
+
+/// A line that was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadLine {
+    /// The file it stands in.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: usize,
+    /// What it does.
+    pub what: Read,
+}
+
+/// What a reader needs beside the text.
+pub struct Reading<'a> {
+    /// Frames and templates.
+    pub cell: &'a Cell,
+    /// The robot, where there is one.
+    pub robot: Option<&'a Robot>,
+    /// What it carries.
+    pub mount: Mount,
+    /// The text of another file in the same folder.
+    pub open: &'a dyn Fn(&str) -> Option<String>,
+}
+
+/// A controller's language.
+pub trait Dialect: Sync {
+    /// The word on the command line.
+    fn name(&self) -> &'static str;
+
+    /// Writes a program; the file to start comes first.
+    ///
+    /// # Errors
+    /// What of it the controller could not take.
+    fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError>;
+
+    /// Whether a text is of this dialect.
+    fn claims(&self, text: &str) -> bool;
+
+    /// Reads a program from its first file; sub-programs stand where they are called.
+    ///
+    /// # Errors
+    /// The first line that cannot be understood: what a reader guesses is no check.
+    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError>;
+}
