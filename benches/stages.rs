@@ -4,7 +4,7 @@
 //! Stages that planning runs on all cores are run so here, too. `benches/peers.py` times the same
 //! stages of other programs on the same meshes; compare figures of one sitting only.
 
-use clearbeam::cell::Cell;
+use clearbeam::cell::Setup;
 use clearbeam::job::{Cache, Chosen, Job, Progress, plan, plan::segmented};
 use clearbeam::part::merge_tree::dihedral_angles;
 use clearbeam::part::orient::orient;
@@ -206,9 +206,9 @@ fn whole_plan(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part)
     job.layers.direction = Direction::Auto;
     job.layers.spacing_mm = PLAN_SPACING_MM;
     let surfaces = segmented(part, &job);
-    let Ok(cell) = Cell::shipped() else { return };
+    let Ok(setup) = Setup::shipped() else { return };
     group.bench_function(format!("whole plan/{size}"), |b| {
-        b.iter(|| plan(part, &surfaces, &job, &cell, &Cache::default(), &Progress::default()));
+        b.iter(|| plan(part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()));
     });
 }
 

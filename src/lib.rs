@@ -23,7 +23,7 @@
 //! The same part and job give the same bytes on any number of threads and any machine.
 //!
 //! ```
-//! use clearbeam::cell::{Cell, Mount};
+//! use clearbeam::cell::Setup;
 //! use clearbeam::job::{self, Cache, Chosen, Job, Progress, plan::segmented, report::Report};
 //! use clearbeam::part::{Part, Placement, Units};
 //! use clearbeam::program::{Program, lines, nachi};
@@ -37,14 +37,13 @@
 //! let upright = surfaces.list.iter().find(|s| surfaces.normals[s.facets[0] as usize].x > 0.9).unwrap();
 //! job.clean.surfaces = Chosen::These(vec![upright.number]);
 //! job.layers.spacing_mm = 1.0;
-//! let cell = Cell::shipped()?;
-//! let plan = job::plan(&part, &surfaces, &job, &cell, &Cache::default(), &Progress::default())?;
+//! let setup = Setup::shipped()?;
+//! let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
 //! assert_eq!(plan.passes.len(), 20);
 //! let report = Report::new(&plan, &surfaces);
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
-//! let mount = Mount::PartInHand;
-//! let lines = lines(&plan.steps, &cell, mount, None);
-//! let program = Program { head: vec!["a cube's side".into()], lines, cell: &cell, robot: None, mount };
+//! let lines = lines(&plan.steps, &setup);
+//! let program = Program { head: vec!["a cube's side".into()], lines, setup: &setup };
 //! assert!(nachi::program(&program).ends_with("END\n"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

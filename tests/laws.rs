@@ -176,8 +176,8 @@ fn a_plan_from_the_cache_is_the_plan() {
     let part = part(&sample("workpiece"));
     let job = on(job("z", 2.6), &[2, 4]);
     let surfaces = segmented(&part, &job);
-    let (cache, progress, cell) = (Cache::default(), Progress::default(), parts::cell());
-    let plan = |job: &Job| clearbeam::job::plan(&part, &surfaces, job, &cell, &cache, &progress).expect("a plan");
+    let (cache, progress, setup) = (Cache::default(), Progress::default(), parts::setup());
+    let plan = |job: &Job| clearbeam::job::plan(&part, &surfaces, job, &setup, &cache, &progress).expect("a plan");
     let first = plan(&job);
     let mut finer = job.clone();
     finer.path.max_step_mm = 1.0;

@@ -74,9 +74,9 @@ fn every_job_plans_and_shows_what_it_is_there_for() {
         let file = folder().join(format!("{}.toml", s.name));
         let job = files::read(&file).expect("reads");
         let part = files::load_part(&job, Some(&file)).expect("loads");
-        let cell = files::load_cell(&job, Some(&file)).expect("a cell");
+        let setup = files::load_setup(&job, Some(&file)).expect("a cell");
         let surfaces = segmented(&part, &job);
-        let plan = job::plan(&part, &surfaces, &job, &cell, &Cache::default(), &Progress::default()).expect(s.name);
+        let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect(s.name);
         let report = Report::new(&plan, &surfaces);
         assert_eq!(report.blocked, 0, "{}: nothing that the papers clean stays blocked", s.name);
         let corrected = ["workpiece", "worm_gear"].contains(&s.name);

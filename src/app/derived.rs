@@ -3,8 +3,8 @@
 
 use super::App;
 use super::worker::Outcome;
-use crate::cell::Cell;
-use crate::job::model::{PartFile, SurfaceParameters};
+use crate::cell::Setup;
+use crate::job::model::{CellFile, PartFile, SurfaceParameters};
 use crate::job::plan::segmented;
 use crate::job::report::Report;
 use crate::job::{self, Cache, Chosen, Job, Plan, files};
@@ -29,8 +29,8 @@ pub struct Derived {
     pub shapes: BTreeMap<u32, Shape>,
     /// Buffers of the part.
     pub picture: Option<PartPicture>,
-    /// The cell, and the file it was read from.
-    pub cell: Option<(String, Result<Cell, String>)>,
+    /// Cell and robot, and what in the job they were read from.
+    pub setup: Option<(CellFile, Result<Setup, String>)>,
     /// The last plan with its report.
     pub plan: Option<(Arc<Plan>, Arc<Report>)>,
     /// The job that it was made for.
@@ -117,10 +117,9 @@ impl App {
     }
 
     fn sync_cell(&mut self, job: &Job) {
-        let file = &job.cell.file;
-        if self.derived.cell.as_ref().is_none_or(|(of, _)| of != file) {
-            let cell = files::load_cell(job, self.document.file.as_deref()).map_err(|e| e.to_string());
-            self.derived.cell = Some((file.clone(), cell));
+        if self.derived.setup.as_ref().is_none_or(|(of, _)| *of != job.cell) {
+            let setup = files::load_setup(job, self.document.file.as_deref()).map_err(|e| e.to_string());
+            self.derived.setup = Some((job.cell.clone(), setup));
         }
     }
 
@@ -135,8 +134,8 @@ impl App {
         if d.is_planned(&job) || d.planning.as_ref() == Some(&job) {
             return;
         }
-        let cell = match &d.cell {
-            Some((_, Ok(cell))) => cell.clone(),
+        let setup = match &d.setup {
+            Some((_, Ok(setup))) => setup.clone(),
             Some((_, Err(why))) => {
                 d.plan_error = Some((job, why.clone()));
                 return;
@@ -146,7 +145,7 @@ impl App {
         d.planning = Some(job.clone());
         let (surfaces, cache) = (d.surfaces.clone(), d.cache.clone());
         self.worker.plan(move |progress| {
-            let plan = job::plan(&part, &surfaces, &job, &cell, &cache, progress);
+            let plan = job::plan(&part, &surfaces, &job, &setup, &cache, progress);
             let result = plan.map(|plan| {
                 let report = Report::new(&plan, &surfaces);
                 (Arc::new(plan), Arc::new(report))

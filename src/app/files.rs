@@ -121,12 +121,13 @@ impl App {
     fn export(&mut self, dir: PathBuf) {
         let job = self.document.job().clone();
         let d = &self.derived;
-        let (Some((plan, _)), Some((_, Ok(cell))), true) = (&d.plan, &d.cell, d.plan_of.as_ref() == Some(&job)) else {
+        let (Some((plan, _)), Some((_, Ok(setup))), true) = (&d.plan, &d.setup, d.plan_of.as_ref() == Some(&job))
+        else {
             self.session.error =
                 Some("there is no finished plan for the job as it is; wait for it, or see what is wrong".into());
             return;
         };
-        let (plan, cell, surfaces) = (plan.clone(), cell.clone(), d.surfaces.clone());
+        let (plan, setup, surfaces) = (plan.clone(), setup.clone(), d.surfaces.clone());
         let file = self.document.file.clone();
         let mut job = job;
         if let Some(part) = &d.part {
@@ -134,7 +135,7 @@ impl App {
         }
         self.session.said = format!("writing into {}…", dir.display());
         self.worker.spawn(move || {
-            let written = output::write(&dir, &job, file.as_deref(), &cell, &plan, &surfaces);
+            let written = output::write(&dir, &job, file.as_deref(), &setup, &plan, &surfaces);
             Outcome::Exported(written.map_err(|e| e.to_string()))
         });
     }

@@ -2,6 +2,7 @@
 //!
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
+use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
 use super::rpy;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
@@ -42,30 +43,6 @@ pub struct Air {
     pub home_percent: f64,
 }
 
-/// What the NACHI program needs; words that sources disagree on are templates.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Nachi {
-    /// Unit name, the first half of the file name.
-    pub unit: String,
-    /// Program number, the second half.
-    pub number: u32,
-    /// Tool number, `H=`.
-    pub tool: u32,
-    /// Accuracy 1 (finest) to 8, `A=`.
-    pub accuracy: u32,
-    /// Line that switches output `{n}` on.
-    pub output_on: String,
-    /// Line that switches it off.
-    pub output_off: String,
-    /// Line that waits `{s}` seconds.
-    pub wait: String,
-    /// Comment line; `{text}` is replaced.
-    pub comment: String,
-    /// Ends lines with CR LF.
-    pub crlf: bool,
-}
-
 /// What the robot carries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -92,12 +69,40 @@ impl Mount {
     }
 }
 
+/// Rotation of the part, or the tool, about the beam axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Spin {
+    /// Chosen for the arm's sake: the spot is round.
+    #[default]
+    Free,
+    /// Fixed to the travel direction: a line scanner needs that.
+    Travel,
+}
+
+impl Spin {
+    /// The word on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Spin::Free => "free",
+            Spin::Travel => "travel",
+        }
+    }
+
+    /// The spin of that word.
+    pub fn from_word(word: &str) -> Option<Spin> {
+        [Spin::Free, Spin::Travel].into_iter().find(|s| s.word() == word)
+    }
+}
+
 /// A robot cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cell {
     /// Name for people.
     pub name: String,
+    /// What the robot carries, unless the job says otherwise.
+    pub mount: Mount,
     /// Part in hand: laser frame in the base, z against the light (L of P2).
     pub base_from_laser: Frame,
     /// Part in hand: part frame on the flange (G).
@@ -111,12 +116,37 @@ pub struct Cell {
     /// Output that switches the laser.
     pub laser_output: u32,
     /// The NACHI program.
+    #[serde(default)]
     pub nachi: Nachi,
+    /// The KUKA program.
+    #[serde(default)]
+    pub kuka: Kuka,
+    /// The ABB program.
+    #[serde(default)]
+    pub abb: Abb,
+    /// The FANUC program.
+    #[serde(default)]
+    pub fanuc: Fanuc,
+    /// The program for Universal Robots.
+    #[serde(default)]
+    pub ur: Ur,
+    /// The Yaskawa program.
+    #[serde(default)]
+    pub yaskawa: Yaskawa,
+    /// The ESTUN program.
+    #[serde(default)]
+    pub estun: Estun,
 }
 
 /// Why a cell file cannot be used.
 #[derive(Debug, Error)]
 pub enum CellError {
+    /// A robot of the operator's own has no cell here.
+    #[error("there is no shipped cell for robot {robot:?}; give --cell")]
+    NoneFor {
+        /// The robot.
+        robot: String,
+    },
     /// It cannot be read.
     #[error("{file}: cannot be read: {source}")]
     Io {
@@ -143,12 +173,19 @@ pub enum CellError {
     },
 }
 
-const SHIPPED: &str = include_str!("../../assets/cells/mz04.toml");
+/// Keys of the robots with a shipped cell, and the cells.
+const SHIPPED: &[(&str, &str)] = &[("mz04", include_str!("../../assets/cells/mz04.toml"))];
 
 impl Cell {
-    /// The cell that is taken when none is named.
-    pub fn shipped() -> Result<Cell, CellError> {
-        Cell::parse(SHIPPED, "assets/cells/mz04.toml")
+    /// The cell that is taken when none is named, by the key of its robot.
+    ///
+    /// # Errors
+    /// There is none for that robot.
+    pub fn shipped(robot: &str) -> Result<Cell, CellError> {
+        let Some((key, text)) = SHIPPED.iter().find(|(key, _)| *key == robot) else {
+            return Err(CellError::NoneFor { robot: robot.into() });
+        };
+        Cell::parse(text, &format!("assets/cells/{key}.toml"))
     }
 
     /// Reads a cell file.
@@ -178,23 +215,11 @@ impl Cell {
             ("air.clearance_mm", air.clearance_mm, 1.0, 1000.0),
             ("air.turn_deg_s", air.turn_deg_s, 1.0, 1000.0),
             ("air.home_percent", air.home_percent, 0.1, 100.0),
-            ("nachi.number", f64::from(nachi.number), 0.0, 9999.0),
-            ("nachi.accuracy", f64::from(nachi.accuracy), 1.0, 8.0),
-            ("nachi.tool", f64::from(nachi.tool), 0.0, 32.0),
         ];
         if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
-        let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        if nachi.unit.is_empty() || !nachi.unit.chars().all(plain) {
-            return Err(format!(
-                "nachi.unit = {:?}: give letters, digits, - and _; it becomes a file name",
-                nachi.unit
-            ));
-        }
-        if !nachi.comment.contains("{text}") {
-            return Err("nachi.comment has no {text}".into());
-        }
+        nachi.check()?;
         Ok(())
     }
 
@@ -246,7 +271,7 @@ mod tests {
     /// P2 Eqs 4–6: with G = 1, `P = L − D − V'`, `V' = [n o a]ᵀ·v`.
     #[test]
     fn the_flange_stands_where_p2_says() {
-        let mut cell = Cell::shipped().expect("the shipped cell is valid");
+        let mut cell = Cell::shipped("mz04").expect("the shipped cell is valid");
         cell.flange_from_part.position_mm = [0.0; 3];
         let a = Vector3::new(0.6, 0.0, 0.8);
         let o = Vector3::new(0.0, 1.0, 0.0);
@@ -261,7 +286,7 @@ mod tests {
 
     #[test]
     fn bad_figures_are_named() {
-        let bad = SHIPPED.replace("clearance_mm = 20.0", "clearance_mm = -3.0");
+        let bad = SHIPPED[0].1.replace("clearance_mm = 20.0", "clearance_mm = -3.0");
         let said = Cell::parse(&bad, "cell.toml").expect_err("refused").to_string();
         assert!(said.contains("cell.toml") && said.contains("air.clearance_mm"), "{said}");
         assert!(Cell::parse("name = 3", "cell.toml").is_err());

@@ -32,13 +32,13 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     }
     let part = files::load_part(&job, job_file).map_err(anyhow::Error::from)?;
     job.part.sha256.clone_from(&part.sha256);
-    let cell = files::load_cell(&job, job_file).map_err(anyhow::Error::from)?;
+    let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
     for s in part.findings.sentences(&part.mesh, &part.orientation) {
         eprintln!("{}: {s}", a.input.display());
     }
     let surfaces = segmented(&part, &job);
     let plan =
-        job::plan(&part, &surfaces, &job, &cell, &Cache::default(), &Progress::default()).map_err(|e| match e {
+        job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).map_err(|e| match e {
             PlanError::Parameter(_)
             | PlanError::NoSurface { .. }
             | PlanError::Twice(_)
@@ -46,7 +46,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
             other => Failure::Failed(other.into()),
         })?;
-    let written = output::write(&a.out, &job, job_file, &cell, &plan, &surfaces).map_err(anyhow::Error::from)?;
+    let written = output::write(&a.out, &job, job_file, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
     let report = Report::new(&plan, &surfaces);
     if a.json {
         let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;

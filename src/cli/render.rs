@@ -67,8 +67,8 @@ fn scene(part: &Part, job: &Job, job_file: Option<&std::path::Path>, planned: bo
     let mut look = PartLook::default();
     let mut scene = Scene::default();
     if planned && job.clean.surfaces != Chosen::These(Vec::new()) {
-        let cell = files::load_cell(job, job_file).map_err(anyhow::Error::from)?;
-        let plan = job::plan(part, &surfaces, job, &cell, &Cache::default(), &Progress::default())
+        let setup = files::load_setup(job, job_file).map_err(anyhow::Error::from)?;
+        let plan = job::plan(part, &surfaces, job, &setup, &Cache::default(), &Progress::default())
             .map_err(anyhow::Error::from)?;
         look.chosen = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
         let path_look = PathLook {

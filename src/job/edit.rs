@@ -2,6 +2,7 @@
 
 use super::model::{Chosen, Job, Offset};
 use super::parameter::Parameter;
+use crate::cell::{Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, Units};
 use crate::path::{Direction, Order};
 use crate::pose::Correction;
@@ -53,6 +54,14 @@ pub enum Edit {
     Units(Units),
     /// A cell file, as written in the job.
     Cell(String),
+    /// Key or file of the robot, and the dialect that goes with it.
+    Robot(String, String),
+    /// What the robot carries.
+    Mount(Mount),
+    /// Dialect of the program.
+    Dialect(String),
+    /// Rotation about the beam axis.
+    Spin(Spin),
 }
 
 impl Edit {
@@ -83,6 +92,10 @@ impl Edit {
             Edit::Place(_) => "place part".into(),
             Edit::Units(_) => "change unit".into(),
             Edit::Cell(_) => "change cell".into(),
+            Edit::Robot(..) => "change robot".into(),
+            Edit::Mount(_) => "change mounting".into(),
+            Edit::Dialect(_) => "change dialect".into(),
+            Edit::Spin(_) => "change spin".into(),
         }
     }
 
@@ -132,6 +145,13 @@ impl Edit {
             Edit::Place(p) => job.part.placement = *p,
             Edit::Units(u) => job.part.units = *u,
             Edit::Cell(file) => job.cell.file = file.clone(),
+            Edit::Robot(robot, dialect) => {
+                job.cell.robot = robot.clone();
+                job.cell.dialect = dialect.clone();
+            }
+            Edit::Mount(mount) => job.cell.mount = Some(*mount),
+            Edit::Dialect(dialect) => job.cell.dialect = dialect.clone(),
+            Edit::Spin(spin) => job.cell.spin = *spin,
         }
     }
 }

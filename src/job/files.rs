@@ -1,7 +1,7 @@
 //! Job files: reading, atomic writing, and paths relative to where the job stands.
 
 use super::model::Job;
-use crate::cell::{Cell, CellError};
+use crate::cell::{Cell, CellError, Robot, RobotError, Setup};
 use crate::part::{LoadError, Part, load};
 use std::io::Write as _;
 use std::path::{Component, Path, PathBuf};
@@ -47,6 +47,9 @@ pub enum JobError {
     /// The cell cannot be used.
     #[error(transparent)]
     Cell(#[from] CellError),
+    /// The robot cannot be used.
+    #[error(transparent)]
+    Robot(#[from] RobotError),
     /// Something cannot be written.
     #[error("{what}")]
     Write {
@@ -117,15 +120,23 @@ pub fn relative_to(path: &Path, job_file: Option<&Path>) -> String {
     job_file.and_then(|f| relative(path, f).ok()).unwrap_or_else(|| path.display().to_string())
 }
 
-/// The cell of a job.
+/// Cell, robot and mount of a job.
 ///
 /// # Errors
-/// The file cannot be read or has absurd figures.
-pub fn load_cell(job: &Job, job_file: Option<&Path>) -> Result<Cell, JobError> {
-    if job.cell.file.is_empty() {
-        return Ok(Cell::shipped()?);
-    }
-    Ok(Cell::load(&beside(job_file, &job.cell.file))?)
+/// A file cannot be read or has absurd figures.
+pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError> {
+    let c = &job.cell;
+    let robot = match c.robot.as_str() {
+        "" => None,
+        name => Some(Robot::load(name, job_file.and_then(Path::parent))?),
+    };
+    let cell = match (c.file.as_str(), c.robot.as_str()) {
+        ("", "") => Cell::shipped("mz04")?,
+        ("", robot) => Cell::shipped(robot)?,
+        (file, _) => Cell::load(&beside(job_file, file))?,
+    };
+    let mount = c.mount.unwrap_or(cell.mount);
+    Ok(Setup { cell, robot, mount })
 }
 
 /// A path of a job, seen from the current folder.
@@ -142,7 +153,9 @@ pub fn beside(job_file: Option<&Path>, path: &str) -> PathBuf {
 /// The folder cannot be found.
 pub fn rebased(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobError> {
     let mut job = job.clone();
-    for path in [&mut job.part.file, &mut job.cell.file] {
+    let own_robot = !job.cell.robot.is_empty() && Robot::shipped().all(|key| key != job.cell.robot);
+    let robot = own_robot.then_some(&mut job.cell.robot);
+    for path in [&mut job.part.file, &mut job.cell.file].into_iter().chain(robot) {
         if !path.is_empty() {
             *path = relative(&beside(from, path), to)?;
         }

@@ -1,5 +1,6 @@
 //! The job: everything an operator decides, as TOML. What can be computed is not in it.
 
+use crate::cell::{Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
 use crate::path::{Direction, Order};
 use crate::pose::Correction;
@@ -270,11 +271,35 @@ impl Default for PathParameters {
 }
 
 /// The robot cell.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct CellFile {
-    /// Cell file, relative to the job file; empty: the shipped cell.
+    /// Cell file, relative to the job file; empty: the shipped cell of the robot.
     pub file: String,
+    /// Key of a shipped robot, or a robot file relative to the job file; empty: poses only.
+    pub robot: String,
+    /// What the robot carries; as the cell file says where it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mount: Option<Mount>,
+    /// Dialect of the program.
+    pub dialect: String,
+    /// Rotation about the beam axis.
+    pub spin: Spin,
+    /// How far the spot may leave the planned line between two targets.
+    pub deviation_mm: f64,
+}
+
+impl Default for CellFile {
+    fn default() -> Self {
+        CellFile {
+            file: String::new(),
+            robot: String::new(),
+            mount: None,
+            dialect: "nachi".into(),
+            spin: Spin::Free,
+            deviation_mm: 0.1,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::files::{self, JobError};
 use super::model::Job;
 use super::plan::Plan;
 use super::report::Report;
-use crate::cell::{Cell, Mount};
+use crate::cell::Setup;
 use crate::part::Surfaces;
 use crate::program::{Program, lines, nachi};
 use std::fmt::Write as _;
@@ -23,24 +23,18 @@ pub struct OutputFile {
 pub fn files(
     job: &Job,
     part_name: &str,
-    cell: &Cell,
+    setup: &Setup,
     plan: &Plan,
     surfaces: &Surfaces,
 ) -> Result<Vec<OutputFile>, JobError> {
     let report = Report::new(plan, surfaces);
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
-    let program = Program {
-        head: head(job, part_name, &report),
-        lines: lines(&plan.steps, cell, Mount::PartInHand, None),
-        cell,
-        robot: None,
-        mount: Mount::PartInHand,
-    };
+    let program = Program { head: head(job, part_name, &report), lines: lines(&plan.steps, setup), setup };
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
     Ok(vec![
         file("job.toml".into(), files::to_toml(job)?.into_bytes()),
-        file(nachi::file_name(cell), nachi::program(&program).into_bytes()),
+        file(nachi::file_name(&setup.cell), nachi::program(&program).into_bytes()),
         file("report.json".into(), json.into_bytes()),
         file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()),
     ])
@@ -54,7 +48,7 @@ pub fn write(
     dir: &Path,
     job: &Job,
     job_file: Option<&Path>,
-    cell: &Cell,
+    setup: &Setup,
     plan: &Plan,
     surfaces: &Surfaces,
 ) -> Result<Vec<PathBuf>, JobError> {
@@ -63,7 +57,7 @@ pub fn write(
         files::beside(job_file, &job.part.file).file_name().map_or(String::new(), |n| n.to_string_lossy().into());
     let moved = files::rebased(job, job_file, &dir.join("job.toml"))?;
     let mut written = Vec::new();
-    for f in files(&moved, &part_name, cell, plan, surfaces)? {
+    for f in files(&moved, &part_name, setup, plan, surfaces)? {
         let path = dir.join(&f.name);
         files::write_atomic(&path, &f.bytes)?;
         written.push(path);

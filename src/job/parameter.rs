@@ -48,7 +48,7 @@ macro_rules! parameter {
 }
 
 /// The table, in the order of the panel. `a .. b`: from a to b; `a < b`: above a, to b.
-pub const PARAMETERS: [Parameter; 13] = [
+pub const PARAMETERS: [Parameter; 14] = [
     parameter!(
         Some("angle"),
         "surfaces.angle_deg",
@@ -168,6 +168,16 @@ pub const PARAMETERS: [Parameter; 13] = [
         "",
         "Diameter of the spot on the part",
         beam.spot_mm
+    ),
+    parameter!(
+        None,
+        "cell.deviation_mm",
+        "Deviation of the spot",
+        "mm",
+        0.0 < 10.0,
+        "",
+        "How far the spot may leave its line where the flange moves straight; targets are put in between",
+        cell.deviation_mm
     ),
     parameter!(
         None,

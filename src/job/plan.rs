@@ -4,7 +4,7 @@
 use super::model::Job;
 use super::parameter;
 use super::progress::{Cancelled, Progress};
-use crate::cell::Cell;
+use crate::cell::Setup;
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
 use crate::path::coverage::{Coverage, coverage};
@@ -145,7 +145,7 @@ pub fn plan(
     part: &Part,
     surfaces: &Surfaces,
     job: &Job,
-    cell: &Cell,
+    setup: &Setup,
     cache: &Cache,
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
@@ -183,7 +183,7 @@ pub fn plan(
     progress.begin("connecting moves", 1);
     let speeds =
         Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm };
-    let steps = steps(part, cell, &passes, &speeds);
+    let steps = steps(part, &setup.cell, &passes, &speeds);
     progress.step()?;
     Ok(Plan { surfaces: surface_plans, passes, steps, speeds: Some(speeds) })
 }

@@ -4,7 +4,7 @@
 
 use super::lines::Line;
 use super::steps::{Pace, Way};
-use crate::cell::{Cell, Mount, Robot};
+use crate::cell::Setup;
 use nalgebra::Isometry3;
 use thiserror::Error;
 
@@ -15,12 +15,8 @@ pub struct Program<'a> {
     pub head: Vec<String>,
     /// What it does, in order; home moves included.
     pub lines: Vec<Line>,
-    /// Frames, outputs, templates.
-    pub cell: &'a Cell,
-    /// The robot; `None`: poses only.
-    pub robot: Option<&'a Robot>,
-    /// What the robot carries.
-    pub mount: Mount,
+    /// Frames, outputs, templates; the robot and what it carries.
+    pub setup: &'a Setup,
 }
 
 /// A file of a program.
@@ -134,12 +130,8 @@ pub struct ReadLine {
 
 /// What a reader needs beside the text.
 pub struct Reading<'a> {
-    /// Frames and templates.
-    pub cell: &'a Cell,
-    /// The robot, where there is one.
-    pub robot: Option<&'a Robot>,
-    /// What it carries.
-    pub mount: Mount,
+    /// Frames and templates; the robot and what it carries.
+    pub setup: &'a Setup,
     /// The text of another file in the same folder.
     pub open: &'a dyn Fn(&str) -> Option<String>,
 }

@@ -2,7 +2,7 @@
 //! dialect only has to find the words.
 
 use super::steps::{Pace, Step, Steps, Way};
-use crate::cell::{Cell, Mount, Robot};
+use crate::cell::Setup;
 use nalgebra::Isometry3;
 
 /// A move.
@@ -43,7 +43,8 @@ pub enum Line {
 }
 
 /// The lines of a program's steps.
-pub fn lines(steps: &Steps, cell: &Cell, mount: Mount, robot: Option<&Robot>) -> Vec<Line> {
+pub fn lines(steps: &Steps, setup: &Setup) -> Vec<Line> {
+    let cell = &setup.cell;
     let laser = |on| Line::Output { number: cell.laser_output, on };
     let mut lit = false;
     let mut out = vec![laser(false)];
@@ -61,7 +62,7 @@ pub fn lines(steps: &Steps, cell: &Cell, mount: Mount, robot: Option<&Robot>) ->
                 let joints_deg = cell.air.home_joints_deg;
                 out.push(Line::Move(Box::new(Move {
                     way: Way::Joint,
-                    base_from_flange: robot.map(|r| r.forward(&joints_deg)),
+                    base_from_flange: setup.robot.as_ref().map(|r| r.forward(&joints_deg)),
                     joints_deg: Some(joints_deg),
                     part_from_focus: None,
                     pace: Pace::Percent(cell.air.home_percent),
@@ -73,7 +74,7 @@ pub fn lines(steps: &Steps, cell: &Cell, mount: Mount, robot: Option<&Robot>) ->
                 let part_from_focus = go.to.frame();
                 out.push(Line::Move(Box::new(Move {
                     way: go.way,
-                    base_from_flange: Some(cell.flange_for(mount, &part_from_focus)),
+                    base_from_flange: Some(setup.flange_for(&part_from_focus)),
                     joints_deg: go.joints_deg,
                     part_from_focus: Some(part_from_focus),
                     pace: go.pace,

@@ -1,11 +1,18 @@
 //! Controller programs. The way of the focus over the part, laser off between the lit pieces, and
 //! the text that one controller reads.
 
+pub mod abb;
 pub mod air;
+pub mod csv;
 pub mod dialect;
+pub mod estun;
+pub mod fanuc;
+pub mod kuka;
 pub mod lines;
 pub mod nachi;
 pub mod steps;
+pub mod ur;
+pub mod yaskawa;
 
 pub use dialect::{Dialect, Program, ProgramFile};
 pub use lines::{Line, Move, lines};

@@ -18,7 +18,7 @@ pub fn file_name(cell: &Cell) -> String {
 
 /// The program's text, ASCII.
 pub fn program(program: &Program<'_>) -> String {
-    let mut out = Text { cell: program.cell, text: String::new() };
+    let mut out = Text { cell: &program.setup.cell, text: String::new() };
     for line in &program.head {
         out.say(line);
     }
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn the_file_name_follows_nachis_rule() {
-        let cell = Cell::shipped().expect("valid");
+        let cell = Cell::shipped("mz04").expect("valid");
         assert_eq!(file_name(&cell), "MZ04-01-A.001");
     }
 }

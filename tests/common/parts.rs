@@ -1,7 +1,7 @@
 //! Parts and plans for the tests that need no window. Nothing here touches OpenGL.
 #![allow(dead_code, reason = "each test file uses its own share")]
 
-use clearbeam::cell::Cell;
+use clearbeam::cell::{Cell, Setup};
 use clearbeam::job::output::{self, OutputFile};
 use clearbeam::job::plan::segmented;
 use clearbeam::job::report::Report;
@@ -57,7 +57,7 @@ pub fn on(mut job: Job, surfaces: &[u32]) -> Job {
 /// Plans a job.
 pub fn planned(part: Part, job: Job) -> Planned {
     let surfaces = segmented(&part, &job);
-    let plan = job::plan(&part, &surfaces, &job, &cell(), &Cache::default(), &Progress::default()).expect("a plan");
+    let plan = job::plan(&part, &surfaces, &job, &setup(), &Cache::default(), &Progress::default()).expect("a plan");
     Planned { part, surfaces, job, plan }
 }
 
@@ -105,7 +105,12 @@ pub fn length(line: &TransversalLine) -> f64 {
 
 /// The cell that is taken without `--cell`.
 pub fn cell() -> Cell {
-    Cell::shipped().expect("the shipped cell")
+    Cell::shipped("mz04").expect("the shipped cell")
+}
+
+/// The shipped cell without a robot.
+pub fn setup() -> Setup {
+    Setup::shipped().expect("the shipped cell")
 }
 
 impl Planned {
@@ -131,7 +136,7 @@ impl Planned {
 
     /// The files that `plan` would write.
     pub fn files(&self) -> Vec<OutputFile> {
-        output::files(&self.job, "part.stl", &cell(), &self.plan, &self.surfaces).expect("files")
+        output::files(&self.job, "part.stl", &setup(), &self.plan, &self.surfaces).expect("files")
     }
 
     /// The second opinion on this part.

@@ -240,7 +240,8 @@ impl App {
     }
 
     fn program(&mut self, ui: &mut egui::Ui) {
-        let cell = self.derived.cell.as_ref().map(|(_, c)| c.as_ref().map(|c| c.name.clone()).map_err(String::clone));
+        let cell =
+            self.derived.setup.as_ref().map(|(_, c)| c.as_ref().map(|s| s.cell.name.clone()).map_err(String::clone));
         match cell {
             Some(Ok(name)) => ui.label(name),
             Some(Err(why)) => ui.label(RichText::new(why).color(theme::WRONG)),

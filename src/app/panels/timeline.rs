@@ -65,9 +65,8 @@ impl App {
             ui.label(format!("laser {}", if t.laser { "on" } else { "off" }));
             ui.label(format!("tilt {:.2}°", t.tilt_deg()));
             ui.monospace(format!("x {:.3}  y {:.3}  z {:.3}", t.p.x, t.p.y, t.p.z));
-            if let Some((_, Ok(cell))) = &self.derived.cell {
-                let flange =
-                    cell.flange_for(crate::cell::Mount::PartInHand, &t.frame(self.document.job().beam.defocus_mm));
+            if let Some((_, Ok(setup))) = &self.derived.setup {
+                let flange = setup.flange_for(&t.frame(self.document.job().beam.defocus_mm));
                 // Rounded, and + 0 so that no −0.00 is shown.
                 let [rz, ry, rx] = rpy::from_rotation(&flange.rotation.to_rotation_matrix())
                     .map(|a| (a * 100.0).round() / 100.0 + 0.0);

@@ -1,0 +1,17 @@
+//! What each controller's program needs beside the moves: names, numbers, templates.
+
+mod abb;
+mod estun;
+mod fanuc;
+mod kuka;
+mod nachi;
+mod ur;
+mod yaskawa;
+
+pub use abb::Abb;
+pub use estun::Estun;
+pub use fanuc::Fanuc;
+pub use kuka::Kuka;
+pub use nachi::Nachi;
+pub use ur::Ur;
+pub use yaskawa::Yaskawa;

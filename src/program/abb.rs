@@ -1,0 +1,1 @@
+//! Abb: to be written.

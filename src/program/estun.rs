@@ -1,0 +1,1 @@
+//! Estun: to be written.

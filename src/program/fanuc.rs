@@ -1,0 +1,1 @@
+//! Fanuc: to be written.

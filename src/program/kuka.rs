@@ -1,0 +1,1 @@
+//! Kuka: to be written.

@@ -1,0 +1,1 @@
+//! Ur: to be written.

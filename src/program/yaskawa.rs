@@ -1,0 +1,1 @@
+//! Yaskawa: to be written.
