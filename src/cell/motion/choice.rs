@@ -16,21 +16,21 @@ use rayon::prelude::*;
 /// A joint moves no further between two targets of a pass.
 pub const MOST_STEP_DEG: f64 = 30.0;
 /// The spin turns no further between two targets of a pass.
-const MOST_SPIN_STEP_DEG: f64 = 30.0;
+pub const MOST_SPIN_STEP_DEG: f64 = 30.0;
 /// Leaving a target out costs more than any motion.
-const LEFT_OUT: f64 = 1e9;
+pub const LEFT_OUT: f64 = 1e9;
 /// A change of branch between pieces: the arm has to go round, worth a long way by joints.
-const CHANGED_BRANCH: f64 = 200.0;
+pub const CHANGED_BRANCH: f64 = 200.0;
 /// Starting a piece anew inside a pass: out, round and in again.
-const STARTED_ANEW: f64 = 100.0;
+pub const STARTED_ANEW: f64 = 100.0;
 /// From here on nearness to a limit costs, degrees.
-const NEAR_LIMIT_DEG: f64 = 20.0;
+pub const NEAR_LIMIT_DEG: f64 = 20.0;
 /// From here on nearness to a singularity costs.
-const NEAR_SINGULAR: f64 = 0.25;
+pub const NEAR_SINGULAR: f64 = 0.25;
 /// What a target at the very limit costs: as much as 6 degrees of travel.
-const AT_LIMIT: f64 = 6.0;
+pub const AT_LIMIT: f64 = 6.0;
 /// What a target at a singularity costs.
-const AT_SINGULARITY: f64 = 12.0;
+pub const AT_SINGULARITY: f64 = 12.0;
 /// Targets whose states are made at once.
 const CHUNK: usize = 256;
 
