@@ -1,5 +1,7 @@
 //! The robot cell: where laser, part and flange stand, and the robot that moves one of them.
 
+pub mod bodies;
+pub mod collision;
 pub mod controllers;
 pub mod mounting;
 pub mod opw;
@@ -8,6 +10,7 @@ pub mod rpy;
 pub mod setup;
 pub mod ur;
 
+pub use collision::{Collision, Contact};
 pub use mounting::{Cell, CellError, Mount, Spin};
 pub use robot::{Joints, Robot, RobotError};
 pub use setup::Setup;

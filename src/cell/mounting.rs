@@ -2,8 +2,10 @@
 //!
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
+use super::bodies::Bodies;
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
 use super::rpy;
+use crate::part::LoadError;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -115,6 +117,9 @@ pub struct Cell {
     pub air: Air,
     /// Output that switches the laser.
     pub laser_output: u32,
+    /// What stands in the cell.
+    #[serde(default)]
+    pub bodies: Bodies,
     /// The NACHI program.
     #[serde(default)]
     pub nachi: Nachi,
@@ -163,6 +168,9 @@ pub enum CellError {
         /// Where and what.
         message: String,
     },
+    /// A body of the cell cannot be read.
+    #[error("an obstacle of the cell: {0}")]
+    Obstacle(LoadError),
     /// A figure makes no sense.
     #[error("{file}: {what}")]
     Figure {
@@ -192,7 +200,9 @@ impl Cell {
     pub fn load(file: &Path) -> Result<Cell, CellError> {
         let name = file.display().to_string();
         let text = std::fs::read_to_string(file).map_err(|source| CellError::Io { file: name.clone(), source })?;
-        Cell::parse(&text, &name)
+        let mut cell = Cell::parse(&text, &name)?;
+        cell.bodies.load(file.parent())?;
+        Ok(cell)
     }
 
     fn parse(text: &str, file: &str) -> Result<Cell, CellError> {
@@ -220,7 +230,7 @@ impl Cell {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
         nachi.check()?;
-        Ok(())
+        self.bodies.check()
     }
 
     /// Pose of the flange in the base that brings focus and beam to a path frame of the part.
@@ -238,6 +248,11 @@ impl Cell {
                     * self.flange_from_tool.isometry().inverse()
             }
         }
+    }
+
+    /// Tool in hand: the laser frame on the flange, its origin in the focus, z against the light.
+    pub fn flange_from_focus(&self) -> Isometry3<f64> {
+        self.flange_from_tool.isometry() * half_turn()
     }
 
     /// The path frame at a pose of the flange: the inverse of [`Cell::flange_for`].
