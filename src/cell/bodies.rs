@@ -2,7 +2,8 @@
 //!
 //! Read from the cell file; what may touch what is told in `collision`.
 
-use super::mounting::{CellError, Frame};
+use super::frame::Frame;
+use super::mounting::CellError;
 use crate::part::{self, Part, Placement, Units};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -76,7 +77,7 @@ impl Obstacle {
 
     /// Where it stands in the robot's base.
     pub fn frame(&self) -> Frame {
-        Frame { position_mm: self.position_mm, rz_ry_rx_deg: self.rz_ry_rx_deg }
+        Frame::new(self.position_mm, self.rz_ry_rx_deg)
     }
 }
 
@@ -109,7 +110,7 @@ impl Bodies {
                 return Err(format!("bodies.head radius_mm = {radius_mm}: give more than 0, up to 2000"));
             }
         }
-        if let Some(z) = self.table_z_mm.filter(|z| !(z.abs() <= 10_000.0)) {
+        if let Some(z) = self.table_z_mm.filter(|z| !(-10_000.0..=10_000.0).contains(z)) {
             return Err(format!("bodies.table_z_mm = {z}: give mm in the robot's base, within ±10000"));
         }
         if let Some(o) =

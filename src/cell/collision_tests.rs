@@ -1,7 +1,7 @@
 //! Closed forms, what is exempt, and brute force over sampled points.
 
 use super::*;
-use crate::cell::mounting::{Cell, Frame};
+use crate::cell::{Cell, Frame};
 use crate::part::distance::point_triangle;
 use crate::part::{Placement, Units};
 use crate::sample::{Triangles, solids, stl_bytes};
@@ -21,7 +21,7 @@ fn setup(robot: &str, mount: Mount) -> Setup {
 }
 
 fn at(position_mm: [f64; 3]) -> Frame {
-    Frame { position_mm, rz_ry_rx_deg: [0.0; 3] }
+    Frame::new(position_mm, [0.0; 3])
 }
 
 fn first(setup: &Setup, part: &Part) -> Option<String> {
@@ -109,7 +109,7 @@ fn fixtures_are_read_beside_the_cell_file_and_are_solid() {
     let flange_from_part = at([-10.0, -10.0, 60.0]);
     let mut with = |edge: f64, table: &str| {
         hand.cell = cell_with_cube(edge, table).expect("a cell");
-        hand.cell.flange_from_part = flange_from_part;
+        hand.cell.flange_from_part = flange_from_part.clone();
         first(&hand, &cube)
     };
     let near = |x: f64| format!("obstacles = [{{ file = \"fixture.stl\", position_mm = [{x}, -20.0, 600.0] }}]");
