@@ -12,6 +12,7 @@ use super::{Joints, Mount, Robot, Setup};
 use crate::part::distance::{point_segment, segments};
 use crate::part::{Bvh, Part};
 use nalgebra::{Isometry3, Point3, Vector3};
+use std::borrow::Cow;
 use std::fmt;
 
 /// Two bodies that touch, or come nearer than the margin.
@@ -19,7 +20,7 @@ use std::fmt;
 pub struct Contact {
     /// A link, `part` or `head`.
     pub a: &'static str,
-    /// `part`, `head`, `table`, a link, or an obstacle's file.
+    /// `part`, `head`, `table`, a link, or `obstacle` and its file.
     pub b: String,
 }
 
@@ -61,7 +62,7 @@ struct Capsule {
 /// Facets with a place, and a sphere around them.
 #[derive(Clone, Debug)]
 struct Solid<'a> {
-    name: &'a str,
+    name: Cow<'a, str>,
     bvh: &'a Bvh,
     /// Whether it has an inside.
     closed: bool,
@@ -79,7 +80,9 @@ impl<'a> Collision<'a> {
     pub fn new(setup: &'a Setup, part: &'a Part) -> Option<Collision<'a>> {
         let robot = setup.robot.as_ref()?;
         let (cell, bodies) = (&setup.cell, &setup.cell.bodies);
-        let obstacle = |o: &'a super::bodies::Obstacle| Solid::new(&o.file, o.solid(), o.frame().isometry());
+        let obstacle = |o: &'a super::bodies::Obstacle| {
+            Solid::new(format!("obstacle {}", o.file), o.solid(), o.frame().isometry())
+        };
         let mut standing: Vec<Solid<'a>> = bodies.obstacles.iter().filter_map(obstacle).collect();
         let head = |focus: Isometry3<f64>| bodies.head.iter().map(|h| Capsule::of(h, &focus)).collect::<Vec<_>>();
         let (standing_head, carried) = match setup.mount {
@@ -126,7 +129,7 @@ impl<'a> Collision<'a> {
     fn met_by(&self, c: &Capsule) -> Option<&str> {
         let head = || self.standing_head.iter().any(|h| h.near(c, self.margin_mm)).then_some(HEAD);
         let table = || self.table_z_mm.filter(|z| c.lowest_mm() < z + self.margin_mm).map(|_| TABLE);
-        let solid = || self.standing.iter().find(|s| s.near(c, self.margin_mm)).map(|s| s.name);
+        let solid = || self.standing.iter().find(|s| s.near(c, self.margin_mm)).map(|s| &*s.name);
         table().or_else(head).or_else(solid)
     }
 
@@ -135,7 +138,7 @@ impl<'a> Collision<'a> {
         let table = || self.table_z_mm.filter(|z| part.reaches_below(z + margin)).map(|_| TABLE);
         let head = || self.standing_head.iter().any(|h| part.near(h, margin)).then_some(HEAD);
         let link = || links.iter().find(|l| part.near(&Capsule::of_link(l), margin)).map(|l| l.name);
-        let solid = || self.standing.iter().find(|s| s.near_solid(part, margin)).map(|s| s.name);
+        let solid = || self.standing.iter().find(|s| s.near_solid(part, margin)).map(|s| &*s.name);
         table().or_else(head).or_else(link).or_else(solid)
     }
 
@@ -144,7 +147,7 @@ impl<'a> Collision<'a> {
         let table = || self.table_z_mm.filter(|z| c.lowest_mm() < z + margin).map(|_| TABLE);
         let link = || links.iter().find(|l| c.near(&Capsule::of_link(l), margin)).map(|l| l.name);
         let mut fixtures = self.standing.iter().filter(|s| s.name != PART);
-        table().or_else(link).or_else(|| fixtures.find(|s| s.near(c, margin)).map(|s| s.name))
+        table().or_else(link).or_else(|| fixtures.find(|s| s.near(c, margin)).map(|s| &*s.name))
     }
 
     /// The first contact on a joint move, and where it is: 0 at `from`, 1 at `to`.
@@ -239,13 +242,20 @@ impl Capsule {
 }
 
 impl<'a> Solid<'a> {
-    fn new(name: &'a str, part: &'a Part, at: Isometry3<f64>) -> Option<Solid<'a>> {
+    fn new(name: impl Into<Cow<'a, str>>, part: &'a Part, at: Isometry3<f64>) -> Option<Solid<'a>> {
         let (centre, radius_mm) = part.bvh.sphere()?;
-        Some(Solid { name, bvh: &part.bvh, closed: part.orientation.watertight, at, centre: at * centre, radius_mm })
+        Some(Solid {
+            name: name.into(),
+            bvh: &part.bvh,
+            closed: part.orientation.watertight,
+            at,
+            centre: at * centre,
+            radius_mm,
+        })
     }
 
     fn moved(&self, by: &Isometry3<f64>) -> Solid<'a> {
-        Solid { at: by * self.at, centre: by * self.centre, ..*self }
+        Solid { name: self.name.clone(), at: by * self.at, centre: by * self.centre, ..*self }
     }
 
     fn near(&self, c: &Capsule, margin_mm: f64) -> bool {

@@ -114,13 +114,13 @@ fn fixtures_are_read_beside_the_cell_file_and_are_solid() {
     };
     let near = |x: f64| format!("obstacles = [{{ file = \"fixture.stl\", position_mm = [{x}, -20.0, 600.0] }}]");
     assert_eq!(with(40.0, &near(437.001)), None);
-    assert_eq!(with(40.0, &near(436.999)).as_deref(), Some("part against fixture.stl"));
+    assert_eq!(with(40.0, &near(436.999)).as_deref(), Some("part against obstacle fixture.stl"));
     let turned = "obstacles = [{ file = \"fixture.stl\", position_mm = [477.001, -20.0, 600.0], \
                   rz_ry_rx_deg = [90.0, 0.0, 0.0] }]\nmargin_mm = 4.99";
     assert_eq!(with(40.0, turned), None);
     // No facet is near, but all of it is inside.
     let around = "obstacles = [{ file = \"fixture.stl\", position_mm = [-1.0, -1.0, -1.0], units = \"m\" }]";
-    assert_eq!(with(2.0, around).as_deref(), Some("shoulder against fixture.stl"));
+    assert_eq!(with(2.0, around).as_deref(), Some("shoulder against obstacle fixture.stl"));
     let said = cell_with_cube(40.0, "obstacles = [{ file = \"fence.stl\" }]").expect_err("is not there");
     assert!(said.contains("fence.stl") && said.contains("obstacle"), "{said}");
     let said = cell_with_cube(40.0, "margin_mm = 0.0").expect_err("refused");

@@ -5,6 +5,7 @@ pub mod calibration;
 pub mod collision;
 pub mod controllers;
 pub mod frame;
+pub mod motion;
 pub mod mounting;
 pub mod opw;
 pub mod robot;
