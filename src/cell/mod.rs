@@ -1,6 +1,10 @@
 //! The robot cell: where laser, part and flange stand, and the robot that moves one of them.
 
+pub mod bodies;
+pub mod calibration;
+pub mod collision;
 pub mod controllers;
+pub mod frame;
 pub mod motion;
 pub mod mounting;
 pub mod opw;
@@ -9,6 +13,8 @@ pub mod rpy;
 pub mod setup;
 pub mod ur;
 
+pub use collision::{Collision, Contact};
+pub use frame::Frame;
 pub use mounting::{Cell, CellError, Mount, Spin};
 pub use robot::{Joints, Robot, RobotError};
 pub use setup::Setup;
