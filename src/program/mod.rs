@@ -10,6 +10,7 @@ pub mod estun;
 pub mod fanuc;
 pub mod kuka;
 pub mod lines;
+pub mod lit;
 pub mod nachi;
 mod round;
 pub mod steps;
