@@ -12,6 +12,7 @@ pub mod lines;
 pub mod nachi;
 pub mod steps;
 pub mod ur;
+pub mod words;
 pub mod yaskawa;
 
 pub use dialect::{Dialect, Program, ProgramFile};

@@ -7,6 +7,7 @@
 use super::dialect::Program;
 use super::lines::{Line, Move};
 use super::steps::{Pace, Way};
+use super::words::fixed;
 use crate::cell::{Cell, rpy};
 use nalgebra::Isometry3;
 use std::fmt::Write as _;
@@ -101,25 +102,9 @@ fn numbers(base_from_flange: &Isometry3<f64>) -> Vec<String> {
     position.chain(angles.into_iter().map(|a| fixed(a, 4))).collect()
 }
 
-/// Fixed decimals, '.' always, never `-0.000`.
-fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.bytes().all(|b| matches!(b, b'0' | b'.')) => rest.into(),
-        _ => text,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn never_minus_zero() {
-        assert_eq!(fixed(-0.00004, 4), "0.0000");
-        assert_eq!(fixed(-0.00006, 4), "-0.0001");
-        assert_eq!(fixed(12.0, 3), "12.000");
-    }
 
     #[test]
     fn the_file_name_follows_nachis_rule() {
