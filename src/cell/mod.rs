@@ -3,11 +3,13 @@
 pub mod controllers;
 pub mod mounting;
 pub mod opw;
+pub mod outputs;
 pub mod robot;
 pub mod rpy;
 pub mod setup;
 pub mod ur;
 
 pub use mounting::{Cell, CellError, Mount, Spin};
+pub use outputs::Outputs;
 pub use robot::{Joints, Robot, RobotError};
 pub use setup::Setup;

@@ -3,6 +3,7 @@
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
+use super::outputs::Outputs;
 use super::rpy;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
@@ -113,8 +114,8 @@ pub struct Cell {
     pub flange_from_tool: Frame,
     /// Moves with the laser off.
     pub air: Air,
-    /// Output that switches the laser.
-    pub laser_output: u32,
+    /// What is switched and set beside the moves.
+    pub outputs: Outputs,
     /// The NACHI program.
     #[serde(default)]
     pub nachi: Nachi,
@@ -219,6 +220,7 @@ impl Cell {
         if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
+        self.outputs.check()?;
         nachi.check()?;
         Ok(())
     }

@@ -30,7 +30,8 @@ pub fn files(
     let report = Report::new(plan, surfaces);
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
-    let program = Program { head: head(job, part_name, &report), lines: lines(&plan.steps, setup), setup };
+    let program =
+        Program { head: head(job, part_name, &report), lines: lines(&plan.steps, setup, job.beam.power_w), setup };
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
     Ok(vec![
         file("job.toml".into(), files::to_toml(job)?.into_bytes()),

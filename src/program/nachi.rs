@@ -32,6 +32,7 @@ pub fn program(program: &Program<'_>) -> String {
                 let line = template.replace("{n}", &number.to_string());
                 out.line(&line);
             }
+            Line::Level { .. } => {}
             Line::Wait(seconds) => {
                 let line = out.cell.nachi.wait.replace("{s}", &fixed(*seconds, 2));
                 out.line(&line);
