@@ -222,6 +222,8 @@ impl Cell {
         }
         self.outputs.check()?;
         nachi.check()?;
+        self.fanuc.check()?;
+        self.ur.check()?;
         Ok(())
     }
 
