@@ -15,6 +15,8 @@ use std::collections::BTreeMap;
 struct Listing<'a> {
     /// `LINE_COUNT`.
     promised: Option<usize>,
+    /// `DEFAULT_GROUP`: which axes the program moves. Other attributes are the controller's to change.
+    group: Option<(usize, &'a str)>,
     /// Line of the file, and instruction.
     body: Vec<(usize, &'a str)>,
     /// By number: goal, and how it is said.
@@ -25,6 +27,7 @@ struct Listing<'a> {
 #[derive(Clone, Copy, PartialEq)]
 enum Section {
     Before,
+    Named,
     Attributes,
     Body,
     Positions,
@@ -46,6 +49,10 @@ fn one_file(file: &ProgramFile, reading: &Reading<'_>, found: &mut Found) -> Res
         let what = format!("LINE_COUNT promises {promised}, and {} lines are there", listing.body.len());
         return Err(wrong(&file.name, 1, what));
     }
+    let Some((line, group)) = listing.group else {
+        return Err(wrong(&file.name, 1, "no DEFAULT_GROUP says which axes the program moves"));
+    };
+    found.lines.push(ReadLine { file: file.name.clone(), line, what: Read::Other(group.into()) });
     let mut used = 0;
     for (line, text) in &listing.body {
         if let Some(name) = text.strip_prefix("CALL ") {
@@ -72,12 +79,12 @@ fn sections(file: &ProgramFile, coupled: bool) -> Result<Listing<'_>, ReadError>
     for (line, text) in said_lines(&file.text) {
         let fail = |what: String| Err(wrong(&file.name, line, what));
         section = match (section, text) {
-            (Section::Before, t) if t.starts_with("/PROG ") => Section::Before,
-            (Section::Before, "/ATTR") => Section::Attributes,
+            (Section::Before, t) if t.starts_with("/PROG ") => Section::Named,
+            (Section::Named, "/ATTR") => Section::Attributes,
             (Section::Attributes, "/MN") => Section::Body,
             (Section::Body, "/POS") => Section::Positions,
             (Section::Positions, "/END") if open.is_none() => Section::Ended,
-            (Section::Before, _) => return fail(format!("{text:?}: expected /PROG and /ATTR")),
+            (Section::Before | Section::Named, _) => return fail(format!("{text:?}: expected /PROG and /ATTR")),
             (Section::Attributes, t) => {
                 if !t.contains('=') || !t.ends_with([';', ',']) {
                     return fail(format!("{t:?} is no attribute"));
@@ -85,6 +92,9 @@ fn sections(file: &ProgramFile, coupled: bool) -> Result<Listing<'_>, ReadError>
                 if let Some(n) = t.strip_prefix("LINE_COUNT") {
                     let n = n.trim_start().trim_start_matches('=').trim_end_matches(';').trim();
                     listing.promised = n.parse().ok();
+                }
+                if t.starts_with("DEFAULT_GROUP") {
+                    listing.group = Some((line, t));
                 }
                 section
             }

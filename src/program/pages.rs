@@ -59,7 +59,7 @@ mod tests {
                 })
                 .collect();
             let pages = pages(&lines, 3, most, count);
-            prop_assert_eq!(pages.concat(), lines);
+            prop_assert_eq!(&pages.concat(), &lines);
             let mut lit = false;
             for page in &pages {
                 prop_assert!(!lit, "a page begins dark");
