@@ -2,31 +2,16 @@
 //!
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
+use super::bodies::Bodies;
+use super::calibration::CalibrationNote;
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
+use super::frame::Frame;
 use super::outputs::Outputs;
-use super::rpy;
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use crate::part::LoadError;
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use thiserror::Error;
-
-/// A frame as written in the cell file.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Frame {
-    /// Origin, mm.
-    pub position_mm: [f64; 3],
-    /// Rotation about Z, Y and X, degrees.
-    pub rz_ry_rx_deg: [f64; 3],
-}
-
-impl Frame {
-    /// As a transformation.
-    pub fn isometry(&self) -> Isometry3<f64> {
-        let rotation = UnitQuaternion::from_rotation_matrix(&rpy::to_rotation(self.rz_ry_rx_deg));
-        Isometry3::from_parts(Translation3::from(Vector3::from(self.position_mm)), rotation)
-    }
-}
 
 /// Moves with the laser off.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -116,6 +101,9 @@ pub struct Cell {
     pub air: Air,
     /// What is switched and set beside the moves.
     pub outputs: Outputs,
+    /// What stands in the cell.
+    #[serde(default)]
+    pub bodies: Bodies,
     /// The NACHI program.
     #[serde(default)]
     pub nachi: Nachi,
@@ -164,6 +152,9 @@ pub enum CellError {
         /// Where and what.
         message: String,
     },
+    /// A body of the cell cannot be read.
+    #[error("an obstacle of the cell: {0}")]
+    Obstacle(LoadError),
     /// A figure makes no sense.
     #[error("{file}: {what}")]
     Figure {
@@ -193,7 +184,9 @@ impl Cell {
     pub fn load(file: &Path) -> Result<Cell, CellError> {
         let name = file.display().to_string();
         let text = std::fs::read_to_string(file).map_err(|source| CellError::Io { file: name.clone(), source })?;
-        Cell::parse(&text, &name)
+        let mut cell = Cell::parse(&text, &name)?;
+        cell.bodies.load(file.parent())?;
+        Ok(cell)
     }
 
     fn parse(text: &str, file: &str) -> Result<Cell, CellError> {
@@ -205,9 +198,15 @@ impl Cell {
 
     fn check(&self) -> Result<(), String> {
         let (air, nachi) = (&self.air, &self.nachi);
-        let frames = [&self.base_from_laser, &self.flange_from_part, &self.base_from_part, &self.flange_from_tool];
-        let mut numbers =
-            frames.iter().flat_map(|f| f.position_mm.iter().chain(&f.rz_ry_rx_deg)).chain(&air.home_joints_deg);
+        let frames = self.frames();
+        if let Some((name, _)) = frames.iter().find(|(name, f)| f.is_of_a_tip() && *name != "flange_from_tool") {
+            return Err(format!("{name}: tip_poses tell where a tool's tip is; give three_points or points here"));
+        }
+        let mut numbers = frames
+            .iter()
+            .map(|(_, f)| f)
+            .flat_map(|f| f.position_mm.iter().chain(&f.rz_ry_rx_deg))
+            .chain(&air.home_joints_deg);
         if let Some(bad) = numbers.find(|x| !x.is_finite()) {
             return Err(format!("{bad} is not a number that a frame can have"));
         }
@@ -224,7 +223,22 @@ impl Cell {
         nachi.check()?;
         self.fanuc.check()?;
         self.ur.check()?;
-        Ok(())
+        self.bodies.check()
+    }
+
+    /// The frames by their keys.
+    pub fn frames(&self) -> [(&'static str, &Frame); 4] {
+        [
+            ("base_from_laser", &self.base_from_laser),
+            ("flange_from_part", &self.flange_from_part),
+            ("base_from_part", &self.base_from_part),
+            ("flange_from_tool", &self.flange_from_tool),
+        ]
+    }
+
+    /// How well each frame fits what was measured; those given by figures are left out.
+    pub fn calibrations(&self) -> Vec<CalibrationNote> {
+        self.frames().iter().filter_map(|(name, frame)| frame.calibration(name)).collect()
     }
 
     /// Pose of the flange in the base that brings focus and beam to a path frame of the part.
@@ -242,6 +256,11 @@ impl Cell {
                     * self.flange_from_tool.isometry().inverse()
             }
         }
+    }
+
+    /// Tool in hand: the laser frame on the flange, its origin in the focus, z against the light.
+    pub fn flange_from_focus(&self) -> Isometry3<f64> {
+        self.flange_from_tool.isometry() * half_turn()
     }
 
     /// The path frame at a pose of the flange: the inverse of [`Cell::flange_for`].
@@ -270,7 +289,7 @@ fn half_turn() -> Isometry3<f64> {
 mod tests {
     use super::*;
     use crate::pose::target::frame;
-    use nalgebra::Point3;
+    use nalgebra::{Point3, Vector3};
 
     /// P2 Eqs 4–6: with G = 1, `P = L − D − V'`, `V' = [n o a]ᵀ·v`.
     #[test]
