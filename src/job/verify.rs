@@ -10,7 +10,7 @@ use crate::part::{Part, angle};
 use crate::pose::Beam;
 use crate::pose::checker::Checker;
 use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
-use crate::program::{Move, Pace, Way};
+use crate::program::{Move, Pace, Way, lit};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -27,11 +27,6 @@ const OTHER_TURN_DEG: f64 = 1.0;
 const SPEED_SHARE: f64 = 0.02;
 /// Lines looked ahead to find where two programs meet again.
 const LOOK_AHEAD: usize = 40;
-/// Poses looked at between two targets.
-const LOOKS: usize = 4;
-/// The beam is looked at from here on, mm above the spot: nearer, the facets that the spot stands on
-/// answer at random where the spot is a rounding off.
-pub const FROM_MM: f64 = 0.1;
 /// Facets that the slow second opinion may look at.
 const CHECKER_BUDGET: usize = 400_000_000;
 
@@ -422,17 +417,16 @@ fn interference(
         .enumerate()
         .filter_map(|(n, d)| {
             let beam = Beam::on(part);
-            let hit = (1..=LOOKS).find_map(|k| {
-                let pose = d.from.lerp_slerp(&d.to, k as f64 / LOOKS as f64);
-                let focus = if d.by_focus { pose } else { poses.setup.focus_for(&pose) };
-                let a = focus.rotation * Vector3::z();
-                let spot = beam.spot(&poses.spot(&focus), &a, 1.0);
-                let second = || {
-                    let asked = k == LOOKS && n % every == 0;
-                    checker.as_ref().filter(|_| asked).and_then(|c| c.hit(&spot, &a, FROM_MM)).map(|f| f as u32)
-                };
-                beam.passes_through(&spot, &a, FROM_MM).or_else(second).map(|facet| (spot, facet))
-            });
+            let focus = |t: f64| {
+                let pose = d.from.lerp_slerp(&d.to, t);
+                if d.by_focus { pose } else { poses.setup.focus_for(&pose) }
+            };
+            let second = || {
+                let checker = checker.as_ref().filter(|_| n % every == 0)?;
+                let (spot, a) = lit::spot(&beam, &focus(1.0), poses.defocus_mm);
+                checker.hit(&spot, &a, lit::FROM_MM).map(|facet| (spot, facet as u32))
+            };
+            let hit = lit::hit(&beam, poses.defocus_mm, focus).or_else(second);
             hit.map(|(p, facet)| {
                 let text =
                     format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);

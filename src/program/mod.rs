@@ -13,6 +13,7 @@ pub mod fanuc;
 mod fanuc_reader;
 pub mod kuka;
 pub mod lines;
+pub mod lit;
 pub mod nachi;
 mod nachi_reader;
 pub mod pages;

@@ -42,7 +42,7 @@ pub fn way(drive: &Drive<'_>, space: &Space<'_>, from: Option<&Stand>, to: Optio
             r.over(from, to).or_else(|| {
                 let out = r.outs(from).find(|out| r.joints_clear(&out.joints_deg, &home))?;
                 let above = r.outs(to).find(|above| r.joints_clear(&home, &above.joints_deg))?;
-                let at = Station::at(&drive.setup.focus_for(&r.robot.forward(&home)));
+                let at = Station::at(&drive.mounted.focus_for(&r.robot.forward(&home)));
                 let home = r.by_joints(&Stand { at, joints_deg: home });
                 Some(vec![r.straight(from, &out), home, r.by_joints(&above), r.straight(&above, to)])
             })
@@ -59,7 +59,7 @@ struct Round<'a> {
 impl Round<'_> {
     /// The stand at a station, carried on from some joints.
     fn stand(&self, at: Station, near: &Joints) -> Option<Stand> {
-        let joints_deg = self.robot.near(&self.drive.setup.flange_for(&at.frame()), near)?;
+        let joints_deg = self.robot.near(&self.drive.mounted.flange_for(&at.frame()), near)?;
         Some(Stand { at, joints_deg })
     }
 
@@ -69,7 +69,8 @@ impl Round<'_> {
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
             let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
-            if farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG {
+            let touches = self.drive.collision.is_some_and(|c| c.first(&next.joints_deg).is_some());
+            if touches || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG {
                 return None;
             }
             here = next;
@@ -149,9 +150,8 @@ impl Round<'_> {
         (0..=steps as usize).all(|k| {
             let t = k as f64 / steps;
             let joints: Joints = std::array::from_fn(|j| from[j] + (to[j] - from[j]) * t);
-            self.space.is_clear_at(&self.drive.setup.focus_for(&self.robot.forward(&joints)))
-                && (self.drive.touches)(&joints).is_none()
-        })
+            self.space.is_clear_at(&self.drive.mounted.focus_for(&self.robot.forward(&joints)))
+        }) && self.drive.collision.is_none_or(|c| c.first_between(from, to).is_none())
     }
 
     /// Whether nothing is in the way where the flange goes straight, and the arm can follow.
@@ -159,7 +159,7 @@ impl Round<'_> {
         if farthest(&from.joints_deg, &to.joints_deg) > MOST_STRAIGHT_DEG {
             return false;
         }
-        let setup = self.drive.setup;
+        let setup = &self.drive.mounted;
         let (a, b) = (setup.flange_for(&from.at.frame()), setup.flange_for(&to.at.frame()));
         let steps = ((to.at.x - from.at.x).norm() / LOOK_MM).max(from.at.turn_deg(&to.at) / LOOK_TURN_DEG);
         let steps = steps.ceil().max(1.0);
@@ -170,7 +170,8 @@ impl Round<'_> {
                 Some(joints) if farthest(&here, &joints) <= 0.5 * MOST_STRAIGHT_DEG => here = joints,
                 _ => return false,
             }
-            if !self.space.is_clear_at(&setup.focus_for(&flange)) || (self.drive.touches)(&here).is_some() {
+            let touches = self.drive.collision.is_some_and(|c| c.first(&here).is_some());
+            if touches || !self.space.is_clear_at(&setup.focus_for(&flange)) {
                 return false;
             }
         }
