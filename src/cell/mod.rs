@@ -8,15 +8,15 @@ pub mod frame;
 pub mod motion;
 pub mod mounting;
 pub mod opw;
+pub mod outputs;
 pub mod robot;
 pub mod rpy;
 pub mod setup;
 pub mod ur;
-#[cfg(test)]
-mod zz_search;
 
 pub use collision::{Collision, Contact};
 pub use frame::Frame;
 pub use mounting::{Cell, CellError, Mount, Spin};
+pub use outputs::Outputs;
 pub use robot::{Joints, Robot, RobotError};
 pub use setup::Setup;

@@ -6,6 +6,7 @@ use super::bodies::Bodies;
 use super::calibration::CalibrationNote;
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
 use super::frame::Frame;
+use super::outputs::Outputs;
 use crate::part::LoadError;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
@@ -42,10 +43,6 @@ fn twenty() -> f64 {
 
 fn ninety() -> f64 {
     90.0
-}
-
-fn first_output() -> u32 {
-    1
 }
 
 /// What the robot carries.
@@ -119,9 +116,9 @@ pub struct Cell {
     pub flange_from_tool: Frame,
     /// Moves with the laser off.
     pub air: Air,
-    /// Output that switches the laser.
-    #[serde(default = "first_output")]
-    pub laser_output: u32,
+    /// What is switched and set beside the moves.
+    #[serde(default)]
+    pub outputs: Outputs,
     /// What stands in the cell.
     #[serde(default)]
     pub bodies: Bodies,
@@ -240,7 +237,10 @@ impl Cell {
         if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
+        self.outputs.check()?;
         nachi.check()?;
+        self.fanuc.check()?;
+        self.ur.check()?;
         self.bodies.check()
     }
 
