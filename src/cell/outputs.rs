@@ -24,6 +24,7 @@ pub struct Outputs {
 }
 
 impl Default for Outputs {
+    /// The laser at the first output, and its power set by hand.
     fn default() -> Self {
         let laser = Switch { number: 1, on_wait_s: 0.0, off_wait_s: 0.0 };
         Outputs { laser, powder: None, shielding_gas: None, cooling: None, power: PowerOutput::default() }
