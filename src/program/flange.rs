@@ -40,7 +40,9 @@ pub fn joints(setup: &Setup, pendant_deg: &Joints) -> Joints {
     coupled(setup, pendant_deg, 1.0)
 }
 
-fn coupled(setup: &Setup, joints_deg: &Joints, sign: f64) -> Joints {
+/// With `sign` times joint 2 added to joint 3, where the controller couples them: −1 makes the
+/// controller's angles of the robot file's, 1 the other way.
+pub fn coupled(setup: &Setup, joints_deg: &Joints, sign: f64) -> Joints {
     let couples = setup.robot.as_ref().is_some_and(|r| r.couples_j2_j3);
     let [j1, j2, j3, j4, j5, j6] = *joints_deg;
     [j1, j2, if couples { j3 + sign * j2 } else { j3 }, j4, j5, j6]

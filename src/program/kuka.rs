@@ -37,7 +37,8 @@ impl Dialect for Krl {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         let kuka = &program.setup.cell.kuka;
-        let mut writer = Writer { kuka, setup: program.setup, at: None, cp: String::new(), ori: String::new(), percent: None };
+        let mut writer =
+            Writer { kuka, setup: program.setup, at: None, cp: String::new(), ori: String::new(), percent: None };
         let laser = program.setup.cell.outputs.laser.number;
         let pages = pages(&program.lines, laser, kuka.max_lines, text_lines);
         let head = UNVERIFIED.into_iter().map(String::from).chain(program.head.iter().cloned()).map(Line::Say);
@@ -112,10 +113,7 @@ fn module(kuka: &Kuka, name: &str, body: &[String]) -> [ProgramFile; 2] {
         let lines = [&kuka.attributes[..], &[first], body, &[last.into()]].concat();
         ProgramFile { name: format!("{name}.{ending}"), text: words::text(&lines, kuka.crlf) }
     };
-    [
-        file("src", format!("DEF {name}( )"), body, "END"),
-        file("dat", format!("DEFDAT {name}"), &kuka.data, "ENDDAT"),
-    ]
+    [file("src", format!("DEF {name}( )"), body, "END"), file("dat", format!("DEFDAT {name}"), &kuka.data, "ENDDAT")]
 }
 
 /// What the controller keeps from line to line.

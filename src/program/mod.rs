@@ -3,6 +3,7 @@
 
 pub mod abb;
 pub mod air;
+pub mod arm;
 pub mod csv;
 pub mod dialect;
 pub mod estun;

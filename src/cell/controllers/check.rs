@@ -30,3 +30,30 @@ pub fn ranges(list: &[(&str, f64, f64, f64)]) -> Result<(), String> {
         None => Ok(()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Abb, Estun, Kuka, Yaskawa};
+    use super::*;
+
+    #[test]
+    fn what_a_controller_refuses_is_named() {
+        assert_eq!(Kuka::default().check(), Ok(()));
+        assert_eq!(Abb::default().check(), Ok(()));
+        assert_eq!(Yaskawa::default().check(), Ok(()));
+        assert_eq!(Estun::default().check(), Ok(()));
+        let said = |refused: Result<(), String>| refused.expect_err("refused");
+        let kuka = said(Kuka { name: "a_name_that_is_much_too_long".into(), ..Kuka::default() }.check());
+        assert!(kuka.starts_with("kuka.name") && kuka.contains("20"), "{kuka}");
+        let start = said(Kuka { start: vec!["two\nlines".into()], ..Kuka::default() }.check());
+        assert!(start.starts_with("kuka.start"), "{start}");
+        let mass = said(Abb { mass_kg: 0.0, ..Abb::default() }.check());
+        assert!(mass.starts_with("abb.mass_kg = 0"), "{mass}");
+        let long = Yaskawa { name: "CLEANING".into(), ..Yaskawa::default() };
+        assert!(said(long.check()).contains("at most 5"));
+        assert_eq!(Yaskawa { longest_name: 32, ..long }.check(), Ok(()));
+        let none = said(Estun { wait: "Wait{}".into(), ..Estun::default() }.check());
+        assert!(none.starts_with("estun.wait"), "{none}");
+        assert!(identifier("x", "1a", 9).is_err() && identifier("x", "", 9).is_err());
+    }
+}

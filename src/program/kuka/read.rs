@@ -50,8 +50,11 @@ impl Reader<'_> {
             }
             if !begun {
                 begun = text == first;
-                if !begun && !self.kuka.attributes.iter().any(|a| a == text) {
-                    return Err(wrong(format!("expected {first:?}, the file's own name")));
+                if !begun {
+                    if !self.kuka.attributes.iter().any(|a| a == text) {
+                        return Err(wrong(format!("expected {first:?}, the file's own name")));
+                    }
+                    self.out.push(ReadLine { file: file.name.clone(), line, what: Read::Other(text.into()) });
                 }
                 continue;
             }
@@ -59,7 +62,8 @@ impl Reader<'_> {
                 ended = true;
                 continue;
             }
-            if let Some(name) = text.strip_suffix("( )") {
+            let called = text.strip_suffix("( )").filter(|n| n.starts_with(&format!("{}_", self.kuka.name)));
+            if let Some(name) = called {
                 let name = format!("{name}.src");
                 let Some(reading) = calls else {
                     return Err(wrong("a sub-program calls none itself".into()));
