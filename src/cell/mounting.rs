@@ -226,6 +226,8 @@ impl Cell {
         self.abb.check()?;
         self.yaskawa.check()?;
         self.estun.check()?;
+        self.fanuc.check()?;
+        self.ur.check()?;
         Ok(())
     }
 

@@ -7,7 +7,7 @@ use super::plan::Plan;
 use super::report::Report;
 use crate::cell::Setup;
 use crate::part::Surfaces;
-use crate::program::{Program, lines, nachi};
+use crate::program::{Program, dialects, lines};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -30,15 +30,17 @@ pub fn files(
     let report = Report::new(plan, surfaces);
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
-    let program =
-        Program { head: head(job, part_name, &report), lines: lines(&plan.steps, setup, job.beam.power_w), setup };
+    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let program = Program { head: head(job, part_name, setup, &report), lines, setup };
+    let refused = |what: String| JobError::Write { what: format!("the program cannot be written: {what}") };
+    let dialect = dialects::known(&job.cell.dialect).map_err(refused)?;
+    let written = dialect.write(&program).map_err(|e| refused(e.to_string()))?;
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
-    Ok(vec![
-        file("job.toml".into(), files::to_toml(job)?.into_bytes()),
-        file(nachi::file_name(&setup.cell), nachi::program(&program).into_bytes()),
-        file("report.json".into(), json.into_bytes()),
-        file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()),
-    ])
+    let mut out = vec![file("job.toml".into(), files::to_toml(job)?.into_bytes())];
+    out.extend(written.into_iter().map(|f| file(f.name, f.text.into_bytes())));
+    out.push(file("report.json".into(), json.into_bytes()));
+    out.push(file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()));
+    Ok(out)
 }
 
 /// Writes a plan into a folder, made if it is not there.
@@ -67,12 +69,12 @@ pub fn write(
 }
 
 /// Comments at the head of a program.
-fn head(job: &Job, part_name: &str, report: &Report) -> Vec<String> {
+fn head(job: &Job, part_name: &str, setup: &Setup, report: &Report) -> Vec<String> {
     let b = &job.beam;
     let list: Vec<String> = report.surfaces.iter().map(|s| s.surface.to_string()).collect();
     let shown =
         if list.len() > 20 { format!("{} and {} more", list[..20].join(" "), list.len() - 20) } else { list.join(" ") };
-    vec![
+    let mut out = vec![
         format!("clearbeam {}, part {part_name}", env!("CARGO_PKG_VERSION")),
         format!("surfaces {shown}"),
         format!(
@@ -86,9 +88,18 @@ fn head(job: &Job, part_name: &str, report: &Report) -> Vec<String> {
             job.layers.order.word()
         ),
         format!("{} targets, {} corrected, {} blocked and left out", report.points, report.corrected, report.blocked),
-        "Flange poses of a fixed laser and the part in hand; reach and limits are NOT checked".into(),
-        "Not verified on a controller: run it with the laser off first".into(),
-    ]
+    ];
+    match &setup.robot {
+        None => out.push(format!("Flange poses, {}; reach and limits are NOT checked", setup.mount.word())),
+        Some(robot) => {
+            out.push(format!("{}, {}", robot.name, setup.mount.word()));
+            if !robot.unverified.is_empty() {
+                out.push(format!("Figures of the robot that nobody has checked: {}", robot.unverified.join(", ")));
+            }
+        }
+    }
+    out.push(format!("Not verified on a {} controller: run it with the laser off first", job.cell.dialect));
+    out
 }
 
 /// `path.csv`: one row a target.

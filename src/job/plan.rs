@@ -11,6 +11,7 @@ use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
 use crate::pose::{Correction, LineRules, Pass, plan_line};
+use crate::program::dialects;
 use crate::program::steps::{Speeds, Steps, steps};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -150,6 +151,7 @@ pub fn plan(
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
     parameter::check_all(job).map_err(PlanError::Parameter)?;
+    dialects::check(&job.cell.dialect, setup, job.beam.power_w).map_err(PlanError::Parameter)?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
     if job.layers.spacing_mm > size_mm {

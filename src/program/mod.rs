@@ -3,19 +3,25 @@
 
 pub mod abb;
 pub mod air;
-pub mod arm;
+mod arm;
 pub mod csv;
+mod csv_reader;
 pub mod dialect;
+pub mod dialects;
 pub mod estun;
 pub mod fanuc;
-pub mod flange;
+mod fanuc_reader;
+mod flange;
 pub mod kuka;
 pub mod lines;
 pub mod nachi;
+mod nachi_reader;
 pub mod pages;
-pub mod phrases;
+mod phrases;
+mod reading;
 pub mod steps;
 pub mod ur;
+mod ur_reader;
 pub mod words;
 pub mod yaskawa;
 

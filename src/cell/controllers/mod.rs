@@ -13,6 +13,6 @@ pub use abb::Abb;
 pub use estun::Estun;
 pub use fanuc::Fanuc;
 pub use kuka::Kuka;
-pub use nachi::Nachi;
+pub use nachi::{Nachi, NachiForm};
 pub use ur::Ur;
 pub use yaskawa::Yaskawa;
