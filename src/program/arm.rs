@@ -42,6 +42,7 @@ mod tests {
         assert_eq!(shape([0.0; 6]), (false, false));
         assert_eq!(shape([120.0, 20.0, 10.0, 0.0, 0.0, 0.0]), (false, false), "whatever axis 1 does");
         assert_eq!(shape([0.0, -80.0, -20.0, 0.0, 0.0, 0.0]), (true, false), "leaning back");
-        assert_eq!(shape([0.0, 60.0, -109.0, 0.0, 0.0, 0.0]), (false, false));
+        // Lower arm 60 degrees from upright, elbow to wrist atan2(145, 274) = 28: above the lower arm.
+        assert_eq!(shape([0.0, 60.0, -109.0, 0.0, 0.0, 0.0]), (false, true));
     }
 }
