@@ -1,6 +1,8 @@
 //! `clearbeam plan`.
 
 use super::{Failure, Outcome, PlanOptions, print};
+use crate::cell::Robot;
+use crate::job::advice;
 use crate::job::plan::segmented;
 use crate::job::report::Report;
 use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
@@ -30,6 +32,13 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
         job.cell.file = file.display().to_string();
     }
+    if let Some(robot) = a.options.robot() {
+        job.cell.robot = if Robot::shipped().any(|key| key == robot) {
+            robot.clone()
+        } else {
+            std::path::absolute(robot).map_err(anyhow::Error::from)?.display().to_string()
+        };
+    }
     let part = files::load_part(&job, job_file).map_err(anyhow::Error::from)?;
     job.part.sha256.clone_from(&part.sha256);
     let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
@@ -53,6 +62,21 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         print(&format!("{json}\n"));
     } else {
         let mut text = report.text();
+        for sentence in advice::advice(&plan, &job, &setup) {
+            text.push_str(&format!("to help: {sentence}\n"));
+        }
+        if !report.refused().is_empty()
+            && let Some(better) = advice::better_setup(&plan, &job, &setup)
+            && better.share_after > better.share_before + 0.005
+        {
+            let (before, after) = (100.0 * better.share_before, 100.0 * better.share_after);
+            text.push_str(&format!(
+                "a better set-up: {after:.0} % within reach instead of {before:.0} %; in the job's [cell]\n"
+            ));
+            for line in advice::as_toml(setup.mount, &better) {
+                text.push_str(&format!("  {line}\n"));
+            }
+        }
         for path in written {
             text.push_str(&format!("wrote {}\n", path.display()));
         }

@@ -3,6 +3,7 @@
 //! [`Job`] is the document. It changes through [`Edit`] alone, and [`Document`] keeps what undo
 //! needs. [`plan()`] computes everything else; [`output`] writes it.
 
+pub mod advice;
 pub mod document;
 pub mod edit;
 pub mod files;

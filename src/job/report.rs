@@ -1,6 +1,7 @@
 //! `report.json`: what was planned, in numbers that scripts rely on.
 
 use super::plan::Plan;
+use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
 use crate::pose::{Pass, State, Target};
 use serde::Serialize;
@@ -43,6 +44,51 @@ pub struct Report {
     pub surfaces: Vec<SurfaceReport>,
     /// What is blocked or missed, and why.
     pub problems: Vec<Problem>,
+    /// The frames that were used.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<CellReport>,
+}
+
+/// The frames of a plan, row by row, mm; those of its mount.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CellReport {
+    /// Key or file of the robot; null: poses only.
+    pub robot: Option<String>,
+    /// `part-in-hand` or `tool-in-hand`.
+    pub mount: &'static str,
+    /// Part in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base_from_laser: Option<[[f64; 4]; 4]>,
+    /// Part in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flange_from_part: Option<[[f64; 4]; 4]>,
+    /// Tool in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base_from_part: Option<[[f64; 4]; 4]>,
+    /// Tool in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flange_from_tool: Option<[[f64; 4]; 4]>,
+}
+
+impl CellReport {
+    /// The frames of a setup; `robot` as the job names it.
+    pub fn new(setup: &Setup, robot: &str) -> CellReport {
+        let rows = |frame: &Frame| {
+            let m = frame.isometry().to_homogeneous();
+            std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)] + 0.0))
+        };
+        let cell = &setup.cell;
+        let in_hand = setup.mount == Mount::PartInHand;
+        let of = |mine: bool, frame: &Frame| mine.then(|| rows(frame));
+        CellReport {
+            robot: (!robot.is_empty()).then(|| robot.to_owned()),
+            mount: setup.mount.word(),
+            base_from_laser: of(in_hand, &cell.base_from_laser),
+            flange_from_part: of(in_hand, &cell.flange_from_part),
+            base_from_part: of(!in_hand, &cell.base_from_part),
+            flange_from_tool: of(!in_hand, &cell.flange_from_tool),
+        }
+    }
 }
 
 /// One surface.
@@ -79,12 +125,15 @@ pub struct Problem {
     pub point: Option<usize>,
     /// Surface.
     pub surface: u32,
-    /// `beam` or `missed`.
+    /// `beam`, `missed`, or what the robot cannot do: `robot head obstacle reach limit speed singularity`.
     pub cause: &'static str,
     /// The facet in the way.
     pub by_facet: Option<u32>,
     /// Its surface.
     pub by_surface: Option<u32>,
+    /// What of the robot stands against it, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub detail: Option<String>,
 }
 
 impl Report {
@@ -94,20 +143,26 @@ impl Report {
             passes.iter().flat_map(|p| &p.targets).filter(|t| which(t)).count()
         };
         let all = &plan.passes;
+        let mut rest = all.as_slice();
         let rows: Vec<SurfaceReport> = plan
             .surfaces
             .iter()
-            .map(|s| SurfaceReport {
-                surface: s.planes.surface,
-                area_mm2: surfaces.get(s.planes.surface).map_or(0.0, |x| x.area_mm2),
-                passes: s.passes.len(),
-                points: count(&s.passes, &|_| true),
-                work_mm: length(&s.passes, |_, to| to.laser),
-                corrected_mm: length(&s.passes, is_corrected),
-                blocked_mm: length(&s.passes, |_, to| !to.laser),
-                missed_area_mm2: s.coverage.missed_area_mm2,
-                spacing_min_mm: s.coverage.spacing_min_mm,
-                spacing_max_mm: s.coverage.spacing_max_mm,
+            .map(|s| {
+                // The passes of a surface follow one another, in the order of the surfaces.
+                let (passes, others) = rest.split_at(s.passes.len().min(rest.len()));
+                rest = others;
+                SurfaceReport {
+                    surface: s.planes.surface,
+                    area_mm2: surfaces.get(s.planes.surface).map_or(0.0, |x| x.area_mm2),
+                    passes: passes.len(),
+                    points: count(passes, &|_| true),
+                    work_mm: length(passes, |_, to| to.laser),
+                    corrected_mm: length(passes, is_corrected),
+                    blocked_mm: length(passes, |_, to| !to.laser),
+                    missed_area_mm2: s.coverage.missed_area_mm2,
+                    spacing_min_mm: s.coverage.spacing_min_mm,
+                    spacing_max_mm: s.coverage.spacing_max_mm,
+                }
             })
             .collect();
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
@@ -128,12 +183,26 @@ impl Report {
             missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
             problems: problems(plan, surfaces),
             surfaces: rows,
+            cell: plan.cell.clone(),
         }
     }
 
     /// Whether everything chosen is done.
     pub fn is_complete(&self) -> bool {
         self.problems.is_empty()
+    }
+
+    /// What the robot refuses: cause, how many targets, and the first of them in words.
+    pub fn refused(&self) -> Vec<(&'static str, usize, String)> {
+        let mut out: Vec<(&'static str, usize, String)> = Vec::new();
+        for p in &self.problems {
+            let (Some(detail), Some(pass), Some(point)) = (&p.detail, p.pass, p.point) else { continue };
+            match out.iter_mut().find(|(cause, ..)| *cause == p.cause) {
+                Some((_, count, _)) => *count += 1,
+                None => out.push((p.cause, 1, format!("pass {pass}, point {point}: {detail}"))),
+            }
+        }
+        out
     }
 
     /// A few lines for people.
@@ -170,6 +239,9 @@ impl Report {
                 s.surface, s.missed_area_mm2, s.area_mm2
             );
         }
+        for (cause, count, example) in self.refused() {
+            let _ = writeln!(out, "{count} targets refused ({cause}), such as {example}");
+        }
         for s in self.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
             let _ = writeln!(
                 out,
@@ -194,21 +266,33 @@ fn is_corrected(from: &Target, to: &Target) -> bool {
 /// Blocked targets in program order, then missed surfaces.
 pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
     let mut out = Vec::new();
+    let mut refusals = plan.choice.iter().flat_map(|c| &c.refusals).peekable();
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
+            let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
+            let by_facet = if refused.is_some() { None } else { t.normal_hits };
             out.push(Problem {
                 pass: Some(number),
                 point: Some(point),
                 surface: pass.surface,
-                cause: "beam",
-                by_facet: t.normal_hits,
-                by_surface: t.normal_hits.map(|f| surfaces.of_facet[f as usize]),
+                cause: refused.map_or("beam", |r| r.cause.word()),
+                by_facet,
+                by_surface: by_facet.map(|f| surfaces.of_facet[f as usize]),
+                detail: refused.map(|r| r.detail.clone()),
             });
         }
     }
     for s in plan.surfaces.iter().filter(|s| s.coverage.missed_area_mm2 > 0.0) {
         let surface = s.planes.surface;
-        out.push(Problem { pass: None, point: None, surface, cause: "missed", by_facet: None, by_surface: None });
+        out.push(Problem {
+            pass: None,
+            point: None,
+            surface,
+            cause: "missed",
+            by_facet: None,
+            by_surface: None,
+            detail: None,
+        });
     }
     out
 }
