@@ -239,6 +239,10 @@ impl Cell {
         }
         self.outputs.check()?;
         nachi.check()?;
+        self.kuka.check()?;
+        self.abb.check()?;
+        self.yaskawa.check()?;
+        self.estun.check()?;
         self.fanuc.check()?;
         self.ur.check()?;
         self.bodies.check()
@@ -308,7 +312,7 @@ impl Mounted {
 }
 
 /// Half a turn about y: a tool's z points with the light, a path frame's against it.
-fn half_turn() -> Isometry3<f64> {
+pub fn half_turn() -> Isometry3<f64> {
     let half = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(0.0, 0.0, 1.0, 0.0));
     Isometry3::from_parts(Translation3::identity(), half)
 }

@@ -3,6 +3,7 @@
 
 pub mod abb;
 pub mod air;
+mod arm;
 pub mod csv;
 mod csv_reader;
 pub mod dialect;
@@ -11,12 +12,14 @@ pub mod drive;
 pub mod estun;
 pub mod fanuc;
 mod fanuc_reader;
+mod flange;
 pub mod kuka;
 pub mod lines;
 pub mod lit;
 pub mod nachi;
 mod nachi_reader;
 pub mod pages;
+mod phrases;
 mod reading;
 mod round;
 pub mod steps;
