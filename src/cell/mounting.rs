@@ -3,7 +3,7 @@
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
-use super::rpy;
+use super::{Timing, rpy};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -115,6 +115,9 @@ pub struct Cell {
     pub air: Air,
     /// Output that switches the laser.
     pub laser_output: u32,
+    /// How long laser and controller take to answer.
+    #[serde(default)]
+    pub timing: Timing,
     /// The NACHI program.
     #[serde(default)]
     pub nachi: Nachi,
@@ -219,6 +222,7 @@ impl Cell {
         if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
+        self.timing.check()?;
         nachi.check()?;
         Ok(())
     }
@@ -242,16 +246,22 @@ impl Cell {
 
     /// The path frame at a pose of the flange: the inverse of [`Cell::flange_for`].
     pub fn focus_for(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        self.part_at(mount, base_from_flange).inverse() * self.focus_at(mount, base_from_flange)
+    }
+
+    /// Part in the base at a pose of the flange.
+    pub fn part_at(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
         match mount {
-            Mount::PartInHand => {
-                (base_from_flange * self.flange_from_part.isometry()).inverse() * self.base_from_laser.isometry()
-            }
-            Mount::ToolInHand => {
-                self.base_from_part.isometry().inverse()
-                    * base_from_flange
-                    * self.flange_from_tool.isometry()
-                    * half_turn()
-            }
+            Mount::PartInHand => base_from_flange * self.flange_from_part.isometry(),
+            Mount::ToolInHand => self.base_from_part.isometry(),
+        }
+    }
+
+    /// Focus in the base at a pose of the flange, z against the light.
+    pub fn focus_at(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match mount {
+            Mount::PartInHand => self.base_from_laser.isometry(),
+            Mount::ToolInHand => base_from_flange * self.flange_from_tool.isometry() * half_turn(),
         }
     }
 }
@@ -289,6 +299,9 @@ mod tests {
         let bad = SHIPPED[0].1.replace("clearance_mm = 20.0", "clearance_mm = -3.0");
         let said = Cell::parse(&bad, "cell.toml").expect_err("refused").to_string();
         assert!(said.contains("cell.toml") && said.contains("air.clearance_mm"), "{said}");
+        let slow = SHIPPED[0].1.replace("laser_on_s = 0.0", "laser_on_s = -1.0");
+        let said = Cell::parse(&slow, "cell.toml").expect_err("refused").to_string();
+        assert!(said.contains("timing.laser_on_s = -1") && said.contains("0 to 60"), "{said}");
         assert!(Cell::parse("name = 3", "cell.toml").is_err());
     }
 }

@@ -10,10 +10,15 @@ pub mod fanuc;
 pub mod kuka;
 pub mod lines;
 pub mod nachi;
+pub mod series;
 pub mod steps;
+pub mod timeline;
+pub mod trapezoid;
 pub mod ur;
 pub mod yaskawa;
 
 pub use dialect::{Dialect, Program, ProgramFile};
 pub use lines::{Line, Move, lines};
+pub use series::{Sample, series};
 pub use steps::{Go, Pace, Step, Steps, Way, steps};
+pub use timeline::{Breakdown, Moment, Stop, Timeline};
