@@ -7,6 +7,25 @@ use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
+/// Why a target is not done, as people say it.
+pub(super) fn because(problem: &Problem) -> String {
+    let what = match problem.cause {
+        "beam" => "the beam hits",
+        "head" => "the laser head hits",
+        "obstacle" => "the arm or its load hits an obstacle",
+        "robot" => "the arm would hit itself or the part",
+        "reach" => "out of the robot's reach",
+        "limit" => "a joint would leave its limits",
+        "speed" => "a joint would have to be too fast",
+        "singularity" => "too near to a singular pose",
+        other => other,
+    };
+    let by = problem.by_surface.map(|n| format!(" surface {n}")).unwrap_or_default();
+    let facet = problem.by_facet.map(|f| format!(" (facet {f})")).unwrap_or_default();
+    let rest = if by.is_empty() && what.ends_with("hits") { " something" } else { "" };
+    format!("{what}{by}{facet}{rest}")
+}
+
 impl App {
     pub(in super::super) fn problems(&mut self, ui: &mut egui::Ui) {
         if let Some((_, why)) = self.derived.plan_error.clone() {
@@ -51,12 +70,13 @@ impl App {
             self.focus_surface(problem.surface);
             return;
         };
-        self.session.at = (pass, point);
+        self.go_to_target((pass, point));
         self.session.show.section = false;
         if let Some(t) = plan.passes.get(pass).and_then(|p| p.targets.get(point)) {
             // Wide enough to see the beam and what it hits.
             let reach = Vector3::repeat(self.document.job().beam.defocus_mm.abs().max(10.0));
-            self.viewport.fit(Bounds { min: t.p - reach, max: t.p + reach });
+            let p = self.scene_from_part() * t.p;
+            self.viewport.fit(Bounds { min: p - reach, max: p + reach });
         }
     }
 }
