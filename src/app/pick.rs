@@ -42,12 +42,11 @@ impl App {
 
     fn toolbar(&mut self, ui: &mut egui::Ui) {
         use Command as C;
-        let tools = [C::Lines, C::Frames, C::Beams, C::Air, C::Before, C::Section, C::HideChosen, C::Plain, C::Cell];
+        let tools = [C::Lines, C::Frames, C::Beams, C::Air, C::Before, C::Section, C::HideChosen, C::Plain];
         egui::Frame::new().inner_margin(4).fill(ui.visuals().panel_fill).show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
                 ui.set_min_width(ui.available_width());
-                let has_robot = self.derived.cell.is_some();
-                for command in tools.into_iter().filter(|c| *c != C::Cell || has_robot) {
+                for command in tools {
                     let on = self.is_shown(command);
                     let enabled = self.is_enabled(command);
                     let name = super::panels::name_of(command);

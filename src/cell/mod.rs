@@ -1,6 +1,7 @@
 //! The robot cell: where laser, part and flange stand, and the robot that moves one of them.
 
 pub mod controllers;
+pub mod motion;
 pub mod mounting;
 pub mod opw;
 pub mod robot;

@@ -241,6 +241,15 @@ impl Robot {
         }
     }
 
+    /// The solution nearest to some joints, within limits: turns and branch carry on from there.
+    pub fn near(&self, base_from_flange: &Isometry3<f64>, joints_deg: &Joints) -> Option<Joints> {
+        let carried_on = self.inverse(base_from_flange).into_iter().flatten().map(|solution| {
+            std::array::from_fn(|j| solution[j] + 360.0 * libm::round((joints_deg[j] - solution[j]) / 360.0))
+        });
+        let farthest = |to: &Joints| (0..6).map(|j| (to[j] - joints_deg[j]).abs()).fold(0.0, f64::max);
+        carried_on.filter(|joints| self.beyond(joints).is_none()).min_by(|a, b| farthest(a).total_cmp(&farthest(b)))
+    }
+
     /// Distance from a singular pose, 0 (singular) to 1.
     pub fn singularity(&self, joints_deg: &Joints) -> f64 {
         match (&self.opw, &self.ur) {

@@ -1,6 +1,7 @@
 //! The options of `plan`, and how they override a job.
 
 use super::Failure;
+use crate::cell::{Mount, Spin};
 use crate::job::{Chosen, Job, Offset, Parameter};
 use crate::part::Units;
 use crate::path::{Direction, Order};
@@ -58,9 +59,22 @@ pub struct PlanOptions {
     /// Spot diameter, mm [default: 1]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     spot: Option<f64>,
-    /// Cell file [default: the shipped NACHI MZ04]
+    /// Cell file [default: the shipped cell of the robot]
     #[arg(long, value_name = "CELL.toml")]
     cell: Option<PathBuf>,
+    /// Robot: mz04 mz07f kr6-r900 irb120 irb1200 irb2400 lrmate200id m10ia tx2-60 gp7 gp8 ur5e, or a
+    /// robot file [default: none, poses only]
+    #[arg(long, value_name = "NAME")]
+    robot: Option<String>,
+    /// What the robot carries: part-in-hand or tool-in-hand [default: part-in-hand, or as the cell says]
+    #[arg(long, value_parser = mount)]
+    mount: Option<Mount>,
+    /// Program: nachi kuka abb fanuc ur yaskawa estun csv [default: nachi]
+    #[arg(long, value_name = "NAME")]
+    dialect: Option<String>,
+    /// Rotation about the beam: free or travel [default: free]
+    #[arg(long, value_parser = spin)]
+    spin: Option<Spin>,
 }
 
 impl PlanOptions {
@@ -95,7 +109,17 @@ impl PlanOptions {
         job.layers.offset_mm = self.offset.unwrap_or(job.layers.offset_mm);
         job.layers.order = self.order.unwrap_or(job.layers.order);
         job.path.correction = self.correction.unwrap_or(job.path.correction);
+        job.cell.mount = self.mount.or(job.cell.mount);
+        job.cell.spin = self.spin.unwrap_or(job.cell.spin);
+        if let Some(dialect) = &self.dialect {
+            job.cell.dialect.clone_from(dialect);
+        }
         crate::job::parameter::check_all(job).map_err(Failure::Usage)
+    }
+
+    /// Key of a shipped robot, or a robot file as seen from the current folder.
+    pub fn robot(&self) -> Option<&String> {
+        self.robot.as_ref()
     }
 
     /// The cell file, as seen from the current folder.
@@ -118,6 +142,14 @@ fn order(text: &str) -> Result<Order, String> {
 
 fn correction(text: &str) -> Result<Correction, String> {
     word(text, Correction::from_word(text), "section-plane or none")
+}
+
+fn mount(text: &str) -> Result<Mount, String> {
+    word(text, Mount::from_word(text), "part-in-hand or tool-in-hand")
+}
+
+fn spin(text: &str) -> Result<Spin, String> {
+    word(text, Spin::from_word(text), "free or travel")
 }
 
 fn direction(text: &str) -> Result<Direction, String> {

@@ -1,6 +1,7 @@
 //! `clearbeam plan`.
 
 use super::{Failure, Outcome, PlanOptions, print};
+use crate::cell::Robot;
 use crate::job::plan::segmented;
 use crate::job::report::Report;
 use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
@@ -29,6 +30,13 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     if let Some(cell) = a.options.cell() {
         let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
         job.cell.file = file.display().to_string();
+    }
+    if let Some(robot) = a.options.robot() {
+        job.cell.robot = if Robot::shipped().any(|key| key == robot) {
+            robot.clone()
+        } else {
+            std::path::absolute(robot).map_err(anyhow::Error::from)?.display().to_string()
+        };
     }
     let part = files::load_part(&job, job_file).map_err(anyhow::Error::from)?;
     job.part.sha256.clone_from(&part.sha256);

@@ -6,8 +6,10 @@ use super::model::Job;
 use super::plan::Plan;
 use super::report::Report;
 use crate::cell::Setup;
+use crate::cell::motion::Choice;
 use crate::part::Surfaces;
 use crate::program::{Program, lines, nachi};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -32,12 +34,16 @@ pub fn files(
     json.push('\n');
     let program = Program { head: head(job, part_name, &report), lines: lines(&plan.steps, setup), setup };
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
-    Ok(vec![
+    let mut out = vec![
         file("job.toml".into(), files::to_toml(job)?.into_bytes()),
         file(nachi::file_name(&setup.cell), nachi::program(&program).into_bytes()),
         file("report.json".into(), json.into_bytes()),
         file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()),
-    ])
+    ];
+    if let Some(choice) = &plan.choice {
+        out.push(file("joints.csv".into(), joints_csv(plan, choice).into_bytes()));
+    }
+    Ok(out)
 }
 
 /// Writes a plan into a folder, made if it is not there.
@@ -105,6 +111,32 @@ fn path_csv(plan: &Plan, defocus_mm: f64) -> String {
                 push_number(&mut out, *value);
             }
             out.push_str(",\n");
+        }
+    }
+    out
+}
+
+/// `joints.csv`: one row for each target that the robot does.
+fn joints_csv(plan: &Plan, choice: &Choice) -> String {
+    let mut out = String::from("pass,point,laser,j1,j2,j3,j4,j5,j6,spin_deg,time_s,singularity,min_limit_margin_deg\n");
+    let times: BTreeMap<(usize, usize), f64> = plan.steps.times().collect();
+    for (number, pass) in plan.passes.iter().enumerate() {
+        for (point, t) in pass.targets.iter().enumerate() {
+            let Some(c) = &choice.rows[number][point] else { continue };
+            let _ = write!(out, "{number},{point},{}", u8::from(t.laser));
+            for value in c.joints_deg.iter().chain([&c.spin_deg]) {
+                out.push(',');
+                push_number(&mut out, *value);
+            }
+            out.push(',');
+            if let Some(s) = times.get(&(number, point)) {
+                push_number(&mut out, *s);
+            }
+            for value in [c.singularity, c.limit_margin_deg] {
+                out.push(',');
+                push_number(&mut out, value);
+            }
+            out.push('\n');
         }
     }
     out

@@ -4,13 +4,15 @@
 use super::model::Job;
 use super::parameter;
 use super::progress::{Cancelled, Progress};
-use crate::cell::Setup;
+use crate::cell::motion::{Arm, Choice, choose};
+use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{Correction, LineRules, Pass, plan_line};
+use crate::pose::{Correction, LineRules, Pass, State, plan_line};
+use crate::program::drive::Drive;
 use crate::program::steps::{Speeds, Steps, steps};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -37,6 +39,9 @@ pub struct Plan {
     pub passes: Vec<Pass>,
     /// The program, step by step.
     pub steps: Steps,
+    /// Joints and spin of every target that the robot does, and what it does not; without a robot
+    /// nothing is known.
+    pub choice: Option<Choice>,
     /// Speeds it was made for.
     pub speeds: Option<Speeds>,
 }
@@ -180,12 +185,69 @@ pub fn plan(
     let surface_plans: Vec<_> = planned.iter().map(|(_, p)| p.clone()).collect();
     cache.keep(planned.into_iter().collect());
     let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
-    progress.begin("connecting moves", 1);
     let speeds =
         Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm };
-    let steps = steps(part, &setup.cell, &passes, &speeds);
+    let mut plan = Plan { surfaces: surface_plans, passes, speeds: Some(speeds), ..Plan::default() };
+    match &setup.robot {
+        Some(robot) => drive(&mut plan, part, setup, robot, &speeds, job, progress)?,
+        None => {
+            progress.begin("connecting moves", 1);
+            plan.steps = steps(part, &setup.cell, &plan.passes, &speeds);
+            progress.step()?;
+        }
+    }
+    Ok(plan)
+}
+
+/// Spin, branch and joints of every target, and the program's steps with them. What the robot cannot
+/// do is blocked, with its reason.
+fn drive(
+    plan: &mut Plan,
+    part: &Part,
+    setup: &Setup,
+    robot: &Robot,
+    speeds: &Speeds,
+    job: &Job,
+    progress: &Progress,
+) -> Result<(), PlanError> {
+    let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
+    progress.begin("choosing spins", 2);
+    let touches = |_: &Joints| None;
+    let mut choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &touches);
     progress.step()?;
-    Ok(Plan { surfaces: surface_plans, passes, steps, speeds: Some(speeds) })
+    let drive = Drive { part, setup, robot, speeds: *speeds, deviation_mm: job.cell.deviation_mm, touches: &touches };
+    let mut refused = choice.refusals.clone();
+    loop {
+        for r in &refused {
+            block(&mut plan.passes[r.pass], r.point);
+            choice.rows[r.pass][r.point] = None;
+        }
+        match drive.steps(&plan.passes, &choice) {
+            Ok(steps) => {
+                plan.steps = steps;
+                break;
+            }
+            Err(more) => {
+                choice.refusals.extend(more.iter().cloned());
+                refused = more;
+            }
+        }
+        progress.step()?;
+    }
+    choice.refusals.sort_by_key(|r| (r.pass, r.point));
+    plan.choice = Some(choice);
+    Ok(())
+}
+
+/// The laser is off at a target, and on the way to the next.
+fn block(pass: &mut Pass, point: usize) {
+    if let Some(t) = pass.targets.get_mut(point) {
+        t.state = State::Blocked;
+        t.laser = false;
+    }
+    if let Some(next) = pass.targets.get_mut(point + 1) {
+        next.laser = false;
+    }
 }
 
 /// Refuses what no machine's memory would hold, before anything is allocated.

@@ -79,12 +79,15 @@ pub struct Problem {
     pub point: Option<usize>,
     /// Surface.
     pub surface: u32,
-    /// `beam` or `missed`.
+    /// `beam`, `missed`, or what the robot cannot do: `robot head obstacle reach limit speed singularity`.
     pub cause: &'static str,
     /// The facet in the way.
     pub by_facet: Option<u32>,
     /// Its surface.
     pub by_surface: Option<u32>,
+    /// What of the robot stands against it, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub detail: Option<String>,
 }
 
 impl Report {
@@ -94,20 +97,26 @@ impl Report {
             passes.iter().flat_map(|p| &p.targets).filter(|t| which(t)).count()
         };
         let all = &plan.passes;
+        let mut rest = all.as_slice();
         let rows: Vec<SurfaceReport> = plan
             .surfaces
             .iter()
-            .map(|s| SurfaceReport {
-                surface: s.planes.surface,
-                area_mm2: surfaces.get(s.planes.surface).map_or(0.0, |x| x.area_mm2),
-                passes: s.passes.len(),
-                points: count(&s.passes, &|_| true),
-                work_mm: length(&s.passes, |_, to| to.laser),
-                corrected_mm: length(&s.passes, is_corrected),
-                blocked_mm: length(&s.passes, |_, to| !to.laser),
-                missed_area_mm2: s.coverage.missed_area_mm2,
-                spacing_min_mm: s.coverage.spacing_min_mm,
-                spacing_max_mm: s.coverage.spacing_max_mm,
+            .map(|s| {
+                // The passes of a surface follow one another, in the order of the surfaces.
+                let (passes, others) = rest.split_at(s.passes.len().min(rest.len()));
+                rest = others;
+                SurfaceReport {
+                    surface: s.planes.surface,
+                    area_mm2: surfaces.get(s.planes.surface).map_or(0.0, |x| x.area_mm2),
+                    passes: passes.len(),
+                    points: count(passes, &|_| true),
+                    work_mm: length(passes, |_, to| to.laser),
+                    corrected_mm: length(passes, is_corrected),
+                    blocked_mm: length(passes, |_, to| !to.laser),
+                    missed_area_mm2: s.coverage.missed_area_mm2,
+                    spacing_min_mm: s.coverage.spacing_min_mm,
+                    spacing_max_mm: s.coverage.spacing_max_mm,
+                }
             })
             .collect();
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
@@ -194,21 +203,33 @@ fn is_corrected(from: &Target, to: &Target) -> bool {
 /// Blocked targets in program order, then missed surfaces.
 pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
     let mut out = Vec::new();
+    let mut refusals = plan.choice.iter().flat_map(|c| &c.refusals).peekable();
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
+            let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
+            let by_facet = if refused.is_some() { None } else { t.normal_hits };
             out.push(Problem {
                 pass: Some(number),
                 point: Some(point),
                 surface: pass.surface,
-                cause: "beam",
-                by_facet: t.normal_hits,
-                by_surface: t.normal_hits.map(|f| surfaces.of_facet[f as usize]),
+                cause: refused.map_or("beam", |r| r.cause.word()),
+                by_facet,
+                by_surface: by_facet.map(|f| surfaces.of_facet[f as usize]),
+                detail: refused.map(|r| r.detail.clone()),
             });
         }
     }
     for s in plan.surfaces.iter().filter(|s| s.coverage.missed_area_mm2 > 0.0) {
         let surface = s.planes.surface;
-        out.push(Problem { pass: None, point: None, surface, cause: "missed", by_facet: None, by_surface: None });
+        out.push(Problem {
+            pass: None,
+            point: None,
+            surface,
+            cause: "missed",
+            by_facet: None,
+            by_surface: None,
+            detail: None,
+        });
     }
     out
 }

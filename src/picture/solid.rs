@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 /// Facets around: a link of 300 pixels shows no corners.
-const AROUND: usize = 48;
+const AROUND: usize = 64;
 /// Rings of a hemisphere.
 const RINGS: usize = 10;
 

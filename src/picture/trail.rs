@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 /// Segments of one item: whole ones are uploaded once, only the last one changes.
 const PIECE: usize = 512;
-const COLOR: [u8; 4] = [255, 150, 30, 255];
+/// Unlike every state of a target: done.
+const COLOR: [u8; 4] = [90, 235, 190, 255];
 
 /// The spot's way on the part, in the part frame.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@
 use super::steps::Station;
 use crate::cell::mounting::Air;
 use crate::part::{Part, angle, distance};
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3, Vector3};
 
 /// Farther apart than this the way round is taken without looking at the straight one, mm.
 const HOP_MM: f64 = 40.0;
@@ -68,8 +68,31 @@ impl<'a> Space<'a> {
         self.on_sphere(at)
     }
 
-    fn drawn_back(&self, s: &Station) -> Station {
+    /// The focus drawn back along the beam, the first of a way round.
+    pub fn drawn_back(&self, s: &Station) -> Station {
         Station { x: s.x + s.a * self.air.retreat_mm, ..*s }
+    }
+
+    /// Whether focus and beam keep clear of the part at a path frame.
+    pub fn is_clear_at(&self, part_from_focus: &Isometry3<f64>) -> bool {
+        let x = Point3::from(part_from_focus.translation.vector);
+        self.clears(&x, &(part_from_focus.rotation * Vector3::z()))
+    }
+
+    fn clear_mm(&self) -> f64 {
+        // Half of what lies between focus and part at the ends, at most 2 mm.
+        (0.5 * (self.defocus_mm + self.air.retreat_mm)).clamp(0.1, 2.0)
+    }
+
+    fn clears(&self, x: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        let clear_mm = self.clear_mm();
+        let ray = distance::WideRay::new(x, a, clear_mm);
+        let mut clear = true;
+        self.part.bvh.visit_ray(x, a, 0.0, f64::INFINITY, clear_mm, |_, corners| {
+            clear &= ray.surely_misses(corners) || distance::ray_triangle(x, a, 0.0, corners) > clear_mm;
+            if clear { f64::INFINITY } else { -1.0 }
+        });
+        clear
     }
 
     /// Where the beam of a station leaves the sphere.
@@ -82,8 +105,6 @@ impl<'a> Space<'a> {
 
     /// Whether focus and beam keep clear of the part on the straight move.
     fn is_clear(&self, from: &Station, to: &Station) -> bool {
-        // Half of what lies between focus and part at the ends, at most 2 mm.
-        let clear_mm = (0.5 * (self.defocus_mm + self.air.retreat_mm)).clamp(0.1, 2.0);
         let turn = angle::between_deg(&from.a, &to.a);
         let steps = ((to.x - from.x).norm() / LOOK_MM).max(turn / LOOK_DEG).ceil().max(1.0);
         let steps = (steps as usize).next_power_of_two();
@@ -95,14 +116,7 @@ impl<'a> Space<'a> {
         });
         order.into_iter().all(|i| {
             let t = i as f64 / steps as f64;
-            let (x, a) = (from.x + (to.x - from.x) * t, angle::slerp(&from.a, &to.a, t));
-            let ray = distance::WideRay::new(&x, &a, clear_mm);
-            let mut clear = true;
-            self.part.bvh.visit_ray(&x, &a, 0.0, f64::INFINITY, clear_mm, |_, corners| {
-                clear &= ray.surely_misses(corners) || distance::ray_triangle(&x, &a, 0.0, corners) > clear_mm;
-                if clear { f64::INFINITY } else { -1.0 }
-            });
-            clear
+            self.clears(&(from.x + (to.x - from.x) * t), &angle::slerp(&from.a, &to.a, t))
         })
     }
 

@@ -16,7 +16,7 @@ pub struct Sample {
     pub limit_margin_deg: f64,
     /// Distance from a singular pose, 0 to 1.
     pub singularity: f64,
-    /// Flange about Z, Y and X in the base; carried on over ±180°.
+    /// Flange about Z, Y and X in the base.
     pub rz_ry_rx_deg: [f64; 3],
 }
 
@@ -46,12 +46,9 @@ fn push(out: &mut Vec<Sample>, timeline: &Timeline, time_s: f64) {
     let moment = timeline.moment(time_s);
     let (robot, last) = (timeline.robot(), out.last());
     let joints_deg = moment.joints_deg;
-    let mut angles = rpy::from_rotation(&moment.base_from_flange.rotation.to_rotation_matrix());
+    let rz_ry_rx_deg = rpy::from_rotation(&moment.base_from_flange.rotation.to_rotation_matrix());
     let mut speeds_deg_s = [0.0; 6];
     if let Some(last) = last {
-        for (angle, before) in angles.iter_mut().zip(last.rz_ry_rx_deg) {
-            *angle += 360.0 * ((before - *angle) / 360.0).round();
-        }
         let since_s = time_s - last.time_s;
         if since_s > 0.0 {
             speeds_deg_s = std::array::from_fn(|i| (joints_deg[i] - last.joints_deg[i]) / since_s);
@@ -63,6 +60,6 @@ fn push(out: &mut Vec<Sample>, timeline: &Timeline, time_s: f64) {
         speeds_deg_s,
         limit_margin_deg: robot.limit_margin_deg(&joints_deg),
         singularity: robot.singularity(&joints_deg),
-        rz_ry_rx_deg: angles,
+        rz_ry_rx_deg,
     });
 }

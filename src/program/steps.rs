@@ -3,7 +3,7 @@
 
 use super::air::Space;
 use crate::cell::Cell;
-use crate::part::Part;
+use crate::part::{Part, angle};
 use crate::pose::target::frame;
 use crate::pose::{Pass, Target};
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -23,6 +23,17 @@ pub struct Station {
 impl Station {
     fn of(t: &Target, defocus_mm: f64) -> Station {
         Station { x: t.focus(defocus_mm), a: t.a, o: t.o }
+    }
+
+    /// The station of a target, turned about the beam by a spin.
+    pub fn spun(t: &Target, defocus_mm: f64, spin_deg: f64) -> Station {
+        Station { x: t.focus(defocus_mm), a: t.a, o: angle::turned(&t.o, &t.a, spin_deg) }
+    }
+
+    /// The station of a path frame.
+    pub fn at(part_from_focus: &Isometry3<f64>) -> Station {
+        let axis = |v: Vector3<f64>| part_from_focus.rotation * v;
+        Station { x: part_from_focus.translation.vector.into(), a: axis(Vector3::z()), o: axis(Vector3::y()) }
     }
 
     /// `[n o a | x]`.
@@ -187,7 +198,19 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
 }
 
 impl Steps {
-    fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
+    /// When each target is reached, s from the start; moves by joints are not counted.
+    pub fn times(&self) -> impl Iterator<Item = ((usize, usize), f64)> {
+        let mut at_s = 0.0;
+        self.list.iter().filter_map(move |step| {
+            let Step::Go(go) = step else { return None };
+            if let Pace::Seconds(s) = go.pace {
+                at_s += s;
+            }
+            go.target.map(|t| (t, at_s))
+        })
+    }
+
+    pub(super) fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (way, pace) = (Way::Linear, Pace::Seconds(seconds));
         self.list.push(Step::Go(Go { to, way, joints_deg: None, pace, target }));
         self.time_s += seconds;

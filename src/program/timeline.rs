@@ -66,7 +66,7 @@ pub struct Timeline {
 }
 
 impl Timeline {
-    /// The program's timeline; `None` without a robot, or where a pose is out of its reach.
+    /// The program's timeline; `None` without a robot, or without the joints of a move.
     pub fn new(steps: &Steps, setup: &Setup) -> Option<Timeline> {
         let robot = setup.robot.clone()?;
         let timing = &setup.cell.timing;
@@ -88,11 +88,7 @@ impl Timeline {
                         stops.push(first(&m)?);
                         continue;
                     };
-                    let joints_deg = match m.joints_deg {
-                        Some(joints) => joints,
-                        // A program of poses leaves the choice to the controller.
-                        None => nearest(&robot, m.base_from_flange.as_ref()?, &last.joints_deg)?,
-                    };
+                    let joints_deg = m.joints_deg?;
                     let (ramp_s, seconds) = match m.pace {
                         Pace::Seconds(s) => (0.0, s.max(0.0)),
                         Pace::Percent(p) => {
@@ -194,7 +190,7 @@ impl Timeline {
         let ends = [from, to].map(|s| self.robot.forward(&s.joints_deg));
         let flange = straight(&ends[0], &ends[1], share);
         // Where the way leaves the arm's reach between two poses within it, the joints are shown.
-        match nearest(&self.robot, &flange, &joints) {
+        match self.robot.near(&flange, &joints) {
             Some(joints) => (joints, flange),
             None => (joints, self.robot.forward(&joints)),
         }
@@ -223,13 +219,6 @@ fn straight(from: &Isometry3<f64>, to: &Isometry3<f64>, share: f64) -> Isometry3
         Translation3::from(a + (b - a) * share),
         from.rotation * UnitQuaternion::from_scaled_axis(turn * share),
     )
-}
-
-/// The branch nearest to some joints, turned to the same side of ±180°.
-fn nearest(robot: &Robot, base_from_flange: &Isometry3<f64>, to_deg: &Joints) -> Option<Joints> {
-    let beside = |j: Joints| -> Joints { std::array::from_fn(|i| j[i] + 360.0 * ((to_deg[i] - j[i]) / 360.0).round()) };
-    let off = |j: &Joints| (0..6).map(|i| (j[i] - to_deg[i]).abs()).fold(0.0, f64::max);
-    robot.inverse(base_from_flange).into_iter().flatten().map(beside).min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
 #[cfg(test)]

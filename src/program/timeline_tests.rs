@@ -18,7 +18,10 @@ fn station(i: usize) -> Station {
 }
 
 fn go(i: usize, way: Way, pace: Pace, target: Option<(usize, usize)>) -> Step {
-    Step::Go(Go { to: station(i), way, joints_deg: None, pace, target })
+    let setup = setup();
+    let flange = setup.flange_for(&station(i).frame());
+    let joints_deg = setup.robot.as_ref().and_then(|r| r.near(&flange, &setup.home_joints_deg()));
+    Step::Go(Go { to: station(i), way, joints_deg, pace, target })
 }
 
 /// Home, out to the part by joints, two lit moves of 2 s, off, back by joints.
@@ -39,11 +42,11 @@ fn program() -> Steps {
 #[test]
 fn without_a_robot_there_is_none() {
     assert!(Timeline::new(&program(), &Setup { robot: None, ..setup() }).is_none());
-    let mut far = program();
-    if let Step::Go(go) = &mut far.list[4] {
-        go.to.x.x = 5000.0;
+    let mut poses = program();
+    if let Step::Go(go) = &mut poses.list[4] {
+        go.joints_deg = None;
     }
-    assert!(Timeline::new(&far, &setup()).is_none(), "out of reach");
+    assert!(Timeline::new(&poses, &setup()).is_none(), "a pose alone does not say how the arm stands");
 }
 
 #[test]

@@ -23,6 +23,8 @@ const SHORTEST_S: f64 = 0.05;
 
 /// One diagram.
 struct Diagram<'a> {
+    /// For who cannot see it.
+    name: &'static str,
     title: String,
     curves: Vec<Curve<'a>>,
     /// Where it must not go: value and colour.
@@ -38,6 +40,13 @@ struct Curve<'a> {
     value: Box<dyn Fn(&Sample) -> f64 + 'a>,
 }
 
+impl Diagram<'_> {
+    /// Its share of the width: room for the numbers of its curves.
+    fn share(&self) -> f32 {
+        3.0 + self.curves.len() as f32
+    }
+}
+
 impl App {
     pub(in super::super) fn plots(&mut self, ui: &mut egui::Ui) {
         let Some(motion) = self.derived.motion.clone() else { return };
@@ -45,11 +54,14 @@ impl App {
         let samples = &motion.curves;
         let span = self.plot_span(timeline.total_s());
         let list = diagrams(timeline, samples);
-        let width = (ui.available_width() - 3.0 * ui.spacing().item_spacing.x) / list.len() as f32;
+        let whole = ui.available_width() - 3.0 * ui.spacing().item_spacing.x;
+        let curves: f32 = list.iter().map(Diagram::share).sum();
         let height = ui.available_height();
         ui.horizontal_top(|ui| {
             for diagram in list {
+                let width = whole * diagram.share() / curves;
                 ui.allocate_ui(vec2(width, height), |ui| {
+                    ui.set_width(width);
                     ui.vertical(|ui| self.diagram(ui, &diagram, samples, span, timeline.total_s()));
                 });
             }
@@ -73,7 +85,7 @@ impl App {
         let time_s = self.session.time_s;
         let now = samples.get(samples.partition_point(|s| s.time_s < time_s)).or(samples.last());
         ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 7.0;
+            ui.spacing_mut().item_spacing.x = 5.0;
             for c in &d.curves {
                 // Rounded, and + 0 so that no −0.0 is shown.
                 let power = 10f64.powi(d.decimals as i32);
@@ -85,7 +97,7 @@ impl App {
         let lines: Vec<Vec<[f64; 2]>> = d.curves.iter().map(|c| thinned(samples, span, &c.value)).collect();
         let range = range(&lines, d.least);
         let cursor = ui.visuals().strong_text_color();
-        let plot = Plot::new(d.curves.first().map_or("", |c| c.name).to_owned() + &d.title[..d.title.len().min(8)])
+        let plot = Plot::new(d.name)
             .allow_drag(false)
             .allow_zoom(false)
             .allow_scroll(false)
@@ -102,13 +114,16 @@ impl App {
                 p.hline(HLine::new("limit", *value).color(*color).style(LineStyle::dashed_dense()).allow_hover(false));
             }
             for (c, points) in d.curves.iter().zip(lines) {
-                p.line(Line::new(c.name, points).color(c.color).width(1.6).allow_hover(false));
+                // An angle that goes on from 180° at −180° is no stroke from top to bottom.
+                for piece in points.chunk_by(|a, b| (a[1] - b[1]).abs() < 180.0) {
+                    p.line(Line::new(c.name, piece.to_vec()).color(c.color).width(1.6).allow_hover(false));
+                }
             }
             p.vline(VLine::new("now", time_s).color(cursor).width(1.5).allow_hover(false));
             p.pointer_coordinate().map(|at| at.x)
         });
         let response = shown.response;
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &d.title));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, d.name));
         let Some(x) = shown.inner else { return };
         if response.dragged() || response.clicked() {
             self.go_to_time(x);
@@ -151,6 +166,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
     let angle = |name, k: usize, color| Curve { name, color, value: Box::new(move |s: &Sample| s.rz_ry_rx_deg[k]) };
     vec![
         Diagram {
+            name: "curves of joints",
             title: format!("Joints, ° · nearest limit {margin_deg:.1}°"),
             curves: six(|_, s, i| s.joints_deg[i]),
             bounds: limits.collect(),
@@ -158,6 +174,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
             least: 10.0,
         },
         Diagram {
+            name: "curves of joint speeds",
             title: format!("Joint speed, % of full · most {peak:.0} % {which}"),
             curves: six(share_of_full),
             bounds: vec![(100.0, red), (-100.0, red)],
@@ -165,6 +182,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
             least: 10.0,
         },
         Diagram {
+            name: "curves of the flange's angles",
             title: "Flange in the base, °".into(),
             curves: vec![angle("RZ", 0, COLORS[0]), angle("RY", 1, COLORS[2]), angle("RX", 2, COLORS[5])],
             bounds: Vec::new(),
@@ -172,6 +190,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
             least: 10.0,
         },
         Diagram {
+            name: "curve of the distance to singularity",
             title: format!("Distance to singularity · least {singular:.2}"),
             curves: vec![Curve { name: "distance", color: COLORS[1], value: Box::new(|s| s.singularity) }],
             bounds: vec![(0.0, red)],

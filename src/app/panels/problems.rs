@@ -8,22 +8,28 @@ use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
 /// Why a target is not done, as people say it.
-pub(super) fn because(problem: &Problem) -> String {
-    let what = match problem.cause {
-        "beam" => "the beam hits",
-        "head" => "the laser head hits",
-        "obstacle" => "the arm or its load hits an obstacle",
-        "robot" => "the arm would hit itself or the part",
-        "reach" => "out of the robot's reach",
-        "limit" => "a joint would leave its limits",
-        "speed" => "a joint would have to be too fast",
-        "singularity" => "too near to a singular pose",
-        other => other,
-    };
-    let by = problem.by_surface.map(|n| format!(" surface {n}")).unwrap_or_default();
-    let facet = problem.by_facet.map(|f| format!(" (facet {f})")).unwrap_or_default();
-    let rest = if by.is_empty() && what.ends_with("hits") { " something" } else { "" };
-    format!("{what}{by}{facet}{rest}")
+fn because(problem: &Problem) -> String {
+    if let Some(detail) = &problem.detail {
+        return detail.clone();
+    }
+    match (problem.by_surface, problem.by_facet) {
+        (Some(surface), Some(facet)) => format!("the beam hits surface {surface} (facet {facet})"),
+        _ => "the beam hits something".into(),
+    }
+}
+
+/// What became of targets for a cause.
+fn refused(cause: &str) -> &str {
+    match cause {
+        "robot" => "refused: the arm or the part would hit something",
+        "head" => "refused: the head would be hit",
+        "obstacle" => "refused: an obstacle would be hit",
+        "reach" => "refused: out of the robot's reach",
+        "limit" => "refused: a joint would leave its limits",
+        "speed" => "refused: a joint would be too fast",
+        "singularity" => "refused: the arm would be singular",
+        _ => "blocked",
+    }
 }
 
 impl App {
@@ -51,14 +57,22 @@ impl App {
                     )
                 }
                 (_, Some(by), _) => format!("surface {surface}: {} targets blocked by surface {by}", list.len()),
-                _ => format!("surface {surface}: {} targets blocked", list.len()),
+                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause)),
             };
+            let why = list[0].detail.as_deref().map_or_else(String::new, |d| format!("{d}\n"));
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
-            if link.on_hover_text("Go there").clicked() {
+            if link.on_hover_text(format!("{why}Go there")).clicked() {
                 self.go_to(list[0], &plan);
             }
         }
+    }
+
+    /// Why a target is not done.
+    pub(super) fn why_blocked(&self, (pass, point): (usize, usize)) -> String {
+        let problems = self.derived.plan.iter().flat_map(|(_, report)| &report.problems);
+        let mut found = problems.filter(|p| p.pass == Some(pass) && p.point == Some(point));
+        found.next().map_or_else(|| "left out".into(), because)
     }
 
     /// Shows a problem: its target with the beam, or the surface that is missed.

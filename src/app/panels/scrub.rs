@@ -61,12 +61,7 @@ impl App {
     /// What is left out at a mark, and for what cause.
     fn why(&self, mark: &Mark) -> String {
         let (pass, point) = mark.first;
-        let problem = self
-            .derived
-            .plan
-            .as_ref()
-            .and_then(|(_, r)| r.problems.iter().find(|p| p.pass == Some(pass) && p.point == Some(point)));
-        let cause = problem.map_or_else(|| "left out".into(), super::problems::because);
+        let cause = self.why_blocked(mark.first);
         let many = if mark.count > 1 { format!("{} targets from ", mark.count) } else { String::new() };
         format!("{many}pass {pass} · point {point}: {cause}\nClick to go there")
     }

@@ -53,22 +53,9 @@ impl App {
             }
             let left_out: usize = self.derived.motion.iter().flat_map(|m| &m.marks).map(|m| m.count).sum();
             if left_out > 0 {
-                ui.label(RichText::new(format!("❙ {left_out} left out")).color(theme::WRONG));
-            }
-            self.panel_switches(ui);
-        });
-    }
-
-    /// Opens what is read beside the timeline.
-    fn panel_switches(&mut self, ui: &mut egui::Ui) {
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            for command in [Command::Text, Command::Plots] {
-                let button = egui::Button::selectable(self.is_shown(command), super::name_of(command));
-                let keys = super::keys_of(ui.ctx(), command);
-                if ui.add_enabled(self.is_enabled(command), button).on_hover_text(keys).clicked() {
-                    let ctx = ui.ctx().clone();
-                    self.run(command, &ctx);
-                }
+                let [r, g, b, _] = theme::WRONG.to_array();
+                theme::swatch(ui, [r, g, b]);
+                ui.label(RichText::new(format!("{left_out} left out")).color(theme::WRONG));
             }
         });
     }
@@ -130,7 +117,11 @@ impl App {
             ui.label(format!("tilt {:.2}°", t.tilt_deg()));
             ui.monospace(format!("x {:.3}  y {:.3}  z {:.3}", t.p.x, t.p.y, t.p.z));
             if let Some((_, Ok(setup))) = &self.derived.setup {
-                let flange = setup.flange_for(&t.frame(self.document.job().beam.defocus_mm));
+                // Where the arm is; without one, where the flange would have to be.
+                let flange = self.moment().map_or_else(
+                    || setup.flange_for(&t.frame(self.document.job().beam.defocus_mm)),
+                    |m| m.base_from_flange,
+                );
                 // Rounded, and + 0 so that no −0.00 is shown.
                 let [rz, ry, rx] = rpy::from_rotation(&flange.rotation.to_rotation_matrix())
                     .map(|a| (a * 100.0).round() / 100.0 + 0.0);
@@ -138,9 +129,8 @@ impl App {
                 let text = format!("flange {:.1} {:.1} {:.1} mm  RZ {rz:.2}° RY {ry:.2}° RX {rx:.2}°", v.x, v.y, v.z);
                 ui.monospace(text).on_hover_text("Pose of the flange in the robot's base");
             }
-            if let (State::Blocked, Some(facet)) = (t.state, t.normal_hits) {
-                let by = self.derived.surfaces.of_facet.get(facet as usize).copied().unwrap_or(0);
-                ui.label(RichText::new(format!("the beam hits surface {by} (facet {facet})")).color(theme::WRONG));
+            if t.state == State::Blocked {
+                ui.label(RichText::new(self.why_blocked((pass, point))).color(theme::WRONG));
             }
         });
     }

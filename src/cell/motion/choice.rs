@@ -1,0 +1,365 @@
+//! The cheapest chain of states over all targets, by dynamic programming.
+//!
+//! Within a lit piece a move keeps its branch, turns no joint by more than 30°, the spin by no more
+//! than 30°, and no joint faster than it can go at the programmed speed of the spot. The cost is joint
+//! travel, nearness to limits and nearness to singularities. Where no chain exists, the fewest targets
+//! possible are left out. All spins are looked at; nothing is sampled or refined, so the chain is the
+//! optimum of these rules.
+
+use super::refusal::{self, Cause, Refusal};
+use super::states::{Arm, Lack, SPIN_STEP_DEG, State};
+use crate::cell::Joints;
+use crate::pose::{self, Pass};
+use nalgebra::Isometry3;
+use rayon::prelude::*;
+
+/// A joint moves no further between two targets of a pass.
+pub const MOST_STEP_DEG: f64 = 30.0;
+/// The spin turns no further between two targets of a pass.
+pub const MOST_SPIN_STEP_DEG: f64 = 30.0;
+/// Leaving a target out costs more than any motion.
+pub const LEFT_OUT: f64 = 1e9;
+/// A change of branch between pieces: the arm has to go round, worth a long way by joints.
+pub const CHANGED_BRANCH: f64 = 200.0;
+/// Starting a piece anew inside a pass: out, round and in again.
+pub const STARTED_ANEW: f64 = 100.0;
+/// From here on nearness to a limit costs, degrees.
+pub const NEAR_LIMIT_DEG: f64 = 20.0;
+/// From here on nearness to a singularity costs.
+pub const NEAR_SINGULAR: f64 = 0.25;
+/// What a target at the very limit costs: as much as 6 degrees of travel.
+pub const AT_LIMIT: f64 = 6.0;
+/// What a target at a singularity costs.
+pub const AT_SINGULARITY: f64 = 12.0;
+/// Targets whose states are made at once.
+const CHUNK: usize = 256;
+
+/// What was chosen for a target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chosen {
+    /// Degrees.
+    pub joints_deg: Joints,
+    /// Rotation about the beam axis from the path frame, degrees.
+    pub spin_deg: f64,
+    /// Branch of the inverse.
+    pub branch: u8,
+    /// Distance from a singular pose, 0 to 1.
+    pub singularity: f64,
+    /// Least distance of a joint from its limits, degrees.
+    pub limit_margin_deg: f64,
+}
+
+/// What was chosen for all targets, by pass and point, and what was refused.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Choice {
+    /// `None`: blocked before, or refused.
+    pub rows: Vec<Vec<Option<Chosen>>>,
+    /// In program order.
+    pub refusals: Vec<Refusal>,
+}
+
+/// A target as the chain sees it.
+struct Stop {
+    pass: usize,
+    point: usize,
+    part_from_focus: Isometry3<f64>,
+    /// Time of the lit move that ends here, s; `None`: none does.
+    lit_s: Option<f64>,
+}
+
+/// States of a target, or why it has none.
+type Ways = Result<Vec<State>, Refused>;
+
+enum Refused {
+    Lack(Lack),
+    /// All its states touch something; the contact of the first.
+    Contact(String),
+}
+
+/// What the arm and all it carries touch at these joints, in words.
+pub type Touch<'a> = dyn Fn(&Joints) -> Option<String> + Sync + 'a;
+
+/// Chooses spin and branch for every target that is not blocked.
+///
+/// `touches` says what collides; it is asked for the chosen states first, and for all states of a
+/// pass where one of them does.
+pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, touches: &Touch<'_>) -> Choice {
+    let stops = stops(passes, defocus_mm, speed_mm_s);
+    let mut looked_at = vec![false; passes.len()];
+    loop {
+        let chain = chain(arm, &stops, |stop: &Stop| {
+            let states = arm.states(&stop.part_from_focus).map_err(Refused::Lack)?;
+            if !looked_at[stop.pass] {
+                return Ok(states);
+            }
+            let mut contact = None;
+            let free: Vec<State> = states
+                .into_iter()
+                .filter(|s| {
+                    let touched = touches(&s.joints_deg);
+                    let is_free = touched.is_none();
+                    contact = contact.take().or(touched);
+                    is_free
+                })
+                .collect();
+            if free.is_empty() { Err(Refused::Contact(contact.unwrap_or_default())) } else { Ok(free) }
+        });
+        let touching: Vec<usize> = stops
+            .par_iter()
+            .zip(&chain)
+            .filter(|(stop, state)| {
+                !looked_at[stop.pass] && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
+            })
+            .map(|(stop, _)| stop.pass)
+            .collect();
+        if touching.is_empty() {
+            return choice(arm, passes, &stops, chain);
+        }
+        for pass in touching {
+            looked_at[pass] = true;
+        }
+    }
+}
+
+fn stops(passes: &[Pass], defocus_mm: f64, speed_mm_s: f64) -> Vec<Stop> {
+    let mut out = Vec::new();
+    for (pass, p) in passes.iter().enumerate() {
+        for (point, t) in p.targets.iter().enumerate().filter(|(_, t)| t.state != pose::State::Blocked) {
+            let lit_s = t.laser.then(|| (t.p - p.targets[point - 1].p).norm() / speed_mm_s);
+            out.push(Stop { pass, point, part_from_focus: t.frame(defocus_mm), lit_s });
+        }
+    }
+    out
+}
+
+/// A joint's share of the cost, per degree: fast joints are cheap.
+pub(super) fn weights(speeds_deg_s: &[f64; 6]) -> [f64; 6] {
+    let mean = speeds_deg_s.iter().fold(0.0, |a, b| a + b) / 6.0;
+    speeds_deg_s.map(|s| mean / s)
+}
+
+/// How far each joint may go in a move of so many seconds, degrees.
+pub(super) fn most_deg(speeds_deg_s: &[f64; 6], seconds: f64) -> [f64; 6] {
+    speeds_deg_s.map(|s| (s * seconds).min(MOST_STEP_DEG))
+}
+
+/// A chain over all stops: the state of each, or why there is none (`None`: it has states, but the
+/// cheapest chain leaves it out).
+fn chain(arm: &Arm<'_>, stops: &[Stop], ways: impl Fn(&Stop) -> Ways + Sync) -> Vec<Result<State, Option<Refused>>> {
+    let rules = Rules::new(arm);
+    let mut trace: Vec<Trace> = Vec::with_capacity(stops.len());
+    let mut before = Layer::start();
+    for chunk in stops.chunks(CHUNK) {
+        let made: Vec<Ways> = chunk.par_iter().map(&ways).collect();
+        for (stop, ways) in chunk.iter().zip(made) {
+            let (states, lack) = ways.map_or_else(|lack| (Vec::new(), Some(lack)), |states| (states, None));
+            let mut layer = Layer::new(states, arm.spins());
+            let from = match stop.lit_s {
+                Some(seconds) => rules.lit(&before, &mut layer, seconds),
+                None => rules.round(&before, &mut layer),
+            };
+            let (left_out_from, cheapest) = before.cheapest();
+            layer.left_out = cheapest + LEFT_OUT;
+            let ways = layer.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
+            trace.push(Trace { from, left_out_from, ways, lack });
+            before = layer;
+        }
+    }
+    let mut at = before.cheapest().0;
+    let mut picked = vec![OUT; stops.len()];
+    for (pick, t) in picked.iter_mut().zip(&trace).rev() {
+        *pick = at;
+        at = if at == OUT { t.left_out_from } else { t.from[at as usize] };
+    }
+    let state = |(stop, t, pick): (&Stop, Trace, u32)| {
+        let way = t.ways.get(pick as usize);
+        way.and_then(|[spin, branch, turn]| arm.state(&stop.part_from_focus, *spin, *branch, *turn)).ok_or(t.lack)
+    };
+    stops.iter().zip(trace).zip(picked).map(|((stop, t), pick)| state((stop, t, pick))).collect()
+}
+
+/// Number of the node that leaves a target out.
+const OUT: u32 = u32::MAX;
+
+/// What is kept of a layer for the way back: predecessors, and how each state is made again.
+struct Trace {
+    from: Vec<u32>,
+    left_out_from: u32,
+    ways: Vec<[u8; 3]>,
+    lack: Option<Refused>,
+}
+
+/// One target's states with what it costs to have come to them.
+struct Layer {
+    states: Vec<State>,
+    cost: Vec<f64>,
+    /// Cost with this target left out.
+    left_out: f64,
+    /// Where the states of each branch and spin begin.
+    begin: Vec<u32>,
+}
+
+impl Layer {
+    /// Before the first target: nothing stands anywhere, and that costs nothing.
+    fn start() -> Layer {
+        Layer { states: Vec::new(), cost: Vec::new(), left_out: 0.0, begin: Vec::new() }
+    }
+
+    /// `states` in the order of branch and spin.
+    fn new(states: Vec<State>, spins: usize) -> Layer {
+        let mut begin = vec![0_u32; 8 * spins + 1];
+        for s in &states {
+            begin[usize::from(s.branch) * spins + usize::from(s.spin) + 1] += 1;
+        }
+        for i in 1..begin.len() {
+            begin[i] += begin[i - 1];
+        }
+        Layer { cost: vec![f64::INFINITY; states.len()], states, left_out: f64::INFINITY, begin }
+    }
+
+    /// The states of a branch and spin.
+    fn range(&self, branch: usize, spin: usize, spins: usize) -> std::ops::Range<usize> {
+        let at = branch * spins + spin;
+        match (self.begin.get(at), self.begin.get(at + 1)) {
+            (Some(&a), Some(&b)) => a as usize..b as usize,
+            _ => 0..0,
+        }
+    }
+
+    /// The cheapest node and its cost.
+    fn cheapest(&self) -> (u32, f64) {
+        let mut best = (OUT, self.left_out);
+        for (i, &cost) in self.cost.iter().enumerate() {
+            if cost < best.1 {
+                best = (i as u32, cost);
+            }
+        }
+        best
+    }
+}
+
+/// What a state and a move cost.
+struct Rules<'a> {
+    arm: &'a Arm<'a>,
+    weights: [f64; 6],
+    /// Changes of the spin's number that are allowed, the least first.
+    spin_steps: Vec<usize>,
+}
+
+impl<'a> Rules<'a> {
+    fn new(arm: &'a Arm<'a>) -> Rules<'a> {
+        let spins = arm.spins();
+        let most = (MOST_SPIN_STEP_DEG / SPIN_STEP_DEG) as usize;
+        let mut spin_steps = vec![0];
+        for step in 1..=if spins > 2 { most.min(spins / 2) } else { 0 } {
+            spin_steps.extend([step, spins - step]);
+        }
+        Rules { arm, weights: weights(&arm.robot.speeds_deg_s), spin_steps }
+    }
+
+    /// What it costs to stand in a state.
+    fn standing(&self, state: &State) -> f64 {
+        let robot = self.arm.robot;
+        let share = |x: f64, from: f64| ((from - x) / from).max(0.0);
+        let limit = share(robot.limit_margin_deg(&state.joints_deg), NEAR_LIMIT_DEG);
+        let singular = share(robot.singularity(&state.joints_deg), NEAR_SINGULAR);
+        AT_LIMIT * limit * limit + AT_SINGULARITY * singular * singular
+    }
+
+    fn travel(&self, from: &Joints, to: &Joints) -> f64 {
+        (0..6).map(|j| self.weights[j] * (to[j] - from[j]).abs()).fold(0.0, |a, b| a + b)
+    }
+
+    /// Costs and predecessors after a lit move.
+    fn lit(&self, before: &Layer, layer: &mut Layer, seconds: f64) -> Vec<u32> {
+        let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
+        let spins = self.arm.spins();
+        let mut from = vec![OUT; layer.states.len()];
+        for (i, state) in layer.states.iter().enumerate() {
+            let to = &state.joints_deg;
+            // Without its predecessor the piece starts here: out, round and in again.
+            let mut best = before.left_out + STARTED_ANEW;
+            for step in &self.spin_steps {
+                let spin = (usize::from(state.spin) + step) % spins;
+                'candidates: for k in before.range(usize::from(state.branch), spin, spins) {
+                    let mut cost = before.cost[k];
+                    if cost >= best {
+                        continue;
+                    }
+                    let here = &before.states[k].joints_deg;
+                    for j in 0..6 {
+                        let moved = (to[j] - here[j]).abs();
+                        if moved > most[j] {
+                            continue 'candidates;
+                        }
+                        cost += self.weights[j] * moved;
+                    }
+                    if cost < best {
+                        (best, from[i]) = (cost, k as u32);
+                    }
+                }
+            }
+            layer.cost[i] = best + self.standing(state);
+        }
+        from
+    }
+
+    /// Costs and predecessors after a connecting move: from any state to any.
+    fn round(&self, before: &Layer, layer: &mut Layer) -> Vec<u32> {
+        let mut order: Vec<u32> = (0..before.states.len() as u32).collect();
+        order.sort_by(|a, b| before.cost[*a as usize].total_cmp(&before.cost[*b as usize]));
+        let reached: Vec<(f64, u32)> = layer
+            .states
+            .par_iter()
+            .map(|state| {
+                let mut best = (before.left_out, OUT);
+                for &k in &order {
+                    let (here, so_far) = (&before.states[k as usize], before.cost[k as usize]);
+                    // Travel costs something at least: none behind this one can be cheaper.
+                    if so_far >= best.0 {
+                        break;
+                    }
+                    let changed = if here.branch == state.branch { 0.0 } else { CHANGED_BRANCH };
+                    let cost = so_far + changed + self.travel(&here.joints_deg, &state.joints_deg);
+                    if cost < best.0 {
+                        best = (cost, k);
+                    }
+                }
+                (best.0 + self.standing(state), best.1)
+            })
+            .collect();
+        layer.cost = reached.iter().map(|r| r.0).collect();
+        reached.into_iter().map(|r| r.1).collect()
+    }
+}
+
+/// The chain by pass and point, with what was left out and why.
+fn choice(arm: &Arm<'_>, passes: &[Pass], stops: &[Stop], chain: Vec<Result<State, Option<Refused>>>) -> Choice {
+    let mut rows: Vec<Vec<Option<Chosen>>> = passes.iter().map(|p| vec![None; p.targets.len()]).collect();
+    let mut refusals = Vec::new();
+    let mut last: Option<(&Stop, State)> = None;
+    for (stop, node) in stops.iter().zip(chain) {
+        match node {
+            Ok(state) => {
+                rows[stop.pass][stop.point] = Some(Chosen {
+                    joints_deg: state.joints_deg,
+                    spin_deg: arm.spin_deg(state.spin),
+                    branch: state.branch,
+                    singularity: arm.robot.singularity(&state.joints_deg),
+                    limit_margin_deg: arm.robot.limit_margin_deg(&state.joints_deg),
+                });
+                last = Some((stop, state));
+            }
+            Err(refused) => {
+                let neighbour = last.filter(|(s, _)| s.pass == stop.pass).map(|(_, state)| state);
+                let (cause, detail) = match refused {
+                    Some(Refused::Lack(lack)) => refusal::of_lack(arm, &lack),
+                    Some(Refused::Contact(contact)) => (Cause::of_contact(&contact), contact),
+                    None => refusal::of_move(arm, &stop.part_from_focus, neighbour.as_ref(), stop.lit_s),
+                };
+                refusals.push(Refusal { pass: stop.pass, point: stop.point, cause, detail });
+            }
+        }
+    }
+    Choice { rows, refusals }
+}

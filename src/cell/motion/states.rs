@@ -1,0 +1,193 @@
+//! All ways in which the arm can bring the beam to one target.
+
+use crate::cell::{Cell, Joints, Mount, Robot, Setup, Spin};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+
+/// Spins are this far apart: 72 of them. Finer ones cost time and gain a fraction of a degree.
+pub const SPIN_STEP_DEG: f64 = 5.0;
+/// Poses nearer to a singularity are not taken: there 1 degree of the part is 30 of a joint.
+pub const LEAST_SINGULARITY: f64 = 0.03;
+/// A joint beyond half a turn is looked at up to here on either side of its other reading, degrees:
+/// farther than any single move.
+const PAST_HALF_TURN_DEG: f64 = 225.0;
+
+/// A robot in its cell, and the spins it may take.
+#[derive(Clone, Debug)]
+pub struct Arm<'a> {
+    /// The robot.
+    pub robot: &'a Robot,
+    cell: &'a Cell,
+    mount: Mount,
+    /// Rotation by each spin about the beam axis.
+    spins: Vec<(f64, UnitQuaternion<f64>)>,
+}
+
+/// One way: joints in degrees, the spin's number, and the branch of the inverse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// Within their limits.
+    pub joints_deg: Joints,
+    /// Number of the spin.
+    pub spin: u8,
+    /// Branch of the inverse.
+    pub branch: u8,
+    /// Number of the reading of its turns.
+    pub turn: u8,
+}
+
+/// Why a pose that has solutions has no state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lack {
+    /// No solution at any spin.
+    Reach,
+    /// Solutions, but a joint is beyond its limits: the joint from 0, the least overrun found.
+    Limit {
+        /// Joint, from 0.
+        joint: usize,
+        /// Angle it would need, degrees.
+        needs_deg: f64,
+    },
+    /// Only poses next to a singularity.
+    Singularity,
+}
+
+impl<'a> Arm<'a> {
+    /// The arm of a setup; `None` without a robot.
+    pub fn new(setup: &'a Setup, spin: Spin) -> Option<Arm<'a>> {
+        let step = match spin {
+            Spin::Free => SPIN_STEP_DEG,
+            // Along the travel, or against it.
+            Spin::Travel => 180.0,
+        };
+        Some(Arm::with_step(setup.robot.as_ref()?, setup, step))
+    }
+
+    /// With spins so far apart: searches over many poses look at fewer.
+    pub fn with_step(robot: &'a Robot, setup: &'a Setup, step_deg: f64) -> Arm<'a> {
+        let count = (360.0 / step_deg).round() as usize;
+        let spins = (0..count).map(|k| (k as f64 * step_deg, about_beam(k as f64 * step_deg))).collect();
+        Arm { robot, cell: &setup.cell, mount: setup.mount, spins }
+    }
+
+    /// How many spins there are.
+    pub fn spins(&self) -> usize {
+        self.spins.len()
+    }
+
+    /// A spin in degrees, in (−180, 180].
+    pub fn spin_deg(&self, spin: u8) -> f64 {
+        let deg = self.spins[usize::from(spin)].0;
+        if deg > 180.0 { deg - 360.0 } else { deg }
+    }
+
+    /// A path frame turned by a spin.
+    pub fn turned(&self, part_from_focus: &Isometry3<f64>, spin: u8) -> Isometry3<f64> {
+        Isometry3::from_parts(part_from_focus.translation, part_from_focus.rotation * self.spins[usize::from(spin)].1)
+    }
+
+    /// Pose of the flange for a path frame.
+    pub fn flange_for(&self, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
+        self.cell.flange_for(self.mount, part_from_focus)
+    }
+
+    /// All states at a path frame, by branch, then by spin.
+    ///
+    /// # Errors
+    /// There is none, and why.
+    pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<State>, Lack> {
+        let mut solved: Vec<[Option<Joints>; 8]> = Vec::with_capacity(self.spins.len());
+        for k in 0..self.spins.len() {
+            solved.push(self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, k as u8))));
+        }
+        let mut out = Vec::new();
+        let (mut reached, mut least): (bool, Option<(f64, usize, f64)>) = (false, None);
+        let mut singular = false;
+        for branch in 0..8 {
+            for (spin, solutions) in solved.iter().enumerate() {
+                let Some(joints) = solutions[branch] else { continue };
+                reached = true;
+                let before = out.len();
+                let is_singular = self.robot.singularity(&joints) < LEAST_SINGULARITY;
+                for (turn, joints_deg) in turns(&joints, &self.robot.limits_deg).take(256).enumerate() {
+                    if is_singular {
+                        singular = true;
+                    } else {
+                        out.push(State { joints_deg, spin: spin as u8, branch: branch as u8, turn: turn as u8 });
+                    }
+                }
+                if out.len() == before && !is_singular {
+                    let worst = worst_overrun(&joints, &self.robot.limits_deg);
+                    least = Some(least.filter(|l| l.0 <= worst.0).unwrap_or(worst));
+                }
+            }
+        }
+        if !out.is_empty() {
+            return Ok(out);
+        }
+        Err(match least {
+            _ if !reached => Lack::Reach,
+            _ if singular => Lack::Singularity,
+            Some((_, joint, needs_deg)) => Lack::Limit { joint, needs_deg },
+            None => Lack::Singularity,
+        })
+    }
+}
+
+impl Arm<'_> {
+    /// The state of that spin, branch and reading, as [`Arm::states`] made it.
+    pub fn state(&self, part_from_focus: &Isometry3<f64>, spin: u8, branch: u8, turn: u8) -> Option<State> {
+        let solutions = self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, spin)));
+        let joints = solutions[usize::from(branch)]?;
+        let joints_deg = turns(&joints, &self.robot.limits_deg).nth(usize::from(turn))?;
+        Some(State { joints_deg, spin, branch, turn })
+    }
+}
+
+/// Rotation about the beam axis (z of a path frame).
+pub fn about_beam(deg: f64) -> UnitQuaternion<f64> {
+    let (s, c) = libm::sincos(0.5 * deg.to_radians());
+    UnitQuaternion::new_unchecked(nalgebra::Quaternion::from_parts(c, Vector3::new(0.0, 0.0, s)))
+}
+
+/// Every reading of a solution within the limits: a joint may stand a whole turn further.
+///
+/// All but the last joint are read twice only next to half a turn, where a motion may carry on.
+pub fn turns(joints_deg: &Joints, limits_deg: &[[f64; 2]; 6]) -> impl Iterator<Item = Joints> {
+    let mut readings = [[0.0; 3]; 6];
+    let mut counts = [0; 6];
+    for j in 0..6 {
+        let most = if j == 5 { f64::INFINITY } else { PAST_HALF_TURN_DEG };
+        for turn in [0.0, -360.0, 360.0] {
+            let deg = joints_deg[j] + turn;
+            if (limits_deg[j][0]..=limits_deg[j][1]).contains(&deg) && deg.abs() <= most {
+                readings[j][counts[j]] = deg;
+                counts[j] += 1;
+            }
+        }
+    }
+    (0..counts.iter().product()).map(move |mut code: usize| {
+        std::array::from_fn(|j| {
+            let reading = readings[j][code % counts[j]];
+            code /= counts[j];
+            reading
+        })
+    })
+}
+
+/// The joint that is farthest beyond its limits: by how much, which, and where it would stand; each
+/// joint read at the turn that suits it best.
+fn worst_overrun(joints_deg: &Joints, limits_deg: &[[f64; 2]; 6]) -> (f64, usize, f64) {
+    let mut worst = (0.0, 0, joints_deg[0]);
+    for j in 0..6 {
+        let over = |deg: f64| (limits_deg[j][0] - deg).max(deg - limits_deg[j][1]);
+        let best = [0.0, -360.0, 360.0]
+            .into_iter()
+            .map(|turn| joints_deg[j] + turn)
+            .map(|deg| (over(deg), deg))
+            .fold((f64::INFINITY, 0.0), |a, b| if b.0 < a.0 { b } else { a });
+        if best.0 > worst.0 {
+            worst = (best.0, j, best.1);
+        }
+    }
+    worst
+}

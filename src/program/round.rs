@@ -1,0 +1,185 @@
+//! Connecting moves that the arm can make: straight out along the beam, round, and straight in again.
+//!
+//! Ways are tried from the short to the long one: a straight hop, one move by joints, stations over
+//! the part, by way of home. Each is looked at in steps: no joint beyond its range, focus and beam
+//! clear of the part, arm and part clear of what stands in the cell.
+
+use super::air::Space;
+use super::drive::{Drive, Stand};
+use super::steps::{Go, Pace, Station, Way};
+use crate::cell::motion::states::Arm;
+use crate::cell::{Joints, Robot};
+
+/// On a move by joints no joint turns further than this between two looks, degrees.
+const LOOK_DEG: f64 = 1.0;
+/// On a straight move the focus goes no further than this between two looks, mm.
+const LOOK_MM: f64 = 0.5;
+/// And the part turns no further, degrees.
+const LOOK_TURN_DEG: f64 = 2.0;
+/// A straight connecting move turns no joint further than this.
+const MOST_STRAIGHT_DEG: f64 = 60.0;
+/// How much of the way out to the sphere is tried, in steps of this share.
+const OUT_STEPS: usize = 8;
+/// Spins looked at on the way, degrees apart.
+const SPINS_DEG: f64 = 30.0;
+
+/// The way from one lit piece (or home) to the next (or home), its last move included; `None`: there
+/// is none.
+pub fn way(drive: &Drive<'_>, space: &Space<'_>, from: Option<&Stand>, to: Option<&Stand>) -> Option<Vec<Go>> {
+    let r = Round { drive, space, robot: drive.robot };
+    let home = drive.setup.home_joints_deg();
+    match (from, to) {
+        (None, None) => Some(Vec::new()),
+        (None, Some(to)) => {
+            let above = r.outs(to).find(|above| r.joints_clear(&home, &above.joints_deg))?;
+            Some(vec![r.by_joints(&above), r.straight(&above, to)])
+        }
+        (Some(from), None) => {
+            let out = r.outs(from).find(|out| r.joints_clear(&out.joints_deg, &home))?;
+            Some(vec![r.straight(from, &out)])
+        }
+        (Some(from), Some(to)) => r.hop(from, to).or_else(|| r.direct(from, to)).or_else(|| {
+            r.over(from, to).or_else(|| {
+                let out = r.outs(from).find(|out| r.joints_clear(&out.joints_deg, &home))?;
+                let above = r.outs(to).find(|above| r.joints_clear(&home, &above.joints_deg))?;
+                let at = Station::at(&drive.setup.focus_for(&r.robot.forward(&home)));
+                let home = r.by_joints(&Stand { at, joints_deg: home });
+                Some(vec![r.straight(from, &out), home, r.by_joints(&above), r.straight(&above, to)])
+            })
+        }),
+    }
+}
+
+struct Round<'a> {
+    drive: &'a Drive<'a>,
+    space: &'a Space<'a>,
+    robot: &'a Robot,
+}
+
+impl Round<'_> {
+    /// The stand at a station, carried on from some joints.
+    fn stand(&self, at: Station, near: &Joints) -> Option<Stand> {
+        let joints_deg = self.robot.near(&self.drive.setup.flange_for(&at.frame()), near)?;
+        Some(Stand { at, joints_deg })
+    }
+
+    /// Along the beam, away from the part, by a share of the way between two stations.
+    fn along(&self, from: &Stand, end: &Station, share: f64) -> Option<Stand> {
+        let mut here = *from;
+        for k in 1..=4 {
+            let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
+            let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
+            if farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG {
+                return None;
+            }
+            here = next;
+        }
+        Some(here)
+    }
+
+    /// Stands straight above a piece's end: on the sphere around the part, then nearer and nearer.
+    fn outs<'b>(&'b self, stand: &'b Stand) -> impl Iterator<Item = Stand> + 'b {
+        let sphere = self.space.outside(&stand.at);
+        (1..=OUT_STEPS).rev().filter_map(move |k| self.along(stand, &sphere, k as f64 / OUT_STEPS as f64))
+    }
+
+    /// Straight up, straight over, straight down.
+    fn hop(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
+        if !self.space.is_hop(&from.at, &to.at) {
+            return None;
+        }
+        let up = self.along(from, &self.space.drawn_back(&from.at), 1.0)?;
+        let down = self.along(to, &self.space.drawn_back(&to.at), 1.0)?;
+        self.straight_clear(&up, &down)
+            .then(|| vec![self.straight(from, &up), self.straight(&up, &down), self.straight(&down, to)])
+    }
+
+    /// Out, one move by joints, in.
+    fn direct(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
+        let (out, above) = (self.outs(from).next()?, self.outs(to).next()?);
+        self.joints_clear(&out.joints_deg, &above.joints_deg)
+            .then(|| vec![self.straight(from, &out), self.by_joints(&above), self.straight(&above, to)])
+    }
+
+    /// Out, over the part from station to station, in.
+    fn over(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
+        let (out, above) = (self.outs(from).next()?, self.outs(to).next()?);
+        let stations = self.space.between(&from.at, &to.at, false);
+        let arm = Arm::with_step(self.robot, self.drive.setup, SPINS_DEG);
+        let mut way = vec![self.straight(from, &out)];
+        let mut here = out;
+        for station in stations.get(1..stations.len().saturating_sub(1))? {
+            let states = arm.states(&station.frame()).ok()?;
+            let length = |j: &Joints| farthest(&here.joints_deg, j) + farthest(j, &above.joints_deg);
+            let mut order: Vec<(f64, usize)> =
+                states.iter().enumerate().map(|(i, s)| (length(&s.joints_deg), i)).collect();
+            order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let next = order.iter().take(4).map(|(_, i)| &states[*i]);
+            let next = next
+                .map(|s| Stand { at: Station::at(&arm.turned(&station.frame(), s.spin)), joints_deg: s.joints_deg });
+            let next = next.into_iter().find(|n| self.joints_clear(&here.joints_deg, &n.joints_deg))?;
+            way.push(self.by_joints(&next));
+            here = next;
+        }
+        if !self.joints_clear(&here.joints_deg, &above.joints_deg) {
+            return None;
+        }
+        way.extend([self.by_joints(&above), self.straight(&above, to)]);
+        Some(way)
+    }
+
+    fn by_joints(&self, to: &Stand) -> Go {
+        let pace = Pace::Percent(self.drive.setup.cell.air.home_percent);
+        Go { to: to.at, way: Way::Joint, joints_deg: Some(to.joints_deg), pace, target: None }
+    }
+
+    /// A straight move in the time that speed, turn and the slowest joint need.
+    fn straight(&self, from: &Stand, to: &Stand) -> Go {
+        let joints = (0..6)
+            .map(|j| (to.joints_deg[j] - from.joints_deg[j]).abs() / self.robot.speeds_deg_s[j])
+            .fold(0.0, f64::max);
+        let seconds = self.space.seconds(&from.at, &to.at, self.drive.speeds.air_mm_s).max(2.0 * joints);
+        let pace = Pace::Seconds(seconds);
+        Go { to: to.at, way: Way::Linear, joints_deg: Some(to.joints_deg), pace, target: None }
+    }
+
+    /// Whether nothing is in the way of a move by joints.
+    fn joints_clear(&self, from: &Joints, to: &Joints) -> bool {
+        let steps = (farthest(from, to) / LOOK_DEG).ceil().max(1.0);
+        (0..=steps as usize).all(|k| {
+            let t = k as f64 / steps;
+            let joints: Joints = std::array::from_fn(|j| from[j] + (to[j] - from[j]) * t);
+            self.space.is_clear_at(&self.drive.setup.focus_for(&self.robot.forward(&joints)))
+                && (self.drive.touches)(&joints).is_none()
+        })
+    }
+
+    /// Whether nothing is in the way where the flange goes straight, and the arm can follow.
+    fn straight_clear(&self, from: &Stand, to: &Stand) -> bool {
+        if farthest(&from.joints_deg, &to.joints_deg) > MOST_STRAIGHT_DEG {
+            return false;
+        }
+        let setup = self.drive.setup;
+        let (a, b) = (setup.flange_for(&from.at.frame()), setup.flange_for(&to.at.frame()));
+        let steps = ((to.at.x - from.at.x).norm() / LOOK_MM).max(from.at.turn_deg(&to.at) / LOOK_TURN_DEG);
+        let steps = steps.ceil().max(1.0);
+        let mut here = from.joints_deg;
+        for k in 0..=steps as usize {
+            let flange = a.lerp_slerp(&b, k as f64 / steps);
+            match self.robot.near(&flange, &here) {
+                Some(joints) if farthest(&here, &joints) <= 0.5 * MOST_STRAIGHT_DEG => here = joints,
+                _ => return false,
+            }
+            if !self.space.is_clear_at(&setup.focus_for(&flange)) || (self.drive.touches)(&here).is_some() {
+                return false;
+            }
+        }
+        // The way must end in the joints that the next piece starts from.
+        farthest(&here, &to.joints_deg) < 1e-6
+    }
+}
+
+/// Largest difference of a joint, degrees.
+fn farthest(a: &Joints, b: &Joints) -> f64 {
+    (0..6).map(|j| (a[j] - b[j]).abs()).fold(0.0, f64::max)
+}
