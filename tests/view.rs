@@ -10,7 +10,7 @@ use common::glow_renderer::{GlowTestRenderer, thread_gl};
 use eframe::egui::{self, Event, Modifiers, PointerButton, Pos2, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use nalgebra::{Point2, Point3};
+use nalgebra::{Isometry3, Point2, Point3, Translation3, UnitQuaternion, Vector3};
 use std::sync::Arc;
 
 const GREEN: [u8; 4] = [40, 160, 90, 255];
@@ -39,6 +39,7 @@ fn cube(color: [u8; 4]) -> MeshItem {
         colors_key: u64::from(u32::from_be_bytes(color)),
         facet_colors: Arc::new(vec![color; 12]),
         edges: None,
+        scene_from_item: Isometry3::identity(),
     }
 }
 
@@ -259,6 +260,30 @@ fn unchanged_scene_is_not_drawn_and_colours_travel_alone() {
 }
 
 #[test]
+fn what_moves_is_drawn_elsewhere_and_not_uploaded_again() {
+    let gl = thread_gl();
+    let mut renderer = Renderer::new(gl.gl()).expect("OpenGL 3.3");
+    let camera = front_camera();
+    let mut at = |place: Isometry3<f64>| {
+        let moved = scene(vec![MeshItem { scene_from_item: place, ..cube(GREEN) }]);
+        assert!(renderer.draw(&moved, &camera, SIZE_PX).expect("draws"), "another place is another picture");
+        assert_eq!(renderer.upload_count(), 2, "geometry and colours, once");
+        renderer.read_rgba()
+    };
+    let (here, turned) = (
+        at(Isometry3::identity()),
+        at(Isometry3::from_parts(
+            Translation3::identity(),
+            UnitQuaternion::from_scaled_axis(Vector3::z() * std::f64::consts::FRAC_PI_2),
+        )),
+    );
+    assert!(near(here.get_pixel(160, 120), GREEN, 8));
+    assert!(here.pixels().zip(turned.pixels()).all(|(a, b)| near(a, b.0, 3)), "a turned cube looks the same, lit too");
+    let aside = at(Isometry3::translation(200.0, 0.0, 0.0));
+    assert!(!near(aside.get_pixel(160, 120), GREEN, 60), "it is gone from the middle");
+}
+
+#[test]
 fn hidden_facets_lines_and_dots_show_what_they_should() {
     let gl = thread_gl();
     let mut renderer = Renderer::new(gl.gl()).expect("OpenGL 3.3");
@@ -269,9 +294,15 @@ fn hidden_facets_lines_and_dots_show_what_they_should() {
         segments: Arc::new(vec![LineSegment { a: [-15., y, z], b: [15., y, z], color: yellow }]),
         width_px: 4.0,
         depth,
+        scene_from_item: Isometry3::identity(),
     };
-    let dot =
-        PointItem { key: 9, points: Arc::new(vec![([0.0, -20.0, 12.0], RED)]), size_px: 10.0, depth: Depth::Tested };
+    let dot = PointItem {
+        key: 9,
+        points: Arc::new(vec![([0.0, -20.0, 12.0], RED)]),
+        size_px: 10.0,
+        depth: Depth::Tested,
+        scene_from_item: Isometry3::identity(),
+    };
     let lines = vec![
         line(1, -20.0, 6.0, Depth::Tested), // in the surface: must win
         line(2, 0.0, 0.0, Depth::Tested),   // inside: hidden

@@ -5,71 +5,12 @@
 
 mod common;
 
-use clearbeam::app::{App, COMMANDS, FileDialogs, Purpose};
-use common::glow_renderer::GlowTestRenderer;
+use clearbeam::app::{App, COMMANDS, Purpose};
+use common::window::{Answers, click, drag, press, sample, settle, snapshot, window};
 use eframe::egui::{self, Key, Modifiers};
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use egui_kittest::{Harness, SnapshotOptions};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
-
-/// Answers file dialogs at once.
-#[derive(Clone, Default)]
-struct Answers(Arc<Mutex<Vec<(Purpose, PathBuf)>>>);
-
-impl FileDialogs for Answers {
-    fn ask(&self, purpose: Purpose, _name: &str, answer: Box<dyn FnOnce(Option<PathBuf>) + Send>) {
-        let known = self.0.lock().expect("not poisoned");
-        answer(known.iter().find(|(p, _)| *p == purpose).map(|(_, path)| path.clone()));
-    }
-}
-
-fn sample(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/samples").join(name)
-}
-
-fn window(open: Option<PathBuf>, answers: &Answers) -> Harness<'static, App> {
-    let answers = answers.clone();
-    let mut harness = Harness::builder()
-        .with_size(egui::vec2(1280.0, 800.0))
-        .with_render_cursor(false)
-        .with_step_dt(1.0 / 60.0)
-        .renderer(GlowTestRenderer::new())
-        .build_eframe(move |cc| App::new(cc, Box::new(answers), open));
-    settle(&mut harness);
-    harness
-}
-
-/// Runs frames until nothing is being computed.
-fn settle(harness: &mut Harness<'_, App>) {
-    for _ in 0..3000 {
-        harness.step();
-        if harness.state().is_settled() {
-            harness.run_steps(3);
-            if harness.state().is_settled() {
-                return;
-            }
-        }
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
-    panic!("the window never came to rest");
-}
-
-fn click(harness: &mut Harness<'_, App>, label: &str) {
-    harness.get_by_label(label).click();
-    settle(harness);
-}
-
-fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
-    harness.key_press_modifiers(modifiers, key);
-    settle(harness);
-}
-
-fn snapshot(harness: &mut Harness<'_, App>, name: &str) {
-    // Software OpenGL differs from version to version in single pixels of edges.
-    let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(4000);
-    harness.snapshot_options(name, &options);
-}
 
 /// Copies a sample into a folder of its own, so that jobs stand beside their part.
 fn copied(folder: &Path, name: &str) -> PathBuf {
@@ -192,20 +133,6 @@ fn jobs_are_saved_opened_again_and_guarded() {
     drop(h);
     let h = window(Some(file), &Answers::default());
     assert!(h.query_by_label("1 of 1").is_some(), "the list is as it was saved");
-}
-
-/// Drags from one place to another, as a hand does: in steps.
-fn drag(harness: &mut Harness<'_, App>, from: egui::Pos2, to: egui::Pos2) {
-    harness.hover_at(from);
-    harness.step();
-    harness.drag_at(from);
-    for i in 1..=8 {
-        harness.step();
-        harness.hover_at(from.lerp(to, i as f32 / 8.0));
-    }
-    harness.step();
-    harness.drop_at(to);
-    settle(harness);
 }
 
 #[test]

@@ -47,6 +47,9 @@ impl App {
             | C::First
             | C::Last
             | C::Section => self.derived.plan.is_some(),
+            C::Cell => self.derived.cell.is_some(),
+            C::Plots => self.timeline().is_some(),
+            C::Text => self.derived.motion.is_some(),
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
             C::Unclean | C::Earlier | C::Later => selected.iter().any(|n| clean().contains(n)),
             C::Merge => selected.len() > 1,
@@ -148,9 +151,13 @@ impl App {
             C::Section => {
                 show.section = !show.section;
                 if show.section {
+                    self.leave_cell();
                     self.look_along_section();
                 }
             }
+            C::Cell => self.toggle_cell(),
+            C::Plots => show.plots = !show.plots,
+            C::Text => show.text = !show.text,
             _ => {}
         }
     }
@@ -227,9 +234,10 @@ impl App {
     fn fit_selection(&mut self) {
         let Some(part) = &self.derived.part else { return };
         let facets = self.session.selected.iter().filter_map(|n| self.derived.surfaces.get(*n)).flat_map(|s| &s.facets);
-        let points = facets.flat_map(|&f| part.mesh.corners(f as usize));
-        let (min, max) = part.mesh.bounds();
-        self.viewport.fit(Bounds::around(points).unwrap_or(Bounds { min, max }));
+        let place = self.scene_from_part();
+        let points = facets.flat_map(|&f| part.mesh.corners(f as usize)).map(|p| place * p);
+        let bounds = Bounds::around(points).or_else(|| self.whole_bounds());
+        bounds.into_iter().for_each(|b| self.viewport.fit(b));
     }
 
     /// Sets a number of the parameter table. Those that cut the surfaces anew carry the lists over:

@@ -2,6 +2,7 @@
 //! inputs it was made from; [`App::sync`] starts what is out of date.
 
 use super::App;
+use super::motion::Motion;
 use super::worker::Outcome;
 use crate::cell::Setup;
 use crate::job::model::{CellFile, PartFile, SurfaceParameters};
@@ -9,7 +10,7 @@ use crate::job::plan::segmented;
 use crate::job::report::Report;
 use crate::job::{self, Cache, Chosen, Job, Plan, files};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
-use crate::picture::PartPicture;
+use crate::picture::{CellPicture, PartPicture};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -31,10 +32,14 @@ pub struct Derived {
     pub picture: Option<PartPicture>,
     /// Cell and robot, and what in the job they were read from.
     pub setup: Option<(CellFile, Result<Setup, String>)>,
+    /// Arm, head and floor, where the setup has a robot.
+    pub cell: Option<CellPicture>,
     /// The last plan with its report.
     pub plan: Option<(Arc<Plan>, Arc<Report>)>,
     /// The job that it was made for.
     pub plan_of: Option<Job>,
+    /// The plan in motion, once that is made.
+    pub motion: Option<Arc<Motion>>,
     /// Why there is none for the job as it is.
     pub plan_error: Option<(Job, String)>,
     planning: Option<Job>,
@@ -119,7 +124,10 @@ impl App {
     fn sync_cell(&mut self, job: &Job) {
         if self.derived.setup.as_ref().is_none_or(|(of, _)| *of != job.cell) {
             let setup = files::load_setup(job, self.document.file.as_deref()).map_err(|e| e.to_string());
+            self.derived.cell = setup.as_ref().ok().and_then(CellPicture::new);
             self.derived.setup = Some((job.cell.clone(), setup));
+            self.session.other_camera = None;
+            self.session.fit_pending |= self.session.show.cell;
         }
     }
 
@@ -127,6 +135,7 @@ impl App {
         let d = &mut self.derived;
         if is_empty(&job) {
             d.plan = None;
+            d.motion = None;
             d.plan_of = None;
             d.plan_error = None;
             return;
@@ -166,6 +175,7 @@ impl App {
                     }
                 }
                 Outcome::Planned(job, result) => self.planned(*job, result),
+                Outcome::Moving(of, motion) => self.moving(of, motion),
                 Outcome::Exported(result) => self.exported(result),
                 Outcome::Picked(purpose, path) => self.picked(purpose, path),
             }
@@ -198,11 +208,32 @@ impl App {
                 d.plan_of = Some(job);
                 d.plan_error = None;
                 d.plan_count += 1;
+                d.motion = None;
+                self.start_motion();
             }
             Err(job::PlanError::Cancelled) => {
                 d.plan_error = Some((job, "planning was cancelled; Ctrl+R plans again".into()))
             }
             Err(e) => d.plan_error = Some((job, e.to_string())),
+        }
+    }
+
+    /// Works out the motion of the plan.
+    fn start_motion(&mut self) {
+        let d = &self.derived;
+        let (Some((plan, report)), Some((_, Ok(setup))), Some(job)) = (&d.plan, &d.setup, &d.plan_of) else { return };
+        let (plan, setup, job, report) = (plan.clone(), setup.clone(), job.clone(), report.clone());
+        let (part_name, key) = (self.part_file_name(), d.plan_count);
+        self.worker
+            .spawn(move || Outcome::Moving(key, Arc::new(Motion::new(&job, &part_name, &setup, &plan, &report, key))));
+    }
+
+    fn moving(&mut self, of: u64, motion: Arc<Motion>) {
+        if of == self.derived.plan_count && self.derived.plan.is_some() {
+            self.derived.motion = Some(motion);
+            self.session.plot_span = None;
+            self.session.text_line = None;
+            self.go_to_target(self.session.at);
         }
     }
 

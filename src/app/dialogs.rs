@@ -13,6 +13,8 @@ pub enum Purpose {
     Export,
     /// A cell file.
     Cell,
+    /// A robot file.
+    Robot,
 }
 
 /// Gets its answer when the user has given it; `None` if he would not.
@@ -37,6 +39,7 @@ impl FileDialogs for NativeDialogs {
                 Purpose::SaveJob => dialog.add_filter("Job", &["toml", "clearbeam"]).set_file_name(name).save_file(),
                 Purpose::Export => dialog.set_title("Folder for the program").pick_folder(),
                 Purpose::Cell => dialog.add_filter("Cell", &["toml"]).pick_file(),
+                Purpose::Robot => dialog.add_filter("Robot", &["toml"]).pick_file(),
             });
         });
     }

@@ -79,6 +79,10 @@ impl App {
                 let named = files::relative_to(&path, beside.as_deref());
                 self.edit(crate::job::Edit::Cell(named));
             }
+            Purpose::Robot => {
+                let named = files::relative_to(&path, self.document.file.as_deref());
+                self.choose_robot(&named);
+            }
         }
     }
 
@@ -181,6 +185,12 @@ impl App {
     /// Name of the part without folder and ending.
     pub(super) fn part_name(&self) -> Option<String> {
         Path::new(&self.document.job().part.file).file_stem().map(|n| n.to_string_lossy().into_owned())
+    }
+
+    /// Name of the part's file, as the program's head says it.
+    pub(super) fn part_file_name(&self) -> String {
+        let name = Path::new(&self.document.job().part.file).file_name().map(|n| n.to_string_lossy().into_owned());
+        name.unwrap_or_default()
     }
 
     pub(super) fn title(&self) -> String {

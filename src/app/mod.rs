@@ -9,11 +9,13 @@ mod command;
 mod derived;
 mod dialogs;
 mod files;
+mod motion;
 mod panels;
 mod pick;
 mod quantity;
 mod scene;
 mod session;
+mod simulation;
 mod theme;
 mod worker;
 
@@ -38,6 +40,8 @@ pub struct App {
     scene: Arc<Scene>,
     worker: Worker,
     dialogs: Box<dyn FileDialogs>,
+    /// Lines of the paths, kept while nothing about them changes.
+    path_lines: Option<scene::PathLines>,
     recent: Vec<PathBuf>,
 }
 
@@ -60,6 +64,7 @@ impl App {
             scene: Arc::new(Scene::default()),
             worker: Worker::new(cc.egui_ctx.clone()),
             dialogs,
+            path_lines: None,
             recent,
         };
         if let Some(path) = open {
@@ -98,9 +103,15 @@ impl eframe::App for App {
         egui::Panel::top("menu").show(ui, |ui| self.menu(ui));
         egui::Panel::bottom("status").show(ui, |ui| self.status(ui));
         if self.derived.part.is_some() {
+            if self.session.show.plots && self.timeline().is_some() {
+                egui::Panel::bottom("plots").default_size(240.0).min_size(160.0).show(ui, |ui| self.plots(ui));
+            }
             egui::Panel::left("lists").default_size(330.0).min_size(240.0).show(ui, |ui| self.lists(ui));
             egui::Panel::right("parameters").default_size(300.0).min_size(240.0).show(ui, |ui| self.parameters(ui));
-            egui::Panel::bottom("timeline").show(ui, |ui| self.timeline(ui));
+            egui::Panel::bottom("timeline").show(ui, |ui| self.timeline_panel(ui));
+            if self.session.show.text && self.derived.motion.is_some() {
+                egui::Panel::right("text").default_size(330.0).min_size(180.0).show(ui, |ui| self.program_text(ui));
+            }
             let frame = egui::Frame::NONE.fill(ui.visuals().panel_fill);
             egui::CentralPanel::default().frame(frame).show(ui, |ui| self.view(ui));
         } else {

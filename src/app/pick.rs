@@ -16,8 +16,10 @@ impl App {
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
+        let part_from_scene = self.scene_from_part().inverse();
         let pick = |origin: Point3<f64>, dir: Vector3<f64>| {
-            let hit = part.as_ref()?.bvh.nearest_hit(&origin, &dir, 0.0, f64::INFINITY)?;
+            let (from, along) = (part_from_scene * origin, part_from_scene * dir);
+            let hit = part.as_ref()?.bvh.nearest_hit(&from, &along, 0.0, f64::INFINITY)?;
             Some(origin + dir * hit.t_mm)
         };
         let response = self.viewport.show_with_pick(ui, &scene, &pick);
@@ -78,12 +80,17 @@ impl App {
             Command::Plain => s.plain,
             Command::HideChosen => s.hide_chosen,
             Command::Section => s.section,
+            Command::Cell => s.cell,
+            Command::Plots => s.plots,
+            Command::Text => s.text,
             _ => false,
         }
     }
 
     fn fit_if_pending(&mut self) {
-        if let (true, Some(part)) = (self.session.fit_pending, &self.derived.part) {
+        if self.session.fit_pending && self.is_in_cell() {
+            self.fit_cell();
+        } else if let (true, Some(part)) = (self.session.fit_pending, &self.derived.part) {
             let (min, max) = part.mesh.bounds();
             // Beams and frames stand out of the part.
             let out = Vector3::repeat(self.document.job().beam.defocus_mm.abs());
@@ -93,14 +100,16 @@ impl App {
         }
     }
 
-    /// Facet and point of the part under a pixel; hidden surfaces are seen through.
+    /// Facet and point of the part, in its own frame, under a pixel; hidden surfaces are seen through.
     fn picked_at(&self, px: Point2<f64>, r: &ViewportResponse) -> Option<(u32, Point3<f64>)> {
         if self.session.show.section {
             return None;
         }
         let part = self.derived.part.as_ref()?;
         let clean = self.clean_list();
-        let (mut origin, dir) = self.viewport.camera.ray_through(px, r.size);
+        let (origin, dir) = self.viewport.camera.ray_through(px, r.size);
+        let part_from_scene = self.scene_from_part().inverse();
+        let (mut origin, dir) = (part_from_scene * origin, part_from_scene * dir);
         // A ray that starts far behind everything: parallel cameras may stand inside the part.
         for _ in 0..64 {
             let hit = part.bvh.nearest_hit(&origin, &dir, 0.0, f64::INFINITY)?;
@@ -174,7 +183,9 @@ impl App {
     /// Fits the camera to one surface.
     pub(super) fn focus_surface(&mut self, n: u32) {
         let (Some(part), Some(s)) = (&self.derived.part, self.derived.surfaces.get(n)) else { return };
-        if let Some(b) = Bounds::around(s.facets.iter().flat_map(|&f| part.mesh.corners(f as usize))) {
+        let place = self.scene_from_part();
+        if let Some(b) = Bounds::around(s.facets.iter().flat_map(|&f| part.mesh.corners(f as usize)).map(|p| place * p))
+        {
             self.viewport.fit(b);
         }
     }

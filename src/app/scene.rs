@@ -6,10 +6,16 @@ use super::derived::Derived;
 use super::session::{Session, Show};
 use crate::picture::{PartLook, PathLook, paths, section};
 use crate::pose::Target;
-use crate::view::{Camera, Projection, Scene};
+use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
 use eframe::egui;
-use nalgebra::Vector3;
+use nalgebra::{Isometry3, Vector3};
 use std::sync::Arc;
+
+/// Lines of the paths, and what they were made from: plan, defocus and look.
+pub(super) struct PathLines {
+    of: (u64, f64, PathLook),
+    lines: Vec<LineItem>,
+}
 
 impl App {
     /// What is shown of paths.
@@ -43,17 +49,44 @@ impl App {
             // Before and after at once, as P1 Fig. 8 sets them side by side.
             scene.lines = section::section(part, &d.surfaces, plan, s.at.0, defocus_mm, &look, d.plan_count);
         } else {
-            scene.meshes.push(picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
+            let place = self.scene_from_part();
+            let part = picture.item(&d.surfaces, &part_look(d, s, self.clean_list()));
+            scene.meshes.push(MeshItem { scene_from_item: place, ..part });
             if let Some((plan, _)) = &d.plan {
-                scene.lines = paths::paths(plan, defocus_mm, &look, d.plan_count);
+                let known = (d.plan_count, defocus_mm, look.clone());
+                if self.path_lines.as_ref().is_none_or(|l| l.of != known) {
+                    let lines = paths::paths(plan, defocus_mm, &look, d.plan_count);
+                    self.path_lines = Some(PathLines { of: known, lines });
+                }
+                let lines = self.path_lines.iter().flat_map(|l| &l.lines);
+                scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
+            self.add_simulation(&mut scene, place);
         }
         if let Some(t) = self.target() {
-            let (line, point) = paths::marked(t, defocus_mm, &look, d.plan_count);
-            scene.lines.push(line);
-            scene.points.push(point);
+            let (line, point) = paths::marked(t, defocus_mm, &look, self.derived.plan_count);
+            let scene_from_item = self.scene_from_part();
+            scene.lines.push(LineItem { scene_from_item, ..line });
+            scene.points.push(PointItem { scene_from_item, ..point });
         }
         Arc::new(scene)
+    }
+
+    /// What has been done, and in the robot cell who does it.
+    fn add_simulation(&self, scene: &mut Scene, place: Isometry3<f64>) {
+        if let (Some(moment), Some(trail)) =
+            (self.moment(), self.derived.motion.as_ref().and_then(|m| m.trail.as_ref()))
+        {
+            scene.lines.extend(trail.until(&moment, place));
+        }
+        let (true, Some(cell), Some(placed)) = (self.is_in_cell(), &self.derived.cell, self.placed()) else { return };
+        scene.lines.push(cell.floor());
+        scene.meshes.extend(cell.solids(&placed.joints_deg, placed.base_from_focus));
+        let length_mm = self.beam_mm(&placed, cell.tip_mm());
+        let (cone, line, spot) = cell.beam(placed.base_from_focus, length_mm, placed.lit);
+        scene.meshes.extend(cone);
+        scene.lines.push(line);
+        scene.points.extend(spot);
     }
 
     /// The target that is stepped to.
@@ -72,6 +105,10 @@ impl App {
             Command::Play => {
                 self.session.playing = !self.session.playing;
                 self.session.play_clock_s = 0.0;
+                let ended = self.timeline().is_some_and(|t| self.session.time_s >= t.total_s());
+                if self.session.playing && ended {
+                    self.go_to_time(0.0);
+                }
             }
             Command::NextPoint if point + 1 < count(pass) => point += 1,
             Command::NextPoint if pass < last_pass => (pass, point) = (pass + 1, 0),
@@ -83,12 +120,19 @@ impl App {
             Command::Last => (pass, point) = (last_pass, count(last_pass).saturating_sub(1)),
             _ => {}
         }
-        self.session.at = (pass, point);
+        if !matches!(command, Command::Play) {
+            self.go_to_target((pass, point));
+        }
     }
 
     /// Moves on while playing, at the speed of the spot.
     pub(super) fn advance_playback(&mut self, ctx: &egui::Context) {
         let Some((plan, _)) = self.derived.plan.clone().filter(|_| self.session.playing) else { return };
+        ctx.request_repaint();
+        if self.timeline().is_some() {
+            self.advance_time(ctx);
+            return;
+        }
         let speed = self.document.job().beam.speed_mm_s;
         self.session.play_clock_s += f64::from(ctx.input(|i| i.stable_dt).min(0.1) * self.session.play_speed);
         loop {
@@ -109,7 +153,6 @@ impl App {
                 break;
             }
         }
-        ctx.request_repaint();
     }
 
     /// Turns the camera onto the section plane of the current pass.

@@ -1,5 +1,6 @@
 //! What is selected, shown and open: neither saved nor undone.
 
+use crate::view::Camera;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -26,6 +27,8 @@ pub struct Session {
     pub sort: (Column, bool),
     /// Target that is stepped through: pass and point.
     pub at: (usize, usize),
+    /// Time in the program, with a robot, s; goes with the target.
+    pub time_s: f64,
     /// Playback.
     pub playing: bool,
     /// Times real speed.
@@ -34,6 +37,16 @@ pub struct Session {
     pub play_loop: bool,
     /// Time since the current target was reached, s.
     pub play_clock_s: f64,
+    /// Stretch of time that the curves show, s; `None`: all.
+    pub plot_span: Option<[f64; 2]>,
+    /// Line of the program's text that was last scrolled to.
+    pub text_line: Option<(usize, usize)>,
+    /// Rows of it that are in sight.
+    pub text_rows: std::ops::Range<usize>,
+    /// File of the program that is shown.
+    pub text_file: usize,
+    /// Camera of the other mode, part or cell, when that was left.
+    pub other_camera: Option<Camera>,
     /// Ranks of facets when a drag of the angle began.
     pub recut_anchor: Option<RecutAnchor>,
     /// Local angle of the next split.
@@ -89,6 +102,12 @@ pub struct Show {
     pub hide_chosen: bool,
     /// One section plane.
     pub section: bool,
+    /// The robot cell instead of the part alone.
+    pub cell: bool,
+    /// Curves over time.
+    pub plots: bool,
+    /// The program's text.
+    pub text: bool,
 }
 
 /// Columns of the lists.
@@ -140,6 +159,9 @@ impl Default for Session {
                 plain: false,
                 hide_chosen: false,
                 section: false,
+                cell: false,
+                plots: false,
+                text: false,
             },
             filter: Default::default(),
             sort: (Column::Number, false),
@@ -148,6 +170,12 @@ impl Default for Session {
             play_speed: 1.0,
             play_loop: false,
             play_clock_s: 0.0,
+            time_s: 0.0,
+            plot_span: None,
+            text_line: None,
+            text_rows: 0..0,
+            text_file: 0,
+            other_camera: None,
             recut_anchor: None,
             split_angle_deg: 10.0,
             renaming: None,

@@ -2,6 +2,7 @@
 //! over a channel and wake the window.
 
 use super::dialogs::Purpose;
+use super::motion::Motion;
 use crate::job::report::Report;
 use crate::job::{Job, Plan, PlanError, Progress};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
@@ -21,6 +22,8 @@ pub enum Outcome {
     Shaped(Arc<Surfaces>, BTreeMap<u32, Shape>),
     /// A plan for this job.
     Planned(Box<Job>, Result<(Arc<Plan>, Arc<Report>), PlanError>),
+    /// The motion of the plan of that number.
+    Moving(u64, Arc<Motion>),
     /// Files were written, or not.
     Exported(Result<Vec<PathBuf>, String>),
     /// A file was picked, or not.

@@ -12,6 +12,7 @@ pub mod outputs;
 pub mod robot;
 pub mod rpy;
 pub mod setup;
+pub mod timing;
 pub mod ur;
 
 pub use collision::{Collision, Contact};
@@ -20,3 +21,4 @@ pub use mounting::{Cell, CellError, Mount, Spin};
 pub use outputs::Outputs;
 pub use robot::{Joints, Robot, RobotError};
 pub use setup::Setup;
+pub use timing::Timing;

@@ -2,6 +2,7 @@
 //!
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
+use super::Timing;
 use super::bodies::Bodies;
 use super::calibration::CalibrationNote;
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
@@ -122,6 +123,9 @@ pub struct Cell {
     /// What stands in the cell.
     #[serde(default)]
     pub bodies: Bodies,
+    /// How long laser and controller take to answer.
+    #[serde(default)]
+    pub timing: Timing,
     /// The NACHI program.
     #[serde(default)]
     pub nachi: Nachi,
@@ -238,6 +242,7 @@ impl Cell {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
         self.outputs.check()?;
+        self.timing.check()?;
         nachi.check()?;
         self.kuka.check()?;
         self.abb.check()?;
@@ -302,12 +307,25 @@ impl Mounted {
         }
     }
 
+    /// Part in the base at a pose of the flange.
+    pub fn part_at(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => base_from_flange * self.carried,
+            Mount::ToolInHand => self.fixed,
+        }
+    }
+
+    /// Focus in the base at a pose of the flange, z against the light.
+    pub fn focus_at(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => self.fixed,
+            Mount::ToolInHand => base_from_flange * self.carried,
+        }
+    }
+
     /// The path frame at a pose of the flange: the inverse of [`Mounted::flange_for`].
     pub fn focus_for(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        match self.mount {
-            Mount::PartInHand => (base_from_flange * self.carried).inverse() * self.fixed,
-            Mount::ToolInHand => self.fixed.inverse() * base_from_flange * self.carried,
-        }
+        self.part_at(base_from_flange).inverse() * self.focus_at(base_from_flange)
     }
 }
 
@@ -344,6 +362,9 @@ mod tests {
         let bad = SHIPPED[0].1.replace("clearance_mm = 20.0", "clearance_mm = -3.0");
         let said = Cell::parse(&bad, "cell.toml").expect_err("refused").to_string();
         assert!(said.contains("cell.toml") && said.contains("air.clearance_mm"), "{said}");
+        let slow = SHIPPED[0].1.replace("laser_on_s = 0.0", "laser_on_s = -1.0");
+        let said = Cell::parse(&slow, "cell.toml").expect_err("refused").to_string();
+        assert!(said.contains("timing.laser_on_s = -1") && said.contains("0 to 60"), "{said}");
         assert!(Cell::parse("name = 3", "cell.toml").is_err());
     }
 }

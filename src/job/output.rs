@@ -9,7 +9,7 @@ use super::verify;
 use crate::cell::Setup;
 use crate::cell::motion::Choice;
 use crate::part::{Part, Surfaces};
-use crate::program::{Program, ProgramFile, dialects, lines};
+use crate::program::{Program, ProgramFile, Timeline, dialects, lines};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,8 @@ pub struct OutputFile {
     pub bytes: Vec<u8>,
 }
 
-/// The files of a plan; the program is read back and compared with the plan. `job` names its part and cell relative to the folder they will stand in.
+/// The files of a plan; the program is read back and compared with the plan. `job` names its part and
+/// cell relative to the folder they will stand in.
 pub fn files(
     job: &Job,
     part_name: &str,
@@ -34,11 +35,7 @@ pub fn files(
     let report = Report::new(plan, surfaces);
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
-    let lines = lines(&plan.steps, setup, job.beam.power_w);
-    let program = Program { head: head(job, part_name, setup, &report), lines, setup };
-    let refused = |what: String| JobError::Write { what: format!("the program cannot be written: {what}") };
-    let dialect = dialects::known(&job.cell.dialect).map_err(refused)?;
-    let written = dialect.write(&program).map_err(|e| refused(e.to_string()))?;
+    let written = program(job, part_name, setup, plan, &report)?;
     read_back(part, job, setup, plan, &written)?;
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
     let mut out = vec![file("job.toml".into(), files::to_toml(job)?.into_bytes())];
@@ -49,6 +46,24 @@ pub fn files(
         out.push(file("joints.csv".into(), joints_csv(plan, choice).into_bytes()));
     }
     Ok(out)
+}
+
+/// The program's files as they would be written, the one to start first.
+///
+/// # Errors
+/// What the controller could not take.
+pub fn program(
+    job: &Job,
+    part_name: &str,
+    setup: &Setup,
+    plan: &Plan,
+    report: &Report,
+) -> Result<Vec<ProgramFile>, JobError> {
+    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let program = Program { head: head(job, part_name, setup, report), lines, setup };
+    let refused = |what: String| JobError::Write { what: format!("the program cannot be written: {what}") };
+    let dialect = dialects::known(&job.cell.dialect).map_err(refused)?;
+    dialect.write(&program).map_err(|e| refused(e.to_string()))
 }
 
 /// Reads the program's own text, and refuses to hand out one that would not do what was planned.
@@ -154,7 +169,8 @@ fn path_csv(plan: &Plan, defocus_mm: f64) -> String {
 /// `joints.csv`: one row for each target that the robot does.
 fn joints_csv(plan: &Plan, choice: &Choice) -> String {
     let mut out = String::from("pass,point,laser,j1,j2,j3,j4,j5,j6,spin_deg,time_s,singularity,min_limit_margin_deg\n");
-    let times: BTreeMap<(usize, usize), f64> = plan.steps.times().collect();
+    let stops = plan.timeline.iter().flat_map(Timeline::stops);
+    let times: BTreeMap<(usize, usize), f64> = stops.filter_map(|s| s.target.map(|t| (t, s.at_s))).collect();
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate() {
             let Some(c) = &choice.rows[number][point] else { continue };

@@ -3,7 +3,7 @@
 use super::palette::{Palette, Rgb, mixed, state};
 use crate::part::{Hasher, Mesh, Part, Surfaces};
 use crate::view::{Bounds, MeshItem};
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -80,6 +80,7 @@ impl PartPicture {
             colors_key: Hasher::default().u32s(&flat).finish().0 as u64,
             facet_colors: Arc::new(colors),
             edges: nothing_hidden.then(|| self.edges.clone()),
+            scene_from_item: Isometry3::identity(),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::part::Hasher;
 use crate::pose::{Pass, State, Target};
 use crate::program::Step;
 use crate::view::{Depth, LineItem, LineSegment, PointItem};
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Isometry3, Point3, Vector3};
 use std::sync::Arc;
 
 /// What is shown of a plan.
@@ -38,7 +38,8 @@ pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> Vec<Lin
         let flags = [u32::from(look.before), look.only_pass.map_or(0, |p| p as u32 + 1), part];
         let key =
             Hasher::default().u32s(&[key as u32, (key >> 32) as u32]).u32s(&flags).f64s(&[look.frame_mm, defocus_mm]);
-        LineItem { key: key.finish().0 as u64, segments: Arc::new(segments), width_px, depth: Depth::Tested }
+        let (key, scene_from_item) = (key.finish().0 as u64, Isometry3::identity());
+        LineItem { key, segments: Arc::new(segments), width_px, depth: Depth::Tested, scene_from_item }
     };
     let shown = || plan.passes.iter().enumerate().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i)).map(|x| x.1);
     let count: usize = shown().map(|p| p.targets.len()).sum();
@@ -150,9 +151,10 @@ pub fn marked(t: &Target, defocus_mm: f64, look: &PathLook, key: u64) -> (LineIt
     let numbers = [t.p.x, t.p.y, t.p.z, t.a.x, t.a.y, t.a.z, look.frame_mm, defocus_mm];
     let key = Hasher::default().u32s(&[key as u32, u32::from(look.before)]).f64s(&numbers).finish().0 as u64;
     let [r, g, b] = color(t, look.before);
+    let scene_from_item = Isometry3::identity();
     let points = vec![([t.p.x as f32, t.p.y as f32, t.p.z as f32], [r, g, b, 255])];
     (
-        LineItem { key, segments: Arc::new(segments), width_px: 3.5, depth: Depth::OnTop },
-        PointItem { key, points: Arc::new(points), size_px: 10.0, depth: Depth::OnTop },
+        LineItem { key, segments: Arc::new(segments), width_px: 3.5, depth: Depth::OnTop, scene_from_item },
+        PointItem { key, points: Arc::new(points), size_px: 10.0, depth: Depth::OnTop, scene_from_item },
     )
 }

@@ -36,8 +36,13 @@ pub fn section(
         }));
     }
     let outline_key = Hasher::default().u32s(&[key as u32, (key >> 32) as u32, pass as u32]).f64s(&[height]).finish();
-    let mut items =
-        vec![LineItem { key: outline_key.0 as u64, segments: Arc::new(outline), width_px: 2.0, depth: Depth::Tested }];
+    let mut items = vec![LineItem {
+        key: outline_key.0 as u64,
+        segments: Arc::new(outline),
+        width_px: 2.0,
+        depth: Depth::Tested,
+        scene_from_item: nalgebra::Isometry3::identity(),
+    }];
     // All passes in this plane, not only the one that was asked for.
     for (i, other) in plan.passes.iter().enumerate() {
         let same = other.plane_normal == p.plane_normal

@@ -22,7 +22,10 @@ pub mod pages;
 mod phrases;
 mod reading;
 mod round;
+pub mod series;
 pub mod steps;
+pub mod timeline;
+pub mod trapezoid;
 pub mod ur;
 mod ur_reader;
 pub mod words;
@@ -30,4 +33,6 @@ pub mod yaskawa;
 
 pub use dialect::{Dialect, Program, ProgramFile};
 pub use lines::{Line, Move, lines};
+pub use series::{Sample, series};
 pub use steps::{Go, Pace, Step, Steps, Way, steps};
+pub use timeline::{Breakdown, Moment, Stop, Timeline};

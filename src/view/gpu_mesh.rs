@@ -97,8 +97,9 @@ impl MeshProgram {
             return;
         }
         let program = &self.0;
-        program.use_uniform("eye_from_scene", camera.eye_from_scene);
+        program.use_uniform("eye_from_item", camera.eye_from_item);
         program.use_uniform("clip_from_eye", camera.clip_from_eye);
+        program.use_uniform("up_in_item", camera.up_in_item);
         program.use_uniform("see_through", i32::from(pass == Pass::SeeThrough));
         program.use_vertex_attribute("position", &geometry.positions);
         program.use_vertex_attribute("packed_normal", &geometry.normals);

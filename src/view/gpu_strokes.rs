@@ -120,7 +120,7 @@ impl StrokePrograms {
         }
         let half_width_px = width_px.max(1.0) / 2.0;
         let program = &self.line;
-        program.use_uniform("eye_from_scene", camera.eye_from_scene);
+        program.use_uniform("eye_from_item", camera.eye_from_item);
         program.use_uniform("clip_from_eye", camera.clip_from_eye);
         program.use_uniform("half_view_px", camera.half_view_px);
         program.use_uniform("half_width_px", half_width_px);
@@ -147,7 +147,7 @@ impl StrokePrograms {
         }
         let radius_px = size_px.max(1.0) / 2.0;
         let program = &self.point;
-        program.use_uniform("eye_from_scene", camera.eye_from_scene);
+        program.use_uniform("eye_from_item", camera.eye_from_item);
         program.use_uniform("clip_from_eye", camera.clip_from_eye);
         program.use_uniform("half_view_px", camera.half_view_px);
         program.use_uniform("radius_px", radius_px);

@@ -162,7 +162,7 @@ impl Renderer {
             let geometry = self.cache.geometry.get(&item.geometry_key);
             let colors = self.cache.colors.get(&color_key(item));
             if let (Some(geometry), Some(colors)) = (geometry, colors) {
-                self.meshes.draw(geometry, colors, pass, camera, viewport);
+                self.meshes.draw(geometry, colors, pass, &camera.of_item(&item.scene_from_item), viewport);
             }
         }
     }
@@ -171,8 +171,8 @@ impl Renderer {
         let indices = &self.cache.indices;
         for item in scene.meshes.iter().filter(|item| item.edges.is_some()) {
             if let Some(lines) = self.cache.edges.get(&item.geometry_key) {
-                let tested = Depth::Tested;
-                self.strokes.draw_lines(lines, EDGE_WIDTH_PX, tested, camera, viewport, indices);
+                let (tested, camera) = (Depth::Tested, camera.of_item(&item.scene_from_item));
+                self.strokes.draw_lines(lines, EDGE_WIDTH_PX, tested, &camera, viewport, indices);
             }
         }
     }
@@ -181,12 +181,14 @@ impl Renderer {
         let indices = &self.cache.indices;
         for item in scene.lines.iter().filter(|item| item.depth == depth) {
             if let Some(lines) = self.cache.lines.get(&item.key) {
-                self.strokes.draw_lines(lines, item.width_px, depth, camera, viewport, indices);
+                let camera = camera.of_item(&item.scene_from_item);
+                self.strokes.draw_lines(lines, item.width_px, depth, &camera, viewport, indices);
             }
         }
         for item in scene.points.iter().filter(|item| item.depth == depth) {
             if let Some(dots) = self.cache.dots.get(&item.key) {
-                self.strokes.draw_dots(dots, item.size_px, depth, camera, viewport, indices);
+                let camera = camera.of_item(&item.scene_from_item);
+                self.strokes.draw_dots(dots, item.size_px, depth, &camera, viewport, indices);
             }
         }
     }

@@ -3,8 +3,10 @@
 //!
 //! Every item names its data with a key. **Same key = same data**: the renderer then reuses what
 //! is already on the graphics card and does not look at the data again. Derive keys from a hash
-//! of the inputs; two items of one kind may share a key only if they share the data.
+//! of the inputs; two items of one kind may share a key only if they share the data. Where an item
+//! stands is no part of its data: what moves keeps its key.
 
+use nalgebra::Isometry3;
 use std::sync::Arc;
 
 /// 8-bit sRGB colour and straight (not premultiplied) alpha.
@@ -42,6 +44,8 @@ pub struct MeshItem {
     /// Crease lines, drawn thin and dark over the facets. Switching between `None` and `Some`
     /// needs no new key.
     pub edges: Option<Arc<Vec<[[f32; 3]; 2]>>>,
+    /// Where it stands.
+    pub scene_from_item: Isometry3<f64>,
 }
 
 /// One straight piece of a line, in one colour.
@@ -66,6 +70,8 @@ pub struct LineItem {
     pub width_px: f32,
     /// Hidden behind meshes or not.
     pub depth: Depth,
+    /// Where it stands.
+    pub scene_from_item: Isometry3<f64>,
 }
 
 /// Round dots that keep their size in pixels at any zoom.
@@ -79,6 +85,8 @@ pub struct PointItem {
     pub size_px: f32,
     /// Hidden behind meshes or not.
     pub depth: Depth,
+    /// Where it stands.
+    pub scene_from_item: Isometry3<f64>,
 }
 
 /// Whether meshes hide a line or a dot.
@@ -120,12 +128,15 @@ impl Scene {
         let mut stamp = vec![top, bottom, self.meshes.len() as u64, self.lines.len() as u64];
         for mesh in &self.meshes {
             stamp.extend([mesh.geometry_key, mesh.colors_key, u64::from(mesh.edges.is_some())]);
+            stamp.extend(place(&mesh.scene_from_item));
         }
         for line in &self.lines {
             stamp.extend([line.key, size_and_depth(line.width_px, line.depth)]);
+            stamp.extend(place(&line.scene_from_item));
         }
         for dots in &self.points {
             stamp.extend([dots.key, size_and_depth(dots.size_px, dots.depth)]);
+            stamp.extend(place(&dots.scene_from_item));
         }
         stamp
     }
@@ -133,6 +144,11 @@ impl Scene {
 
 fn size_and_depth(size_px: f32, depth: Depth) -> u64 {
     u64::from(size_px.to_bits()) << 1 | u64::from(depth == Depth::OnTop)
+}
+
+fn place(scene_from_item: &Isometry3<f64>) -> impl Iterator<Item = u64> {
+    let (t, q) = (scene_from_item.translation.vector, scene_from_item.rotation.coords);
+    [t.x, t.y, t.z, q.x, q.y, q.z, q.w].into_iter().map(f64::to_bits)
 }
 
 #[cfg(test)]
@@ -147,18 +163,21 @@ mod tests {
             colors_key: 2,
             facet_colors: Arc::new(vec![[1, 2, 3, 255]]),
             edges: None,
+            scene_from_item: Isometry3::identity(),
         };
-        let line = LineItem { key: 3, segments: Arc::default(), width_px: 2.0, depth: Depth::Tested };
+        let scene_from_item = Isometry3::identity();
+        let line = LineItem { key: 3, segments: Arc::default(), width_px: 2.0, depth: Depth::Tested, scene_from_item };
         let scene = Scene { meshes: vec![mesh], lines: vec![line], ..Scene::default() };
         let stamp = scene.stamp();
         assert_eq!(stamp, scene.clone().stamp());
 
-        let changes: [fn(&mut Scene); 5] = [
+        let changes: [fn(&mut Scene); 6] = [
             |s| s.meshes[0].colors_key = 9,
             |s| s.meshes[0].edges = Some(Arc::default()),
             |s| s.lines[0].width_px = 3.0,
             |s| s.lines[0].depth = Depth::OnTop,
             |s| s.background_top = [0; 3],
+            |s| s.meshes[0].scene_from_item.translation.x = 0.5,
         ];
         for change in changes {
             let mut other = scene.clone();

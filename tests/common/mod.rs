@@ -1,2 +1,3 @@
 //! Shared by the tests of the window.
 pub mod glow_renderer;
+pub mod window;

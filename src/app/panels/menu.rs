@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::command::{COMMANDS, Command, Menu};
-use eframe::egui;
+use eframe::egui::{self, Align, Layout};
 
 impl App {
     pub(in super::super) fn menu(&mut self, ui: &mut egui::Ui) {
@@ -20,7 +20,24 @@ impl App {
                     self.run(command, &ctx);
                 }
             }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.switches(ui));
         });
+    }
+
+    /// Opens what stands beside the view.
+    fn switches(&mut self, ui: &mut egui::Ui) {
+        if self.derived.plan.is_none() && self.derived.cell.is_none() {
+            return;
+        }
+        for command in [Command::Text, Command::Plots, Command::Cell] {
+            let button = egui::Button::selectable(self.is_shown(command), super::name_of(command));
+            let keys = super::keys_of(ui.ctx(), command);
+            let response = ui.add_enabled(self.is_enabled(command), button).on_hover_text(keys);
+            if response.on_disabled_hover_text("Choose a robot under Cell").clicked() {
+                let ctx = ui.ctx().clone();
+                self.run(command, &ctx);
+            }
+        }
     }
 
     fn menu_rows(&mut self, ui: &mut egui::Ui, menu: Menu) {

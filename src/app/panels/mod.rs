@@ -1,10 +1,14 @@
 //! The panels: each shows a part of the state and sends commands and edits.
 
+mod cell;
 mod dialogs;
 mod lists;
 mod menu;
 mod parameters;
+mod plots;
 mod problems;
+mod program_text;
+mod scrub;
 mod start;
 mod status;
 mod timeline;
@@ -15,6 +19,12 @@ use eframe::egui;
 /// Name of a command.
 pub(super) fn name_of(command: Command) -> &'static str {
     COMMANDS.iter().find(|r| r.command == command).map_or("", |r| r.name)
+}
+
+/// Hours, minutes and seconds.
+pub(super) fn clock(seconds: f64) -> String {
+    let s = seconds.max(0.0).round() as u64;
+    format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
 /// Its keys, as written on this system.

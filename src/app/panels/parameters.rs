@@ -2,7 +2,6 @@
 //! default.
 
 use super::super::App;
-use super::super::dialogs::Purpose;
 use super::super::{Command, quantity, theme};
 use crate::job::{Edit, Offset, PARAMETERS, Parameter};
 use crate::part::Units;
@@ -12,6 +11,7 @@ use eframe::egui::{self, DragValue, RichText};
 
 impl App {
     pub(in super::super) fn parameters(&mut self, ui: &mut egui::Ui) {
+        egui::Panel::bottom("export").show(ui, |ui| self.export_button(ui));
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             theme::heading(ui, "Layers");
             self.direction(ui);
@@ -44,13 +44,12 @@ impl App {
                 });
             });
             egui::CollapsingHeader::new("Part").show(ui, |ui| self.part(ui));
-            theme::heading(ui, "Program");
-            self.program(ui);
+            self.cell_panel(ui);
             self.problems(ui);
         });
     }
 
-    fn numbers(&mut self, ui: &mut egui::Ui, keys: &[&str]) {
+    pub(super) fn numbers(&mut self, ui: &mut egui::Ui, keys: &[&str]) {
         for p in PARAMETERS.iter().filter(|p| keys.contains(&p.key)) {
             self.number(ui, p);
         }
@@ -237,33 +236,5 @@ impl App {
                 ui.label(RichText::new(s).small());
             }
         }
-    }
-
-    fn program(&mut self, ui: &mut egui::Ui) {
-        let cell =
-            self.derived.setup.as_ref().map(|(_, c)| c.as_ref().map(|s| s.cell.name.clone()).map_err(String::clone));
-        match cell {
-            Some(Ok(name)) => ui.label(name),
-            Some(Err(why)) => ui.label(RichText::new(why).color(theme::WRONG)),
-            None => ui.label(""),
-        };
-        ui.horizontal(|ui| {
-            if ui.button("Cell file…").clicked() {
-                self.ask(Purpose::Cell);
-            }
-            let ready = self.derived.plan_of.as_ref() == Some(self.document.job());
-            let button =
-                egui::Button::new(RichText::new("Export program…").strong()).fill(theme::ACCENT.gamma_multiply(0.6));
-            let why = "Writes program, path, report and job into a folder  Ctrl+E";
-            if ui
-                .add_enabled(ready, button)
-                .on_hover_text(why)
-                .on_disabled_hover_text("The plan is not finished")
-                .clicked()
-            {
-                let ctx = ui.ctx().clone();
-                self.run(Command::Export, &ctx);
-            }
-        });
     }
 }

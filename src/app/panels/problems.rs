@@ -7,6 +7,31 @@ use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
+/// Why a target is not done, as people say it.
+fn because(problem: &Problem) -> String {
+    if let Some(detail) = &problem.detail {
+        return detail.clone();
+    }
+    match (problem.by_surface, problem.by_facet) {
+        (Some(surface), Some(facet)) => format!("the beam hits surface {surface} (facet {facet})"),
+        _ => "the beam hits something".into(),
+    }
+}
+
+/// What became of targets for a cause.
+fn refused(cause: &str) -> &str {
+    match cause {
+        "robot" => "refused: the arm or the part would hit something",
+        "head" => "refused: the head would be hit",
+        "obstacle" => "refused: an obstacle would be hit",
+        "reach" => "refused: out of the robot's reach",
+        "limit" => "refused: a joint would leave its limits",
+        "speed" => "refused: a joint would be too fast",
+        "singularity" => "refused: the arm would be singular",
+        _ => "blocked",
+    }
+}
+
 impl App {
     pub(in super::super) fn problems(&mut self, ui: &mut egui::Ui) {
         if let Some((_, why)) = self.derived.plan_error.clone() {
@@ -32,14 +57,22 @@ impl App {
                     )
                 }
                 (_, Some(by), _) => format!("surface {surface}: {} targets blocked by surface {by}", list.len()),
-                _ => format!("surface {surface}: {} targets blocked", list.len()),
+                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause)),
             };
+            let why = list[0].detail.as_deref().map_or_else(String::new, |d| format!("{d}\n"));
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
-            if link.on_hover_text("Go there").clicked() {
+            if link.on_hover_text(format!("{why}Go there")).clicked() {
                 self.go_to(list[0], &plan);
             }
         }
+    }
+
+    /// Why a target is not done.
+    pub(super) fn why_blocked(&self, (pass, point): (usize, usize)) -> String {
+        let problems = self.derived.plan.iter().flat_map(|(_, report)| &report.problems);
+        let mut found = problems.filter(|p| p.pass == Some(pass) && p.point == Some(point));
+        found.next().map_or_else(|| "left out".into(), because)
     }
 
     /// Shows a problem: its target with the beam, or the surface that is missed.
@@ -51,12 +84,13 @@ impl App {
             self.focus_surface(problem.surface);
             return;
         };
-        self.session.at = (pass, point);
+        self.go_to_target((pass, point));
         self.session.show.section = false;
         if let Some(t) = plan.passes.get(pass).and_then(|p| p.targets.get(point)) {
             // Wide enough to see the beam and what it hits.
             let reach = Vector3::repeat(self.document.job().beam.defocus_mm.abs().max(10.0));
-            self.viewport.fit(Bounds { min: t.p - reach, max: t.p + reach });
+            let p = self.scene_from_part() * t.p;
+            self.viewport.fit(Bounds { min: p - reach, max: p + reach });
         }
     }
 }

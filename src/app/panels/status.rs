@@ -1,6 +1,7 @@
 //! The status line: what is being done, what was found, what was said last.
 
 use super::super::{App, theme};
+use crate::program::Timeline;
 use eframe::egui::{self, ProgressBar, RichText};
 
 impl App {
@@ -16,7 +17,7 @@ impl App {
             }
             if let Some((_, report)) = &self.derived.plan {
                 let r = report;
-                let s = r.time_s as u64;
+                let time_s = self.timeline().map_or(r.time_s, Timeline::total_s);
                 ui.label(format!("{} passes · {} targets", r.passes, r.points));
                 if r.corrected > 0 {
                     ui.label(RichText::new(format!("{} corrected", r.corrected)).color(theme::ATTENTION));
@@ -24,7 +25,7 @@ impl App {
                 if r.blocked > 0 {
                     ui.label(RichText::new(format!("{} blocked", r.blocked)).color(theme::WRONG));
                 }
-                ui.label(format!("{:.1} mm · {:02}:{:02}:{:02}", r.work_mm, s / 3600, s / 60 % 60, s % 60));
+                ui.label(format!("{:.1} mm · {}", r.work_mm, super::clock(time_s)));
                 if !self.derived.is_current(self.document.job()) {
                     ui.label(RichText::new("out of date").color(theme::ATTENTION)).on_hover_text("Ctrl+R plans again");
                 }

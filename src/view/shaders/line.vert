@@ -1,7 +1,7 @@
 // A segment as a quad of constant width on the screen. Its four vertices all carry both ends;
 // the vertex number says which corner this is.
 
-uniform mat4 eye_from_scene;
+uniform mat4 eye_from_item;
 uniform mat4 clip_from_eye;
 uniform vec2 half_view_px;
 uniform float half_width_px;
@@ -15,8 +15,8 @@ in uvec4 color;
 flat out vec4 line_color;
 
 void main() {
-    vec3 a = (eye_from_scene * vec4(end_a, 1.0)).xyz;
-    vec3 b = (eye_from_scene * vec4(end_b, 1.0)).xyz;
+    vec3 a = (eye_from_item * vec4(end_a, 1.0)).xyz;
+    vec3 b = (eye_from_item * vec4(end_b, 1.0)).xyz;
     line_color = vec4(color) / 255.0;
 
     // Cut off what lies behind the viewer, or the division by w mirrors it into the picture.

@@ -1,8 +1,9 @@
 // Facets, lit once per corner: colour and normal are the same at all three corners of a facet,
 // so the fragments have nothing left to compute. That keeps software OpenGL quick.
 
-uniform mat4 eye_from_scene;
+uniform mat4 eye_from_item;
 uniform mat4 clip_from_eye;
+uniform vec3 up_in_item; // the scene's z in the item's frame
 uniform int see_through; // 0 draws opaque facets, 1 those with alpha below 255
 
 in vec3 position;
@@ -37,15 +38,16 @@ vec3 lit(vec3 surface, vec3 normal_in_eye, float up) {
 void main() {
     uvec3 parts = uvec3(packed_normal, packed_normal >> 10u, packed_normal >> 20u) & 1023u;
     vec3 normal = vec3(parts) / 511.0 - 1.0;
-    vec3 normal_in_eye = mat3(eye_from_scene) * normal;
+    vec3 normal_in_eye = mat3(eye_from_item) * normal;
+    float up = dot(normal, up_in_item);
     vec3 surface = to_linear(vec3(color.rgb) / 255.0);
 
-    front_color = vec4(to_srgb(lit(surface, normal_in_eye, normal.z)), float(color.a) / 255.0);
+    front_color = vec4(to_srgb(lit(surface, normal_in_eye, up)), float(color.a) / 255.0);
     // The inside of an open sheet: darker and warmer.
     vec3 inside = surface * vec3(0.52, 0.44, 0.38);
-    back_color = to_srgb(lit(inside, -normal_in_eye, -normal.z));
+    back_color = to_srgb(lit(inside, -normal_in_eye, -up));
 
     bool wanted = see_through == 0 ? color.a == 255u : (color.a > 0u && color.a < 255u);
-    gl_Position = wanted ? clip_from_eye * (eye_from_scene * vec4(position, 1.0))
+    gl_Position = wanted ? clip_from_eye * (eye_from_item * vec4(position, 1.0))
                          : vec4(2.0, 2.0, 2.0, 1.0); // outside: the facet disappears
 }

@@ -1,0 +1,214 @@
+//! The robot cell: arm from the robot's own figures (no maker's CAD), laser head, beam, floor. All
+//! in the base. Solids are made once for a setup; a moment only says where they stand.
+
+use super::palette::Rgb;
+use super::solid::{Solid, along};
+use crate::cell::{Joints, Mount, Robot, Setup};
+use crate::part::Hasher;
+use crate::view::{Bounds, Depth, LineItem, LineSegment, MeshItem, PointItem};
+use nalgebra::{Isometry3, Point3, Vector3};
+use std::sync::Arc;
+
+const LINK: Rgb = [206, 212, 220];
+const JOINT: Rgb = [70, 80, 96];
+const METAL: Rgb = [134, 142, 154];
+const HEAD: Rgb = [52, 58, 70];
+const LIGHT: Rgb = [255, 92, 20];
+
+/// Length of a fixed head: the head of an installation is not known here.
+const FIXED_HEAD_MM: f64 = 220.0;
+/// Links shorter than this are balls.
+const LEAST_LINK_MM: f64 = 1.0;
+
+/// What stands in the cell.
+#[derive(Clone, Debug)]
+pub struct CellPicture {
+    robot: Robot,
+    plate: Solid,
+    links: [Solid; 5],
+    /// Shoulder, elbow, wrist.
+    joints: [Solid; 3],
+    flange: Solid,
+    /// From the flange to the part or the head.
+    holder: Option<(Solid, Isometry3<f64>)>,
+    head: Solid,
+    cone: Solid,
+    tip_mm: f64,
+    floor: Arc<Vec<LineSegment>>,
+    reach_mm: f64,
+}
+
+impl CellPicture {
+    /// The solids of a setup; `None` without a robot.
+    pub fn new(setup: &Setup) -> Option<CellPicture> {
+        let robot = setup.robot.clone()?;
+        let capsules = robot.capsules(&setup.home_joints_deg());
+        let length = |i: usize| (capsules[i].to - capsules[i].from).norm();
+        // The column stands on the floor, and the flange is flat.
+        let links = std::array::from_fn(|i| {
+            Solid::rod(capsules[i].radius_mm, length(i), [i > 0, i < 4 || length(4) < LEAST_LINK_MM], LINK)
+        });
+        let ball = |i: usize| {
+            let radius_mm = 1.03 * capsules[i].radius_mm.max(capsules[i + 1].radius_mm);
+            Solid::rod(radius_mm, 0.0, [true, true], JOINT)
+        };
+        let (base_mm, wrist_mm) = (capsules[0].radius_mm, capsules[4].radius_mm);
+        let plate = Solid::rod(1.35 * base_mm, 14.0, [false, false], JOINT);
+        let flange = Solid::rod(0.85 * wrist_mm, 5.0, [false, false], JOINT);
+        let hand = match setup.mount {
+            Mount::PartInHand => setup.cell.flange_from_part.isometry(),
+            Mount::ToolInHand => setup.cell.flange_from_tool.isometry(),
+        };
+        // What is held ends where the part's frame is, or at the top of the head.
+        let (head_mm, held) = match setup.mount {
+            Mount::PartInHand => (FIXED_HEAD_MM, hand * Point3::origin()),
+            Mount::ToolInHand => {
+                let head_mm = hand.translation.vector.norm().clamp(40.0, FIXED_HEAD_MM);
+                (head_mm, hand * Point3::new(0.0, 0.0, -head_mm))
+            }
+        };
+        let holder = (held.coords.norm() > LEAST_LINK_MM).then(|| {
+            let rod = Solid::rod(0.3 * wrist_mm.max(10.0), held.coords.norm(), [false, false], METAL);
+            (rod, along(&Point3::origin(), &held))
+        });
+        let tip_mm = 0.2 * head_mm;
+        let profile = [
+            [0.0, tip_mm],
+            [0.018 * head_mm, tip_mm],
+            [0.085 * head_mm, 0.52 * head_mm],
+            [0.12 * head_mm, 0.56 * head_mm],
+            [0.12 * head_mm, head_mm],
+            [0.0, head_mm],
+        ];
+        let reach_mm = (0..5).map(length).sum::<f64>() + wrist_mm;
+        Some(CellPicture {
+            plate,
+            links,
+            joints: [ball(1), ball(2), ball(3)],
+            flange,
+            holder,
+            head: Solid::turned(&profile, HEAD, 255),
+            cone: Solid::turned(&[[0.0, 0.0], [0.018 * head_mm, tip_mm]], LIGHT, 150),
+            tip_mm,
+            floor: Arc::new(floor(reach_mm)),
+            reach_mm,
+            robot,
+        })
+    }
+
+    /// Arm and head at these joints.
+    pub fn solids(&self, joints_deg: &Joints, base_from_focus: Isometry3<f64>) -> Vec<MeshItem> {
+        let capsules = self.robot.capsules(joints_deg);
+        let base_from_flange = self.robot.forward(joints_deg);
+        let mut items = vec![self.plate.at(Isometry3::identity())];
+        items.extend(self.links.iter().zip(&capsules).map(|(link, c)| link.at(along(&c.from, &c.to))));
+        let places = capsules[1..4].iter().map(|c| Isometry3::translation(c.to.x, c.to.y, c.to.z));
+        items.extend(self.joints.iter().zip(places).map(|(ball, place)| ball.at(place)));
+        items.push(self.flange.at(base_from_flange));
+        items.extend(self.holder.iter().map(|(rod, place)| rod.at(base_from_flange * place)));
+        items.push(self.head.at(base_from_focus));
+        items
+    }
+
+    /// Where the beam leaves the head, above the focus, mm.
+    pub fn tip_mm(&self) -> f64 {
+        self.tip_mm
+    }
+
+    /// The beam from the head, `length_mm` long, or the line it would take.
+    pub fn beam(
+        &self,
+        base_from_focus: Isometry3<f64>,
+        length_mm: f64,
+        lit: bool,
+    ) -> (Option<MeshItem>, LineItem, Option<PointItem>) {
+        let end = [0.0, 0.0, (self.tip_mm - length_mm) as f32];
+        let [r, g, b] = LIGHT;
+        let color = if lit { [r, g, b, 255] } else { [150, 156, 166, 150] };
+        let key = Hasher::default().f64s(&[self.tip_mm, length_mm]).u32s(&[u32::from(lit)]).finish().0 as u64;
+        let line = LineItem {
+            key,
+            segments: Arc::new(vec![LineSegment { a: [0.0, 0.0, self.tip_mm as f32], b: end, color }]),
+            width_px: if lit { 4.0 } else { 1.5 },
+            depth: Depth::Tested,
+            scene_from_item: base_from_focus,
+        };
+        let spot = lit.then(|| PointItem {
+            key,
+            points: Arc::new(vec![(end, [255, 214, 120, 255])]),
+            size_px: 9.0,
+            depth: Depth::OnTop,
+            scene_from_item: base_from_focus,
+        });
+        (lit.then(|| self.cone.at(base_from_focus)), line, spot)
+    }
+
+    /// The floor, in squares of 100 mm.
+    pub fn floor(&self) -> LineItem {
+        LineItem {
+            key: Hasher::default().f64s(&[self.reach_mm]).finish().0 as u64,
+            segments: self.floor.clone(),
+            width_px: 1.0,
+            depth: Depth::Tested,
+            scene_from_item: Isometry3::identity(),
+        }
+    }
+
+    /// The box around arm and head at these joints.
+    pub fn bounds(&self, joints_deg: &Joints, base_from_focus: &Isometry3<f64>) -> Bounds {
+        let capsules = self.robot.capsules(joints_deg);
+        let around = capsules.iter().flat_map(|c| {
+            let r = Vector3::repeat(c.radius_mm);
+            [c.from - r, c.from + r, c.to - r, c.to + r]
+        });
+        let head = [0.0, self.tip_mm / 0.2].map(|z| base_from_focus * Point3::new(0.0, 0.0, z));
+        let mut bounds = Bounds::around(around.chain(head)).unwrap_or_default();
+        bounds.min.z = bounds.min.z.max(0.0);
+        bounds
+    }
+
+    /// The box that the arm can reach into, with something in its hand.
+    pub fn reachable(&self, hand_mm: f64) -> Bounds {
+        let reach = Vector3::repeat(self.reach_mm + hand_mm);
+        Bounds { min: Point3::from(-reach), max: Point3::from(reach) }
+    }
+}
+
+fn floor(reach_mm: f64) -> Vec<LineSegment> {
+    let squares = (reach_mm / 100.0).ceil() as i32;
+    let end = (squares * 100) as f32;
+    (-squares..=squares)
+        .flat_map(|k| {
+            let at = (k * 100) as f32;
+            let color = if k == 0 { [128, 138, 152, 150] } else { [128, 138, 152, 62] };
+            [
+                LineSegment { a: [at, -end, 0.0], b: [at, end, 0.0], color },
+                LineSegment { a: [-end, at, 0.0], b: [end, at, 0.0], color },
+            ]
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_shipped_robot_has_an_arm_that_moves_without_new_data() {
+        for key in Robot::shipped() {
+            let mut setup = Setup::shipped().expect("valid");
+            setup.robot = Some(Robot::load(key, None).expect("shipped"));
+            let picture = CellPicture::new(&setup).expect("a robot");
+            let focus = setup.cell.base_from_laser.isometry();
+            let (home, away) = (setup.home_joints_deg(), [40.0, 60.0, 20.0, -30.0, 50.0, 10.0]);
+            let (a, b) = (picture.solids(&home, focus), picture.solids(&away, focus));
+            assert!(a.iter().zip(&b).all(|(a, b)| a.geometry_key == b.geometry_key && a.colors_key == b.colors_key));
+            assert!(a.iter().zip(&b).any(|(a, b)| a.scene_from_item != b.scene_from_item), "{key}");
+            let keys: Vec<_> = a.iter().map(|i| (i.geometry_key, i.positions.len())).collect();
+            for (key, corners) in &keys {
+                assert!(keys.iter().all(|(k, c)| k != key || c == corners), "one key, one geometry");
+            }
+        }
+        assert!(CellPicture::new(&Setup::shipped().expect("valid")).is_none());
+    }
+}
