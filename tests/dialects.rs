@@ -5,9 +5,14 @@
 mod programs;
 
 use clearbeam::cell::Setup;
+use clearbeam::job::plan::segmented;
+use clearbeam::job::{self, Cache, Chosen, Job, Progress};
+use clearbeam::part::{Part, Placement, Units};
+use clearbeam::program;
 use clearbeam::program::dialect::{Read, ReadError};
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};
 use clearbeam::program::{Dialect, Line, Pace};
+use clearbeam::sample::{solids, stl_bytes};
 use programs::{Seed, difference, lines, read, said, seeds, setup, written};
 use proptest::prelude::*;
 
@@ -125,6 +130,31 @@ proptest! {
         let file = clearbeam::program::ProgramFile { name: "a".into(), text };
         for dialect in DIALECTS {
             let _ = read(*dialect, std::slice::from_ref(&file), &setup(None));
+        }
+    }
+}
+
+/// A planner's own joints, poses and times: a cube's side in the hand of an MZ04.
+#[test]
+fn a_planned_program_is_read_as_it_was_meant() {
+    let part = Part::from_bytes(&stl_bytes(&solids::cube(8.0)), Units::Mm, &Placement::default(), &[]).expect("a part");
+    let mut job = Job::default();
+    let surfaces = segmented(&part, &job);
+    job.clean.surfaces = Chosen::These(vec![1]);
+    job.layers.spacing_mm = 1.5;
+    job.layers.direction = "auto".parse().expect("a direction");
+    for robot in [None, Some("mz04")] {
+        let setup = setup(robot);
+        let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
+        let lines = program::lines(&plan.steps, &setup, job.beam.power_w);
+        let lit = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.lit)).count();
+        let known = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.joints_deg.is_some())).count();
+        assert!(lit > 5 && (robot.is_none() || known > lit), "{lit} lit moves, {known} with joints");
+        for dialect in DIALECTS {
+            let files = written(*dialect, &["head"], &lines, &setup);
+            let found = read(*dialect, &files, &setup).unwrap_or_else(|e| panic!("{}: {e}", dialect.name()));
+            let off = difference(dialect.name(), &lines, &found, &setup);
+            assert!(off.is_none(), "{}: {}", dialect.name(), off.unwrap_or_default());
         }
     }
 }

@@ -18,15 +18,31 @@ use thiserror::Error;
 #[serde(deny_unknown_fields)]
 pub struct Air {
     /// How far the focus is drawn back along the beam before a move, mm.
+    #[serde(default = "ten")]
     pub retreat_mm: f64,
     /// How far outside the part's sphere long moves go, mm.
+    #[serde(default = "twenty")]
     pub clearance_mm: f64,
     /// How fast the part may be turned, degrees per second.
+    #[serde(default = "ninety")]
     pub turn_deg_s: f64,
     /// Where the program begins and ends, joint angles in degrees.
     pub home_joints_deg: [f64; 6],
     /// Speed from and to home, per cent.
+    #[serde(default = "ten")]
     pub home_percent: f64,
+}
+
+fn ten() -> f64 {
+    10.0
+}
+
+fn twenty() -> f64 {
+    20.0
+}
+
+fn ninety() -> f64 {
+    90.0
 }
 
 /// What the robot carries.
@@ -88,6 +104,7 @@ pub struct Cell {
     /// Name for people.
     pub name: String,
     /// What the robot carries, unless the job says otherwise.
+    #[serde(default)]
     pub mount: Mount,
     /// Part in hand: laser frame in the base, z against the light (L of P2).
     pub base_from_laser: Frame,
@@ -100,6 +117,7 @@ pub struct Cell {
     /// Moves with the laser off.
     pub air: Air,
     /// What is switched and set beside the moves.
+    #[serde(default)]
     pub outputs: Outputs,
     /// What stands in the cell.
     #[serde(default)]

@@ -23,6 +23,14 @@ pub struct Outputs {
     pub power: PowerOutput,
 }
 
+impl Default for Outputs {
+    /// The laser at the first output, and its power set by hand.
+    fn default() -> Self {
+        let laser = Switch { number: 1, on_wait_s: 0.0, off_wait_s: 0.0 };
+        Outputs { laser, powder: None, shielding_gas: None, cooling: None, power: PowerOutput::default() }
+    }
+}
+
 /// A digital output and how long the robot stands after switching it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -55,7 +55,8 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
             other => Failure::Failed(other.into()),
         })?;
-    let written = output::write(&a.out, &job, job_file, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
+    let written =
+        output::write(&a.out, &job, job_file, &part, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
     let report = Report::new(&plan, &surfaces);
     if a.json {
         let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;

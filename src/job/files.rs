@@ -145,7 +145,9 @@ pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError>
         }
     }
     let mount = c.mount.unwrap_or(cell.mount);
-    Ok(Setup { cell, robot, mount })
+    let setup = Setup { cell, robot, mount };
+    setup.check()?;
+    Ok(setup)
 }
 
 /// A path of a job, seen from the current folder.

@@ -13,6 +13,7 @@ pub mod parameter;
 pub mod plan;
 pub mod progress;
 pub mod report;
+pub mod verify;
 
 pub use document::Document;
 pub use edit::Edit;

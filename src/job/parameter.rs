@@ -157,7 +157,7 @@ pub const PARAMETERS: [Parameter; 14] = [
         "W",
         0.0..100000.0,
         "P (P1)",
-        "Laser power; stated in the program's head, to be set at the laser",
+        "Laser power; stated in the program's head, and set by an output if the cell has one for it",
         beam.power_w
     ),
     parameter!(

@@ -5,12 +5,14 @@
 //! afresh and read by the same reader, so that rounding is no deviation and a changed word is one.
 //! Comments do nothing and are not looked at.
 
+use super::model::Job;
+use super::plan::Plan;
 use crate::cell::{Joints, Setup};
 use crate::part::{Part, angle};
 use crate::pose::Beam;
 use crate::pose::checker::Checker;
-use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
-use crate::program::{Move, Pace, Way, lit};
+use crate::program::dialect::{Goal, Read, ReadError, ReadLine, ReadMove, Reading};
+use crate::program::{Line, Move, Pace, Program, ProgramFile, Way, dialects, lines, lit};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -94,6 +96,49 @@ pub struct Expected<'a> {
     pub moves: Vec<&'a Move>,
     /// The plan as it is written, and read again.
     pub written: &'a [ReadLine],
+}
+
+/// Reads a program from its first file and compares it with the plan. `open` gives the text of another
+/// file in the same folder.
+///
+/// # Errors
+/// The text is of no dialect, or the plan cannot be written in it.
+pub fn check(
+    part: &Part,
+    plan: &Plan,
+    setup: &Setup,
+    job: &Job,
+    first: &ProgramFile,
+    open: &dyn Fn(&str) -> Option<String>,
+    with_checker: bool,
+) -> Result<(&'static str, Verdict), String> {
+    let Some(dialect) = dialects::of_text(&first.text) else {
+        return Err(format!(
+            "{}: is no program of any dialect known here ({}); give the file that was exported",
+            first.name,
+            dialects::names()
+        ));
+    };
+    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let files = dialect.write(&Program { head: Vec::new(), lines: lines.clone(), setup }).map_err(|e| e.to_string())?;
+    let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
+    let Some(main) = files.first() else { return Err("the plan has no program".into()) };
+    let written =
+        dialect.read(main, &Reading { setup, open: &own }).map_err(|e| format!("the plan's own program: {e}"))?;
+    let moves = lines.iter().filter_map(|l| if let Line::Move(m) = l { Some(m.as_ref()) } else { None }).collect();
+    let expected = Expected { part, setup, defocus_mm: job.beam.defocus_mm, moves, written: &written };
+    let verdict = match dialect.read(first, &Reading { setup, open }) {
+        Ok(read) => verify(&expected, &read, with_checker),
+        Err(e) => {
+            let (file, line) = match &e {
+                ReadError::Line { file, line, .. } | ReadError::Gone { file, line, .. } => (file.clone(), *line),
+                ReadError::CutOff { file, .. } => (file.clone(), 0),
+            };
+            let findings = vec![Finding { file, line, kind: Kind::Unreadable, text: e.to_string() }];
+            Verdict { findings, ..Verdict::default() }
+        }
+    };
+    Ok((dialect.name(), verdict))
 }
 
 /// A line that does something.
@@ -187,7 +232,11 @@ fn compare(expected: &Expected<'_>, poses: &Poses<'_>, read: &[ReadLine], verdic
         for n in both..gone {
             if let Some(w) = want.get(i + n) {
                 let at = have.get(k + new).or(have.last()).copied().unwrap_or(w);
-                verdict.findings.push(finding(at, Kind::Missing, format!("before this line the plan has: {}", said(w))));
+                verdict.findings.push(finding(
+                    at,
+                    Kind::Missing,
+                    format!("before this line the plan has: {}", said(w)),
+                ));
             }
         }
         for n in both..new {
@@ -223,7 +272,8 @@ fn said(l: &ReadLine) -> String {
 fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bool {
     match (&want.what, &have.what) {
         (Read::Move(w), Read::Move(h)) => {
-            w.way == h.way && off(poses, &w.goal, &h.goal).is_none_or(|(mm, deg)| mm < MOST_OFF_MM && deg < MOST_TURNED_DEG)
+            w.way == h.way
+                && off(poses, &w.goal, &h.goal).is_none_or(|(mm, deg)| mm < MOST_OFF_MM && deg < MOST_TURNED_DEG)
         }
         (w, h) => w == h,
     }
@@ -266,7 +316,11 @@ fn agree(poses: &Poses<'_>, plan: Option<&Move>, want: &ReadLine, have: &ReadLin
         verdict.findings.push(finding(have, Kind::Setting, text));
     }
     if !same_pace(&w.pace, &h.pace) {
-        verdict.findings.push(finding(have, Kind::Time, format!("{} where the plan has {}", pace(&h.pace), pace(&w.pace))));
+        verdict.findings.push(finding(
+            have,
+            Kind::Time,
+            format!("{} where the plan has {}", pace(&h.pace), pace(&w.pace)),
+        ));
     }
     if let Some(planned) = plan
         && !same_pace(&planned.pace, &h.pace)
@@ -281,7 +335,9 @@ fn same_pace(a: &Pace, b: &Pace) -> bool {
     match (a, b) {
         // A millisecond is what controllers count in.
         (Pace::Seconds(a), Pace::Seconds(b)) => (a - b).abs() <= 0.002 + MOST_SLOWER * a.abs(),
-        (a, b) => a == b,
+        // A share of full speed turned into radians and back.
+        (Pace::Percent(a), Pace::Percent(b)) => (a - b).abs() <= 1e-3 * a.abs(),
+        _ => false,
     }
 }
 
@@ -390,9 +446,8 @@ fn driven<'a>(poses: &Poses<'_>, read: &'a [ReadLine], verdict: &mut Verdict) ->
 fn speed(poses: &Poses<'_>, line: &ReadLine, from: &Joints, to: &Joints, seconds: f64, verdict: &mut Verdict) {
     let Some(robot) = &poses.setup.robot else { return };
     // Joints written with four decimals may be off by 0.0001 degrees at both ends.
-    let fast = (0..6).find(|&j| {
-        (to[j] - from[j]).abs() > robot.speeds_deg_s[j] * (1.0 + SPEED_SHARE) * seconds.max(0.001) + 2e-4
-    });
+    let fast = (0..6)
+        .find(|&j| (to[j] - from[j]).abs() > robot.speeds_deg_s[j] * (1.0 + SPEED_SHARE) * seconds.max(0.001) + 2e-4);
     if let Some(j) = fast {
         let (deg_s, can) = ((to[j] - from[j]).abs() / seconds.max(0.001), robot.speeds_deg_s[j]);
         let text = format!("J{} turns at {deg_s:.0}\u{b0}/s, it can {can:.0}\u{b0}/s", j + 1);

@@ -7,8 +7,10 @@
 use super::air::Space;
 use super::drive::{Drive, Stand};
 use super::steps::{Go, Pace, Station, Way};
-use crate::cell::motion::states::Arm;
+use crate::cell::motion::{Arm, State};
 use crate::cell::{Joints, Robot};
+use crate::part::angle;
+use nalgebra::Vector3;
 
 /// On a move by joints no joint turns further than this between two looks, degrees.
 const LOOK_DEG: f64 = 1.0;
@@ -22,6 +24,10 @@ const MOST_STRAIGHT_DEG: f64 = 60.0;
 const OUT_STEPS: usize = 8;
 /// Spins looked at on the way, degrees apart.
 const SPINS_DEG: f64 = 30.0;
+/// Stands tried at a station.
+const MOST_TRIED: usize = 6;
+/// Stations over the part stand this far apart, and are turned by this much at most, degrees.
+const ARC_DEG: f64 = 20.0;
 
 /// The way from one lit piece (or home) to the next (or home), its last move included; `None`: there
 /// is none.
@@ -102,23 +108,22 @@ impl Round<'_> {
             .then(|| vec![self.straight(from, &out), self.by_joints(&above), self.straight(&above, to)])
     }
 
-    /// Out, over the part from station to station, in.
+    /// Out, over the part from station to station, in. The spin turns on the way as well.
     fn over(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
         let (out, above) = (self.outs(from).next()?, self.outs(to).next()?);
-        let stations = self.space.between(&from.at, &to.at, false);
+        let (u, v) = (self.space.radial(&out.at)?, self.space.radial(&above.at)?);
+        let arc = angle::Arc::new(&u, &v);
+        let (p, q) = (out.at.frame().rotation, above.at.frame().rotation);
+        let steps = (angle::between_deg(&u, &v).max(out.at.turn_deg(&above.at)) / ARC_DEG).ceil().max(1.0) as usize;
         let arm = Arm::with_step(self.robot, self.drive.setup, SPINS_DEG);
         let mut way = vec![self.straight(from, &out)];
         let mut here = out;
-        for station in stations.get(1..stations.len().saturating_sub(1))? {
-            let states = arm.states(&station.frame()).ok()?;
-            let length = |j: &Joints| farthest(&here.joints_deg, j) + farthest(j, &above.joints_deg);
-            let mut order: Vec<(f64, usize)> =
-                states.iter().enumerate().map(|(i, s)| (length(&s.joints_deg), i)).collect();
-            order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            let next = order.iter().take(4).map(|(_, i)| &states[*i]);
-            let next = next
-                .map(|s| Stand { at: Station::at(&arm.turned(&station.frame(), s.spin)), joints_deg: s.joints_deg });
-            let next = next.into_iter().find(|n| self.joints_clear(&here.joints_deg, &n.joints_deg))?;
+        for k in 0..=steps {
+            let t = k as f64 / steps as f64;
+            let station = self.space.on_top(&arc.at(t), &(p.slerp(&q, t) * Vector3::y()));
+            let next =
+                self.stand(station, &here.joints_deg).filter(|n| self.joints_clear(&here.joints_deg, &n.joints_deg));
+            let next = next.or_else(|| self.some_stand(&arm, &station, &here.joints_deg, &above.joints_deg))?;
             way.push(self.by_joints(&next));
             here = next;
         }
@@ -127,6 +132,19 @@ impl Round<'_> {
         }
         way.extend([self.by_joints(&above), self.straight(&above, to)]);
         Some(way)
+    }
+
+    /// A stand at a station with any spin: the one that lies best between two others.
+    fn some_stand(&self, arm: &Arm<'_>, station: &Station, from: &Joints, to: &Joints) -> Option<Stand> {
+        let states = arm.states(&station.frame()).ok()?;
+        let length = |s: &State| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
+        let mut order: Vec<(f64, &State)> = states.iter().map(|s| (length(s), s)).collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order
+            .into_iter()
+            .take(MOST_TRIED)
+            .map(|(_, s)| Stand { at: Station::at(&arm.turned(&station.frame(), s.spin)), joints_deg: s.joints_deg })
+            .find(|n| self.joints_clear(from, &n.joints_deg))
     }
 
     fn by_joints(&self, to: &Stand) -> Go {

@@ -33,6 +33,8 @@ pub struct State {
     pub branch: u8,
     /// Number of the reading of its turns.
     pub turn: u8,
+    /// Distance from a singular pose, 0 to 1.
+    pub singularity: f64,
 }
 
 /// Why a pose that has solutions has no state.
@@ -107,12 +109,14 @@ impl<'a> Arm<'a> {
                 let Some(joints) = solutions[branch] else { continue };
                 reached = true;
                 let before = out.len();
-                let is_singular = self.robot.singularity(&joints) < LEAST_SINGULARITY;
+                let singularity = self.robot.singularity(&joints);
+                let is_singular = singularity < LEAST_SINGULARITY;
                 for (turn, joints_deg) in turns(&joints, &self.robot.limits_deg).take(256).enumerate() {
                     if is_singular {
                         singular = true;
                     } else {
-                        out.push(State { joints_deg, spin: spin as u8, branch: branch as u8, turn: turn as u8 });
+                        let (spin, branch, turn) = (spin as u8, branch as u8, turn as u8);
+                        out.push(State { joints_deg, spin, branch, turn, singularity });
                     }
                 }
                 if out.len() == before && !is_singular {
@@ -139,7 +143,7 @@ impl Arm<'_> {
         let solutions = self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, spin)));
         let joints = solutions[usize::from(branch)]?;
         let joints_deg = turns(&joints, &self.robot.limits_deg).nth(usize::from(turn))?;
-        Some(State { joints_deg, spin, branch, turn })
+        Some(State { joints_deg, spin, branch, turn, singularity: self.robot.singularity(&joints) })
     }
 }
 
