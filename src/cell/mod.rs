@@ -12,8 +12,6 @@ pub mod robot;
 pub mod rpy;
 pub mod setup;
 pub mod ur;
-#[cfg(test)]
-mod zz_search;
 
 pub use collision::{Collision, Contact};
 pub use frame::Frame;
