@@ -6,6 +6,7 @@ use super::bodies::Bodies;
 use super::calibration::CalibrationNote;
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
 use super::frame::Frame;
+use super::outputs::Outputs;
 use crate::part::LoadError;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
@@ -42,10 +43,6 @@ fn twenty() -> f64 {
 
 fn ninety() -> f64 {
     90.0
-}
-
-fn first_output() -> u32 {
-    1
 }
 
 /// What the robot carries.
@@ -119,9 +116,9 @@ pub struct Cell {
     pub flange_from_tool: Frame,
     /// Moves with the laser off.
     pub air: Air,
-    /// Output that switches the laser.
-    #[serde(default = "first_output")]
-    pub laser_output: u32,
+    /// What is switched and set beside the moves.
+    #[serde(default)]
+    pub outputs: Outputs,
     /// What stands in the cell.
     #[serde(default)]
     pub bodies: Bodies,
@@ -259,7 +256,14 @@ impl Cell {
         if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
+        self.outputs.check()?;
         nachi.check()?;
+        self.kuka.check()?;
+        self.abb.check()?;
+        self.yaskawa.check()?;
+        self.estun.check()?;
+        self.fanuc.check()?;
+        self.ur.check()?;
         self.bodies.check()
     }
 
@@ -278,19 +282,14 @@ impl Cell {
         self.frames().iter().filter_map(|(name, frame)| frame.calibration(name)).collect()
     }
 
-    /// Pose of the flange in the base that brings focus and beam to a path frame of the part.
-    ///
-    /// Part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot_o(180°)·H⁻¹`.
-    pub fn flange_for(&self, mount: Mount, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
+    /// The frames of a mount, ready to be asked for many poses.
+    pub fn mounted(&self, mount: Mount) -> Mounted {
         match mount {
             Mount::PartInHand => {
-                self.base_from_laser.isometry() * (self.flange_from_part.isometry() * part_from_focus).inverse()
+                Mounted { mount, fixed: self.base_from_laser.isometry(), carried: self.flange_from_part.isometry() }
             }
             Mount::ToolInHand => {
-                self.base_from_part.isometry()
-                    * part_from_focus
-                    * half_turn()
-                    * self.flange_from_tool.isometry().inverse()
+                Mounted { mount, fixed: self.base_from_part.isometry(), carried: self.flange_from_focus() }
             }
         }
     }
@@ -299,25 +298,40 @@ impl Cell {
     pub fn flange_from_focus(&self) -> Isometry3<f64> {
         self.flange_from_tool.isometry() * half_turn()
     }
+}
 
-    /// The path frame at a pose of the flange: the inverse of [`Cell::flange_for`].
-    pub fn focus_for(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        match mount {
-            Mount::PartInHand => {
-                (base_from_flange * self.flange_from_part.isometry()).inverse() * self.base_from_laser.isometry()
-            }
-            Mount::ToolInHand => {
-                self.base_from_part.isometry().inverse()
-                    * base_from_flange
-                    * self.flange_from_tool.isometry()
-                    * half_turn()
-            }
+/// The frames of a mount: what stands in the base, and what hangs on the flange.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mounted {
+    mount: Mount,
+    /// Laser in the base, or part in the base.
+    fixed: Isometry3<f64>,
+    /// Part on the flange, or laser frame on the flange.
+    carried: Isometry3<f64>,
+}
+
+impl Mounted {
+    /// Pose of the flange in the base that brings focus and beam to a path frame of the part.
+    ///
+    /// Part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot_o(180°)·H⁻¹`.
+    pub fn flange_for(&self, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => self.fixed * (self.carried * part_from_focus).inverse(),
+            Mount::ToolInHand => self.fixed * part_from_focus * self.carried.inverse(),
+        }
+    }
+
+    /// The path frame at a pose of the flange: the inverse of [`Mounted::flange_for`].
+    pub fn focus_for(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => (base_from_flange * self.carried).inverse() * self.fixed,
+            Mount::ToolInHand => self.fixed.inverse() * base_from_flange * self.carried,
         }
     }
 }
 
 /// Half a turn about y: a tool's z points with the light, a path frame's against it.
-fn half_turn() -> Isometry3<f64> {
+pub fn half_turn() -> Isometry3<f64> {
     let half = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(0.0, 0.0, 1.0, 0.0));
     Isometry3::from_parts(Translation3::identity(), half)
 }
@@ -336,7 +350,7 @@ mod tests {
         let a = Vector3::new(0.6, 0.0, 0.8);
         let o = Vector3::new(0.0, 1.0, 0.0);
         let (v, d) = (Point3::new(10.0, -4.0, 7.0), 15.0);
-        let t = cell.flange_for(Mount::PartInHand, &frame(&(v + a * d), &a, &o));
+        let t = cell.mounted(Mount::PartInHand).flange_for(&frame(&(v + a * d), &a, &o));
         let n = o.cross(&a);
         let v_prime = Vector3::new(n.dot(&v.coords), o.dot(&v.coords), a.dot(&v.coords));
         let expected = Vector3::from(cell.base_from_laser.position_mm) - Vector3::new(0.0, 0.0, d) - v_prime;

@@ -259,6 +259,15 @@ impl Robot {
         }
     }
 
+    /// Length of the stretched arm from axis 2 to the flange, mm.
+    pub fn reach_mm(&self) -> f64 {
+        match (&self.opw, &self.ur) {
+            (Some(o), _) => o.c2_mm + libm::hypot(o.a2_mm, o.c3_mm) + o.c4_mm.abs(),
+            (None, Some(u)) => u.a2_mm.abs() + u.a3_mm.abs() + u.d5_mm.abs(),
+            (None, None) => 0.0,
+        }
+    }
+
     /// The first joint that is beyond its limits, from 0.
     pub fn beyond(&self, joints_deg: &Joints) -> Option<usize> {
         (0..6).find(|&i| !(self.limits_deg[i][0]..=self.limits_deg[i][1]).contains(&joints_deg[i]))

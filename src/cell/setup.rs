@@ -1,5 +1,6 @@
 //! What stands in the hall for one job: the cell, the robot in it, and what the robot carries.
 
+use super::mounting::Mounted;
 use super::{Cell, CellError, Joints, Mount, Robot};
 use crate::part::distance::segments;
 use nalgebra::{Isometry3, Point3};
@@ -61,12 +62,17 @@ impl Setup {
 
     /// Pose of the flange in the base for a path frame of the part.
     pub fn flange_for(&self, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
-        self.cell.flange_for(self.mount, part_from_focus)
+        self.mounted().flange_for(part_from_focus)
     }
 
     /// The path frame at a pose of the flange.
     pub fn focus_for(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        self.cell.focus_for(self.mount, base_from_flange)
+        self.mounted().focus_for(base_from_flange)
+    }
+
+    /// The frames in use, ready to be asked for many poses.
+    pub fn mounted(&self) -> Mounted {
+        self.cell.mounted(self.mount)
     }
 
     /// Where programs begin and end.

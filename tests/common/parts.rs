@@ -54,10 +54,15 @@ pub fn on(mut job: Job, surfaces: &[u32]) -> Job {
     job
 }
 
-/// Plans a job.
+/// Plans a job without a robot.
 pub fn planned(part: Part, job: Job) -> Planned {
+    planned_in(part, job, &setup())
+}
+
+/// Plans a job in a cell.
+pub fn planned_in(part: Part, job: Job, setup: &Setup) -> Planned {
     let surfaces = segmented(&part, &job);
-    let plan = job::plan(&part, &surfaces, &job, &setup(), &Cache::default(), &Progress::default()).expect("a plan");
+    let plan = job::plan(&part, &surfaces, &job, setup, &Cache::default(), &Progress::default()).expect("a plan");
     Planned { part, surfaces, job, plan }
 }
 
@@ -136,7 +141,7 @@ impl Planned {
 
     /// The files that `plan` would write.
     pub fn files(&self) -> Vec<OutputFile> {
-        output::files(&self.job, "part.stl", &setup(), &self.plan, &self.surfaces).expect("files")
+        output::files(&self.job, "part.stl", &self.part, &setup(), &self.plan, &self.surfaces).expect("files")
     }
 
     /// The second opinion on this part.

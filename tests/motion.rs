@@ -1,0 +1,193 @@
+//! The chain of joints: as cheap as the search over all pairs, within the rules, on the path, and the
+//! reasons where there is none.
+
+#[path = "common/all_pairs.rs"]
+mod all_pairs;
+#[path = "common/parts.rs"]
+mod parts;
+
+use clearbeam::cell::motion::{Arm, Cause, choose};
+use clearbeam::cell::{Mount, Robot, Setup, Spin};
+use clearbeam::part::angle;
+use clearbeam::pose::{Pass, State};
+use clearbeam::program::{Step, Way};
+use nalgebra::Vector3;
+use parts::{job, on, part, planned, planned_in, sample};
+
+fn setup(robot: &str, mount: Mount) -> Setup {
+    Setup {
+        robot: Some(Robot::load(robot, None).expect("shipped")),
+        mount,
+        ..Setup::shipped().expect("the shipped cell")
+    }
+}
+
+/// A pass of its own, as many targets as asked for.
+fn first(pass: &Pass, count: usize) -> Pass {
+    let mut pass = pass.clone();
+    pass.targets.truncate(count);
+    pass
+}
+
+#[test]
+fn the_chain_is_as_cheap_as_over_all_pairs() {
+    let p = planned(part(&sample("workpiece")), on(job("z", 6.0), &[1, 2, 3]));
+    let setup = setup("mz04", Mount::PartInHand);
+    for spin in [Spin::Free, Spin::Travel] {
+        let arm = Arm::new(&setup, spin).expect("a robot");
+        for pass in p.plan.passes.iter().filter(|p| p.targets.iter().all(|t| t.state != State::Blocked)).take(3) {
+            let pass = first(pass, 14);
+            let choice = choose(&arm, std::slice::from_ref(&pass), 20.0, 3.0, &|_| None);
+            let seconds = all_pairs::seconds(&pass, 3.0);
+            let chosen = all_pairs::cost_of(&arm, &choice, 0, &seconds);
+            let least = all_pairs::cheapest(&arm, &pass, 20.0, 3.0);
+            assert!((chosen - least).abs() < 1e-6 || chosen == least, "{spin:?}: {chosen} for {least}");
+        }
+    }
+}
+
+/// Joints of every row lead back to the focus and the beam of the target, inside the limits, and no
+/// lit move breaks a rule.
+fn holds(robot: &str, mount: Mount, spin: Spin, name: &str, spacing_mm: f64) {
+    let setup = setup(robot, mount);
+    let mut job = job("z", spacing_mm);
+    job.cell.spin = spin;
+    let p = planned_in(part(&sample(name)), job, &setup);
+    let choice = p.plan.choice.as_ref().expect("a robot");
+    let robot = setup.robot.as_ref().expect("a robot");
+    let mut rows = 0;
+    for (number, pass) in p.plan.passes.iter().enumerate() {
+        for (point, t) in pass.targets.iter().enumerate() {
+            let row = &choice.rows[number][point];
+            assert_eq!(row.is_some(), t.state != State::Blocked, "pass {number}, point {point}");
+            let Some(c) = row else { continue };
+            rows += 1;
+            assert!(robot.beyond(&c.joints_deg).is_none());
+            let focus = setup.focus_for(&robot.forward(&c.joints_deg));
+            let wanted = t.frame(p.job.beam.defocus_mm);
+            assert!((focus.translation.vector - wanted.translation.vector).norm() < 1e-6);
+            assert!(angle::between_deg(&(focus.rotation * Vector3::z()), &t.a) < 1e-6);
+            let o = angle::turned(&t.o, &t.a, c.spin_deg);
+            assert!(angle::between_deg(&(focus.rotation * Vector3::y()), &o) < 1e-6);
+            if spin == Spin::Travel {
+                assert!(c.spin_deg == 0.0 || c.spin_deg == 180.0);
+            }
+            if t.laser {
+                let before = choice.rows[number][point - 1].as_ref().expect("a lit move comes from somewhere");
+                let seconds = (t.p - pass.targets[point - 1].p).norm() / p.job.beam.speed_mm_s;
+                for j in 0..6 {
+                    let moved = (c.joints_deg[j] - before.joints_deg[j]).abs();
+                    assert!(moved <= 30.0 && moved <= robot.speeds_deg_s[j] * seconds + 1e-9);
+                }
+                assert_eq!(c.branch, before.branch, "no flip inside a pass");
+            }
+        }
+    }
+    assert!(rows > 100, "{rows} rows");
+}
+
+#[test]
+fn joints_lead_to_the_targets_part_in_hand() {
+    holds("mz04", Mount::PartInHand, Spin::Free, "workpiece", 4.0);
+    holds("mz04", Mount::PartInHand, Spin::Travel, "workpiece", 4.0);
+}
+
+#[test]
+fn joints_lead_to_the_targets_tool_in_hand() {
+    holds("mz04", Mount::ToolInHand, Spin::Free, "workpiece", 4.0);
+}
+
+#[test]
+fn joints_lead_to_the_targets_of_a_worm_gear() {
+    holds("mz04", Mount::PartInHand, Spin::Free, "worm_gear", 3.0);
+}
+
+/// With the flange straight between two stops the spot stays within the deviation of its line.
+#[test]
+fn the_spot_keeps_to_its_line_where_the_flange_goes_straight() {
+    let setup = setup("mz04", Mount::PartInHand);
+    let mut job = on(job("z", 2.0), &[1, 2]);
+    job.cell.deviation_mm = 0.01;
+    let p = planned_in(part(&sample("worm_gear")), job, &setup);
+    let defocus_mm = p.job.beam.defocus_mm;
+    let (mut lit, mut between, mut worst) = (false, 0, 0.0_f64);
+    let mut at = None;
+    let mut line = None;
+    for step in &p.plan.steps.list {
+        match step {
+            Step::Laser(on) => lit = *on,
+            Step::Go(go) => {
+                if lit {
+                    assert_eq!(go.way, Way::Linear);
+                    between += usize::from(go.target.is_none());
+                    let (from, to) = (at.expect("comes from somewhere"), setup.flange_for(&go.to.frame()));
+                    let spot =
+                        |f: &nalgebra::Isometry3<f64>| f.translation.vector - f.rotation * Vector3::z() * defocus_mm;
+                    let start: nalgebra::Isometry3<f64> = setup.focus_for(&from);
+                    let (a, b) = (spot(&start), spot(&go.to.frame()));
+                    line = Some((a, b));
+                    for k in 1..16 {
+                        let s = spot(&setup.focus_for(&from.lerp_slerp(&to, f64::from(k) / 16.0)));
+                        let along = ((s - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+                        worst = worst.max((s - a - (b - a) * along).norm());
+                    }
+                }
+                at = Some(setup.flange_for(&go.to.frame()));
+            }
+            Step::Say(_) | Step::Home => {}
+        }
+    }
+    assert!(line.is_some() && between > 0, "{between} targets put in between");
+    assert!(worst <= 0.01 * 1.01, "{worst} mm");
+}
+
+#[test]
+fn what_cannot_be_done_says_why() {
+    let mut far = setup("mz04", Mount::PartInHand);
+    far.cell.base_from_laser.position_mm = [2000.0, 0.0, 300.0];
+    let reach = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &far);
+    let choice = reach.plan.choice.expect("a robot");
+    assert!(!choice.refusals.is_empty() && choice.refusals.iter().all(|r| r.cause == Cause::Reach));
+    assert!(reach.plan.passes.iter().flat_map(|p| &p.targets).all(|t| t.state == State::Blocked && !t.laser));
+
+    let mut narrow = setup("mz04", Mount::PartInHand);
+    narrow.robot.as_mut().expect("a robot").limits_deg[4] = [-20.0, 20.0];
+    let limit = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &narrow);
+    let refusals = limit.plan.choice.expect("a robot").refusals;
+    assert!(refusals.iter().any(|r| r.cause == Cause::Limit && r.detail.contains("J5 would need")), "{refusals:?}");
+
+    let mut fast = on(job("z", 8.0), &[1]);
+    fast.beam.speed_mm_s = 9000.0;
+    let speed = planned_in(part(&sample("worm_gear")), fast, &setup("mz04", Mount::PartInHand));
+    let refusals = speed.plan.choice.expect("a robot").refusals;
+    assert!(refusals.iter().any(|r| r.cause == Cause::Speed && r.detail.contains("\u{b0}/s, it can")), "{refusals:?}");
+}
+
+/// A contact is avoided where another spin avoids it, and named where none does.
+#[test]
+fn what_touches_is_avoided_or_named() {
+    let setup = setup("mz04", Mount::PartInHand);
+    let p = planned(part(&sample("workpiece")), on(job("z", 8.0), &[1]));
+    let arm = Arm::new(&setup, Spin::Free).expect("a robot");
+    let free = choose(&arm, &p.plan.passes, 20.0, 3.0, &|_| None);
+    let used: Vec<f64> = free.rows.iter().flatten().flatten().map(|c| c.joints_deg[5]).collect();
+    assert!(used.iter().any(|j6| *j6 > 0.0) || used.iter().any(|j6| *j6 <= 0.0));
+    let positive = used.iter().filter(|j6| **j6 > 0.0).count() * 2 > used.len();
+    let half = move |joints: &[f64; 6]| ((joints[5] > 0.0) == positive).then(|| "forearm touches part".to_owned());
+    let avoided = choose(&arm, &p.plan.passes, 20.0, 3.0, &half);
+    assert!(avoided.rows.iter().flatten().flatten().all(|c| half(&c.joints_deg).is_none()));
+    assert!(avoided.rows.iter().flatten().flatten().count() > used.len() / 2);
+    let named = choose(&arm, &p.plan.passes, 20.0, 3.0, &|_| Some("part touches head".into()));
+    assert!(named.refusals.iter().all(|r| r.cause == Cause::Head && r.detail == "part touches head"));
+    assert_eq!(named.rows.iter().flatten().flatten().count(), 0);
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same() {
+    let setup = setup("mz04", Mount::PartInHand);
+    let plan = || planned_in(part(&sample("workpiece")), on(job("z", 5.0), &[1, 2]), &setup).plan;
+    let pool = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().expect("threads");
+    let (one, three) = (pool(1).install(plan), pool(3).install(plan));
+    assert_eq!(one.choice, three.choice);
+    assert_eq!(one.steps, three.steps);
+}
