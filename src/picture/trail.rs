@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// Segments of one item: whole ones are uploaded once, only the last one changes.
 const PIECE: usize = 512;
 /// Unlike every state of a target: done.
-const COLOR: [u8; 4] = [90, 235, 190, 255];
+const COLOR: [u8; 4] = [88, 208, 166, 255];
 
 /// The spot's way on the part, in the part frame.
 #[derive(Clone, Debug)]
@@ -45,7 +45,7 @@ impl Trail {
         let item = |number: usize, key: u64, segments| LineItem {
             key: self.key.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (number as u64) << 32 ^ key,
             segments,
-            width_px: 3.0,
+            width_px: 2.0,
             depth: Depth::Tested,
             scene_from_item: scene_from_part,
         };

@@ -125,7 +125,7 @@ impl App {
         };
     }
 
-    /// Always in sight: what all the rest is for.
+    /// The program, written into a folder.
     pub(super) fn export_button(&mut self, ui: &mut egui::Ui) {
         ui.add_space(2.0);
         let ready = self.derived.plan_of.as_ref() == Some(self.document.job());

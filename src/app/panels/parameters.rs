@@ -11,7 +11,11 @@ use eframe::egui::{self, DragValue, RichText};
 
 impl App {
     pub(in super::super) fn parameters(&mut self, ui: &mut egui::Ui) {
-        egui::Panel::bottom("export").show(ui, |ui| self.export_button(ui));
+        // Always in sight: what is wrong, and what all the rest is for.
+        egui::Panel::bottom("export").show(ui, |ui| {
+            egui::ScrollArea::vertical().max_height(130.0).auto_shrink([false, true]).show(ui, |ui| self.problems(ui));
+            self.export_button(ui);
+        });
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             theme::heading(ui, "Layers");
             self.direction(ui);
@@ -45,7 +49,6 @@ impl App {
             });
             egui::CollapsingHeader::new("Part").show(ui, |ui| self.part(ui));
             self.cell_panel(ui);
-            self.problems(ui);
         });
     }
 

@@ -87,10 +87,11 @@ impl App {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
             for c in &d.curves {
+                let value = now.map_or(0.0, |s| (c.value)(s));
+                let decimals = if value.abs() < 100.0 { d.decimals } else { 0 };
                 // Rounded, and + 0 so that no −0.0 is shown.
-                let power = 10f64.powi(d.decimals as i32);
-                let value = now.map_or(0.0, |s| ((c.value)(s) * power).round() / power + 0.0);
-                let text = format!("{} {value:.*}", c.name, d.decimals);
+                let power = 10f64.powi(decimals as i32);
+                let text = format!("{} {:.decimals$}", c.name, (value * power).round() / power + 0.0);
                 ui.add(egui::Label::new(RichText::new(text).small().monospace().color(c.color)).selectable(false));
             }
         });
@@ -191,7 +192,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
         },
         Diagram {
             name: "curve of the distance to singularity",
-            title: format!("Distance to singularity · least {singular:.2}"),
+            title: format!("To singularity · least {singular:.2}"),
             curves: vec![Curve { name: "distance", color: COLORS[1], value: Box::new(|s| s.singularity) }],
             bounds: vec![(0.0, red)],
             decimals: 2,
