@@ -22,19 +22,19 @@ const PAIRED: usize = 100;
 const DEFOCUS_MM: f64 = 20.0;
 const SPEED_MM_S: f64 = 3.0;
 
-/// Lines over a shallow dome, 100 targets each.
+/// Lines over a shallow dome that looks along −y, 100 targets each.
 fn passes(count: usize) -> Vec<Pass> {
     let target = |i: usize| {
         let (line, along) = (i / 100, i % 100);
-        let (x, y) = (along as f64 * 0.8 - 40.0, (line % 100) as f64 * 0.5 - 25.0);
-        let n = Vector3::new(x / 120.0, y / 120.0, 1.0).normalize();
-        let p = Point3::new(x, y, 120.0 * n.z - 90.0);
+        let (x, z) = (along as f64 * 0.8 - 40.0, (line % 100) as f64 * 0.5);
+        let n = Vector3::new(x / 120.0, -1.0, (z - 25.0) / 120.0).normalize();
+        let p = Point3::new(x, 120.0 * n.y + 110.0, z);
         let o = pose::target::travel(&Vector3::x(), &n);
         Target { p, n, a: n, o, state: pose::State::Free, laser: along > 0, normal_hits: None }
     };
     let line = |k: usize| Pass {
         surface: 1,
-        plane_normal: Vector3::y(),
+        plane_normal: Vector3::z(),
         closed: false,
         targets: (k * 100..(k + 1) * 100).map(target).collect(),
         chord_error_mm: 0.0,
@@ -50,6 +50,10 @@ fn motion(c: &mut Criterion) {
     let mut group = c.benchmark_group("motion");
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
     let all = passes(TARGETS);
+    let choice = choose(&arm, &all, DEFOCUS_MM, SPEED_MM_S, &|_| None);
+    let states = |t: &Target| arm.states(&t.frame(DEFOCUS_MM)).map_or(0, |s| s.len());
+    let count: usize = all.iter().flat_map(|p| &p.targets).map(states).sum();
+    println!("{} targets refused, {} states a target", choice.refusals.len(), count / TARGETS);
     group.bench_function("chain, 10 000 targets x 72 spins", |b| {
         b.iter(|| choose(&arm, &all, DEFOCUS_MM, SPEED_MM_S, &|_| None));
     });

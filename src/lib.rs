@@ -11,7 +11,7 @@
 //!   section plane, the motion between targets, the targets of a [`pose::Pass`]; and an independent
 //!   checker that shares no code with the rest.
 //! - [`cell`]: laser, part and flange in the robot's base: `T = L·(G·F)⁻¹`.
-//! - [`program`]: pieces joined by connecting moves over the part, written as a NACHI program.
+//! - [`program`]: pieces joined by connecting moves over the part, written in the words of a controller, and read back.
 //! - [`job`]: what is saved ([`job::Job`]), edited ([`job::Edit`], [`job::Document`]), planned
 //!   ([`job::plan()`]) and written ([`job::output`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
@@ -26,7 +26,7 @@
 //! use clearbeam::cell::Setup;
 //! use clearbeam::job::{self, Cache, Chosen, Job, Progress, plan::segmented, report::Report};
 //! use clearbeam::part::{Part, Placement, Units};
-//! use clearbeam::program::{Program, lines, nachi};
+//! use clearbeam::program::{Dialect, Program, lines, nachi::Nachi};
 //! use clearbeam::sample::{solids, stl_bytes};
 //!
 //! let stl = stl_bytes(&solids::cube(20.0));
@@ -42,9 +42,9 @@
 //! assert_eq!(plan.passes.len(), 20);
 //! let report = Report::new(&plan, &surfaces);
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
-//! let lines = lines(&plan.steps, &setup);
+//! let lines = lines(&plan.steps, &setup, job.beam.power_w);
 //! let program = Program { head: vec!["a cube's side".into()], lines, setup: &setup };
-//! assert!(nachi::program(&program).ends_with("END\n"));
+//! assert!(Nachi.write(&program)?[0].text.ends_with("END\n"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -120,6 +120,7 @@ fn wrong_usage_is_2() {
         &["--offset", "3"],
         &["--units", "ft"],
         &["--correction", "hope"],
+        &["--dialect", "karel"],
         &["--angle", "0"],
         &["--no-such-option"],
     ] {

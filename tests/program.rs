@@ -47,7 +47,8 @@ fn the_text_has_its_form() {
         let lines = read(&text);
         let body: Vec<&Line> = lines.iter().filter(|l| !matches!(l, Line::Say(_))).collect();
         assert!(matches!(body[..2], [Line::Laser(false), Line::Home]), "off, then home");
-        assert!(matches!(body[body.len() - 3..], [Line::Laser(false), Line::Home, Line::End]));
+        let end = &body[body.len() - 4..];
+        assert!(matches!(end, [Line::Laser(false), Line::Home, Line::Laser(false), Line::End]), "off, home, off");
         assert!(matches!(body[2], Line::Go(_, None)), "from home by joints");
         let mut is_on = false;
         for line in &lines {

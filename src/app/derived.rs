@@ -2,7 +2,7 @@
 //! inputs it was made from; [`App::sync`] starts what is out of date.
 
 use super::App;
-use super::motion::Motion;
+use super::motion::{Motion, Planned};
 use super::worker::Outcome;
 use crate::cell::Setup;
 use crate::job::model::{CellFile, PartFile, SurfaceParameters};
@@ -221,11 +221,12 @@ impl App {
     /// Works out the motion of the plan.
     fn start_motion(&mut self) {
         let d = &self.derived;
-        let (Some((plan, _)), Some((_, Ok(setup))), Some(job)) = (&d.plan, &d.setup, &d.plan_of) else { return };
-        let (plan, setup, job, surfaces) = (plan.clone(), setup.clone(), job.clone(), d.surfaces.clone());
+        let (Some((plan, report)), Some((_, Ok(setup))), Some(job)) = (&d.plan, &d.setup, &d.plan_of) else { return };
+        let (plan, report, setup, job) = (plan.clone(), report.clone(), setup.clone(), job.clone());
         let (part_name, key) = (self.part_file_name(), d.plan_count);
         self.worker.spawn(move || {
-            Outcome::Moving(key, Arc::new(Motion::new(&job, &part_name, &setup, &plan, &surfaces, key)))
+            let of = Planned { job: &job, part_name: &part_name, setup: &setup, plan: &plan, report: &report };
+            Outcome::Moving(key, Arc::new(Motion::new(&of, key)))
         });
     }
 

@@ -134,12 +134,11 @@ impl App {
         let (plan, setup, surfaces) = (plan.clone(), setup.clone(), d.surfaces.clone());
         let file = self.document.file.clone();
         let mut job = job;
-        if let Some(part) = &d.part {
-            job.part.sha256.clone_from(&part.sha256);
-        }
+        let Some(part) = d.part.clone() else { return };
+        job.part.sha256.clone_from(&part.sha256);
         self.session.said = format!("writing into {}…", dir.display());
         self.worker.spawn(move || {
-            let written = output::write(&dir, &job, file.as_deref(), &setup, &plan, &surfaces);
+            let written = output::write(&dir, &job, file.as_deref(), &part, &setup, &plan, &surfaces);
             Outcome::Exported(written.map_err(|e| e.to_string()))
         });
     }

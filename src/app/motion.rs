@@ -2,12 +2,27 @@
 //! part, and the program's text with the line of each move. Made on a thread, once for a plan.
 
 use crate::cell::Setup;
+use crate::job::report::Report;
 use crate::job::{Job, Plan, output};
-use crate::part::Surfaces;
 use crate::picture::Trail;
 use crate::pose::State;
-use crate::program::{Line, Sample, Timeline, lines, series};
+use crate::program::dialect::{Read, Reading};
+use crate::program::{Line, ProgramFile, Sample, Timeline, dialects, lines, series};
 use std::collections::BTreeMap;
+
+/// A plan with all that it was made from.
+pub struct Planned<'a> {
+    /// The job.
+    pub job: &'a Job,
+    /// Name of the part's file.
+    pub part_name: &'a str,
+    /// Cell and robot.
+    pub setup: &'a Setup,
+    /// The plan.
+    pub plan: &'a Plan,
+    /// Its report.
+    pub report: &'a Report,
+}
 
 /// A plan in motion.
 pub struct Motion {
@@ -23,6 +38,8 @@ pub struct Motion {
     pub text: Vec<TextFile>,
     /// Where on the timeline something is left out.
     pub marks: Vec<Mark>,
+    /// Why there is no text.
+    pub why_none: Option<String>,
     /// File and line, from 0, of each move.
     pub line_of_move: Vec<(usize, usize)>,
 }
@@ -68,9 +85,10 @@ impl TextFile {
 
 impl Motion {
     /// Everything of a plan; `key` changes with it.
-    pub fn new(job: &Job, part_name: &str, setup: &Setup, plan: &Plan, surfaces: &Surfaces, key: u64) -> Motion {
+    pub fn new(of: &Planned<'_>, key: u64) -> Motion {
+        let Planned { job, setup, plan, .. } = *of;
         let timeline = Timeline::new(&plan.steps, setup);
-        let moves = lines(&plan.steps, setup).into_iter().filter_map(|l| match l {
+        let moves = lines(&plan.steps, setup, job.beam.power_w).into_iter().filter_map(|l| match l {
             Line::Move(m) => Some(m.target),
             _ => None,
         });
@@ -81,15 +99,19 @@ impl Motion {
             }
         }
         let marks = marks(plan, &move_to);
-        let text = program(job, part_name, setup, plan, surfaces);
+        let (text, why_none) = match program(of) {
+            Ok(text) => (text, None),
+            Err(why) => (Vec::new(), Some(why)),
+        };
         Motion {
             curves: timeline.as_ref().map(series).unwrap_or_default(),
             trail: timeline.as_ref().map(|t| Trail::new(t, job.beam.defocus_mm, key)),
             timeline,
             move_to,
             marks,
-            line_of_move: lines_of_moves(&text),
+            line_of_move: lines_of_moves(&text, job, setup),
             text,
+            why_none,
         }
     }
 
@@ -111,8 +133,8 @@ impl Motion {
 
     /// The move that a line of a file is, or the next one after it.
     pub fn move_of_line(&self, place: (usize, usize)) -> Option<usize> {
-        let number = self.line_of_move.partition_point(|p| *p < place);
-        (number < self.line_of_move.len()).then_some(number)
+        // A main program calls others between its own lines: the moves do not go from file to file.
+        self.line_of_move.iter().position(|p| p.0 == place.0 && p.1 >= place.1)
     }
 }
 
@@ -136,26 +158,21 @@ fn marks(plan: &Plan, move_to: &BTreeMap<(usize, usize), usize>) -> Vec<Mark> {
     out
 }
 
-/// The files that are no tables of the plan.
-fn program(job: &Job, part_name: &str, setup: &Setup, plan: &Plan, surfaces: &Surfaces) -> Vec<TextFile> {
-    let tables = ["job.toml", "report.json", "path.csv", "joints.csv"];
-    let files = output::files(job, part_name, setup, plan, surfaces).unwrap_or_default();
-    files
-        .into_iter()
-        .filter(|f| !tables.contains(&f.name.as_str()))
-        .map(|f| TextFile::new(f.name, String::from_utf8_lossy(&f.bytes).into_owned()))
-        .collect()
+fn program(of: &Planned<'_>) -> Result<Vec<TextFile>, String> {
+    let files = output::program(of.job, of.part_name, of.setup, of.plan, of.report).map_err(|e| e.to_string())?;
+    Ok(files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect())
 }
 
-/// File and line of each move, in the order of the moves.
-fn lines_of_moves(files: &[TextFile]) -> Vec<(usize, usize)> {
-    let moves = |(number, file): (usize, &TextFile)| {
-        (0..file.count())
-            .filter(|&line| file.line(line).starts_with("MOVEX "))
-            .map(|line| (number, line))
-            .collect::<Vec<_>>()
-    };
-    files.iter().enumerate().flat_map(moves).collect()
+/// File and line of each move, in the order of the moves, as the dialect's own reader finds them.
+fn lines_of_moves(files: &[TextFile], job: &Job, setup: &Setup) -> Vec<(usize, usize)> {
+    let (Some(first), Some(dialect)) = (files.first(), dialects::by_name(&job.cell.dialect)) else { return Vec::new() };
+    let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
+    let first = ProgramFile { name: first.name.clone(), text: first.text.clone() };
+    let read = dialect.read(&first, &Reading { setup, open: &open }).unwrap_or_default();
+    read.into_iter()
+        .filter(|l| matches!(l.what, Read::Move(_)))
+        .filter_map(|l| Some((files.iter().position(|f| f.name == l.file)?, l.line.saturating_sub(1))))
+        .collect()
 }
 
 #[cfg(test)]
@@ -168,6 +185,5 @@ mod tests {
         let all: Vec<&str> = (0..file.count()).map(|i| file.line(i)).collect();
         assert_eq!(all, ["REM \"x\"", "MOVEX A=1", "", "END"]);
         assert_eq!(file.line(99), "");
-        assert_eq!(lines_of_moves(&[TextFile::new("b".into(), String::new()), file]), [(1, 1)]);
     }
 }

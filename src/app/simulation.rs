@@ -74,8 +74,8 @@ impl App {
         let flange = moment.map_or_else(|| robot.forward(&joints_deg), |m| m.base_from_flange);
         Some(Placed {
             joints_deg,
-            base_from_part: setup.cell.part_at(setup.mount, &flange),
-            base_from_focus: setup.cell.focus_at(setup.mount, &flange),
+            base_from_part: setup.mounted().part_at(&flange),
+            base_from_focus: setup.mounted().focus_at(&flange),
             lit: moment.is_some_and(|m| m.lit),
         })
     }

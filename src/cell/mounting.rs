@@ -2,45 +2,48 @@
 //!
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
+use super::Timing;
+use super::bodies::Bodies;
+use super::calibration::CalibrationNote;
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
-use super::{Timing, rpy};
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use super::frame::Frame;
+use super::outputs::Outputs;
+use crate::part::LoadError;
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use thiserror::Error;
-
-/// A frame as written in the cell file.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Frame {
-    /// Origin, mm.
-    pub position_mm: [f64; 3],
-    /// Rotation about Z, Y and X, degrees.
-    pub rz_ry_rx_deg: [f64; 3],
-}
-
-impl Frame {
-    /// As a transformation.
-    pub fn isometry(&self) -> Isometry3<f64> {
-        let rotation = UnitQuaternion::from_rotation_matrix(&rpy::to_rotation(self.rz_ry_rx_deg));
-        Isometry3::from_parts(Translation3::from(Vector3::from(self.position_mm)), rotation)
-    }
-}
 
 /// Moves with the laser off.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Air {
     /// How far the focus is drawn back along the beam before a move, mm.
+    #[serde(default = "ten")]
     pub retreat_mm: f64,
     /// How far outside the part's sphere long moves go, mm.
+    #[serde(default = "twenty")]
     pub clearance_mm: f64,
     /// How fast the part may be turned, degrees per second.
+    #[serde(default = "ninety")]
     pub turn_deg_s: f64,
     /// Where the program begins and ends, joint angles in degrees.
     pub home_joints_deg: [f64; 6],
     /// Speed from and to home, per cent.
+    #[serde(default = "ten")]
     pub home_percent: f64,
+}
+
+fn ten() -> f64 {
+    10.0
+}
+
+fn twenty() -> f64 {
+    20.0
+}
+
+fn ninety() -> f64 {
+    90.0
 }
 
 /// What the robot carries.
@@ -102,6 +105,7 @@ pub struct Cell {
     /// Name for people.
     pub name: String,
     /// What the robot carries, unless the job says otherwise.
+    #[serde(default)]
     pub mount: Mount,
     /// Part in hand: laser frame in the base, z against the light (L of P2).
     pub base_from_laser: Frame,
@@ -113,11 +117,15 @@ pub struct Cell {
     pub flange_from_tool: Frame,
     /// Moves with the laser off.
     pub air: Air,
-    /// Output that switches the laser.
-    pub laser_output: u32,
     /// How long laser and controller take to answer.
     #[serde(default)]
     pub timing: Timing,
+    /// What is switched and set beside the moves.
+    #[serde(default)]
+    pub outputs: Outputs,
+    /// What stands in the cell.
+    #[serde(default)]
+    pub bodies: Bodies,
     /// The NACHI program.
     #[serde(default)]
     pub nachi: Nachi,
@@ -166,6 +174,9 @@ pub enum CellError {
         /// Where and what.
         message: String,
     },
+    /// A body of the cell cannot be read.
+    #[error("an obstacle of the cell: {0}")]
+    Obstacle(LoadError),
     /// A figure makes no sense.
     #[error("{file}: {what}")]
     Figure {
@@ -195,7 +206,9 @@ impl Cell {
     pub fn load(file: &Path) -> Result<Cell, CellError> {
         let name = file.display().to_string();
         let text = std::fs::read_to_string(file).map_err(|source| CellError::Io { file: name.clone(), source })?;
-        Cell::parse(&text, &name)
+        let mut cell = Cell::parse(&text, &name)?;
+        cell.bodies.load(file.parent())?;
+        Ok(cell)
     }
 
     fn parse(text: &str, file: &str) -> Result<Cell, CellError> {
@@ -207,9 +220,15 @@ impl Cell {
 
     fn check(&self) -> Result<(), String> {
         let (air, nachi) = (&self.air, &self.nachi);
-        let frames = [&self.base_from_laser, &self.flange_from_part, &self.base_from_part, &self.flange_from_tool];
-        let mut numbers =
-            frames.iter().flat_map(|f| f.position_mm.iter().chain(&f.rz_ry_rx_deg)).chain(&air.home_joints_deg);
+        let frames = self.frames();
+        if let Some((name, _)) = frames.iter().find(|(name, f)| f.is_of_a_tip() && *name != "flange_from_tool") {
+            return Err(format!("{name}: tip_poses tell where a tool's tip is; give three_points or points here"));
+        }
+        let mut numbers = frames
+            .iter()
+            .map(|(_, f)| f)
+            .flat_map(|f| f.position_mm.iter().chain(&f.rz_ry_rx_deg))
+            .chain(&air.home_joints_deg);
         if let Some(bad) = numbers.find(|x| !x.is_finite()) {
             return Err(format!("{bad} is not a number that a frame can have"));
         }
@@ -223,51 +242,98 @@ impl Cell {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
         self.timing.check()?;
+        self.outputs.check()?;
         nachi.check()?;
-        Ok(())
+        self.kuka.check()?;
+        self.abb.check()?;
+        self.yaskawa.check()?;
+        self.estun.check()?;
+        self.fanuc.check()?;
+        self.ur.check()?;
+        self.bodies.check()
     }
 
-    /// Pose of the flange in the base that brings focus and beam to a path frame of the part.
-    ///
-    /// Part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot_o(180°)·H⁻¹`.
-    pub fn flange_for(&self, mount: Mount, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
+    /// The frames by their keys.
+    pub fn frames(&self) -> [(&'static str, &Frame); 4] {
+        [
+            ("base_from_laser", &self.base_from_laser),
+            ("flange_from_part", &self.flange_from_part),
+            ("base_from_part", &self.base_from_part),
+            ("flange_from_tool", &self.flange_from_tool),
+        ]
+    }
+
+    /// How well each frame fits what was measured; those given by figures are left out.
+    pub fn calibrations(&self) -> Vec<CalibrationNote> {
+        self.frames().iter().filter_map(|(name, frame)| frame.calibration(name)).collect()
+    }
+
+    /// The frames of a mount, ready to be asked for many poses.
+    pub fn mounted(&self, mount: Mount) -> Mounted {
         match mount {
             Mount::PartInHand => {
-                self.base_from_laser.isometry() * (self.flange_from_part.isometry() * part_from_focus).inverse()
+                Mounted { mount, fixed: self.base_from_laser.isometry(), carried: self.flange_from_part.isometry() }
             }
             Mount::ToolInHand => {
-                self.base_from_part.isometry()
-                    * part_from_focus
-                    * half_turn()
-                    * self.flange_from_tool.isometry().inverse()
+                Mounted { mount, fixed: self.base_from_part.isometry(), carried: self.flange_from_focus() }
             }
         }
     }
 
-    /// The path frame at a pose of the flange: the inverse of [`Cell::flange_for`].
-    pub fn focus_for(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        self.part_at(mount, base_from_flange).inverse() * self.focus_at(mount, base_from_flange)
+    /// Tool in hand: the laser frame on the flange, its origin in the focus, z against the light.
+    pub fn flange_from_focus(&self) -> Isometry3<f64> {
+        self.flange_from_tool.isometry() * half_turn()
+    }
+}
+
+/// The frames of a mount: what stands in the base, and what hangs on the flange.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mounted {
+    mount: Mount,
+    /// Laser in the base, or part in the base.
+    fixed: Isometry3<f64>,
+    /// Part on the flange, or laser frame on the flange.
+    carried: Isometry3<f64>,
+}
+
+impl Mounted {
+    /// Pose of the flange in the base that brings focus and beam to a path frame of the part.
+    ///
+    /// Part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot_o(180°)·H⁻¹`.
+    pub fn flange_for(&self, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => self.fixed * (self.carried * part_from_focus).inverse(),
+            Mount::ToolInHand => self.fixed * part_from_focus * self.carried.inverse(),
+        }
     }
 
     /// Part in the base at a pose of the flange.
-    pub fn part_at(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        match mount {
-            Mount::PartInHand => base_from_flange * self.flange_from_part.isometry(),
-            Mount::ToolInHand => self.base_from_part.isometry(),
+    pub fn part_at(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => base_from_flange * self.carried,
+            Mount::ToolInHand => self.fixed,
         }
     }
 
     /// Focus in the base at a pose of the flange, z against the light.
-    pub fn focus_at(&self, mount: Mount, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        match mount {
-            Mount::PartInHand => self.base_from_laser.isometry(),
-            Mount::ToolInHand => base_from_flange * self.flange_from_tool.isometry() * half_turn(),
+    pub fn focus_at(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => self.fixed,
+            Mount::ToolInHand => base_from_flange * self.carried,
+        }
+    }
+
+    /// The path frame at a pose of the flange: the inverse of [`Mounted::flange_for`].
+    pub fn focus_for(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        match self.mount {
+            Mount::PartInHand => (base_from_flange * self.carried).inverse() * self.fixed,
+            Mount::ToolInHand => self.fixed.inverse() * base_from_flange * self.carried,
         }
     }
 }
 
 /// Half a turn about y: a tool's z points with the light, a path frame's against it.
-fn half_turn() -> Isometry3<f64> {
+pub fn half_turn() -> Isometry3<f64> {
     let half = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(0.0, 0.0, 1.0, 0.0));
     Isometry3::from_parts(Translation3::identity(), half)
 }
@@ -276,7 +342,7 @@ fn half_turn() -> Isometry3<f64> {
 mod tests {
     use super::*;
     use crate::pose::target::frame;
-    use nalgebra::Point3;
+    use nalgebra::{Point3, Vector3};
 
     /// P2 Eqs 4–6: with G = 1, `P = L − D − V'`, `V' = [n o a]ᵀ·v`.
     #[test]
@@ -286,7 +352,7 @@ mod tests {
         let a = Vector3::new(0.6, 0.0, 0.8);
         let o = Vector3::new(0.0, 1.0, 0.0);
         let (v, d) = (Point3::new(10.0, -4.0, 7.0), 15.0);
-        let t = cell.flange_for(Mount::PartInHand, &frame(&(v + a * d), &a, &o));
+        let t = cell.mounted(Mount::PartInHand).flange_for(&frame(&(v + a * d), &a, &o));
         let n = o.cross(&a);
         let v_prime = Vector3::new(n.dot(&v.coords), o.dot(&v.coords), a.dot(&v.coords));
         let expected = Vector3::from(cell.base_from_laser.position_mm) - Vector3::new(0.0, 0.0, d) - v_prime;

@@ -148,6 +148,15 @@ impl Opw {
         libm::sin(q[4]).abs().min(elbow).min(ahead.abs() / (self.c2_mm + k))
     }
 
+    /// How far any point of the arm, up to the middle of the flange, is from each axis that moves
+    /// it, at most, mm.
+    pub fn levers_mm(&self) -> [f64; 6] {
+        let hand = self.c4_mm.abs();
+        let forearm = libm::hypot(self.a2_mm, self.c3_mm) + hand;
+        let arm = self.c2_mm + forearm;
+        [libm::hypot(self.a1_mm.abs() + arm, self.b_mm), arm, forearm, hand, hand, 0.0]
+    }
+
     /// Every length, with its name.
     pub fn lengths(&self) -> [(&'static str, f64); 7] {
         [

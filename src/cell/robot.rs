@@ -259,6 +259,15 @@ impl Robot {
         }
     }
 
+    /// Length of the stretched arm from axis 2 to the flange, mm.
+    pub fn reach_mm(&self) -> f64 {
+        match (&self.opw, &self.ur) {
+            (Some(o), _) => o.c2_mm + libm::hypot(o.a2_mm, o.c3_mm) + o.c4_mm.abs(),
+            (None, Some(u)) => u.a2_mm.abs() + u.a3_mm.abs() + u.d5_mm.abs(),
+            (None, None) => 0.0,
+        }
+    }
+
     /// The first joint that is beyond its limits, from 0.
     pub fn beyond(&self, joints_deg: &Joints) -> Option<usize> {
         (0..6).find(|&i| !(self.limits_deg[i][0]..=self.limits_deg[i][1]).contains(&joints_deg[i]))
@@ -269,6 +278,16 @@ impl Robot {
         (0..6)
             .map(|i| (joints_deg[i] - self.limits_deg[i][0]).min(self.limits_deg[i][1] - joints_deg[i]))
             .fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far any point of the arm, up to the middle of the flange, is from each axis that moves
+    /// it, at most, mm.
+    pub fn levers_mm(&self) -> [f64; 6] {
+        match (&self.opw, &self.ur) {
+            (Some(opw), _) => opw.levers_mm(),
+            (None, Some(ur)) => ur.levers_mm(),
+            (None, None) => [0.0; 6],
+        }
     }
 
     /// The arm as capsules in the base, from the base to the flange.
@@ -366,6 +385,26 @@ mod tests {
                 (d - 360.0 * (d / 360.0).round()).abs() < 1e-6
             });
             prop_assert!(found.iter().any(near), "{joints:?} among {found:?}");
+        }
+    }
+
+    proptest! {
+        /// Turning one joint moves nothing farther than its lever tells.
+        #[test]
+        fn no_point_moves_farther_than_its_lever(u in prop::array::uniform6(0.0..1.0f64), which in 0..12usize,
+                                                 joint in 0..6usize, turn in 0.1..30.0f64) {
+            let robot = robot(SHIPPED[which].0);
+            let joints: Joints = std::array::from_fn(|i| {
+                let [low, high] = robot.limits_deg[i];
+                low + (high - low) * u[i]
+            });
+            let mut turned = joints;
+            turned[joint] += turn;
+            let reach = robot.levers_mm()[joint] * turn.to_radians();
+            for (before, after) in robot.capsules(&joints).iter().zip(&robot.capsules(&turned)) {
+                let moved = (after.from - before.from).norm().max((after.to - before.to).norm());
+                prop_assert!(moved <= reach + 1e-9, "{} moves {moved} of {reach}", before.name);
+            }
         }
     }
 

@@ -1,7 +1,9 @@
 //! What stands in the hall for one job: the cell, the robot in it, and what the robot carries.
 
+use super::mounting::Mounted;
 use super::{Cell, CellError, Joints, Mount, Robot};
-use nalgebra::Isometry3;
+use crate::part::distance::segments;
+use nalgebra::{Isometry3, Point3};
 
 /// Cell, robot and mount.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,14 +25,54 @@ impl Setup {
         Ok(Setup { cell: Cell::shipped("mz04")?, robot: None, mount: Mount::PartInHand })
     }
 
+    /// Whether the robot can stand in the cell.
+    ///
+    /// # Errors
+    /// Home is beyond its joints, or the laser or the table stands inside its base.
+    pub fn check(&self) -> Result<(), CellError> {
+        let said = |what: String| CellError::Figure { file: self.cell.name.clone(), what };
+        self.robot.as_ref().map_or(Ok(()), |robot| self.stands(robot).map_err(said))
+    }
+
+    fn stands(&self, robot: &Robot) -> Result<(), String> {
+        let home = self.home_joints_deg();
+        if let Some(j) = robot.beyond(&home) {
+            let ([low, high], deg, name) = (robot.limits_deg[j], home[j], &robot.name);
+            return Err(format!("air.home_joints_deg: J{} = {deg} is beyond {low} to {high} of {name}", j + 1));
+        }
+        let [base, ..] = robot.capsules(&home);
+        let bodies = &self.cell.bodies;
+        if let Some(z) = bodies.table_z_mm.filter(|z| *z > base.to.z - base.radius_mm) {
+            return Err(format!("bodies.table_z_mm = {z}: the table stands as high as the robot's shoulder; lower it"));
+        }
+        let at = self.cell.base_from_laser.isometry();
+        let inside = |from_mm: f64, to_mm: f64, radius_mm: f64| {
+            let [from, to] = [from_mm, to_mm].map(|z| at * Point3::new(0.0, 0.0, z));
+            segments(&base.from, &base.to, &from, &to) < base.radius_mm + radius_mm
+        };
+        let head = bodies.head.iter().any(|h| inside(h.from_mm, h.to_mm, h.radius_mm));
+        if self.mount == Mount::PartInHand && (head || inside(0.0, 0.0, 0.0)) {
+            return Err(format!(
+                "base_from_laser: the laser stands inside the robot's base, which is {} mm wide about axis 1; move it out",
+                2.0 * base.radius_mm
+            ));
+        }
+        Ok(())
+    }
+
     /// Pose of the flange in the base for a path frame of the part.
     pub fn flange_for(&self, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
-        self.cell.flange_for(self.mount, part_from_focus)
+        self.mounted().flange_for(part_from_focus)
     }
 
     /// The path frame at a pose of the flange.
     pub fn focus_for(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        self.cell.focus_for(self.mount, base_from_flange)
+        self.mounted().focus_for(base_from_flange)
+    }
+
+    /// The frames in use, ready to be asked for many poses.
+    pub fn mounted(&self) -> Mounted {
+        self.cell.mounted(self.mount)
     }
 
     /// Where programs begin and end.
@@ -41,5 +83,62 @@ impl Setup {
     /// The word of the robot's name for people, and `no robot`.
     pub fn robot_name(&self) -> &str {
         self.robot.as_ref().map_or("no robot", |r| &r.name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::Frame;
+    use crate::cell::bodies::HeadCapsule;
+
+    #[test]
+    fn what_cannot_stand_is_refused() {
+        let robot = Robot::load("mz04", None).expect("shipped");
+        let base_mm = robot.links.base_mm;
+        let good = Setup { robot: Some(robot), ..Setup::shipped().expect("shipped") };
+        good.check().expect("the shipped cell stands");
+        let said = |change: &dyn Fn(&mut Setup)| {
+            let mut setup = good.clone();
+            change(&mut setup);
+            setup.check().err().map(|e| e.to_string()).unwrap_or_default()
+        };
+        let laser = |x: f64| Frame::new([x, 0.0, 100.0], [0.0; 3]);
+        assert!(
+            said(&|s| s.cell.base_from_laser = laser(base_mm - 0.1))
+                .contains("the laser stands inside the robot's base")
+        );
+        assert_eq!(
+            said(&|s| {
+                s.cell.bodies.head.clear();
+                s.cell.base_from_laser = laser(base_mm + 0.1)
+            }),
+            ""
+        );
+        let head = HeadCapsule { from_mm: 20.0, to_mm: 100.0, radius_mm: 30.0 };
+        let headed = |s: &mut Setup, x: f64| {
+            s.cell.bodies.head = vec![head];
+            s.cell.base_from_laser = laser(x)
+        };
+        assert!(said(&|s| headed(s, base_mm + 29.9)).contains("inside the robot's base"));
+        assert_eq!(said(&|s| headed(s, base_mm + 30.1)), "");
+        assert_eq!(
+            said(&|s| {
+                headed(s, 0.0);
+                s.mount = Mount::ToolInHand
+            }),
+            "",
+            "it hangs on the flange"
+        );
+        assert!(said(&|s| s.cell.bodies.table_z_mm = Some(300.0)).contains("bodies.table_z_mm = 300"));
+        assert!(said(&|s| s.cell.air.home_joints_deg[1] = 200.0).contains("J2 = 200"));
+        assert_eq!(
+            said(&|s| {
+                s.robot = None;
+                s.cell.base_from_laser = laser(0.0)
+            }),
+            "",
+            "nothing stands there"
+        );
     }
 }

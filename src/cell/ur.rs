@@ -91,6 +91,16 @@ impl Ur {
         [at(&shoulder, aside), at(&elbow, aside), at(&wrist, 0.0), at(&(wrist * s[5]), 0.0)]
     }
 
+    /// How far any point of the arm, up to the middle of the flange, is from each axis that moves
+    /// it, at most, mm.
+    pub fn levers_mm(&self) -> [f64; 6] {
+        let last = self.d6_mm.abs();
+        let wrist = self.d5_mm.abs() + last;
+        let forearm = self.a3_mm.abs() + wrist;
+        let arm = self.a2_mm.abs() + forearm;
+        [libm::hypot(arm, self.d4_mm), arm, forearm, wrist, last, 0.0]
+    }
+
     /// The joints that bring the flange to a pose, degrees in ±180. The index names the branch:
     /// +1 elbow the other way, +2 wrist flipped, +4 shoulder the other way.
     pub fn inverse(&self, base_from_flange: &Isometry3<f64>) -> [Option<[f64; 6]>; 8] {

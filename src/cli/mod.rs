@@ -1,12 +1,13 @@
-//! The command line: `inspect`, `plan`, `render`. Names, files and exit statuses are a contract.
+//! The command line: `inspect`, `plan`, `verify`, `render`. Names, files and exit statuses are a contract.
 //!
-//! Exit status: 0 done · 3 done, but something is blocked or missed · 2 wrong usage · 1 failed,
+//! Exit status: 0 done · 3 done, but something is blocked, missed or found · 2 wrong usage · 1 failed,
 //! with one line that says what, where and what to do.
 
 mod inspect;
 mod options;
 mod plan;
 mod render;
+mod verify;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -32,6 +33,8 @@ pub enum Command {
     Inspect(inspect::Arguments),
     /// Plan a job and write job, program, report and path into a folder
     Plan(Box<plan::Arguments>),
+    /// Read a program back and compare it with the plan of its job
+    Verify(verify::Arguments),
     /// Draw a part, or a planned job, into a picture
     Render(render::Arguments),
 }
@@ -60,6 +63,7 @@ pub fn run(command: &Command) -> ExitCode {
     let result = match command {
         Command::Inspect(a) => inspect::run(a),
         Command::Plan(a) => plan::run(a),
+        Command::Verify(a) => verify::run(a),
         Command::Render(a) => render::run(a),
     };
     match result {

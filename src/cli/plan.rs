@@ -2,6 +2,7 @@
 
 use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
+use crate::job::advice;
 use crate::job::plan::segmented;
 use crate::job::report::Report;
 use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
@@ -54,13 +55,29 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
             other => Failure::Failed(other.into()),
         })?;
-    let written = output::write(&a.out, &job, job_file, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
+    let written =
+        output::write(&a.out, &job, job_file, &part, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
     let report = Report::new(&plan, &surfaces);
     if a.json {
         let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));
     } else {
         let mut text = report.text();
+        for sentence in advice::advice(&plan, &job, &setup) {
+            text.push_str(&format!("to help: {sentence}\n"));
+        }
+        if !report.refused().is_empty()
+            && let Some(better) = advice::better_setup(&plan, &job, &setup)
+            && better.share_after > better.share_before + 0.005
+        {
+            let (before, after) = (100.0 * better.share_before, 100.0 * better.share_after);
+            text.push_str(&format!(
+                "a better set-up: {after:.0} % within reach instead of {before:.0} %; in the job's [cell]\n"
+            ));
+            for line in advice::as_toml(setup.mount, &better) {
+                text.push_str(&format!("  {line}\n"));
+            }
+        }
         for path in written {
             text.push_str(&format!("wrote {}\n", path.display()));
         }

@@ -1,6 +1,6 @@
 //! Every change of a job is an [`Edit`]; buttons, keys, menus, drag and drop and tests send the same.
 
-use super::model::{Chosen, Job, Offset};
+use super::model::{CellFile, Chosen, Job, Offset};
 use super::parameter::Parameter;
 use crate::cell::{Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, Units};
@@ -58,6 +58,8 @@ pub enum Edit {
     Robot(String, String),
     /// What the robot carries.
     Mount(Mount),
+    /// Where part and laser stand for this job.
+    Frames(Box<CellFile>),
     /// Dialect of the program.
     Dialect(String),
     /// Rotation about the beam axis.
@@ -94,6 +96,7 @@ impl Edit {
             Edit::Cell(_) => "change cell".into(),
             Edit::Robot(..) => "change robot".into(),
             Edit::Mount(_) => "change mounting".into(),
+            Edit::Frames(_) => "change set-up".into(),
             Edit::Dialect(_) => "change dialect".into(),
             Edit::Spin(_) => "change spin".into(),
         }
@@ -150,6 +153,11 @@ impl Edit {
                 job.cell.dialect = dialect.clone();
             }
             Edit::Mount(mount) => job.cell.mount = Some(*mount),
+            Edit::Frames(cell) => {
+                job.cell.flange_from_part.clone_from(&cell.flange_from_part);
+                job.cell.base_from_laser.clone_from(&cell.base_from_laser);
+                job.cell.base_from_part.clone_from(&cell.base_from_part);
+            }
             Edit::Dialect(dialect) => job.cell.dialect = dialect.clone(),
             Edit::Spin(spin) => job.cell.spin = *spin,
         }

@@ -130,13 +130,24 @@ pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError>
         "" => None,
         name => Some(Robot::load(name, job_file.and_then(Path::parent))?),
     };
-    let cell = match (c.file.as_str(), c.robot.as_str()) {
+    let mut cell = match (c.file.as_str(), c.robot.as_str()) {
         ("", "") => Cell::shipped("mz04")?,
         ("", robot) => Cell::shipped(robot)?,
         (file, _) => Cell::load(&beside(job_file, file))?,
     };
+    for (own, frame) in [
+        (&c.flange_from_part, &mut cell.flange_from_part),
+        (&c.base_from_laser, &mut cell.base_from_laser),
+        (&c.base_from_part, &mut cell.base_from_part),
+    ] {
+        if let Some(own) = own {
+            frame.clone_from(own);
+        }
+    }
     let mount = c.mount.unwrap_or(cell.mount);
-    Ok(Setup { cell, robot, mount })
+    let setup = Setup { cell, robot, mount };
+    setup.check()?;
+    Ok(setup)
 }
 
 /// A path of a job, seen from the current folder.

@@ -3,6 +3,7 @@
 //! [`Job`] is the document. It changes through [`Edit`] alone, and [`Document`] keeps what undo
 //! needs. [`plan()`] computes everything else; [`output`] writes it.
 
+pub mod advice;
 pub mod document;
 pub mod edit;
 pub mod files;
@@ -12,6 +13,7 @@ pub mod parameter;
 pub mod plan;
 pub mod progress;
 pub mod report;
+pub mod verify;
 
 pub use document::Document;
 pub use edit::Edit;

@@ -1,6 +1,6 @@
 //! The job: everything an operator decides, as TOML. What can be computed is not in it.
 
-use crate::cell::{Mount, Spin};
+use crate::cell::{Frame, Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
 use crate::path::{Direction, Order};
 use crate::pose::Correction;
@@ -287,6 +287,15 @@ pub struct CellFile {
     pub spin: Spin,
     /// How far the spot may leave the planned line between two targets.
     pub deviation_mm: f64,
+    /// Part in hand: how this part is held, in place of the cell's frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flange_from_part: Option<Frame>,
+    /// Part in hand: where the laser stands for this job, in place of the cell's frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base_from_laser: Option<Frame>,
+    /// Tool in hand: where this part lies, in place of the cell's frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base_from_part: Option<Frame>,
 }
 
 impl Default for CellFile {
@@ -295,6 +304,9 @@ impl Default for CellFile {
             file: String::new(),
             robot: String::new(),
             mount: None,
+            flange_from_part: None,
+            base_from_laser: None,
+            base_from_part: None,
             dialect: "nachi".into(),
             spin: Spin::Free,
             deviation_mm: 0.1,

@@ -5,10 +5,11 @@ use super::files::{self, JobError};
 use super::model::Job;
 use super::plan::Plan;
 use super::report::Report;
+use super::verify;
 use crate::cell::Setup;
 use crate::cell::motion::Choice;
-use crate::part::Surfaces;
-use crate::program::{Program, lines, nachi};
+use crate::part::{Part, Surfaces};
+use crate::program::{Program, ProgramFile, dialects, lines};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -21,10 +22,11 @@ pub struct OutputFile {
     pub bytes: Vec<u8>,
 }
 
-/// The files of a plan. `job` names its part and cell relative to the folder they will stand in.
+/// The files of a plan; the program is read back and compared with the plan. `job` names its part and cell relative to the folder they will stand in.
 pub fn files(
     job: &Job,
     part_name: &str,
+    part: &Part,
     setup: &Setup,
     plan: &Plan,
     surfaces: &Surfaces,
@@ -32,18 +34,55 @@ pub fn files(
     let report = Report::new(plan, surfaces);
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
-    let program = Program { head: head(job, part_name, &report), lines: lines(&plan.steps, setup), setup };
+    let written = program(job, part_name, setup, plan, &report)?;
+    read_back(part, job, setup, plan, &written)?;
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
-    let mut out = vec![
-        file("job.toml".into(), files::to_toml(job)?.into_bytes()),
-        file(nachi::file_name(&setup.cell), nachi::program(&program).into_bytes()),
-        file("report.json".into(), json.into_bytes()),
-        file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()),
-    ];
+    let mut out = vec![file("job.toml".into(), files::to_toml(job)?.into_bytes())];
+    out.extend(written.into_iter().map(|f| file(f.name, f.text.into_bytes())));
+    out.push(file("report.json".into(), json.into_bytes()));
+    out.push(file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()));
     if let Some(choice) = &plan.choice {
         out.push(file("joints.csv".into(), joints_csv(plan, choice).into_bytes()));
     }
     Ok(out)
+}
+
+/// The program's files alone, not read back.
+///
+/// # Errors
+/// The dialect is not known, or cannot write what the cell says.
+pub fn program(
+    job: &Job,
+    part_name: &str,
+    setup: &Setup,
+    plan: &Plan,
+    report: &Report,
+) -> Result<Vec<ProgramFile>, JobError> {
+    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let program = Program { head: head(job, part_name, setup, report), lines, setup };
+    let refused = |what: String| JobError::Write { what: format!("the program cannot be written: {what}") };
+    let dialect = dialects::known(&job.cell.dialect).map_err(refused)?;
+    dialect.write(&program).map_err(|e| refused(e.to_string()))
+}
+
+/// Reads the program's own text, and refuses to hand out one that would not do what was planned.
+fn read_back(part: &Part, job: &Job, setup: &Setup, plan: &Plan, written: &[ProgramFile]) -> Result<(), JobError> {
+    let Some(first) = written.first() else { return Ok(()) };
+    let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
+    let (_, verdict) = verify::check(part, plan, setup, job, first, &open, false)
+        .map_err(|what| JobError::Write { what: format!("the program cannot be read back: {what}") })?;
+    match verdict.findings.as_slice() {
+        [] => Ok(()),
+        [first, ..] => Err(JobError::Write {
+            what: format!(
+                "the program, read back, is not the plan: {}:{}: {} ({} findings); nothing was written",
+                first.file,
+                first.line,
+                first.text,
+                verdict.findings.len()
+            ),
+        }),
+    }
 }
 
 /// Writes a plan into a folder, made if it is not there.
@@ -54,6 +93,7 @@ pub fn write(
     dir: &Path,
     job: &Job,
     job_file: Option<&Path>,
+    part: &Part,
     setup: &Setup,
     plan: &Plan,
     surfaces: &Surfaces,
@@ -63,7 +103,7 @@ pub fn write(
         files::beside(job_file, &job.part.file).file_name().map_or(String::new(), |n| n.to_string_lossy().into());
     let moved = files::rebased(job, job_file, &dir.join("job.toml"))?;
     let mut written = Vec::new();
-    for f in files(&moved, &part_name, setup, plan, surfaces)? {
+    for f in files(&moved, &part_name, part, setup, plan, surfaces)? {
         let path = dir.join(&f.name);
         files::write_atomic(&path, &f.bytes)?;
         written.push(path);
@@ -72,12 +112,12 @@ pub fn write(
 }
 
 /// Comments at the head of a program.
-fn head(job: &Job, part_name: &str, report: &Report) -> Vec<String> {
+fn head(job: &Job, part_name: &str, setup: &Setup, report: &Report) -> Vec<String> {
     let b = &job.beam;
     let list: Vec<String> = report.surfaces.iter().map(|s| s.surface.to_string()).collect();
     let shown =
         if list.len() > 20 { format!("{} and {} more", list[..20].join(" "), list.len() - 20) } else { list.join(" ") };
-    vec![
+    let mut out = vec![
         format!("clearbeam {}, part {part_name}", env!("CARGO_PKG_VERSION")),
         format!("surfaces {shown}"),
         format!(
@@ -91,9 +131,18 @@ fn head(job: &Job, part_name: &str, report: &Report) -> Vec<String> {
             job.layers.order.word()
         ),
         format!("{} targets, {} corrected, {} blocked and left out", report.points, report.corrected, report.blocked),
-        "Flange poses of a fixed laser and the part in hand; reach and limits are NOT checked".into(),
-        "Not verified on a controller: run it with the laser off first".into(),
-    ]
+    ];
+    match &setup.robot {
+        None => out.push(format!("Flange poses, {}; reach and limits are NOT checked", setup.mount.word())),
+        Some(robot) => {
+            out.push(format!("{}, {}", robot.name, setup.mount.word()));
+            if !robot.unverified.is_empty() {
+                out.push(format!("Figures of the robot that nobody has checked: {}", robot.unverified.join(", ")));
+            }
+        }
+    }
+    out.push(format!("Not verified on a {} controller: run it with the laser off first", job.cell.dialect));
+    out
 }
 
 /// `path.csv`: one row a target.

@@ -2,6 +2,7 @@
 //! the validation, and the README's table.
 
 use super::model::Job;
+use crate::program::dialects;
 
 /// One number that an operator sets.
 pub struct Parameter {
@@ -156,7 +157,7 @@ pub const PARAMETERS: [Parameter; 14] = [
         "W",
         0.0..100000.0,
         "P (P1)",
-        "Laser power; stated in the program's head, to be set at the laser",
+        "Laser power; stated in the program's head, and set by an output if the cell has one for it",
         beam.power_w
     ),
     parameter!(
@@ -229,6 +230,7 @@ impl Parameter {
 /// The first that is out of range.
 pub fn check_all(job: &Job) -> Result<(), String> {
     PARAMETERS.iter().try_for_each(|p| p.check((p.get)(job)))?;
+    dialects::known(&job.cell.dialect)?;
     if let Some(offset) = job.layers.offset_mm.mm()
         && !(0.0..=job.layers.spacing_mm).contains(&offset)
     {

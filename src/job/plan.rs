@@ -4,6 +4,8 @@
 use super::model::Job;
 use super::parameter;
 use super::progress::{Cancelled, Progress};
+use super::report::CellReport;
+use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Choice, choose};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
@@ -12,6 +14,7 @@ use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
 use crate::pose::{Correction, LineRules, Pass, State, plan_line};
+use crate::program::dialects;
 use crate::program::drive::Drive;
 use crate::program::steps::{Speeds, Steps, steps};
 use rayon::prelude::*;
@@ -42,6 +45,8 @@ pub struct Plan {
     /// Joints and spin of every target that the robot does, and what it does not; without a robot
     /// nothing is known.
     pub choice: Option<Choice>,
+    /// The frames it was made for.
+    pub cell: Option<CellReport>,
     /// Speeds it was made for.
     pub speeds: Option<Speeds>,
 }
@@ -155,6 +160,7 @@ pub fn plan(
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
     parameter::check_all(job).map_err(PlanError::Parameter)?;
+    dialects::check(&job.cell.dialect, setup, job.beam.power_w).map_err(PlanError::Parameter)?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
     if job.layers.spacing_mm > size_mm {
@@ -187,7 +193,8 @@ pub fn plan(
     let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
     let speeds =
         Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm };
-    let mut plan = Plan { surfaces: surface_plans, passes, speeds: Some(speeds), ..Plan::default() };
+    let cell = Some(CellReport::new(setup, &job.cell.robot));
+    let mut plan = Plan { surfaces: surface_plans, passes, cell, speeds: Some(speeds), ..Plan::default() };
     match &setup.robot {
         Some(robot) => drive(&mut plan, part, setup, robot, &speeds, job, progress)?,
         None => {
@@ -212,10 +219,19 @@ fn drive(
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
     progress.begin("choosing spins", 2);
-    let touches = |_: &Joints| None;
+    let collision = Collision::new(setup, part);
+    let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let mut choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &touches);
     progress.step()?;
-    let drive = Drive { part, setup, robot, speeds: *speeds, deviation_mm: job.cell.deviation_mm, touches: &touches };
+    let drive = Drive {
+        part,
+        setup,
+        mounted: setup.mounted(),
+        robot,
+        speeds: *speeds,
+        deviation_mm: job.cell.deviation_mm,
+        collision: collision.as_ref(),
+    };
     let mut refused = choice.refusals.clone();
     loop {
         for r in &refused {

@@ -1,6 +1,7 @@
 //! `report.json`: what was planned, in numbers that scripts rely on.
 
 use super::plan::Plan;
+use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
 use crate::pose::{Pass, State, Target};
 use serde::Serialize;
@@ -43,6 +44,51 @@ pub struct Report {
     pub surfaces: Vec<SurfaceReport>,
     /// What is blocked or missed, and why.
     pub problems: Vec<Problem>,
+    /// The frames that were used.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<CellReport>,
+}
+
+/// The frames of a plan, row by row, mm; those of its mount.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CellReport {
+    /// Key or file of the robot; null: poses only.
+    pub robot: Option<String>,
+    /// `part-in-hand` or `tool-in-hand`.
+    pub mount: &'static str,
+    /// Part in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base_from_laser: Option<[[f64; 4]; 4]>,
+    /// Part in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flange_from_part: Option<[[f64; 4]; 4]>,
+    /// Tool in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base_from_part: Option<[[f64; 4]; 4]>,
+    /// Tool in hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flange_from_tool: Option<[[f64; 4]; 4]>,
+}
+
+impl CellReport {
+    /// The frames of a setup; `robot` as the job names it.
+    pub fn new(setup: &Setup, robot: &str) -> CellReport {
+        let rows = |frame: &Frame| {
+            let m = frame.isometry().to_homogeneous();
+            std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)] + 0.0))
+        };
+        let cell = &setup.cell;
+        let in_hand = setup.mount == Mount::PartInHand;
+        let of = |mine: bool, frame: &Frame| mine.then(|| rows(frame));
+        CellReport {
+            robot: (!robot.is_empty()).then(|| robot.to_owned()),
+            mount: setup.mount.word(),
+            base_from_laser: of(in_hand, &cell.base_from_laser),
+            flange_from_part: of(in_hand, &cell.flange_from_part),
+            base_from_part: of(!in_hand, &cell.base_from_part),
+            flange_from_tool: of(!in_hand, &cell.flange_from_tool),
+        }
+    }
 }
 
 /// One surface.
@@ -137,12 +183,26 @@ impl Report {
             missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
             problems: problems(plan, surfaces),
             surfaces: rows,
+            cell: plan.cell.clone(),
         }
     }
 
     /// Whether everything chosen is done.
     pub fn is_complete(&self) -> bool {
         self.problems.is_empty()
+    }
+
+    /// What the robot refuses: cause, how many targets, and the first of them in words.
+    pub fn refused(&self) -> Vec<(&'static str, usize, String)> {
+        let mut out: Vec<(&'static str, usize, String)> = Vec::new();
+        for p in &self.problems {
+            let (Some(detail), Some(pass), Some(point)) = (&p.detail, p.pass, p.point) else { continue };
+            match out.iter_mut().find(|(cause, ..)| *cause == p.cause) {
+                Some((_, count, _)) => *count += 1,
+                None => out.push((p.cause, 1, format!("pass {pass}, point {point}: {detail}"))),
+            }
+        }
+        out
     }
 
     /// A few lines for people.
@@ -178,6 +238,9 @@ impl Report {
                 "surface {}: {:.2} of {:.2} mm² missed by the planes; another direction would reach it",
                 s.surface, s.missed_area_mm2, s.area_mm2
             );
+        }
+        for (cause, count, example) in self.refused() {
+            let _ = writeln!(out, "{count} targets refused ({cause}), such as {example}");
         }
         for s in self.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
             let _ = writeln!(

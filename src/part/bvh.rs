@@ -3,6 +3,8 @@
 //! Nodes are split by the surface area heuristic over 16 bins. Boxes are f64 and queries exact to
 //! rounding; what a hit means (own neighbourhood, interference) is decided by the caller.
 
+mod near;
+
 use super::topology::{Dead, Mesh};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;

@@ -40,8 +40,20 @@ pub fn segment_triangle(p: &Point3<f64>, q: &Point3<f64>, corners: &[Point3<f64>
     [(a, b), (b, c), (c, a)].iter().map(|(u, v)| segments(p, q, u, v)).fold(ends, f64::min)
 }
 
+/// Distance of two triangles, mm.
+pub fn triangles(one: &[Point3<f64>; 3], two: &[Point3<f64>; 3]) -> f64 {
+    // Where they are nearest, a side of one meets the other, or passes through it.
+    let side = |corners: &[Point3<f64>; 3], i: usize, of: &[Point3<f64>; 3]| {
+        let (p, q) = (&corners[i], &corners[(i + 1) % 3]);
+        let length = (q - p).norm();
+        let through = super::bvh::meet(of, p, &((q - p) / length.max(1e-300)));
+        if through.is_some_and(|t| (0.0..=length).contains(&t)) { 0.0 } else { segment_triangle(p, q, of) }
+    };
+    (0..3).map(|i| side(one, i, two).min(side(two, i, one))).fold(f64::INFINITY, f64::min)
+}
+
 /// Distance of two segments, mm.
-fn segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
+pub fn segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     let (u, v, w) = (q - p, b - a, p - a);
     let (uu, uv, vv, uw, vw) = (u.norm_squared(), u.dot(&v), v.norm_squared(), u.dot(&w), v.dot(&w));
     let denominator = uu * vv - uv * uv;
@@ -176,6 +188,30 @@ mod tests {
             }
             let least = point_triangle(&(p + (q - p) * lo), &corners);
             prop_assert!((segment_triangle(&p, &q, &corners) - least).abs() < 1e-6);
+        }
+
+        /// Distance to a convex set is convex: no point of the other triangle is nearer, and one is as near.
+        #[test]
+        fn the_triangle_distance_is_the_least(c in prop::array::uniform9(SIDE), d in prop::array::uniform9(SIDE)) {
+            let corners = |c: [f64; 9]| [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
+            let (one, two) = (corners(c), corners(d));
+            let area = |t: &[Point3<f64>; 3]| (t[1] - t[0]).cross(&(t[2] - t[0])).norm();
+            prop_assume!(area(&one) > 0.5 && area(&two) > 0.5);
+            let off = |u: f64, v: f64| {
+                point_triangle(&(two[0] + ((two[1] - two[0]) * (1.0 - v) + (two[2] - two[0]) * v) * u), &one)
+            };
+            let least = |f: &dyn Fn(f64) -> f64| {
+                let (mut lo, mut hi) = (0.0, 1.0);
+                for _ in 0..60 {
+                    let (a, b) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+                    if f(a) < f(b) { hi = b } else { lo = a }
+                }
+                f(lo)
+            };
+            let nearest = (0..=100).map(|i| least(&|v| off(f64::from(i) / 100.0, v))).fold(f64::INFINITY, f64::min);
+            let found = triangles(&one, &two);
+            prop_assert!(found <= nearest + 1e-6 && nearest <= found + 0.2, "{found} against {nearest}");
+            prop_assert_eq!(found, triangles(&two, &one));
         }
 
         #[test]

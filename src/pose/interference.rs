@@ -139,6 +139,20 @@ impl<'a> Beam<'a> {
         farthest
     }
 
+    /// The nearest facet that the bare ray from `from_mm` above `p` on goes through.
+    pub fn passes_through(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64) -> Option<u32> {
+        let mut first: Option<(f64, u32)> = None;
+        self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, 0.0, |facet, corners| {
+            if let Some(t) = crate::part::bvh::meet(corners, p, a).filter(|t| *t > from_mm)
+                && first.is_none_or(|f| (t, facet) < f)
+            {
+                first = Some((t, facet));
+            }
+            first.map_or(f64::INFINITY, |f| f.0)
+        });
+        first.map(|f| f.1)
+    }
+
     /// The point nearest to `p` at which the line through `p` along `a` meets the part, within
     /// `window_mm` either way; `p` itself where it meets none.
     pub fn spot(&self, p: &Point3<f64>, a: &Vector3<f64>, window_mm: f64) -> Point3<f64> {

@@ -63,6 +63,18 @@ impl<'a> Space<'a> {
         way
     }
 
+    /// A station on the sphere in that direction from its centre, looking outwards; `o` as near as
+    /// possible to the direction given.
+    pub fn on_top(&self, radial: &Vector3<f64>, o: &Vector3<f64>) -> Station {
+        let o = crate::pose::target::travel(o, radial);
+        Station { x: self.centre + radial * self.radius_mm, a: *radial, o }
+    }
+
+    /// Direction of a station from the sphere's centre, unit.
+    pub fn radial(&self, at: &Station) -> Option<Vector3<f64>> {
+        angle::unit(at.x - self.centre)
+    }
+
     /// Entry (before the first piece) or exit (behind the last).
     pub fn outside(&self, at: &Station) -> Station {
         self.on_sphere(at)

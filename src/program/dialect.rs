@@ -109,6 +109,15 @@ pub enum Read {
         /// On or off.
         on: bool,
     },
+    /// An analogue output, or a group of digital ones, is set.
+    Level {
+        /// Its number.
+        number: u32,
+        /// In its own units.
+        value: f64,
+        /// A group rather than an analogue output.
+        group: bool,
+    },
     /// A dwell, s.
     Wait(f64),
     /// A comment.

@@ -6,13 +6,14 @@
 //! be driven is refused with its reason; spins and branches are not chosen here.
 
 use super::air::Space;
-use super::round;
 use super::steps::{Go, Pace, Speeds, Station, Step, Steps, Way};
-use crate::cell::motion::choice::Touch;
+use super::{lit, round};
+use crate::cell::collision::Collision;
 use crate::cell::motion::{Cause, Choice, Refusal};
+use crate::cell::mounting::Mounted;
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::Part;
-use crate::pose::Pass;
+use crate::pose::{Beam, Pass};
 use nalgebra::{Isometry3, Point3};
 use rayon::prelude::*;
 
@@ -25,14 +26,16 @@ pub struct Drive<'a> {
     pub part: &'a Part,
     /// The cell, with a robot in it.
     pub setup: &'a Setup,
+    /// Its frames.
+    pub mounted: Mounted,
     /// The robot of the setup.
     pub robot: &'a Robot,
     /// Speeds of the spot.
     pub speeds: Speeds,
     /// How far the spot may leave its line, mm.
     pub deviation_mm: f64,
-    /// What the arm touches.
-    pub touches: &'a Touch<'a>,
+    /// What the arm and all it carries may touch; `None`: nothing.
+    pub collision: Option<&'a Collision<'a>>,
 }
 
 /// Where the arm stands: the focus in the part, and the joints.
@@ -177,9 +180,12 @@ impl Drive<'_> {
         out: &mut Vec<Lit>,
     ) -> Result<(), (Cause, String)> {
         let off_mm = self.deviation(&from.at, &to.at);
-        if off_mm <= self.deviation_mm {
-            if let Some(touched) = (self.touches)(&halfway(&from.joints_deg, &to.joints_deg)) {
-                return Err((Cause::of_contact(&touched), touched));
+        let hit = if off_mm <= self.deviation_mm { self.beam_hits(&from.at, &to.at) } else { None };
+        if off_mm <= self.deviation_mm && hit.is_none() {
+            let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
+            if let Some((_, contact)) = touched {
+                let contact = contact.to_string();
+                return Err((Cause::of_contact(&contact), contact));
             }
             let robot = self.robot;
             for j in 0..6 {
@@ -194,11 +200,15 @@ impl Drive<'_> {
             out.push(Lit { to: *to, seconds, target: None });
             return Ok(());
         }
+        if let (0, Some((p, facet))) = (halvings, hit) {
+            let at = format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z);
+            return Err((Cause::Beam, format!("as the flange goes straight the beam to {at} hits facet {facet}")));
+        }
         if halvings == 0 {
             return Err((Cause::Singularity, format!("the spot would leave its line by {off_mm:.2} mm")));
         }
         let at = self.midway(&from.at, &to.at);
-        let flange = self.setup.flange_for(&at.frame());
+        let flange = self.mounted.flange_for(&at.frame());
         let between = halfway(&from.joints_deg, &to.joints_deg);
         let Some(joints_deg) = self.robot.near(&flange, &between) else {
             return Err((Cause::Limit, "between two targets a joint would leave its range".into()));
@@ -206,6 +216,13 @@ impl Drive<'_> {
         let middle = Stand { at, joints_deg };
         self.between(from, &middle, 0.5 * seconds, halvings - 1, out)?;
         self.between(&middle, to, 0.5 * seconds, halvings - 1, out)
+    }
+
+    /// Where the beam hits the part on a lit move, as the flange goes.
+    fn beam_hits(&self, from: &Station, to: &Station) -> Option<(Point3<f64>, u32)> {
+        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
+        let beam = Beam::on(self.part);
+        lit::hit(&beam, self.speeds.defocus_mm, |t| self.mounted.focus_for(&a.lerp_slerp(&b, t)))
     }
 
     /// The spot of a station on the part (or on the chord between two targets).
@@ -224,14 +241,14 @@ impl Drive<'_> {
 
     /// How far the spot leaves the straight line where the flange goes straight, mm.
     fn deviation(&self, from: &Station, to: &Station) -> f64 {
-        let (a, b) = (self.setup.flange_for(&from.frame()), self.setup.flange_for(&to.frame()));
+        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
         let (start, end) = (self.spot(&from.frame()), self.spot(&to.frame()));
         let line = end - start;
         let length2 = line.norm_squared();
         [0.25, 0.5, 0.75]
             .into_iter()
             .map(|t| {
-                let spot = self.spot(&self.setup.focus_for(&a.lerp_slerp(&b, t)));
+                let spot = self.spot(&self.mounted.focus_for(&a.lerp_slerp(&b, t)));
                 let along = if length2 > 0.0 { ((spot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
                 (spot - (start + line * along)).norm()
             })

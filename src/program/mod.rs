@@ -3,20 +3,32 @@
 
 pub mod abb;
 pub mod air;
+mod arm;
 pub mod csv;
+mod csv_reader;
 pub mod dialect;
+pub mod dialects;
 pub mod drive;
 pub mod estun;
 pub mod fanuc;
+mod fanuc_reader;
+mod flange;
 pub mod kuka;
 pub mod lines;
+pub mod lit;
 pub mod nachi;
+mod nachi_reader;
+pub mod pages;
+mod phrases;
+mod reading;
 mod round;
 pub mod series;
 pub mod steps;
 pub mod timeline;
 pub mod trapezoid;
 pub mod ur;
+mod ur_reader;
+pub mod words;
 pub mod yaskawa;
 
 pub use dialect::{Dialect, Program, ProgramFile};

@@ -7,8 +7,10 @@
 use super::air::Space;
 use super::drive::{Drive, Stand};
 use super::steps::{Go, Pace, Station, Way};
-use crate::cell::motion::states::Arm;
+use crate::cell::motion::{Arm, State};
 use crate::cell::{Joints, Robot};
+use crate::part::angle;
+use nalgebra::Vector3;
 
 /// On a move by joints no joint turns further than this between two looks, degrees.
 const LOOK_DEG: f64 = 1.0;
@@ -22,6 +24,10 @@ const MOST_STRAIGHT_DEG: f64 = 60.0;
 const OUT_STEPS: usize = 8;
 /// Spins looked at on the way, degrees apart.
 const SPINS_DEG: f64 = 30.0;
+/// Stands tried at a station.
+const MOST_TRIED: usize = 6;
+/// Stations over the part stand this far apart, and are turned by this much at most, degrees.
+const ARC_DEG: f64 = 20.0;
 
 /// The way from one lit piece (or home) to the next (or home), its last move included; `None`: there
 /// is none.
@@ -42,7 +48,7 @@ pub fn way(drive: &Drive<'_>, space: &Space<'_>, from: Option<&Stand>, to: Optio
             r.over(from, to).or_else(|| {
                 let out = r.outs(from).find(|out| r.joints_clear(&out.joints_deg, &home))?;
                 let above = r.outs(to).find(|above| r.joints_clear(&home, &above.joints_deg))?;
-                let at = Station::at(&drive.setup.focus_for(&r.robot.forward(&home)));
+                let at = Station::at(&drive.mounted.focus_for(&r.robot.forward(&home)));
                 let home = r.by_joints(&Stand { at, joints_deg: home });
                 Some(vec![r.straight(from, &out), home, r.by_joints(&above), r.straight(&above, to)])
             })
@@ -59,7 +65,7 @@ struct Round<'a> {
 impl Round<'_> {
     /// The stand at a station, carried on from some joints.
     fn stand(&self, at: Station, near: &Joints) -> Option<Stand> {
-        let joints_deg = self.robot.near(&self.drive.setup.flange_for(&at.frame()), near)?;
+        let joints_deg = self.robot.near(&self.drive.mounted.flange_for(&at.frame()), near)?;
         Some(Stand { at, joints_deg })
     }
 
@@ -69,7 +75,8 @@ impl Round<'_> {
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
             let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
-            if farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG {
+            let touches = self.drive.collision.is_some_and(|c| c.first(&next.joints_deg).is_some());
+            if touches || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG {
                 return None;
             }
             here = next;
@@ -101,23 +108,22 @@ impl Round<'_> {
             .then(|| vec![self.straight(from, &out), self.by_joints(&above), self.straight(&above, to)])
     }
 
-    /// Out, over the part from station to station, in.
+    /// Out, over the part from station to station, in. The spin turns on the way as well.
     fn over(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
         let (out, above) = (self.outs(from).next()?, self.outs(to).next()?);
-        let stations = self.space.between(&from.at, &to.at, false);
+        let (u, v) = (self.space.radial(&out.at)?, self.space.radial(&above.at)?);
+        let arc = angle::Arc::new(&u, &v);
+        let (p, q) = (out.at.frame().rotation, above.at.frame().rotation);
+        let steps = (angle::between_deg(&u, &v).max(out.at.turn_deg(&above.at)) / ARC_DEG).ceil().max(1.0) as usize;
         let arm = Arm::with_step(self.robot, self.drive.setup, SPINS_DEG);
         let mut way = vec![self.straight(from, &out)];
         let mut here = out;
-        for station in stations.get(1..stations.len().saturating_sub(1))? {
-            let states = arm.states(&station.frame()).ok()?;
-            let length = |j: &Joints| farthest(&here.joints_deg, j) + farthest(j, &above.joints_deg);
-            let mut order: Vec<(f64, usize)> =
-                states.iter().enumerate().map(|(i, s)| (length(&s.joints_deg), i)).collect();
-            order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            let next = order.iter().take(4).map(|(_, i)| &states[*i]);
-            let next = next
-                .map(|s| Stand { at: Station::at(&arm.turned(&station.frame(), s.spin)), joints_deg: s.joints_deg });
-            let next = next.into_iter().find(|n| self.joints_clear(&here.joints_deg, &n.joints_deg))?;
+        for k in 0..=steps {
+            let t = k as f64 / steps as f64;
+            let station = self.space.on_top(&arc.at(t), &(p.slerp(&q, t) * Vector3::y()));
+            let next =
+                self.stand(station, &here.joints_deg).filter(|n| self.joints_clear(&here.joints_deg, &n.joints_deg));
+            let next = next.or_else(|| self.some_stand(&arm, &station, &here.joints_deg, &above.joints_deg))?;
             way.push(self.by_joints(&next));
             here = next;
         }
@@ -126,6 +132,19 @@ impl Round<'_> {
         }
         way.extend([self.by_joints(&above), self.straight(&above, to)]);
         Some(way)
+    }
+
+    /// A stand at a station with any spin: the one that lies best between two others.
+    fn some_stand(&self, arm: &Arm<'_>, station: &Station, from: &Joints, to: &Joints) -> Option<Stand> {
+        let states = arm.states(&station.frame()).ok()?;
+        let length = |s: &State| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
+        let mut order: Vec<(f64, &State)> = states.iter().map(|s| (length(s), s)).collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order
+            .into_iter()
+            .take(MOST_TRIED)
+            .map(|(_, s)| Stand { at: Station::at(&arm.turned(&station.frame(), s.spin)), joints_deg: s.joints_deg })
+            .find(|n| self.joints_clear(from, &n.joints_deg))
     }
 
     fn by_joints(&self, to: &Stand) -> Go {
@@ -149,9 +168,8 @@ impl Round<'_> {
         (0..=steps as usize).all(|k| {
             let t = k as f64 / steps;
             let joints: Joints = std::array::from_fn(|j| from[j] + (to[j] - from[j]) * t);
-            self.space.is_clear_at(&self.drive.setup.focus_for(&self.robot.forward(&joints)))
-                && (self.drive.touches)(&joints).is_none()
-        })
+            self.space.is_clear_at(&self.drive.mounted.focus_for(&self.robot.forward(&joints)))
+        }) && self.drive.collision.is_none_or(|c| c.first_between(from, to).is_none())
     }
 
     /// Whether nothing is in the way where the flange goes straight, and the arm can follow.
@@ -159,7 +177,7 @@ impl Round<'_> {
         if farthest(&from.joints_deg, &to.joints_deg) > MOST_STRAIGHT_DEG {
             return false;
         }
-        let setup = self.drive.setup;
+        let setup = &self.drive.mounted;
         let (a, b) = (setup.flange_for(&from.at.frame()), setup.flange_for(&to.at.frame()));
         let steps = ((to.at.x - from.at.x).norm() / LOOK_MM).max(from.at.turn_deg(&to.at) / LOOK_TURN_DEG);
         let steps = steps.ceil().max(1.0);
@@ -170,7 +188,8 @@ impl Round<'_> {
                 Some(joints) if farthest(&here, &joints) <= 0.5 * MOST_STRAIGHT_DEG => here = joints,
                 _ => return false,
             }
-            if !self.space.is_clear_at(&setup.focus_for(&flange)) || (self.drive.touches)(&here).is_some() {
+            let touches = self.drive.collision.is_some_and(|c| c.first(&here).is_some());
+            if touches || !self.space.is_clear_at(&setup.focus_for(&flange)) {
                 return false;
             }
         }

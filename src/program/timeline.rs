@@ -2,7 +2,8 @@
 //!
 //! The model of the controller is plain. Moves by per cent start and end at rest, each joint on a
 //! trapezoid, the slowest deciding for all; moves that are given their seconds take them and run
-//! evenly, as blended moves do. Laser and controller answer after the cell's latencies.
+//! evenly, as blended moves do. Laser and controller answer after the cell's latencies, on top of the
+//! waits that the program makes.
 
 use super::lines::{Line, Move, lines};
 use super::steps::{Pace, Steps, Way};
@@ -72,12 +73,13 @@ impl Timeline {
         let timing = &setup.cell.timing;
         let mut stops: Vec<Stop> = Vec::new();
         let (mut waiting_s, mut light) = (0.0, false);
-        for line in lines(steps, setup) {
+        // The power is no matter of time.
+        for line in lines(steps, setup, 0.0) {
             match line {
-                Line::Say(_) => {}
+                Line::Say(_) | Line::Level { .. } => {}
                 Line::Wait(s) => waiting_s += s,
                 Line::Output { number, on } => {
-                    if number == setup.cell.laser_output && on != light {
+                    if number == setup.cell.outputs.laser.number && on != light {
                         waiting_s += if on { timing.laser_on_s } else { timing.laser_off_s };
                         light = on;
                     }

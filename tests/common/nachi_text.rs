@@ -18,11 +18,20 @@ pub enum Line {
     End,
 }
 
-/// The program of a plan.
+/// The program of a plan, its sub-programs where they are called.
 pub fn text(p: &Planned) -> String {
-    let name = nachi::file_name(&cell());
-    let file = p.files().into_iter().find(|f| f.name == name).expect("the program");
-    String::from_utf8(file.bytes).expect("text")
+    let files = p.files();
+    let named = |name: &str| {
+        let file = files.iter().find(|f| f.name == name).expect("the program");
+        String::from_utf8(file.bytes.clone()).expect("text")
+    };
+    let main = nachi::file_name(&cell());
+    let (unit, _) = main.rsplit_once('.').expect("unit and number");
+    let whole = |line: &str| match line.strip_prefix("CALLP ") {
+        Some(n) => named(&format!("{unit}.{n:0>3}")).strip_suffix("END\n").expect("an end").to_owned(),
+        None => format!("{line}\n"),
+    };
+    named(&main).lines().map(whole).collect()
 }
 
 /// `R = Rz·Ry·Rx`, written out.

@@ -4,11 +4,10 @@ use super::super::dialogs::Purpose;
 use super::super::{App, Command, theme};
 use crate::cell::{Mount, Robot, Spin};
 use crate::job::Edit;
+use crate::program::dialects;
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;
 
-/// The dialects of `program`, by the words of the command line.
-const DIALECTS: [&str; 8] = ["nachi", "kuka", "abb", "fanuc", "ur", "yaskawa", "estun", "csv"];
 const NO_ROBOT: &str = "None: poses only";
 const WIDTH: f32 = 170.0;
 
@@ -99,7 +98,7 @@ impl App {
         ui.horizontal(|ui| {
             let label = theme::name(ui, "Program for", 90.0);
             let combo = ComboBox::from_id_salt("dialect").width(WIDTH).selected_text(&now).show_ui(ui, |ui| {
-                for word in DIALECTS {
+                for word in dialects::DIALECTS.iter().map(|d| d.name()) {
                     if ui.selectable_label(now == word, word).clicked() {
                         chosen = Some(word.to_owned());
                     }

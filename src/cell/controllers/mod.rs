@@ -1,6 +1,7 @@
 //! What each controller's program needs beside the moves: names, numbers, templates.
 
 mod abb;
+mod check;
 mod estun;
 mod fanuc;
 mod kuka;
@@ -12,6 +13,6 @@ pub use abb::Abb;
 pub use estun::Estun;
 pub use fanuc::Fanuc;
 pub use kuka::Kuka;
-pub use nachi::Nachi;
+pub use nachi::{Nachi, NachiForm};
 pub use ur::Ur;
 pub use yaskawa::Yaskawa;

@@ -3,9 +3,74 @@
 use serde::{Deserialize, Serialize};
 
 /// What the program needs; words that sources disagree on are templates.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Ur {
+    /// Name of the program's function and of its file.
+    pub program: String,
+    /// Moves in one function; longer programs call several.
+    pub max_moves: u32,
+    /// Full speed of the joints: 100 %.
+    pub full_speed_deg_s: f64,
+    /// Full speed of a straight move: 100 %.
+    pub full_speed_mm_s: f64,
+    /// Acceleration of joint moves.
+    pub acceleration_deg_s2: f64,
+    /// Acceleration of straight moves.
+    pub acceleration_mm_s2: f64,
+    /// Targets between two lit moves are rounded by this much at most; 0: the arm stops at each.
+    pub blend_mm: f64,
+    /// Statement that switches output `{n}` on.
+    pub output_on: String,
+    /// Statement that switches it off.
+    pub output_off: String,
+    /// Statement that sets analogue output `{n}` to `{v}`.
+    pub analogue: String,
+    /// Statement that sets the whole number `{n}` to `{v}`.
+    pub group: String,
     /// Ends lines with CR LF.
     pub crlf: bool,
+}
+
+impl Default for Ur {
+    fn default() -> Self {
+        Ur {
+            program: "Clean".into(),
+            max_moves: 1000,
+            full_speed_deg_s: 180.0,
+            full_speed_mm_s: 1000.0,
+            acceleration_deg_s2: 80.0,
+            acceleration_mm_s2: 1200.0,
+            blend_mm: 0.5,
+            output_on: "set_standard_digital_out({n}, True)".into(),
+            output_off: "set_standard_digital_out({n}, False)".into(),
+            analogue: "set_standard_analog_out({n}, {v})".into(),
+            group: "write_output_integer_register({n}, {v})".into(),
+            crlf: false,
+        }
+    }
+}
+
+impl Ur {
+    /// # Errors
+    /// Which figure makes no sense, and what it may be.
+    pub fn check(&self) -> Result<(), String> {
+        let ranges = [
+            ("ur.max_moves", f64::from(self.max_moves), 10.0, 1e6),
+            ("ur.full_speed_deg_s", self.full_speed_deg_s, 1.0, 1000.0),
+            ("ur.full_speed_mm_s", self.full_speed_mm_s, 1.0, 10000.0),
+            ("ur.acceleration_deg_s2", self.acceleration_deg_s2, 1.0, 10000.0),
+            ("ur.acceleration_mm_s2", self.acceleration_mm_s2, 1.0, 100_000.0),
+            ("ur.blend_mm", self.blend_mm, 0.0, 100.0),
+        ];
+        if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
+            return Err(format!("{name} = {value}: give {low} to {high}"));
+        }
+        let name = &self.program;
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        if !name.starts_with(|c: char| c.is_ascii_alphabetic()) || !name.chars().all(plain) || name.len() > 32 {
+            return Err(format!("ur.program = {name:?}: give a letter, then letters, digits and _, 32 at most"));
+        }
+        Ok(())
+    }
 }

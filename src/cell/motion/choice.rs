@@ -150,10 +150,14 @@ fn chain(arm: &Arm<'_>, stops: &[Stop], ways: impl Fn(&Stop) -> Ways + Sync) -> 
     let mut trace: Vec<Trace> = Vec::with_capacity(stops.len());
     let mut before = Layer::start();
     for chunk in stops.chunks(CHUNK) {
-        let made: Vec<Ways> = chunk.par_iter().map(&ways).collect();
-        for (stop, ways) in chunk.iter().zip(made) {
-            let (states, lack) = ways.map_or_else(|lack| (Vec::new(), Some(lack)), |states| (states, None));
-            let mut layer = Layer::new(states, arm.spins());
+        let made: Vec<(Layer, Option<Refused>)> = chunk
+            .par_iter()
+            .map(|stop| match ways(stop) {
+                Ok(states) => (Layer::new(states, &rules), None),
+                Err(lack) => (Layer::new(Vec::new(), &rules), Some(lack)),
+            })
+            .collect();
+        for (stop, (mut layer, lack)) in chunk.iter().zip(made) {
             let from = match stop.lit_s {
                 Some(seconds) => rules.lit(&before, &mut layer, seconds),
                 None => rules.round(&before, &mut layer),
@@ -193,6 +197,8 @@ struct Trace {
 struct Layer {
     states: Vec<State>,
     cost: Vec<f64>,
+    /// What it costs to stand in each.
+    standing: Vec<f64>,
     /// Cost with this target left out.
     left_out: f64,
     /// Where the states of each branch and spin begin.
@@ -202,11 +208,12 @@ struct Layer {
 impl Layer {
     /// Before the first target: nothing stands anywhere, and that costs nothing.
     fn start() -> Layer {
-        Layer { states: Vec::new(), cost: Vec::new(), left_out: 0.0, begin: Vec::new() }
+        Layer { states: Vec::new(), cost: Vec::new(), standing: Vec::new(), left_out: 0.0, begin: Vec::new() }
     }
 
     /// `states` in the order of branch and spin.
-    fn new(states: Vec<State>, spins: usize) -> Layer {
+    fn new(states: Vec<State>, rules: &Rules<'_>) -> Layer {
+        let spins = rules.arm.spins();
         let mut begin = vec![0_u32; 8 * spins + 1];
         for s in &states {
             begin[usize::from(s.branch) * spins + usize::from(s.spin) + 1] += 1;
@@ -214,7 +221,8 @@ impl Layer {
         for i in 1..begin.len() {
             begin[i] += begin[i - 1];
         }
-        Layer { cost: vec![f64::INFINITY; states.len()], states, left_out: f64::INFINITY, begin }
+        let standing = states.iter().map(|s| rules.standing(s)).collect();
+        Layer { cost: vec![f64::INFINITY; states.len()], states, standing, left_out: f64::INFINITY, begin }
     }
 
     /// The states of a branch and spin.
@@ -262,7 +270,7 @@ impl<'a> Rules<'a> {
         let robot = self.arm.robot;
         let share = |x: f64, from: f64| ((from - x) / from).max(0.0);
         let limit = share(robot.limit_margin_deg(&state.joints_deg), NEAR_LIMIT_DEG);
-        let singular = share(robot.singularity(&state.joints_deg), NEAR_SINGULAR);
+        let singular = share(state.singularity, NEAR_SINGULAR);
         AT_LIMIT * limit * limit + AT_SINGULARITY * singular * singular
     }
 
@@ -299,7 +307,7 @@ impl<'a> Rules<'a> {
                     }
                 }
             }
-            layer.cost[i] = best + self.standing(state);
+            layer.cost[i] = best + layer.standing[i];
         }
         from
     }
@@ -311,7 +319,8 @@ impl<'a> Rules<'a> {
         let reached: Vec<(f64, u32)> = layer
             .states
             .par_iter()
-            .map(|state| {
+            .zip(&layer.standing)
+            .map(|(state, standing)| {
                 let mut best = (before.left_out, OUT);
                 for &k in &order {
                     let (here, so_far) = (&before.states[k as usize], before.cost[k as usize]);
@@ -325,7 +334,7 @@ impl<'a> Rules<'a> {
                         best = (cost, k);
                     }
                 }
-                (best.0 + self.standing(state), best.1)
+                (best.0 + standing, best.1)
             })
             .collect();
         layer.cost = reached.iter().map(|r| r.0).collect();
@@ -345,7 +354,7 @@ fn choice(arm: &Arm<'_>, passes: &[Pass], stops: &[Stop], chain: Vec<Result<Stat
                     joints_deg: state.joints_deg,
                     spin_deg: arm.spin_deg(state.spin),
                     branch: state.branch,
-                    singularity: arm.robot.singularity(&state.joints_deg),
+                    singularity: state.singularity,
                     limit_margin_deg: arm.robot.limit_margin_deg(&state.joints_deg),
                 });
                 last = Some((stop, state));

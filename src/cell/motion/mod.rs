@@ -3,8 +3,9 @@
 //! The spot is round, so the part (or the tool) may be turned about the beam axis by any *spin*. A
 //! *state* is one spin with one solution of the arm and its turns ([`states`]). The cheapest chain of
 //! states is found by dynamic programming over all of them ([`choice`]); where there is none, the
-//! reason is looked for ([`refusal`]). Connecting moves are not chosen here.
+//! reason is looked for ([`refusal`]), and what would help ([`advice`]). Connecting moves are not chosen here.
 
+pub mod advice;
 pub mod choice;
 pub mod refusal;
 pub mod states;

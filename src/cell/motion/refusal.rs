@@ -7,6 +7,8 @@ use nalgebra::Isometry3;
 /// What kind of thing is in the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Cause {
+    /// The beam hits the part on the way between two targets, as the controller goes.
+    Beam,
     /// The arm touches the part or itself.
     Robot,
     /// The head is touched.
@@ -27,6 +29,7 @@ impl Cause {
     /// The word in `report.json`.
     pub fn word(self) -> &'static str {
         match self {
+            Cause::Beam => "beam",
             Cause::Robot => "robot",
             Cause::Head => "head",
             Cause::Obstacle => "obstacle",

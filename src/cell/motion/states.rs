@@ -1,6 +1,7 @@
 //! All ways in which the arm can bring the beam to one target.
 
-use crate::cell::{Cell, Joints, Mount, Robot, Setup, Spin};
+use crate::cell::mounting::Mounted;
+use crate::cell::{Joints, Robot, Setup, Spin};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 
 /// Spins are this far apart: 72 of them. Finer ones cost time and gain a fraction of a degree.
@@ -16,8 +17,7 @@ const PAST_HALF_TURN_DEG: f64 = 225.0;
 pub struct Arm<'a> {
     /// The robot.
     pub robot: &'a Robot,
-    cell: &'a Cell,
-    mount: Mount,
+    mounted: Mounted,
     /// Rotation by each spin about the beam axis.
     spins: Vec<(f64, UnitQuaternion<f64>)>,
 }
@@ -33,6 +33,8 @@ pub struct State {
     pub branch: u8,
     /// Number of the reading of its turns.
     pub turn: u8,
+    /// Distance from a singular pose, 0 to 1.
+    pub singularity: f64,
 }
 
 /// Why a pose that has solutions has no state.
@@ -66,7 +68,7 @@ impl<'a> Arm<'a> {
     pub fn with_step(robot: &'a Robot, setup: &'a Setup, step_deg: f64) -> Arm<'a> {
         let count = (360.0 / step_deg).round() as usize;
         let spins = (0..count).map(|k| (k as f64 * step_deg, about_beam(k as f64 * step_deg))).collect();
-        Arm { robot, cell: &setup.cell, mount: setup.mount, spins }
+        Arm { robot, mounted: setup.mounted(), spins }
     }
 
     /// How many spins there are.
@@ -87,7 +89,7 @@ impl<'a> Arm<'a> {
 
     /// Pose of the flange for a path frame.
     pub fn flange_for(&self, part_from_focus: &Isometry3<f64>) -> Isometry3<f64> {
-        self.cell.flange_for(self.mount, part_from_focus)
+        self.mounted.flange_for(part_from_focus)
     }
 
     /// All states at a path frame, by branch, then by spin.
@@ -107,12 +109,14 @@ impl<'a> Arm<'a> {
                 let Some(joints) = solutions[branch] else { continue };
                 reached = true;
                 let before = out.len();
-                let is_singular = self.robot.singularity(&joints) < LEAST_SINGULARITY;
+                let singularity = self.robot.singularity(&joints);
+                let is_singular = singularity < LEAST_SINGULARITY;
                 for (turn, joints_deg) in turns(&joints, &self.robot.limits_deg).take(256).enumerate() {
                     if is_singular {
                         singular = true;
                     } else {
-                        out.push(State { joints_deg, spin: spin as u8, branch: branch as u8, turn: turn as u8 });
+                        let (spin, branch, turn) = (spin as u8, branch as u8, turn as u8);
+                        out.push(State { joints_deg, spin, branch, turn, singularity });
                     }
                 }
                 if out.len() == before && !is_singular {
@@ -139,7 +143,7 @@ impl Arm<'_> {
         let solutions = self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, spin)));
         let joints = solutions[usize::from(branch)]?;
         let joints_deg = turns(&joints, &self.robot.limits_deg).nth(usize::from(turn))?;
-        Some(State { joints_deg, spin, branch, turn })
+        Some(State { joints_deg, spin, branch, turn, singularity: self.robot.singularity(&joints) })
     }
 }
 

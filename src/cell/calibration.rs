@@ -1,0 +1,216 @@
+//! Frames from what was measured: three points, one tip touched in several poses, points of a model.
+//!
+//! Each fit keeps its residuals, and refuses points that cannot tell the frame, with what to measure
+//! again. Where the figures come from and what frame they become is the cell file's business.
+
+use super::rpy;
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+/// Points nearer than this to each other, or to a line, tell no direction, mm.
+const APART_MM: f64 = 5.0;
+
+/// The rotations must move every direction of the tool by this share of its length at least (root
+/// of the mean square); two poses that differ by 8° do.
+const LEAST_TURN: f64 = 0.07;
+
+/// Three points of a work frame, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ThreePoints {
+    /// The frame's origin.
+    pub origin: [f64; 3],
+    /// A point on its positive x axis.
+    pub x: [f64; 3],
+    /// A point in its xy plane, on the side of positive y.
+    pub xy: [f64; 3],
+}
+
+/// A point of a model, and where it was measured, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PointPair {
+    /// In the frame that is sought.
+    pub model: [f64; 3],
+    /// In the frame that it is sought in.
+    pub measured: [f64; 3],
+}
+
+/// A fitted frame and how well it fits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// The frame.
+    pub frame: Isometry3<f64>,
+    /// Distance of each measurement from what the frame makes of it, mm; empty where nothing is left over.
+    pub residuals_mm: Vec<f64>,
+}
+
+/// The tip of a tool and how well it is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TipFit {
+    /// On the flange, mm.
+    pub flange_from_tip: Vector3<f64>,
+    /// What it touched, in the base, mm.
+    pub base_from_tip: Point3<f64>,
+    /// Distance of the tip from there in each pose, mm.
+    pub residuals_mm: Vec<f64>,
+}
+
+/// A frame's fit, to be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CalibrationNote {
+    /// Its key in the cell file.
+    pub frame: &'static str,
+    /// The key of its method.
+    pub method: &'static str,
+    /// Root of the mean square of the residuals, mm; 0 where nothing is left over.
+    pub rms_mm: f64,
+    /// The largest residual, mm.
+    pub worst_mm: f64,
+    /// The residual of each measurement, in the order of the file, mm.
+    pub residuals_mm: Vec<f64>,
+}
+
+impl CalibrationNote {
+    /// Of the residuals of a fit.
+    pub fn new(frame: &'static str, method: &'static str, residuals_mm: Vec<f64>) -> CalibrationNote {
+        let squares = residuals_mm.iter().fold(0.0, |s, r| s + r * r);
+        let rms_mm = (squares / residuals_mm.len().max(1) as f64).sqrt();
+        let worst_mm = residuals_mm.iter().copied().fold(0.0, f64::max);
+        CalibrationNote { frame, method, rms_mm, worst_mm, residuals_mm }
+    }
+}
+
+/// The frame of three points.
+///
+/// # Errors
+/// Two points are too near to each other, or all three on one line.
+pub fn three_points(t: &ThreePoints) -> Result<Fit, String> {
+    finite(t.origin.iter().chain(&t.x).chain(&t.xy))?;
+    let [origin, x, xy] = [t.origin, t.x, t.xy].map(Vector3::from);
+    let (along, aside) = (x - origin, xy - origin);
+    if along.norm() < APART_MM {
+        let off = along.norm();
+        return Err(format!(
+            "three_points: x is {off:.1} mm from origin: measure x again, as far out as there is room"
+        ));
+    }
+    let x_axis = along.normalize();
+    let aside = aside - x_axis * x_axis.dot(&aside);
+    if aside.norm() < APART_MM {
+        let off = aside.norm();
+        return Err(format!("three_points: xy is {off:.1} mm off the x axis: measure xy again, well beside the axis"));
+    }
+    let y_axis = aside.normalize();
+    let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x_axis, y_axis, x_axis.cross(&y_axis)]));
+    let frame = Isometry3::from_parts(Translation3::from(origin), UnitQuaternion::from_rotation_matrix(&rotation));
+    Ok(Fit { frame, residuals_mm: Vec::new() })
+}
+
+/// The tip of a tool that touched one fixed point in every pose of the flange: X, Y, Z mm, then
+/// rotation about Z, Y and X in degrees.
+///
+/// # Errors
+/// There are fewer than four poses, or they do not turn enough.
+pub fn tool_tip(base_from_flange: &[[f64; 6]]) -> Result<TipFit, String> {
+    finite(base_from_flange.iter().flatten())?;
+    let count = base_from_flange.len();
+    if count < 4 {
+        return Err(format!(
+            "tip_poses has {count} poses: touch the same tip in four at least, turned about different directions"
+        ));
+    }
+    let poses: Vec<(Matrix3<f64>, Vector3<f64>)> = base_from_flange
+        .iter()
+        .map(|&[x, y, z, rz, ry, rx]| (rpy::to_rotation([rz, ry, rx]).into_inner(), Vector3::new(x, y, z)))
+        .collect();
+    let share = 1.0 / count as f64;
+    let (turn, at) = poses.iter().fold((Matrix3::zeros(), Vector3::zeros()), |m, p| (m.0 + p.0, m.1 + p.1));
+    let (turn, at) = (turn * share, at * share);
+    // R·t + p is the same point c in every pose: (R − mean R)·t = mean p − p.
+    let (mut square, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for (r, p) in &poses {
+        let d = r - turn;
+        square += d.transpose() * d * share;
+        right += d.transpose() * (at - p) * share;
+    }
+    let eigen = SymmetricEigen::new(square);
+    let weakest = eigen.eigenvalues.imin();
+    if eigen.eigenvalues[weakest] < LEAST_TURN * LEAST_TURN {
+        let v = eigen.eigenvectors.column(weakest).map(|x| if x.abs() < 5e-3 { 0.0 } else { x });
+        return Err(format!(
+            "tip_poses turn the flange about its direction ({:.2}, {:.2}, {:.2}) only, or hardly at all: measure \
+             again with poses tilted by 20 degrees and more to different sides",
+            v[0], v[1], v[2]
+        ));
+    }
+    let unsolved = || "tip_poses: no tip fits: measure again".to_string();
+    let solved = square.cholesky().ok_or_else(unsolved)?;
+    let mut tip = solved.solve(&right);
+    // Squaring costs half of the digits; this step brings them back.
+    let left = poses.iter().fold(Vector3::zeros(), |s: Vector3<f64>, (r, p)| {
+        let d = r - turn;
+        s + d.transpose() * (at - p - d * tip) * share
+    });
+    tip += solved.solve(&left);
+    let touched = turn * tip + at;
+    let residuals_mm = poses.iter().map(|(r, p)| (r * tip + p - touched).norm()).collect();
+    Ok(TipFit { flange_from_tip: tip, base_from_tip: Point3::from(touched), residuals_mm })
+}
+
+/// The frame that brings points of a model nearest to where they were measured, without a mirror.
+///
+/// # Errors
+/// There are fewer than three points, or they lie on one line.
+pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, String> {
+    finite(pairs.iter().flat_map(|p| p.model.iter().chain(&p.measured)))?;
+    if pairs.len() < 3 {
+        return Err(format!("points has {} pairs: measure three at least, better six", pairs.len()));
+    }
+    let share = 1.0 / pairs.len() as f64;
+    let middle = |of: fn(&PointPair) -> [f64; 3]| {
+        pairs.iter().fold(Vector3::zeros(), |s: Vector3<f64>, p| s + Vector3::from(of(p))) * share
+    };
+    let (model, measured) = (middle(|p| p.model), middle(|p| p.measured));
+    let from_middle = |p: &PointPair| (Vector3::from(p.model) - model, Vector3::from(p.measured) - measured);
+    let mut spreads = [Matrix3::zeros(); 2];
+    let mut both = Matrix3::zeros();
+    for (m, d) in pairs.iter().map(from_middle) {
+        spreads[0] += m * m.transpose() * share;
+        spreads[1] += d * d.transpose() * share;
+        both += m * d.transpose() * share;
+    }
+    for (spread, which) in spreads.into_iter().zip(["model", "measured"]) {
+        let mut widths = SymmetricEigen::new(spread).eigenvalues.map(|v| v.max(0.0).sqrt());
+        widths.as_mut_slice().sort_by(f64::total_cmp);
+        if widths[1] < APART_MM.min(0.01 * widths[2]).max(0.5) {
+            return Err(format!(
+                "points: the {which} points lie on one line within {:.1} mm: measure another one, well beside it",
+                widths[1]
+            ));
+        }
+    }
+    let svd = both.svd(true, true);
+    let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return Err("points: no frame fits: measure again".into()) };
+    let v = v_t.transpose();
+    // The least singular value may turn its sign: what would be a mirror becomes a rotation.
+    let sign = if (v * u.transpose()).determinant() < 0.0 { -1.0 } else { 1.0 };
+    let least = svd.singular_values.imin();
+    let signs = Vector3::from_fn(|k, _| if k == least { sign } else { 1.0 });
+    let rotation = Rotation3::from_matrix_unchecked(v * Matrix3::from_diagonal(&signs) * u.transpose());
+    let rotation = UnitQuaternion::from_rotation_matrix(&rotation);
+    let frame = Isometry3::from_parts(Translation3::from(measured - rotation * model), rotation);
+    let off = |p: &PointPair| (frame * Point3::from(p.model) - Point3::from(p.measured)).norm();
+    Ok(Fit { frame, residuals_mm: pairs.iter().map(off).collect() })
+}
+
+fn finite<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> Result<(), String> {
+    match numbers.find(|x| !(-1e6..=1e6).contains(*x)) {
+        Some(bad) => Err(format!("{bad} is not a number that can have been measured")),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+#[path = "calibration_tests.rs"]
+mod tests;

@@ -1,0 +1,257 @@
+//! Closed forms, what is exempt, and brute force over sampled points.
+
+use super::*;
+use crate::cell::{Cell, Frame};
+use crate::part::distance::point_triangle;
+use crate::part::{Placement, Units};
+use crate::sample::{Triangles, solids, stl_bytes};
+use proptest::prelude::*;
+
+/// Upper arm upright on axis 1, forearm forward: flange at (352, 0, 625), pointing along x.
+const FORWARD: Joints = [0.0, 90.0, 0.0, 0.0, 0.0, 0.0];
+
+fn part(triangles: &Triangles) -> Part {
+    Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part")
+}
+
+fn setup(robot: &str, mount: Mount) -> Setup {
+    let mut cell = Cell::shipped("mz04").expect("shipped");
+    cell.bodies = Default::default();
+    Setup { cell, robot: Some(Robot::load(robot, None).expect("shipped")), mount }
+}
+
+fn at(position_mm: [f64; 3]) -> Frame {
+    Frame::new(position_mm, [0.0; 3])
+}
+
+fn first(setup: &Setup, part: &Part) -> Option<String> {
+    Collision::new(setup, part).expect("a robot").first(&FORWARD).map(|c| c.to_string())
+}
+
+#[test]
+fn a_link_keeps_its_radius_and_the_margin_from_a_fixed_part() {
+    let cube = part(&solids::cube(20.0));
+    let mut setup = setup("mz04", Mount::ToolInHand);
+    let links = setup.robot.as_ref().expect("one").links;
+    let reach = links.upper_arm_mm + 5.0;
+    setup.cell.base_from_part = at([reach - 0.001, -10.0, 400.0]);
+    assert_eq!(first(&setup, &cube).as_deref(), Some("upper arm against part"));
+    setup.cell.base_from_part = at([reach + 0.001, -10.0, 400.0]);
+    assert_eq!(first(&setup, &cube), None);
+    // Under the middle of the wrist capsule, which the tool in hand does not excuse.
+    setup.cell.base_from_part = at([310.0, -10.0, 625.0 - links.wrist_mm - 5.0 - 20.0 + 0.001]);
+    let said = first(&setup, &cube).expect("touches");
+    assert!(said == "wrist against part" || said == "forearm against part", "{said}");
+}
+
+#[test]
+fn a_carried_part_keeps_the_margin_from_head_table_and_arm() {
+    let cube = part(&solids::cube(20.0));
+    let mut setup = setup("mz04", Mount::PartInHand);
+    // The flange points along x: its z from 60 to 80 is x from 412 to 432 in the base.
+    setup.cell.flange_from_part = at([-10.0, -10.0, 60.0]);
+    setup.cell.bodies.head = vec![HeadCapsule { from_mm: -50.0, to_mm: 200.0, radius_mm: 25.0 }];
+    setup.cell.base_from_laser = at([432.0 + 30.0 - 0.001, 0.0, 600.0]);
+    assert_eq!(first(&setup, &cube).as_deref(), Some("part against head"));
+    setup.cell.base_from_laser = at([432.0 + 30.0 + 0.001, 0.0, 600.0]);
+    assert_eq!(first(&setup, &cube), None);
+    // The flange's x points up: this hangs from 225 to 245 mm, below the lowest link but the base.
+    setup.cell.flange_from_part = at([-400.0, -10.0, 60.0]);
+    for (table_z_mm, said) in [(220.001, Some("part against table")), (219.999, None)] {
+        setup.cell.bodies.table_z_mm = Some(table_z_mm);
+        assert_eq!(first(&setup, &cube).as_deref(), said);
+    }
+    setup.cell.bodies.table_z_mm = None;
+    // Beside the upper arm, 352 mm back along the flange's axis.
+    let arm = setup.robot.as_ref().expect("one").links.upper_arm_mm;
+    for (off, said) in [(-0.001, Some("part against upper arm")), (0.001, None)] {
+        setup.cell.flange_from_part = at([-200.0, -10.0, -352.0 + arm + 5.0 + off]);
+        assert_eq!(first(&setup, &cube).as_deref(), said);
+    }
+}
+
+#[test]
+fn what_carries_and_what_stands_is_exempt() {
+    let cube = part(&solids::cube(20.0));
+    let mut hand = setup("mz04", Mount::PartInHand);
+    hand.cell.flange_from_part = at([-10.0, -10.0, -10.0]);
+    assert_eq!(first(&hand, &cube), None, "the wrist carries the part");
+    hand.cell.bodies.table_z_mm = Some(20.0);
+    hand.cell.bodies.head = vec![HeadCapsule { from_mm: 0.0, to_mm: 50.0, radius_mm: 20.0 }];
+    hand.cell.base_from_laser = at([0.0, 0.0, 60.0]);
+    assert_eq!(first(&hand, &cube), None, "the base stands on the table, and the head stands as well");
+    let mut tool = setup("mz04", Mount::ToolInHand);
+    tool.cell.flange_from_tool = at([0.0, 0.0, 100.0]);
+    tool.cell.bodies.head = vec![HeadCapsule { from_mm: 0.0, to_mm: 50.0, radius_mm: 20.0 }];
+    tool.cell.base_from_part = at([440.0, -10.0, 615.0]);
+    assert_eq!(first(&tool, &cube), None, "the wrist carries the head, and the head is at the part");
+    tool.cell.bodies.head = vec![HeadCapsule { from_mm: 0.0, to_mm: 200.0, radius_mm: 20.0 }];
+    assert_eq!(first(&tool, &cube).as_deref(), Some("head against forearm"));
+    let mut none = tool;
+    none.robot = None;
+    assert!(Collision::new(&none, &cube).is_none());
+}
+
+/// A cell file beside an STL file.
+fn cell_with_cube(edge: f64, table: &str) -> Result<Cell, String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("fixture.stl"), stl_bytes(&solids::cube(edge))).expect("written");
+    let text = include_str!("../../assets/cells/mz04.toml");
+    let file = folder.path().join("cell.toml");
+    std::fs::write(&file, format!("{text}\n[bodies]\n{table}\n")).expect("written");
+    Cell::load(&file).map_err(|e| e.to_string())
+}
+
+#[test]
+fn fixtures_are_read_beside_the_cell_file_and_are_solid() {
+    let cube = part(&solids::cube(20.0));
+    let mut hand = setup("mz04", Mount::PartInHand);
+    let flange_from_part = at([-10.0, -10.0, 60.0]);
+    let mut with = |edge: f64, table: &str| {
+        hand.cell = cell_with_cube(edge, table).expect("a cell");
+        hand.cell.flange_from_part = flange_from_part.clone();
+        first(&hand, &cube)
+    };
+    let near = |x: f64| format!("obstacles = [{{ file = \"fixture.stl\", position_mm = [{x}, -20.0, 600.0] }}]");
+    assert_eq!(with(40.0, &near(437.001)), None);
+    assert_eq!(with(40.0, &near(436.999)).as_deref(), Some("part against obstacle fixture.stl"));
+    let turned = "obstacles = [{ file = \"fixture.stl\", position_mm = [477.001, -20.0, 600.0], \
+                  rz_ry_rx_deg = [90.0, 0.0, 0.0] }]\nmargin_mm = 4.99";
+    assert_eq!(with(40.0, turned), None);
+    // No facet is near, but all of it is inside.
+    let around = "obstacles = [{ file = \"fixture.stl\", position_mm = [-1.0, -1.0, -1.0], units = \"m\" }]";
+    assert_eq!(with(2.0, around).as_deref(), Some("shoulder against obstacle fixture.stl"));
+    let said = cell_with_cube(40.0, "obstacles = [{ file = \"fence.stl\" }]").expect_err("is not there");
+    assert!(said.contains("fence.stl") && said.contains("obstacle"), "{said}");
+    let said = cell_with_cube(40.0, "margin_mm = 0.0").expect_err("refused");
+    assert!(said.contains("bodies.margin_mm") && said.contains("cell.toml"), "{said}");
+    let said = cell_with_cube(40.0, "head = [{ from_mm = 9.0, to_mm = 3.0, radius_mm = 5.0 }]").expect_err("refused");
+    assert!(said.contains("from_mm = 9"), "{said}");
+}
+
+/// Distance of two bodies given as points on one and anything on the other, by sampling.
+fn sampled(c: &Capsule, off: impl Fn(&Point3<f64>) -> f64) -> f64 {
+    let points = (0..=60).map(|i| c.from + (c.to - c.from) * (f64::from(i) / 60.0));
+    points.map(|p| off(&p)).fold(f64::INFINITY, f64::min) - c.radius_mm
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// What is said to be free has no sampled pair within the margin; what touches has one, but for
+    /// the grain of the samples.
+    #[test]
+    fn sampled_points_agree(u in prop::array::uniform6(0.0..1.0f64), which in 0..12usize, carried in prop::bool::ANY,
+                            place in prop::array::uniform3(-1.0..1.0f64), table in -0.3..0.5f64) {
+        let key = Robot::shipped().nth(which).expect("one");
+        let mut setup = setup(key, if carried { Mount::PartInHand } else { Mount::ToolInHand });
+        let robot = setup.robot.clone().expect("one");
+        let size = robot.levers_mm()[1];
+        let [x, y, z] = place.map(|p| p * size * 0.8);
+        setup.cell.flange_from_part = at([x * 0.1, y * 0.1, 70.0]);
+        setup.cell.flange_from_tool = at([x * 0.1, y * 0.1, 120.0]);
+        setup.cell.base_from_part = at([x, y, z]);
+        setup.cell.base_from_laser = at([x, y, z + 100.0]);
+        setup.cell.bodies.head = vec![HeadCapsule { from_mm: 20.0, to_mm: 150.0, radius_mm: 30.0 }];
+        setup.cell.bodies.table_z_mm = Some(table * size);
+        let ball = part(&solids::sphere(40.0, 12, 6));
+        let collision = Collision::new(&setup, &ball).expect("a robot");
+        let joints: Joints = std::array::from_fn(|i| {
+            let [low, high] = robot.limits_deg[i];
+            low + (high - low) * u[i]
+        });
+        let found = collision.first(&joints);
+
+        let flange = robot.forward(&joints);
+        let links = robot.capsules(&joints);
+        let facets: Vec<_> = (0..ball.mesh.facets.len()).map(|f| ball.mesh.corners(f)).collect();
+        let to_ball = |place: Isometry3<f64>| {
+            let facets = &facets;
+            move |p: &Point3<f64>| {
+                let p = place.inverse_transform_point(p);
+                facets.iter().map(|c| point_triangle(&p, c)).fold(f64::INFINITY, f64::min)
+            }
+        };
+        let head_at = if carried { setup.cell.base_from_laser.isometry() } else { flange * setup.cell.flange_from_focus() };
+        let head = Capsule::of(&setup.cell.bodies.head[0], &head_at);
+        let to_head = |p: &Point3<f64>| crate::part::distance::point_segment(p, &head.from, &head.to) - head.radius_mm;
+        let table_z = table * size;
+        let to_table = |p: &Point3<f64>| p.z - table_z;
+        let mut pairs: Vec<(&str, &str, f64)> = Vec::new();
+        let ball_at = if carried { flange * setup.cell.flange_from_part.isometry() } else { setup.cell.base_from_part.isometry() };
+        let lowest = ball.mesh.vertices.iter().map(|v| (ball_at * v).z).fold(f64::INFINITY, f64::min);
+        for (i, l) in links.iter().enumerate() {
+            let c = Capsule::of_link(l);
+            if i > 0 {
+                pairs.push((l.name, "table", sampled(&c, to_table)));
+            }
+            if if carried { i > 0 } else { i < 4 } {
+                pairs.push((l.name, "head", sampled(&c, to_head)));
+            }
+            if if carried { i < 4 } else { i > 0 } {
+                pairs.push((l.name, "part", sampled(&c, to_ball(ball_at))));
+            }
+        }
+        if carried {
+            pairs.push(("part", "table", lowest - table_z));
+            pairs.push(("head", "part", sampled(&head, to_ball(ball_at))));
+        } else {
+            pairs.push(("head", "table", sampled(&head, to_table)));
+        }
+        match found {
+            None => for (a, b, off) in pairs {
+                prop_assert!(off > 5.0 - 1e-9, "{key}: {a} and {b} are {off} apart");
+            },
+            Some(c) => {
+                let same = |p: &&(&str, &str, f64)| (p.0 == c.a && p.1 == c.b) || (p.1 == c.a && p.0 == c.b);
+                let off = pairs.iter().find(same).expect("a pair that counts").2;
+                // Half of the coarsest step, squared against the nearest distance, is below this.
+                prop_assert!(off < 5.0 + size / 100.0, "{key}: {c}, {off} apart");
+            }
+        }
+    }
+
+    /// No look at ten times as many poses finds a touch that the sweep has missed.
+    #[test]
+    fn a_sweep_misses_nothing(u in prop::array::uniform6(0.0..1.0f64), turn in prop::array::uniform6(-40.0..40.0f64),
+                              place in prop::array::uniform3(-1.0..1.0f64)) {
+        let mut setup = setup("mz04", Mount::ToolInHand);
+        let robot = setup.robot.clone().expect("one");
+        setup.cell.base_from_part = at([place[0] * 400.0, place[1] * 400.0, 300.0 + place[2] * 300.0]);
+        let ball = part(&solids::sphere(20.0, 12, 6));
+        let collision = Collision::new(&setup, &ball).expect("a robot");
+        let from: Joints = std::array::from_fn(|i| {
+            let [low, high] = robot.limits_deg[i];
+            low + (high - low) * u[i]
+        });
+        let to: Joints = std::array::from_fn(|i| from[i] + turn[i]);
+        let straight = |t: f64| -> Joints { std::array::from_fn(|i| from[i] + (to[i] - from[i]) * t) };
+        let found = collision.first_between(&from, &to);
+        let along = collision.first_along(straight);
+        let end = found.as_ref().map_or(1.0, |(t, _)| *t);
+        let bare = Collision { margin_mm: 0.0, ..collision.clone() };
+        let looks = 10.0 * (collision.travel_mm(&from, &to) / 5.0).ceil();
+        let step = 10.0 / looks;
+        let touched = (0..=looks as u32).map(|i| f64::from(i) / looks).find(|t| bare.first(&straight(*t)).is_some());
+        if let Some(t) = touched {
+            prop_assert!(t >= end - step, "touches at {t}, first seen at {end}");
+            prop_assert!(found.is_some());
+        }
+        if let Some((t, contact)) = &found {
+            prop_assert_eq!(collision.first(&straight(*t)), Some(contact.clone()));
+        }
+        if let (Some((a, _)), Some((b, _))) = (&found, &along) {
+            prop_assert!((a - b).abs() <= 2.0 * step + 1e-9, "{a} and {b}");
+        }
+    }
+}
+
+#[test]
+fn a_path_that_jumps_comes_to_an_end() {
+    let cube = part(&solids::cube(20.0));
+    let setup = setup("mz04", Mount::PartInHand);
+    let collision = Collision::new(&setup, &cube).expect("a robot");
+    let jump = |t: f64| if t < 0.37 { FORWARD } else { [170.0, 90.0, 0.0, 0.0, 0.0, 180.0] };
+    assert_eq!(collision.first_along(jump), None);
+    assert_eq!(collision.first_between(&FORWARD, &FORWARD), None);
+}

@@ -1,0 +1,137 @@
+//! A frame of the cell file: figures, or the measurements that they are fitted to.
+//!
+//! What the operator wrote is kept and written back.
+
+use super::calibration::{self, CalibrationNote, Fit, PointPair, ThreePoints};
+use super::rpy;
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+/// A frame in another frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "FrameText", into = "FrameText")]
+pub struct Frame {
+    /// Origin, mm.
+    pub position_mm: [f64; 3],
+    /// Rotation about Z, Y and X, degrees.
+    pub rz_ry_rx_deg: [f64; 3],
+    /// What the figures were fitted to; it counts while they are still those of its fit.
+    measured: Option<Measured>,
+}
+
+/// The measurements of a frame.
+#[derive(Clone, Debug, PartialEq)]
+enum Measured {
+    ThreePoints(ThreePoints),
+    Points(Vec<PointPair>),
+    /// The tip's place is fitted, the tool's orientation is the operator's.
+    TipPoses(Vec<[f64; 6]>, [f64; 3]),
+}
+
+/// As it stands in the file.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct FrameText {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    position_mm: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rz_ry_rx_deg: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    three_points: Option<ThreePoints>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    points: Option<Vec<PointPair>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tip_poses: Option<Vec<[f64; 6]>>,
+}
+
+impl Frame {
+    /// The frame of these figures: mm, and degrees about Z, Y and X.
+    pub fn new(position_mm: [f64; 3], rz_ry_rx_deg: [f64; 3]) -> Frame {
+        Frame { position_mm, rz_ry_rx_deg, measured: None }
+    }
+
+    /// As a transformation.
+    pub fn isometry(&self) -> Isometry3<f64> {
+        let rotation = UnitQuaternion::from_rotation_matrix(&rpy::to_rotation(self.rz_ry_rx_deg));
+        Isometry3::from_parts(Translation3::from(Vector3::from(self.position_mm)), rotation)
+    }
+
+    /// How well it fits what was measured; `None`: it is given by figures.
+    pub fn calibration(&self, name: &'static str) -> Option<CalibrationNote> {
+        let measured = self.fitted_to()?;
+        Some(CalibrationNote::new(name, measured.method(), measured.fit().ok()?.residuals_mm))
+    }
+
+    /// Whether it was fitted to poses that touch with the tip of a tool.
+    pub fn is_of_a_tip(&self) -> bool {
+        matches!(self.measured, Some(Measured::TipPoses(..)))
+    }
+
+    /// The measurements, unless the figures were changed since.
+    fn fitted_to(&self) -> Option<&Measured> {
+        let same = |f: &Frame| f.position_mm == self.position_mm && f.rz_ry_rx_deg == self.rz_ry_rx_deg;
+        self.measured.as_ref().filter(|m| m.frame().is_ok_and(|f| same(&f)))
+    }
+}
+
+impl Measured {
+    fn method(&self) -> &'static str {
+        match self {
+            Measured::ThreePoints(_) => "three_points",
+            Measured::Points(_) => "points",
+            Measured::TipPoses(..) => "tip_poses",
+        }
+    }
+
+    fn fit(&self) -> Result<Fit, String> {
+        match self {
+            Measured::ThreePoints(t) => calibration::three_points(t),
+            Measured::Points(pairs) => calibration::best_fit(pairs),
+            Measured::TipPoses(poses, turned) => {
+                let tip = calibration::tool_tip(poses)?;
+                let frame = Frame::new(tip.flange_from_tip.into(), *turned).isometry();
+                Ok(Fit { frame, residuals_mm: tip.residuals_mm })
+            }
+        }
+    }
+
+    fn frame(&self) -> Result<Frame, String> {
+        let Fit { frame, .. } = self.fit()?;
+        let rz_ry_rx_deg = match self {
+            Measured::TipPoses(_, turned) => *turned,
+            _ => rpy::from_rotation(&frame.rotation.to_rotation_matrix()),
+        };
+        Ok(Frame { measured: Some(self.clone()), ..Frame::new(frame.translation.vector.into(), rz_ry_rx_deg) })
+    }
+}
+
+impl TryFrom<FrameText> for Frame {
+    type Error = String;
+
+    fn try_from(text: FrameText) -> Result<Frame, String> {
+        let FrameText { position_mm, rz_ry_rx_deg, three_points, points, tip_poses } = text;
+        match (position_mm, rz_ry_rx_deg, three_points, points, tip_poses) {
+            (Some(position_mm), Some(turned), None, None, None) => Ok(Frame::new(position_mm, turned)),
+            (None, None, Some(three), None, None) => Measured::ThreePoints(three).frame(),
+            (None, None, None, Some(points), None) => Measured::Points(points).frame(),
+            (None, Some(turned), None, None, Some(poses)) => Measured::TipPoses(poses, turned).frame(),
+            _ => Err("a frame is position_mm and rz_ry_rx_deg, or three_points, or points, or tip_poses and \
+                      rz_ry_rx_deg"
+                .into()),
+        }
+    }
+}
+
+impl From<Frame> for FrameText {
+    fn from(frame: Frame) -> FrameText {
+        let turned = Some(frame.rz_ry_rx_deg);
+        match frame.fitted_to().cloned() {
+            None => FrameText { position_mm: Some(frame.position_mm), rz_ry_rx_deg: turned, ..FrameText::default() },
+            Some(Measured::ThreePoints(t)) => FrameText { three_points: Some(t), ..FrameText::default() },
+            Some(Measured::Points(p)) => FrameText { points: Some(p), ..FrameText::default() },
+            Some(Measured::TipPoses(p, _)) => {
+                FrameText { tip_poses: Some(p), rz_ry_rx_deg: turned, ..FrameText::default() }
+            }
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! What would help where the arm cannot do a target: changes of the set-up, tried one by one.
+//!
+//! Small changes first (another spin, the part turned, the laser or the part moved); then a search over
+//! whole mountings that maximises what can be done. Reach, limits and singularities of single targets
+//! are looked at; the chain between them is the planner's.
+
+use super::states::Arm;
+use crate::cell::{Frame, Mount, Robot, Setup, Spin, rpy};
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+
+/// Spins looked at, degrees apart.
+const SPINS_DEG: f64 = 15.0;
+/// Targets looked at, of those that are done and of those that are not.
+pub const SAMPLE: usize = 60;
+/// A target counts as done only with so much to spare of every range, degrees: a plan has to move on.
+const SPARE_DEG: f64 = 3.0;
+/// Turns of the part that are tried, degrees.
+const TURNS_DEG: [f64; 12] = [10.0, -10.0, 20.0, -20.0, 30.0, -30.0, 45.0, -45.0, 90.0, -90.0, 135.0, 180.0];
+/// Moves of laser or part that are tried, mm.
+const MOVES_MM: [f64; 12] = [20.0, -20.0, 50.0, -50.0, 100.0, -100.0, 150.0, -150.0, 200.0, -200.0, 300.0, -300.0];
+
+/// A change that helps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Advice {
+    /// What to do.
+    pub text: String,
+    /// Refused targets of the sample that become possible.
+    pub gained: usize,
+    /// Refused targets of the sample.
+    pub of: usize,
+    /// Targets of the sample that were possible and are not any more.
+    pub lost: usize,
+}
+
+impl std::fmt::Display for Advice {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {} of {} refused targets become possible", self.text, self.gained, self.of)?;
+        if self.lost > 0 { write!(f, ", {} others are lost", self.lost) } else { Ok(()) }
+    }
+}
+
+/// Evenly every k-th, at most `most`.
+pub fn sampled<T: Copy>(all: &[T], most: usize) -> Vec<T> {
+    let every = all.len().div_ceil(most.max(1)).max(1);
+    all.iter().step_by(every).copied().collect()
+}
+
+/// Whether the arm can stand at a path frame with something to spare.
+fn is_possible(arm: &Arm<'_>, part_from_focus: &Isometry3<f64>) -> bool {
+    let spare = |s: &super::State| arm.robot.limit_margin_deg(&s.joints_deg) >= SPARE_DEG;
+    arm.states(part_from_focus).is_ok_and(|states| states.iter().any(spare))
+}
+
+fn possible(setup: &Setup, robot: &Robot, frames: &[Isometry3<f64>], step_deg: f64) -> Vec<bool> {
+    let arm = Arm::with_step(robot, setup, step_deg);
+    frames.iter().map(|f| is_possible(&arm, f)).collect()
+}
+
+fn count(all: &[bool]) -> usize {
+    all.iter().filter(|b| **b).count()
+}
+
+/// Changes that make refused targets possible, the best first: more gained, less lost, then the smaller
+/// change. `done` and `refused` are samples of path frames in the part.
+pub fn changes(setup: &Setup, spin: Spin, done: &[Isometry3<f64>], refused: &[Isometry3<f64>]) -> Vec<Advice> {
+    let Some(robot) = &setup.robot else { return Vec::new() };
+    if refused.is_empty() {
+        return Vec::new();
+    }
+    let now_deg = if spin == Spin::Travel { 180.0 } else { SPINS_DEG };
+    let before = possible(setup, robot, done, now_deg);
+    // What is possible by itself was refused for the way to it: no change of place is known to help.
+    let stuck: Vec<Isometry3<f64>> = refused
+        .iter()
+        .zip(possible(setup, robot, refused, now_deg))
+        .filter(|(_, possible)| !possible)
+        .map(|(f, _)| *f)
+        .collect();
+    let mut tried: Vec<(String, Setup, f64)> = Vec::new();
+    if spin == Spin::Travel {
+        tried.push(("leave the spin free".into(), setup.clone(), SPINS_DEG));
+    }
+    for (text, changed) in variants(setup) {
+        tried.push((text, changed, now_deg));
+    }
+    let mut found: Vec<(usize, Advice)> = tried
+        .into_par_iter()
+        .enumerate()
+        .filter_map(|(rank, (text, changed, step_deg))| {
+            let gained = count(&possible(&changed, robot, &stuck, step_deg));
+            if gained == 0 {
+                return None;
+            }
+            let after = possible(&changed, robot, done, step_deg);
+            let lost = before.iter().zip(&after).filter(|(b, a)| **b && !**a).count();
+            Some((rank, Advice { text, gained, of: refused.len(), lost }))
+        })
+        .collect();
+    let worth = |a: &Advice| a.gained as i64 - 2 * a.lost as i64;
+    found.retain(|(_, a)| worth(a) > 0);
+    found.sort_by(|(i, a), (j, b)| worth(b).cmp(&worth(a)).then(i.cmp(j)));
+    found.into_iter().map(|(_, a)| a).take(3).collect()
+}
+
+/// One thing changed, the smallest changes first.
+fn variants(setup: &Setup) -> Vec<(String, Setup)> {
+    let mut out = Vec::new();
+    let change = |edit: &dyn Fn(&mut Setup)| {
+        let mut changed = setup.clone();
+        edit(&mut changed);
+        changed
+    };
+    let (part, what) = match setup.mount {
+        Mount::PartInHand => ("on the flange", "the laser"),
+        Mount::ToolInHand => ("on the table", "the part"),
+    };
+    for k in 0..TURNS_DEG.len() {
+        let deg = TURNS_DEG[k];
+        for (axis, name) in [(Vector3::z_axis(), "z"), (Vector3::x_axis(), "x"), (Vector3::y_axis(), "y")] {
+            let turn = UnitQuaternion::from_axis_angle(&axis, deg.to_radians());
+            let text = format!("turn the part {part} about its {name} by {deg:.0}\u{b0}");
+            out.push((text, change(&|s| turned(part_frame(s), &turn))));
+        }
+        let mm = MOVES_MM[k];
+        let way = |i: usize| match (i, mm > 0.0) {
+            (2, true) => "higher",
+            (2, false) => "lower",
+            (0, true) => "further from the robot",
+            (0, false) => "nearer to the robot",
+            (_, true) => "to the left (+y)",
+            (_, false) => "to the right (\u{2212}y)",
+        };
+        for i in [2, 0, 1] {
+            let text = format!("put {what} {:.0} mm {}", mm.abs(), way(i));
+            out.push((text, change(&|s| moved(fixed_frame(s), i, mm))));
+        }
+        if setup.mount == Mount::PartInHand && mm > 0.0 {
+            let text = format!("hold the part {mm:.0} mm further from the flange");
+            out.push((text, change(&|s| moved(part_frame(s), 2, mm))));
+        }
+    }
+    out
+}
+
+fn part_frame(s: &mut Setup) -> &mut Frame {
+    match s.mount {
+        Mount::PartInHand => &mut s.cell.flange_from_part,
+        Mount::ToolInHand => &mut s.cell.base_from_part,
+    }
+}
+
+/// What stands: the laser, or the part.
+fn fixed_frame(s: &mut Setup) -> &mut Frame {
+    match s.mount {
+        Mount::PartInHand => &mut s.cell.base_from_laser,
+        Mount::ToolInHand => &mut s.cell.base_from_part,
+    }
+}
+
+fn moved(frame: &mut Frame, axis: usize, mm: f64) {
+    let mut position = frame.position_mm;
+    position[axis] += mm;
+    *frame = Frame::new(position, frame.rz_ry_rx_deg);
+}
+
+fn turned(frame: &mut Frame, turn: &UnitQuaternion<f64>) {
+    let rotation = frame.isometry().rotation * turn;
+    *frame = Frame::new(frame.position_mm, angles(&rotation));
+}
+
+/// Angles of a frame, rounded to what a person would set.
+fn angles(rotation: &UnitQuaternion<f64>) -> [f64; 3] {
+    rpy::from_rotation(&rotation.to_rotation_matrix()).map(|deg| libm::round(deg * 1000.0) / 1000.0 + 0.0)
+}
+
+/// A whole set-up that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BetterSetup {
+    /// Share of the sample that is possible now.
+    pub share_before: f64,
+    /// And with these frames.
+    pub share_after: f64,
+    /// Part on the flange, or part in the base.
+    pub part: Frame,
+    /// Laser in the base; as it was where the tool is in hand.
+    pub base_from_laser: Frame,
+    /// Which of the sample are possible with them.
+    pub possible: Vec<bool>,
+}
+
+/// The mounting (turn, tilt, position) with which most of the targets are possible.
+///
+/// A coarse grid over how the part is held and where laser or part stands, then single steps from the
+/// best, ever smaller. `frames`: a sample of path frames, evenly over the work.
+pub fn better_setup(setup: &Setup, frames: &[Isometry3<f64>]) -> Option<BetterSetup> {
+    let robot = setup.robot.as_ref()?;
+    if frames.is_empty() {
+        return None;
+    }
+    let score = |s: &Setup| count(&possible(s, robot, frames, 2.0 * SPINS_DEG));
+    let start = score(setup);
+    let mut best = (start, setup.clone());
+    // Nothing to gain: leave everything as it is.
+    if start < frames.len() {
+        let grid = grid(setup);
+        let scores: Vec<usize> = grid.par_iter().map(score).collect();
+        for (s, n) in grid.into_iter().zip(scores) {
+            if n > best.0 {
+                best = (n, s);
+            }
+        }
+        for step_mm in [60.0, 30.0, 10.0] {
+            loop {
+                let around = around(&best.1, step_mm);
+                let scores: Vec<usize> = around.par_iter().map(score).collect();
+                let Some((k, n)) = scores.iter().enumerate().max_by(|a, b| a.1.cmp(b.1).then(b.0.cmp(&a.0))) else {
+                    break;
+                };
+                if *n <= best.0 {
+                    break;
+                }
+                best = (*n, around[k].clone());
+            }
+        }
+    }
+    let possible = possible(&best.1, robot, frames, SPINS_DEG);
+    let mut found = best.1;
+    Some(BetterSetup {
+        share_before: start as f64 / frames.len() as f64,
+        share_after: best.0 as f64 / frames.len() as f64,
+        part: part_frame(&mut found).clone(),
+        base_from_laser: found.cell.base_from_laser.clone(),
+        possible,
+    })
+}
+
+/// Quarter turns of the part, at places of the laser (or the part) over the arm's reach.
+fn grid(setup: &Setup) -> Vec<Setup> {
+    let reach = setup.robot.as_ref().map_or(500.0, Robot::reach_mm);
+    let mut out = Vec::new();
+    for turn in quarter_turns(setup.mount) {
+        for x in [0.45, 0.6, 0.75] {
+            for z in [0.0, 0.2, 0.4, 0.6] {
+                let mut s = setup.clone();
+                let here = fixed_frame(&mut s).clone();
+                *fixed_frame(&mut s) = Frame::new(
+                    [libm::round(x * reach), here.position_mm[1], libm::round(z * reach)],
+                    here.rz_ry_rx_deg,
+                );
+                turned(part_frame(&mut s), &turn);
+                out.push(s);
+            }
+        }
+    }
+    out
+}
+
+/// How a part may be held: any face to the flange; on a table it stands as it is and is turned.
+fn quarter_turns(mount: Mount) -> Vec<UnitQuaternion<f64>> {
+    let about = |axis, quarters: i32| UnitQuaternion::from_axis_angle(&axis, f64::from(quarters * 90).to_radians());
+    let z = (0..4).map(|k| about(Vector3::z_axis(), k));
+    match mount {
+        Mount::ToolInHand => z.collect(),
+        Mount::PartInHand => {
+            let tilts = [
+                UnitQuaternion::identity(),
+                about(Vector3::x_axis(), 1),
+                about(Vector3::x_axis(), -1),
+                about(Vector3::x_axis(), 2),
+                about(Vector3::y_axis(), 1),
+                about(Vector3::y_axis(), -1),
+            ];
+            // With the spin free a turn about the flange changes little but the last joint.
+            tilts.to_vec()
+        }
+    }
+}
+
+/// One step along each axis, of what stands and of what is held, and small turns.
+fn around(setup: &Setup, step_mm: f64) -> Vec<Setup> {
+    let mut out = Vec::new();
+    for sign in [1.0, -1.0] {
+        for axis in 0..3 {
+            let mut s = setup.clone();
+            moved(fixed_frame(&mut s), axis, sign * step_mm);
+            out.push(s);
+            let turn = UnitQuaternion::from_axis_angle(
+                &nalgebra::Unit::new_unchecked(Vector3::ith(axis, 1.0)),
+                (sign * 0.5 * step_mm).to_radians(),
+            );
+            let mut s = setup.clone();
+            if setup.mount == Mount::PartInHand || axis == 2 {
+                turned(part_frame(&mut s), &turn);
+                out.push(s);
+            }
+        }
+        if setup.mount == Mount::PartInHand {
+            let mut s = setup.clone();
+            moved(part_frame(&mut s), 2, sign * step_mm);
+            if part_frame(&mut s).position_mm[2] >= 0.0 {
+                out.push(s);
+            }
+        }
+    }
+    out
+}
+
+/// A frame's place, for messages: mm and degrees.
+pub fn said(frame: &Frame) -> String {
+    let Isometry3 { translation: Translation3 { vector: v }, .. } = frame.isometry();
+    let [rz, ry, rx] = frame.rz_ry_rx_deg;
+    format!(
+        "position_mm = [{:.0}, {:.0}, {:.0}], rz_ry_rx_deg = [{rz:.1}, {ry:.1}, {rx:.1}]",
+        v.x + 0.0,
+        v.y + 0.0,
+        v.z + 0.0
+    )
+}

@@ -1,0 +1,84 @@
+//! `clearbeam verify`: a program on disk against the plan of its job.
+
+use super::{Failure, Outcome, print};
+use crate::job::plan::segmented;
+use crate::job::verify::{self, Verdict};
+use crate::job::{self, Cache, Progress, files};
+use crate::program::ProgramFile;
+use anyhow::{Context as _, anyhow};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Options of `verify`.
+#[derive(clap::Args, Debug)]
+pub struct Arguments {
+    /// Program file; sub-programs are looked for in its folder
+    program: PathBuf,
+    /// Job that the program was made from
+    #[arg(long, value_name = "JOB.toml")]
+    job: PathBuf,
+    /// Print the findings as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Findings shown in full.
+const SHOWN: usize = 40;
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    program: String,
+    dialect: &'a str,
+    #[serde(flatten)]
+    verdict: &'a Verdict,
+}
+
+/// Reads, plans, compares.
+pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
+    let job = files::read(&a.job).map_err(anyhow::Error::from)?;
+    let first = read(&a.program)?;
+    let folder = a.program.parent().unwrap_or(Path::new("")).to_path_buf();
+    let open = move |name: &str| {
+        // A called name is a file of the same folder, and no way out of it.
+        let plain = Path::new(name).file_name().is_some_and(|n| n.to_string_lossy() == name);
+        plain.then(|| read(&folder.join(name)).ok().map(|f| f.text)).flatten()
+    };
+    let part = files::load_part(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
+    let setup = files::load_setup(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
+    let surfaces = segmented(&part, &job);
+    let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())
+        .with_context(|| format!("{}: cannot be planned", a.job.display()))?;
+    let (dialect, verdict) = verify::check(&part, &plan, &setup, &job, &first, &open, true).map_err(|e| anyhow!(e))?;
+    if a.json {
+        let answer = Answer { program: a.program.display().to_string(), dialect, verdict: &verdict };
+        let json = serde_json::to_string_pretty(&answer).map_err(anyhow::Error::from)?;
+        print(&format!("{json}\n"));
+    } else {
+        print(&text(dialect, &verdict));
+    }
+    Ok(if verdict.findings.is_empty() { Outcome::Done } else { Outcome::Found })
+}
+
+fn read(path: &Path) -> Result<ProgramFile, Failure> {
+    let bytes = std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?;
+    let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    Ok(ProgramFile { name, text: String::from_utf8_lossy(&bytes).into_owned() })
+}
+
+fn text(dialect: &str, v: &Verdict) -> String {
+    use std::fmt::Write as _;
+    let mut out = String::new();
+    let _ = writeln!(out, "{dialect}: {} moves, {} with the laser on", v.moves, v.lit_moves);
+    let _ = writeln!(out, "furthest from the plan: {:.4} mm, {:.4}\u{b0} at the spot", v.worst_mm, v.worst_deg);
+    for f in v.findings.iter().take(SHOWN) {
+        let _ = writeln!(out, "{}:{}: {}", f.file, f.line, f.text);
+    }
+    if v.findings.len() > SHOWN {
+        let _ = writeln!(out, "and {} more", v.findings.len() - SHOWN);
+    }
+    let _ = match v.findings.len() {
+        0 => writeln!(out, "nothing found"),
+        n => writeln!(out, "{n} findings"),
+    };
+    out
+}

@@ -1,0 +1,110 @@
+//! What would help where the robot refuses targets of a plan: changes that were tried, a slower spot,
+//! and a better set-up.
+
+use super::model::{CellFile, Job};
+use super::plan::Plan;
+use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
+use crate::cell::motion::{Arm, Cause, Refusal, choose};
+use crate::cell::{Mount, Setup};
+use crate::pose::{Pass, State};
+use nalgebra::Isometry3;
+
+/// Passes that are driven again, slower.
+const PASSES: usize = 6;
+/// Shares of the speed that are tried.
+const SLOWER: [f64; 5] = [0.75, 0.5, 0.3, 0.2, 0.1];
+
+fn refusals(plan: &Plan) -> &[Refusal] {
+    plan.choice.as_ref().map_or(&[], |c| &c.refusals)
+}
+
+/// A path frame of every target that the robot does, and of every one that it refuses for where it is.
+fn frames(plan: &Plan, defocus_mm: f64) -> [Vec<Isometry3<f64>>; 2] {
+    let done = plan
+        .passes
+        .iter()
+        .flat_map(|p| &p.targets)
+        .filter(|t| t.state != State::Blocked)
+        .map(|t| t.frame(defocus_mm))
+        .collect();
+    let placed = |r: &&Refusal| matches!(r.cause, Cause::Reach | Cause::Limit | Cause::Singularity);
+    let refused =
+        refusals(plan).iter().filter(placed).map(|r| plan.passes[r.pass].targets[r.point].frame(defocus_mm)).collect();
+    [done, refused]
+}
+
+/// Sentences that say what would help, the best first; none where nothing was refused, or nothing helps.
+pub fn advice(plan: &Plan, job: &Job, setup: &Setup) -> Vec<String> {
+    let [done, refused] = frames(plan, job.beam.defocus_mm);
+    let found = advice::changes(setup, job.cell.spin, &sampled(&done, SAMPLE), &sampled(&refused, SAMPLE));
+    let all = refused.len().min(SAMPLE);
+    let mut out: Vec<String> = found.iter().map(Advice::to_string).collect();
+    out.extend(slower(plan, job, setup));
+    if refused.len() > all && !found.is_empty() {
+        out.push(format!("(tried on {SAMPLE} of the {} refused targets)", refused.len()));
+    }
+    out
+}
+
+/// The highest speed at which passes that are too fast can be driven.
+fn slower(plan: &Plan, job: &Job, setup: &Setup) -> Option<String> {
+    let mut numbers: Vec<usize> = refusals(plan).iter().filter(|r| r.cause == Cause::Speed).map(|r| r.pass).collect();
+    numbers.dedup();
+    let again: Vec<Pass> = sampled(&numbers, PASSES)
+        .into_iter()
+        .map(|n| {
+            let mut pass = plan.passes[n].clone();
+            for r in refusals(plan).iter().filter(|r| r.pass == n) {
+                // As it was before it was refused.
+                pass.targets[r.point].state = State::Free;
+                pass.targets[r.point].laser = r.point > 0;
+                if let Some(next) = pass.targets.get_mut(r.point + 1) {
+                    next.laser = next.state != State::Blocked;
+                }
+            }
+            pass
+        })
+        .collect();
+    if again.is_empty() {
+        return None;
+    }
+    let arm = Arm::new(setup, job.cell.spin)?;
+    let works = |share: &&f64| {
+        let speed_mm_s = job.beam.speed_mm_s * **share;
+        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &|_| None);
+        !choice.refusals.iter().any(|r| r.cause == Cause::Speed)
+    };
+    let share = SLOWER.iter().find(works)?;
+    Some(format!("move the spot at {:.2} mm/s: no joint is too fast then", job.beam.speed_mm_s * share))
+}
+
+/// The mounting with which most of the work can be done.
+pub fn better_setup(plan: &Plan, job: &Job, setup: &Setup) -> Option<BetterSetup> {
+    let [mut done, refused] = frames(plan, job.beam.defocus_mm);
+    done.extend(refused);
+    advice::better_setup(setup, &sampled(&done, 3 * SAMPLE))
+}
+
+/// The job's cell with the frames of a better set-up.
+pub fn applied(cell: &CellFile, mount: Mount, better: &BetterSetup) -> CellFile {
+    let mut cell = cell.clone();
+    match mount {
+        Mount::PartInHand => {
+            cell.flange_from_part = Some(better.part.clone());
+            cell.base_from_laser = Some(better.base_from_laser.clone());
+        }
+        Mount::ToolInHand => cell.base_from_part = Some(better.part.clone()),
+    }
+    cell
+}
+
+/// The same as lines of a job file, for people.
+pub fn as_toml(mount: Mount, better: &BetterSetup) -> Vec<String> {
+    let line = |name: &str, frame| format!("{name} = {{ {} }}", advice::said(frame));
+    match mount {
+        Mount::PartInHand => {
+            vec![line("flange_from_part", &better.part), line("base_from_laser", &better.base_from_laser)]
+        }
+        Mount::ToolInHand => vec![line("base_from_part", &better.part)],
+    }
+}

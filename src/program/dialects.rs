@@ -1,0 +1,67 @@
+//! All dialects, by name and by their text.
+
+use super::csv::Csv;
+use super::dialect::{Dialect, Program};
+use super::fanuc::Fanuc;
+use super::lines::lines;
+use super::nachi::Nachi;
+use super::steps::Steps;
+use super::ur::Ur;
+use crate::cell::Setup;
+
+/// Every dialect that is written and read, the default first.
+pub const DIALECTS: &[&dyn Dialect] = &[&Nachi, &Fanuc, &Ur, &Csv];
+
+/// The dialect of that name.
+pub fn by_name(name: &str) -> Option<&'static dyn Dialect> {
+    DIALECTS.iter().copied().find(|d| d.name() == name)
+}
+
+/// The dialect of a program's text; `None` where no one, or more than one, knows it.
+pub fn of_text(text: &str) -> Option<&'static dyn Dialect> {
+    let mut claims = DIALECTS.iter().copied().filter(|d| d.claims(text));
+    claims.next().filter(|_| claims.next().is_none())
+}
+
+/// Their names, for messages.
+pub fn names() -> String {
+    DIALECTS.iter().map(|d| d.name()).collect::<Vec<_>>().join(", ")
+}
+
+/// The dialect of that name.
+///
+/// # Errors
+/// The names there are.
+pub fn known(name: &str) -> Result<&'static dyn Dialect, String> {
+    by_name(name).ok_or_else(|| format!("dialect = {name:?}: give one of {}", names()))
+}
+
+/// Whether a dialect can write what the cell says, outputs and templates, before anything is planned.
+///
+/// # Errors
+/// What the controller could not take.
+pub fn check(name: &str, setup: &Setup, power_w: f64) -> Result<(), String> {
+    let lines = lines(&Steps::default(), setup, power_w);
+    known(name)?.write(&Program { head: Vec::new(), lines, setup }).map(drop).map_err(|e| e.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::outputs::PowerForm;
+
+    #[test]
+    fn bad_names_and_templates_are_told_before_planning() {
+        let mut setup = Setup::shipped().expect("shipped");
+        for dialect in DIALECTS {
+            assert_eq!(check(dialect.name(), &setup, 500.0), Ok(()));
+        }
+        let said = check("karel", &setup, 500.0).expect_err("none");
+        assert!(said.contains("karel") && said.contains("nachi") && said.contains("csv"), "{said}");
+        setup.cell.outputs.power.form = PowerForm::Analogue;
+        let said = check("nachi", &setup, 500.0).expect_err("no source for it");
+        assert!(said.contains("nachi.analogue"), "{said}");
+        setup.cell.nachi.analogue = "AOUT {n},{v}".into();
+        assert_eq!(check("nachi", &setup, 500.0), Ok(()));
+    }
+}

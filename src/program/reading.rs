@@ -1,0 +1,61 @@
+//! What the readers share: where something is wrong, and sub-programs that call each other.
+
+use super::dialect::{ProgramFile, ReadError, ReadLine, Reading};
+
+/// More than any program here, and little enough for memory: calls multiply.
+const MOST_LINES: usize = 5_000_000;
+/// Programs within programs.
+const DEEPEST: usize = 8;
+
+/// What was read so far, and through which files.
+pub struct Found {
+    /// In order.
+    pub lines: Vec<ReadLine>,
+    open: Vec<String>,
+}
+
+/// One file's lines, as they are added to `found`.
+pub type ReadFile<'a> = dyn Fn(&ProgramFile, &mut Found) -> Result<(), ReadError> + 'a;
+
+impl Found {
+    /// Nothing yet.
+    pub fn new() -> Found {
+        Found { lines: Vec::new(), open: Vec::new() }
+    }
+
+    /// Reads a file by `read`, which comes back here for the files it calls.
+    ///
+    /// # Errors
+    /// Of `read`.
+    pub fn file(&mut self, file: &ProgramFile, read: &ReadFile<'_>) -> Result<(), ReadError> {
+        self.open.push(file.name.clone());
+        let done = read(file, self);
+        self.open.pop();
+        done
+    }
+
+    /// Opens the file that a line calls.
+    ///
+    /// # Errors
+    /// It is not there, or calls run in a circle.
+    pub fn called(
+        &self,
+        name: String,
+        from: &str,
+        line: usize,
+        reading: &Reading<'_>,
+    ) -> Result<ProgramFile, ReadError> {
+        if self.open.contains(&name) || self.open.len() >= DEEPEST || self.lines.len() > MOST_LINES {
+            return Err(wrong(from, line, format!("calls {name}: in a circle, or too deep; call each program once")));
+        }
+        match (reading.open)(&name) {
+            Some(text) => Ok(ProgramFile { name, text }),
+            None => Err(ReadError::Gone { file: from.into(), line, called: name }),
+        }
+    }
+}
+
+/// A line that is wrong.
+pub fn wrong(file: &str, line: usize, what: impl Into<String>) -> ReadError {
+    ReadError::Line { file: file.into(), line, what: what.into() }
+}

@@ -1,0 +1,242 @@
+//! Words that all dialects share: numbers, plain text, templates of the cell file in both
+//! directions, long lines, line ends. What the words mean is each dialect's.
+
+/// Fixed decimals, '.' always, never `-0.000`.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|b| matches!(b, b'0' | b'.')) => rest.into(),
+        _ => text,
+    }
+}
+
+/// A number as controllers write it: sign, digits, one point. No exponent, no infinity.
+pub fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let plain = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+'));
+    text.parse().ok().filter(|v: &f64| plain && v.is_finite())
+}
+
+/// So many numbers between commas.
+pub fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let list: Vec<f64> = text.split(',').map(number).collect::<Option<_>>()?;
+    list.try_into().ok()
+}
+
+/// Printable ASCII: what a controller might not take, and each of `forbidden`, becomes `?`.
+pub fn plain(text: &str, forbidden: &[char]) -> String {
+    text.chars().map(|c| if (c.is_ascii_graphic() || c == ' ') && !forbidden.contains(&c) { c } else { '?' }).collect()
+}
+
+/// Pieces of at most `width` characters (1 at least), cut at spaces where there are any; a blank
+/// text is one piece. Text is plain.
+pub fn cut(text: &str, width: usize) -> Vec<String> {
+    let width = width.max(1);
+    let mut out: Vec<String> = Vec::new();
+    let mut line = String::new();
+    for word in text.split(' ') {
+        let mut word = word;
+        while line.len() + usize::from(!line.is_empty()) + word.len() > width {
+            if !line.is_empty() {
+                out.push(std::mem::take(&mut line));
+            } else {
+                // A word that is longer than the line; plain text has a boundary everywhere.
+                let Some((head, rest)) = word.split_at_checked(width) else { break };
+                out.push(head.into());
+                word = rest;
+            }
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    if !line.is_empty() || out.is_empty() {
+        out.push(line);
+    }
+    out
+}
+
+/// A template with its `{keys}` replaced.
+pub fn filled(template: &str, values: &[(&str, &str)]) -> String {
+    parts(template)
+        .into_iter()
+        .map(|part| match part {
+            Part::Text(text) => text,
+            Part::Key(key) => values.iter().find(|(k, _)| *k == key).map_or("", |(_, v)| *v),
+        })
+        .collect()
+}
+
+/// What stands in a line at a template's `{keys}`, in their order; `None` where the line is none
+/// of the template's. A key takes as little as it can, the last one all that is left; blanks
+/// around the line do not count, and a key that stands twice has to say the same.
+pub fn matched<'t, 'l>(template: &'t str, line: &'l str) -> Option<Vec<(&'t str, &'l str)>> {
+    let mut rest = line.trim();
+    let mut out: Vec<(&str, &str)> = Vec::new();
+    let list = parts(template.trim());
+    for (i, part) in list.iter().enumerate() {
+        match part {
+            Part::Text(text) => rest = rest.strip_prefix(text)?,
+            Part::Key(key) => {
+                let value = match &list[i + 1..] {
+                    [] => rest,
+                    [Part::Text(end)] => rest.strip_suffix(end)?,
+                    [Part::Text(next), ..] => &rest[..rest.find(next)?],
+                    [Part::Key(_), ..] => return None,
+                };
+                rest = &rest[value.len()..];
+                if out.iter().any(|(k, v)| k == key && *v != value) {
+                    return None;
+                }
+                out.push((key, value));
+            }
+        }
+    }
+    rest.is_empty().then_some(out)
+}
+
+/// The value of one key in a line of the template.
+pub fn matched_key<'l>(template: &str, key: &str, line: &'l str) -> Option<&'l str> {
+    matched(template, line)?.into_iter().find(|(k, _)| *k == key).map(|(_, v)| v)
+}
+
+/// Why a template cannot be used: a key is missing, is unknown, touches another, or the template
+/// is longer than a line or not plain.
+///
+/// # Errors
+/// A sentence that begins with `name`.
+pub fn check_template(name: &str, template: &str, keys: &[&str]) -> Result<(), String> {
+    let list = parts(template);
+    let has = |key: &str| list.iter().any(|p| matches!(p, Part::Key(k) if *k == key));
+    if let Some(missing) = keys.iter().find(|k| !has(k)) {
+        return Err(format!("{name} = {template:?} has no {{{missing}}}"));
+    }
+    let unknown = list.iter().find_map(|p| match p {
+        Part::Key(k) if !keys.contains(k) => Some(*k),
+        _ => None,
+    });
+    if let Some(key) = unknown {
+        let known: Vec<String> = keys.iter().map(|k| format!("{{{k}}}")).collect();
+        return Err(format!("{name} = {template:?} has {{{key}}}: give {}", known.join(" and ")));
+    }
+    if list.windows(2).any(|w| matches!(w, [Part::Key(_), Part::Key(_)])) {
+        return Err(format!("{name} = {template:?}: put something between the braces, or it cannot be read back"));
+    }
+    if plain(template, &[]) != template {
+        return Err(format!("{name} = {template:?}: give one line of ASCII"));
+    }
+    Ok(())
+}
+
+/// A piece of a template.
+enum Part<'a> {
+    Text(&'a str),
+    Key(&'a str),
+}
+
+/// Literal text and `{keys}` (lower-case words); any other brace is text.
+fn parts(template: &str) -> Vec<Part<'_>> {
+    let mut out = Vec::new();
+    let (mut start, mut from) = (0, 0);
+    while let Some(open) = template[from..].find('{').map(|i| from + i) {
+        from = open + 1;
+        let Some(close) = template[from..].find('}').map(|i| from + i) else { break };
+        let key = &template[from..close];
+        if !key.is_empty() && key.bytes().all(|b| b.is_ascii_lowercase()) {
+            if start < open {
+                out.push(Part::Text(&template[start..open]));
+            }
+            out.push(Part::Key(key));
+            (start, from) = (close + 1, close + 1);
+        }
+    }
+    if start < template.len() {
+        out.push(Part::Text(&template[start..]));
+    }
+    out
+}
+
+/// Lines with their ends.
+pub fn text(lines: &[String], crlf: bool) -> String {
+    let end = if crlf { "\r\n" } else { "\n" };
+    lines.iter().flat_map(|l| [l.as_str(), end]).collect()
+}
+
+/// Lines that say something, trimmed, with their numbers from 1.
+pub fn said_lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    text.lines().enumerate().map(|(i, l)| (i + 1, l.trim())).filter(|(_, l)| !l.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn never_minus_zero() {
+        assert_eq!(fixed(-0.00004, 4), "0.0000");
+        assert_eq!(fixed(-0.00006, 4), "-0.0001");
+        assert_eq!(fixed(12.0, 3), "12.000");
+    }
+
+    #[test]
+    fn numbers_are_plain() {
+        assert_eq!(number(" -1.50 "), Some(-1.5));
+        assert!(["inf", "NaN", "1e5", "", ".", "1.2.3", "0x1", "--1"].iter().all(|t| number(t).is_none()));
+        assert_eq!(numbers("1, 2,3"), Some([1.0, 2.0, 3.0]));
+        assert_eq!(numbers::<2>("1,2,3"), None);
+    }
+
+    #[test]
+    fn templates_read_what_they_write() {
+        assert_eq!(matched("SET O{n}", "SET O3"), Some(vec![("n", "3")]));
+        assert_eq!(matched("SET [{n}]", " SET [03] "), Some(vec![("n", "03")]));
+        assert_eq!(matched("AOUT {n},{v} ;", "AOUT 2,4.50 ;"), Some(vec![("n", "2"), ("v", "4.50")]));
+        assert_eq!(matched("PULSE {n} {n}", "PULSE 1 2"), None);
+        assert!(matched("SET O{n}", "RESET O3").is_none() && matched("DELAY {s}", "DELAY").is_none());
+        assert!(matched("WAIT {s}(sec) ;", "WAIT 1.0 ;").is_none());
+        assert_eq!(filled("{ {n} }", &[("n", "3")]), "{ 3 }");
+        assert_eq!(matched_key("REM \"{text}\"", "text", "REM \"a \"b\" c\""), Some("a \"b\" c"));
+    }
+
+    #[test]
+    fn templates_that_cannot_work_are_named() {
+        assert!(check_template("x", "SET O{n}", &["n"]).is_ok());
+        for (bad, why) in [("SET O3", "no {n}"), ("SET {n}{m}", "{m}"), ("SET\n{n}", "one line"), ("SÉT {n}", "ASCII")]
+        {
+            let said = check_template("nachi.output_on", bad, &["n"]).expect_err("refused");
+            assert!(said.starts_with("nachi.output_on") && said.contains(why), "{said}");
+        }
+        assert!(check_template("x", "A{n}{v}", &["n", "v"]).is_err());
+    }
+
+    #[test]
+    fn long_text_is_cut_at_spaces() {
+        assert_eq!(cut("one two three", 7), ["one two", "three"]);
+        assert_eq!(cut("abcdefgh ij", 3), ["abc", "def", "gh", "ij"]);
+        assert_eq!(cut("", 5), [""]);
+    }
+
+    proptest! {
+        #[test]
+        fn filled_then_matched(n in 0..9999u32, v in -1e3..1e3f64) {
+            let (n, v) = (n.to_string(), fixed(v, 3));
+            for template in ["SETAO {n},{v}", "AO[{n}]={v} ;", "set_analog({n}, {v})"] {
+                let line = filled(template, &[("n", &n), ("v", &v)]);
+                prop_assert_eq!(matched(template, &line), Some(vec![("n", n.as_str()), ("v", v.as_str())]));
+            }
+        }
+
+        #[test]
+        fn nothing_panics(template in ".{0,20}", line in ".{0,20}", width in 0..9usize) {
+            let _ = (matched(&template, &line), filled(&template, &[]), number(&line));
+            let _ = check_template("x", &template, &["n"]);
+            let text = plain(&line, &['"']);
+            let pieces = cut(&text, width);
+            prop_assert!(pieces.iter().all(|p| p.len() <= width.max(1)));
+            let bare = |t: &str| t.replace(' ', "");
+            prop_assert_eq!(bare(&pieces.concat()), bare(&text));
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Programs that no planner made, and whether what was read is what was written.
+#![allow(dead_code, reason = "each test file uses its own share")]
+
+use clearbeam::cell::{Robot, Setup};
+use clearbeam::program::dialect::{Goal, Read, ReadError, ReadLine, Reading};
+use clearbeam::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way};
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+/// The shipped cell with that robot.
+pub fn setup(robot: Option<&str>) -> Setup {
+    let mut setup = Setup::shipped().expect("the shipped cell");
+    setup.robot = robot.map(|key| Robot::load(key, None).expect("a shipped robot"));
+    setup.cell.nachi.analogue = "AOUT {n},{v}".into();
+    setup.cell.nachi.group = "GOUT {n},{v}".into();
+    setup
+}
+
+/// What a line is made of, before a robot makes poses of it.
+#[derive(Clone, Debug)]
+pub enum Seed {
+    Say(String),
+    Output(u32, bool),
+    Level(u32, f64, bool),
+    Wait(f64),
+    Move { joints: [f64; 6], linear: bool, pace: Pace, home: bool },
+}
+
+fn seed() -> impl Strategy<Value = Seed> {
+    let joints = prop::array::uniform6(-1.0..1.0f64);
+    // Straight moves in per cent are made by nobody.
+    let pace = prop_oneof![(0.001..40.0f64).prop_map(Pace::Seconds), (1..100u32).prop_map(|p| Pace::Percent(p.into()))];
+    prop_oneof![
+        1 => "[ -!#-:<-~é]{0,50}".prop_map(Seed::Say),
+        2 => (1..9u32, any::<bool>()).prop_map(|(n, on)| Seed::Output(n, on)),
+        1 => (1..9u32, 0..1000u32, any::<bool>()).prop_map(|(n, v, group)| Seed::Level(n, f64::from(v), group)),
+        1 => (1..1000u32).prop_map(|hundredths| Seed::Wait(f64::from(hundredths) / 100.0)),
+        8 => (joints, any::<bool>(), pace, prop::bool::weighted(0.1)).prop_map(|(joints, linear, pace, home)| {
+            let linear = linear && !home && matches!(pace, Pace::Seconds(_));
+            Seed::Move { joints, linear, pace, home }
+        }),
+    ]
+}
+
+/// Any list of lines.
+pub fn seeds() -> impl Strategy<Value = Vec<Seed>> {
+    prop::collection::vec(seed(), 0..60)
+}
+
+/// The lines of a setup: joints and poses agree, as a planner's do.
+pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<Line> {
+    let known = setup.robot.is_some();
+    let arm = setup.robot.clone().unwrap_or_else(|| Robot::load("mz04", None).expect("shipped"));
+    let mut lit = false;
+    let line = |s: &Seed| match s {
+        Seed::Say(text) => Line::Say(text.clone()),
+        Seed::Output(number, on) => {
+            lit = if *number == setup.cell.outputs.laser.number { *on } else { lit };
+            Line::Output { number: *number, on: *on }
+        }
+        Seed::Level(number, value, group) => Line::Level { number: *number, value: *value, group: *group },
+        Seed::Wait(s) => Line::Wait(*s),
+        Seed::Move { joints, linear, pace, home } => {
+            let joints: [f64; 6] = std::array::from_fn(|i| {
+                let [low, high] = arm.limits_deg[i];
+                0.5 * (low + high) + 0.5 * (high - low) * joints[i]
+            });
+            let flange = arm.forward(&joints);
+            Line::Move(Box::new(Move {
+                way: if *linear { Way::Linear } else { Way::Joint },
+                base_from_flange: (known || !home).then_some(flange),
+                joints_deg: (known || *home).then_some(joints),
+                part_from_focus: (!home).then(|| setup.focus_for(&flange)),
+                pace: *pace,
+                lit,
+                target: None,
+            }))
+        }
+    };
+    seeds.iter().map(line).collect()
+}
+
+/// Writes.
+pub fn written(dialect: &dyn Dialect, head: &[&str], lines: &[Line], setup: &Setup) -> Vec<ProgramFile> {
+    let head = head.iter().map(|t| (*t).into()).collect();
+    let files = dialect.write(&Program { head, lines: lines.to_vec(), setup }).expect("writes");
+    for file in &files {
+        assert!(file.text.is_ascii(), "{}", file.name);
+        let is_minus_zero = |n: &str| {
+            n.strip_prefix('-').is_some_and(|r| r.starts_with('0') && r.bytes().all(|b| b == b'0' || b == b'.'))
+        };
+        let code = file.text.lines().filter(|l| !l.contains(['!', '#', '"']));
+        for line in code {
+            assert!(!line.split([',', '(', ')', '=', ' ', '[', ']']).any(is_minus_zero), "{line}");
+        }
+    }
+    files
+}
+
+/// Reads the first file, and the others where they are called.
+pub fn read(dialect: &dyn Dialect, files: &[ProgramFile], setup: &Setup) -> Result<Vec<ReadLine>, ReadError> {
+    let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
+    dialect.read(&files[0], &Reading { setup, open: &open })
+}
+
+/// How far a dialect's decimals may carry a number.
+pub struct Rounding {
+    pub mm: f64,
+    pub deg: f64,
+    pub seconds: f64,
+    pub percent: f64,
+    /// Above this many seconds a dialect is coarser; then so many.
+    pub long: (f64, f64),
+}
+
+/// What the decimals of each dialect promise.
+pub fn rounding(dialect: &str) -> Rounding {
+    let fine = Rounding { mm: 0.0015, deg: 0.0001, seconds: 0.5001e-4, percent: 1e-4, long: (f64::INFINITY, 0.0) };
+    match dialect {
+        "csv" => Rounding { mm: 1e-6, deg: 1e-6, seconds: 1e-6, percent: 1e-6, ..fine },
+        // Whole milliseconds, above 32 s tenths.
+        "fanuc" => Rounding { seconds: 0.5001e-3, long: (32.0, 0.05001), ..fine },
+        _ => fine,
+    }
+}
+
+/// Why what was read is not what was written; `None`: it is.
+pub fn difference(dialect: &str, lines: &[Line], found: &[ReadLine], setup: &Setup) -> Option<String> {
+    let r = rounding(dialect);
+    let acts: Vec<&Read> =
+        found.iter().map(|l| &l.what).filter(|w| !matches!(w, Read::Say(_) | Read::Other(_))).collect();
+    let meant: Vec<&Line> = lines.iter().filter(|l| !matches!(l, Line::Say(_))).collect();
+    if acts.len() != meant.len() {
+        return Some(format!("{} lines of {}", acts.len(), meant.len()));
+    }
+    let wrong = |(line, read): &(&Line, &Read)| match (line, read) {
+        (Line::Output { number, on }, Read::Output { number: n, on: o }) => number != n || on != o,
+        (Line::Level { number, value, group }, Read::Level { number: n, value: v, group: g }) => {
+            number != n || (value - v).abs() > 1e-3 || group != g
+        }
+        (Line::Wait(s), Read::Wait(found)) => (s - found).abs() > 1e-9,
+        (Line::Move(m), Read::Move(found)) => {
+            let pace = match (m.pace, found.pace) {
+                (Pace::Seconds(a), Pace::Seconds(b)) => (a - b).abs() > if a > r.long.0 { r.long.1 } else { r.seconds },
+                (Pace::Percent(a), Pace::Percent(b)) => (a - b).abs() > r.percent,
+                _ => true,
+            };
+            pace || m.way != found.way || is_elsewhere(m, &found.goal, &r, setup)
+        }
+        _ => true,
+    };
+    let pairs = meant.into_iter().zip(acts);
+    pairs.filter(wrong).map(|(line, read)| format!("{line:?} was read as {read:?}")).next()
+}
+
+fn is_elsewhere(m: &Move, goal: &Goal, r: &Rounding, setup: &Setup) -> bool {
+    let pose = match goal {
+        Goal::Joints(joints) => {
+            let meant = m.joints_deg.expect("joints are written where they are known");
+            return joints.iter().zip(meant).any(|(a, b)| (a - b).abs() > r.deg);
+        }
+        Goal::Flange(pose) => *pose,
+        Goal::Focus(focus) => setup.flange_for(focus),
+    };
+    let meant = m.base_from_flange.expect("a pose is written where it is known");
+    let off = (pose.translation.vector - meant.translation.vector).norm();
+    // Three angles, each rounded.
+    off > r.mm || pose.rotation.angle_to(&meant.rotation) * 180.0 / PI > 3.0 * r.deg
+}
+
+/// All comments, without blanks.
+pub fn said(found: &[ReadLine]) -> String {
+    let texts = found.iter().filter_map(|l| if let Read::Say(t) = &l.what { Some(t.as_str()) } else { None });
+    texts.flat_map(|t| t.chars()).filter(|c| !c.is_whitespace()).collect()
+}
