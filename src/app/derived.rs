@@ -2,7 +2,7 @@
 //! inputs it was made from; [`App::sync`] starts what is out of date.
 
 use super::App;
-use super::motion::{Motion, Planned};
+use super::motion::Motion;
 use super::worker::Outcome;
 use crate::cell::Setup;
 use crate::job::model::{CellFile, PartFile, SurfaceParameters};
@@ -222,12 +222,10 @@ impl App {
     fn start_motion(&mut self) {
         let d = &self.derived;
         let (Some((plan, report)), Some((_, Ok(setup))), Some(job)) = (&d.plan, &d.setup, &d.plan_of) else { return };
-        let (plan, report, setup, job) = (plan.clone(), report.clone(), setup.clone(), job.clone());
+        let (plan, setup, job, report) = (plan.clone(), setup.clone(), job.clone(), report.clone());
         let (part_name, key) = (self.part_file_name(), d.plan_count);
-        self.worker.spawn(move || {
-            let of = Planned { job: &job, part_name: &part_name, setup: &setup, plan: &plan, report: &report };
-            Outcome::Moving(key, Arc::new(Motion::new(&of, key)))
-        });
+        self.worker
+            .spawn(move || Outcome::Moving(key, Arc::new(Motion::new(&job, &part_name, &setup, &plan, &report, key))));
     }
 
     fn moving(&mut self, of: u64, motion: Arc<Motion>) {

@@ -10,20 +10,6 @@ use crate::program::dialect::{Read, Reading};
 use crate::program::{Line, ProgramFile, Sample, Timeline, dialects, lines, series};
 use std::collections::BTreeMap;
 
-/// A plan with all that it was made from.
-pub struct Planned<'a> {
-    /// The job.
-    pub job: &'a Job,
-    /// Name of the part's file.
-    pub part_name: &'a str,
-    /// Cell and robot.
-    pub setup: &'a Setup,
-    /// The plan.
-    pub plan: &'a Plan,
-    /// Its report.
-    pub report: &'a Report,
-}
-
 /// A plan in motion.
 pub struct Motion {
     /// Without a robot nothing is known of times.
@@ -85,9 +71,8 @@ impl TextFile {
 
 impl Motion {
     /// Everything of a plan; `key` changes with it.
-    pub fn new(of: &Planned<'_>, key: u64) -> Motion {
-        let Planned { job, setup, plan, .. } = *of;
-        let timeline = Timeline::new(&plan.steps, setup);
+    pub fn new(job: &Job, part_name: &str, setup: &Setup, plan: &Plan, report: &Report, key: u64) -> Motion {
+        let timeline = plan.timeline.clone();
         let moves = lines(&plan.steps, setup, job.beam.power_w).into_iter().filter_map(|l| match l {
             Line::Move(m) => Some(m.target),
             _ => None,
@@ -99,17 +84,19 @@ impl Motion {
             }
         }
         let marks = marks(plan, &move_to);
-        let (text, why_none) = match program(of) {
-            Ok(text) => (text, None),
-            Err(why) => (Vec::new(), Some(why)),
+        let (files, why_none) = match output::program(job, part_name, setup, plan, report) {
+            Ok(files) => (files, None),
+            Err(why) => (Vec::new(), Some(why.to_string())),
         };
+        let line_of_move = lines_of_moves(&files, setup, &job.cell.dialect);
+        let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();
         Motion {
             curves: timeline.as_ref().map(series).unwrap_or_default(),
             trail: timeline.as_ref().map(|t| Trail::new(t, job.beam.defocus_mm, key)),
             timeline,
             move_to,
             marks,
-            line_of_move: lines_of_moves(&text, job, setup),
+            line_of_move,
             text,
             why_none,
         }
@@ -158,21 +145,14 @@ fn marks(plan: &Plan, move_to: &BTreeMap<(usize, usize), usize>) -> Vec<Mark> {
     out
 }
 
-fn program(of: &Planned<'_>) -> Result<Vec<TextFile>, String> {
-    let files = output::program(of.job, of.part_name, of.setup, of.plan, of.report).map_err(|e| e.to_string())?;
-    Ok(files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect())
-}
-
-/// File and line of each move, in the order of the moves, as the dialect's own reader finds them.
-fn lines_of_moves(files: &[TextFile], job: &Job, setup: &Setup) -> Vec<(usize, usize)> {
-    let (Some(first), Some(dialect)) = (files.first(), dialects::by_name(&job.cell.dialect)) else { return Vec::new() };
-    let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let first = ProgramFile { name: first.name.clone(), text: first.text.clone() };
-    let read = dialect.read(&first, &Reading { setup, open: &open }).unwrap_or_default();
-    read.into_iter()
-        .filter(|l| matches!(l.what, Read::Move(_)))
-        .filter_map(|l| Some((files.iter().position(|f| f.name == l.file)?, l.line.saturating_sub(1))))
-        .collect()
+/// File and line of each move, as the dialect's own reader finds them.
+fn lines_of_moves(files: &[ProgramFile], setup: &Setup, dialect: &str) -> Vec<(usize, usize)> {
+    let number = |name: &str| files.iter().position(|f| f.name == name);
+    let open = |name: &str| files.get(number(name)?).map(|f| f.text.clone());
+    let (Some(first), Some(dialect)) = (files.first(), dialects::by_name(dialect)) else { return Vec::new() };
+    let read = dialect.read(first, &Reading { setup, open: &open }).unwrap_or_default();
+    let moves = read.iter().filter(|l| matches!(l.what, Read::Move(_)));
+    moves.filter_map(|l| Some((number(&l.file)?, l.line.saturating_sub(1)))).collect()
 }
 
 #[cfg(test)]
@@ -185,5 +165,17 @@ mod tests {
         let all: Vec<&str> = (0..file.count()).map(|i| file.line(i)).collect();
         assert_eq!(all, ["REM \"x\"", "MOVEX A=1", "", "END"]);
         assert_eq!(file.line(99), "");
+    }
+
+    #[test]
+    fn moves_are_found_where_they_are_called() {
+        let move_line = "MOVEX A=1,AC=0,SM=0,M1J,P,(0,90,0,0,0,0),R=10.0,H=1,MS";
+        let file = |name: &str, text: String| ProgramFile { name: name.into(), text };
+        let files = [
+            file("MZ04-01-A.001", "REM \"x\"\nCALLP 2\nEND\n".into()),
+            file("MZ04-01-A.002", format!("REM \"y\"\n{move_line}\nEND\n")),
+        ];
+        let setup = Setup::shipped().expect("shipped");
+        assert_eq!(lines_of_moves(&files, &setup, "nachi"), [(1, 1)]);
     }
 }

@@ -93,12 +93,12 @@ fn what_carries_and_what_stands_is_exempt() {
 }
 
 /// A cell file beside an STL file.
-fn cell_with_cube(edge: f64, table: &str) -> Result<Cell, String> {
+fn cell_with_cube(edge: f64, bodies: &str) -> Result<Cell, String> {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("fixture.stl"), stl_bytes(&solids::cube(edge))).expect("written");
-    let text = include_str!("../../assets/cells/mz04.toml");
+    let text = include_str!("../../assets/cells/mz04.toml").replace("table_z_mm = 0.0", bodies);
     let file = folder.path().join("cell.toml");
-    std::fs::write(&file, format!("{text}\n[bodies]\n{table}\n")).expect("written");
+    std::fs::write(&file, text).expect("written");
     Cell::load(&file).map_err(|e| e.to_string())
 }
 

@@ -117,15 +117,15 @@ pub struct Cell {
     pub flange_from_tool: Frame,
     /// Moves with the laser off.
     pub air: Air,
-    /// How long laser and controller take to answer.
-    #[serde(default)]
-    pub timing: Timing,
     /// What is switched and set beside the moves.
     #[serde(default)]
     pub outputs: Outputs,
     /// What stands in the cell.
     #[serde(default)]
     pub bodies: Bodies,
+    /// How long laser and controller take to answer.
+    #[serde(default)]
+    pub timing: Timing,
     /// The NACHI program.
     #[serde(default)]
     pub nachi: Nachi,
@@ -187,8 +187,27 @@ pub enum CellError {
     },
 }
 
-/// Keys of the robots with a shipped cell, and the cells.
-const SHIPPED: &[(&str, &str)] = &[("mz04", include_str!("../../assets/cells/mz04.toml"))];
+macro_rules! shipped {
+    ($($key:literal),+) => {
+        /// Keys of the robots with a shipped cell, and the cells.
+        const SHIPPED: &[(&str, &str)] =
+            &[$(($key, include_str!(concat!("../../assets/cells/", $key, ".toml")))),+];
+    };
+}
+shipped!(
+    "mz04",
+    "mz07f",
+    "kr6-r900",
+    "irb120",
+    "irb1200",
+    "irb2400",
+    "lrmate200id",
+    "m10ia",
+    "tx2-60",
+    "gp7",
+    "gp8",
+    "ur5e"
+);
 
 impl Cell {
     /// The cell that is taken when none is named, by the key of its robot.
@@ -241,8 +260,8 @@ impl Cell {
         if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
             return Err(format!("{name} = {value}: give {low} to {high}"));
         }
-        self.timing.check()?;
         self.outputs.check()?;
+        self.timing.check()?;
         nachi.check()?;
         self.kuka.check()?;
         self.abb.check()?;
@@ -325,10 +344,7 @@ impl Mounted {
 
     /// The path frame at a pose of the flange: the inverse of [`Mounted::flange_for`].
     pub fn focus_for(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
-        match self.mount {
-            Mount::PartInHand => (base_from_flange * self.carried).inverse() * self.fixed,
-            Mount::ToolInHand => self.fixed.inverse() * base_from_flange * self.carried,
-        }
+        self.part_at(base_from_flange).inverse() * self.focus_at(base_from_flange)
     }
 }
 

@@ -89,8 +89,13 @@ impl Setup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::Frame;
     use crate::cell::bodies::HeadCapsule;
+    use crate::cell::motion::Arm;
+    use crate::cell::{Collision, Frame, Spin};
+    use crate::part::{Part, Placement, Units};
+    use crate::pose::target::frame;
+    use crate::sample::{SAMPLES, stl_bytes};
+    use nalgebra::Vector3;
 
     #[test]
     fn what_cannot_stand_is_refused() {
@@ -140,5 +145,29 @@ mod tests {
             "",
             "nothing stands there"
         );
+    }
+
+    /// Home is free, and the middle of the sample workpiece's front is in reach without a touch.
+    #[test]
+    fn every_shipped_cell_reaches_the_workpiece() {
+        let workpiece = SAMPLES.iter().find(|s| s.name == "workpiece").expect("a sample");
+        let bytes = stl_bytes(&(workpiece.triangles)());
+        let part = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]).expect("a part");
+        let (a, o) = (-Vector3::y(), Vector3::x());
+        let middle = frame(&Point3::new(0.0, -6.0 - 20.0, 40.0), &a, &o);
+        for key in Robot::shipped() {
+            let robot = Robot::load(key, None).expect("shipped");
+            for mount in [Mount::PartInHand, Mount::ToolInHand] {
+                let cell = Cell::shipped(key).expect("a cell for every robot");
+                let setup = Setup { cell, robot: Some(robot.clone()), mount };
+                setup.check().expect("home in range, the laser out of the base");
+                let collision = Collision::new(&setup, &part).expect("a robot");
+                assert_eq!(collision.first(&setup.home_joints_deg()), None, "{key}, {mount:?}, home");
+                let states = Arm::new(&setup, Spin::Free).expect("a robot").states(&middle).expect("in reach");
+                let clear = |j: &Joints| robot.limit_margin_deg(j) > 5.0 && robot.singularity(j) > 0.05;
+                let free = states.iter().any(|s| clear(&s.joints_deg) && collision.first(&s.joints_deg).is_none());
+                assert!(free, "{key}, {mount:?}");
+            }
+        }
     }
 }

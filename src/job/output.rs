@@ -9,7 +9,7 @@ use super::verify;
 use crate::cell::Setup;
 use crate::cell::motion::Choice;
 use crate::part::{Part, Surfaces};
-use crate::program::{Program, ProgramFile, dialects, lines};
+use crate::program::{Program, ProgramFile, Timeline, dialects, lines};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,8 @@ pub struct OutputFile {
     pub bytes: Vec<u8>,
 }
 
-/// The files of a plan; the program is read back and compared with the plan. `job` names its part and cell relative to the folder they will stand in.
+/// The files of a plan; the program is read back and compared with the plan. `job` names its part and
+/// cell relative to the folder they will stand in.
 pub fn files(
     job: &Job,
     part_name: &str,
@@ -47,10 +48,10 @@ pub fn files(
     Ok(out)
 }
 
-/// The program's files alone, not read back.
+/// The program's files as they would be written, the one to start first.
 ///
 /// # Errors
-/// The dialect is not known, or cannot write what the cell says.
+/// What the controller could not take.
 pub fn program(
     job: &Job,
     part_name: &str,
@@ -168,7 +169,8 @@ fn path_csv(plan: &Plan, defocus_mm: f64) -> String {
 /// `joints.csv`: one row for each target that the robot does.
 fn joints_csv(plan: &Plan, choice: &Choice) -> String {
     let mut out = String::from("pass,point,laser,j1,j2,j3,j4,j5,j6,spin_deg,time_s,singularity,min_limit_margin_deg\n");
-    let times: BTreeMap<(usize, usize), f64> = plan.steps.times().collect();
+    let stops = plan.timeline.iter().flat_map(Timeline::stops);
+    let times: BTreeMap<(usize, usize), f64> = stops.filter_map(|s| s.target.map(|t| (t, s.at_s))).collect();
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate() {
             let Some(c) = &choice.rows[number][point] else { continue };

@@ -14,6 +14,7 @@ use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
 use crate::pose::{Correction, LineRules, Pass, State, plan_line};
+use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::Drive;
 use crate::program::steps::{Speeds, Steps, steps};
@@ -45,6 +46,8 @@ pub struct Plan {
     /// Joints and spin of every target that the robot does, and what it does not; without a robot
     /// nothing is known.
     pub choice: Option<Choice>,
+    /// The program over time; without a robot nothing is known of moves by joints.
+    pub timeline: Option<Timeline>,
     /// The frames it was made for.
     pub cell: Option<CellReport>,
     /// Speeds it was made for.
@@ -250,6 +253,7 @@ fn drive(
         }
         progress.step()?;
     }
+    plan.timeline = Timeline::new(&plan.steps, setup);
     choice.refusals.sort_by_key(|r| (r.pass, r.point));
     plan.choice = Some(choice);
     Ok(())

@@ -4,6 +4,7 @@ use super::plan::Plan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
 use crate::pose::{Pass, State, Target};
+use crate::program::Timeline;
 use serde::Serialize;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
@@ -173,7 +174,7 @@ impl Report {
             corrected_mm: length(all, is_corrected),
             blocked_mm: length(all, |_, to| !to.laser),
             air_mm: plan.steps.air_mm,
-            time_s: plan.steps.time_s,
+            time_s: plan.timeline.as_ref().map_or(plan.steps.time_s, Timeline::total_s),
             interfering: count(all, &|t| t.normal_hits.is_some()),
             corrected: count(all, &|t| t.state == State::Corrected),
             blocked: count(all, &|t| t.state == State::Blocked),

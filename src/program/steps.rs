@@ -198,18 +198,6 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
 }
 
 impl Steps {
-    /// When each target is reached, s from the start; moves by joints are not counted.
-    pub fn times(&self) -> impl Iterator<Item = ((usize, usize), f64)> {
-        let mut at_s = 0.0;
-        self.list.iter().filter_map(move |step| {
-            let Step::Go(go) = step else { return None };
-            if let Pace::Seconds(s) = go.pace {
-                at_s += s;
-            }
-            go.target.map(|t| (t, at_s))
-        })
-    }
-
     pub(super) fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (way, pace) = (Way::Linear, Pace::Seconds(seconds));
         self.list.push(Step::Go(Go { to, way, joints_deg: None, pace, target }));

@@ -73,7 +73,6 @@ impl Timeline {
         let timing = &setup.cell.timing;
         let mut stops: Vec<Stop> = Vec::new();
         let (mut waiting_s, mut light) = (0.0, false);
-        // The power is no matter of time.
         for line in lines(steps, setup, 0.0) {
             match line {
                 Line::Say(_) | Line::Level { .. } => {}

@@ -4,7 +4,7 @@ use super::super::dialogs::Purpose;
 use super::super::{App, Command, theme};
 use crate::cell::{Mount, Robot, Spin};
 use crate::job::Edit;
-use crate::program::dialects;
+use crate::program::dialects::DIALECTS;
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;
 
@@ -98,7 +98,7 @@ impl App {
         ui.horizontal(|ui| {
             let label = theme::name(ui, "Program for", 90.0);
             let combo = ComboBox::from_id_salt("dialect").width(WIDTH).selected_text(&now).show_ui(ui, |ui| {
-                for word in dialects::DIALECTS.iter().map(|d| d.name()) {
+                for word in DIALECTS.iter().map(|d| d.name()) {
                     if ui.selectable_label(now == word, word).clicked() {
                         chosen = Some(word.to_owned());
                     }
