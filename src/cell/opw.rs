@@ -124,8 +124,6 @@ impl Opw {
                 let q5 = libm::atan2(s5, hand[(2, 2)]);
                 let (q4, q6) = if s5 > STRAIGHT {
                     (libm::atan2(hand[(1, 2)], hand[(0, 2)]), libm::atan2(hand[(2, 1)], -hand[(2, 0)]))
-                } else if hand[(2, 2)] > 0.0 {
-                    (0.0, libm::atan2(hand[(1, 0)], hand[(1, 1)]))
                 } else {
                     (0.0, libm::atan2(hand[(1, 0)], hand[(1, 1)]))
                 };

@@ -183,7 +183,7 @@ impl Robot {
             if let Some(sign) = opw.signs.iter().find(|s| s.abs() != 1.0) {
                 return Err(format!("signs has {sign}: give 1 or -1"));
             }
-            if let Some(deg) = opw.offsets_deg.iter().find(|d| !(d.abs() <= 360.0)) {
+            if let Some(deg) = opw.offsets_deg.iter().find(|d| !(-360.0..=360.0).contains(*d)) {
                 return Err(format!("offsets_deg has {deg}: give degrees within ±360"));
             }
         }

@@ -26,6 +26,9 @@ pub struct Ur {
 /// Below this sine of joint 5 joints 4 and 6 are parallel; then joint 6 is 0.
 const STRAIGHT: f64 = 1e-9;
 
+/// One, and what rounding adds to a cosine of a pose made by `forward`.
+const ONE: f64 = 1.0 + 1e-12;
+
 /// DH step: turn about z, along z, along x, turn about x by 90°·`quarter`.
 fn step(theta: f64, d: f64, a: f64, quarter: f64) -> Matrix4<f64> {
     let (s, c) = libm::sincos(theta);
@@ -109,15 +112,14 @@ impl Ur {
         let p5 = x - z * self.d6_mm;
         let mut out = [None; 8];
         let aside = self.d4_mm / libm::hypot(p5.x, p5.y);
-        if !(aside.abs() <= 1.0) {
+        if !(-1.0..=1.0).contains(&aside) {
             return out;
         }
         let (towards, swing) = (libm::atan2(p5.y, p5.x) + FRAC_PI_2, libm::acos(aside));
         for (shoulder, q1) in [(0, towards + swing), (4, towards - swing)] {
             let (s1, c1) = libm::sincos(q1);
             let cos5 = (x.x * s1 - x.y * c1 - self.d4_mm) / self.d6_mm;
-            // A pose made by `forward` may come back a rounding beyond.
-            if !(cos5.abs() <= 1.0 + 1e-12) {
+            if !(-ONE..=ONE).contains(&cos5) {
                 continue;
             }
             let bend = libm::acos(cos5.clamp(-1.0, 1.0));
@@ -135,7 +137,7 @@ impl Ur {
                 let (px, py) = (m14[(0, 3)], m14[(1, 3)]);
                 let cos3 = (px * px + py * py - self.a2_mm * self.a2_mm - self.a3_mm * self.a3_mm)
                     / (2.0 * self.a2_mm * self.a3_mm);
-                if !(cos3.abs() <= 1.0 + 1e-12) {
+                if !(-ONE..=ONE).contains(&cos3) {
                     continue;
                 }
                 let fold = libm::acos(cos3.clamp(-1.0, 1.0));

@@ -155,7 +155,7 @@ pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) ->
     compare(expected, &poses, read, &mut verdict);
     let driven = driven(&poses, read, &mut verdict);
     interference(expected, &poses, &driven, with_checker, &mut verdict);
-    verdict.findings.sort_by(|a, b| order_of(read, a).cmp(&order_of(read, b)));
+    verdict.findings.sort_by_key(|f| order_of(read, f));
     verdict
 }
 

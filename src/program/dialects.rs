@@ -1,16 +1,20 @@
 //! All dialects, by name and by their text.
 
+use super::abb::Rapid;
 use super::csv::Csv;
 use super::dialect::{Dialect, Program};
+use super::estun::Erp;
 use super::fanuc::Fanuc;
+use super::kuka::Krl;
 use super::lines::lines;
 use super::nachi::Nachi;
 use super::steps::Steps;
 use super::ur::Ur;
+use super::yaskawa::Jbi;
 use crate::cell::Setup;
 
 /// Every dialect that is written and read, the default first.
-pub const DIALECTS: &[&dyn Dialect] = &[&Nachi, &Fanuc, &Ur, &Csv];
+pub const DIALECTS: &[&dyn Dialect] = &[&Nachi, &Krl, &Rapid, &Fanuc, &Ur, &Jbi, &Erp, &Csv];
 
 /// The dialect of that name.
 pub fn by_name(name: &str) -> Option<&'static dyn Dialect> {

@@ -88,15 +88,22 @@ impl Drive<'_> {
                 round::way(self, &space, from.as_ref(), to.as_ref())
             })
             .collect();
+        if let (Some(None), false) = (ways.first(), whole.is_empty()) {
+            // Nothing begins here: refuse all pieces up to the first that can be gone to.
+            let reachable = |i: &usize| round::way(self, &space, None, Some(&whole[*i].0)).is_some();
+            let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
+            return Err(pieces[..begin].iter().flat_map(|&(n, a, b)| no_way(n, a..=b)).collect());
+        }
         let mut out = Steps::default();
         out.list.push(Step::Home);
         let mut said = None;
         let mut at: Option<Station> = None;
         for (i, (way, &(number, first, last))) in ways.iter().zip(&pieces).enumerate() {
             let Some(way) = way else {
-                let detail = "no way leads here on which arm and part keep clear of everything";
-                let refuse = |point| Refusal { pass: number, point, cause: Cause::Robot, detail: detail.into() };
-                refused.extend((first..=last).map(refuse));
+                // Home is on every way that is tried last: the piece that has none to it is in a pocket.
+                let stuck = i > 0 && round::way(self, &space, Some(&end(i - 1)), None).is_none();
+                let (number, first, last) = if stuck { pieces[i - 1] } else { (number, first, last) };
+                refused.extend(no_way(number, first..=last));
                 continue;
             };
             let (down, way) = match way.split_last() {
@@ -131,6 +138,9 @@ impl Drive<'_> {
                 out.driven(go, at.as_ref());
                 at = Some(go.to);
             }
+        }
+        if let (Some(None), Some(&(number, first, last))) = (ways.last(), pieces.last()) {
+            refused.extend(no_way(number, first..=last));
         }
         out.list.push(Step::Home);
         if refused.is_empty() { Ok(out) } else { Err(refused) }
@@ -254,6 +264,12 @@ impl Drive<'_> {
             })
             .fold(0.0, f64::max)
     }
+}
+
+/// All targets of a piece that nothing leads to.
+fn no_way(pass: usize, points: std::ops::RangeInclusive<usize>) -> impl Iterator<Item = Refusal> {
+    let detail = "no way leads here on which arm and part keep clear of everything";
+    points.map(move |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.into() })
 }
 
 fn halfway(a: &Joints, b: &Joints) -> Joints {

@@ -8,7 +8,7 @@ use super::air::Space;
 use super::drive::{Drive, Stand};
 use super::steps::{Go, Pace, Station, Way};
 use crate::cell::motion::{Arm, State};
-use crate::cell::{Joints, Robot};
+use crate::cell::{Joints, Mount, Robot};
 use crate::part::angle;
 use nalgebra::Vector3;
 
@@ -24,7 +24,24 @@ const MOST_STRAIGHT_DEG: f64 = 60.0;
 const OUT_STEPS: usize = 8;
 /// Spins looked at on the way, degrees apart.
 const SPINS_DEG: f64 = 30.0;
-/// Stands tried at a station.
+/// Where gates stand around the part: along its axes and between them.
+const DIRECTIONS: [[f64; 3]; 14] = [
+    [1.0, 0.0, 0.0],
+    [-1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, -1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.0, 0.0, -1.0],
+    [1.0, 1.0, 1.0],
+    [1.0, 1.0, -1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, -1.0, -1.0],
+    [-1.0, 1.0, 1.0],
+    [-1.0, 1.0, -1.0],
+    [-1.0, -1.0, 1.0],
+    [-1.0, -1.0, -1.0],
+];
+/// Stands tried at a station, and gates.
 const MOST_TRIED: usize = 6;
 /// Stations over the part stand this far apart, and are turned by this much at most, degrees.
 const ARC_DEG: f64 = 20.0;
@@ -33,26 +50,31 @@ const ARC_DEG: f64 = 20.0;
 /// is none.
 pub fn way(drive: &Drive<'_>, space: &Space<'_>, from: Option<&Stand>, to: Option<&Stand>) -> Option<Vec<Go>> {
     let r = Round { drive, space, robot: drive.robot };
-    let home = drive.setup.home_joints_deg();
     match (from, to) {
         (None, None) => Some(Vec::new()),
         (None, Some(to)) => {
-            let above = r.outs(to).find(|above| r.joints_clear(&home, &above.joints_deg))?;
-            Some(vec![r.by_joints(&above), r.straight(&above, to)])
+            let (in_order, above) = r.way_from_home(to)?;
+            let down = r.straight(&above, to);
+            Some(in_order.iter().map(|s| r.by_joints(s)).chain([down]).collect())
         }
         (Some(from), None) => {
-            let out = r.outs(from).find(|out| r.joints_clear(&out.joints_deg, &home))?;
-            Some(vec![r.straight(from, &out)])
+            // The way in, backwards; home itself is gone to by the program's end.
+            let (mut stands, out) = r.way_from_home(from)?;
+            stands.pop();
+            let up = r.straight(from, &out);
+            Some([up].into_iter().chain(stands.iter().rev().map(|s| r.by_joints(s))).collect())
         }
-        (Some(from), Some(to)) => r.hop(from, to).or_else(|| r.direct(from, to)).or_else(|| {
-            r.over(from, to).or_else(|| {
-                let out = r.outs(from).find(|out| r.joints_clear(&out.joints_deg, &home))?;
-                let above = r.outs(to).find(|above| r.joints_clear(&home, &above.joints_deg))?;
-                let at = Station::at(&drive.mounted.focus_for(&r.robot.forward(&home)));
-                let home = r.by_joints(&Stand { at, joints_deg: home });
-                Some(vec![r.straight(from, &out), home, r.by_joints(&above), r.straight(&above, to)])
+        (Some(from), Some(to)) => {
+            r.hop(from, to).or_else(|| r.direct(from, to)).or_else(|| r.over(from, to)).or_else(|| {
+                let (mut back, out) = r.way_from_home(from)?;
+                let (forth, above) = r.way_from_home(to)?;
+                back.pop();
+                let home = r.home();
+                let stands = back.iter().rev().chain([&home]).chain(&forth);
+                let moves = stands.map(|s| r.by_joints(s));
+                Some([r.straight(from, &out)].into_iter().chain(moves).chain([r.straight(&above, to)]).collect())
             })
-        }),
+        }
     }
 }
 
@@ -108,30 +130,74 @@ impl Round<'_> {
             .then(|| vec![self.straight(from, &out), self.by_joints(&above), self.straight(&above, to)])
     }
 
-    /// Out, over the part from station to station, in. The spin turns on the way as well.
+    /// Out, over the part from station to station, in.
     fn over(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
         let (out, above) = (self.outs(from).next()?, self.outs(to).next()?);
+        let stands = self.along_sphere(&out, &above)?;
+        let moves = stands.iter().map(|s| self.by_joints(s));
+        Some([self.straight(from, &out)].into_iter().chain(moves).chain([self.straight(&above, to)]).collect())
+    }
+
+    /// Stands over the part, the last one included. The spin turns on the way as well.
+    fn along_sphere(&self, out: &Stand, above: &Stand) -> Option<Vec<Stand>> {
         let (u, v) = (self.space.radial(&out.at)?, self.space.radial(&above.at)?);
         let arc = angle::Arc::new(&u, &v);
         let (p, q) = (out.at.frame().rotation, above.at.frame().rotation);
         let steps = (angle::between_deg(&u, &v).max(out.at.turn_deg(&above.at)) / ARC_DEG).ceil().max(1.0) as usize;
         let arm = Arm::with_step(self.robot, self.drive.setup, SPINS_DEG);
-        let mut way = vec![self.straight(from, &out)];
-        let mut here = out;
+        let mut stands = Vec::new();
+        let mut here = *out;
         for k in 0..=steps {
             let t = k as f64 / steps as f64;
             let station = self.space.on_top(&arc.at(t), &(p.slerp(&q, t) * Vector3::y()));
             let next =
                 self.stand(station, &here.joints_deg).filter(|n| self.joints_clear(&here.joints_deg, &n.joints_deg));
-            let next = next.or_else(|| self.some_stand(&arm, &station, &here.joints_deg, &above.joints_deg))?;
-            way.push(self.by_joints(&next));
-            here = next;
+            here = match next.or_else(|| self.some_stand(&arm, &station, &here.joints_deg, &above.joints_deg)) {
+                Some(next) => next,
+                // The last station stands where the next move would begin: it may be left out.
+                None if k == steps => break,
+                None => return None,
+            };
+            stands.push(here);
         }
-        if !self.joints_clear(&here.joints_deg, &above.joints_deg) {
-            return None;
+        self.joints_clear(&here.joints_deg, &above.joints_deg).then(|| {
+            stands.push(*above);
+            stands
+        })
+    }
+
+    fn home(&self) -> Stand {
+        let joints_deg = self.drive.setup.home_joints_deg();
+        Stand { at: Station::at(&self.drive.mounted.focus_for(&self.robot.forward(&joints_deg))), joints_deg }
+    }
+
+    /// Stands from home to straight above a piece's end, that one included and given once more: at once,
+    /// or by a gate from which a way leads over the part.
+    fn way_from_home(&self, to: &Stand) -> Option<(Vec<Stand>, Stand)> {
+        let home = self.home().joints_deg;
+        if let Some(above) = self.outs(to).find(|above| self.joints_clear(&home, &above.joints_deg)) {
+            return Some((vec![above], above));
         }
-        way.extend([self.by_joints(&above), self.straight(&above, to)]);
-        Some(way)
+        let above = self.outs(to).next()?;
+        let arm = Arm::with_step(self.robot, self.drive.setup, 2.0 * SPINS_DEG);
+        let mut gates: Vec<(f64, Stand)> = Vec::new();
+        for direction in DIRECTIONS {
+            let radial = Vector3::from(direction).normalize();
+            let station = self.space.on_top(&radial, &angle::any_square_to(&radial));
+            let states = arm.states(&station.frame()).unwrap_or_default();
+            gates.extend(states.iter().map(|s| {
+                let at = Station::at(&arm.turned(&station.frame(), s.spin));
+                let length = farthest(&home, &s.joints_deg) + farthest(&s.joints_deg, &above.joints_deg);
+                (length, Stand { at, joints_deg: s.joints_deg })
+            }));
+        }
+        gates.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let open = gates.iter().filter(|g| self.joints_clear(&home, &g.1.joints_deg)).take(MOST_TRIED);
+        open.into_iter().find_map(|(_, gate)| {
+            let mut stands = vec![*gate];
+            stands.extend(self.along_sphere(gate, &above)?);
+            Some((stands, above))
+        })
     }
 
     /// A stand at a station with any spin: the one that lies best between two others.
@@ -162,14 +228,19 @@ impl Round<'_> {
         Go { to: to.at, way: Way::Linear, joints_deg: Some(to.joints_deg), pace, target: None }
     }
 
-    /// Whether nothing is in the way of a move by joints.
+    /// Whether nothing is in the way of a move by joints. Where the head is known, it is what must not
+    /// touch a part in hand; where it is not, the beam stands for it.
     fn joints_clear(&self, from: &Joints, to: &Joints) -> bool {
+        let setup = self.drive.setup;
+        let head_known = setup.mount == Mount::PartInHand && !setup.cell.bodies.head.is_empty();
         let steps = (farthest(from, to) / LOOK_DEG).ceil().max(1.0);
-        (0..=steps as usize).all(|k| {
+        let beam_clear = |k: usize| {
             let t = k as f64 / steps;
             let joints: Joints = std::array::from_fn(|j| from[j] + (to[j] - from[j]) * t);
             self.space.is_clear_at(&self.drive.mounted.focus_for(&self.robot.forward(&joints)))
-        }) && self.drive.collision.is_none_or(|c| c.first_between(from, to).is_none())
+        };
+        (head_known || (0..=steps as usize).all(beam_clear))
+            && self.drive.collision.is_none_or(|c| c.first_between(from, to).is_none())
     }
 
     /// Whether nothing is in the way where the flange goes straight, and the arm can follow.

@@ -4,7 +4,7 @@
 
 use clearbeam::cell::Joints;
 use clearbeam::cell::motion::choice::{
-    AT_LIMIT, AT_SINGULARITY, Choice, MOST_SPIN_STEP_DEG, MOST_STEP_DEG, NEAR_LIMIT_DEG, NEAR_SINGULAR,
+    AT_LIMIT, AT_SINGULARITY, Choice, MOST_SPEED, MOST_SPIN_STEP_DEG, MOST_STEP_DEG, NEAR_LIMIT_DEG, NEAR_SINGULAR,
 };
 use clearbeam::cell::motion::{Arm, State};
 use clearbeam::pose::Pass;
@@ -26,12 +26,12 @@ pub fn moving(arm: &Arm<'_>, from: (&Joints, f64), to: (&Joints, f64), seconds: 
         return None;
     }
     let mut cost = 0.0;
-    for j in 0..6 {
+    for (j, speed) in speeds.iter().enumerate() {
         let d = (to.0[j] - from.0[j]).abs();
-        if d > MOST_STEP_DEG || d > speeds[j] * seconds {
+        if d > MOST_STEP_DEG || d > MOST_SPEED * speed * seconds {
             return None;
         }
-        cost += d * mean / speeds[j];
+        cost += d * mean / speed;
     }
     Some(cost)
 }

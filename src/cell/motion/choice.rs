@@ -15,6 +15,8 @@ use rayon::prelude::*;
 
 /// A joint moves no further between two targets of a pass.
 pub const MOST_STEP_DEG: f64 = 30.0;
+/// A joint moves at this share of its speed at most: between two targets it is not quite even.
+pub const MOST_SPEED: f64 = 0.95;
 /// The spin turns no further between two targets of a pass.
 pub const MOST_SPIN_STEP_DEG: f64 = 30.0;
 /// Leaving a target out costs more than any motion.
@@ -140,7 +142,7 @@ pub(super) fn weights(speeds_deg_s: &[f64; 6]) -> [f64; 6] {
 
 /// How far each joint may go in a move of so many seconds, degrees.
 pub(super) fn most_deg(speeds_deg_s: &[f64; 6], seconds: f64) -> [f64; 6] {
-    speeds_deg_s.map(|s| (s * seconds).min(MOST_STEP_DEG))
+    speeds_deg_s.map(|s| (MOST_SPEED * s * seconds).min(MOST_STEP_DEG))
 }
 
 /// A chain over all stops: the state of each, or why there is none (`None`: it has states, but the

@@ -1,6 +1,6 @@
 //! Why the arm cannot do a target, in the words of the report.
 
-use super::choice::{MOST_STEP_DEG, most_deg};
+use super::choice::{MOST_SPEED, MOST_STEP_DEG, most_deg};
 use super::states::{Arm, Lack, State};
 use nalgebra::Isometry3;
 
@@ -117,8 +117,12 @@ pub(super) fn of_move(
     let j = worst.1;
     let moved = (on[j] - before.joints_deg[j]).abs();
     if worst.0 > 1.0 && moved <= MOST_STEP_DEG {
-        let detail =
-            format!("J{} would turn at {:.0}\u{b0}/s, it can {:.0}\u{b0}/s", j + 1, moved / seconds, speeds[j]);
+        let detail = format!(
+            "J{} would turn at {:.0}\u{b0}/s, it can {:.0}\u{b0}/s",
+            j + 1,
+            moved / seconds,
+            MOST_SPEED * speeds[j]
+        );
         return (Cause::Speed, detail);
     }
     if worst.0 > 1.0 {
