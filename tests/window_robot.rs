@@ -117,12 +117,16 @@ fn a_click_in_a_curve_goes_there_and_the_line_of_the_program_follows() {
     click_at(&mut h, "curves of joints", 0.8);
     let (now_s, all_s, _) = place(&h);
     assert!((0.7..0.9).contains(&(now_s as f64 / all_s as f64)), "{now_s} of {all_s}");
-    // A click on a line goes to its move, or the next one: from the head, home.
+    // A click on a line goes to its move, or the next one: the first of the pass.
     press(&mut h, Modifiers::NONE, Key::Home);
-    assert!(place(&h).0 > 0);
-    let line = words(&h.get_by_label_contains("Not verified on a controller"));
+    let (begun_s, _, first) = place(&h);
+    let line = words(&h.get_by_label_contains("pass 0, surface 1"));
+    for _ in 0..8 {
+        press(&mut h, Modifiers::NONE, Key::ArrowRight);
+    }
+    assert_ne!(place(&h).2, first);
     click_at(&mut h, &line, 0.2);
-    assert_eq!(place(&h).0, 0);
+    assert_eq!((place(&h).0, place(&h).2), (begun_s, first));
     h.remove_cursor();
     assert!(h.try_run().is_ok(), "frames are asked for without end");
     assert!(h.try_run().is_ok_and(|frames| frames <= 2), "nothing more to paint with all panels open");

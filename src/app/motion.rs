@@ -24,6 +24,8 @@ pub struct Motion {
     pub text: Vec<TextFile>,
     /// Where on the timeline something is left out.
     pub marks: Vec<Mark>,
+    /// Why there is no text.
+    pub why_none: Option<String>,
     /// File and line, from 0, of each move.
     pub line_of_move: Vec<(usize, usize)>,
 }
@@ -82,7 +84,10 @@ impl Motion {
             }
         }
         let marks = marks(plan, &move_to);
-        let files = output::program(job, part_name, setup, plan, report).unwrap_or_default();
+        let (files, why_none) = match output::program(job, part_name, setup, plan, report) {
+            Ok(files) => (files, None),
+            Err(why) => (Vec::new(), Some(why.to_string())),
+        };
         let line_of_move = lines_of_moves(&files, setup, &job.cell.dialect);
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();
         Motion {
@@ -93,6 +98,7 @@ impl Motion {
             marks,
             line_of_move,
             text,
+            why_none,
         }
     }
 
@@ -114,8 +120,8 @@ impl Motion {
 
     /// The move that a line of a file is, or the next one after it.
     pub fn move_of_line(&self, place: (usize, usize)) -> Option<usize> {
-        let number = self.line_of_move.partition_point(|p| *p < place);
-        (number < self.line_of_move.len()).then_some(number)
+        // A main program calls others between its own lines: the moves do not go from file to file.
+        self.line_of_move.iter().position(|p| p.0 == place.0 && p.1 >= place.1)
     }
 }
 

@@ -1,5 +1,5 @@
 //! The `[timing]` table of a cell file: how long laser and controller take to answer, for the
-//! estimate of time. It slows nothing down.
+//! estimate of time. It slows nothing down: waits that the program makes are in `[outputs]`.
 
 use serde::{Deserialize, Serialize};
 

@@ -3,6 +3,7 @@
 
 use super::palette::Rgb;
 use super::solid::{Solid, along};
+use crate::cell::bodies::{HeadCapsule, Obstacle};
 use crate::cell::{Joints, Mount, Robot, Setup};
 use crate::part::Hasher;
 use crate::view::{Bounds, Depth, LineItem, LineSegment, MeshItem, PointItem};
@@ -31,10 +32,14 @@ pub struct CellPicture {
     flange: Solid,
     /// From the flange to the part or the head.
     holder: Option<(Solid, Isometry3<f64>)>,
-    head: Solid,
+    /// In the focus frame.
+    head: Vec<(Solid, Isometry3<f64>)>,
+    obstacles: Vec<MeshItem>,
     cone: Solid,
     tip_mm: f64,
     floor: Arc<Vec<LineSegment>>,
+    /// Of the table, or of the base.
+    floor_z_mm: f64,
     reach_mm: f64,
 }
 
@@ -87,10 +92,12 @@ impl CellPicture {
             joints: [ball(1), ball(2), ball(3)],
             flange,
             holder,
-            head: Solid::turned(&profile, HEAD, 255),
+            head: head(&setup.cell.bodies.head, &profile),
+            obstacles: setup.cell.bodies.obstacles.iter().map(obstacle).collect(),
             cone: Solid::turned(&[[0.0, 0.0], [0.018 * head_mm, tip_mm]], LIGHT, 150),
             tip_mm,
             floor: Arc::new(floor(reach_mm)),
+            floor_z_mm: setup.cell.bodies.table_z_mm.unwrap_or(0.0),
             reach_mm,
             robot,
         })
@@ -106,7 +113,8 @@ impl CellPicture {
         items.extend(self.joints.iter().zip(places).map(|(ball, place)| ball.at(place)));
         items.push(self.flange.at(base_from_flange));
         items.extend(self.holder.iter().map(|(rod, place)| rod.at(base_from_flange * place)));
-        items.push(self.head.at(base_from_focus));
+        items.extend(self.head.iter().map(|(body, place)| body.at(base_from_focus * place)));
+        items.extend(self.obstacles.iter().cloned());
         items
     }
 
@@ -150,7 +158,7 @@ impl CellPicture {
             segments: self.floor.clone(),
             width_px: 1.0,
             depth: Depth::Tested,
-            scene_from_item: Isometry3::identity(),
+            scene_from_item: Isometry3::translation(0.0, 0.0, self.floor_z_mm),
         }
     }
 
@@ -163,7 +171,7 @@ impl CellPicture {
         });
         let head = [0.0, self.tip_mm / 0.2].map(|z| base_from_focus * Point3::new(0.0, 0.0, z));
         let mut bounds = Bounds::around(around.chain(head)).unwrap_or_default();
-        bounds.min.z = bounds.min.z.max(0.0);
+        bounds.min.z = bounds.min.z.max(self.floor_z_mm.min(0.0));
         bounds
     }
 
@@ -171,6 +179,33 @@ impl CellPicture {
     pub fn reachable(&self, hand_mm: f64) -> Bounds {
         let reach = Vector3::repeat(self.reach_mm + hand_mm);
         Bounds { min: Point3::from(-reach), max: Point3::from(reach) }
+    }
+}
+
+/// The head as the cell file gives it; a nozzle where it does not.
+fn head(capsules: &[HeadCapsule], nozzle: &[[f64; 2]]) -> Vec<(Solid, Isometry3<f64>)> {
+    if capsules.is_empty() {
+        return vec![(Solid::turned(nozzle, HEAD, 255), Isometry3::identity())];
+    }
+    let body = |c: &HeadCapsule| {
+        let (low, high) = (c.from_mm.min(c.to_mm), c.from_mm.max(c.to_mm));
+        (Solid::rod(c.radius_mm, high - low, [true, true], HEAD), Isometry3::translation(0.0, 0.0, low))
+    };
+    capsules.iter().map(body).collect()
+}
+
+/// Something that stands in the cell.
+fn obstacle(o: &Obstacle) -> MeshItem {
+    let mesh = &o.solid().mesh;
+    let corners = (0..mesh.facets.len()).flat_map(|f| mesh.corners(f));
+    let [r, g, b] = METAL;
+    MeshItem {
+        geometry_key: Hasher::default().digest(o.solid().digest).finish().0 as u64,
+        positions: Arc::new(corners.map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect()),
+        colors_key: 0,
+        facet_colors: Arc::new(vec![[r, g, b, 255]; mesh.facets.len()]),
+        edges: None,
+        scene_from_item: o.frame().isometry(),
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! The model of the controller is plain. Moves by per cent start and end at rest, each joint on a
 //! trapezoid, the slowest deciding for all; moves that are given their seconds take them and run
-//! evenly, as blended moves do. Laser and controller answer after the cell's latencies.
+//! evenly, as blended moves do. Laser and controller answer after the cell's latencies, on top of the
+//! waits that the program makes.
 
 use super::lines::{Line, Move, lines};
 use super::steps::{Pace, Steps, Way};

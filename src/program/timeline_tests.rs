@@ -12,16 +12,23 @@ fn setup() -> Setup {
     setup
 }
 
-/// Stations on a line of the part, 10 mm apart, the beam along z.
-fn station(i: usize) -> Station {
-    Station { x: Point3::new(10.0 * i as f64, 0.0, 30.0), a: Vector3::z(), o: Vector3::x() }
+/// Stations on a line of the part, 10 mm apart, the beam onto its side.
+fn station(i: usize, spin_deg: f64) -> Station {
+    let (sin, cos) = libm::sincos(spin_deg.to_radians());
+    Station { x: Point3::new(30.0, 0.0, 10.0 * i as f64), a: Vector3::x(), o: Vector3::new(0.0, cos, sin) }
+}
+
+fn joints(setup: &Setup, station: &Station) -> Option<Joints> {
+    setup.robot.as_ref()?.near(&setup.flange_for(&station.frame()), &setup.home_joints_deg())
 }
 
 fn go(i: usize, way: Way, pace: Pace, target: Option<(usize, usize)>) -> Step {
     let setup = setup();
-    let flange = setup.flange_for(&station(i).frame());
-    let joints_deg = setup.robot.as_ref().and_then(|r| r.near(&flange, &setup.home_joints_deg()));
-    Step::Go(Go { to: station(i), way, joints_deg, pace, target })
+    // The first spin at which the arm gets to all of them.
+    let spins = (0..36).map(|k| 10.0 * f64::from(k));
+    let spin_deg = spins.into_iter().find(|spin| (0..4).all(|i| joints(&setup, &station(i, *spin)).is_some()));
+    let to = station(i, spin_deg.expect("within reach"));
+    Step::Go(Go { to, way, joints_deg: joints(&setup, &to), pace, target })
 }
 
 /// Home, out to the part by joints, two lit moves of 2 s, off, back by joints.
@@ -100,7 +107,7 @@ fn straight_moves_carry_the_spot_evenly_and_joint_moves_the_joints() {
         let m = t.moment(s[3].at_s - s[3].seconds + share * s[3].seconds);
         assert!(m.lit);
         let x = m.part_from_focus.translation.vector;
-        assert!((x - Vector3::new(10.0 + 10.0 * share, 0.0, 30.0)).norm() < 1e-6, "{x}");
+        assert!((x - Vector3::new(30.0, 0.0, 10.0 + 10.0 * share)).norm() < 1e-6, "{x}");
         let at = t.robot().forward(&m.joints_deg);
         assert!((at.translation.vector - m.base_from_flange.translation.vector).norm() < 1e-6);
         assert!(at.rotation.angle_to(&m.base_from_flange.rotation) < 1e-8);

@@ -25,7 +25,8 @@ impl App {
             }
         });
         let Some(file) = motion.text.get(self.session.text_file) else {
-            ui.label(RichText::new("There is no program to show").weak());
+            let why = motion.why_none.as_deref().unwrap_or("There is no program to show");
+            ui.label(RichText::new(why).color(theme::WRONG));
             return;
         };
         let height = ui.text_style_height(&TextStyle::Monospace);
