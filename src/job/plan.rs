@@ -196,7 +196,7 @@ pub fn plan(
     let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
     let speeds =
         Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm };
-    let cell = Some(CellReport::new(setup, &job.cell.robot));
+    let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
     let mut plan = Plan { surfaces: surface_plans, passes, cell, speeds: Some(speeds), ..Plan::default() };
     match &setup.robot {
         Some(robot) => drive(&mut plan, part, setup, robot, &speeds, job, progress)?,
