@@ -146,20 +146,19 @@ fn what_cannot_be_done_says_why() {
     let mut far = setup("mz04", Mount::PartInHand);
     far.cell.base_from_laser.position_mm = [2000.0, 0.0, 300.0];
     let reach = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &far);
-    let choice = reach.plan.choice.expect("a robot");
-    assert!(!choice.refusals.is_empty() && choice.refusals.iter().all(|r| r.cause == Cause::Reach));
+    assert!(!reach.plan.refusals.is_empty() && reach.plan.refusals.iter().all(|r| r.cause == Cause::Reach));
     assert!(reach.plan.passes.iter().flat_map(|p| &p.targets).all(|t| t.state == State::Blocked && !t.laser));
 
     let mut narrow = setup("mz04", Mount::PartInHand);
     narrow.robot.as_mut().expect("a robot").limits_deg[4] = [-20.0, 20.0];
     let limit = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &narrow);
-    let refusals = limit.plan.choice.expect("a robot").refusals;
+    let refusals = limit.plan.refusals;
     assert!(refusals.iter().any(|r| r.cause == Cause::Limit && r.detail.contains("J5 would need")), "{refusals:?}");
 
     let mut fast = on(job("z", 8.0), &[1]);
     fast.beam.speed_mm_s = 9000.0;
     let speed = planned_in(part(&sample("worm_gear")), fast, &setup("mz04", Mount::PartInHand));
-    let refusals = speed.plan.choice.expect("a robot").refusals;
+    let refusals = speed.plan.refusals;
     assert!(refusals.iter().any(|r| r.cause == Cause::Speed && r.detail.contains("\u{b0}/s, it can")), "{refusals:?}");
 }
 

@@ -15,7 +15,7 @@ const PASSES: usize = 6;
 const SLOWER: [f64; 5] = [0.75, 0.5, 0.3, 0.2, 0.1];
 
 fn refusals(plan: &Plan) -> &[Refusal] {
-    plan.choice.as_ref().map_or(&[], |c| &c.refusals)
+    &plan.refusals
 }
 
 /// A path frame of every target that the robot does, and of every one that it refuses for where it is.

@@ -6,7 +6,7 @@ use super::parameter;
 use super::progress::{Cancelled, Progress};
 use super::report::CellReport;
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Choice, choose};
+use crate::cell::motion::{Arm, Choice, Refusal, choose};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
@@ -17,6 +17,7 @@ use crate::pose::{Correction, LineRules, Pass, State, plan_line};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::Drive;
+use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -46,6 +47,8 @@ pub struct Plan {
     /// Joints and spin of every target that the robot does, and what it does not; without a robot
     /// nothing is known.
     pub choice: Option<Choice>,
+    /// What was refused after the beam had been found free, and why, in program order.
+    pub refusals: Vec<Refusal>,
     /// The program over time; without a robot nothing is known of moves by joints.
     pub timeline: Option<Timeline>,
     /// The frames it was made for.
@@ -202,8 +205,13 @@ pub fn plan(
         Some(robot) => drive(&mut plan, part, setup, robot, &speeds, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
-            plan.steps = steps(part, &setup.cell, &plan.passes, &speeds);
-            progress.step()?;
+            let straight = Straight {
+                part,
+                mounted: setup.mounted(),
+                defocus_mm: speeds.defocus_mm,
+                deviation_mm: job.cell.deviation_mm,
+            };
+            settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, &speeds))?;
         }
     }
     Ok(plan)
@@ -224,7 +232,7 @@ fn drive(
     progress.begin("choosing spins", 2);
     let collision = Collision::new(setup, part);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
-    let mut choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &touches);
+    let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &touches);
     progress.step()?;
     let drive = Drive {
         part,
@@ -235,28 +243,44 @@ fn drive(
         deviation_mm: job.cell.deviation_mm,
         collision: collision.as_ref(),
     };
-    let mut refused = choice.refusals.clone();
+    plan.refuse(&choice.refusals);
+    plan.choice = Some(choice);
+    settle(plan, progress, |plan| plan.choice.as_ref().map_or(Ok(Steps::default()), |c| drive.steps(&plan.passes, c)))?;
+    plan.timeline = Timeline::new(&plan.steps, setup);
+    Ok(())
+}
+
+/// Makes the steps, again and again without what cannot be driven: there is less each time.
+fn settle(
+    plan: &mut Plan,
+    progress: &Progress,
+    make: impl Fn(&Plan) -> Result<Steps, Vec<Refusal>>,
+) -> Result<(), PlanError> {
     loop {
-        for r in &refused {
-            block(&mut plan.passes[r.pass], r.point);
-            choice.rows[r.pass][r.point] = None;
-        }
-        match drive.steps(&plan.passes, &choice) {
+        match make(plan) {
             Ok(steps) => {
                 plan.steps = steps;
-                break;
+                plan.refusals.sort_by_key(|r| (r.pass, r.point));
+                progress.step()?;
+                return Ok(());
             }
-            Err(more) => {
-                choice.refusals.extend(more.iter().cloned());
-                refused = more;
-            }
+            Err(refused) => plan.refuse(&refused),
         }
         progress.step()?;
     }
-    plan.timeline = Timeline::new(&plan.steps, setup);
-    choice.refusals.sort_by_key(|r| (r.pass, r.point));
-    plan.choice = Some(choice);
-    Ok(())
+}
+
+impl Plan {
+    /// Blocks what was refused.
+    fn refuse(&mut self, refused: &[Refusal]) {
+        for r in refused {
+            block(&mut self.passes[r.pass], r.point);
+            if let Some(choice) = &mut self.choice {
+                choice.rows[r.pass][r.point] = None;
+            }
+        }
+        self.refusals.extend_from_slice(refused);
+    }
 }
 
 /// The laser is off at a target, and on the way to the next.

@@ -267,7 +267,7 @@ fn is_corrected(from: &Target, to: &Target) -> bool {
 /// Blocked targets in program order, then missed surfaces.
 pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
     let mut out = Vec::new();
-    let mut refusals = plan.choice.iter().flat_map(|c| &c.refusals).peekable();
+    let mut refusals = plan.refusals.iter().peekable();
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
             let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));

@@ -6,19 +6,16 @@
 //! be driven is refused with its reason; spins and branches are not chosen here.
 
 use super::air::Space;
+use super::lit::Straight;
+use super::round;
 use super::steps::{Go, Pace, Speeds, Station, Step, Steps, Way};
-use super::{lit, round};
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Cause, Choice, Refusal};
 use crate::cell::mounting::Mounted;
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::Part;
-use crate::pose::{Beam, Pass};
-use nalgebra::{Isometry3, Point3};
+use crate::pose::Pass;
 use rayon::prelude::*;
-
-/// A move is cut in halves at most so often: 64 pieces.
-const MOST_HALVINGS: usize = 6;
 
 /// What the driven program is made from.
 pub struct Drive<'a> {
@@ -170,8 +167,7 @@ impl Drive<'_> {
             let to = stand(point)?;
             let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / self.speeds.work_mm_s;
             let before = lit.len();
-            self.between(&here, &to, seconds, MOST_HALVINGS, &mut lit)
-                .map_err(|(cause, detail)| refuse(point, cause, &detail))?;
+            self.between(&here, &to, seconds, &mut lit).map_err(|(cause, detail)| refuse(point, cause, &detail))?;
             if let Some(l) = lit[before..].last_mut() {
                 l.target = Some((number, point));
             }
@@ -180,89 +176,46 @@ impl Drive<'_> {
         Ok((start, lit))
     }
 
-    /// Lit moves from one stand to the next, cut in halves until the spot keeps to its line.
-    fn between(
-        &self,
-        from: &Stand,
-        to: &Stand,
-        seconds: f64,
-        halvings: usize,
-        out: &mut Vec<Lit>,
-    ) -> Result<(), (Cause, String)> {
-        let off_mm = self.deviation(&from.at, &to.at);
-        let hit = if off_mm <= self.deviation_mm { self.beam_hits(&from.at, &to.at) } else { None };
-        if off_mm <= self.deviation_mm && hit.is_none() {
-            let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
-            if let Some((_, contact)) = touched {
-                let contact = contact.to_string();
-                return Err((Cause::of_contact(&contact), contact));
-            }
-            let robot = self.robot;
-            for j in 0..6 {
-                let deg_s = (to.joints_deg[j] - from.joints_deg[j]).abs() / seconds.max(1e-9);
-                // The ends were chosen by the mean speed; between them a joint may go faster.
-                if deg_s > robot.speeds_deg_s[j] && deg_s * seconds > 1e-6 {
-                    let can = robot.speeds_deg_s[j];
-                    let detail = format!("J{} would turn at {deg_s:.0}\u{b0}/s, it can {can:.0}\u{b0}/s", j + 1);
-                    return Err((Cause::Speed, detail));
-                }
-            }
-            out.push(Lit { to: *to, seconds, target: None });
-            return Ok(());
-        }
-        if let (0, Some((p, facet))) = (halvings, hit) {
-            let at = format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z);
-            return Err((Cause::Beam, format!("as the flange goes straight the beam to {at} hits facet {facet}")));
-        }
-        if halvings == 0 {
-            return Err((Cause::Singularity, format!("the spot would leave its line by {off_mm:.2} mm")));
-        }
-        let at = self.midway(&from.at, &to.at);
-        let flange = self.mounted.flange_for(&at.frame());
-        let between = halfway(&from.joints_deg, &to.joints_deg);
-        let Some(joints_deg) = self.robot.near(&flange, &between) else {
-            return Err((Cause::Limit, "between two targets a joint would leave its range".into()));
+    /// Lit moves from one stand to the next, with stations in between where the spot needs them.
+    fn between(&self, from: &Stand, to: &Stand, seconds: f64, out: &mut Vec<Lit>) -> Result<(), (Cause, String)> {
+        let straight = Straight {
+            part: self.part,
+            mounted: self.mounted,
+            defocus_mm: self.speeds.defocus_mm,
+            deviation_mm: self.deviation_mm,
         };
-        let middle = Stand { at, joints_deg };
-        self.between(from, &middle, 0.5 * seconds, halvings - 1, out)?;
-        self.between(&middle, to, 0.5 * seconds, halvings - 1, out)
+        let (mut here, mut done) = (*from, 0.0);
+        for (share, at) in straight.between(&from.at, &to.at)? {
+            let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
+            let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
+                return Err((Cause::Limit, "between two targets a joint would leave its range".into()));
+            };
+            let next = Stand { at, joints_deg };
+            self.lit(&here, &next, seconds * (share - done), out)?;
+            (here, done) = (next, share);
+        }
+        self.lit(&here, to, seconds * (1.0 - done), out)
     }
 
-    /// Where the beam hits the part on a lit move, as the flange goes.
-    fn beam_hits(&self, from: &Station, to: &Station) -> Option<(Point3<f64>, u32)> {
-        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
-        let beam = Beam::on(self.part);
-        lit::hit(&beam, self.speeds.defocus_mm, |t| self.mounted.focus_for(&a.lerp_slerp(&b, t)))
-    }
-
-    /// The spot of a station on the part (or on the chord between two targets).
-    fn spot(&self, frame: &Isometry3<f64>) -> Point3<f64> {
-        Point3::from(frame.translation.vector) - frame.rotation * nalgebra::Vector3::z() * self.speeds.defocus_mm
-    }
-
-    /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
-    fn midway(&self, from: &Station, to: &Station) -> Station {
-        let (a, b) = (from.frame(), to.frame());
-        let spot = nalgebra::center(&self.spot(&a), &self.spot(&b));
-        let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
-        middle.x = spot + middle.a * self.speeds.defocus_mm;
-        middle
-    }
-
-    /// How far the spot leaves the straight line where the flange goes straight, mm.
-    fn deviation(&self, from: &Station, to: &Station) -> f64 {
-        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
-        let (start, end) = (self.spot(&from.frame()), self.spot(&to.frame()));
-        let line = end - start;
-        let length2 = line.norm_squared();
-        [0.25, 0.5, 0.75]
-            .into_iter()
-            .map(|t| {
-                let spot = self.spot(&self.mounted.focus_for(&a.lerp_slerp(&b, t)));
-                let along = if length2 > 0.0 { ((spot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
-                (spot - (start + line * along)).norm()
-            })
-            .fold(0.0, f64::max)
+    /// One lit move, if arm and part keep clear and no joint is too fast.
+    fn lit(&self, from: &Stand, to: &Stand, seconds: f64, out: &mut Vec<Lit>) -> Result<(), (Cause, String)> {
+        let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
+        if let Some((_, contact)) = touched {
+            let contact = contact.to_string();
+            return Err((Cause::of_contact(&contact), contact));
+        }
+        for j in 0..6 {
+            let moved = (to.joints_deg[j] - from.joints_deg[j]).abs();
+            let can = self.robot.speeds_deg_s[j];
+            // The ends were chosen by the mean speed; between them a joint may go faster.
+            if moved > can * seconds + 1e-6 {
+                let deg_s = moved / seconds.max(1e-9);
+                let detail = format!("J{} would turn at {deg_s:.0}\u{b0}/s, it can {can:.0}\u{b0}/s", j + 1);
+                return Err((Cause::Speed, detail));
+            }
+        }
+        out.push(Lit { to: *to, seconds, target: None });
+        Ok(())
     }
 }
 
@@ -270,10 +223,6 @@ impl Drive<'_> {
 fn no_way(pass: usize, points: std::ops::RangeInclusive<usize>) -> impl Iterator<Item = Refusal> {
     let detail = "no way leads here on which arm and part keep clear of everything";
     points.map(move |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.into() })
-}
-
-fn halfway(a: &Joints, b: &Joints) -> Joints {
-    std::array::from_fn(|j| 0.5 * (a[j] + b[j]))
 }
 
 impl Steps {

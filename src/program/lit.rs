@@ -1,6 +1,10 @@
 //! The beam on a lit move as a controller makes it: between two targets the flange goes straight, and
 //! the spot a little beside its line. Planner and verification look at it in the same way.
 
+use super::steps::Station;
+use crate::cell::motion::Cause;
+use crate::cell::mounting::Mounted;
+use crate::part::Part;
 use crate::pose::Beam;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -29,4 +33,97 @@ pub fn hit(
         let (spot, a) = spot(beam, &part_from_focus(k as f64 / LOOKS as f64), defocus_mm);
         beam.passes_through(&spot, &a, FROM_MM).map(|facet| (spot, facet))
     })
+}
+
+/// What keeps a lit move of the flange to the planned line of the spot.
+#[derive(Clone, Copy, Debug)]
+pub struct Straight<'a> {
+    /// The part.
+    pub part: &'a Part,
+    /// Frames in use.
+    pub mounted: Mounted,
+    /// D, mm.
+    pub defocus_mm: f64,
+    /// How far the spot may leave its line, mm.
+    pub deviation_mm: f64,
+}
+
+/// A move is cut in halves at most so often: 64 pieces.
+const MOST_HALVINGS: usize = 6;
+
+impl Straight<'_> {
+    /// Stations to be put between two targets, with their shares of the way: none where the flange may
+    /// go straight.
+    ///
+    /// # Errors
+    /// Even the shortest pieces leave the line, or hit something.
+    pub fn between(&self, from: &Station, to: &Station) -> Result<Vec<(f64, Station)>, (Cause, String)> {
+        let mut out = Vec::new();
+        self.halved((from, 0.0), (to, 1.0), MOST_HALVINGS, &mut out)?;
+        Ok(out)
+    }
+
+    fn halved(
+        &self,
+        from: (&Station, f64),
+        to: (&Station, f64),
+        halvings: usize,
+        out: &mut Vec<(f64, Station)>,
+    ) -> Result<(), (Cause, String)> {
+        let off_mm = self.deviation(from.0, to.0);
+        let keeps = off_mm <= self.deviation_mm;
+        let met = if keeps { self.beam_hits(from.0, to.0) } else { None };
+        if keeps && met.is_none() {
+            return Ok(());
+        }
+        if halvings == 0 {
+            return Err(match met {
+                Some((p, facet)) => {
+                    let at = format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z);
+                    (Cause::Beam, format!("as the flange goes straight the beam to {at} hits facet {facet}"))
+                }
+                None => (Cause::Singularity, format!("the spot would leave its line by {off_mm:.2} mm")),
+            });
+        }
+        let (middle, t) = (self.midway(from.0, to.0), 0.5 * (from.1 + to.1));
+        self.halved(from, (&middle, t), halvings - 1, out)?;
+        out.push((t, middle));
+        self.halved((&middle, t), to, halvings - 1, out)
+    }
+
+    /// Where the beam hits the part on a lit move, as the flange goes.
+    fn beam_hits(&self, from: &Station, to: &Station) -> Option<(Point3<f64>, u32)> {
+        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
+        hit(&Beam::on(self.part), self.defocus_mm, |t| self.mounted.focus_for(&a.lerp_slerp(&b, t)))
+    }
+
+    /// The spot of a frame on the part (or on the chord between two targets).
+    fn foot(&self, frame: &Isometry3<f64>) -> Point3<f64> {
+        Point3::from(frame.translation.vector) - frame.rotation * Vector3::z() * self.defocus_mm
+    }
+
+    /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
+    fn midway(&self, from: &Station, to: &Station) -> Station {
+        let (a, b) = (from.frame(), to.frame());
+        let foot = nalgebra::center(&self.foot(&a), &self.foot(&b));
+        let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
+        middle.x = foot + middle.a * self.defocus_mm;
+        middle
+    }
+
+    /// How far the spot leaves the straight line where the flange goes straight, mm.
+    fn deviation(&self, from: &Station, to: &Station) -> f64 {
+        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
+        let (start, end) = (self.foot(&from.frame()), self.foot(&to.frame()));
+        let line = end - start;
+        let length2 = line.norm_squared();
+        [0.25, 0.5, 0.75]
+            .into_iter()
+            .map(|t| {
+                let foot = self.foot(&self.mounted.focus_for(&a.lerp_slerp(&b, t)));
+                let along = if length2 > 0.0 { ((foot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
+                (foot - (start + line * along)).norm()
+            })
+            .fold(0.0, f64::max)
+    }
 }

@@ -2,8 +2,10 @@
 //! laser, say something; here without a robot, as poses of the focus.
 
 use super::air::Space;
+use super::lit::Straight;
 use crate::cell::Cell;
-use crate::part::{Part, angle};
+use crate::cell::motion::Refusal;
+use crate::part::angle;
 use crate::pose::target::frame;
 use crate::pose::{Pass, Target};
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -124,8 +126,13 @@ pub struct Speeds {
 }
 
 /// Turns passes into steps. Blocked targets are not gone to.
-pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Steps {
-    let space = Space::new(part, &cell.air, speeds.defocus_mm);
+///
+/// # Errors
+/// Targets to which the beam does not keep its line as the flange goes straight; the rest has to be
+/// tried again without them.
+pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Result<Steps, Vec<Refusal>> {
+    let mut refused = Vec::new();
+    let space = Space::new(straight.part, &cell.air, speeds.defocus_mm);
     let mut out = Steps::default();
     let mut at: Option<Station> = None;
     let mut said = None;
@@ -183,7 +190,18 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
         for i in first + 1..=last {
             let next = Station::of(&pass.targets[i], speeds.defocus_mm).nearest_to(&here);
             let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
-            out.go(next, spot_mm / speeds.work_mm_s, Some((number, i)));
+            let seconds = spot_mm / speeds.work_mm_s;
+            let mut done = 0.0;
+            match straight.between(&here, &next) {
+                Ok(between) => {
+                    for (share, station) in between {
+                        out.go(station, seconds * (share - done), None);
+                        done = share;
+                    }
+                }
+                Err((cause, detail)) => refused.push(Refusal { pass: number, point: i, cause, detail }),
+            }
+            out.go(next, seconds * (1.0 - done), Some((number, i)));
             here = next;
         }
         out.list.push(Step::Laser(false));
@@ -194,7 +212,7 @@ pub fn steps(part: &Part, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Step
         out.air(&space, end, exit, speeds);
     }
     out.list.push(Step::Home);
-    out
+    if refused.is_empty() { Ok(out) } else { Err(refused) }
 }
 
 impl Steps {
