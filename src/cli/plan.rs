@@ -4,7 +4,7 @@ use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::job::advice;
 use crate::job::plan::segmented;
-use crate::job::report::Report;
+use crate::job::report::{Report, hours};
 use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
 use std::path::{Path, PathBuf};
 
@@ -45,6 +45,13 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     for s in part.findings.sentences(&part.mesh, &part.orientation) {
         eprintln!("{}: {s}", a.input.display());
     }
+    for note in setup.cell.calibrations() {
+        eprintln!("{}: {note}", setup.cell.name);
+    }
+    let own = setup.robot.as_ref().map(|r| r.dialect.as_str()).filter(|d| *d != "csv" && *d != job.cell.dialect);
+    if let Some(own) = own {
+        eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
+    }
     let surfaces = segmented(&part, &job);
     let plan =
         job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).map_err(|e| match e {
@@ -63,6 +70,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         print(&format!("{json}\n"));
     } else {
         let mut text = report.text();
+        if let Some(timeline) = &plan.timeline {
+            let t = timeline.breakdown();
+            let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(hours);
+            text.push_str(&format!("{work} of work, {travel} of travel, {waiting} of waiting\n"));
+        }
         for sentence in advice::advice(&plan, &job, &setup) {
             text.push_str(&format!("to help: {sentence}\n"));
         }

@@ -4,7 +4,7 @@
 use super::model::{CellFile, Job};
 use super::plan::Plan;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
-use crate::cell::motion::{Arm, Cause, Refusal, choose};
+use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
 use crate::cell::{Mount, Setup};
 use crate::pose::{Pass, State};
 use nalgebra::Isometry3;
@@ -71,7 +71,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup) -> Option<String> {
     let arm = Arm::new(setup, job.cell.spin)?;
     let works = |share: &&f64| {
         let speed_mm_s = job.beam.speed_mm_s * **share;
-        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &|_| None);
+        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &Watch::default()).unwrap_or_default();
         !choice.refusals.iter().any(|r| r.cause == Cause::Speed)
     };
     let share = SLOWER.iter().find(works)?;

@@ -33,6 +33,8 @@ pub struct Drive<'a> {
     pub deviation_mm: f64,
     /// What the arm and all it carries may touch; `None`: nothing.
     pub collision: Option<&'a Collision<'a>>,
+    /// Whether to go on; the steps of a stopped drive are refused without a reason.
+    pub go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
 /// Where the arm stands: the focus in the part, and the joints.
@@ -62,8 +64,14 @@ impl Drive<'_> {
             .enumerate()
             .flat_map(|(number, pass)| pass.lit_pieces().into_iter().map(move |(a, b)| (number, a, b)))
             .collect();
-        let driven: Vec<Result<(Stand, Vec<Lit>), Refusal>> =
-            pieces.par_iter().map(|&piece| self.piece(passes, choice, piece)).collect();
+        let driven: Vec<Result<(Stand, Vec<Lit>), Refusal>> = pieces
+            .par_iter()
+            .take_any_while(|_| (self.go_on)())
+            .map(|&piece| self.piece(passes, choice, piece))
+            .collect();
+        if !(self.go_on)() {
+            return Err(Vec::new());
+        }
         let mut refused = Vec::new();
         let mut whole = Vec::new();
         for piece in driven {
@@ -80,11 +88,17 @@ impl Drive<'_> {
         let ways: Vec<Option<Vec<Go>>> = (0..=whole.len())
             .into_par_iter()
             .map(|i| {
+                if !(self.go_on)() {
+                    return None;
+                }
                 let from = (i > 0).then(|| end(i - 1));
                 let to = whole.get(i).map(|piece| piece.0);
                 round::way(self, &space, from.as_ref(), to.as_ref())
             })
             .collect();
+        if !(self.go_on)() {
+            return Err(Vec::new());
+        }
         if let (Some(None), false) = (ways.first(), whole.is_empty()) {
             // Nothing begins here: refuse all pieces up to the first that can be gone to.
             let reachable = |i: &usize| round::way(self, &space, None, Some(&whole[*i].0)).is_some();
