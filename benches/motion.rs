@@ -13,6 +13,11 @@ use clearbeam::pose::{self, Pass, Target};
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Vector3};
+use rs_opw_kinematics::glam::{DQuat, DVec3};
+use rs_opw_kinematics::kinematic_traits::Kinematics as _;
+use rs_opw_kinematics::kinematics_impl::OPWKinematics;
+use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
+use rs_opw_kinematics::pose::Pose;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -73,6 +78,28 @@ fn motion(c: &mut Criterion) {
     let poses: Vec<_> = all.iter().flat_map(|p| &p.targets).map(|t| setup.flange_for(&t.frame(DEFOCUS_MM))).collect();
     group.bench_function("inverse, 10 000 poses", |b| {
         b.iter(|| poses.iter().filter(|p| robot.inverse(p)[0].is_some()).count());
+    });
+    let peer = OPWKinematics::new(Parameters {
+        a1: 0.0,
+        a2: -0.025,
+        b: 0.0,
+        c1: 0.340,
+        c2: 0.260,
+        c3: 0.280,
+        c4: 0.072,
+        offsets: [0.0, -90.0, -90.0, 0.0, 0.0, 180.0].map(f64::to_radians),
+        sign_corrections: [1, -1, -1, 1, -1, 1],
+        dof: 6,
+    });
+    let poses: Vec<Pose> = poses
+        .iter()
+        .map(|p| {
+            let (at, q) = (p.translation.vector / 1000.0, p.rotation);
+            Pose { translation: DVec3::new(at.x, at.y, at.z), rotation: DQuat::from_xyzw(q.i, q.j, q.k, q.w) }
+        })
+        .collect();
+    group.bench_function("inverse of rs-opw-kinematics, 10 000 poses", |b| {
+        b.iter(|| poses.iter().filter(|p| !peer.inverse(p).is_empty()).count());
     });
     group.finish();
     whole(c, &setup);

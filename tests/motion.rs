@@ -8,6 +8,7 @@ mod parts;
 
 use clearbeam::cell::motion::{Arm, Cause, Watch, choose};
 use clearbeam::cell::{Mount, Robot, Setup, Spin};
+use clearbeam::job::{Cache, advice};
 use clearbeam::part::angle;
 use clearbeam::pose::{Pass, State};
 use clearbeam::program::{Step, Way};
@@ -187,6 +188,24 @@ fn what_touches_is_avoided_or_named() {
     .expect("goes on");
     assert!(named.refusals.iter().all(|r| r.cause == Cause::Head && r.detail == "part touches head"));
     assert_eq!(named.rows.iter().flatten().flatten().count(), 0);
+}
+
+/// What is offered as a better set-up has been planned, and is what a plan with it gives.
+#[test]
+fn a_better_setup_refuses_as_few_as_it_says() {
+    let mut far = setup("mz04", Mount::PartInHand);
+    far.cell.base_from_laser = clearbeam::cell::Frame::new([700.0, 0.0, 300.0], [0.0; 3]);
+    let p = planned_in(part(&sample("workpiece")), on(job("z", 10.0), &[1, 2, 3]), &far);
+    let before = p.plan.refusals.len();
+    assert!(before > 10, "{before} refused");
+    assert!(!advice::advice(&p.part, &p.plan, &p.job, &far).is_empty());
+    let found = advice::better_setup(&p.part, &p.surfaces, &p.plan, &p.job, &far, &Cache::default());
+    let (better, left) = found.expect("something better");
+    assert!(left < before / 4, "{left} of {before}");
+    let mut moved = far.clone();
+    advice::applied(&p.job.cell, Mount::PartInHand, &better).put_frames(&mut moved.cell);
+    let again = planned_in(part(&sample("workpiece")), p.job.clone(), &moved);
+    assert_eq!(again.plan.refusals.len(), left);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::model::Job;
 use crate::cell::{Cell, CellError, Robot, RobotError, Setup};
 use crate::part::{LoadError, Part, load};
+use crate::program::dialects;
 use std::io::Write as _;
 use std::path::{Component, Path, PathBuf};
 use thiserror::Error;
@@ -128,22 +129,19 @@ pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError>
     let c = &job.cell;
     let robot = match c.robot.as_str() {
         "" => None,
-        name => Some(Robot::load(name, job_file.and_then(Path::parent))?),
+        name => {
+            let robot = Robot::load(name, job_file.and_then(Path::parent))?;
+            dialects::known(&robot.dialect)
+                .map_err(|what| RobotError::Figure { file: name.into(), what: format!("{what} (the controller's)") })?;
+            Some(robot)
+        }
     };
     let mut cell = match (c.file.as_str(), c.robot.as_str()) {
         ("", "") => Cell::shipped("mz04")?,
         ("", robot) => Cell::shipped(robot)?,
         (file, _) => Cell::load(&beside(job_file, file))?,
     };
-    for (own, frame) in [
-        (&c.flange_from_part, &mut cell.flange_from_part),
-        (&c.base_from_laser, &mut cell.base_from_laser),
-        (&c.base_from_part, &mut cell.base_from_part),
-    ] {
-        if let Some(own) = own {
-            frame.clone_from(own);
-        }
-    }
+    c.put_frames(&mut cell);
     let mount = c.mount.unwrap_or(cell.mount);
     let setup = Setup { cell, robot, mount };
     setup.check()?;

@@ -1,6 +1,6 @@
 //! The job: everything an operator decides, as TOML. What can be computed is not in it.
 
-use crate::cell::{Frame, Mount, Spin};
+use crate::cell::{Cell, Frame, Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
 use crate::path::{Direction, Order};
 use crate::pose::Correction;
@@ -296,6 +296,21 @@ pub struct CellFile {
     /// Tool in hand: where this part lies, in place of the cell's frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub base_from_part: Option<Frame>,
+}
+
+impl CellFile {
+    /// Puts the job's own frames in place of the cell's.
+    pub fn put_frames(&self, cell: &mut Cell) {
+        for (own, frame) in [
+            (&self.flange_from_part, &mut cell.flange_from_part),
+            (&self.base_from_laser, &mut cell.base_from_laser),
+            (&self.base_from_part, &mut cell.base_from_part),
+        ] {
+            if let Some(own) = own {
+                frame.clone_from(own);
+            }
+        }
+    }
 }
 
 impl Default for CellFile {

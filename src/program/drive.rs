@@ -103,7 +103,7 @@ impl Drive<'_> {
             // Nothing begins here: refuse all pieces up to the first that can be gone to.
             let reachable = |i: &usize| round::way(self, &space, None, Some(&whole[*i].0)).is_some();
             let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
-            return Err(pieces[..begin].iter().flat_map(|&(n, a, b)| no_way(n, a..=b)).collect());
+            return Err(pieces[..begin].iter().flat_map(|&(n, a, b)| self.no_way(n, a..=b)).collect());
         }
         let mut out = Steps::default();
         out.list.push(Step::Home);
@@ -114,7 +114,7 @@ impl Drive<'_> {
                 // Home is on every way that is tried last: the piece that has none to it is in a pocket.
                 let stuck = i > 0 && round::way(self, &space, Some(&end(i - 1)), None).is_none();
                 let (number, first, last) = if stuck { pieces[i - 1] } else { (number, first, last) };
-                refused.extend(no_way(number, first..=last));
+                refused.extend(self.no_way(number, first..=last));
                 continue;
             };
             let (down, way) = match way.split_last() {
@@ -151,10 +151,23 @@ impl Drive<'_> {
             }
         }
         if let (Some(None), Some(&(number, first, last))) = (ways.last(), pieces.last()) {
-            refused.extend(no_way(number, first..=last));
+            refused.extend(self.no_way(number, first..=last));
         }
         out.list.push(Step::Home);
         if refused.is_empty() { Ok(out) } else { Err(refused) }
+    }
+
+    /// All targets of a piece that nothing leads to.
+    fn no_way(&self, pass: usize, points: std::ops::RangeInclusive<usize>) -> Vec<Refusal> {
+        let at_home = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()));
+        let detail = match at_home {
+            Some(contact) => {
+                format!("{contact} already at home: hold the part elsewhere, or change air.home_joints_deg")
+            }
+            None => "no way leads here on which arm and part keep clear of everything".to_owned(),
+        };
+        let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
+        points.map(refuse).collect()
     }
 
     fn piece(
@@ -231,12 +244,6 @@ impl Drive<'_> {
         out.push(Lit { to: *to, seconds, target: None });
         Ok(())
     }
-}
-
-/// All targets of a piece that nothing leads to.
-fn no_way(pass: usize, points: std::ops::RangeInclusive<usize>) -> impl Iterator<Item = Refusal> {
-    let detail = "no way leads here on which arm and part keep clear of everything";
-    points.map(move |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.into() })
 }
 
 impl Steps {

@@ -7,6 +7,7 @@
 use super::air::Space;
 use super::drive::{Drive, Stand};
 use super::steps::{Go, Pace, Station, Way};
+use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, State};
 use crate::cell::{Joints, Mount, Robot};
 use crate::part::angle;
@@ -98,8 +99,10 @@ impl Round<'_> {
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
             let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
-            let touches = self.drive.collision.is_some_and(|c| c.first(&next.joints_deg).is_some());
-            if touches || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG {
+            let touches = |c: &Collision<'_>| c.first_between(&here.joints_deg, &next.joints_deg).is_some();
+            if self.drive.collision.is_some_and(touches)
+                || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG
+            {
                 return None;
             }
             here = next;
