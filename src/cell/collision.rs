@@ -3,8 +3,7 @@
 //!
 //! Links and head are capsules, part and fixtures their facets; distances between them are exact.
 //! What stands is not tested against what stands (the robot's base among it), nor a link against its
-//! neighbours, nor the wrist against what it carries. Nor the head that the robot carries against
-//! the part: whether beam and head stand clear there is asked of each target in the part frame.
+//! neighbours, nor the wrist against what it carries.
 
 use super::bodies::HeadCapsule;
 use super::robot::LinkCapsule;
@@ -146,8 +145,8 @@ impl<'a> Collision<'a> {
         let margin = self.margin_mm;
         let table = || self.table_z_mm.filter(|z| c.lowest_mm() < z + margin).map(|_| TABLE);
         let link = || links.iter().find(|l| c.near(&Capsule::of_link(l), margin)).map(|l| l.name);
-        let mut fixtures = self.standing.iter().filter(|s| s.name != PART);
-        table().or_else(link).or_else(|| fixtures.find(|s| s.near(c, margin)).map(|s| &*s.name))
+        let solid = || self.standing.iter().find(|s| s.near(c, margin)).map(|s| &*s.name);
+        table().or_else(link).or_else(solid)
     }
 
     /// The first contact on a joint move, and where it is: 0 at `from`, 1 at `to`.

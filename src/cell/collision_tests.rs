@@ -84,7 +84,9 @@ fn what_carries_and_what_stands_is_exempt() {
     tool.cell.flange_from_tool = at([0.0, 0.0, 100.0]);
     tool.cell.bodies.head = vec![HeadCapsule { from_mm: 0.0, to_mm: 50.0, radius_mm: 20.0 }];
     tool.cell.base_from_part = at([440.0, -10.0, 615.0]);
-    assert_eq!(first(&tool, &cube), None, "the wrist carries the head, and the head is at the part");
+    assert_eq!(first(&tool, &cube).as_deref(), Some("head against part"), "but not the wrist that carries the head");
+    tool.cell.bodies.head = vec![HeadCapsule { from_mm: 40.0, to_mm: 90.0, radius_mm: 20.0 }];
+    assert_eq!(first(&tool, &cube), None, "the wrist carries the head");
     tool.cell.bodies.head = vec![HeadCapsule { from_mm: 0.0, to_mm: 200.0, radius_mm: 20.0 }];
     assert_eq!(first(&tool, &cube).as_deref(), Some("head against forearm"));
     let mut none = tool;
@@ -194,10 +196,10 @@ proptest! {
         }
         if carried {
             pairs.push(("part", "table", lowest - table_z));
-            pairs.push(("head", "part", sampled(&head, to_ball(ball_at))));
         } else {
             pairs.push(("head", "table", sampled(&head, to_table)));
         }
+        pairs.push(("head", "part", sampled(&head, to_ball(ball_at))));
         match found {
             None => for (a, b, off) in pairs {
                 prop_assert!(off > 5.0 - 1e-9, "{key}: {a} and {b} are {off} apart");

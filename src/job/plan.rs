@@ -20,7 +20,7 @@ use crate::program::drive::Drive;
 use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
 use thiserror::Error;
 
@@ -233,9 +233,6 @@ fn drive(
     let collision = Collision::new(setup, part);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let go_on = || progress.goes_on();
-    let watch = Watch { touches: &touches, go_on: &go_on };
-    let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch).ok_or(PlanError::Cancelled)?;
-    progress.step()?;
     let drive = Drive {
         part,
         setup,
@@ -246,18 +243,57 @@ fn drive(
         collision: collision.as_ref(),
         go_on: &go_on,
     };
-    plan.refuse(&choice.refusals);
-    plan.choice = Some(choice);
-    settle(plan, progress, |plan| plan.choice.as_ref().map_or(Ok(Steps::default()), |c| drive.steps(&plan.passes, c)))?;
+    let beam_free = plan.passes.clone();
+    let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
+    // What driving refused stays refused, whatever branch is chosen then.
+    let mut refused: Vec<Refusal> = Vec::new();
+    let mut best: Option<Plan> = None;
+    for round in 0.. {
+        plan.passes.clone_from(&beam_free);
+        (plan.choice, plan.refusals) = (None, Vec::new());
+        plan.refuse(&refused);
+        let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
+        let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
+        let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch);
+        let choice = choice.ok_or(PlanError::Cancelled)?;
+        plan.refuse(&choice.refusals);
+        plan.choice = Some(choice);
+        let mut shut = Vec::new();
+        settle(plan, progress, |plan| {
+            let Some(choice) = &plan.choice else { return Ok(Steps::default()) };
+            drive.steps(&plan.passes, choice).map_err(|undriven| {
+                if undriven.closed.is_empty() {
+                    refused.extend_from_slice(&undriven.refused);
+                }
+                shut.extend(undriven.closed);
+                undriven.refused
+            })
+        })?;
+        if best.as_ref().is_none_or(|b| plan.refusals.len() < b.refusals.len()) {
+            best = Some(plan.clone());
+        }
+        if shut.is_empty() || round == MOST_ROUNDS {
+            break;
+        }
+        closed.extend(shut);
+    }
+    // Closing a branch for a whole pass may lose pieces of it that could be reached.
+    if let Some(best) = best {
+        *plan = best;
+    }
     plan.timeline = Timeline::new(&plan.steps, setup);
     Ok(())
 }
+
+/// So often other branches are tried for passes that no way leads to; the eight branches of an arm, and
+/// a few for passes that are shut out only then.
+const MOST_ROUNDS: usize = 12;
 
 /// Makes the steps, again and again without what cannot be driven: there is less each time.
 fn settle(
     plan: &mut Plan,
     progress: &Progress,
-    make: impl Fn(&Plan) -> Result<Steps, Vec<Refusal>>,
+    mut make: impl FnMut(&Plan) -> Result<Steps, Vec<Refusal>>,
 ) -> Result<(), PlanError> {
     loop {
         match make(plan) {

@@ -10,6 +10,7 @@ use super::lit::Straight;
 use super::round;
 use super::steps::{Go, Pace, Speeds, Station, Step, Steps, Way};
 use crate::cell::collision::Collision;
+use crate::cell::motion::choice::NO_WAY;
 use crate::cell::motion::{Cause, Choice, Refusal};
 use crate::cell::mounting::Mounted;
 use crate::cell::{Joints, Robot, Setup};
@@ -46,6 +47,15 @@ pub struct Stand {
     pub joints_deg: Joints,
 }
 
+/// What could not be driven.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Undriven {
+    /// Targets, and why.
+    pub refused: Vec<Refusal>,
+    /// Passes in branches that no way leads to: another branch may do the same targets.
+    pub closed: Vec<(usize, u8)>,
+}
+
 /// A lit move.
 struct Lit {
     to: Stand,
@@ -57,8 +67,8 @@ impl Drive<'_> {
     /// The steps of what was chosen.
     ///
     /// # Errors
-    /// Targets that cannot be driven after all; the rest has to be tried again without them.
-    pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Vec<Refusal>> {
+    /// What cannot be driven after all; the rest has to be tried again without it.
+    pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
         let pieces: Vec<(usize, usize, usize)> = passes
             .iter()
             .enumerate()
@@ -70,7 +80,7 @@ impl Drive<'_> {
             .map(|&piece| self.piece(passes, choice, piece))
             .collect();
         if !(self.go_on)() {
-            return Err(Vec::new());
+            return Err(Undriven::default());
         }
         let mut refused = Vec::new();
         let mut whole = Vec::new();
@@ -81,7 +91,7 @@ impl Drive<'_> {
             }
         }
         if !refused.is_empty() {
-            return Err(refused);
+            return Err(Undriven { refused, ..Undriven::default() });
         }
         let space = Space::new(self.part, &self.setup.cell.air, self.speeds.defocus_mm);
         let end = |i: usize| whole[i].1.last().map_or(whole[i].0, |lit| lit.to);
@@ -97,14 +107,15 @@ impl Drive<'_> {
             })
             .collect();
         if !(self.go_on)() {
-            return Err(Vec::new());
+            return Err(Undriven::default());
         }
         if let (Some(None), false) = (ways.first(), whole.is_empty()) {
             // Nothing begins here: refuse all pieces up to the first that can be gone to.
             let reachable = |i: &usize| round::way(self, &space, None, Some(&whole[*i].0)).is_some();
             let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
-            return Err(pieces[..begin].iter().flat_map(|&(n, a, b)| self.no_way(n, a..=b)).collect());
+            return Err(self.unreached(&pieces[..begin], choice));
         }
+        let mut closed = Vec::new();
         let mut out = Steps::default();
         out.list.push(Step::Home);
         let mut said = None;
@@ -113,8 +124,7 @@ impl Drive<'_> {
             let Some(way) = way else {
                 // Home is on every way that is tried last: the piece that has none to it is in a pocket.
                 let stuck = i > 0 && round::way(self, &space, Some(&end(i - 1)), None).is_none();
-                let (number, first, last) = if stuck { pieces[i - 1] } else { (number, first, last) };
-                refused.extend(self.no_way(number, first..=last));
+                closed.push(if stuck { pieces[i - 1] } else { (number, first, last) });
                 continue;
             };
             let (down, way) = match way.split_last() {
@@ -151,23 +161,29 @@ impl Drive<'_> {
             }
         }
         if let (Some(None), Some(&(number, first, last))) = (ways.last(), pieces.last()) {
-            refused.extend(self.no_way(number, first..=last));
+            closed.push((number, first, last));
         }
         out.list.push(Step::Home);
-        if refused.is_empty() { Ok(out) } else { Err(refused) }
+        if closed.is_empty() { Ok(out) } else { Err(self.unreached(&closed, choice)) }
     }
 
-    /// All targets of a piece that nothing leads to.
-    fn no_way(&self, pass: usize, points: std::ops::RangeInclusive<usize>) -> Vec<Refusal> {
+    /// Pieces that nothing leads to: their branches are closed, and if they stay so, all their targets
+    /// are refused.
+    fn unreached(&self, pieces: &[(usize, usize, usize)], choice: &Choice) -> Undriven {
         let at_home = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()));
         let detail = match at_home {
             Some(contact) => {
                 format!("{contact} already at home: hold the part elsewhere, or change air.home_joints_deg")
             }
-            None => "no way leads here on which arm and part keep clear of everything".to_owned(),
+            None => NO_WAY.to_owned(),
         };
-        let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
-        points.map(refuse).collect()
+        let mut out = Undriven::default();
+        for &(pass, first, last) in pieces {
+            out.closed.extend(choice.rows[pass][first].as_ref().map(|c| (pass, c.branch)));
+            let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
+            out.refused.extend((first..=last).map(refuse));
+        }
+        out
     }
 
     fn piece(

@@ -60,6 +60,9 @@ pub struct Choice {
     pub refusals: Vec<Refusal>,
 }
 
+/// What is said of a target that no way leads to, whichever way the arm bends.
+pub const NO_WAY: &str = "no way leads here on which arm and part keep clear of everything";
+
 /// A target as the chain sees it.
 struct Stop {
     pass: usize,
@@ -84,12 +87,14 @@ pub struct Watch<'a> {
     pub touches: &'a (dyn Fn(&Joints) -> Option<String> + Sync),
     /// Whether to go on.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
+    /// Whether a pass may be done in a branch: no way may lead there.
+    pub is_open: &'a (dyn Fn(usize, u8) -> bool + Sync),
 }
 
 impl Default for Watch<'_> {
-    /// Nothing is touched, and nobody stops the search.
+    /// Nothing is touched, every branch is open, and nobody stops the search.
     fn default() -> Self {
-        Watch { touches: &|_| None, go_on: &|| true }
+        Watch { touches: &|_| None, go_on: &|| true, is_open: &|_, _| true }
     }
 }
 
@@ -98,12 +103,16 @@ impl Default for Watch<'_> {
 /// What is touched is asked for the chosen states first, and for all states of a pass where one of
 /// them does. `None`: the search was stopped.
 pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, watch: &Watch<'_>) -> Option<Choice> {
-    let Watch { touches, go_on } = watch;
+    let Watch { touches, go_on, is_open } = watch;
     let stops = stops(passes, defocus_mm, speed_mm_s);
     let mut looked_at = vec![false; passes.len()];
     loop {
         let chain = chain(arm, &stops, go_on, |stop: &Stop| {
-            let states = arm.states(&stop.part_from_focus).map_err(Refused::Lack)?;
+            let mut states = arm.states(&stop.part_from_focus).map_err(Refused::Lack)?;
+            states.retain(|s| is_open(stop.pass, s.branch));
+            if states.is_empty() {
+                return Err(Refused::Contact(NO_WAY.into()));
+            }
             if !looked_at[stop.pass] {
                 return Ok(states);
             }
