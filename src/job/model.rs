@@ -1,6 +1,6 @@
 //! The job: everything an operator decides, as TOML. What can be computed is not in it.
 
-use crate::cell::{Frame, Mount, Spin};
+use crate::cell::{Cell, Frame, Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
 use crate::path::{Direction, Order};
 use crate::pose::Correction;
@@ -310,6 +310,21 @@ impl Default for CellFile {
             dialect: "nachi".into(),
             spin: Spin::Free,
             deviation_mm: 0.1,
+        }
+    }
+}
+
+impl CellFile {
+    /// Puts the frames of the job in place of a cell's.
+    pub fn place_in(&self, cell: &mut Cell) {
+        for (own, frame) in [
+            (&self.flange_from_part, &mut cell.flange_from_part),
+            (&self.base_from_laser, &mut cell.base_from_laser),
+            (&self.base_from_part, &mut cell.base_from_part),
+        ] {
+            if let Some(own) = own {
+                frame.clone_from(own);
+            }
         }
     }
 }

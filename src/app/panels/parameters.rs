@@ -13,7 +13,9 @@ impl App {
     pub(in super::super) fn parameters(&mut self, ui: &mut egui::Ui) {
         // Always in sight: what is wrong, and what all the rest is for.
         egui::Panel::bottom("export").show(ui, |ui| {
-            egui::ScrollArea::vertical().max_height(130.0).auto_shrink([false, true]).show(ui, |ui| self.problems(ui));
+            // What would help stands under what is wrong.
+            let height = if self.has_refusals() { 210.0 } else { 130.0 };
+            egui::ScrollArea::vertical().max_height(height).auto_shrink([false, true]).show(ui, |ui| self.problems(ui));
             self.export_button(ui);
         });
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {

@@ -185,6 +185,8 @@ pub struct BetterSetup {
     pub part: Frame,
     /// Laser in the base; as it was where the tool is in hand.
     pub base_from_laser: Frame,
+    /// The sample: path frames in the part.
+    pub sample: Vec<Isometry3<f64>>,
     /// Which of the sample are possible with them.
     pub possible: Vec<bool>,
 }
@@ -231,6 +233,7 @@ pub fn better_setup(setup: &Setup, frames: &[Isometry3<f64>]) -> Option<BetterSe
         share_after: best.0 as f64 / frames.len() as f64,
         part: part_frame(&mut found).clone(),
         base_from_laser: found.cell.base_from_laser.clone(),
+        sample: frames.to_vec(),
         possible,
     })
 }
