@@ -67,6 +67,7 @@ fn what_is_refused_is_told_with_what_would_help() {
     assert!(h.query_by_label_contains("refused: out of the robot's reach").is_some());
     assert!(h.query_by_label("What would help").is_some());
     assert!(h.query_all_by_label_contains("nearer to the robot").count() > 0, "the laser stands too far out");
+    assert!(h.query_by_label_contains("Put the laser 100 mm nearer").is_some());
     snapshot(&mut h, "advice");
     // Nothing refused: nothing to help with.
     press(&mut h, Modifiers::NONE, Key::Escape);

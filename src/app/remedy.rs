@@ -153,7 +153,10 @@ impl App {
     /// The sample of a proposal, where the part is.
     pub(super) fn proposed_points(&self, place: Isometry3<f64>) -> Vec<PointItem> {
         let items = self.proposal().map_or(&[][..], |p| &p.points);
-        items.iter().map(|i| PointItem { scene_from_item: place, ..i.clone() }).collect()
+        // In the cell the part is small: dots must not hide it.
+        let share = if self.is_in_cell() { 0.5 } else { 1.0 };
+        let at = |i: &PointItem| PointItem { scene_from_item: place, size_px: share * i.size_px, ..i.clone() };
+        items.iter().map(at).collect()
     }
 
     /// The arm in a proposed set-up: at the target that is stepped to, else at home.

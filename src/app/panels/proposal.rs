@@ -76,7 +76,7 @@ impl App {
             if ui.button("Dismiss").on_hover_text("Esc").clicked() {
                 self.dismiss_proposal();
             }
-            for (word, color) in [("within reach", remedy::WITHIN), ("not", remedy::OUT_OF_REACH)] {
+            for (word, color) in [("within reach", remedy::WITHIN), ("out of reach", remedy::OUT_OF_REACH)] {
                 ui.add_space(8.0);
                 theme::swatch(ui, color);
                 ui.label(word);

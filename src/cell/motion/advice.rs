@@ -8,6 +8,7 @@ use super::states::Arm;
 use crate::cell::{Frame, Mount, Robot, Setup, Spin, rpy};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Spins looked at, degrees apart.
 const SPINS_DEG: f64 = 15.0;
@@ -100,7 +101,10 @@ pub fn changes(setup: &Setup, spin: Spin, done: &[Isometry3<f64>], refused: &[Is
     let worth = |a: &Advice| a.gained as i64 - 2 * a.lost as i64;
     found.retain(|(_, a)| worth(a) > 0);
     found.sort_by(|(i, a), (j, b)| worth(b).cmp(&worth(a)).then(i.cmp(j)));
-    found.into_iter().map(|(_, a)| a).take(3).collect()
+    // The same by another number says nothing new.
+    let kind = |a: &Advice| a.text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
+    let mut kinds = BTreeSet::new();
+    found.into_iter().map(|(_, a)| a).filter(|a| kinds.insert(kind(a))).take(3).collect()
 }
 
 /// One thing changed, the smallest changes first.
