@@ -6,13 +6,18 @@
 #[path = "../tests/common/all_pairs.rs"]
 mod all_pairs;
 
-use clearbeam::cell::motion::{Arm, State, choose};
+use clearbeam::cell::motion::{Arm, State, Watch, choose};
 use clearbeam::cell::{Robot, Setup, Spin};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::pose::{self, Pass, Target};
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Vector3};
+use rs_opw_kinematics::glam::{DQuat, DVec3};
+use rs_opw_kinematics::kinematic_traits::Kinematics as _;
+use rs_opw_kinematics::kinematics_impl::OPWKinematics;
+use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
+use rs_opw_kinematics::pose::Pose;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -50,16 +55,16 @@ fn motion(c: &mut Criterion) {
     let mut group = c.benchmark_group("motion");
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
     let all = passes(TARGETS);
-    let choice = choose(&arm, &all, DEFOCUS_MM, SPEED_MM_S, &|_| None);
+    let Some(choice) = choose(&arm, &all, DEFOCUS_MM, SPEED_MM_S, &Watch::default()) else { return };
     let states = |t: &Target| arm.states(&t.frame(DEFOCUS_MM)).map_or(0, |s| s.len());
     let count: usize = all.iter().flat_map(|p| &p.targets).map(states).sum();
     println!("{} targets refused, {} states a target", choice.refusals.len(), count / TARGETS);
     group.bench_function("chain, 10 000 targets x 72 spins", |b| {
-        b.iter(|| choose(&arm, &all, DEFOCUS_MM, SPEED_MM_S, &|_| None));
+        b.iter(|| choose(&arm, &all, DEFOCUS_MM, SPEED_MM_S, &Watch::default()));
     });
     let few = passes(PAIRED);
     group.bench_function("chain, 100 targets x 72 spins", |b| {
-        b.iter(|| choose(&arm, &few, DEFOCUS_MM, SPEED_MM_S, &|_| None));
+        b.iter(|| choose(&arm, &few, DEFOCUS_MM, SPEED_MM_S, &Watch::default()));
     });
     group.bench_function("all pairs, 100 targets x 72 spins", |b| {
         b.iter(|| all_pairs::cheapest(&arm, &few[0], DEFOCUS_MM, SPEED_MM_S));
@@ -73,6 +78,28 @@ fn motion(c: &mut Criterion) {
     let poses: Vec<_> = all.iter().flat_map(|p| &p.targets).map(|t| setup.flange_for(&t.frame(DEFOCUS_MM))).collect();
     group.bench_function("inverse, 10 000 poses", |b| {
         b.iter(|| poses.iter().filter(|p| robot.inverse(p)[0].is_some()).count());
+    });
+    let peer = OPWKinematics::new(Parameters {
+        a1: 0.0,
+        a2: -0.025,
+        b: 0.0,
+        c1: 0.340,
+        c2: 0.260,
+        c3: 0.280,
+        c4: 0.072,
+        offsets: [0.0, -90.0, -90.0, 0.0, 0.0, 180.0].map(f64::to_radians),
+        sign_corrections: [1, -1, -1, 1, -1, 1],
+        dof: 6,
+    });
+    let poses: Vec<Pose> = poses
+        .iter()
+        .map(|p| {
+            let (at, q) = (p.translation.vector / 1000.0, p.rotation);
+            Pose { translation: DVec3::new(at.x, at.y, at.z), rotation: DQuat::from_xyzw(q.i, q.j, q.k, q.w) }
+        })
+        .collect();
+    group.bench_function("inverse of rs-opw-kinematics, 10 000 poses", |b| {
+        b.iter(|| poses.iter().filter(|p| !peer.inverse(p).is_empty()).count());
     });
     group.finish();
     whole(c, &setup);

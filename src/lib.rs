@@ -1,6 +1,7 @@
 //! From an STL file to a robot program that cleans the chosen surfaces with a laser.
 //!
-//! Data flows one way, and the rooms stand in that order; a room uses only rooms above it.
+//! Data flows one way, and the rooms stand in that order; a room uses only rooms above it (`cell`
+//! alone asks `program` whether templates can be read back).
 //!
 //! - [`part`]: the workpiece. An STL file becomes a [`part::Part`]: welded topology, outward
 //!   winding, the merge tree that gives *feature surfaces* at any crease angle, named shapes, and
@@ -10,16 +11,23 @@
 //! - [`pose`]: how the beam stands. Interference of the beam with the part, P1's correction in the
 //!   section plane, the motion between targets, the targets of a [`pose::Pass`]; and an independent
 //!   checker that shares no code with the rest.
-//! - [`cell`]: laser, part and flange in the robot's base: `T = L·(G·F)⁻¹`.
-//! - [`program`]: pieces joined by connecting moves over the part, written in the words of a controller, and read back.
+//! - [`cell`]: the robot and where it stands. A [`cell::Setup`] is a [`cell::Cell`] (frames, given or
+//!   measured, bodies, outputs, the controllers' words), a [`cell::Robot`] (kinematics both ways, limits)
+//!   and a [`cell::Mount`]: part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot(180°)·H⁻¹`.
+//!   [`cell::motion`] chooses spin and branch for all targets together, and says why where it cannot;
+//!   [`cell::Collision`] says what touches.
+//! - [`program`]: lit pieces joined by connecting moves ([`program::Steps`]), over time
+//!   ([`program::Timeline`]), and as neutral lines ([`program::lines()`]). A [`program::Dialect`] writes
+//!   them in the words of a controller and reads its text back.
 //! - [`job`]: what is saved ([`job::Job`]), edited ([`job::Edit`], [`job::Document`]), planned
-//!   ([`job::plan()`]) and written ([`job::output`]).
+//!   ([`job::plan()`]), written ([`job::output`]) and compared with what was read ([`job::verify`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
 //! - [`cli`] and [`app`] are the two doors: the command line and the window. Nothing imports them.
 //!
 //! Units: lengths mm, angles degrees, speeds mm/s, times s. Everything up to `program` is in the
-//! *part frame*, the STL's coordinates after scaling and placement. Names say unit and frame.
+//! *part frame*, the STL's coordinates after scaling and placement, but for `cell`, whose poses are in
+//! the robot's *base*. Names say unit and frame.
 //! The same part and job give the same bytes on any number of threads and any machine.
 //!
 //! ```

@@ -6,8 +6,9 @@ mod all_pairs;
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::cell::motion::{Arm, Cause, choose};
+use clearbeam::cell::motion::{Arm, Cause, Watch, choose};
 use clearbeam::cell::{Mount, Robot, Setup, Spin};
+use clearbeam::job::{Cache, advice};
 use clearbeam::part::angle;
 use clearbeam::pose::{Pass, State};
 use clearbeam::program::{Step, Way};
@@ -37,7 +38,7 @@ fn the_chain_is_as_cheap_as_over_all_pairs() {
         let arm = Arm::new(&setup, spin).expect("a robot");
         for pass in p.plan.passes.iter().filter(|p| p.targets.iter().all(|t| t.state != State::Blocked)).take(3) {
             let pass = first(pass, 14);
-            let choice = choose(&arm, std::slice::from_ref(&pass), 20.0, 3.0, &|_| None);
+            let choice = choose(&arm, std::slice::from_ref(&pass), 20.0, 3.0, &Watch::default()).expect("goes on");
             let seconds = all_pairs::seconds(&pass, 3.0);
             let chosen = all_pairs::cost_of(&arm, &choice, 0, &seconds);
             let least = all_pairs::cheapest(&arm, &pass, 20.0, 3.0);
@@ -168,17 +169,43 @@ fn what_touches_is_avoided_or_named() {
     let setup = setup("mz04", Mount::PartInHand);
     let p = planned(part(&sample("workpiece")), on(job("z", 8.0), &[1]));
     let arm = Arm::new(&setup, Spin::Free).expect("a robot");
-    let free = choose(&arm, &p.plan.passes, 20.0, 3.0, &|_| None);
+    let free = choose(&arm, &p.plan.passes, 20.0, 3.0, &Watch::default()).expect("goes on");
     let used: Vec<f64> = free.rows.iter().flatten().flatten().map(|c| c.joints_deg[5]).collect();
     assert!(used.iter().any(|j6| *j6 > 0.0) || used.iter().any(|j6| *j6 <= 0.0));
     let positive = used.iter().filter(|j6| **j6 > 0.0).count() * 2 > used.len();
     let half = move |joints: &[f64; 6]| ((joints[5] > 0.0) == positive).then(|| "forearm touches part".to_owned());
-    let avoided = choose(&arm, &p.plan.passes, 20.0, 3.0, &half);
+    let avoided =
+        choose(&arm, &p.plan.passes, 20.0, 3.0, &Watch { touches: &half, ..Watch::default() }).expect("goes on");
     assert!(avoided.rows.iter().flatten().flatten().all(|c| half(&c.joints_deg).is_none()));
     assert!(avoided.rows.iter().flatten().flatten().count() > used.len() / 2);
-    let named = choose(&arm, &p.plan.passes, 20.0, 3.0, &|_| Some("part touches head".into()));
+    let named = choose(
+        &arm,
+        &p.plan.passes,
+        20.0,
+        3.0,
+        &Watch { touches: &|_| Some("part touches head".into()), ..Watch::default() },
+    )
+    .expect("goes on");
     assert!(named.refusals.iter().all(|r| r.cause == Cause::Head && r.detail == "part touches head"));
     assert_eq!(named.rows.iter().flatten().flatten().count(), 0);
+}
+
+/// What is offered as a better set-up has been planned, and is what a plan with it gives.
+#[test]
+fn a_better_setup_refuses_as_few_as_it_says() {
+    let mut far = setup("mz04", Mount::PartInHand);
+    far.cell.base_from_laser = clearbeam::cell::Frame::new([700.0, 0.0, 300.0], [0.0; 3]);
+    let p = planned_in(part(&sample("workpiece")), on(job("z", 10.0), &[1, 2, 3]), &far);
+    let before = p.plan.refusals.len();
+    assert!(before > 10, "{before} refused");
+    assert!(!advice::advice(&p.part, &p.plan, &p.job, &far).is_empty());
+    let found = advice::better_setup(&p.part, &p.surfaces, &p.plan, &p.job, &far, &Cache::default());
+    let (better, left) = found.expect("something better");
+    assert!(left < before / 4, "{left} of {before}");
+    let mut moved = far.clone();
+    advice::applied(&p.job.cell, Mount::PartInHand, &better).put_frames(&mut moved.cell);
+    let again = planned_in(part(&sample("workpiece")), p.job.clone(), &moved);
+    assert_eq!(again.plan.refusals.len(), left);
 }
 
 #[test]

@@ -82,7 +82,7 @@ fn a_better_set_up_is_looked_at_applied_and_undone() {
     let mut h = far(&folder);
     let before = left_out(&h);
     find(&mut h);
-    assert!(h.query_by_label_contains("100 % within reach instead of ").is_some());
+    assert!(h.query_by_label_contains("% within reach instead of ").is_some());
     snapshot(&mut h, "better");
     press(&mut h, Modifiers::NONE, Key::K);
     assert!(h.query_by_label("The cell is shown as it would stand").is_some());

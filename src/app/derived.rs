@@ -48,7 +48,7 @@ pub struct Derived {
     /// Why there is none for the job as it is.
     pub plan_error: Option<(Job, String)>,
     planning: Option<Job>,
-    cache: Arc<Cache>,
+    pub(super) cache: Arc<Cache>,
     /// Counts plans, so that pictures of older ones are not taken for new.
     pub plan_count: u64,
 }

@@ -6,8 +6,8 @@ use super::worker::Outcome;
 use crate::cell::Setup;
 use crate::cell::motion::Arm;
 use crate::cell::motion::advice::BetterSetup;
-use crate::job::{Edit, Job, Plan, advice};
-use crate::part::Hasher;
+use crate::job::{Cache, Edit, Job, Plan, advice};
+use crate::part::{Hasher, Part, Surfaces};
 use crate::picture::{CellPicture, palette::state};
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
@@ -23,7 +23,8 @@ pub(super) const OUT_OF_REACH: [u8; 3] = state::BLOCKED;
 pub struct Remedy {
     advice: Option<(u64, Vec<String>)>,
     is_advising: bool,
-    proposal: Option<(u64, Arc<Proposal>)>,
+    /// `None` in it: there is no better one.
+    proposal: Option<(u64, Option<Arc<Proposal>>)>,
     proposing: Option<u64>,
 }
 
@@ -31,6 +32,8 @@ pub struct Remedy {
 pub struct Proposal {
     /// Its frames and what they are worth.
     pub found: BetterSetup,
+    /// Targets that are refused with it, and without.
+    pub refused: [usize; 2],
     /// Cell and robot as they would stand.
     pub setup: Setup,
     /// Arm and head there.
@@ -39,22 +42,26 @@ pub struct Proposal {
     points: [PointItem; 2],
 }
 
+/// What a search takes with it.
+struct Ingredients {
+    part: Arc<Part>,
+    plan: Arc<Plan>,
+    job: Job,
+    setup: Setup,
+}
+
 impl Proposal {
-    fn new(plan: &Plan, job: &Job, setup: &Setup) -> Option<Proposal> {
-        let found = advice::better_setup(plan, job, setup)?;
+    fn new(i: &Ingredients, surfaces: &Surfaces, cache: &Cache) -> Option<Proposal> {
+        let Ingredients { part, plan, job, setup } = i;
+        let (found, left) = advice::better_setup(part, surfaces, plan, job, setup, cache)?;
         let cell = advice::applied(&job.cell, setup.mount, &found);
         let mut setup = setup.clone();
-        cell.place_in(&mut setup.cell);
-        setup.check().ok()?;
+        cell.put_frames(&mut setup.cell);
         let spots = advice::spots(&found, job.beam.defocus_mm);
         let points = [(true, WITHIN, 6.0), (false, OUT_OF_REACH, 9.0)]
             .map(|(kind, color, size_px)| points(spots.iter().filter(|s| s.1 == kind).map(|s| s.0), color, size_px));
-        Some(Proposal { picture: CellPicture::new(&setup), found, setup, points })
-    }
-
-    /// Whether it is worth the change.
-    pub fn is_better(&self) -> bool {
-        self.found.share_after > self.found.share_before + 0.005
+        let refused = [left, plan.refusals.len()];
+        Some(Proposal { picture: CellPicture::new(&setup), found, refused, setup, points })
     }
 }
 
@@ -87,7 +94,13 @@ impl App {
     /// The set-up that is proposed for the plan as it is.
     pub(super) fn proposal(&self) -> Option<&Arc<Proposal>> {
         let (of, proposal) = self.derived.remedy.proposal.as_ref()?;
-        (*of == self.derived.plan_count && self.has_current_plan()).then_some(proposal)
+        proposal.as_ref().filter(|_| *of == self.derived.plan_count && self.has_current_plan())
+    }
+
+    /// Whether one was looked for in vain.
+    pub(super) fn has_no_proposal(&self) -> bool {
+        matches!(&self.derived.remedy.proposal, Some((of, None)) if *of == self.derived.plan_count)
+            && self.has_current_plan()
     }
 
     /// Whether a set-up for the plan as it is is being looked for.
@@ -100,10 +113,10 @@ impl App {
         if self.derived.remedy.is_advising || !self.has_refusals() || self.advice().is_some() {
             return;
         }
-        if let Some((plan, job, setup)) = self.ingredients() {
+        if let Some(Ingredients { part, plan, job, setup }) = self.ingredients() {
             self.derived.remedy.is_advising = true;
             let of = self.derived.plan_count;
-            self.worker.spawn(move || Outcome::Advised(of, advice::advice(&plan, &job, &setup)));
+            self.worker.spawn(move || Outcome::Advised(of, advice::advice(&part, &plan, &job, &setup)));
         }
     }
 
@@ -116,11 +129,13 @@ impl App {
 
     /// Looks for a better set-up.
     pub(super) fn propose(&mut self) {
-        if let Some((plan, job, setup)) = self.ingredients() {
+        if let Some(ingredients) = self.ingredients() {
+            let (surfaces, cache) = (self.derived.surfaces.clone(), self.derived.cache.clone());
             let of = self.derived.plan_count;
             self.derived.remedy.proposal = None;
             self.derived.remedy.proposing = Some(of);
-            self.worker.spawn(move || Outcome::Proposed(of, Proposal::new(&plan, &job, &setup).map(Arc::new)));
+            self.worker
+                .spawn(move || Outcome::Proposed(of, Proposal::new(&ingredients, &surfaces, &cache).map(Arc::new)));
         }
     }
 
@@ -129,10 +144,7 @@ impl App {
             return; // for a plan that is no more
         }
         self.derived.remedy.proposing = None;
-        if proposal.is_none() {
-            self.session.said = "no better set-up was found".into();
-        }
-        self.derived.remedy.proposal = proposal.map(|p| (of, p));
+        self.derived.remedy.proposal = Some((of, proposal));
     }
 
     /// Takes the proposed set-up into the job.
@@ -145,7 +157,7 @@ impl App {
 
     /// Forgets the proposed set-up; whether there was one.
     pub(super) fn dismiss_proposal(&mut self) -> bool {
-        let there = self.proposal().is_some();
+        let there = self.proposal().is_some() || self.has_no_proposal();
         self.derived.remedy.proposal = None;
         there
     }
@@ -169,9 +181,9 @@ impl App {
         best.map_or(proposal.setup.home_joints_deg(), |s| s.joints_deg)
     }
 
-    fn ingredients(&self) -> Option<(Arc<Plan>, Job, Setup)> {
+    fn ingredients(&self) -> Option<Ingredients> {
         let d = &self.derived;
         let (Some((plan, _)), Some(job), Some((_, Ok(setup)))) = (&d.plan, &d.plan_of, &d.setup) else { return None };
-        Some((plan.clone(), job.clone(), setup.clone()))
+        Some(Ingredients { part: d.part.clone()?, plan: plan.clone(), job: job.clone(), setup: setup.clone() })
     }
 }

@@ -81,6 +81,15 @@ impl CalibrationNote {
     }
 }
 
+impl std::fmt::Display for CalibrationNote {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let CalibrationNote { frame, method, rms_mm, worst_mm, residuals_mm } = self;
+        write!(f, "{frame} from {method}: {rms_mm:.3} mm rms, {worst_mm:.3} mm at worst")?;
+        let each: Vec<String> = residuals_mm.iter().map(|r| format!("{r:.3}")).collect();
+        if each.is_empty() { Ok(()) } else { write!(f, " ({})", each.join(", ")) }
+    }
+}
+
 /// The frame of three points.
 ///
 /// # Errors

@@ -29,6 +29,15 @@ pub struct Air {
     pub turn_deg_s: f64,
     /// Where the program begins and ends, joint angles in degrees.
     pub home_joints_deg: [f64; 6],
+    /// Where the arm goes first from home, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entry_joints_deg: Option<[f64; 6]>,
+    /// Where it goes last before home, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exit_joints_deg: Option<[f64; 6]>,
+    /// Tool in hand: height in the base on which the focus crosses the part, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub safe_plane_mm: Option<f64>,
     /// Speed from and to home, per cent.
     #[serde(default = "ten")]
     pub home_percent: f64,
@@ -256,6 +265,7 @@ impl Cell {
             ("air.clearance_mm", air.clearance_mm, 1.0, 1000.0),
             ("air.turn_deg_s", air.turn_deg_s, 1.0, 1000.0),
             ("air.home_percent", air.home_percent, 0.1, 100.0),
+            ("air.safe_plane_mm", air.safe_plane_mm.unwrap_or(0.0), -10_000.0, 10_000.0),
         ];
         if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
             return Err(format!("{name} = {value}: give {low} to {high}"));

@@ -30,8 +30,6 @@ pub struct Robot {
     pub speeds_deg_s: [f64; 6],
     /// From rest to full speed.
     pub acceleration_s: f64,
-    /// Where programs begin and end, unless the cell says otherwise.
-    pub home_joints_deg: Joints,
     /// Figures that nobody has checked.
     pub unverified: Vec<String>,
     /// Where each figure is from.
@@ -203,9 +201,6 @@ impl Robot {
         }
         if !(0.01..=10.0).contains(&self.acceleration_s) {
             return Err(format!("acceleration_s = {}: give 0.01 to 10", self.acceleration_s));
-        }
-        if let Some(j) = self.beyond(&self.home_joints_deg) {
-            return Err(format!("home_joints_deg: J{} = {} is beyond its limits", j + 1, self.home_joints_deg[j]));
         }
         let l = &self.links;
         for (name, mm) in [

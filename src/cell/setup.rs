@@ -35,10 +35,17 @@ impl Setup {
     }
 
     fn stands(&self, robot: &Robot) -> Result<(), String> {
-        let home = self.home_joints_deg();
-        if let Some(j) = robot.beyond(&home) {
-            let ([low, high], deg, name) = (robot.limits_deg[j], home[j], &robot.name);
-            return Err(format!("air.home_joints_deg: J{} = {deg} is beyond {low} to {high} of {name}", j + 1));
+        let (air, home) = (&self.cell.air, self.home_joints_deg());
+        let stands = [
+            ("home_joints_deg", Some(home)),
+            ("entry_joints_deg", air.entry_joints_deg),
+            ("exit_joints_deg", air.exit_joints_deg),
+        ];
+        for (key, joints) in stands.into_iter().filter_map(|(key, joints)| Some((key, joints?))) {
+            if let Some(j) = robot.beyond(&joints) {
+                let ([low, high], deg, name) = (robot.limits_deg[j], joints[j], &robot.name);
+                return Err(format!("air.{key}: J{} = {deg} is beyond {low} to {high} of {name}", j + 1));
+            }
         }
         let [base, ..] = robot.capsules(&home);
         let bodies = &self.cell.bodies;

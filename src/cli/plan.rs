@@ -4,7 +4,7 @@ use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::job::advice;
 use crate::job::plan::segmented;
-use crate::job::report::Report;
+use crate::job::report::{Report, hours};
 use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
 use std::path::{Path, PathBuf};
 
@@ -45,16 +45,23 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     for s in part.findings.sentences(&part.mesh, &part.orientation) {
         eprintln!("{}: {s}", a.input.display());
     }
+    for note in setup.cell.calibrations() {
+        eprintln!("{}: {note}", setup.cell.name);
+    }
+    let own = setup.robot.as_ref().map(|r| r.dialect.as_str()).filter(|d| *d != "csv" && *d != job.cell.dialect);
+    if let Some(own) = own {
+        eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
+    }
     let surfaces = segmented(&part, &job);
-    let plan =
-        job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).map_err(|e| match e {
-            PlanError::Parameter(_)
-            | PlanError::NoSurface { .. }
-            | PlanError::Twice(_)
-            | PlanError::SpacingTooLarge { .. }
-            | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
-            other => Failure::Failed(other.into()),
-        })?;
+    let cache = Cache::default();
+    let plan = job::plan(&part, &surfaces, &job, &setup, &cache, &Progress::default()).map_err(|e| match e {
+        PlanError::Parameter(_)
+        | PlanError::NoSurface { .. }
+        | PlanError::Twice(_)
+        | PlanError::SpacingTooLarge { .. }
+        | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
+        other => Failure::Failed(other.into()),
+    })?;
     let written =
         output::write(&a.out, &job, job_file, &part, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
     let report = Report::new(&plan, &surfaces);
@@ -63,16 +70,18 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         print(&format!("{json}\n"));
     } else {
         let mut text = report.text();
-        for sentence in advice::advice(&plan, &job, &setup) {
+        if let Some(timeline) = &plan.timeline {
+            let t = timeline.breakdown();
+            let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(hours);
+            text.push_str(&format!("{work} of work, {travel} of travel, {waiting} of waiting\n"));
+        }
+        for sentence in advice::advice(&part, &plan, &job, &setup) {
             text.push_str(&format!("to help: {sentence}\n"));
         }
-        if !report.refused().is_empty()
-            && let Some(better) = advice::better_setup(&plan, &job, &setup)
-            && better.share_after > better.share_before + 0.005
-        {
-            let (before, after) = (100.0 * better.share_before, 100.0 * better.share_after);
+        if let Some((better, left)) = advice::better_setup(&part, &surfaces, &plan, &job, &setup, &cache) {
+            let before = plan.refusals.len();
             text.push_str(&format!(
-                "a better set-up: {after:.0} % within reach instead of {before:.0} %; in the job's [cell]\n"
+                "a better set-up: {left} targets refused instead of {before}, with this in the job's [cell]\n"
             ));
             for line in advice::as_toml(setup.mount, &better) {
                 text.push_str(&format!("  {line}\n"));

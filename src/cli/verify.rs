@@ -2,7 +2,7 @@
 
 use super::{Failure, Outcome, print};
 use crate::job::plan::segmented;
-use crate::job::verify::{self, Verdict};
+use crate::job::verify::{self, Kind, Verdict};
 use crate::job::{self, Cache, Progress, files};
 use crate::program::ProgramFile;
 use anyhow::{Context as _, anyhow};
@@ -71,13 +71,18 @@ fn text(dialect: &str, v: &Verdict) -> String {
     let _ = writeln!(out, "{dialect}: {} moves, {} with the laser on", v.moves, v.lit_moves);
     let _ = writeln!(out, "furthest from the plan: {:.4} mm, {:.4}\u{b0} at the spot", v.worst_mm, v.worst_deg);
     for f in v.findings.iter().take(SHOWN) {
-        let _ = writeln!(out, "{}:{}: {}", f.file, f.line, f.text);
+        // What cannot be read names its place itself.
+        let _ = match f.kind {
+            Kind::Unreadable => writeln!(out, "{}", f.text),
+            _ => writeln!(out, "{}:{}: {}", f.file, f.line, f.text),
+        };
     }
     if v.findings.len() > SHOWN {
         let _ = writeln!(out, "and {} more", v.findings.len() - SHOWN);
     }
     let _ = match v.findings.len() {
         0 => writeln!(out, "nothing found"),
+        1 => writeln!(out, "1 finding"),
         n => writeln!(out, "{n} findings"),
     };
     out

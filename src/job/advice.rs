@@ -2,10 +2,12 @@
 //! and a better set-up.
 
 use super::model::{CellFile, Job};
-use super::plan::Plan;
+use super::plan::{Cache, Plan};
+use super::progress::Progress;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
-use crate::cell::motion::{Arm, Cause, Refusal, choose};
+use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
 use crate::cell::{Mount, Setup};
+use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, State};
 use nalgebra::{Isometry3, Point3};
 
@@ -34,9 +36,9 @@ fn frames(plan: &Plan, defocus_mm: f64) -> [Vec<Isometry3<f64>>; 2] {
 }
 
 /// Sentences that say what would help, the best first; none where nothing was refused, or nothing helps.
-pub fn advice(plan: &Plan, job: &Job, setup: &Setup) -> Vec<String> {
+pub fn advice(part: &Part, plan: &Plan, job: &Job, setup: &Setup) -> Vec<String> {
     let [done, refused] = frames(plan, job.beam.defocus_mm);
-    let found = advice::changes(setup, job.cell.spin, &sampled(&done, SAMPLE), &sampled(&refused, SAMPLE));
+    let found = advice::changes(setup, part, job.cell.spin, &sampled(&done, SAMPLE), &sampled(&refused, SAMPLE));
     let all = refused.len().min(SAMPLE);
     let mut out: Vec<String> = found.iter().map(Advice::to_string).collect();
     out.extend(slower(plan, job, setup));
@@ -71,18 +73,35 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup) -> Option<String> {
     let arm = Arm::new(setup, job.cell.spin)?;
     let works = |share: &&f64| {
         let speed_mm_s = job.beam.speed_mm_s * **share;
-        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &|_| None);
+        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &Watch::default()).unwrap_or_default();
         !choice.refusals.iter().any(|r| r.cause == Cause::Speed)
     };
     let share = SLOWER.iter().find(works)?;
     Some(format!("move the spot at {:.2} mm/s: no joint is too fast then", job.beam.speed_mm_s * share))
 }
 
-/// The mounting with which most of the work can be done.
-pub fn better_setup(plan: &Plan, job: &Job, setup: &Setup) -> Option<BetterSetup> {
+/// The mounting with which most of the work can be done, and how many targets are refused with it:
+/// what was found on single targets is planned before it is offered. `None`: nothing is better.
+pub fn better_setup(
+    part: &Part,
+    surfaces: &Surfaces,
+    plan: &Plan,
+    job: &Job,
+    setup: &Setup,
+    cache: &Cache,
+) -> Option<(BetterSetup, usize)> {
+    if refusals(plan).is_empty() {
+        return None;
+    }
     let [mut done, refused] = frames(plan, job.beam.defocus_mm);
     done.extend(refused);
-    advice::better_setup(setup, &sampled(&done, 3 * SAMPLE))
+    let better = advice::better_setup(setup, part, &sampled(&done, 3 * SAMPLE))?;
+    let job = Job { cell: applied(&job.cell, setup.mount, &better), ..job.clone() };
+    let mut changed = setup.clone();
+    job.cell.put_frames(&mut changed.cell);
+    let again = super::plan(part, surfaces, &job, &changed, cache, &Progress::default()).ok()?;
+    let left = again.refusals.len();
+    (left < refusals(plan).len()).then_some((better, left))
 }
 
 /// The job's cell with the frames of a better set-up.

@@ -3,6 +3,7 @@
 use super::model::Job;
 use crate::cell::{Cell, CellError, Robot, RobotError, Setup};
 use crate::part::{LoadError, Part, load};
+use crate::program::dialects;
 use std::io::Write as _;
 use std::path::{Component, Path, PathBuf};
 use thiserror::Error;
@@ -136,7 +137,12 @@ pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError>
 pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, JobError> {
     Ok(match job.cell.robot.as_str() {
         "" => None,
-        name => Some(Robot::load(name, job_file.and_then(Path::parent))?),
+        name => {
+            let robot = Robot::load(name, job_file.and_then(Path::parent))?;
+            dialects::known(&robot.dialect)
+                .map_err(|what| RobotError::Figure { file: name.into(), what: format!("{what} (the controller's)") })?;
+            Some(robot)
+        }
     })
 }
 
@@ -157,7 +163,7 @@ pub fn load_cell(job: &Job, job_file: Option<&Path>) -> Result<Cell, JobError> {
 /// # Errors
 /// The robot cannot stand there.
 pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell) -> Result<Setup, JobError> {
-    job.cell.place_in(&mut cell);
+    job.cell.put_frames(&mut cell);
     let mount = job.cell.mount.unwrap_or(cell.mount);
     let setup = Setup { cell, robot, mount };
     setup.check()?;

@@ -298,6 +298,21 @@ pub struct CellFile {
     pub base_from_part: Option<Frame>,
 }
 
+impl CellFile {
+    /// Puts the job's own frames in place of the cell's.
+    pub fn put_frames(&self, cell: &mut Cell) {
+        for (own, frame) in [
+            (&self.flange_from_part, &mut cell.flange_from_part),
+            (&self.base_from_laser, &mut cell.base_from_laser),
+            (&self.base_from_part, &mut cell.base_from_part),
+        ] {
+            if let Some(own) = own {
+                frame.clone_from(own);
+            }
+        }
+    }
+}
+
 impl Default for CellFile {
     fn default() -> Self {
         CellFile {
@@ -310,21 +325,6 @@ impl Default for CellFile {
             dialect: "nachi".into(),
             spin: Spin::Free,
             deviation_mm: 0.1,
-        }
-    }
-}
-
-impl CellFile {
-    /// Puts the frames of the job in place of a cell's.
-    pub fn place_in(&self, cell: &mut Cell) {
-        for (own, frame) in [
-            (&self.flange_from_part, &mut cell.flange_from_part),
-            (&self.base_from_laser, &mut cell.base_from_laser),
-            (&self.base_from_part, &mut cell.base_from_part),
-        ] {
-            if let Some(own) = own {
-                frame.clone_from(own);
-            }
         }
     }
 }

@@ -6,7 +6,7 @@ use super::parameter;
 use super::progress::{Cancelled, Progress};
 use super::report::CellReport;
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Choice, Refusal, choose};
+use crate::cell::motion::{Arm, Choice, Refusal, Watch, choose};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
@@ -232,7 +232,9 @@ fn drive(
     progress.begin("choosing spins", 2);
     let collision = Collision::new(setup, part);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
-    let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &touches);
+    let go_on = || progress.goes_on();
+    let watch = Watch { touches: &touches, go_on: &go_on };
+    let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch).ok_or(PlanError::Cancelled)?;
     progress.step()?;
     let drive = Drive {
         part,
@@ -242,6 +244,7 @@ fn drive(
         speeds: *speeds,
         deviation_mm: job.cell.deviation_mm,
         collision: collision.as_ref(),
+        go_on: &go_on,
     };
     plan.refuse(&choice.refusals);
     plan.choice = Some(choice);
@@ -261,6 +264,8 @@ fn settle(
             Ok(steps) => {
                 plan.steps = steps;
                 plan.refusals.sort_by_key(|r| (r.pass, r.point));
+                // A target may be refused on two grounds: the first counts.
+                plan.refusals.dedup_by_key(|r| (r.pass, r.point));
                 progress.step()?;
                 return Ok(());
             }

@@ -36,6 +36,11 @@ impl Progress {
         if self.cancelled.load(Ordering::Relaxed) { Err(Cancelled) } else { Ok(()) }
     }
 
+    /// Whether nobody asked the work to end.
+    pub fn goes_on(&self) -> bool {
+        !self.cancelled.load(Ordering::Relaxed)
+    }
+
     /// Asks the work to end.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);

@@ -219,14 +219,13 @@ impl Report {
             self.corrected,
             self.blocked
         );
-        let minutes = |s: f64| format!("{}:{:02}:{:02}", s as u64 / 3600, s as u64 / 60 % 60, s as u64 % 60);
         let _ = writeln!(
             out,
             "{:.1} mm with the laser on, {:.1} mm blocked, {:.1} mm in the air, {}",
             self.work_mm,
             self.blocked_mm,
             self.air_mm,
-            minutes(self.time_s)
+            hours(self.time_s)
         );
         let _ = writeln!(
             out,
@@ -254,6 +253,11 @@ impl Report {
         }
         out
     }
+}
+
+/// A time as hours, minutes and seconds.
+pub fn hours(s: f64) -> String {
+    format!("{}:{:02}:{:02}", s as u64 / 3600, s as u64 / 60 % 60, s as u64 % 60)
 }
 
 fn length(passes: &[Pass], which: impl Fn(&Target, &Target) -> bool + Copy) -> f64 {

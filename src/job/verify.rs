@@ -152,8 +152,8 @@ fn acting(lines: &[ReadLine]) -> Vec<Acting<'_>> {
 pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) -> Verdict {
     let mut verdict = Verdict::default();
     let poses = Poses { setup: expected.setup, defocus_mm: expected.defocus_mm };
-    compare(expected, &poses, read, &mut verdict);
-    let driven = driven(&poses, read, &mut verdict);
+    let planned_joints = compare(expected, &poses, read, &mut verdict);
+    let driven = driven(&poses, read, &planned_joints, &mut verdict);
     interference(expected, &poses, &driven, with_checker, &mut verdict);
     verdict.findings.sort_by_key(|f| order_of(read, f));
     verdict
@@ -197,9 +197,18 @@ fn finding(at: &ReadLine, kind: Kind, text: String) -> Finding {
     Finding { file: at.file.clone(), line: at.line, kind, text }
 }
 
-/// Line by line, finding the way back after a line that is gone or new.
-fn compare(expected: &Expected<'_>, poses: &Poses<'_>, read: &[ReadLine], verdict: &mut Verdict) {
+/// Line by line, finding the way back after a line that is gone or new. Gives the plan's joints for
+/// each line that is the plan's: a pose alone does not say how the arm stands, its configuration does,
+/// and that is compared as it is written.
+fn compare(
+    expected: &Expected<'_>,
+    poses: &Poses<'_>,
+    read: &[ReadLine],
+    verdict: &mut Verdict,
+) -> Vec<Option<Joints>> {
     let (want, have) = (acting(expected.written), acting(read));
+    let places: Vec<usize> = (0..read.len()).filter(|i| !matches!(read[*i].what, Read::Say(_))).collect();
+    let mut joints = vec![None; read.len()];
     let mut planned = expected.moves.iter();
     let plans: Vec<Option<&Move>> =
         want.iter().map(|l| matches!(l.what, Read::Move(_)).then(|| planned.next().copied()).flatten()).collect();
@@ -207,6 +216,7 @@ fn compare(expected: &Expected<'_>, poses: &Poses<'_>, read: &[ReadLine], verdic
     while i < want.len() && k < have.len() {
         if is_same(poses, want[i], have[k]) {
             agree(poses, plans[i], want[i], have[k], verdict);
+            joints[places[k]] = plans[i].and_then(|m| m.joints_deg);
             (i, k) = (i + 1, k + 1);
             continue;
         }
@@ -254,6 +264,7 @@ fn compare(expected: &Expected<'_>, poses: &Poses<'_>, read: &[ReadLine], verdic
     for h in have.iter().skip(k) {
         verdict.findings.push(finding(h, Kind::Extra, format!("behind the plan's end: {}", said(h))));
     }
+    joints
 }
 
 /// A line in a few words.
@@ -377,11 +388,16 @@ struct Driven<'a> {
 }
 
 /// Follows the program with the robot: ranges, speeds, and where the laser is on. Gives the lit moves.
-fn driven<'a>(poses: &Poses<'_>, read: &'a [ReadLine], verdict: &mut Verdict) -> Vec<Driven<'a>> {
+fn driven<'a>(
+    poses: &Poses<'_>,
+    read: &'a [ReadLine],
+    planned_joints: &[Option<Joints>],
+    verdict: &mut Verdict,
+) -> Vec<Driven<'a>> {
     let laser = poses.setup.cell.outputs.laser.number;
     let (mut lit, mut joints, mut at) = (false, None::<Joints>, None::<Isometry3<f64>>);
     let mut out = Vec::new();
-    for line in read {
+    for (line, planned) in read.iter().zip(planned_joints) {
         let m = match &line.what {
             Read::Output { number, on } if *number == laser => {
                 lit = *on;
@@ -393,7 +409,7 @@ fn driven<'a>(poses: &Poses<'_>, read: &'a [ReadLine], verdict: &mut Verdict) ->
         verdict.moves += 1;
         let flange = poses.flange(&m.goal);
         if let Some(robot) = &poses.setup.robot {
-            let next = match (&m.goal, &joints, &flange) {
+            let next = match (&m.goal, planned.as_ref().or(joints.as_ref()), &flange) {
                 (Goal::Joints(j), ..) => Some(*j),
                 (_, Some(before), Some(flange)) => robot.near(flange, before),
                 (_, None, Some(flange)) => robot.near(flange, &poses.setup.home_joints_deg()),

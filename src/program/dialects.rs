@@ -8,7 +8,7 @@ use super::fanuc::Fanuc;
 use super::kuka::Krl;
 use super::lines::lines;
 use super::nachi::Nachi;
-use super::steps::Steps;
+use super::steps::{Step, Steps};
 use super::ur::Ur;
 use super::yaskawa::Jbi;
 use crate::cell::Setup;
@@ -45,7 +45,8 @@ pub fn known(name: &str) -> Result<&'static dyn Dialect, String> {
 /// # Errors
 /// What the controller could not take.
 pub fn check(name: &str, setup: &Setup, power_w: f64) -> Result<(), String> {
-    let lines = lines(&Steps::default(), setup, power_w);
+    let home = Steps { list: vec![Step::Home, Step::Home], ..Steps::default() };
+    let lines = lines(&home, setup, power_w);
     known(name)?.write(&Program { head: Vec::new(), lines, setup }).map(drop).map_err(|e| e.to_string())
 }
 

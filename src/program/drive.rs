@@ -33,6 +33,8 @@ pub struct Drive<'a> {
     pub deviation_mm: f64,
     /// What the arm and all it carries may touch; `None`: nothing.
     pub collision: Option<&'a Collision<'a>>,
+    /// Whether to go on; the steps of a stopped drive are refused without a reason.
+    pub go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
 /// Where the arm stands: the focus in the part, and the joints.
@@ -62,8 +64,14 @@ impl Drive<'_> {
             .enumerate()
             .flat_map(|(number, pass)| pass.lit_pieces().into_iter().map(move |(a, b)| (number, a, b)))
             .collect();
-        let driven: Vec<Result<(Stand, Vec<Lit>), Refusal>> =
-            pieces.par_iter().map(|&piece| self.piece(passes, choice, piece)).collect();
+        let driven: Vec<Result<(Stand, Vec<Lit>), Refusal>> = pieces
+            .par_iter()
+            .take_any_while(|_| (self.go_on)())
+            .map(|&piece| self.piece(passes, choice, piece))
+            .collect();
+        if !(self.go_on)() {
+            return Err(Vec::new());
+        }
         let mut refused = Vec::new();
         let mut whole = Vec::new();
         for piece in driven {
@@ -80,16 +88,22 @@ impl Drive<'_> {
         let ways: Vec<Option<Vec<Go>>> = (0..=whole.len())
             .into_par_iter()
             .map(|i| {
+                if !(self.go_on)() {
+                    return None;
+                }
                 let from = (i > 0).then(|| end(i - 1));
                 let to = whole.get(i).map(|piece| piece.0);
                 round::way(self, &space, from.as_ref(), to.as_ref())
             })
             .collect();
+        if !(self.go_on)() {
+            return Err(Vec::new());
+        }
         if let (Some(None), false) = (ways.first(), whole.is_empty()) {
             // Nothing begins here: refuse all pieces up to the first that can be gone to.
             let reachable = |i: &usize| round::way(self, &space, None, Some(&whole[*i].0)).is_some();
             let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
-            return Err(pieces[..begin].iter().flat_map(|&(n, a, b)| no_way(n, a..=b)).collect());
+            return Err(pieces[..begin].iter().flat_map(|&(n, a, b)| self.no_way(n, a..=b)).collect());
         }
         let mut out = Steps::default();
         out.list.push(Step::Home);
@@ -100,7 +114,7 @@ impl Drive<'_> {
                 // Home is on every way that is tried last: the piece that has none to it is in a pocket.
                 let stuck = i > 0 && round::way(self, &space, Some(&end(i - 1)), None).is_none();
                 let (number, first, last) = if stuck { pieces[i - 1] } else { (number, first, last) };
-                refused.extend(no_way(number, first..=last));
+                refused.extend(self.no_way(number, first..=last));
                 continue;
             };
             let (down, way) = match way.split_last() {
@@ -137,10 +151,23 @@ impl Drive<'_> {
             }
         }
         if let (Some(None), Some(&(number, first, last))) = (ways.last(), pieces.last()) {
-            refused.extend(no_way(number, first..=last));
+            refused.extend(self.no_way(number, first..=last));
         }
         out.list.push(Step::Home);
         if refused.is_empty() { Ok(out) } else { Err(refused) }
+    }
+
+    /// All targets of a piece that nothing leads to.
+    fn no_way(&self, pass: usize, points: std::ops::RangeInclusive<usize>) -> Vec<Refusal> {
+        let at_home = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()));
+        let detail = match at_home {
+            Some(contact) => {
+                format!("{contact} already at home: hold the part elsewhere, or change air.home_joints_deg")
+            }
+            None => "no way leads here on which arm and part keep clear of everything".to_owned(),
+        };
+        let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
+        points.map(refuse).collect()
     }
 
     fn piece(
@@ -217,12 +244,6 @@ impl Drive<'_> {
         out.push(Lit { to: *to, seconds, target: None });
         Ok(())
     }
-}
-
-/// All targets of a piece that nothing leads to.
-fn no_way(pass: usize, points: std::ops::RangeInclusive<usize>) -> impl Iterator<Item = Refusal> {
-    let detail = "no way leads here on which arm and part keep clear of everything";
-    points.map(move |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.into() })
 }
 
 impl Steps {

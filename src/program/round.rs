@@ -7,6 +7,7 @@
 use super::air::Space;
 use super::drive::{Drive, Stand};
 use super::steps::{Go, Pace, Station, Way};
+use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, State};
 use crate::cell::{Joints, Mount, Robot};
 use crate::part::angle;
@@ -53,27 +54,28 @@ pub fn way(drive: &Drive<'_>, space: &Space<'_>, from: Option<&Stand>, to: Optio
     match (from, to) {
         (None, None) => Some(Vec::new()),
         (None, Some(to)) => {
-            let (in_order, above) = r.way_from_home(to)?;
-            let down = r.straight(&above, to);
-            Some(in_order.iter().map(|s| r.by_joints(s)).chain([down]).collect())
+            let entry = r.gate(drive.setup.cell.air.entry_joints_deg)?;
+            let (stands, above) = r.way_in(entry.as_ref().unwrap_or(&r.home()), to)?;
+            let moves = entry.iter().chain(&stands).map(|s| r.by_joints(s));
+            Some(moves.chain([r.straight(&above, to)]).collect())
         }
         (Some(from), None) => {
             // The way in, backwards; home itself is gone to by the program's end.
-            let (mut stands, out) = r.way_from_home(from)?;
+            let exit = r.gate(drive.setup.cell.air.exit_joints_deg)?;
+            let (mut stands, out) = r.way_in(exit.as_ref().unwrap_or(&r.home()), from)?;
             stands.pop();
-            let up = r.straight(from, &out);
-            Some([up].into_iter().chain(stands.iter().rev().map(|s| r.by_joints(s))).collect())
+            let moves = stands.iter().rev().chain(&exit).map(|s| r.by_joints(s));
+            Some([r.straight(from, &out)].into_iter().chain(moves).collect())
         }
         (Some(from), Some(to)) => {
-            r.hop(from, to).or_else(|| r.direct(from, to)).or_else(|| r.over(from, to)).or_else(|| {
-                let (mut back, out) = r.way_from_home(from)?;
-                let (forth, above) = r.way_from_home(to)?;
-                back.pop();
-                let home = r.home();
-                let stands = back.iter().rev().chain([&home]).chain(&forth);
-                let moves = stands.map(|s| r.by_joints(s));
-                Some([r.straight(from, &out)].into_iter().chain(moves).chain([r.straight(&above, to)]).collect())
-            })
+            let tries: [&dyn Fn() -> Option<Vec<Go>>; 5] = [
+                &|| r.hop(from, to),
+                &|| r.by_safe_plane(from, to),
+                &|| r.direct(from, to),
+                &|| r.over(from, to),
+                &|| r.by_home(from, to),
+            ];
+            tries.iter().find_map(|way| way())
         }
     }
 }
@@ -97,8 +99,10 @@ impl Round<'_> {
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
             let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
-            let touches = self.drive.collision.is_some_and(|c| c.first(&next.joints_deg).is_some());
-            if touches || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG {
+            let touches = |c: &Collision<'_>| c.first_between(&here.joints_deg, &next.joints_deg).is_some();
+            if self.drive.collision.is_some_and(touches)
+                || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG
+            {
                 return None;
             }
             here = next;
@@ -121,6 +125,35 @@ impl Round<'_> {
         let down = self.along(to, &self.space.drawn_back(&to.at), 1.0)?;
         self.straight_clear(&up, &down)
             .then(|| vec![self.straight(from, &up), self.straight(&up, &down), self.straight(&down, to)])
+    }
+
+    /// Tool in hand: up to the safe plane, straight across, down.
+    fn by_safe_plane(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
+        let setup = self.drive.setup;
+        let height_mm = setup.cell.air.safe_plane_mm.filter(|_| setup.mount == Mount::ToolInHand)?;
+        let base_from_part = setup.cell.base_from_part.isometry();
+        let lifted = |stand: &Stand| {
+            let back = self.along(stand, &self.space.drawn_back(&stand.at), 1.0)?;
+            let mut x = base_from_part * back.at.x;
+            x.z = x.z.max(height_mm);
+            let up = self.along(&back, &Station { x: base_from_part.inverse() * x, ..back.at }, 1.0)?;
+            Some((back, up))
+        };
+        let ((back, up), (down, above)) = (lifted(from)?, lifted(to)?);
+        self.straight_clear(&up, &above).then(|| {
+            let stands = [from, &back, &up, &above, &down, to];
+            stands.windows(2).map(|w| self.straight(w[0], w[1])).collect()
+        })
+    }
+
+    /// Out and home, then in from there.
+    fn by_home(&self, from: &Stand, to: &Stand) -> Option<Vec<Go>> {
+        let home = self.home();
+        let (mut back, out) = self.way_in(&home, from)?;
+        let (forth, above) = self.way_in(&home, to)?;
+        back.pop();
+        let moves = back.iter().rev().chain([&home]).chain(&forth).map(|s| self.by_joints(s));
+        Some([self.straight(from, &out)].into_iter().chain(moves).chain([self.straight(&above, to)]).collect())
     }
 
     /// Out, one move by joints, in.
@@ -167,14 +200,23 @@ impl Round<'_> {
     }
 
     fn home(&self) -> Stand {
-        let joints_deg = self.drive.setup.home_joints_deg();
+        self.stand_of(self.drive.setup.home_joints_deg())
+    }
+
+    fn stand_of(&self, joints_deg: Joints) -> Stand {
         Stand { at: Station::at(&self.drive.mounted.focus_for(&self.robot.forward(&joints_deg))), joints_deg }
     }
 
-    /// Stands from home to straight above a piece's end, that one included and given once more: at once,
-    /// or by a gate from which a way leads over the part.
-    fn way_from_home(&self, to: &Stand) -> Option<(Vec<Stand>, Stand)> {
-        let home = self.home().joints_deg;
+    /// A stand between home and the work, if the cell has one; `None`: the way to it from home is not clear.
+    fn gate(&self, joints_deg: Option<Joints>) -> Option<Option<Stand>> {
+        let Some(joints) = joints_deg else { return Some(None) };
+        self.joints_clear(&self.drive.setup.home_joints_deg(), &joints).then(|| Some(self.stand_of(joints)))
+    }
+
+    /// Stands from home (or a gate) to straight above a piece's end, that one included and given once
+    /// more: at once, or by stands around the part from which a way leads over it.
+    fn way_in(&self, from: &Stand, to: &Stand) -> Option<(Vec<Stand>, Stand)> {
+        let home = from.joints_deg;
         if let Some(above) = self.outs(to).find(|above| self.joints_clear(&home, &above.joints_deg)) {
             return Some((vec![above], above));
         }

@@ -5,6 +5,9 @@ use super::frames;
 use crate::cell::Mount;
 use eframe::egui::{self, RichText};
 
+/// What the dots of the preview mean.
+const LEGEND: [(&str, [u8; 3]); 2] = [("within reach", remedy::WITHIN), ("out of reach", remedy::OUT_OF_REACH)];
+
 /// A share as whole per cent; 100 is said of all and nothing less.
 fn percent(share: f64) -> f64 {
     (100.0 * share + 1e-9).floor()
@@ -12,7 +15,7 @@ fn percent(share: f64) -> f64 {
 
 impl App {
     pub(in super::super) fn proposal_strip(&mut self, ui: &mut egui::Ui) {
-        if !self.is_proposing() && self.proposal().is_none() {
+        if !self.is_proposing() && self.proposal().is_none() && !self.has_no_proposal() {
             return;
         }
         egui::Frame::new().inner_margin(6).fill(ui.visuals().extreme_bg_color).show(ui, |ui| {
@@ -24,6 +27,9 @@ impl App {
                 });
                 return;
             }
+            if self.has_no_proposal() {
+                ui.label(RichText::new("No better set-up was found").strong());
+            }
             self.proposed_frames(ui);
             self.answer(ui);
         });
@@ -32,18 +38,13 @@ impl App {
     fn proposed_frames(&self, ui: &mut egui::Ui) {
         let Some(p) = self.proposal() else { return };
         let (before, after) = (percent(p.found.share_before), percent(p.found.share_after));
-        if !p.is_better() {
-            ui.label(
-                RichText::new(format!("No better set-up was found: {before} % within reach as it stands")).strong(),
-            );
-            return;
-        }
-        ui.label(RichText::new(format!("{after} % within reach instead of {before} %")).strong().size(15.0))
-            .on_hover_text(format!(
-                "Of {} targets, evenly over the work: reach, joint limits and singular poses were looked at. \
-                 What else may be in the way the new plan says",
-                p.found.sample.len()
-            ));
+        let [left, refused] = p.refused;
+        let text =
+            format!("{left} targets refused instead of {refused} · {after} % within reach instead of {before} %");
+        ui.label(RichText::new(text).strong().size(15.0)).on_hover_text(
+            "The plan was made with these frames to count what is refused; reach was looked at on targets evenly \
+             over the work, which the dots show",
+        );
         let held = match p.setup.mount {
             Mount::PartInHand => "Part on the flange",
             Mount::ToolInHand => "Part in the base",
@@ -64,9 +65,9 @@ impl App {
     }
 
     fn answer(&mut self, ui: &mut egui::Ui) {
-        let is_better = self.proposal().is_some_and(|p| p.is_better());
+        let there = self.proposal().is_some();
         ui.horizontal_wrapped(|ui| {
-            if is_better {
+            if there {
                 let apply = egui::Button::new(RichText::new("Apply").strong()).fill(theme::ACCENT.gamma_multiply(0.6));
                 let tip = "Writes these frames into the job and plans again; Undo takes them back";
                 if ui.add(apply).on_hover_text(tip).clicked() {
@@ -76,7 +77,7 @@ impl App {
             if ui.button("Dismiss").on_hover_text("Esc").clicked() {
                 self.dismiss_proposal();
             }
-            for (word, color) in [("within reach", remedy::WITHIN), ("out of reach", remedy::OUT_OF_REACH)] {
+            for (word, color) in LEGEND.into_iter().filter(|_| there) {
                 ui.add_space(8.0);
                 theme::swatch(ui, color);
                 ui.label(word);

@@ -5,8 +5,10 @@
 //! are looked at; the chain between them is the planner's.
 
 use super::states::Arm;
+use crate::cell::collision::Collision;
 use crate::cell::{Frame, Mount, Robot, Setup, Spin, rpy};
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use crate::part::Part;
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -47,15 +49,16 @@ pub fn sampled<T: Copy>(all: &[T], most: usize) -> Vec<T> {
     all.iter().step_by(every).copied().collect()
 }
 
-/// Whether the arm can stand at a path frame with something to spare.
-fn is_possible(arm: &Arm<'_>, part_from_focus: &Isometry3<f64>) -> bool {
-    let spare = |s: &super::State| arm.robot.limit_margin_deg(&s.joints_deg) >= SPARE_DEG;
-    arm.states(part_from_focus).is_ok_and(|states| states.iter().any(spare))
-}
-
-fn possible(setup: &Setup, robot: &Robot, frames: &[Isometry3<f64>], step_deg: f64) -> Vec<bool> {
+/// Whether the arm can stand at each path frame with something to spare, touching nothing.
+fn possible(setup: &Setup, part: &Part, frames: &[Isometry3<f64>], step_deg: f64) -> Vec<bool> {
+    let Some(robot) = &setup.robot else { return vec![false; frames.len()] };
     let arm = Arm::with_step(robot, setup, step_deg);
-    frames.iter().map(|f| is_possible(&arm, f)).collect()
+    let collision = Collision::new(setup, part);
+    let free = |s: &super::State| {
+        robot.limit_margin_deg(&s.joints_deg) >= SPARE_DEG
+            && collision.as_ref().is_none_or(|c| c.first(&s.joints_deg).is_none())
+    };
+    frames.iter().map(|f| arm.states(f).is_ok_and(|states| states.iter().any(free))).collect()
 }
 
 fn count(all: &[bool]) -> usize {
@@ -64,17 +67,22 @@ fn count(all: &[bool]) -> usize {
 
 /// Changes that make refused targets possible, the best first: more gained, less lost, then the smaller
 /// change. `done` and `refused` are samples of path frames in the part.
-pub fn changes(setup: &Setup, spin: Spin, done: &[Isometry3<f64>], refused: &[Isometry3<f64>]) -> Vec<Advice> {
-    let Some(robot) = &setup.robot else { return Vec::new() };
+pub fn changes(
+    setup: &Setup,
+    part: &Part,
+    spin: Spin,
+    done: &[Isometry3<f64>],
+    refused: &[Isometry3<f64>],
+) -> Vec<Advice> {
     if refused.is_empty() {
         return Vec::new();
     }
     let now_deg = if spin == Spin::Travel { 180.0 } else { SPINS_DEG };
-    let before = possible(setup, robot, done, now_deg);
+    let before = possible(setup, part, done, now_deg);
     // What is possible by itself was refused for the way to it: no change of place is known to help.
     let stuck: Vec<Isometry3<f64>> = refused
         .iter()
-        .zip(possible(setup, robot, refused, now_deg))
+        .zip(possible(setup, part, refused, now_deg))
         .filter(|(_, possible)| !possible)
         .map(|(f, _)| *f)
         .collect();
@@ -89,11 +97,11 @@ pub fn changes(setup: &Setup, spin: Spin, done: &[Isometry3<f64>], refused: &[Is
         .into_par_iter()
         .enumerate()
         .filter_map(|(rank, (text, changed, step_deg))| {
-            let gained = count(&possible(&changed, robot, &stuck, step_deg));
+            let gained = count(&possible(&changed, part, &stuck, step_deg));
             if gained == 0 {
                 return None;
             }
-            let after = possible(&changed, robot, done, step_deg);
+            let after = possible(&changed, part, done, step_deg);
             let lost = before.iter().zip(&after).filter(|(b, a)| **b && !**a).count();
             Some((rank, Advice { text, gained, of: refused.len(), lost }))
         })
@@ -199,12 +207,11 @@ pub struct BetterSetup {
 ///
 /// A coarse grid over how the part is held and where laser or part stands, then single steps from the
 /// best, ever smaller. `frames`: a sample of path frames, evenly over the work.
-pub fn better_setup(setup: &Setup, frames: &[Isometry3<f64>]) -> Option<BetterSetup> {
-    let robot = setup.robot.as_ref()?;
-    if frames.is_empty() {
+pub fn better_setup(setup: &Setup, part: &Part, frames: &[Isometry3<f64>]) -> Option<BetterSetup> {
+    if frames.is_empty() || setup.robot.is_none() {
         return None;
     }
-    let score = |s: &Setup| count(&possible(s, robot, frames, 2.0 * SPINS_DEG));
+    let score = |s: &Setup| count(&possible(s, part, frames, 2.0 * SPINS_DEG));
     let start = score(setup);
     let mut best = (start, setup.clone());
     // Nothing to gain: leave everything as it is.
@@ -230,7 +237,7 @@ pub fn better_setup(setup: &Setup, frames: &[Isometry3<f64>]) -> Option<BetterSe
             }
         }
     }
-    let possible = possible(&best.1, robot, frames, SPINS_DEG);
+    let possible = possible(&best.1, part, frames, SPINS_DEG);
     let mut found = best.1;
     Some(BetterSetup {
         share_before: start as f64 / frames.len() as f64,
@@ -313,14 +320,8 @@ fn around(setup: &Setup, step_mm: f64) -> Vec<Setup> {
     out
 }
 
-/// A frame's place, for messages: mm and degrees.
+/// A frame as it stands in a job file: mm and degrees.
 pub fn said(frame: &Frame) -> String {
-    let Isometry3 { translation: Translation3 { vector: v }, .. } = frame.isometry();
-    let [rz, ry, rx] = frame.rz_ry_rx_deg;
-    format!(
-        "position_mm = [{:.0}, {:.0}, {:.0}], rz_ry_rx_deg = [{rz:.1}, {ry:.1}, {rx:.1}]",
-        v.x + 0.0,
-        v.y + 0.0,
-        v.z + 0.0
-    )
+    let list = |v: &[f64; 3]| v.map(|x| format!("{:?}", x + 0.0)).join(", ");
+    format!("position_mm = [{}], rz_ry_rx_deg = [{}]", list(&frame.position_mm), list(&frame.rz_ry_rx_deg))
 }

@@ -78,18 +78,31 @@ enum Refused {
     Contact(String),
 }
 
-/// What the arm and all it carries touch at these joints, in words.
-pub type Touch<'a> = dyn Fn(&Joints) -> Option<String> + Sync + 'a;
+/// What the search asks while it works.
+pub struct Watch<'a> {
+    /// What the arm and all it carries touch at some joints, in words.
+    pub touches: &'a (dyn Fn(&Joints) -> Option<String> + Sync),
+    /// Whether to go on.
+    pub go_on: &'a (dyn Fn() -> bool + Sync),
+}
+
+impl Default for Watch<'_> {
+    /// Nothing is touched, and nobody stops the search.
+    fn default() -> Self {
+        Watch { touches: &|_| None, go_on: &|| true }
+    }
+}
 
 /// Chooses spin and branch for every target that is not blocked.
 ///
-/// `touches` says what collides; it is asked for the chosen states first, and for all states of a
-/// pass where one of them does.
-pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, touches: &Touch<'_>) -> Choice {
+/// What is touched is asked for the chosen states first, and for all states of a pass where one of
+/// them does. `None`: the search was stopped.
+pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, watch: &Watch<'_>) -> Option<Choice> {
+    let Watch { touches, go_on } = watch;
     let stops = stops(passes, defocus_mm, speed_mm_s);
     let mut looked_at = vec![false; passes.len()];
     loop {
-        let chain = chain(arm, &stops, |stop: &Stop| {
+        let chain = chain(arm, &stops, go_on, |stop: &Stop| {
             let states = arm.states(&stop.part_from_focus).map_err(Refused::Lack)?;
             if !looked_at[stop.pass] {
                 return Ok(states);
@@ -105,17 +118,20 @@ pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, 
                 })
                 .collect();
             if free.is_empty() { Err(Refused::Contact(contact.unwrap_or_default())) } else { Ok(free) }
-        });
+        })?;
         let touching: Vec<usize> = stops
             .par_iter()
             .zip(&chain)
             .filter(|(stop, state)| {
-                !looked_at[stop.pass] && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
+                go_on() && !looked_at[stop.pass] && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
             })
             .map(|(stop, _)| stop.pass)
             .collect();
+        if !go_on() {
+            return None;
+        }
         if touching.is_empty() {
-            return choice(arm, passes, &stops, chain);
+            return Some(choice(arm, passes, &stops, chain));
         }
         for pass in touching {
             looked_at[pass] = true;
@@ -147,11 +163,19 @@ pub(super) fn most_deg(speeds_deg_s: &[f64; 6], seconds: f64) -> [f64; 6] {
 
 /// A chain over all stops: the state of each, or why there is none (`None`: it has states, but the
 /// cheapest chain leaves it out).
-fn chain(arm: &Arm<'_>, stops: &[Stop], ways: impl Fn(&Stop) -> Ways + Sync) -> Vec<Result<State, Option<Refused>>> {
+fn chain(
+    arm: &Arm<'_>,
+    stops: &[Stop],
+    go_on: &(dyn Fn() -> bool + Sync),
+    ways: impl Fn(&Stop) -> Ways + Sync,
+) -> Option<Vec<Result<State, Option<Refused>>>> {
     let rules = Rules::new(arm);
     let mut trace: Vec<Trace> = Vec::with_capacity(stops.len());
     let mut before = Layer::start();
     for chunk in stops.chunks(CHUNK) {
+        if !go_on() {
+            return None;
+        }
         let made: Vec<(Layer, Option<Refused>)> = chunk
             .par_iter()
             .map(|stop| match ways(stop) {
@@ -181,7 +205,7 @@ fn chain(arm: &Arm<'_>, stops: &[Stop], ways: impl Fn(&Stop) -> Ways + Sync) -> 
         let way = t.ways.get(pick as usize);
         way.and_then(|[spin, branch, turn]| arm.state(&stop.part_from_focus, *spin, *branch, *turn)).ok_or(t.lack)
     };
-    stops.iter().zip(trace).zip(picked).map(|((stop, t), pick)| state((stop, t, pick))).collect()
+    Some(stops.iter().zip(trace).zip(picked).map(|((stop, t), pick)| state((stop, t, pick))).collect())
 }
 
 /// Number of the node that leaves a target out.

@@ -10,6 +10,6 @@ pub mod choice;
 pub mod refusal;
 pub mod states;
 
-pub use choice::{Choice, Chosen, choose};
+pub use choice::{Choice, Chosen, Watch, choose};
 pub use refusal::{Cause, Refusal};
 pub use states::{Arm, State};

@@ -9,7 +9,7 @@ use nalgebra::Isometry3;
 pub enum Cause {
     /// The beam hits the part on the way between two targets, as the controller goes.
     Beam,
-    /// The arm touches the part or itself.
+    /// The arm touches the part, or no way leads there.
     Robot,
     /// The head is touched.
     Head,
