@@ -5,7 +5,7 @@ use super::csv_reader;
 use super::dialect::{Dialect, Program, ProgramFile, ReadError, ReadLine, Reading, WriteError};
 use super::lines::{Line, Move};
 use super::steps::{Pace, Way};
-use super::words::{fixed, plain, text};
+use crate::cell::controllers::words::{fixed, plain, text};
 use nalgebra::Isometry3;
 
 /// The dialect.

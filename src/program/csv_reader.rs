@@ -4,8 +4,8 @@ use super::csv::{COLUMNS, CONVENTIONS, COUNT, END};
 use super::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use super::reading::wrong;
 use super::steps::{Pace, Way};
-use super::words::number;
 use crate::cell::Setup;
+use crate::cell::controllers::words::number;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 /// How far two accounts of one pose may differ, mm and degrees.

@@ -12,9 +12,9 @@ use super::flange::{Speeds, Travel, as_read, flows_on, printed, printed_joints, 
 use super::lines::{Line, Move};
 use super::phrases::Phrases;
 use super::steps::{Pace, Way};
-use super::words::{self, fixed};
 use crate::cell::Setup;
 use crate::cell::controllers::Estun;
+use crate::cell::controllers::words::{self, fixed};
 use nalgebra::Isometry3;
 use std::collections::BTreeMap;
 

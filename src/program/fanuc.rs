@@ -9,8 +9,8 @@ use super::fanuc_reader;
 use super::lines::{Line, Move};
 use super::pages::pages;
 use super::steps::{Pace, Way};
-use super::words::{check_template, cut, filled, fixed, plain, text};
 use crate::cell::controllers::Fanuc as Words;
+use crate::cell::controllers::words::{check_template, cut, filled, fixed, plain, text};
 use crate::cell::{Setup, rpy};
 
 /// The dialect.

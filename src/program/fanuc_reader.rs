@@ -4,8 +4,8 @@ use super::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Rea
 use super::fanuc::is_coupled;
 use super::reading::{Found, wrong};
 use super::steps::{Pace, Way};
-use super::words::{matched, matched_key, number, said_lines};
 use crate::cell::controllers::Fanuc as Words;
+use crate::cell::controllers::words::{matched, matched_key, number, said_lines};
 use crate::cell::rpy;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use std::collections::BTreeMap;

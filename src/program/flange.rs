@@ -3,7 +3,7 @@
 
 use super::lines::Line;
 use super::steps::Way;
-use super::words::{fixed, number};
+use crate::cell::controllers::words::{fixed, number};
 use crate::cell::{Joints, Setup, rpy};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 

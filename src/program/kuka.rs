@@ -14,9 +14,9 @@ use super::lines::{Line, Move};
 use super::pages::pages;
 use super::phrases::Phrases;
 use super::steps::{Pace, Way};
-use super::words::{self, filled, fixed};
 use crate::cell::Setup;
 use crate::cell::controllers::Kuka;
+use crate::cell::controllers::words::{self, filled, fixed};
 use nalgebra::Isometry3;
 
 /// The dialect.

@@ -28,7 +28,6 @@ pub mod timeline;
 pub mod trapezoid;
 pub mod ur;
 mod ur_reader;
-pub mod words;
 pub mod yaskawa;
 
 pub use dialect::{Dialect, Program, ProgramFile};

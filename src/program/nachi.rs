@@ -10,7 +10,7 @@ use super::lines::{Line, Move};
 use super::nachi_reader;
 use super::pages::{moves, pages};
 use super::steps::{Pace, Way};
-use super::words::{check_template, filled, fixed, plain, text};
+use crate::cell::controllers::words::{check_template, filled, fixed, plain, text};
 use crate::cell::controllers::{Nachi as Words, NachiForm};
 use crate::cell::{Cell, rpy};
 use nalgebra::Isometry3;

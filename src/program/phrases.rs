@@ -3,7 +3,7 @@
 
 use super::dialect::Read;
 use super::lines::Line;
-use super::words::{cut, filled, fixed, matched, matched_key, number, plain};
+use crate::cell::controllers::words::{cut, filled, fixed, matched, matched_key, number, plain};
 
 /// A controller's templates.
 #[derive(Clone, Copy, Debug)]

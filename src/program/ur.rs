@@ -9,8 +9,8 @@ use super::lines::{Line, Move};
 use super::pages::{moves, pages};
 use super::steps::{Pace, Way};
 use super::ur_reader;
-use super::words::{check_template, filled, fixed, plain, text};
 use crate::cell::controllers::Ur as Words;
+use crate::cell::controllers::words::{check_template, filled, fixed, plain, text};
 use nalgebra::Isometry3;
 
 /// The dialect.

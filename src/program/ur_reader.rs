@@ -3,8 +3,8 @@
 use super::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use super::reading::wrong;
 use super::steps::{Pace, Way};
-use super::words::{matched, matched_key, number, numbers, said_lines};
 use crate::cell::controllers::Ur as Words;
+use crate::cell::controllers::words::{matched, matched_key, number, numbers, said_lines};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 /// A function and what it does.

@@ -19,8 +19,8 @@ use super::lines::{Line, Move};
 use super::pages::pages;
 use super::phrases::Phrases;
 use super::steps::{Pace, Way};
-use super::words::{self, fixed};
 use crate::cell::controllers::Yaskawa;
+use crate::cell::controllers::words::{self, fixed};
 use crate::cell::{Joints, Setup};
 use nalgebra::{Isometry3, Translation3};
 

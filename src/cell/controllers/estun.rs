@@ -1,7 +1,7 @@
 //! The `[estun]` table of a cell file.
 
 use super::check::{identifier, plain_lines, ranges};
-use crate::program::words::check_template;
+use super::words::check_template;
 use serde::{Deserialize, Serialize};
 
 /// What the ESTUN program needs; words that sources disagree on are templates.

@@ -1,7 +1,7 @@
 //! The `[kuka]` table of a cell file.
 
 use super::check::{identifier, plain_lines, ranges};
-use crate::program::words::check_template;
+use super::words::check_template;
 use serde::{Deserialize, Serialize};
 
 /// What the KRL program needs; words that sources disagree on are templates.

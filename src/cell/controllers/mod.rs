@@ -7,6 +7,7 @@ mod fanuc;
 mod kuka;
 mod nachi;
 mod ur;
+pub mod words;
 mod yaskawa;
 
 pub use abb::Abb;

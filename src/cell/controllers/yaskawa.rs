@@ -1,7 +1,7 @@
 //! The `[yaskawa]` table of a cell file.
 
 use super::check::{plain_lines, ranges};
-use crate::program::words::check_template;
+use super::words::check_template;
 use serde::{Deserialize, Serialize};
 
 /// What the INFORM job needs; words that sources disagree on are templates.

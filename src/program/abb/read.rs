@@ -2,10 +2,10 @@
 
 use super::{FULL_DEG_S, data, phrases, share, target};
 use crate::cell::Setup;
+use crate::cell::controllers::words::{number, numbers, said_lines};
 use crate::program::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove};
 use crate::program::flange::joints;
 use crate::program::steps::{Pace, Way};
-use crate::program::words::{number, numbers, said_lines};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 /// Statements of a procedure, with their line numbers.

@@ -2,10 +2,10 @@
 
 use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, phrases};
 use crate::cell::Setup;
+use crate::cell::controllers::words::{number, said_lines};
 use crate::program::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::flange::{Speeds, Travel, joints, pose};
 use crate::program::steps::{Pace, Way};
-use crate::program::words::{number, said_lines};
 use nalgebra::Isometry3;
 use std::collections::BTreeMap;
 

@@ -3,10 +3,10 @@
 use super::{AXES, FRAME, phrases, settings};
 use crate::cell::Setup;
 use crate::cell::controllers::Kuka;
+use crate::cell::controllers::words::{matched_key, number, said_lines};
 use crate::program::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::flange::{Speeds, Travel, joints, pose};
 use crate::program::steps::{Pace, Way};
-use crate::program::words::{matched_key, number, said_lines};
 use nalgebra::Isometry3;
 
 /// The lines of a program and its sub-programs.

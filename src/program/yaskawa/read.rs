@@ -2,10 +2,10 @@
 
 use super::{from_pulses, phrases};
 use crate::cell::Setup;
+use crate::cell::controllers::words::{number, numbers, said_lines};
 use crate::program::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::flange::{Travel, pose};
 use crate::program::steps::{Pace, Way};
-use crate::program::words::{number, numbers, said_lines};
 use nalgebra::{Isometry3, Translation3};
 
 /// The lines of a job and of those that it calls.
