@@ -48,6 +48,7 @@ impl App {
             | C::Last
             | C::Section => self.derived.plan.is_some(),
             C::Cell => self.derived.cell.is_some(),
+            C::BetterSetup => self.has_refusals() && !self.is_proposing(),
             C::Plots => self.timeline().is_some(),
             C::Text => self.derived.motion.is_some(),
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
@@ -111,6 +112,7 @@ impl App {
             C::TurnZ => self.place(|p| p.quarter_turn(2)),
             C::Plan => self.plan_again(),
             C::Cancel => self.worker.cancel(),
+            C::BetterSetup => self.propose(),
             C::Theme => {
                 let dark = ctx.theme() == egui::Theme::Dark;
                 ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
@@ -217,17 +219,18 @@ impl App {
 
     /// Drag → tool → selection; never loses data.
     fn step_out(&mut self) {
-        let s = &mut self.session;
-        if s.help_open {
-            s.help_open = false;
-        } else if s.renaming.is_some() {
-            s.renaming = None;
-        } else if s.tool != Tool::Select {
-            s.tool = Tool::Select;
-        } else if s.show.section {
-            s.show.section = false;
+        if self.session.help_open {
+            self.session.help_open = false;
+        } else if self.session.renaming.is_some() {
+            self.session.renaming = None;
+        } else if self.session.tool != Tool::Select {
+            self.session.tool = Tool::Select;
+        } else if self.dismiss_proposal() {
+            // Its preview is gone: one step.
+        } else if self.session.show.section {
+            self.session.show.section = false;
         } else {
-            s.selected.clear();
+            self.session.selected.clear();
         }
     }
 

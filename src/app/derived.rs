@@ -3,8 +3,9 @@
 
 use super::App;
 use super::motion::Motion;
+use super::remedy::Remedy;
 use super::worker::Outcome;
-use crate::cell::Setup;
+use crate::cell::{Cell, Setup};
 use crate::job::model::{CellFile, PartFile, SurfaceParameters};
 use crate::job::plan::segmented;
 use crate::job::report::Report;
@@ -30,6 +31,8 @@ pub struct Derived {
     pub shapes: BTreeMap<u32, Shape>,
     /// Buffers of the part.
     pub picture: Option<PartPicture>,
+    /// The cell with the frames of its file, and the names of cell and robot in the job.
+    pub cell_file: Option<((String, String), Result<Cell, String>)>,
     /// Cell and robot, and what in the job they were read from.
     pub setup: Option<(CellFile, Result<Setup, String>)>,
     /// Arm, head and floor, where the setup has a robot.
@@ -40,10 +43,12 @@ pub struct Derived {
     pub plan_of: Option<Job>,
     /// The plan in motion, once that is made.
     pub motion: Option<Arc<Motion>>,
+    /// What would help with what is refused of it.
+    pub(super) remedy: Remedy,
     /// Why there is none for the job as it is.
     pub plan_error: Option<(Job, String)>,
     planning: Option<Job>,
-    cache: Arc<Cache>,
+    pub(super) cache: Arc<Cache>,
     /// Counts plans, so that pictures of older ones are not taken for new.
     pub plan_count: u64,
 }
@@ -95,6 +100,7 @@ impl App {
         self.sync_surfaces(&part, &job);
         self.sync_cell(&job);
         self.sync_plan(part, job);
+        self.sync_advice();
     }
 
     fn sync_surfaces(&mut self, part: &Arc<Part>, job: &Job) {
@@ -122,10 +128,24 @@ impl App {
     }
 
     fn sync_cell(&mut self, job: &Job) {
-        if self.derived.setup.as_ref().is_none_or(|(of, _)| *of != job.cell) {
-            let setup = files::load_setup(job, self.document.file.as_deref()).map_err(|e| e.to_string());
-            self.derived.cell = setup.as_ref().ok().and_then(CellPicture::new);
-            self.derived.setup = Some((job.cell.clone(), setup));
+        let d = &mut self.derived;
+        if d.setup.as_ref().is_some_and(|(of, _)| *of == job.cell) {
+            return;
+        }
+        let file = self.document.file.as_deref();
+        let named = (job.cell.file.clone(), job.cell.robot.clone());
+        // Frames are dragged: the file with its obstacles is not read again for each step.
+        if d.cell_file.as_ref().is_none_or(|(of, _)| *of != named) {
+            d.cell_file = Some((named, files::load_cell(job, file).map_err(|e| e.to_string())));
+        }
+        let cell = d.cell_file.as_ref().map_or(Err(String::new()), |(_, cell)| cell.clone());
+        let robot = files::load_robot(job, file).map_err(|e| e.to_string());
+        let setup = robot.and_then(|robot| files::set_up(job, robot, cell?).map_err(|e| e.to_string()));
+        let stands = |c: &CellFile| (c.file.clone(), c.robot.clone(), c.mount);
+        let same = d.setup.as_ref().is_some_and(|(of, _)| stands(of) == stands(&job.cell));
+        d.cell = setup.as_ref().ok().and_then(CellPicture::new);
+        d.setup = Some((job.cell.clone(), setup));
+        if !same {
             self.session.other_camera = None;
             self.session.fit_pending |= self.session.show.cell;
         }
@@ -176,6 +196,8 @@ impl App {
                 }
                 Outcome::Planned(job, result) => self.planned(*job, result),
                 Outcome::Moving(of, motion) => self.moving(of, motion),
+                Outcome::Advised(of, sentences) => self.advised(of, sentences),
+                Outcome::Proposed(of, proposal) => self.proposed(of, proposal),
                 Outcome::Exported(result) => self.exported(result),
                 Outcome::Picked(purpose, path) => self.picked(purpose, path),
             }

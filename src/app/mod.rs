@@ -13,6 +13,7 @@ mod motion;
 mod panels;
 mod pick;
 mod quantity;
+mod remedy;
 mod scene;
 mod session;
 mod simulation;

@@ -9,10 +9,14 @@ use crate::view::{Bounds, ViewportResponse};
 use eframe::egui::{self, Color32, RichText};
 use nalgebra::{Point2, Point3, Vector3};
 
+/// Below this the toggles would fill more than two lines: they go into a menu.
+const NARROW: f32 = 480.0;
+
 impl App {
     /// The central panel.
     pub(super) fn view(&mut self, ui: &mut egui::Ui) {
         self.toolbar(ui);
+        self.proposal_strip(ui);
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
@@ -41,21 +45,14 @@ impl App {
     }
 
     fn toolbar(&mut self, ui: &mut egui::Ui) {
-        use Command as C;
-        let tools = [C::Lines, C::Frames, C::Beams, C::Air, C::Before, C::Section, C::HideChosen, C::Plain];
         egui::Frame::new().inner_margin(4).fill(ui.visuals().panel_fill).show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
-                ui.set_min_width(ui.available_width());
-                for command in tools {
-                    let on = self.is_shown(command);
-                    let enabled = self.is_enabled(command);
-                    let name = super::panels::name_of(command);
-                    let keys = super::panels::keys_of(ui.ctx(), command);
-                    let button = egui::Button::selectable(on, name);
-                    if ui.add_enabled(enabled, button).on_hover_text(keys).clicked() {
-                        let ctx = ui.ctx().clone();
-                        self.run(command, &ctx);
-                    }
+                let width = ui.available_width();
+                ui.set_min_width(width);
+                if width < NARROW {
+                    ui.menu_button("Show ▼", |ui| self.toggles(ui)).response.on_hover_text("What the view shows");
+                } else {
+                    self.toggles(ui);
                 }
                 if self.session.tool != Tool::Select {
                     let what = match self.session.tool {
@@ -66,6 +63,21 @@ impl App {
                 }
             });
         });
+    }
+
+    fn toggles(&mut self, ui: &mut egui::Ui) {
+        use Command as C;
+        for command in [C::Lines, C::Frames, C::Beams, C::Air, C::Before, C::Section, C::HideChosen, C::Plain] {
+            let on = self.is_shown(command);
+            let enabled = self.is_enabled(command);
+            let name = super::panels::name_of(command);
+            let keys = super::panels::keys_of(ui.ctx(), command);
+            let button = egui::Button::selectable(on, name);
+            if ui.add_enabled(enabled, button).on_hover_text(keys).clicked() {
+                let ctx = ui.ctx().clone();
+                self.run(command, &ctx);
+            }
+        }
     }
 
     /// Whether a toggle of the view is on.

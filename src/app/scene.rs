@@ -62,6 +62,7 @@ impl App {
                 scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
             self.add_simulation(&mut scene, place);
+            scene.points.extend(self.proposed_points(place));
         }
         if let Some(t) = self.target() {
             let (line, point) = paths::marked(t, defocus_mm, &look, self.derived.plan_count);
@@ -79,7 +80,7 @@ impl App {
         {
             scene.lines.extend(trail.until(&moment, place));
         }
-        let (true, Some(cell), Some(placed)) = (self.is_in_cell(), &self.derived.cell, self.placed()) else { return };
+        let (true, Some(cell), Some(placed)) = (self.is_in_cell(), self.cell_picture(), self.placed()) else { return };
         scene.lines.push(cell.floor());
         scene.meshes.extend(cell.solids(&placed.joints_deg, placed.base_from_focus));
         let length_mm = self.beam_mm(&placed, cell.tip_mm());

@@ -3,6 +3,7 @@
 
 use super::App;
 use crate::cell::{Joints, Setup};
+use crate::picture::CellPicture;
 use crate::program::{Moment, Timeline};
 use crate::view::{Bounds, Camera};
 use eframe::egui;
@@ -60,17 +61,25 @@ impl App {
         self.derived.setup.as_ref()?.1.as_ref().ok()
     }
 
+    /// Arm and head: as they stand, or as a proposed set-up would have them.
+    pub(super) fn cell_picture(&self) -> Option<&CellPicture> {
+        let proposed = self.proposal().and_then(|p| p.picture.as_ref());
+        proposed.or(self.derived.cell.as_ref())
+    }
+
     /// Whether the robot cell is shown.
     pub(super) fn is_in_cell(&self) -> bool {
         self.session.show.cell && self.derived.cell.is_some()
     }
 
-    /// What stands where now; at home before there is a plan.
+    /// What stands where now, or would; at home before there is a plan.
     pub(super) fn placed(&self) -> Option<Placed> {
-        let setup = self.setup()?;
+        let proposal = self.proposal();
+        let setup = proposal.map_or_else(|| self.setup(), |p| Some(&p.setup))?;
         let robot = setup.robot.as_ref()?;
-        let moment = self.moment();
-        let joints_deg = moment.map_or(setup.home_joints_deg(), |m| m.joints_deg);
+        let moment = self.moment().filter(|_| proposal.is_none());
+        let still = || proposal.map_or(setup.home_joints_deg(), |p| self.proposed_joints_deg(p));
+        let joints_deg = moment.map_or_else(still, |m| m.joints_deg);
         let flange = moment.map_or_else(|| robot.forward(&joints_deg), |m| m.base_from_flange);
         Some(Placed {
             joints_deg,
@@ -101,7 +110,7 @@ impl App {
     pub(super) fn whole_bounds(&self) -> Option<Bounds> {
         let (min, max) = self.derived.part.as_ref()?.mesh.bounds();
         let part = Bounds { min, max };
-        let (true, Some(cell), Some(placed)) = (self.is_in_cell(), &self.derived.cell, self.placed()) else {
+        let (true, Some(cell), Some(placed)) = (self.is_in_cell(), self.cell_picture(), self.placed()) else {
             return Some(part);
         };
         let moved = Bounds::around(part.corners().map(|c| placed.base_from_part * c))?;

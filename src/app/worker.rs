@@ -3,6 +3,7 @@
 
 use super::dialogs::Purpose;
 use super::motion::Motion;
+use super::remedy::Proposal;
 use crate::job::report::Report;
 use crate::job::{Job, Plan, PlanError, Progress};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
@@ -24,6 +25,10 @@ pub enum Outcome {
     Planned(Box<Job>, Result<(Arc<Plan>, Arc<Report>), PlanError>),
     /// The motion of the plan of that number.
     Moving(u64, Arc<Motion>),
+    /// What would help with the plan of that number.
+    Advised(u64, Vec<String>),
+    /// A better set-up for it, if there is any.
+    Proposed(u64, Option<Arc<Proposal>>),
     /// Files were written, or not.
     Exported(Result<Vec<PathBuf>, String>),
     /// A file was picked, or not.

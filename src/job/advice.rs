@@ -9,7 +9,7 @@ use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
 use crate::cell::{Mount, Setup};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, State};
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, Point3};
 
 /// Passes that are driven again, slower.
 const PASSES: usize = 6;
@@ -115,6 +115,12 @@ pub fn applied(cell: &CellFile, mount: Mount, better: &BetterSetup) -> CellFile 
         Mount::ToolInHand => cell.base_from_part = Some(better.part.clone()),
     }
     cell
+}
+
+/// Where the spot is at each target of the sample, in the part, and whether it is possible there.
+pub fn spots(better: &BetterSetup, defocus_mm: f64) -> Vec<(Point3<f64>, bool)> {
+    let spot = |f: &Isometry3<f64>| f * Point3::new(0.0, 0.0, -defocus_mm);
+    better.sample.iter().map(spot).zip(better.possible.iter().copied()).collect()
 }
 
 /// The same as lines of a job file, for people.

@@ -126,8 +126,16 @@ pub fn relative_to(path: &Path, job_file: Option<&Path>) -> String {
 /// # Errors
 /// A file cannot be read or has absurd figures.
 pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError> {
-    let c = &job.cell;
-    let robot = match c.robot.as_str() {
+    let robot = load_robot(job, job_file)?;
+    set_up(job, robot, load_cell(job, job_file)?)
+}
+
+/// The robot of a job; `None`: poses only.
+///
+/// # Errors
+/// There is none of that name, or its file cannot be read or has absurd figures.
+pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, JobError> {
+    Ok(match job.cell.robot.as_str() {
         "" => None,
         name => {
             let robot = Robot::load(name, job_file.and_then(Path::parent))?;
@@ -135,14 +143,28 @@ pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError>
                 .map_err(|what| RobotError::Figure { file: name.into(), what: format!("{what} (the controller's)") })?;
             Some(robot)
         }
-    };
-    let mut cell = match (c.file.as_str(), c.robot.as_str()) {
+    })
+}
+
+/// The cell that a job names, with the frames of its file.
+///
+/// # Errors
+/// The file cannot be read or has absurd figures.
+pub fn load_cell(job: &Job, job_file: Option<&Path>) -> Result<Cell, JobError> {
+    Ok(match (job.cell.file.as_str(), job.cell.robot.as_str()) {
         ("", "") => Cell::shipped("mz04")?,
         ("", robot) => Cell::shipped(robot)?,
         (file, _) => Cell::load(&beside(job_file, file))?,
-    };
-    c.put_frames(&mut cell);
-    let mount = c.mount.unwrap_or(cell.mount);
+    })
+}
+
+/// The robot in the cell, with the frames of the job in place of the cell's.
+///
+/// # Errors
+/// The robot cannot stand there.
+pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell) -> Result<Setup, JobError> {
+    job.cell.put_frames(&mut cell);
+    let mount = job.cell.mount.unwrap_or(cell.mount);
     let setup = Setup { cell, robot, mount };
     setup.check()?;
     Ok(setup)

@@ -36,7 +36,9 @@ pub struct CellPicture {
     head: Vec<(Solid, Isometry3<f64>)>,
     obstacles: Vec<MeshItem>,
     cone: Solid,
+    /// Of the head, above the focus.
     tip_mm: f64,
+    top_mm: f64,
     floor: Arc<Vec<LineSegment>>,
     /// Of the table, or of the base.
     floor_z_mm: f64,
@@ -76,10 +78,12 @@ impl CellPicture {
             let rod = Solid::rod(0.3 * wrist_mm.max(10.0), held.coords.norm(), [false, false], METAL);
             (rod, along(&Point3::origin(), &held))
         });
-        let tip_mm = 0.2 * head_mm;
+        let bodies = &setup.cell.bodies.head;
+        let nozzle_mm = 0.2 * head_mm;
+        let (tip_mm, top_mm) = ends(bodies).unwrap_or((nozzle_mm, head_mm));
         let profile = [
-            [0.0, tip_mm],
-            [0.018 * head_mm, tip_mm],
+            [0.0, nozzle_mm],
+            [0.018 * head_mm, nozzle_mm],
             [0.085 * head_mm, 0.52 * head_mm],
             [0.12 * head_mm, 0.56 * head_mm],
             [0.12 * head_mm, head_mm],
@@ -92,10 +96,11 @@ impl CellPicture {
             joints: [ball(1), ball(2), ball(3)],
             flange,
             holder,
-            head: head(&setup.cell.bodies.head, &profile),
+            head: head(bodies, &profile),
             obstacles: setup.cell.bodies.obstacles.iter().map(obstacle).collect(),
             cone: Solid::turned(&[[0.0, 0.0], [0.018 * head_mm, tip_mm]], LIGHT, 150),
             tip_mm,
+            top_mm,
             floor: Arc::new(floor(reach_mm)),
             floor_z_mm: setup.cell.bodies.table_z_mm.unwrap_or(0.0),
             reach_mm,
@@ -169,7 +174,7 @@ impl CellPicture {
             let r = Vector3::repeat(c.radius_mm);
             [c.from - r, c.from + r, c.to - r, c.to + r]
         });
-        let head = [0.0, self.tip_mm / 0.2].map(|z| base_from_focus * Point3::new(0.0, 0.0, z));
+        let head = [0.0, self.top_mm].map(|z| base_from_focus * Point3::new(0.0, 0.0, z));
         let mut bounds = Bounds::around(around.chain(head)).unwrap_or_default();
         bounds.min.z = bounds.min.z.max(self.floor_z_mm.min(0.0));
         bounds
@@ -180,6 +185,14 @@ impl CellPicture {
         let reach = Vector3::repeat(self.reach_mm + hand_mm);
         Bounds { min: Point3::from(-reach), max: Point3::from(reach) }
     }
+}
+
+/// Lowest and highest point of a head on the beam's axis; a beam begins above its focus.
+fn ends(capsules: &[HeadCapsule]) -> Option<(f64, f64)> {
+    let low = capsules.iter().map(|c| c.from_mm - c.radius_mm).reduce(f64::min)?;
+    let high = capsules.iter().map(|c| c.to_mm + c.radius_mm).reduce(f64::max)?;
+    let tip_mm = low.max(1.0);
+    Some((tip_mm, high.max(tip_mm)))
 }
 
 /// The head as the cell file gives it; a nozzle where it does not.
@@ -227,6 +240,21 @@ fn floor(reach_mm: f64) -> Vec<LineSegment> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_beam_begins_where_the_head_ends() {
+        let mut setup = Setup::shipped().expect("valid");
+        setup.robot = Some(Robot::load("mz04", None).expect("shipped"));
+        let capsule = |from_mm, to_mm, radius_mm| HeadCapsule { from_mm, to_mm, radius_mm };
+        setup.cell.bodies.head = vec![capsule(160.0, 300.0, 50.0), capsule(90.0, 160.0, 12.0)];
+        let picture = CellPicture::new(&setup).expect("a robot");
+        assert_eq!((picture.tip_mm(), picture.top_mm), (78.0, 350.0));
+        let (_, line, _) = picture.beam(Isometry3::identity(), 58.0, true);
+        assert_eq!((line.segments[0].a[2], line.segments[0].b[2]), (78.0, 20.0));
+        // A head that reaches down to the focus.
+        setup.cell.bodies.head = vec![capsule(5.0, 50.0, 20.0)];
+        assert_eq!(CellPicture::new(&setup).expect("a robot").tip_mm(), 1.0);
+    }
 
     #[test]
     fn every_shipped_robot_has_an_arm_that_moves_without_new_data() {

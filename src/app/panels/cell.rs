@@ -20,6 +20,8 @@ impl App {
         self.numbers(ui, &["cell.deviation_mm"]);
         self.dialect(ui);
         self.cell_file(ui);
+        self.frames(ui);
+        self.better_setup(ui);
     }
 
     fn robot(&mut self, ui: &mut egui::Ui) {
@@ -123,6 +125,22 @@ impl App {
             Some((_, Err(why))) => ui.label(RichText::new(why).color(theme::WRONG)),
             None => return,
         };
+    }
+
+    fn better_setup(&mut self, ui: &mut egui::Ui) {
+        if self.document.job().cell.robot.is_empty() {
+            return;
+        }
+        ui.add_space(2.0);
+        let button = egui::Button::new(super::name_of(Command::BetterSetup));
+        let tip = "Looks for where part and laser would have to stand so that the robot reaches more of the work";
+        let response = ui.add_enabled(self.is_enabled(Command::BetterSetup), button).on_hover_text(tip);
+        let why = if self.is_proposing() { "It is being looked for" } else { "The robot refuses nothing" };
+        if response.on_disabled_hover_text(why).clicked() {
+            let ctx = ui.ctx().clone();
+            self.run(Command::BetterSetup, &ctx);
+        }
+        ui.add_space(4.0);
     }
 
     /// The program, written into a folder.

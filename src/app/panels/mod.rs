@@ -2,12 +2,14 @@
 
 mod cell;
 mod dialogs;
+mod frames;
 mod lists;
 mod menu;
 mod parameters;
 mod plots;
 mod problems;
 mod program_text;
+mod proposal;
 mod scrub;
 mod start;
 mod status;

@@ -13,7 +13,11 @@ impl App {
     pub(in super::super) fn parameters(&mut self, ui: &mut egui::Ui) {
         // Always in sight: what is wrong, and what all the rest is for.
         egui::Panel::bottom("export").show(ui, |ui| {
-            egui::ScrollArea::vertical().max_height(130.0).auto_shrink([false, true]).show(ui, |ui| self.problems(ui));
+            // What would help stands under what is wrong.
+            let height = if self.has_refusals() { 230.0 } else { 130.0 };
+            // As high as its text, whatever height the panel had before.
+            let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+            area.auto_shrink([false, true]).show(ui, |ui| self.problems(ui));
             self.export_button(ui);
         });
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {

@@ -32,6 +32,12 @@ fn refused(cause: &str) -> &str {
     }
 }
 
+/// As a sentence begins.
+fn capital(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
+
 impl App {
     pub(in super::super) fn problems(&mut self, ui: &mut egui::Ui) {
         if let Some((_, why)) = self.derived.plan_error.clone() {
@@ -64,6 +70,34 @@ impl App {
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
             if link.on_hover_text(format!("{why}Go there")).clicked() {
                 self.go_to(list[0], &plan);
+            }
+        }
+        self.what_would_help(ui);
+    }
+
+    /// Changes that were tried and make refused targets possible.
+    fn what_would_help(&self, ui: &mut egui::Ui) {
+        if !self.has_refusals() {
+            return;
+        }
+        theme::heading(ui, "What would help");
+        match self.advice() {
+            None => {
+                ui.label(RichText::new("looking for what would help…").weak());
+            }
+            Some([]) => {
+                let text = "No single change that was tried; look for a better set-up, under Cell";
+                ui.label(RichText::new(text).weak());
+            }
+            Some(sentences) => {
+                for sentence in sentences {
+                    // What is said in brackets is about the others.
+                    let text = match sentence.starts_with('(') {
+                        true => RichText::new(sentence).small().weak(),
+                        false => RichText::new(format!("• {}", capital(sentence))),
+                    };
+                    ui.add(egui::Label::new(text).wrap());
+                }
             }
         }
     }

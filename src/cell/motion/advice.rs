@@ -10,6 +10,7 @@ use crate::cell::{Frame, Mount, Robot, Setup, Spin, rpy};
 use crate::part::Part;
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Spins looked at, degrees apart.
 const SPINS_DEG: f64 = 15.0;
@@ -108,7 +109,10 @@ pub fn changes(
     let worth = |a: &Advice| a.gained as i64 - 2 * a.lost as i64;
     found.retain(|(_, a)| worth(a) > 0);
     found.sort_by(|(i, a), (j, b)| worth(b).cmp(&worth(a)).then(i.cmp(j)));
-    found.into_iter().map(|(_, a)| a).take(3).collect()
+    // The same by another number says nothing new.
+    let kind = |a: &Advice| a.text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
+    let mut kinds = BTreeSet::new();
+    found.into_iter().map(|(_, a)| a).filter(|a| kinds.insert(kind(a))).take(3).collect()
 }
 
 /// One thing changed, the smallest changes first.
@@ -193,6 +197,8 @@ pub struct BetterSetup {
     pub part: Frame,
     /// Laser in the base; as it was where the tool is in hand.
     pub base_from_laser: Frame,
+    /// The sample: path frames in the part.
+    pub sample: Vec<Isometry3<f64>>,
     /// Which of the sample are possible with them.
     pub possible: Vec<bool>,
 }
@@ -238,6 +244,7 @@ pub fn better_setup(setup: &Setup, part: &Part, frames: &[Isometry3<f64>]) -> Op
         share_after: best.0 as f64 / frames.len() as f64,
         part: part_frame(&mut found).clone(),
         base_from_laser: found.cell.base_from_laser.clone(),
+        sample: frames.to_vec(),
         possible,
     })
 }
