@@ -201,7 +201,7 @@ fn a_better_setup_refuses_as_few_as_it_says() {
     assert!(!advice::advice(&p.part, &p.plan, &p.job, &far).is_empty());
     let found = advice::better_setup(&p.part, &p.surfaces, &p.plan, &p.job, &far, &Cache::default());
     let (better, left) = found.expect("something better");
-    assert!(left < before / 4, "{left} of {before}");
+    assert!(left < before / 10, "{left} of {before}");
     let mut moved = far.clone();
     advice::applied(&p.job.cell, Mount::PartInHand, &better).put_frames(&mut moved.cell);
     let again = planned_in(part(&sample("workpiece")), p.job.clone(), &moved);

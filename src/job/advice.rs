@@ -2,7 +2,7 @@
 //! and a better set-up.
 
 use super::model::{CellFile, Job};
-use super::plan::{Cache, Plan};
+use super::plan::{Cache, Plan, drive};
 use super::progress::Progress;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
 use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
@@ -13,6 +13,8 @@ use nalgebra::{Isometry3, Point3};
 
 /// Passes that are driven again, slower.
 const PASSES: usize = 6;
+/// Passes that proposed set-ups are tried on.
+const TRIED_PASSES: usize = 24;
 /// Shares of the speed that are tried.
 const SLOWER: [f64; 5] = [0.75, 0.5, 0.3, 0.2, 0.1];
 
@@ -80,8 +82,9 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup) -> Option<String> {
     Some(format!("move the spot at {:.2} mm/s: no joint is too fast then", job.beam.speed_mm_s * share))
 }
 
-/// The mounting with which most of the work can be done, and how many targets are refused with it:
-/// what was found on single targets is planned before it is offered. `None`: nothing is better.
+/// The mounting with which most of the work can be done, and how many targets are refused with it: what
+/// was found on single targets is planned before it is offered, first on some passes, the best on all.
+/// `None`: nothing is better.
 pub fn better_setup(
     part: &Part,
     surfaces: &Surfaces,
@@ -95,12 +98,28 @@ pub fn better_setup(
     }
     let [mut done, refused] = frames(plan, job.beam.defocus_mm);
     done.extend(refused);
-    let better = advice::better_setup(setup, part, &sampled(&done, 3 * SAMPLE))?;
-    let job = Job { cell: applied(&job.cell, setup.mount, &better), ..job.clone() };
-    let mut changed = setup.clone();
-    job.cell.put_frames(&mut changed.cell);
-    let again = super::plan(part, surfaces, &job, &changed, cache, &Progress::default()).ok()?;
-    let left = again.refusals.len();
+    // The passes as they were before the robot refused anything.
+    let passes: Vec<&Pass> = plan.surfaces.iter().flat_map(|s| &s.passes).collect();
+    let passes: Vec<Pass> = sampled(&passes, TRIED_PASSES).into_iter().cloned().collect();
+    let changed = |better: &BetterSetup| {
+        let job = Job { cell: applied(&job.cell, setup.mount, better), ..job.clone() };
+        let mut setup = setup.clone();
+        job.cell.put_frames(&mut setup.cell);
+        (job, setup)
+    };
+    let stands = |setup: &Setup| setup.check().is_ok();
+    let tried = advice::better_setups(setup, part, &sampled(&done, 3 * SAMPLE)).into_iter().filter_map(|better| {
+        let (job, setup) = changed(&better);
+        if !stands(&setup) {
+            return None;
+        }
+        let mut trial = Plan { passes: passes.clone(), ..Plan::default() };
+        drive(&mut trial, part, &setup, setup.robot.as_ref()?, &job, &Progress::default()).ok()?;
+        Some((trial.refusals.len(), better))
+    });
+    let (_, better) = tried.min_by_key(|(left, _)| *left)?;
+    let (job, setup) = changed(&better);
+    let left = super::plan(part, surfaces, &job, &setup, cache, &Progress::default()).ok()?.refusals.len();
     (left < refusals(plan).len()).then_some((better, left))
 }
 

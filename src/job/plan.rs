@@ -197,12 +197,11 @@ pub fn plan(
     let surface_plans: Vec<_> = planned.iter().map(|(_, p)| p.clone()).collect();
     cache.keep(planned.into_iter().collect());
     let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
-    let speeds =
-        Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm };
+    let speeds = speeds(job);
     let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
     let mut plan = Plan { surfaces: surface_plans, passes, cell, speeds: Some(speeds), ..Plan::default() };
     match &setup.robot {
-        Some(robot) => drive(&mut plan, part, setup, robot, &speeds, job, progress)?,
+        Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
             let straight = Straight {
@@ -217,18 +216,22 @@ pub fn plan(
     Ok(plan)
 }
 
+fn speeds(job: &Job) -> Speeds {
+    Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm }
+}
+
 /// Spin, branch and joints of every target, and the program's steps with them. What the robot cannot
 /// do is blocked, with its reason.
-fn drive(
+pub(super) fn drive(
     plan: &mut Plan,
     part: &Part,
     setup: &Setup,
     robot: &Robot,
-    speeds: &Speeds,
     job: &Job,
     progress: &Progress,
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
+    let speeds = speeds(job);
     progress.begin("choosing spins", 2);
     let collision = Collision::new(setup, part);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
@@ -238,7 +241,7 @@ fn drive(
         setup,
         mounted: setup.mounted(),
         robot,
-        speeds: *speeds,
+        speeds,
         deviation_mm: job.cell.deviation_mm,
         collision: collision.as_ref(),
         go_on: &go_on,

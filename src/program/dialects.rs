@@ -58,6 +58,9 @@ mod tests {
     #[test]
     fn bad_names_and_templates_are_told_before_planning() {
         let mut setup = Setup::shipped().expect("shipped");
+        let said = check("yaskawa", &setup, 500.0).expect_err("home is known by its joints only");
+        assert!(said.contains("robot"), "{said}");
+        setup.robot = Some(crate::cell::Robot::load("mz04", None).expect("shipped"));
         for dialect in DIALECTS {
             assert_eq!(check(dialect.name(), &setup, 500.0), Ok(()));
         }

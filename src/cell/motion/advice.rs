@@ -18,6 +18,8 @@ const SPINS_DEG: f64 = 15.0;
 pub const SAMPLE: usize = 60;
 /// A target counts as done only with so much to spare of every range, degrees: a plan has to move on.
 const SPARE_DEG: f64 = 3.0;
+/// Small changes that are planned as better set-ups.
+const SMALL_CHANGES: usize = 3;
 /// Turns of the part that are tried, degrees.
 const TURNS_DEG: [f64; 12] = [10.0, -10.0, 20.0, -20.0, 30.0, -30.0, 45.0, -45.0, 90.0, -90.0, 135.0, 180.0];
 /// Moves of laser or part that are tried, mm.
@@ -203,50 +205,45 @@ pub struct BetterSetup {
     pub possible: Vec<bool>,
 }
 
-/// The mounting (turn, tilt, position) with which most of the targets are possible.
+/// Mountings (turn, tilt, position) with which most of the targets are possible, to be planned and
+/// compared: single targets say nothing of the ways between them.
 ///
-/// A coarse grid over how the part is held and where laser or part stands, then single steps from the
-/// best, ever smaller. `frames`: a sample of path frames, evenly over the work.
-pub fn better_setup(setup: &Setup, part: &Part, frames: &[Isometry3<f64>]) -> Option<BetterSetup> {
+/// The first is found on a coarse grid over how the part is held and where laser or part stands, then by
+/// single steps from the best, ever smaller; the others are the best small changes of what there is.
+/// `frames`: a sample of path frames, evenly over the work.
+pub fn better_setups(setup: &Setup, part: &Part, frames: &[Isometry3<f64>]) -> Vec<BetterSetup> {
     if frames.is_empty() || setup.robot.is_none() {
-        return None;
+        return Vec::new();
     }
     let score = |s: &Setup| count(&possible(s, part, frames, 2.0 * SPINS_DEG));
     let start = score(setup);
-    let mut best = (start, setup.clone());
-    // Nothing to gain: leave everything as it is.
-    if start < frames.len() {
-        let grid = grid(setup);
-        let scores: Vec<usize> = grid.par_iter().map(score).collect();
-        for (s, n) in grid.into_iter().zip(scores) {
-            if n > best.0 {
-                best = (n, s);
-            }
-        }
+    let scored = |list: Vec<Setup>| -> Vec<(usize, Setup)> {
+        let scores: Vec<usize> = list.par_iter().map(score).collect();
+        let mut out: Vec<(usize, Setup)> = scores.into_iter().zip(list).collect();
+        out.sort_by_key(|s| std::cmp::Reverse(s.0));
+        out
+    };
+    let mut found = Vec::new();
+    if let Some(mut best) = scored(grid(setup)).into_iter().next() {
         for step_mm in [60.0, 30.0, 10.0] {
-            loop {
-                let around = around(&best.1, step_mm);
-                let scores: Vec<usize> = around.par_iter().map(score).collect();
-                let Some((k, n)) = scores.iter().enumerate().max_by(|a, b| a.1.cmp(b.1).then(b.0.cmp(&a.0))) else {
-                    break;
-                };
-                if *n <= best.0 {
-                    break;
-                }
-                best = (*n, around[k].clone());
+            while let Some(next) = scored(around(&best.1, step_mm)).into_iter().next().filter(|n| n.0 > best.0) {
+                best = next;
             }
         }
+        found.push(best);
     }
-    let possible = possible(&best.1, part, frames, SPINS_DEG);
-    let mut found = best.1;
-    Some(BetterSetup {
-        share_before: start as f64 / frames.len() as f64,
-        share_after: best.0 as f64 / frames.len() as f64,
-        part: part_frame(&mut found).clone(),
-        base_from_laser: found.cell.base_from_laser.clone(),
+    let small = scored(variants(setup).into_iter().map(|(_, s)| s).collect());
+    found.extend(small.into_iter().take(SMALL_CHANGES));
+    let share = |n: usize| n as f64 / frames.len() as f64;
+    let better = |(n, mut s): (usize, Setup)| BetterSetup {
+        share_before: share(start),
+        share_after: share(n),
+        part: part_frame(&mut s).clone(),
+        base_from_laser: s.cell.base_from_laser.clone(),
         sample: frames.to_vec(),
-        possible,
-    })
+        possible: possible(&s, part, frames, SPINS_DEG),
+    };
+    found.into_iter().filter(|f| f.0 >= start).map(better).collect()
 }
 
 /// Quarter turns of the part, at places of the laser (or the part) over the arm's reach.

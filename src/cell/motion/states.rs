@@ -195,3 +195,33 @@ fn worst_overrun(joints_deg: &Joints, limits_deg: &[[f64; 2]; 6]) -> (f64, usize
     }
     worst
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every range of an MZ04: J4 ±190 and J6 ±360 are wider than a turn.
+    const LIMITS: [[f64; 2]; 6] =
+        [[-170.0, 170.0], [-55.0, 170.0], [-125.0, 280.0], [-190.0, 190.0], [-120.0, 120.0], [-360.0, 360.0]];
+
+    #[test]
+    fn a_joint_is_read_at_every_turn_within_its_range() {
+        let all = |joints: Joints| turns(&joints, &LIMITS).collect::<Vec<_>>();
+        let j6: Vec<f64> = all([0.0, 0.0, 0.0, 0.0, 90.0, 50.0]).iter().map(|j| j[5]).collect();
+        assert_eq!(j6, [50.0, -310.0]);
+        let j4: Vec<f64> = all([0.0, 0.0, 0.0, 175.0, 90.0, 0.0]).iter().map(|j| j[3]).collect();
+        assert_eq!(j4.iter().filter(|d| **d == 175.0).count(), 3, "J6 = 0, -360, 360");
+        assert_eq!(j4.iter().filter(|d| **d == -185.0).count(), 3);
+        // J3 = 250 is read from -110 too, but lies farther than a move may carry on.
+        assert!(all([0.0, 0.0, -110.0, 0.0, 90.0, 10.0]).iter().all(|j| j[2] == -110.0));
+        let j3: Vec<f64> = all([0.0, 0.0, -150.0, 0.0, 90.0, 10.0]).iter().map(|j| j[2]).collect();
+        assert_eq!(j3, [210.0, 210.0], "-150 is beyond the range, its other reading is not");
+        assert_eq!(all([175.0, 0.0, 0.0, 0.0, 90.0, 0.0]), [] as [Joints; 0], "J1 ends at 170");
+    }
+
+    #[test]
+    fn the_joint_that_is_farthest_beyond_is_named() {
+        let (over, joint, needs) = worst_overrun(&[172.0, 0.0, 0.0, 0.0, -131.0, 0.0], &LIMITS);
+        assert_eq!((over, joint, needs), (11.0, 4, -131.0));
+    }
+}
