@@ -1,7 +1,6 @@
 //! From an STL file to a robot program that cleans the chosen surfaces with a laser.
 //!
-//! Data flows one way, and the rooms stand in that order; a room uses only rooms above it (`cell`
-//! alone asks `program` whether templates can be read back).
+//! Data flows one way, and the rooms stand in that order; a room uses only rooms above it.
 //!
 //! - [`part`]: the workpiece. An STL file becomes a [`part::Part`]: welded topology, outward
 //!   winding, the merge tree that gives *feature surfaces* at any crease angle, named shapes, and
