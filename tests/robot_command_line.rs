@@ -61,11 +61,9 @@ fn joints_csv_follows_path_csv_and_the_report_names_the_cell() {
             let (row, joint): (Vec<&str>, Vec<&str>) = (row.split(',').collect(), joint.split(',').collect());
             assert_eq!((row[0], row[1], row[3]), (joint[0], joint[1], joint[2]));
             assert_eq!(joint.len(), 13);
-            if !joint[10].is_empty() {
-                let time: f64 = joint[10].parse().expect("a time");
-                assert!(time >= last_time);
-                last_time = time;
-            }
+            let time: f64 = joint[10].parse().expect("a time");
+            assert!(time >= last_time);
+            last_time = time;
             assert!(joint[12].parse::<f64>().expect("a margin") >= 0.0);
             count += 1;
         }

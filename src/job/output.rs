@@ -171,19 +171,18 @@ fn joints_csv(plan: &Plan, choice: &Choice) -> String {
     let mut out = String::from("pass,point,laser,j1,j2,j3,j4,j5,j6,spin_deg,time_s,singularity,min_limit_margin_deg\n");
     let stops = plan.timeline.iter().flat_map(Timeline::stops);
     let times: BTreeMap<(usize, usize), f64> = stops.filter_map(|s| s.target.map(|t| (t, s.at_s))).collect();
+    let mut at_s = 0.0;
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate() {
             let Some(c) = &choice.rows[number][point] else { continue };
+            // A target between two blocked ones is reachable, but no lit move goes there.
+            at_s = times.get(&(number, point)).copied().unwrap_or(at_s);
             let _ = write!(out, "{number},{point},{}", u8::from(t.laser));
             for value in c.joints_deg.iter().chain([&c.spin_deg]) {
                 out.push(',');
                 push_number(&mut out, *value);
             }
-            out.push(',');
-            if let Some(s) = times.get(&(number, point)) {
-                push_number(&mut out, *s);
-            }
-            for value in [c.singularity, c.limit_margin_deg] {
+            for value in [at_s, c.singularity, c.limit_margin_deg] {
                 out.push(',');
                 push_number(&mut out, value);
             }

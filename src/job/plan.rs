@@ -16,7 +16,7 @@ use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, s
 use crate::pose::{Correction, LineRules, Pass, State, plan_line};
 use crate::program::Timeline;
 use crate::program::dialects;
-use crate::program::drive::Drive;
+use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
 use rayon::prelude::*;
@@ -236,16 +236,6 @@ pub(super) fn drive(
     let collision = Collision::new(setup, part);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let go_on = || progress.goes_on();
-    let drive = Drive {
-        part,
-        setup,
-        mounted: setup.mounted(),
-        robot,
-        speeds,
-        deviation_mm: job.cell.deviation_mm,
-        collision: collision.as_ref(),
-        go_on: &go_on,
-    };
     let beam_free = plan.passes.clone();
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
     // What driving refused stays refused, whatever branch is chosen then.
@@ -261,6 +251,17 @@ pub(super) fn drive(
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);
+        let drive = Drive {
+            part,
+            setup,
+            mounted: setup.mounted(),
+            robot,
+            speeds,
+            deviation_mm: job.cell.deviation_mm,
+            collision: collision.as_ref(),
+            go_on: &go_on,
+            known: Known::default(),
+        };
         let mut shut = Vec::new();
         settle(plan, progress, |plan| {
             let Some(choice) = &plan.choice else { return Ok(Steps::default()) };

@@ -17,6 +17,8 @@ use crate::cell::{Joints, Robot, Setup};
 use crate::part::Part;
 use crate::pose::Pass;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::Mutex;
 
 /// What the driven program is made from.
 pub struct Drive<'a> {
@@ -36,6 +38,36 @@ pub struct Drive<'a> {
     pub collision: Option<&'a Collision<'a>>,
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
+    /// What was found out so far for one choice.
+    pub known: Known,
+}
+
+/// Ways and pieces that were worked out: when targets are refused, most of the others stay as they are.
+#[derive(Default)]
+pub struct Known {
+    ways: Mutex<BTreeMap<Ends, Option<Vec<Go>>>>,
+    pieces: Mutex<BTreeMap<Piece, DrivenPiece>>,
+}
+
+/// The last target of a piece (or home) and the first of the next (or home).
+type Ends = [Option<(usize, usize)>; 2];
+
+/// Where a piece begins and its lit moves.
+type DrivenPiece = Result<(Stand, Vec<Lit>), Refusal>;
+
+/// Pass, first and last point of a lit piece.
+type Piece = (usize, usize, usize);
+
+/// A value that was worked out before, or is now.
+fn known<K: Ord, V: Clone>(all: &Mutex<BTreeMap<K, V>>, key: K, make: impl FnOnce() -> V) -> V {
+    if let Some(value) = all.lock().ok().and_then(|all| all.get(&key).cloned()) {
+        return value;
+    }
+    let value = make();
+    if let Ok(mut all) = all.lock() {
+        all.insert(key, value.clone());
+    }
+    value
 }
 
 /// Where the arm stands: the focus in the part, and the joints.
@@ -57,6 +89,7 @@ pub struct Undriven {
 }
 
 /// A lit move.
+#[derive(Clone, Copy)]
 struct Lit {
     to: Stand,
     seconds: f64,
@@ -69,15 +102,26 @@ impl Drive<'_> {
     /// # Errors
     /// What cannot be driven after all; the rest has to be tried again without it.
     pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
-        let pieces: Vec<(usize, usize, usize)> = passes
+        let pieces: Vec<Piece> = passes
             .iter()
             .enumerate()
             .flat_map(|(number, pass)| pass.lit_pieces().into_iter().map(move |(a, b)| (number, a, b)))
             .collect();
-        let driven: Vec<Result<(Stand, Vec<Lit>), Refusal>> = pieces
+        if let Some(contact) = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg())) {
+            let detail = format!("{contact} already at home: hold the part elsewhere, or change air.home_joints_deg");
+            let refuse = |(pass, point)| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
+            let all = pieces.iter().flat_map(|&(pass, first, last)| (first..=last).map(move |point| (pass, point)));
+            let refused: Vec<Refusal> = all.map(refuse).collect();
+            return if refused.is_empty() {
+                Ok(Steps::default())
+            } else {
+                Err(Undriven { refused, ..Undriven::default() })
+            };
+        }
+        let driven: Vec<DrivenPiece> = pieces
             .par_iter()
             .take_any_while(|_| (self.go_on)())
-            .map(|&piece| self.piece(passes, choice, piece))
+            .map(|&piece| known(&self.known.pieces, piece, || self.piece(passes, choice, piece)))
             .collect();
         if !(self.go_on)() {
             return Err(Undriven::default());
@@ -103,7 +147,9 @@ impl Drive<'_> {
                 }
                 let from = (i > 0).then(|| end(i - 1));
                 let to = whole.get(i).map(|piece| piece.0);
-                round::way(self, &space, from.as_ref(), to.as_ref())
+                let before = (i > 0).then(|| (pieces[i - 1].0, pieces[i - 1].2));
+                let after = pieces.get(i).map(|p| (p.0, p.1));
+                known(&self.known.ways, [before, after], || round::way(self, &space, from.as_ref(), to.as_ref()))
             })
             .collect();
         if !(self.go_on)() {
@@ -111,7 +157,10 @@ impl Drive<'_> {
         }
         if let (Some(None), false) = (ways.first(), whole.is_empty()) {
             // Nothing begins here: refuse all pieces up to the first that can be gone to.
-            let reachable = |i: &usize| round::way(self, &space, None, Some(&whole[*i].0)).is_some();
+            let reachable = |i: &usize| {
+                let to = [None, Some((pieces[*i].0, pieces[*i].1))];
+                known(&self.known.ways, to, || round::way(self, &space, None, Some(&whole[*i].0))).is_some()
+            };
             let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
             return Err(self.unreached(&pieces[..begin], choice));
         }
@@ -123,7 +172,10 @@ impl Drive<'_> {
         for (i, (way, &(number, first, last))) in ways.iter().zip(&pieces).enumerate() {
             let Some(way) = way else {
                 // Home is on every way that is tried last: the piece that has none to it is in a pocket.
-                let stuck = i > 0 && round::way(self, &space, Some(&end(i - 1)), None).is_none();
+                let stuck = i > 0 && {
+                    let from = [Some((pieces[i - 1].0, pieces[i - 1].2)), None];
+                    known(&self.known.ways, from, || round::way(self, &space, Some(&end(i - 1)), None)).is_none()
+                };
                 closed.push(if stuck { pieces[i - 1] } else { (number, first, last) });
                 continue;
             };
@@ -170,28 +222,16 @@ impl Drive<'_> {
     /// Pieces that nothing leads to: their branches are closed, and if they stay so, all their targets
     /// are refused.
     fn unreached(&self, pieces: &[(usize, usize, usize)], choice: &Choice) -> Undriven {
-        let at_home = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()));
-        let detail = match at_home {
-            Some(contact) => {
-                format!("{contact} already at home: hold the part elsewhere, or change air.home_joints_deg")
-            }
-            None => NO_WAY.to_owned(),
-        };
         let mut out = Undriven::default();
         for &(pass, first, last) in pieces {
             out.closed.extend(choice.rows[pass][first].as_ref().map(|c| (pass, c.branch)));
-            let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
+            let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: NO_WAY.into() };
             out.refused.extend((first..=last).map(refuse));
         }
         out
     }
 
-    fn piece(
-        &self,
-        passes: &[Pass],
-        choice: &Choice,
-        (number, first, last): (usize, usize, usize),
-    ) -> Result<(Stand, Vec<Lit>), Refusal> {
+    fn piece(&self, passes: &[Pass], choice: &Choice, (number, first, last): (usize, usize, usize)) -> DrivenPiece {
         let pass = &passes[number];
         let refuse = |point, cause, detail: &str| Refusal { pass: number, point, cause, detail: detail.into() };
         let stand = |point: usize| {
