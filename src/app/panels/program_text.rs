@@ -15,15 +15,21 @@ impl App {
         }
         self.session.text_file = self.session.text_file.min(motion.text.len().saturating_sub(1));
         theme::heading(ui, "Program");
-        ui.horizontal_wrapped(|ui| {
-            for (number, file) in motion.text.iter().enumerate() {
-                if motion.text.len() == 1 {
-                    ui.monospace(&file.name);
-                } else {
-                    ui.selectable_value(&mut self.session.text_file, number, &file.name);
-                }
-            }
-        });
+        let name = motion.text.get(self.session.text_file).map_or("", |f| f.name.as_str());
+        if motion.text.len() <= 1 {
+            ui.monospace(name);
+        } else {
+            // A long program has dozens of files.
+            ui.horizontal(|ui| {
+                let label = ui.label(format!("{} files", motion.text.len()));
+                let combo = egui::ComboBox::from_id_salt("program file").selected_text(name).show_ui(ui, |ui| {
+                    for (number, file) in motion.text.iter().enumerate() {
+                        ui.selectable_value(&mut self.session.text_file, number, &file.name);
+                    }
+                });
+                combo.response.labelled_by(label.id);
+            });
+        }
         let Some(file) = motion.text.get(self.session.text_file) else {
             let why = motion.why_none.as_deref().unwrap_or("There is no program to show");
             ui.label(RichText::new(why).color(theme::WRONG));
