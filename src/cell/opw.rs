@@ -4,7 +4,7 @@
 //! of Industrial Serial Manipulators with an Ortho-parallel Basis and a Spherical Wrist" (2014).
 //! Turns beyond ±180° and limits are not its business.
 
-use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -166,10 +166,5 @@ impl Opw {
             ("c3_mm", self.c3_mm),
             ("c4_mm", self.c4_mm),
         ]
-    }
-
-    /// The direction in which the flange points, unit, in the base.
-    pub fn pointing(&self, joints_deg: &[f64; 6]) -> Vector3<f64> {
-        self.chain(joints_deg).1.column(2).into()
     }
 }

@@ -1,3 +1,5 @@
+//! What a program takes: trapezoids, waits, moments and curves against figures worked out by hand.
+
 use super::*;
 use crate::cell::Timing;
 use crate::program::series;
