@@ -1,5 +1,18 @@
 //! The robot cell: where laser, part and flange stand, and the robot that moves one of them.
 
+/// The files of a folder of `assets` by the keys of the shipped robots, the only list of them.
+macro_rules! shipped_files {
+    ($folder:literal) => {
+        $crate::cell::shipped_files!(
+            $folder: "mz04" "mz07f" "kr6-r900" "irb120" "irb1200" "irb2400" "lrmate200id" "m10ia" "tx2-60" "gp7" "gp8" "ur5e"
+        )
+    };
+    ($folder:literal: $($key:literal)+) => {
+        &[$(($key, include_str!(concat!("../../assets/", $folder, "/", $key, ".toml")))),+]
+    };
+}
+use shipped_files;
+
 pub mod bodies;
 pub mod calibration;
 pub mod collision;

@@ -196,27 +196,8 @@ pub enum CellError {
     },
 }
 
-macro_rules! shipped {
-    ($($key:literal),+) => {
-        /// Keys of the robots with a shipped cell, and the cells.
-        const SHIPPED: &[(&str, &str)] =
-            &[$(($key, include_str!(concat!("../../assets/cells/", $key, ".toml")))),+];
-    };
-}
-shipped!(
-    "mz04",
-    "mz07f",
-    "kr6-r900",
-    "irb120",
-    "irb1200",
-    "irb2400",
-    "lrmate200id",
-    "m10ia",
-    "tx2-60",
-    "gp7",
-    "gp8",
-    "ur5e"
-);
+/// Keys of the robots with a shipped cell, and the cells.
+const SHIPPED: &[(&str, &str)] = super::shipped_files!("cells");
 
 impl Cell {
     /// The cell that is taken when none is named, by the key of its robot.

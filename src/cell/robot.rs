@@ -106,32 +106,18 @@ pub enum RobotError {
     },
 }
 
-macro_rules! shipped {
-    ($($key:literal),+) => {
-        /// Keys of the shipped robots, and their files.
-        const SHIPPED: &[(&str, &str)] =
-            &[$(($key, include_str!(concat!("../../assets/robots/", $key, ".toml")))),+];
-    };
-}
-shipped!(
-    "mz04",
-    "mz07f",
-    "kr6-r900",
-    "irb120",
-    "irb1200",
-    "irb2400",
-    "lrmate200id",
-    "m10ia",
-    "tx2-60",
-    "gp7",
-    "gp8",
-    "ur5e"
-);
+/// Keys of the shipped robots, and their files.
+const SHIPPED: &[(&str, &str)] = super::shipped_files!("robots");
 
 impl Robot {
     /// Keys of the shipped robots.
     pub fn shipped() -> impl Iterator<Item = &'static str> {
         SHIPPED.iter().map(|(key, _)| *key)
+    }
+
+    /// Whether a name is the key of a shipped robot, and not a file.
+    pub fn is_shipped(name: &str) -> bool {
+        Robot::shipped().any(|key| key == name)
     }
 
     /// A shipped robot by its key, or a robot file by its path.

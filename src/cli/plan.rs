@@ -33,7 +33,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         job.cell.file = file.display().to_string();
     }
     if let Some(robot) = a.options.robot() {
-        job.cell.robot = if Robot::shipped().any(|key| key == robot) {
+        job.cell.robot = if Robot::is_shipped(robot) {
             robot.clone()
         } else {
             std::path::absolute(robot).map_err(anyhow::Error::from)?.display().to_string()

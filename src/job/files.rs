@@ -184,7 +184,7 @@ pub fn beside(job_file: Option<&Path>, path: &str) -> PathBuf {
 /// The folder cannot be found.
 pub fn rebased(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobError> {
     let mut job = job.clone();
-    let own_robot = !job.cell.robot.is_empty() && Robot::shipped().all(|key| key != job.cell.robot);
+    let own_robot = !job.cell.robot.is_empty() && !Robot::is_shipped(&job.cell.robot);
     let robot = own_robot.then_some(&mut job.cell.robot);
     for path in [&mut job.part.file, &mut job.cell.file].into_iter().chain(robot) {
         if !path.is_empty() {

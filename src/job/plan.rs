@@ -304,8 +304,6 @@ fn settle(
             Ok(steps) => {
                 plan.steps = steps;
                 plan.refusals.sort_by_key(|r| (r.pass, r.point));
-                // A target may be refused on two grounds: the first counts.
-                plan.refusals.dedup_by_key(|r| (r.pass, r.point));
                 progress.step()?;
                 return Ok(());
             }

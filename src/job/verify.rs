@@ -13,7 +13,7 @@ use crate::pose::Beam;
 use crate::pose::checker::Checker;
 use crate::program::dialect::{Goal, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::{Line, Move, Pace, Program, ProgramFile, Way, dialects, lines, lit};
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Point3};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -189,7 +189,7 @@ impl Poses<'_> {
     }
 
     fn spot(&self, focus: &Isometry3<f64>) -> Point3<f64> {
-        Point3::from(focus.translation.vector) - focus.rotation * Vector3::z() * self.defocus_mm
+        lit::foot(focus, self.defocus_mm)
     }
 }
 

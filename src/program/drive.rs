@@ -17,7 +17,7 @@ use crate::cell::{Joints, Robot, Setup};
 use crate::part::Part;
 use crate::pose::Pass;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Mutex;
 
 /// What the driven program is made from.
@@ -221,9 +221,10 @@ impl Drive<'_> {
 
     /// Pieces that nothing leads to: their branches are closed, and if they stay so, all their targets
     /// are refused.
-    fn unreached(&self, pieces: &[(usize, usize, usize)], choice: &Choice) -> Undriven {
+    fn unreached(&self, pieces: &[Piece], choice: &Choice) -> Undriven {
         let mut out = Undriven::default();
-        for &(pass, first, last) in pieces {
+        // The ways to a piece and from it may both be missing: it is refused once.
+        for &(pass, first, last) in BTreeSet::from_iter(pieces) {
             out.closed.extend(choice.rows[pass][first].as_ref().map(|c| (pass, c.branch)));
             let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: NO_WAY.into() };
             out.refused.extend((first..=last).map(refuse));
@@ -231,7 +232,7 @@ impl Drive<'_> {
         out
     }
 
-    fn piece(&self, passes: &[Pass], choice: &Choice, (number, first, last): (usize, usize, usize)) -> DrivenPiece {
+    fn piece(&self, passes: &[Pass], choice: &Choice, (number, first, last): Piece) -> DrivenPiece {
         let pass = &passes[number];
         let refuse = |point, cause, detail: &str| Refusal { pass: number, point, cause, detail: detail.into() };
         let stand = |point: usize| {

@@ -16,11 +16,16 @@ pub const LOOKS: usize = 4;
 /// The spot is where the axis meets the part, so far from where it should be at most, mm.
 const WINDOW_MM: f64 = 1.0;
 
+/// Where the spot of a path frame should be: D below the focus, on the part or on the chord between two
+/// targets.
+pub fn foot(part_from_focus: &Isometry3<f64>, defocus_mm: f64) -> Point3<f64> {
+    Point3::from(part_from_focus.translation.vector) - part_from_focus.rotation * Vector3::z() * defocus_mm
+}
+
 /// Where the beam of a path frame stands on the part, and its axis.
 pub fn spot(beam: &Beam<'_>, part_from_focus: &Isometry3<f64>, defocus_mm: f64) -> (Point3<f64>, Vector3<f64>) {
     let a = part_from_focus.rotation * Vector3::z();
-    let near = Point3::from(part_from_focus.translation.vector) - a * defocus_mm;
-    (beam.spot(&near, &a, WINDOW_MM), a)
+    (beam.spot(&foot(part_from_focus, defocus_mm), &a, WINDOW_MM), a)
 }
 
 /// The first place on a move, given over 0 to 1 as path frames, whose beam goes through a facet.
@@ -97,9 +102,8 @@ impl Straight<'_> {
         hit(&Beam::on(self.part), self.defocus_mm, |t| self.mounted.focus_for(&a.lerp_slerp(&b, t)))
     }
 
-    /// The spot of a frame on the part (or on the chord between two targets).
     fn foot(&self, frame: &Isometry3<f64>) -> Point3<f64> {
-        Point3::from(frame.translation.vector) - frame.rotation * Vector3::z() * self.defocus_mm
+        foot(frame, self.defocus_mm)
     }
 
     /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
