@@ -5,6 +5,7 @@
 //! 100 ms runs on a thread of its own, and a result whose inputs are no longer current is dropped.
 
 mod actions;
+mod clearance;
 mod command;
 mod derived;
 mod dialogs;

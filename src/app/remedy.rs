@@ -76,7 +76,7 @@ fn points(spots: impl Iterator<Item = Point3<f64>>, [r, g, b]: [u8; 3], size_px:
 
 impl App {
     /// Whether the plan is of the job as it is.
-    fn has_current_plan(&self) -> bool {
+    pub(super) fn has_current_plan(&self) -> bool {
         self.derived.plan.is_some() && self.derived.plan_of.as_ref() == Some(self.document.job())
     }
 

@@ -1,6 +1,7 @@
 //! Long work on its own threads: one thing at a time, with progress and cancel. Results come back
 //! over a channel and wake the window.
 
+use super::clearance::ClearanceCurve;
 use super::dialogs::Purpose;
 use super::motion::Motion;
 use super::remedy::Proposal;
@@ -25,6 +26,8 @@ pub enum Outcome {
     Planned(Box<Job>, Result<(Arc<Plan>, Arc<Report>), PlanError>),
     /// The motion of the plan of that number.
     Moving(u64, Arc<Motion>),
+    /// The clearance over the motion of the plan of that number.
+    Cleared(u64, Arc<ClearanceCurve>),
     /// What would help with the plan of that number.
     Advised(u64, Vec<String>),
     /// A better set-up for it, if there is any.
