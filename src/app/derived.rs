@@ -200,7 +200,7 @@ impl App {
                 Outcome::Planned(job, result) => self.planned(*job, result),
                 Outcome::Moving(of, motion) => self.moving(of, motion),
                 Outcome::Cleared(of, curve) => self.cleared(of, curve),
-                Outcome::Advised(of, sentences) => self.advised(of, sentences),
+                Outcome::Advised(of, told) => self.advised(of, told),
                 Outcome::Proposed(of, proposal) => self.proposed(of, proposal),
                 Outcome::Exported(result) => self.exported(result),
                 Outcome::Picked(purpose, path) => self.picked(purpose, path),
@@ -271,6 +271,7 @@ impl App {
 
     /// Takes a part that was opened.
     pub(super) fn take_part(&mut self, raw: Arc<RawPart>, part: Arc<Part>, of: PartFile) {
+        self.end_searches();
         self.derived = Derived {
             raw: Some(raw),
             part: Some(part),

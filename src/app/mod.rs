@@ -130,6 +130,7 @@ impl eframe::App for App {
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.worker.cancel();
+        self.end_searches();
         self.viewport.release();
     }
 }

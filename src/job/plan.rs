@@ -3,7 +3,6 @@
 
 use super::model::Job;
 use super::parameter;
-use super::progress::{Cancelled, Progress};
 use super::report::CellReport;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Choice, Refusal, Watch, choose};
@@ -19,6 +18,7 @@ use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
+use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
