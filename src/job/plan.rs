@@ -243,6 +243,17 @@ pub(super) fn drive(
     // What driving refused stays refused, whatever branch is chosen then.
     let mut refused: Vec<Refusal> = Vec::new();
     let mut best: Option<Plan> = None;
+    let drive = Drive {
+        part,
+        setup,
+        mounted: setup.mounted(),
+        robot,
+        speeds,
+        deviation_mm: job.cell.deviation_mm,
+        collision: collision.as_ref(),
+        go_on: &go_on,
+        known: Known::default(),
+    };
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
         (plan.choice, plan.refusals) = (None, Vec::new());
@@ -253,17 +264,6 @@ pub(super) fn drive(
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);
-        let drive = Drive {
-            part,
-            setup,
-            mounted: setup.mounted(),
-            robot,
-            speeds,
-            deviation_mm: job.cell.deviation_mm,
-            collision: collision.as_ref(),
-            go_on: &go_on,
-            known: Known::default(),
-        };
         let mut shut = Vec::new();
         settle(plan, progress, |plan| {
             let Some(choice) = &plan.choice else { return Ok(Steps::default()) };
