@@ -5,8 +5,7 @@ use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
 use crate::cell::collision::Collision;
-use crate::cell::motion::choice::{Touched, choose_again};
-use crate::cell::motion::{Arm, Choice, Refusal, Watch};
+use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
@@ -238,7 +237,7 @@ pub(super) fn drive(
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
-    let mut touched = Touched::default();
+    let mut memory = Memory::default();
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
     // What driving refused stays refused, whatever branch is chosen then.
     let mut refused: Vec<Refusal> = Vec::new();
@@ -260,7 +259,7 @@ pub(super) fn drive(
         plan.refuse(&refused);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
         let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
-        let choice = choose_again(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch, &mut touched);
+        let choice = choose_again(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch, &mut memory);
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);

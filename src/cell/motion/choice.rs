@@ -6,14 +6,14 @@
 //! possible are left out. All spins are looked at; nothing is sampled or refined, so the chain is the
 //! optimum of these rules.
 
+use super::crowds::{Crowd, crowds};
+use super::memory::Memory;
 use super::refusal::{self, Cause, Refusal};
 use super::states::{Arm, Lack, SPIN_STEP_DEG, State};
 use crate::cell::Joints;
 use crate::pose::{self, Pass};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicU8, Ordering};
 
 /// A joint moves no further between two targets of a pass.
 pub const MOST_STEP_DEG: f64 = 30.0;
@@ -39,8 +39,6 @@ pub const AT_SINGULARITY: f64 = 12.0;
 const CHUNK: usize = 256;
 /// So many states of a target are worked out by one thread.
 const SIDE_BY_SIDE: usize = 256;
-/// Neighbouring spins whose states are looked at as one crowd.
-const CROWD_SPINS: u8 = 4;
 
 /// What was chosen for a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +87,7 @@ enum Refused {
 
 /// What the search asks while it works.
 pub struct Watch<'a> {
-    /// What the arm and all it carries touch at some joints, in words.
+    /// What the arm and all it carries touch at some joints, in words: the same a whole turn further.
     pub touches: &'a (dyn Fn(&Joints) -> Option<String> + Sync),
     /// Whether to go on.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
@@ -104,45 +102,12 @@ impl Default for Watch<'_> {
     }
 }
 
-/// What is known of which states touch: of the targets of passes where a chosen one did, by branch and
-/// spin. Every reading of the turns is the same pose.
-#[derive(Default)]
-pub struct Touched(BTreeMap<usize, Vec<Looks>>);
-
-/// Of one target, for each branch and spin: not looked at, free, or touching.
-struct Looks(Vec<AtomicU8>);
-
-impl Touched {
-    fn of(&self, stop: &Stop) -> Option<&Looks> {
-        self.0.get(&stop.pass)?.get(stop.point)
-    }
-
-    fn add(&mut self, numbers: &[usize], passes: &[Pass], spins: usize) {
-        let unknown = || Looks(std::iter::repeat_with(AtomicU8::default).take(8 * spins).collect());
-        for &number in numbers {
-            let looks = || passes[number].targets.iter().map(|_| unknown()).collect();
-            self.0.entry(number).or_insert_with(looks);
-        }
-    }
-}
-
-impl Looks {
-    /// Whether a state is free; it is looked at once.
-    fn is_free(&self, state: &State, spins: usize, look: impl FnOnce() -> bool) -> bool {
-        let known = &self.0[usize::from(state.branch) * spins + usize::from(state.spin)];
-        if known.load(Ordering::Relaxed) == 0 {
-            known.store(if look() { 1 } else { 2 }, Ordering::Relaxed);
-        }
-        known.load(Ordering::Relaxed) == 1
-    }
-}
-
 /// Chooses spin and branch for every target that is not blocked.
 ///
 /// What is touched is asked for the chosen states first, and for all states of a pass where one of
 /// them does. `None`: the search was stopped.
 pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, watch: &Watch<'_>) -> Option<Choice> {
-    choose_again(arm, passes, defocus_mm, speed_mm_s, watch, &mut Touched::default())
+    choose_again(arm, passes, defocus_mm, speed_mm_s, watch, &mut Memory::default())
 }
 
 /// The same for targets some of which were looked at before: they may be blocked by now, and branches
@@ -153,19 +118,20 @@ pub fn choose_again(
     defocus_mm: f64,
     speed_mm_s: f64,
     watch: &Watch<'_>,
-    touched: &mut Touched,
+    memory: &mut Memory,
 ) -> Option<Choice> {
     let Watch { touches, go_on, is_open } = watch;
     let stops = stops(passes, defocus_mm, speed_mm_s);
     loop {
-        let looks = &*touched;
+        let known = &*memory;
         let chain = chain(arm, &stops, go_on, |stop: &Stop| {
-            let mut states = arm.states(&stop.part_from_focus).map_err(Refused::Lack)?;
+            let mut states =
+                known.states((stop.pass, stop.point), || arm.states(&stop.part_from_focus)).map_err(Refused::Lack)?;
             states.retain(|s| is_open(stop.pass, s.branch));
             if states.is_empty() {
                 return Err(Refused::Contact(NO_WAY.into()));
             }
-            let Some(looks) = looks.of(stop) else { return Ok(states) };
+            let Some(looks) = known.looks((stop.pass, stop.point)) else { return Ok(states) };
             let first = states[0].joints_deg;
             states.retain(|s| looks.is_free(s, arm.spins(), || touches(&s.joints_deg).is_none()));
             if states.is_empty() { Err(Refused::Contact(touches(&first).unwrap_or_default())) } else { Ok(states) }
@@ -174,7 +140,9 @@ pub fn choose_again(
             .par_iter()
             .zip(&chain)
             .filter(|(stop, state)| {
-                go_on() && looks.of(stop).is_none() && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
+                go_on()
+                    && known.looks((stop.pass, stop.point)).is_none()
+                    && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
             })
             .map(|(stop, _)| stop.pass)
             .collect();
@@ -182,9 +150,12 @@ pub fn choose_again(
             return None;
         }
         if touching.is_empty() {
-            return Some(choice(arm, passes, &stops, chain));
+            let choice = choice(arm, passes, &stops, chain);
+            memory.keep(passes);
+            return Some(choice);
         }
-        touched.add(&touching, passes, arm.spins());
+        memory.look_at(&touching, passes, arm.spins());
+        memory.keep(passes);
     }
 }
 
@@ -392,7 +363,7 @@ impl<'a> Rules<'a> {
 
     /// Costs and predecessors after a connecting move: from any state to any.
     fn round(&self, before: &Layer, layer: &mut Layer) -> Vec<u32> {
-        let crowds = crowds(before);
+        let crowds = crowds(&before.states, &before.cost);
         let some = |(states, standing): (&[State], &[f64])| -> Vec<(f64, u32)> {
             // What was best for the state before is good for this one, and shows what need not be looked at.
             let mut guess = OUT;
@@ -442,54 +413,6 @@ impl<'a> Rules<'a> {
         }
         best
     }
-}
-
-/// States of one branch that lie near each other, and the box around their joints.
-struct Crowd {
-    states: Vec<u32>,
-    branch: u8,
-    least: Joints,
-    most: Joints,
-    /// Of the cheapest.
-    cost: f64,
-}
-
-impl Crowd {
-    /// The joints of the box that are nearest to others.
-    fn nearest(&self, to: &Joints) -> Joints {
-        std::array::from_fn(|j| to[j].clamp(self.least[j], self.most[j]))
-    }
-}
-
-/// All states of a layer in crowds, the cheapest first.
-fn crowds(layer: &Layer) -> Vec<Crowd> {
-    let readings = |s: &State| s.joints_deg.map(|deg| (deg / 360.0).round() as i8);
-    let mut order: Vec<u32> = (0..layer.states.len() as u32).collect();
-    let key = |k: u32| {
-        let s = &layer.states[k as usize];
-        (s.branch, readings(s), s.spin)
-    };
-    order.sort_by_cached_key(|k| key(*k));
-    let like = |a: &u32, b: &u32| {
-        let (a, b) = (key(*a), key(*b));
-        (a.0, a.1, a.2 / CROWD_SPINS) == (b.0, b.1, b.2 / CROWD_SPINS)
-    };
-    let crowd = |states: &[u32]| {
-        let of = |k: &u32| &layer.states[*k as usize];
-        let edge = |pick: fn(f64, f64) -> f64, start: f64| -> Joints {
-            std::array::from_fn(|j| states.iter().map(|k| of(k).joints_deg[j]).fold(start, pick))
-        };
-        Crowd {
-            branch: states.first().map_or(0, |k| of(k).branch),
-            least: edge(f64::min, f64::INFINITY),
-            most: edge(f64::max, f64::NEG_INFINITY),
-            cost: states.iter().map(|k| layer.cost[*k as usize]).fold(f64::INFINITY, f64::min),
-            states: states.to_vec(),
-        }
-    };
-    let mut out: Vec<Crowd> = order.chunk_by(like).map(crowd).collect();
-    out.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    out
 }
 
 /// The chain by pass and point, with what was left out and why.
