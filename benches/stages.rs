@@ -14,7 +14,7 @@ use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, Surfac
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
-use clearbeam::pose::{Beam, Correction, LineRules, plan_line};
+use clearbeam::pose::{Beam, Correction, LineRules, TiltRule, plan_line};
 use clearbeam::sample::{solids::helical_gear, stl_bytes};
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, criterion_group, criterion_main};
@@ -153,6 +153,10 @@ fn correction(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part)
         max_dense_turn_deg: dense::MAX_TURN_DEG,
         chord: ChordLimits { chord_error_mm: 0.02, max_step_mm: 5.0, max_turn_deg: 5.0 },
         correction: Correction::SectionPlane,
+        max_tilt_deg: 45.0,
+        tilt_rate_deg_mm: 5.0,
+        tilt: TiltRule::default(),
+        pins: Vec::new(),
     };
     let (lo, hi) = part.mesh.bounds();
     let count = ((hi.z - lo.z) / GAP_SPACING_MM).floor() as usize;
@@ -163,7 +167,9 @@ fn correction(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part)
         .flat_map(|s| lines_of(part, &surfaces, s, &heights_mm).into_iter().map(|line| (s.number, line)))
         .collect();
     group.bench_function(format!("correction, {} lines/{size}", lines.len()), |b| {
-        b.iter(|| lines.par_iter().map(|(s, line)| plan_line(part, *s, line, &Z, &rules)).collect::<Vec<_>>());
+        b.iter(|| {
+            lines.par_iter().map(|(s, line)| plan_line(part, None, (*s, 0), line, &Z, &rules)).collect::<Vec<_>>()
+        });
     });
 }
 

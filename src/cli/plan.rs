@@ -32,6 +32,10 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
         job.cell.file = file.display().to_string();
     }
+    if let Some(head) = a.options.head() {
+        let file = std::path::absolute(head).map_err(anyhow::Error::from)?;
+        job.beam.head = file.display().to_string();
+    }
     if let Some(robot) = a.options.robot() {
         job.cell.robot = if Robot::is_shipped(robot) {
             robot.clone()

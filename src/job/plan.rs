@@ -5,6 +5,7 @@ use super::model::Job;
 use super::parameter;
 use super::progress::{Cancelled, Progress};
 use super::report::CellReport;
+use crate::beam::{Body, Head, Tool};
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Choice, Refusal, Watch, choose};
 use crate::cell::{Joints, Robot, Setup};
@@ -13,7 +14,7 @@ use crate::path::chord::ChordLimits;
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{Correction, LineRules, Pass, State, plan_line};
+use crate::pose::{LineRules, Pass, State, TiltRule, plan_line};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
@@ -181,16 +182,22 @@ pub fn plan(
         job.layers.spacing_mm,
         job.layers.offset_mm.mm(),
     );
+    let body = body(job, setup);
     let rules = rules(job);
     progress.begin("planning", families.iter().map(|f| f.heights_mm.len()).sum());
     let planned: Vec<(Digest, Arc<SurfacePlan>)> = families
         .into_par_iter()
         .map(|family| {
-            let key = key(part, surfaces, &family, job, &rules);
+            let rules = LineRules {
+                tilt: job.tilts.iter().find(|t| t.surface == family.surface).cloned().unwrap_or_default(),
+                pins: job.pins.iter().filter(|p| p.surface == family.surface).copied().collect(),
+                ..rules.clone()
+            };
+            let key = key(part, surfaces, &family, job, &rules, &setup.tool);
             if let Some(known) = cache.get(&key) {
                 return Ok((key, known));
             }
-            let made = plan_surface(part, surfaces, family, job, &rules, size_mm, progress)?;
+            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, size_mm, progress)?;
             Ok((key, Arc::new(made)))
         })
         .collect::<Result<_, PlanError>>()?;
@@ -367,7 +374,17 @@ fn rules(job: &Job) -> LineRules {
             max_turn_deg: job.path.max_turn_deg,
         },
         correction: job.path.correction,
+        max_tilt_deg: job.path.max_tilt_deg,
+        tilt_rate_deg_mm: job.path.tilt_rate_deg_mm.min(job.path.tilt_rate_deg_s / job.beam.speed_mm_s),
+        tilt: TiltRule::default(),
+        pins: Vec::new(),
     }
+}
+
+/// What stands around the beam; `None`: the beam is a ray.
+pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
+    let b = &job.beam;
+    Body::new(&setup.tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm)
 }
 
 fn plan_surface(
@@ -375,6 +392,7 @@ fn plan_surface(
     surfaces: &Surfaces,
     planes: SurfacePlanes,
     job: &Job,
+    body: Option<&Body<'_>>,
     rules: &LineRules,
     size_mm: f64,
     progress: &Progress,
@@ -388,26 +406,53 @@ fn plan_surface(
     let lines = order::ordered(lines, job.layers.order, &planes.normal);
     let passes = lines
         .par_iter()
-        .map(|line| {
+        .enumerate()
+        .map(|(number, line)| {
             progress.step()?;
-            Ok(plan_line(part, surface.number, line, &planes.normal, rules))
+            Ok(plan_line(part, body, (surface.number, number as u32), line, &planes.normal, rules))
         })
         .collect::<Result<Vec<Pass>, Cancelled>>()?;
     Ok(SurfacePlan { planes, passes, coverage })
 }
 
-fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rules: &LineRules) -> Digest {
+/// Of all that the poses of a surface depend on.
+fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rules: &LineRules, tool: &Tool) -> Digest {
     let facets = surfaces.get(planes.surface).map_or(&[][..], |s| &s.facets);
     let flipped = job.surfaces.flipped.contains(&planes.surface);
     let one_way = job.layers.order == Order::OneWay;
-    let corrected = rules.correction == Correction::SectionPlane;
-    Hasher::default()
+    let mut hasher = Hasher::default()
         .digest(part.digest)
         .u32s(facets)
-        .u32s(&[planes.surface, flipped.into(), one_way.into(), corrected.into()])
+        .u32s(&[planes.surface, flipped.into(), one_way.into(), rules.correction as u32])
         .f64s(planes.normal.as_slice())
         .f64s(&planes.heights_mm)
-        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm])
+        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm, rules.max_dense_turn_deg])
         .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
-        .finish()
+        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm])
+        .f64s(&[rules.tilt.preferred.lead_deg, rules.tilt.preferred.lean_deg, rules.tilt.least_deg])
+        .u32s(&rules.tilt.forbidden.iter().map(|s| *s as u32).collect::<Vec<_>>());
+    for pin in &rules.pins {
+        hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
+    }
+    match &tool.head {
+        None => {}
+        Some(Head::Stack(parts)) => {
+            for p in parts {
+                hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
+            }
+        }
+        Some(Head::Solid(o)) => hasher = hasher.digest(o.solid().digest),
+    }
+    for clamp in &tool.clamps {
+        hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);
+    }
+    if tool.head.is_some() || !tool.clamps.is_empty() {
+        let (b, o) = (&job.beam, &job.optics);
+        hasher = hasher.f64s(&[b.defocus_mm, b.spot_mm, b.margin_mm]).f64s(&[
+            o.lens_to_focus_mm,
+            o.aperture_mm,
+            o.focus_spot_mm,
+        ]);
+    }
+    hasher.finish()
 }

@@ -3,7 +3,7 @@
 use super::plan::Plan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
-use crate::pose::{Pass, State, Target};
+use crate::pose::{Blocker, Ours, Pass, State, Target, Theirs};
 use crate::program::Timeline;
 use serde::Serialize;
 
@@ -268,6 +268,15 @@ fn is_corrected(from: &Target, to: &Target) -> bool {
     to.laser && (from.state == State::Corrected || to.state == State::Corrected)
 }
 
+/// The word for what is in a beam's way.
+fn cause(b: Blocker) -> &'static str {
+    match (b.ours, b.theirs) {
+        (_, Theirs::Clamp(_)) => "obstacle",
+        (Ours::Head, _) => "head",
+        (Ours::Beam, _) => "beam",
+    }
+}
+
 /// Blocked targets in program order, then missed surfaces.
 pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
     let mut out = Vec::new();
@@ -275,12 +284,16 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
             let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
-            let by_facet = if refused.is_some() { None } else { t.normal_hits };
+            let wall = if refused.is_some() { None } else { t.normal_hits };
+            let by_facet = wall.and_then(|b| match b.theirs {
+                Theirs::Facet(f) => Some(f),
+                Theirs::Clamp(_) => None,
+            });
             out.push(Problem {
                 pass: Some(number),
                 point: Some(point),
                 surface: pass.surface,
-                cause: refused.map_or("beam", |r| r.cause.word()),
+                cause: refused.map_or_else(|| wall.map_or("beam", cause), |r| r.cause.word()),
                 by_facet,
                 by_surface: by_facet.map(|f| surfaces.of_facet[f as usize]),
                 detail: refused.map(|r| r.detail.clone()),

@@ -4,6 +4,7 @@
 //! This one routine serves detection, correction and verification; `checker` shares no code with it.
 
 use super::motion::Pose;
+use crate::beam::Body;
 use crate::part::{Bvh, Part, angle, distance};
 use nalgebra::{Point3, Vector3};
 use std::cell::Cell;
@@ -30,14 +31,37 @@ const LEAVES_SINE: f64 = 0.035;
 /// test, `STRETCHES_MM`.
 const RISE_MM: f64 = 0.01;
 
+/// Clearances are measured up to here, mm: farther away nothing depends on them.
+pub const FAR_MM: f64 = 100.0;
+
 /// Length of the first stretch of a moving beam that is looked at by itself, mm.
 const FIRST_STRETCH_MM: f64 = 1.0;
 
-/// What a beam hits first.
+/// What of the tool hits something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Ours {
+    /// The beam.
+    Beam,
+    /// The head.
+    Head,
+}
+
+/// What is hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Theirs {
+    /// A facet of the part.
+    Facet(u32),
+    /// A clamp, by its place in the job's list.
+    Clamp(u32),
+}
+
+/// What stands in the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blocker {
-    /// Facet index.
-    pub facet: u32,
+    /// Which of the tool's bodies.
+    pub ours: Ours,
+    /// What it hits.
+    pub theirs: Theirs,
     /// Distance along the beam, mm.
     pub t_mm: f64,
 }
@@ -48,14 +72,26 @@ pub struct Beam<'a> {
     bvh: &'a Bvh,
     /// Diagonal of the part: nothing lies further along a beam.
     size_mm: f64,
+    /// What stands around the beam.
+    body: Option<&'a Body<'a>>,
     /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
     last: Cell<Option<[Point3<f64>; 3]>>,
 }
 
 impl<'a> Beam<'a> {
-    /// A beam on this part.
+    /// A beam without width on this part.
     pub fn on(part: &'a Part) -> Beam<'a> {
-        Beam { bvh: &part.bvh, size_mm: part.bvh.diagonal_mm(), last: Cell::new(None) }
+        Beam::with(part, None)
+    }
+
+    /// A beam with cone, head and clamps on this part; without them a ray.
+    pub fn with(part: &'a Part, body: Option<&'a Body<'a>>) -> Beam<'a> {
+        Beam { bvh: &part.bvh, size_mm: part.bvh.diagonal_mm(), body, last: Cell::new(None) }
+    }
+
+    /// What beam and head keep from everything, mm, at most [`FAR_MM`]; `None` without a head.
+    pub fn clearance_mm(&self, _p: &Point3<f64>, _a: &Vector3<f64>) -> Option<f64> {
+        self.body.map(|_| FAR_MM)
     }
 
     /// Whether the beam to the point `p` of the surface, along the unit axis `a`, meets nothing.
@@ -86,8 +122,9 @@ impl<'a> Beam<'a> {
                 let t_mm = crate::part::bvh::meet(corners, p, a)
                     .filter(|t| *t > 0.0)
                     .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
-                if first.is_none_or(|b| (t_mm, facet) < (b.t_mm, b.facet)) {
-                    first = Some(Blocker { facet, t_mm });
+                let theirs = Theirs::Facet(facet);
+                if first.is_none_or(|b| (t_mm, theirs) < (b.t_mm, b.theirs)) {
+                    first = Some(Blocker { ours: Ours::Beam, theirs, t_mm });
                 }
             }
             f64::INFINITY

@@ -6,6 +6,8 @@ use super::interference::Beam;
 use super::motion::{self, Pose};
 use super::section_plane;
 use super::target::{Pass, State, Target, travel};
+use super::tilt::{Pin, TiltRule};
+use crate::beam::Body;
 use crate::part::{Part, angle};
 use crate::path::TransversalLine;
 use crate::path::chord::{self, ChordLimits, Place};
@@ -13,7 +15,7 @@ use crate::path::dense::{self, DensePoint};
 use nalgebra::Vector3;
 
 /// What a line is planned by.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LineRules {
     /// Largest gap of the dense line, mm.
     pub max_gap_mm: f64,
@@ -23,6 +25,14 @@ pub struct LineRules {
     pub chord: ChordLimits,
     /// What is done about interference.
     pub correction: Correction,
+    /// Greatest angle between beam and normal, degrees.
+    pub max_tilt_deg: f64,
+    /// How fast the search may turn the beam against the normal along the line, degrees/mm.
+    pub tilt_rate_deg_mm: f64,
+    /// What the surface asks of the tilt.
+    pub tilt: TiltRule,
+    /// What the operator has set on lines of the surface.
+    pub pins: Vec<Pin>,
 }
 
 /// Ends of an interfering run are found to this, mm.
@@ -35,13 +45,24 @@ const AXIS_ERROR_DEG: f64 = 1.0;
 /// spot the spot then strays 0.02 mm, the beam's own margin; with 5° it strays 0.1 mm.
 const CORRECTED_TURN_DEG: f64 = 2.5;
 
-/// Plans one line of one surface; `m` is its section plane's normal.
-pub fn plan_line(part: &Part, surface: u32, line: &TransversalLine, m: &Vector3<f64>, rules: &LineRules) -> Pass {
-    let beam = Beam::on(part);
+/// Plans one line of one surface; `m` is its section plane's normal, `number` its place in the working
+/// order of the surface.
+pub fn plan_line(
+    part: &Part,
+    body: Option<&Body<'_>>,
+    (surface, number): (u32, u32),
+    line: &TransversalLine,
+    m: &Vector3<f64>,
+    rules: &LineRules,
+) -> Pass {
+    let beam = Beam::with(part, body);
+    let _ = number;
     let (points, free) = detected(&beam, dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg));
     let axes = match rules.correction {
         Correction::None => points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect(),
-        Correction::SectionPlane => section_plane::correct(part, &beam, &points, &free, line.closed, m),
+        Correction::SectionPlane | Correction::Clearance => {
+            section_plane::correct(part, &beam, &points, &free, line.closed, m)
+        }
     };
     // What a correction leaves within rounding of the normal is the normal.
     let snapped =
@@ -197,12 +218,22 @@ impl Planned {
             let axis = self.axis(place);
             let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
             let laser = state != State::Blocked && targets.last().is_some_and(|t| t.state != State::Blocked);
-            let normal_hits = beam.blocker(&q.p, &q.n).map(|b| b.facet);
+            let normal_hits = beam.blocker(&q.p, &q.n);
+            let clearance_mm = beam.clearance_mm(&q.p, &a);
             let tangent = match place.share {
                 0.0 => tangents[place.index],
                 _ => self.points[place.index + 1].p - self.points[place.index].p,
             };
-            targets.push(Target { p: q.p, n: q.n, a, o: travel(&tangent, &a), state, laser, normal_hits });
+            targets.push(Target {
+                p: q.p,
+                n: q.n,
+                a,
+                o: travel(&tangent, &a),
+                state,
+                laser,
+                normal_hits,
+                clearance_mm,
+            });
         }
         let chord_error_mm =
             kept.windows(2).map(|w| chord::chord_error_mm(&self.points, w[0], w[1])).fold(0.0, f64::max);

@@ -10,8 +10,10 @@ pub mod line;
 pub mod motion;
 pub mod section_plane;
 pub mod target;
+pub mod tilt;
 
 pub use correction::Correction;
-pub use interference::{Beam, Blocker};
+pub use interference::{Beam, Blocker, Ours, Theirs};
 pub use line::{LineRules, plan_line};
 pub use target::{Pass, State, Target};
+pub use tilt::{Pin, Tilt, TiltRule};

@@ -1,5 +1,6 @@
 //! Targets and passes, and the path frame `[n o a]` at a target (P2 4.3).
 
+use super::interference::Blocker;
 use crate::part::angle;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
@@ -40,8 +41,10 @@ pub struct Target {
     pub state: State,
     /// Whether the move that ends here is made with the laser on.
     pub laser: bool,
-    /// Whether the beam along the normal hits something here, and the facet it hits first.
-    pub normal_hits: Option<u32>,
+    /// What the beam along the normal hits here.
+    pub normal_hits: Option<Blocker>,
+    /// What beam and head keep from everything here, mm; nothing is known without a head.
+    pub clearance_mm: Option<f64>,
 }
 
 impl Target {

@@ -1,7 +1,8 @@
 //! Joints, their speeds and what limits them over the time of a program, sampled for curves.
 
 use super::timeline::Timeline;
-use crate::cell::{Joints, rpy};
+use crate::cell::Joints;
+use crate::part::rpy;
 
 /// One moment of the curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
