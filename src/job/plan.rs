@@ -20,6 +20,7 @@ use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
+use crate::program::sweep::{Proof, Prover};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
@@ -52,6 +53,8 @@ pub struct Plan {
     pub refusals: Vec<Refusal>,
     /// The program over time; without a robot nothing is known of moves by joints.
     pub timeline: Option<Timeline>,
+    /// What is proven of its moves with the laser on.
+    pub proof: Option<Proof>,
     /// The frames it was made for.
     pub cell: Option<CellReport>,
     /// Speeds it was made for.
@@ -211,16 +214,23 @@ pub fn plan(
         Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
-            let straight = Straight {
-                part,
-                mounted: setup.mounted(),
-                defocus_mm: speeds.defocus_mm,
-                deviation_mm: job.cell.deviation_mm,
-            };
+            let straight = straight(part, setup, job);
             settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, &speeds))?;
         }
     }
+    plan.proof = Some(prover(part, setup, job).prove(&plan.steps.lit_moves(&setup.mounted())));
     Ok(plan)
+}
+
+/// What proves the lit moves of a job.
+pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
+    let deviation_mm = job.cell.deviation_mm;
+    let (defocus_mm, sag_mm) = (job.beam.defocus_mm, job.path.chord_error_mm);
+    Prover::new(part, body(job, setup).as_ref(), setup.mounted(), defocus_mm, deviation_mm, sag_mm)
+}
+
+fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
+    Straight { prover: prover(part, setup, job), deviation_mm: job.cell.deviation_mm }
 }
 
 fn speeds(job: &Job) -> Speeds {
@@ -264,7 +274,7 @@ pub(super) fn drive(
             mounted: setup.mounted(),
             robot,
             speeds,
-            deviation_mm: job.cell.deviation_mm,
+            straight: straight(part, setup, job),
             collision: collision.as_ref(),
             go_on: &go_on,
             known: Known::default(),
@@ -434,14 +444,8 @@ fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rule
     for pin in &rules.pins {
         hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
     }
-    match &tool.head {
-        None => {}
-        Some(Head::Stack(parts)) => {
-            for p in parts {
-                hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
-            }
-        }
-        Some(Head::Solid(o)) => hasher = hasher.digest(o.solid().digest),
+    for p in tool.head.iter().flat_map(Head::stack) {
+        hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
     }
     for clamp in &tool.clamps {
         hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);

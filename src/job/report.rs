@@ -5,6 +5,7 @@ use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
 use crate::pose::{Blocker, Ours, Pass, State, Target, Theirs};
 use crate::program::Timeline;
+use crate::program::sweep::Proof;
 use serde::Serialize;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
@@ -45,6 +46,12 @@ pub struct Report {
     pub surfaces: Vec<SurfaceReport>,
     /// What is blocked or missed, and why.
     pub problems: Vec<Problem>,
+    /// What is proven of the moves with the laser on; null before the program is made.
+    pub proof: Option<Proof>,
+    /// Whether all of them are.
+    pub proven: bool,
+    /// The least that beam and head keep from everything at a target with the laser on; null without a head.
+    pub min_clearance_mm: Option<f64>,
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<CellReport>,
@@ -166,6 +173,8 @@ impl Report {
                 }
             })
             .collect();
+        let clearance =
+            all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked).filter_map(|t| t.clearance_mm);
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
         Report {
             passes: all.len(),
@@ -184,6 +193,9 @@ impl Report {
             missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
             problems: problems(plan, surfaces),
             surfaces: rows,
+            proven: plan.proof.as_ref().is_some_and(|p| p.refuted.is_empty()),
+            proof: plan.proof.clone(),
+            min_clearance_mm: clearance.reduce(f64::min),
             cell: plan.cell.clone(),
         }
     }

@@ -34,6 +34,34 @@ impl Bvh {
         near
     }
 
+    /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` says no.
+    pub fn visit_near_boxes(
+        &self,
+        near: impl Fn(&[f64; 3], &[f64; 3]) -> bool,
+        mut visit: impl FnMut(u32, &[Point3<f64>; 3]) -> bool,
+    ) {
+        let mut stack = [0u32; 96];
+        let mut depth = usize::from(!self.nodes.is_empty());
+        while depth > 0 {
+            depth -= 1;
+            let node = &self.nodes[stack[depth] as usize];
+            if !near(&node.bounds.lo, &node.bounds.hi) {
+                continue;
+            }
+            if node.count > 0 {
+                for i in node.at as usize..(node.at + node.count) as usize {
+                    if !visit(self.facet[i], &self.corners[i]) {
+                        return;
+                    }
+                }
+            } else {
+                stack[depth] = node.at;
+                stack[depth + 1] = node.at + 1;
+                depth += 2;
+            }
+        }
+    }
+
     /// Whether a facet of this mesh is within `reach_mm` of one of the other.
     pub fn near_mesh(&self, other: &Bvh, self_from_other: &Isometry3<f64>, reach_mm: f64) -> bool {
         if self.nodes.is_empty() || other.nodes.is_empty() {
