@@ -14,7 +14,7 @@ use crate::path::chord::ChordLimits;
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{LineRules, Pass, State, TiltRule, plan_line};
+use crate::pose::{Correction, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
@@ -35,6 +35,9 @@ pub struct SurfacePlan {
     pub passes: Vec<Pass>,
     /// What no line reaches.
     pub coverage: Coverage,
+    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
+    /// same limits.
+    pub by_section_plane: Option<Vec<Option<Pass>>>,
 }
 
 /// A plan.
@@ -414,15 +417,22 @@ fn plan_surface(
         section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
     let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);
     let lines = order::ordered(lines, job.layers.order, &planes.normal);
-    let passes = lines
+    let is_searched = rules.correction == Correction::Clearance;
+    let both = lines
         .par_iter()
         .enumerate()
         .map(|(number, line)| {
             progress.step()?;
-            Ok(plan_line(part, body, (surface.number, number as u32), line, &planes.normal, rules))
+            let name = (surface.number, number as u32);
+            let pass = plan_line(part, body, name, line, &planes.normal, rules);
+            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
+            let other = (is_searched && interferes)
+                .then(|| plan_line_by_section_plane(part, body, name, line, &planes.normal, rules));
+            Ok((pass, other))
         })
-        .collect::<Result<Vec<Pass>, Cancelled>>()?;
-    Ok(SurfacePlan { planes, passes, coverage })
+        .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
+    let (passes, others): (Vec<_>, Vec<_>) = both.into_iter().unzip();
+    Ok(SurfacePlan { planes, passes, coverage, by_section_plane: is_searched.then_some(others) })
 }
 
 /// Of all that the poses of a surface depend on.

@@ -6,6 +6,7 @@
 pub mod access;
 pub mod around;
 pub mod checker;
+pub mod clearance;
 pub mod correction;
 pub mod interference;
 pub mod line;
@@ -16,6 +17,6 @@ pub mod tilt;
 
 pub use correction::Correction;
 pub use interference::{Beam, Blocker, Ours, Theirs};
-pub use line::{LineRules, plan_line};
-pub use target::{Pass, State, Target};
+pub use line::{LineRules, plan_line, plan_line_by_section_plane};
+pub use target::{Pass, Split, State, Target};
 pub use tilt::{Pin, Tilt, TiltRule};
