@@ -75,7 +75,11 @@ fn a_wall_beside_the_head_asks_for_the_tilt_of_the_closed_form() {
         let expected = libm::acos((x - MARGIN_MM) / libm::hypot(r, t0)) - libm::atan2(t0, r);
         let tool = cylinder(r);
         let found = least_lean(&wall, Some(&body(&tool)));
-        assert!((found - expected.to_degrees()).abs() < 1e-3, "x {x}, r {r}: {found} against {}", expected.to_degrees());
+        assert!(
+            (found - expected.to_degrees()).abs() < 1e-3,
+            "x {x}, r {r}: {found} against {}",
+            expected.to_degrees()
+        );
     }
 }
 
@@ -197,7 +201,8 @@ fn what_the_spot_stands_on_does_not_count_and_a_wall_beside_it_does() {
     // The root of a groove of 60°: its bisector is free, its walls' normals are not.
     let groove = part(&solids::v_groove(30.0, 20.0, 10.0, 60.0));
     let (lo, hi) = groove.mesh.bounds();
-    let root = |dx: f64| Beam::on(&groove).spot(&Point3::new(0.5 * (lo.x + hi.x) + dx, 30.0, hi.z - 20.0), &Vector3::z(), 3.0);
+    let root =
+        |dx: f64| Beam::on(&groove).spot(&Point3::new(0.5 * (lo.x + hi.x) + dx, 30.0, hi.z - 20.0), &Vector3::z(), 3.0);
     assert!(free(&groove, root(0.0).into(), Vector3::z()));
     assert!(free(&groove, root(0.3).into(), Vector3::z()));
     let flank = Vector3::new(-libm::cos(30f64.to_radians()), 0.0, libm::sin(30f64.to_radians()));
@@ -307,7 +312,8 @@ fn a_head_of_facets_counts_as_what_it_sweeps() {
     let dir = tempfile::tempdir().expect("a folder");
     // A box 30 by 30, off the axis: it sweeps a cylinder of the distance to its far corner.
     let file = dir.path().join("head.stl");
-    std::fs::write(&file, clearbeam::sample::stl_bytes(&block([-5.0, -5.0, 20.0], [25.0, 25.0, 120.0]))).expect("written");
+    std::fs::write(&file, clearbeam::sample::stl_bytes(&block([-5.0, -5.0, 20.0], [25.0, 25.0, 120.0])))
+        .expect("written");
     let solid = Tool { head: Some(Head::load(&file).expect("an STL")), clamps: Vec::new() };
     let round = cylinder(libm::hypot(25.0, 25.0));
     let (one, two) = (body(&solid), body(&round));
@@ -332,7 +338,9 @@ fn cluttered(boxes: &[[f64; 5]]) -> Triangles {
 }
 
 fn on_floor(boxes: &[[f64; 5]], x: f64, y: f64) -> bool {
-    boxes.iter().all(|[bx, by, w, d, _]| !(bx - 0.05..=bx + w + 0.05).contains(&x) || !(by - 0.05..=by + d + 0.05).contains(&y))
+    boxes
+        .iter()
+        .all(|[bx, by, w, d, _]| !(bx - 0.05..=bx + w + 0.05).contains(&x) || !(by - 0.05..=by + d + 0.05).contains(&y))
 }
 
 fn clutter() -> impl Strategy<Value = Vec<[f64; 5]>> {

@@ -12,8 +12,11 @@ const END_MM: f64 = 0.05;
 
 /// The rows of a line.
 pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
-    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| {
-        Row { q: site.q, axis: tilt.map(|t| site.axis(&t)), aim: site.axis(&site.aim), is_split }
+    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| Row {
+        q: site.q,
+        axis: tilt.map(|t| site.axis(&t)),
+        aim: site.axis(&site.aim),
+        is_split,
     };
     let mut out = Vec::with_capacity(stands.len());
     for (i, (site, stand)) in track.sites.iter().zip(stands).enumerate() {

@@ -127,7 +127,8 @@ impl Dp<'_> {
     fn stage(&self, k: usize) -> Stage {
         let layer = &self.layers[k];
         let free: Vec<Option<bool>> = layer.tilts.iter().map(|t| self.is_free(k, t)).collect();
-        let blocked: Vec<&Lean> = layer.tilts.iter().zip(&free).filter(|(_, f)| **f == Some(false)).map(|x| x.0).collect();
+        let blocked: Vec<&Lean> =
+            layer.tilts.iter().zip(&free).filter(|(_, f)| **f == Some(false)).map(|x| x.0).collect();
         let weight: Vec<Option<f64>> = layer
             .tilts
             .iter()
@@ -268,8 +269,10 @@ impl Dp<'_> {
         let sites = &self.track.sites;
         let whole = (sites[b].arc_mm - sites[a].arc_mm).max(1e-12);
         let tilt = |i: usize| from.lerp(to, (sites[i].arc_mm - sites[a].arc_mm) / whole);
-        (a + 1..b).all(|i| self.track.allows(&sites[i], &tilt(i)) && self.beam.is_free(&sites[i].q.p, &sites[i].axis(&tilt(i))))
-            && (a..b).all(|i| motion::is_free(self.beam, &sites[i].pose(&tilt(i)), &sites[i + 1].pose(&tilt(i + 1)), 0.0))
+        (a + 1..b).all(|i| {
+            self.track.allows(&sites[i], &tilt(i)) && self.beam.is_free(&sites[i].q.p, &sites[i].axis(&tilt(i)))
+        }) && (a..b)
+            .all(|i| motion::is_free(self.beam, &sites[i].pose(&tilt(i)), &sites[i + 1].pose(&tilt(i + 1)), 0.0))
     }
 
     fn told(&self, chain: &Steps) -> Chain {

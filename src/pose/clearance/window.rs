@@ -73,13 +73,21 @@ impl<'a> Windows<'a> {
         while let Some(core) = (at..=last).find(|&i| !self.ok[i]) {
             // Windows that would overlap are one.
             let mut end = core;
-            while let Some(next) =
-                (end + 1..=last).take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + 2.0 * margin_mm).find(|&i| !self.ok[i])
+            while let Some(next) = (end + 1..=last)
+                .take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + 2.0 * margin_mm)
+                .find(|&i| !self.ok[i])
             {
                 end = next;
             }
-            let first = (0..core).rev().take_while(|&i| sites[i].arc_mm >= sites[core].arc_mm - margin_mm).last().unwrap_or(core);
-            let behind = (end + 1..=last).take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + margin_mm).last().unwrap_or(end);
+            let first = (0..core)
+                .rev()
+                .take_while(|&i| sites[i].arc_mm >= sites[core].arc_mm - margin_mm)
+                .last()
+                .unwrap_or(core);
+            let behind = (end + 1..=last)
+                .take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + margin_mm)
+                .last()
+                .unwrap_or(end);
             let fixed = |i: usize, rim: usize| match held {
                 Some(axis) if i == rim => Some(sites[i].tilt_of(&axis)),
                 _ => (i != rim && self.ok[i]).then(|| sites[i].aim),
@@ -181,7 +189,13 @@ impl Window<'_> {
     }
 
     fn layer(&self, site: usize, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
-        let given = if site == self.first { self.start } else if site == self.last { self.finish } else { None };
+        let given = if site == self.first {
+            self.start
+        } else if site == self.last {
+            self.finish
+        } else {
+            None
+        };
         Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]) }
     }
 
@@ -189,7 +203,8 @@ impl Window<'_> {
     fn is_within_reach(&self, site: usize, tilt: &Lean) -> bool {
         let track = self.all.track;
         let arc_mm = |i: usize| track.sites[i].arc_mm;
-        let reaches = |end: Option<Lean>, mm: f64| end.is_none_or(|e| (tilt - e).norm() <= track.rate_deg_mm * mm + 1e-9);
+        let reaches =
+            |end: Option<Lean>, mm: f64| end.is_none_or(|e| (tilt - e).norm() <= track.rate_deg_mm * mm + 1e-9);
         (site >= self.core || reaches(self.start, arc_mm(site) - arc_mm(self.first)))
             && (site <= self.end || reaches(self.finish, arc_mm(self.last) - arc_mm(site)))
     }
@@ -270,9 +285,9 @@ impl Window<'_> {
             let next = layers[k + 1].site;
             let whole = (sites[next].arc_mm - sites[here].arc_mm).max(1e-12);
             for i in here + 1..next {
-                let tilt = chain.leave[k].zip(chain.arrive[k + 1]).map(|(from, to)| {
-                    from.lerp(&to, (sites[i].arc_mm - sites[here].arc_mm) / whole)
-                });
+                let tilt = chain.leave[k]
+                    .zip(chain.arrive[k + 1])
+                    .map(|(from, to)| from.lerp(&to, (sites[i].arc_mm - sites[here].arc_mm) / whole));
                 out[i] = Stand { arrive: tilt, leave: tilt };
             }
         }
