@@ -134,10 +134,10 @@ impl Window<'_> {
     fn solve(&self, out: &mut [Stand]) {
         let track = self.all.track;
         let coarse_deg = grid::coarse_spacing_deg(track.max_tilt_deg);
-        let (mut layers, mut chain) = self.on_grid(coarse_deg);
+        let (mut layers, mut chain) = self.on_grid(coarse_deg, None);
         let mut found_deg = coarse_deg;
         if chain.cost.blocked_um > 0 || chain.cost.splits > 0 {
-            let finer = self.on_grid(0.5 * coarse_deg);
+            let finer = self.on_grid(0.5 * coarse_deg, Some(coarse_deg));
             if finer.1.cost < chain.cost {
                 (layers, chain) = finer;
                 found_deg = 0.5 * coarse_deg;
@@ -180,9 +180,9 @@ impl Window<'_> {
         out
     }
 
-    fn layer(&self, site: usize, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
+    fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
         let given = if site == self.first { self.start } else if site == self.last { self.finish } else { None };
-        Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]) }
+        Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]), coarser_deg }
     }
 
     /// Whether a tilt can be reached from a given end; beside the core nothing asks for more.
@@ -195,11 +195,11 @@ impl Window<'_> {
     }
 
     /// The best chain on a grid over all tilts.
-    fn on_grid(&self, spacing_deg: f64) -> (Vec<Layer>, Chain) {
+    fn on_grid(&self, spacing_deg: f64, coarser_deg: Option<f64>) -> (Vec<Layer>, Chain) {
         let track = self.all.track;
         let cells = grid::disc(track.max_tilt_deg, spacing_deg);
         let layer = |site: usize| {
-            self.layer(site, || {
+            self.layer(site, coarser_deg, || {
                 let s = &track.sites[site];
                 let mut tilts: Vec<Lean> = cells.iter().map(|c| s.base + c).collect();
                 tilts.extend((s.aim != s.base).then_some(s.aim));
@@ -217,7 +217,7 @@ impl Window<'_> {
         let track = self.all.track;
         let before = out.to_vec();
         let layer = |site: usize| {
-            self.layer(site, || {
+            self.layer(site, None, || {
                 let s = &track.sites[site];
                 let mut middles: Vec<Lean> = [before[site].arrive, before[site].leave].into_iter().flatten().collect();
                 if middles.is_empty() {
