@@ -73,6 +73,7 @@ fn between_fins_the_free_directions_are_those_of_the_closed_form() {
 #[test]
 fn under_a_roof_the_beam_leans_out_by_the_least_that_is_free() {
     let mut job = searched("x", 1.0);
+    job.path.max_step_mm = 1.0;
     let p = at_floor(&roof(), job.clone());
     // Away from the roof's ends lead and lag do not help: the way out is to lean.
     let inner = |t: &&Target| t.p.x < -0.1 && t.p.x > -4.5 && (t.p.y - 10.0).abs() < 3.0;
@@ -83,7 +84,7 @@ fn under_a_roof_the_beam_leans_out_by_the_least_that_is_free() {
         assert!(t.tilt_deg() > least && t.tilt_deg() < least + 3.0, "{} for {least}: {t:?}", t.tilt_deg());
         tried += 1;
     }
-    assert!(tried > 8, "{tried}");
+    assert!(tried > 16, "{tried}");
     assert!(p.report().max_tilt_rate_deg_per_mm <= RATE + 1e-6);
     assert!(p.plan.passes.iter().all(|l| l.splits.is_empty()));
     // Deeper than the greatest tilt reaches nothing is free.
@@ -205,8 +206,9 @@ fn a_turned_part_gets_the_same_beams() {
         let (s, c) = (0.6, 0.8);
         [p[0] * c - p[1] * s + 7.0, p[0] * s + p[1] * c - 3.0, p[2] + 11.0]
     };
-    let plain = at_floor(&roof(), searched("x", 1.0)).report();
-    let turned: Triangles = roof().into_iter().map(|t| t.map(turn)).collect();
+    let shallow = floor(&[([-12.0, -1.0, 5.0], [-6.0, 12.0, 6.0])]);
+    let plain = at_floor(&shallow, searched("x", 1.0)).report();
+    let turned: Triangles = shallow.into_iter().map(|t| t.map(turn)).collect();
     let turned = planned_at(&turned, &[turn([9.0, 10.0, 0.0])], searched("0.8,0.6,0", 1.0)).report();
     assert!((plain.blocked_mm - turned.blocked_mm).abs() < 0.3, "{} {}", plain.blocked_mm, turned.blocked_mm);
     assert!((plain.max_tilt_deg - turned.max_tilt_deg).abs() < 0.6);
@@ -280,7 +282,8 @@ fn a_closed_line_begins_and_ends_with_the_same_beam() {
     for pass in p.plan.passes.iter().filter(|l| l.closed) {
         let (first, last) = (&pass.targets[0], &pass.targets[pass.targets.len() - 1]);
         assert!(first.p == last.p && first.a == last.a && first.state == last.state);
-        assert!(pass.targets.iter().all(|t| t.state != State::Blocked), "{:?}", pass.targets);
+        let blocked = pass.targets.iter().find(|t| t.state == State::Blocked);
+        assert!(blocked.is_none(), "{blocked:?}");
         tried += usize::from(first.state == State::Corrected);
     }
     assert!(tried > 0);

@@ -11,14 +11,13 @@ pub mod model;
 pub mod output;
 pub mod parameter;
 pub mod plan;
-pub mod progress;
 pub mod report;
 pub mod verify;
 
+pub use crate::progress::Progress;
 pub use document::Document;
 pub use edit::Edit;
 pub use files::JobError;
 pub use model::{Chosen, Job, Offset};
 pub use parameter::{PARAMETERS, Parameter};
 pub use plan::{Cache, Plan, PlanError, plan};
-pub use progress::Progress;

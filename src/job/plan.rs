@@ -3,7 +3,6 @@
 
 use super::model::Job;
 use super::parameter;
-use super::progress::{Cancelled, Progress};
 use super::report::CellReport;
 use crate::beam::{Body, Head, Tool};
 use crate::cell::collision::Collision;
@@ -21,6 +20,7 @@ use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
 use crate::program::sweep::{Proof, Prover};
+use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};

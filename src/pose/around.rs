@@ -121,11 +121,11 @@ impl<'a> Beam<'a> {
         if least <= 0.0 || free(least) {
             return Some(least.max(0.0));
         }
-        let (mut low, mut high) = (0.0, least);
-        if !free(low) {
+        let Some(mut low) = [body.margin_mm, 0.0].into_iter().find(|mm| *mm < least && free(*mm)) else {
             return Some(0.0);
-        }
-        while high - low > 0.005 {
+        };
+        let mut high = least;
+        while high - low > 0.002 {
             let middle = 0.5 * (low + high);
             if free(middle) { low = middle } else { high = middle }
         }

@@ -3,6 +3,7 @@
 //!
 //! Part frame, millimetres and degrees. The beam here is a ray (P1); robots come later.
 
+pub mod access;
 pub mod around;
 pub mod checker;
 pub mod clearance;

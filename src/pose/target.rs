@@ -1,6 +1,7 @@
 //! Targets and passes, and the path frame `[n o a]` at a target (P2 4.3).
 
 use super::interference::Blocker;
+use super::tilt::Tilt;
 use crate::part::angle;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
@@ -51,6 +52,18 @@ impl Target {
     /// Angle between beam and normal, degrees.
     pub fn tilt_deg(&self) -> f64 {
         angle::between_deg(&self.a, &self.n)
+    }
+
+    /// Travel direction on the surface, unit, square to n.
+    pub fn tangent(&self) -> Vector3<f64> {
+        let along = self.a.dot(&self.n);
+        let flat = if along.abs() > 1e-6 { self.o - self.a * (self.o.dot(&self.n) / along) } else { self.o };
+        travel(&flat, &self.n)
+    }
+
+    /// How the beam is tilted against the normal.
+    pub fn tilt(&self) -> Tilt {
+        Tilt::of(&self.a, &self.n, &self.tangent())
     }
 
     /// Where the focus stands: `p + D·a`, mm.

@@ -155,13 +155,15 @@ impl Piece<'_> {
                 if out[k] == aim || k == 0 && held.0 || k == last && held.1 {
                     continue;
                 }
-                let share = (sites[k].arc_mm - sites[k - 1].arc_mm)
-                    / (sites[k + 1].arc_mm - sites[k - 1].arc_mm).max(1e-12);
+                let share =
+                    (sites[k].arc_mm - sites[k - 1].arc_mm) / (sites[k + 1].arc_mm - sites[k - 1].arc_mm).max(1e-12);
                 let middle = out[k - 1].lerp(&out[k + 1], share);
                 if (middle - out[k]).norm() < 1e-3 {
                     continue;
                 }
-                let inwards = (aim - middle).try_normalize(1e-9).map_or(middle, |d| middle + d * STEP_DEG.min((aim - middle).norm()));
+                let inwards = (aim - middle)
+                    .try_normalize(1e-9)
+                    .map_or(middle, |d| middle + d * STEP_DEG.min((aim - middle).norm()));
                 if self.may_turn(k - 1, &out[k - 1], &middle)
                     && self.may_turn(k, &middle, &out[k + 1])
                     && self.is_free(k, &middle)

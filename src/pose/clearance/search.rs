@@ -17,8 +17,8 @@ const DOSE_DEG: f64 = 150.0;
 /// A beam one degree beside a blocked one costs as much as so many degrees of tilt. With it alone a
 /// beam would keep √4 = 2° from what is in the way.
 pub const NEARNESS_DEG2: f64 = 4.0;
-/// Farther than this nothing is near, degrees; it then costs less than half a degree of tilt.
-const NEAR_DEG: f64 = 8.0;
+/// Farther than this nothing is near, degrees.
+const NEAR_DEG: f64 = 6.0;
 /// Each degree that the tilt turns costs as much as a degree of tilt over this length, mm: of equal
 /// ways the steadier one.
 const TURN_MM: f64 = 0.05;
@@ -142,9 +142,10 @@ impl Dp<'_> {
         let blocked = Bins::new(&layer.tilts, &weights(Some(false)), NEAR_DEG);
         let mut weight = weights(Some(true));
         for (t, w) in layer.tilts.iter().zip(&mut weight).filter(|(_, w)| w.is_some()) {
-            let mut nearest = f64::INFINITY;
-            blocked.near(t, |b| nearest = nearest.min((layer.tilts[b] - t).norm()));
-            *w = Some(cost_of(self.track, layer.site, t) + NEARNESS_DEG2 / nearest);
+            let mut nearest = NEAR_DEG * NEAR_DEG;
+            blocked.near(t, |b| nearest = nearest.min((layer.tilts[b] - t).norm_squared()));
+            let near = NEARNESS_DEG2 / nearest.sqrt().max(1e-6) - NEARNESS_DEG2 / NEAR_DEG;
+            *w = Some(cost_of(self.track, layer.site, t) + near);
         }
         let reach_deg = if k + 1 < self.layers.len() { self.reach_deg(k) } else { 1.0 };
         let bins = Bins::new(&layer.tilts, &weight, reach_deg);
@@ -318,8 +319,10 @@ impl Dp<'_> {
         let sites = &self.track.sites;
         let whole = (sites[b].arc_mm - sites[a].arc_mm).max(1e-12);
         let tilt = |i: usize| from.lerp(to, (sites[i].arc_mm - sites[a].arc_mm) / whole);
-        (a + 1..b).all(|i| self.track.allows(&sites[i], &tilt(i)) && self.beam.is_free(&sites[i].q.p, &sites[i].axis(&tilt(i))))
-            && (a..b).all(|i| motion::is_free(self.beam, &sites[i].pose(&tilt(i)), &sites[i + 1].pose(&tilt(i + 1)), 0.0))
+        (a + 1..b).all(|i| {
+            self.track.allows(&sites[i], &tilt(i)) && self.beam.is_free(&sites[i].q.p, &sites[i].axis(&tilt(i)))
+        }) && (a..b)
+            .all(|i| motion::is_free(self.beam, &sites[i].pose(&tilt(i)), &sites[i + 1].pose(&tilt(i + 1)), 0.0))
     }
 
     fn told(&self, chain: &Steps) -> Chain {

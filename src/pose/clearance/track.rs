@@ -128,8 +128,7 @@ impl<'a> Track<'a> {
         let aim = rule.aim(max_tilt_deg);
         let mut sites: Vec<Site> = Vec::with_capacity(points.len());
         for ((q, tangent), place_mm) in points.iter().zip(tangents).zip(places_mm) {
-            let ahead =
-                angle::unit(tangent - q.n * q.n.dot(tangent)).unwrap_or_else(|| angle::any_square_to(&q.n));
+            let ahead = angle::unit(tangent - q.n * q.n.dot(tangent)).unwrap_or_else(|| angle::any_square_to(&q.n));
             let (e1, e2, arc_mm) = match sites.last() {
                 None => (ahead, ahead.cross(&q.n), 0.0),
                 Some(before) => {

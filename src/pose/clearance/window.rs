@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 const FINEST_DEG: f64 = 0.5;
 /// A tube reaches so many spacings of the grid before to each side: what is best may lie beside the
 /// cell that was found, not farther.
-const TUBE: f64 = 1.2;
+const TUBE: f64 = 1.0;
 /// Where the laser is off, beams found up to this far away are tried, mm.
 const HOLD_MM: f64 = 2.0;
 /// Openings are looked for in blocked stretches at points this far apart, mm, and at their ends.
@@ -73,13 +73,21 @@ impl<'a> Windows<'a> {
         while let Some(core) = (at..=last).find(|&i| !self.ok[i]) {
             // Windows that would overlap are one.
             let mut end = core;
-            while let Some(next) =
-                (end + 1..=last).take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + 2.0 * margin_mm).find(|&i| !self.ok[i])
+            while let Some(next) = (end + 1..=last)
+                .take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + 2.0 * margin_mm)
+                .find(|&i| !self.ok[i])
             {
                 end = next;
             }
-            let first = (0..core).rev().take_while(|&i| sites[i].arc_mm >= sites[core].arc_mm - margin_mm).last().unwrap_or(core);
-            let behind = (end + 1..=last).take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + margin_mm).last().unwrap_or(end);
+            let first = (0..core)
+                .rev()
+                .take_while(|&i| sites[i].arc_mm >= sites[core].arc_mm - margin_mm)
+                .last()
+                .unwrap_or(core);
+            let behind = (end + 1..=last)
+                .take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + margin_mm)
+                .last()
+                .unwrap_or(end);
             let fixed = |i: usize, rim: usize| match held {
                 Some(axis) if i == rim => Some(sites[i].tilt_of(&axis)),
                 _ => (i != rim && self.ok[i]).then(|| sites[i].aim),
@@ -133,6 +141,11 @@ struct Window<'a> {
 impl Window<'_> {
     fn solve(&self, out: &mut [Stand]) {
         let track = self.all.track;
+        for (end, given) in [(self.first, self.start), (self.last, self.finish)] {
+            if given.is_some() {
+                out[end] = Stand { arrive: given, leave: given };
+            }
+        }
         let coarse_deg = grid::coarse_spacing_deg(track.max_tilt_deg);
         let (mut layers, mut chain) = self.on_grid(coarse_deg, None);
         let mut found_deg = coarse_deg;
@@ -181,7 +194,13 @@ impl Window<'_> {
     }
 
     fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
-        let given = if site == self.first { self.start } else if site == self.last { self.finish } else { None };
+        let given = if site == self.first {
+            self.start
+        } else if site == self.last {
+            self.finish
+        } else {
+            None
+        };
         Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]), coarser_deg }
     }
 
@@ -189,7 +208,8 @@ impl Window<'_> {
     fn is_within_reach(&self, site: usize, tilt: &Lean) -> bool {
         let track = self.all.track;
         let arc_mm = |i: usize| track.sites[i].arc_mm;
-        let reaches = |end: Option<Lean>, mm: f64| end.is_none_or(|e| (tilt - e).norm() <= track.rate_deg_mm * mm + 1e-9);
+        let reaches =
+            |end: Option<Lean>, mm: f64| end.is_none_or(|e| (tilt - e).norm() <= track.rate_deg_mm * mm + 1e-9);
         (site >= self.core || reaches(self.start, arc_mm(site) - arc_mm(self.first)))
             && (site <= self.end || reaches(self.finish, arc_mm(self.last) - arc_mm(site)))
     }
@@ -197,13 +217,14 @@ impl Window<'_> {
     /// The best chain on a grid over all tilts.
     fn on_grid(&self, spacing_deg: f64, coarser_deg: Option<f64>) -> (Vec<Layer>, Chain) {
         let track = self.all.track;
-        let cells = grid::disc(track.max_tilt_deg, spacing_deg);
+        let cells = grid::disc(track.max_tilt_deg + 0.5 * spacing_deg, spacing_deg);
+        let at_rim = |t: Lean| grid::at_rim(t, track.max_tilt_deg, spacing_deg);
         let layer = |site: usize| {
             self.layer(site, coarser_deg, || {
                 let s = &track.sites[site];
-                let mut tilts: Vec<Lean> = cells.iter().map(|c| s.base + c).collect();
+                let mut tilts: Vec<Lean> = cells.iter().filter_map(|c| at_rim(s.base + c)).collect();
                 tilts.extend((s.aim != s.base).then_some(s.aim));
-                tilts.retain(|t| t.norm() <= track.max_tilt_deg + 1e-6 && self.is_within_reach(site, t));
+                tilts.retain(|t| self.is_within_reach(site, t));
                 tilts
             })
         };
@@ -228,7 +249,8 @@ impl Window<'_> {
                 for m in &middles {
                     grid::add_disc(&mut cells, &(m - s.base), radius_deg, spacing_deg);
                 }
-                let mut tilts: Vec<Lean> = cells.into_iter().map(|c| s.base + grid::middle(c, spacing_deg)).collect();
+                let tilt = |c| grid::at_rim(s.base + grid::middle(c, spacing_deg), track.max_tilt_deg, spacing_deg);
+                let mut tilts: Vec<Lean> = cells.into_iter().filter_map(tilt).collect();
                 let near = middles.iter().any(|m| (m - s.aim).norm() <= radius_deg);
                 tilts.extend(near.then_some(s.aim));
                 tilts.extend(middles);
@@ -270,9 +292,9 @@ impl Window<'_> {
             let next = layers[k + 1].site;
             let whole = (sites[next].arc_mm - sites[here].arc_mm).max(1e-12);
             for i in here + 1..next {
-                let tilt = chain.leave[k].zip(chain.arrive[k + 1]).map(|(from, to)| {
-                    from.lerp(&to, (sites[i].arc_mm - sites[here].arc_mm) / whole)
-                });
+                let tilt = chain.leave[k]
+                    .zip(chain.arrive[k + 1])
+                    .map(|(from, to)| from.lerp(&to, (sites[i].arc_mm - sites[here].arc_mm) / whole));
                 out[i] = Stand { arrive: tilt, leave: tilt };
             }
         }
