@@ -6,15 +6,18 @@ use super::track::{Lean, Site, Track};
 use super::window::Stand;
 use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
+use nalgebra::Vector3;
 
 /// Ends of a blocked stretch are found to this, mm.
 const END_MM: f64 = 0.05;
 
 /// The rows of a line.
 pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
+    // Tested once more, whatever a tilt came from.
+    let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
     let row = |site: &Site, tilt: Option<Lean>, is_split: bool| Row {
         q: site.q,
-        axis: tilt.map(|t| site.axis(&t)),
+        axis: tilt.map(|t| site.axis(&t)).filter(|a| is_free(&site.q, a)),
         aim: site.axis(&site.aim),
         is_split,
     };

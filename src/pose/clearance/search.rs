@@ -6,16 +6,19 @@
 //! is made again from that layer on. The laser may be off between layers: blocked length counts before
 //! splits, and splits before all else.
 
+use super::grid::{self, Cell};
 use super::track::{Lean, Track};
 use crate::pose::Beam;
 use crate::pose::motion;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Energy lost to a tilt, 1 − cos, in degrees of tilt: at 45° it doubles what the tilt itself costs.
 const DOSE_DEG: f64 = 150.0;
 /// A beam one degree beside a blocked one costs as much as so many degrees of tilt. With it alone a
 /// beam would keep √4 = 2° from what is in the way.
 pub const NEARNESS_DEG2: f64 = 4.0;
+/// Farther than this nothing is near, degrees.
+const NEAR_DEG: f64 = 6.0;
 /// Each degree that the tilt turns costs as much as a degree of tilt over this length, mm: of equal
 /// ways the steadier one.
 const TURN_MM: f64 = 0.05;
@@ -37,6 +40,9 @@ pub struct Layer {
     pub tilts: Vec<Lean>,
     /// Whether they are given: not asked whether they are free.
     pub given: bool,
+    /// Spacing of a coarser grid whose cells are asked first: candidates among free ones count as free
+    /// until they are gone to, those among blocked ones as blocked.
+    pub coarser_deg: Option<f64>,
 }
 
 /// What a sequence costs.
@@ -94,6 +100,8 @@ type Steps = Vec<(Option<usize>, Option<usize>)>;
 struct Stage {
     /// Cost per mm of each candidate; `None`: not free.
     weight: Vec<Option<f64>>,
+    /// Whether a candidate's freedom was taken from a coarser grid.
+    assumed: Vec<bool>,
     /// The free ones.
     bins: Bins,
     /// Best way to come to each candidate, and from which of the layer before.
@@ -126,21 +134,46 @@ impl Dp<'_> {
 
     fn stage(&self, k: usize) -> Stage {
         let layer = &self.layers[k];
-        let free: Vec<Option<bool>> = layer.tilts.iter().map(|t| self.is_free(k, t)).collect();
-        let blocked: Vec<&Lean> =
-            layer.tilts.iter().zip(&free).filter(|(_, f)| **f == Some(false)).map(|x| x.0).collect();
-        let weight: Vec<Option<f64>> = layer
-            .tilts
-            .iter()
-            .zip(&free)
-            .map(|(t, f)| {
-                let nearest = blocked.iter().map(|b| (*b - t).norm_squared()).fold(f64::INFINITY, f64::min).sqrt();
-                (*f == Some(true)).then(|| cost_of(self.track, layer.site, t) + NEARNESS_DEG2 / nearest)
-            })
-            .collect();
+        let mut coarse = BTreeMap::new();
+        let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(|t| self.asked(k, t, &mut coarse)).collect();
+        let weights = |which: Option<bool>| -> Vec<Option<f64>> {
+            asked.iter().map(|(f, _)| (*f == which).then_some(0.0)).collect()
+        };
+        let blocked = Bins::new(&layer.tilts, &weights(Some(false)), NEAR_DEG);
+        let mut weight = weights(Some(true));
+        for (t, w) in layer.tilts.iter().zip(&mut weight).filter(|(_, w)| w.is_some()) {
+            let mut nearest = NEAR_DEG * NEAR_DEG;
+            blocked.near(t, |b| nearest = nearest.min((layer.tilts[b] - t).norm_squared()));
+            let near = NEARNESS_DEG2 / nearest.sqrt().max(1e-6) - NEARNESS_DEG2 / NEAR_DEG;
+            *w = Some(cost_of(self.track, layer.site, t) + near);
+        }
         let reach_deg = if k + 1 < self.layers.len() { self.reach_deg(k) } else { 1.0 };
         let bins = Bins::new(&layer.tilts, &weight, reach_deg);
-        Stage { weight, bins, arrive: Vec::new(), off: (Cost::default(), None), leave: Vec::new() }
+        let assumed = asked.into_iter().map(|a| a.1).collect();
+        Stage { weight, assumed, bins, arrive: Vec::new(), off: (Cost::default(), None), leave: Vec::new() }
+    }
+
+    /// Whether a candidate is free (`None`: not allowed at all), and whether that is only assumed.
+    fn asked(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<Cell, Option<bool>>) -> (Option<bool>, bool) {
+        let layer = &self.layers[k];
+        let site = &self.track.sites[layer.site];
+        let Some(spacing_deg) = layer.coarser_deg.filter(|_| !layer.given && self.track.allows(site, tilt)) else {
+            return (self.is_free(k, tilt), false);
+        };
+        let mut cells = BTreeSet::new();
+        grid::add_disc(&mut cells, &(tilt - site.base), 1.05 * spacing_deg, spacing_deg);
+        let mut all = [true, true];
+        for c in cells {
+            let free = coarse.entry(c).or_insert_with(|| self.is_free(k, &(site.base + grid::middle(c, spacing_deg))));
+            for (all, is) in all.iter_mut().zip([Some(true), Some(false)]) {
+                *all &= free.is_none() || *free == is;
+            }
+        }
+        match all {
+            [true, false] => (Some(true), true),
+            [false, true] => (Some(false), true),
+            _ => (self.is_free(k, tilt), false),
+        }
     }
 
     /// Whether the beam is free over the layer's stretch of the line; `None`: not allowed at all.
@@ -245,21 +278,38 @@ impl Dp<'_> {
         out
     }
 
-    /// Tests the ways of a chain; the layer behind the first that fails.
+    /// Tests the ways of a chain; the first layer to be made anew.
     fn first_failing(&mut self, chain: &Steps) -> Option<usize> {
-        let mut first = None;
+        let mut first: Option<usize> = None;
+        let mut fails = |k: usize| first = Some(first.map_or(k, |f| f.min(k)));
         for k in 0..chain.len().saturating_sub(1) {
             let (Some(u), Some(v)) = (chain[k].1, chain[k + 1].0) else { continue };
+            let ends = [(k, u), (k + 1, v)].map(|(k, u)| self.is_sure(k, u));
+            if !ends[0] || !ends[1] {
+                fails(if ends[0] { k + 1 } else { k });
+                continue;
+            }
             let is = match self.known.get(&(k, u, v)) {
                 Some(is) => *is,
                 None => self.is_way(k, &self.layers[k].tilts[u], &self.layers[k + 1].tilts[v]),
             };
             self.known.insert((k, u, v), is);
-            if !is && first.is_none() {
-                first = Some(k + 1);
+            if !is {
+                fails(k + 1);
             }
         }
         first
+    }
+
+    /// Whether a candidate that counts as free is.
+    fn is_sure(&mut self, k: usize, u: usize) -> bool {
+        if self.stages[k].assumed[u] {
+            let is = self.is_free(k, &self.layers[k].tilts[u]) == Some(true);
+            let stage = &mut self.stages[k];
+            stage.assumed[u] = false;
+            stage.weight[u] = stage.weight[u].filter(|_| is);
+        }
+        self.stages[k].weight[u].is_some()
     }
 
     /// Whether the beam is free from one candidate to one of the next layer, at the points between and

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 const FINEST_DEG: f64 = 0.5;
 /// A tube reaches so many spacings of the grid before to each side: what is best may lie beside the
 /// cell that was found, not farther.
-const TUBE: f64 = 1.2;
+const TUBE: f64 = 1.0;
 /// Where the laser is off, beams found up to this far away are tried, mm.
 const HOLD_MM: f64 = 2.0;
 /// Openings are looked for in blocked stretches at points this far apart, mm, and at their ends.
@@ -141,11 +141,16 @@ struct Window<'a> {
 impl Window<'_> {
     fn solve(&self, out: &mut [Stand]) {
         let track = self.all.track;
+        for (end, given) in [(self.first, self.start), (self.last, self.finish)] {
+            if given.is_some() {
+                out[end] = Stand { arrive: given, leave: given };
+            }
+        }
         let coarse_deg = grid::coarse_spacing_deg(track.max_tilt_deg);
-        let (mut layers, mut chain) = self.on_grid(coarse_deg);
+        let (mut layers, mut chain) = self.on_grid(coarse_deg, None);
         let mut found_deg = coarse_deg;
         if chain.cost.blocked_um > 0 || chain.cost.splits > 0 {
-            let finer = self.on_grid(0.5 * coarse_deg);
+            let finer = self.on_grid(0.5 * coarse_deg, Some(coarse_deg));
             if finer.1.cost < chain.cost {
                 (layers, chain) = finer;
                 found_deg = 0.5 * coarse_deg;
@@ -188,7 +193,7 @@ impl Window<'_> {
         out
     }
 
-    fn layer(&self, site: usize, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
+    fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
         let given = if site == self.first {
             self.start
         } else if site == self.last {
@@ -196,7 +201,7 @@ impl Window<'_> {
         } else {
             None
         };
-        Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]) }
+        Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]), coarser_deg }
     }
 
     /// Whether a tilt can be reached from a given end; beside the core nothing asks for more.
@@ -210,15 +215,16 @@ impl Window<'_> {
     }
 
     /// The best chain on a grid over all tilts.
-    fn on_grid(&self, spacing_deg: f64) -> (Vec<Layer>, Chain) {
+    fn on_grid(&self, spacing_deg: f64, coarser_deg: Option<f64>) -> (Vec<Layer>, Chain) {
         let track = self.all.track;
-        let cells = grid::disc(track.max_tilt_deg, spacing_deg);
+        let cells = grid::disc(track.max_tilt_deg + 0.5 * spacing_deg, spacing_deg);
+        let at_rim = |t: Lean| grid::at_rim(t, track.max_tilt_deg, spacing_deg);
         let layer = |site: usize| {
-            self.layer(site, || {
+            self.layer(site, coarser_deg, || {
                 let s = &track.sites[site];
-                let mut tilts: Vec<Lean> = cells.iter().map(|c| s.base + c).collect();
+                let mut tilts: Vec<Lean> = cells.iter().filter_map(|c| at_rim(s.base + c)).collect();
                 tilts.extend((s.aim != s.base).then_some(s.aim));
-                tilts.retain(|t| t.norm() <= track.max_tilt_deg + 1e-6 && self.is_within_reach(site, t));
+                tilts.retain(|t| self.is_within_reach(site, t));
                 tilts
             })
         };
@@ -232,7 +238,7 @@ impl Window<'_> {
         let track = self.all.track;
         let before = out.to_vec();
         let layer = |site: usize| {
-            self.layer(site, || {
+            self.layer(site, None, || {
                 let s = &track.sites[site];
                 let mut middles: Vec<Lean> = [before[site].arrive, before[site].leave].into_iter().flatten().collect();
                 if middles.is_empty() {
@@ -243,7 +249,8 @@ impl Window<'_> {
                 for m in &middles {
                     grid::add_disc(&mut cells, &(m - s.base), radius_deg, spacing_deg);
                 }
-                let mut tilts: Vec<Lean> = cells.into_iter().map(|c| s.base + grid::middle(c, spacing_deg)).collect();
+                let tilt = |c| grid::at_rim(s.base + grid::middle(c, spacing_deg), track.max_tilt_deg, spacing_deg);
+                let mut tilts: Vec<Lean> = cells.into_iter().filter_map(tilt).collect();
                 let near = middles.iter().any(|m| (m - s.aim).norm() <= radius_deg);
                 tilts.extend(near.then_some(s.aim));
                 tilts.extend(middles);
