@@ -1,5 +1,6 @@
 //! `report.json`: what was planned, in numbers that scripts rely on.
 
+use super::dose::DoseReport;
 use super::plan::Plan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
@@ -45,6 +46,9 @@ pub struct Report {
     pub surfaces: Vec<SurfaceReport>,
     /// What is blocked or missed, and why.
     pub problems: Vec<Problem>,
+    /// What lands; it is computed apart from the plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dose: Option<DoseReport>,
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<CellReport>,
@@ -184,6 +188,7 @@ impl Report {
             missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
             problems: problems(plan, surfaces),
             surfaces: rows,
+            dose: None,
             cell: plan.cell.clone(),
         }
     }
@@ -241,6 +246,9 @@ impl Report {
         }
         for (cause, count, example) in self.refused() {
             let _ = writeln!(out, "{count} targets refused ({cause}), such as {example}");
+        }
+        if let Some(dose) = &self.dose {
+            out.push_str(&dose.text());
         }
         for s in self.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
             let _ = writeln!(

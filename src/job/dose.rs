@@ -1,0 +1,182 @@
+//! The dose of a plan, and how it is written: `dose.ply`, and its key of the report.
+//!
+//! It is computed apart from the plan, so that planning stays quick.
+
+use super::model::Job;
+use super::plan::{Plan, PlanError};
+use super::progress::Progress;
+use crate::cell::Setup;
+use crate::part::{Part, Surfaces};
+use crate::process::{DoseMap, Light, Spot, Task, dose as computed};
+use crate::program::Timeline;
+use crate::program::steps::{Pace, Step};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Key `dose` of the report. Shares of the chosen area, areas mm² and cm², J/cm².
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DoseReport {
+    /// Share within the window.
+    pub within: f64,
+    /// Share below it.
+    pub under: f64,
+    /// Share above it.
+    pub over: f64,
+    /// Share that would get enough, but for what shades it.
+    pub shaded: f64,
+    /// Area of other surfaces that gets more than it may.
+    pub collateral_mm2: f64,
+    /// The window.
+    pub low_j_cm2: f64,
+    /// The window.
+    pub high_j_cm2: f64,
+    /// What may land on other surfaces.
+    pub collateral_j_cm2: f64,
+    /// The other surfaces.
+    pub collateral: Vec<CollateralReport>,
+}
+
+/// A surface that was not chosen and gets more than it may.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CollateralReport {
+    /// Its number.
+    pub surface: u32,
+    /// Area above the threshold.
+    pub area_mm2: f64,
+    /// The greatest dose on it.
+    pub greatest_j_cm2: f64,
+}
+
+/// Computes the dose of a plan.
+///
+/// # Errors
+/// [`PlanError::Cancelled`] when `progress` says so.
+pub fn dose(
+    part: &Part,
+    surfaces: &Surfaces,
+    plan: &Plan,
+    job: &Job,
+    setup: &Setup,
+    progress: &Progress,
+) -> Result<DoseMap, PlanError> {
+    let (b, d) = (&job.beam, &job.dose);
+    let spot = Spot {
+        profile: d.profile,
+        line_mm: d.line_mm,
+        spot_mm: b.spot_mm,
+        defocus_mm: b.defocus_mm,
+        optics: job.optics,
+    };
+    let times = ends_s(plan);
+    let light = Light::new(&plan.passes, spot, b.power_w, b.speed_mm_s, |pass, point| {
+        times.get(&(pass, point)).copied().unwrap_or(0.0)
+    });
+    let task = Task {
+        part,
+        surfaces,
+        clamps: &setup.tool.clamps,
+        chosen: job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number)),
+        thresholds: d.thresholds(b.power_w, b.speed_mm_s, job.layers.spacing_mm),
+    };
+    progress.begin("dose", light.pieces.len());
+    computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
+}
+
+/// When the moves to the targets end, s from the program's start. Without a robot nothing is known of
+/// moves by joints, and they take no time.
+fn ends_s(plan: &Plan) -> BTreeMap<(usize, usize), f64> {
+    if let Some(timeline) = &plan.timeline {
+        return Timeline::stops(timeline).iter().filter_map(|s| Some((s.target?, s.at_s))).collect();
+    }
+    let mut at_s = 0.0;
+    let mut out = BTreeMap::new();
+    for step in &plan.steps.list {
+        let Step::Go(go) = step else { continue };
+        if let Pace::Seconds(s) = go.pace {
+            at_s += s;
+        }
+        if let Some(target) = go.target {
+            out.insert(target, at_s);
+        }
+    }
+    out
+}
+
+impl DoseReport {
+    /// What a dose comes to.
+    pub fn new(map: &DoseMap, surfaces: &Surfaces) -> DoseReport {
+        let shares = map.shares(surfaces);
+        let collateral: Vec<CollateralReport> = map
+            .collateral(surfaces)
+            .into_iter()
+            .map(|c| CollateralReport { surface: c.surface, area_mm2: c.area_mm2, greatest_j_cm2: c.greatest_j_cm2 })
+            .collect();
+        DoseReport {
+            within: shares.within,
+            under: shares.under,
+            over: shares.over,
+            shaded: shares.shaded,
+            collateral_mm2: collateral.iter().map(|c| c.area_mm2).fold(0.0, |a, b| a + b),
+            low_j_cm2: map.thresholds.low_j_cm2,
+            high_j_cm2: map.thresholds.high_j_cm2,
+            collateral_j_cm2: map.thresholds.collateral_j_cm2,
+            collateral,
+        }
+    }
+}
+
+impl DoseReport {
+    /// A few lines for people.
+    pub fn text(&self) -> String {
+        let percent = |share: f64| 100.0 * share;
+        let mut out = format!(
+            "{:.1}% of the area within {:.0} to {:.0} J/cm², {:.1}% under, {:.1}% over, {:.1}% shaded\n",
+            percent(self.within),
+            self.low_j_cm2,
+            self.high_j_cm2,
+            percent(self.under),
+            percent(self.over),
+            percent(self.shaded)
+        );
+        if !self.collateral.is_empty() {
+            let list: Vec<String> = self.collateral.iter().map(|c| c.surface.to_string()).collect();
+            out.push_str(&format!(
+                "{:.1} mm² of surfaces that were not chosen get more than {:.0} J/cm²: {}\n",
+                self.collateral_mm2,
+                self.collateral_j_cm2,
+                list.join(" ")
+            ));
+        }
+        out
+    }
+}
+
+/// `dose.ply`: the samples as triangles, binary little endian; the values stand at the corners.
+pub fn ply(map: &DoseMap, surfaces: &Surfaces) -> Vec<u8> {
+    let count = map.samples.len();
+    let mut out = format!(
+        "ply\nformat binary_little_endian 1.0\ncomment mm; J/cm2; -1 degrees where nothing lands\n\
+         element vertex {}\nproperty float x\nproperty float y\nproperty float z\nproperty float fluence_j_cm2\n\
+         property float incidence_deg\nproperty int surface\nelement face {count}\n\
+         property list uchar int vertex_indices\nend_header\n",
+        3 * count
+    )
+    .into_bytes();
+    out.reserve(count * (3 * 24 + 13));
+    for s in &map.samples {
+        let surface = surfaces.of_facet.get(s.facet as usize).map_or(0, |n| *n as i32);
+        for corner in s.corners {
+            for x in corner.iter().chain([&s.fluence_j_cm2, &s.incidence_deg]) {
+                out.extend(x.to_le_bytes());
+            }
+            out.extend(surface.to_le_bytes());
+        }
+    }
+    for i in 0..count as i32 {
+        out.push(3);
+        for k in 0..3 {
+            out.extend((3 * i + k).to_le_bytes());
+        }
+    }
+    out
+}
