@@ -81,7 +81,13 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-fn scene(part: &Part, job: &Job, job_file: Option<&std::path::Path>, planned: bool, color: Color) -> Result<Scene, Failure> {
+fn scene(
+    part: &Part,
+    job: &Job,
+    job_file: Option<&std::path::Path>,
+    planned: bool,
+    color: Color,
+) -> Result<Scene, Failure> {
     let surfaces = segmented(part, job);
     let picture = PartPicture::new(part, &surfaces);
     let mut look = PartLook::default();
@@ -91,13 +97,14 @@ fn scene(part: &Part, job: &Job, job_file: Option<&std::path::Path>, planned: bo
         let plan = job::plan(part, &surfaces, job, &setup, &Cache::default(), &Progress::default())
             .map_err(anyhow::Error::from)?;
         if let Color::Dose(look) = color {
-            let map = job::dose(part, &surfaces, &plan, job, &setup, &Progress::default()).map_err(anyhow::Error::from)?;
+            let map =
+                job::dose(part, &surfaces, &plan, job, &setup, &Progress::default()).map_err(anyhow::Error::from)?;
             let edges = picture.item(&surfaces, &PartLook::default()).edges;
             let item = dose_item(&map, &surfaces, look);
             scene.meshes.push(MeshItem { edges, ..item });
             return Ok(scene);
         }
-        look.chosen = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
+        look.chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
         let path_look = PathLook {
             lines: true,
             frames: false,

@@ -7,7 +7,8 @@ use super::plan::{Plan, PlanError};
 use super::progress::Progress;
 use crate::cell::Setup;
 use crate::part::{Part, Surfaces};
-use crate::process::{DoseMap, Light, Spot, Task, dose as computed};
+use crate::pose::Theirs;
+use crate::process::{DoseMap, Light, Patch, Spot, Task, dose as computed};
 use crate::program::Timeline;
 use crate::program::steps::{Pace, Step};
 use serde::Serialize;
@@ -34,6 +35,23 @@ pub struct DoseReport {
     pub collateral_j_cm2: f64,
     /// The other surfaces.
     pub collateral: Vec<CollateralReport>,
+    /// What stays unclean, the largest patch first.
+    pub not_cleanable: Vec<PatchReport>,
+}
+
+/// A patch that stays unclean.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PatchReport {
+    /// Its surface.
+    pub surface: u32,
+    /// Its area.
+    pub area_cm2: f64,
+    /// `blocked`, `shaded`, `missed` or `thin`.
+    pub cause: &'static str,
+    /// What it is blocked or shaded by.
+    pub by_surface: Option<u32>,
+    /// Its middle, part frame.
+    pub centre_mm: [f64; 3],
 }
 
 /// A surface that was not chosen and gets more than it may.
@@ -75,7 +93,7 @@ pub fn dose(
         part,
         surfaces,
         clamps: &setup.tool.clamps,
-        chosen: job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number)),
+        chosen: job.clean.numbers(surfaces.list.iter().map(|s| s.number)),
         thresholds: d.thresholds(b.power_w, b.speed_mm_s, job.layers.spacing_mm),
     };
     progress.begin("dose", light.pieces.len());
@@ -102,9 +120,12 @@ fn ends_s(plan: &Plan) -> BTreeMap<(usize, usize), f64> {
     out
 }
 
+/// Patches that are told to people.
+const PATCHES_TOLD: usize = 8;
+
 impl DoseReport {
     /// What a dose comes to.
-    pub fn new(map: &DoseMap, surfaces: &Surfaces) -> DoseReport {
+    pub fn new(map: &DoseMap, patches: &[Patch], surfaces: &Surfaces) -> DoseReport {
         let shares = map.shares(surfaces);
         let collateral: Vec<CollateralReport> = map
             .collateral(surfaces)
@@ -121,8 +142,30 @@ impl DoseReport {
             high_j_cm2: map.thresholds.high_j_cm2,
             collateral_j_cm2: map.thresholds.collateral_j_cm2,
             collateral,
+            not_cleanable: patches.iter().map(|p| PatchReport::new(p, surfaces)).collect(),
         }
     }
+}
+
+impl PatchReport {
+    fn new(p: &Patch, surfaces: &Surfaces) -> PatchReport {
+        let wall = p.shaded_by.or(p.blocker.map(|b| b.theirs));
+        PatchReport {
+            surface: p.surface,
+            area_cm2: 0.01 * p.area_mm2,
+            cause: p.cause.word(),
+            by_surface: wall.and_then(|w| match w {
+                Theirs::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
+                Theirs::Clamp(_) => None,
+            }),
+            centre_mm: p.centre.coords.map(|x| x + 0.0).into(),
+        }
+    }
+}
+
+/// What a plan leaves unclean, by its dose.
+pub fn not_cleanable(part: &Part, surfaces: &Surfaces, plan: &Plan, job: &Job, map: &DoseMap) -> Vec<Patch> {
+    map.not_cleanable(&part.mesh, surfaces, &plan.passes, job.layers.spacing_mm)
 }
 
 impl DoseReport {
@@ -147,11 +190,22 @@ impl DoseReport {
                 list.join(" ")
             ));
         }
+        for p in self.not_cleanable.iter().take(PATCHES_TOLD) {
+            let by = p.by_surface.map_or(String::new(), |n| format!(" by surface {n}"));
+            let [x, y, z] = p.centre_mm;
+            out.push_str(&format!(
+                "not cleanable: {:.2} cm² of surface {} around ({x:.1}, {y:.1}, {z:.1}), {}{by}\n",
+                p.area_cm2, p.surface, p.cause
+            ));
+        }
+        if let Some(more) = self.not_cleanable.len().checked_sub(PATCHES_TOLD).filter(|n| *n > 0) {
+            out.push_str(&format!("and {more} smaller patches, in report.json\n"));
+        }
         out
     }
 }
 
-/// `dose.ply`: the samples as triangles, binary little endian; the values stand at the corners.
+/// `dose.ply`: the samples as polygons, binary little endian; the values stand at their corners.
 pub fn ply(map: &DoseMap, surfaces: &Surfaces) -> Vec<u8> {
     let count = map.samples.len();
     let mut out = format!(
@@ -159,23 +213,23 @@ pub fn ply(map: &DoseMap, surfaces: &Surfaces) -> Vec<u8> {
          element vertex {}\nproperty float x\nproperty float y\nproperty float z\nproperty float fluence_j_cm2\n\
          property float incidence_deg\nproperty int surface\nelement face {count}\n\
          property list uchar int vertex_indices\nend_header\n",
-        3 * count
+        map.corners.len()
     )
     .into_bytes();
-    out.reserve(count * (3 * 24 + 13));
+    out.reserve(map.corners.len() * (24 + 4) + count);
     for s in &map.samples {
         let surface = surfaces.of_facet.get(s.facet as usize).map_or(0, |n| *n as i32);
-        for corner in s.corners {
+        for corner in map.corners_of(s) {
             for x in corner.iter().chain([&s.fluence_j_cm2, &s.incidence_deg]) {
-                out.extend(x.to_le_bytes());
+                out.extend((x + 0.0).to_le_bytes());
             }
             out.extend(surface.to_le_bytes());
         }
     }
-    for i in 0..count as i32 {
-        out.push(3);
-        for k in 0..3 {
-            out.extend((3 * i + k).to_le_bytes());
+    for s in &map.samples {
+        out.push(s.corner_count);
+        for k in 0..u32::from(s.corner_count) {
+            out.extend((s.first_corner + k).to_le_bytes());
         }
     }
     out

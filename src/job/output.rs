@@ -37,7 +37,8 @@ pub fn files(
     let mut report = Report::new(plan, surfaces);
     let dose = dose(part, surfaces, plan, job, setup, &Progress::default())
         .map_err(|e| JobError::Write { what: format!("the dose: {e}") })?;
-    report.dose = Some(DoseReport::new(&dose, surfaces));
+    let patches = dose::not_cleanable(part, surfaces, plan, job, &dose);
+    report.dose = Some(DoseReport::new(&dose, &patches, surfaces));
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
     let written = program(job, part_name, setup, plan, &report)?;

@@ -71,18 +71,17 @@ pub fn dose_item(map: &DoseMap, surfaces: &Surfaces, look: DoseLook) -> MeshItem
     for (i, ..) in map.chosen_samples(surfaces) {
         chosen[i] = true;
     }
-    let colors: Vec<[u8; 4]> = map
-        .samples
-        .iter()
-        .zip(&chosen)
-        .map(|(s, chosen)| {
-            let [r, g, b] = color(map, s, *chosen, look);
-            [r, g, b, 255]
-        })
-        .collect();
-    let positions: Vec<[f32; 3]> = map.samples.iter().flat_map(|s| s.corners).collect();
-    let bits: Vec<u32> = positions.iter().flatten().map(|x| x.to_bits()).collect();
-    let flat: Vec<u32> = colors.iter().map(|c| u32::from_le_bytes(*c)).collect();
+    let (mut colors, mut positions) = (Vec::new(), Vec::new());
+    for (s, chosen) in map.samples.iter().zip(&chosen) {
+        let [r, g, b] = color(map, s, *chosen, look);
+        let corners = map.corners_of(s);
+        for pair in corners.get(1..).unwrap_or_default().windows(2) {
+            positions.extend([corners[0], pair[0], pair[1]]);
+            colors.push([r, g, b, 255]);
+        }
+    }
+    let bits: Vec<u32> = positions.iter().flatten().map(|x: &f32| x.to_bits()).collect();
+    let flat: Vec<u32> = colors.iter().map(|c: &[u8; 4]| u32::from_le_bytes(*c)).collect();
     MeshItem {
         geometry_key: Hasher::default().u32s(&bits).finish().0 as u64,
         positions: Arc::new(positions),

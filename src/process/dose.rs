@@ -7,7 +7,7 @@
 use super::light::Light;
 use super::parameters::Thresholds;
 use super::reach::{Near, lit_facets};
-use super::samples::{MOST_SAMPLES, Plot, Sample, centroid, cut, parcel};
+use super::samples::{MOST_SAMPLES, Plot, Sample, cut, parcel};
 use super::shade::{Last, Shade};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::Dead};
@@ -15,10 +15,12 @@ use crate::pose::Theirs;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Samples' sides are no longer than this share of the spot.
+/// Samples are no wider than this share of the spot, corner to corner.
 const SAMPLE_SPOTS: f64 = 0.25;
-/// Large facets are shared out in plots of so many samples' sides.
-const PLOT_SIDES: f64 = 16.0;
+/// Nor, on chosen surfaces where no light comes, than so many spots.
+const DARK_SPOTS: f64 = 1.0;
+/// Large facets are shared out in plots so many samples wide.
+const PLOT_SIDES: f64 = 32.0;
 /// Plots that are worked on in one go.
 const CHUNK: usize = 64;
 
@@ -42,9 +44,11 @@ pub struct Task<'a> {
 pub struct DoseMap {
     /// Facet by facet.
     pub samples: Vec<Sample>,
+    /// Their corners, mm, part frame.
+    pub corners: Vec<[f32; 3]>,
     /// Where the samples of each facet begin; one more than there are facets.
     starts: Vec<u32>,
-    /// No sample in the light has a longer side, mm.
+    /// No sample in the light is wider, corner to corner, mm.
     pub sample_mm: f64,
     /// The part was so large that samples are larger than a quarter of the spot.
     pub coarsened: bool,
@@ -153,12 +157,17 @@ pub const J_CM2: f64 = 100.0;
 pub fn dose(task: &Task<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
     let shade = Shade::new(task.part, task.clamps);
     let near = near_facets(task, &light, &shade, step)?;
-    let (limit_mm, coarsened, plots) = plots(task, &light, near, step)?;
-    let chunks: Vec<Option<Vec<Sample>>> =
-        plots.par_chunks(CHUNK).map(|plots| step().then(|| worked(task, &light, &shade, limit_mm, plots))).collect();
-    let mut samples = Vec::with_capacity(chunks.iter().flatten().map(Vec::len).sum());
-    for chunk in chunks {
-        samples.extend(chunk?);
+    let (pitch_mm, coarsened, plots) = plots(task, &light, near, step)?;
+    let chunks: Vec<(Vec<Sample>, Vec<[f32; 3]>)> = plots
+        .par_chunks(CHUNK)
+        .map(|plots| step().then(|| worked(task, &light, &shade, pitch_mm, plots)))
+        .collect::<Option<_>>()?;
+    let mut samples: Vec<Sample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
+    let mut corners: Vec<[f32; 3]> = Vec::with_capacity(chunks.iter().map(|c| c.1.len()).sum());
+    for (mut some, their) in chunks {
+        some.iter_mut().for_each(|s| s.first_corner += corners.len() as u32);
+        samples.append(&mut some);
+        corners.extend(their);
     }
     let mut starts = vec![0u32; task.part.mesh.facets.len() + 1];
     for s in &samples {
@@ -169,8 +178,9 @@ pub fn dose(task: &Task<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> 
     }
     Some(DoseMap {
         samples,
+        corners,
         starts,
-        sample_mm: limit_mm,
+        sample_mm: pitch_mm * 2f64.sqrt(),
         coarsened,
         thresholds: task.thresholds,
         chosen: task.chosen.clone(),
@@ -196,76 +206,102 @@ fn near_facets(
     Some(of_facet)
 }
 
-/// All live facets as plots, large ones cut; with how finely they can be sampled, and whether that is
-/// less than it should be.
+/// All live facets as plots, large ones cut; with the pitch at which they can be sampled, and whether
+/// that is more than it should be.
 fn plots(
     task: &Task<'_>,
     light: &Light,
     near: Vec<Vec<Near>>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<(f64, bool, Vec<Plot>)> {
-    let mut limit_mm = SAMPLE_SPOTS * light.spot.spot_mm;
+    let spot_mm = light.spot.spot_mm;
+    let mut pitch_mm = SAMPLE_SPOTS * spot_mm / 2f64.sqrt();
     let mesh = &task.part.mesh;
+    let size_mm = task.part.bvh.diagonal_mm();
+    // No smaller than this, however small the spot: there are not too many of them.
+    let dark_mm = (DARK_SPOTS * spot_mm).max(size_mm / 500.0);
+    let plot_mm = (PLOT_SIDES * pitch_mm).max(size_mm / 500.0);
     let whole: Vec<Plot> = near
         .into_iter()
         .enumerate()
         .filter(|(f, _)| mesh.dead[*f] == Dead::No)
-        .map(|(f, near)| Plot { facet: f as u32, corners: mesh.corners(f), near })
+        .map(|(f, near)| {
+            let is_chosen = task.surfaces.of_facet.get(f).is_some_and(|n| task.chosen.contains(n));
+            Plot::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
+        })
         .collect();
-    // A plot is no smaller than this however small the spot: there are not too many of them.
-    let plot_mm = (PLOT_SIDES * limit_mm).max(task.part.bvh.diagonal_mm() / 400.0);
     let plots: Vec<Plot> = whole.into_par_iter().flat_map_iter(|plot| parcel(light, plot_mm, plot)).collect();
     let mut coarsened = false;
     loop {
         let count: Option<usize> = plots
             .par_chunks(CHUNK)
-            .map(|plots| step().then(|| plots.iter().map(|p| count(light, limit_mm, p)).sum::<usize>()))
+            .map(|plots| step().then(|| plots.iter().map(|p| count(light, pitch_mm, p)).sum::<usize>()))
             .sum();
         let count = count?;
-        // The facets alone may be more: then each lit one is one sample.
-        if count <= MOST_SAMPLES || limit_mm > task.part.bvh.diagonal_mm() {
-            return Some((limit_mm, coarsened, plots));
+        // The facets alone may be more: then each is one sample.
+        if count <= MOST_SAMPLES || pitch_mm > size_mm {
+            return Some((pitch_mm, coarsened, plots));
         }
         coarsened = true;
-        limit_mm *= (1.02 * (count as f64 / MOST_SAMPLES as f64).sqrt()).max(1.1);
+        pitch_mm *= (1.02 * (count as f64 / MOST_SAMPLES as f64).sqrt()).max(1.1);
     }
 }
 
-/// How many samples a plot gives, or how many are enough to know that it is too many.
-fn count(light: &Light, limit_mm: f64, plot: &Plot) -> usize {
+/// How many samples a plot gives.
+fn count(light: &Light, pitch_mm: f64, plot: &Plot) -> usize {
     let mut n = 0;
-    cut(light, limit_mm, plot, |_, _| n += 1);
+    cut(light, pitch_mm, plot, |_, _| n += 1);
     n
 }
 
-fn worked(task: &Task<'_>, light: &Light, shade: &Shade<'_>, limit_mm: f64, plots: &[Plot]) -> Vec<Sample> {
-    let mut out = Vec::new();
+/// The samples of some plots, and their corners.
+fn worked(
+    task: &Task<'_>,
+    light: &Light,
+    shade: &Shade<'_>,
+    pitch_mm: f64,
+    plots: &[Plot],
+) -> (Vec<Sample>, Vec<[f32; 3]>) {
+    let (mut out, mut all_corners) = (Vec::new(), Vec::new());
     let mut last = Last::default();
+    let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     for plot in plots {
         let normal = task.surfaces.normals[plot.facet as usize];
-        cut(light, limit_mm, plot, |corners, near| {
-            let q = centroid(corners);
+        let flips = task.part.mesh.normals[plot.facet as usize].dot(&normal) < 0.0;
+        cut(light, pitch_mm, plot, |cell, near| {
+            let (area_mm2, middle) = cell.area();
+            if area_mm2 <= 1e-9 * pitch_mm * pitch_mm {
+                return; // a corner that a line of the grid has just touched
+            }
+            let q = plot.plane.place(middle);
             let mut sum = Sum::default();
             for n in near {
                 if let Some(l) = landed(light, shade, n, (&q, &normal, plot.facet), &mut last) {
                     sum.add(&l);
                 }
             }
-            let [a, b, c] = corners;
-            let lands = sum.j_mm2 > 0.0;
+            let first_corner = all_corners.len() as u32;
+            let corners = cell.corners().iter().map(|c| stored(plot.plane.place(*c)));
+            if flips {
+                all_corners.extend(corners.rev())
+            } else {
+                all_corners.extend(corners)
+            }
             out.push(Sample {
-                corners: corners.map(|p| [p.x as f32, p.y as f32, p.z as f32]),
-                area_mm2: (0.5 * (b - a).cross(&(c - a)).norm()) as f32,
+                centre: stored(q),
+                area_mm2: area_mm2 as f32,
                 facet: plot.facet,
+                first_corner,
+                corner_count: cell.corners().len() as u8,
+                passes: sum.passes,
                 fluence_j_cm2: (sum.j_mm2 * J_CM2) as f32,
                 unshaded_j_cm2: (sum.unshaded_j_mm2 * J_CM2) as f32,
-                incidence_deg: if lands { (sum.angle_j / sum.j_mm2) as f32 } else { -1.0 },
-                passes: sum.passes,
+                incidence_deg: if sum.j_mm2 > 0.0 { (sum.angle_j / sum.j_mm2) as f32 } else { -1.0 },
                 shaded_by: sum.walls.iter().max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0))).map(|w| w.0),
             });
         });
     }
-    out
+    (out, all_corners)
 }
 
 impl DoseMap {
@@ -275,8 +311,21 @@ impl DoseMap {
         &self.samples[at(facet as usize)..at(facet as usize + 1)]
     }
 
+    /// The corners of a sample, counter-clockwise seen from the side that is worked on.
+    pub fn corners_of(&self, sample: &Sample) -> &[[f32; 3]] {
+        let first = sample.first_corner as usize;
+        self.corners.get(first..first + usize::from(sample.corner_count)).unwrap_or_default()
+    }
+
     /// Which passes come to a point of a facet, when, and at what angle, in the order of the program.
-    pub fn hits_at(&self, part: &Part, clamps: &[Obstacle], facet: u32, q: &Point3<f64>, normal: &Vector3<f64>) -> Vec<SpotHit> {
+    pub fn hits_at(
+        &self,
+        part: &Part,
+        clamps: &[Obstacle],
+        facet: u32,
+        q: &Point3<f64>,
+        normal: &Vector3<f64>,
+    ) -> Vec<SpotHit> {
         let shade = Shade::new(part, clamps);
         let mut last = Last::default();
         let mut hits: Vec<(SpotHit, f64)> = Vec::new();

@@ -146,8 +146,7 @@ impl Light {
                 let starts_s = ends_s(number, point + 1) - whole_s;
                 let mut last = from;
                 for k in 1..=count as u32 {
-                    let next =
-                        if f64::from(k) < count { Stand::between(&from, &to, f64::from(k) / count) } else { to };
+                    let next = if f64::from(k) < count { Stand::between(&from, &to, f64::from(k) / count) } else { to };
                     let ends_s = starts_s + seconds * f64::from(k);
                     pieces.push(Piece { pass: number as u32, from: last, to: next, seconds, ends_s });
                     last = next;

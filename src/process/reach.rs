@@ -3,9 +3,12 @@
 //! Most of a part is lit without anything in between, and a ray for each sample would cost more than
 //! all the rest: a facet that no other facet near the beam can shade is told here, once for a piece.
 
+use super::floor::{floor_mm, in_frame};
 use super::light::{Light, Piece};
 use super::shade::Shade;
-use crate::part::{Part, Surfaces, topology::Dead};
+use super::spot::Spot;
+use crate::part::{Part, Surfaces, angle, topology::Dead};
+use crate::pose::target;
 use nalgebra::{Point3, Vector3};
 
 /// A plane may be missed by this much before a corner counts as beyond it, mm: the rounding of f32
@@ -40,27 +43,28 @@ struct Seen {
     high: [f64; 3],
 }
 
-/// The facets that get light from a piece (or would, without what stands in between).
+/// The facets that light of a piece comes to. What lies beneath others that stop all of it is not among
+/// them: no light was meant for it.
 pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, light: &Light, index: u32) -> Vec<(u32, Near)> {
     let Some(piece) = light.pieces.get(index as usize) else { return Vec::new() };
-    let seen = seen(part, surfaces, light, piece);
-    let turn = libm::sin(0.5 * crate::part::angle::between_deg(&piece.from.a, &piece.to.a).to_radians());
-    let slope = light.spot.greatest_slope() + turn;
-    let mut out = Vec::new();
-    for f in seen.iter().filter(|f| f.lit) {
-        let is_clear = |g: &Seen| !may_shade(g, f, slope);
-        // Edges of the box around the spot's way from here up: a clamp in it may shade.
-        let clear = seen.iter().all(is_clear) && {
-            let [x, y] = light.spot.reach_mm(0.0f64.max(light.spot.defocus_mm - f.low[2]));
-            let lens_mm = light.spot.defocus_mm + light.spot.optics.lens_to_focus_mm;
-            let wide = libm::hypot(x, y).max(0.5 * light.spot.optics.aperture_mm * 2.5);
-            let reach_mm = wide + 0.5 * (piece.to.p - piece.from.p).norm() + turn * lens_mm.max(-f.low[2]);
-            let (p, a) = (nalgebra::center(&piece.from.p, &piece.to.p), piece.axis(0.5));
-            !shade.clamp_near(&(p + a * f.low[2]), &(p + a * lens_mm), reach_mm)
-        };
-        out.push((f.facet, Near { piece: index, clear }));
-    }
-    out
+    let (spot, frame) = (&light.spot, Frame::of(piece));
+    let (seen, floor) = seen(part, surfaces, spot, piece, &frame);
+    let slope = spot.greatest_slope() + frame.half_turn;
+    let lit = seen.iter().filter(|f| f.lit && f.high[2] >= floor - PLANE_MM);
+    lit.map(|f| {
+        let by_part = seen.iter().any(|g| may_shade(g, f, slope));
+        let clear = !by_part && !clamp_near(shade, spot, &frame, f.low[2]);
+        (f.facet, Near { piece: index, clear })
+    })
+    .collect()
+}
+
+/// Whether a clamp comes near the light above a height.
+fn clamp_near(shade: &Shade<'_>, spot: &Spot, frame: &Frame, from_mm: f64) -> bool {
+    let lens_mm = spot.defocus_mm + spot.optics.lens_to_focus_mm;
+    let [x, y] = frame.reach(spot, from_mm, lens_mm);
+    let at = |h: f64| frame.p + frame.axes[2] * h;
+    shade.clamp_near(&at(from_mm), &at(lens_mm), libm::hypot(x, y))
 }
 
 /// Whether some light to `f` may meet `g` first. `slope`: how far light may lean from the middle axis.
@@ -84,70 +88,96 @@ fn may_shade(g: &Seen, f: &Seen, slope: f64) -> bool {
     !(under || above)
 }
 
-/// All facets within the light's reach of a piece, in the order of their numbers.
-fn seen(part: &Part, surfaces: &Surfaces, light: &Light, piece: &Piece) -> Vec<Seen> {
-    let Some((centre, radius)) = part.bvh.sphere_of_box() else { return Vec::new() };
-    let spot = &light.spot;
-    let (p, a) = (nalgebra::center(&piece.from.p, &piece.to.p), piece.axis(0.5));
-    let o = crate::pose::target::travel(&piece.from.o, &a);
-    let n = o.cross(&a);
-    let way = piece.to.p - piece.from.p;
-    let (half, aside) = (0.5 * way.norm(), 0.5 * way.dot(&n).abs());
-    let half_turn = libm::sin(0.5 * crate::part::angle::between_deg(&piece.from.a, &piece.to.a).to_radians());
-    let middle = (centre - p).dot(&a);
+/// The frame of a piece: the middle of its way, and its axes along travel, across, and to the laser.
+struct Frame {
+    p: Point3<f64>,
+    axes: [Vector3<f64>; 3],
+    /// Half the way, along travel and across, mm.
+    half: [f64; 2],
+    /// Sine of half the turn.
+    half_turn: f64,
+}
+
+impl Frame {
+    fn of(piece: &Piece) -> Frame {
+        let a = piece.axis(0.5);
+        let o = target::travel(&piece.from.o, &a);
+        let axes = [o, o.cross(&a), a];
+        let way = (piece.to.p - piece.from.p) * 0.5;
+        Frame {
+            p: nalgebra::center(&piece.from.p, &piece.to.p),
+            axes,
+            half: [way.norm(), way.dot(&axes[1]).abs()],
+            half_turn: libm::sin(0.5 * angle::between_deg(&piece.from.a, &piece.to.a).to_radians()),
+        }
+    }
+
+    /// How far along and across the light reaches between two heights.
+    fn reach(&self, spot: &Spot, low: f64, high: f64) -> [f64; 2] {
+        let deepest = (spot.defocus_mm - low).abs().max((spot.defocus_mm - high).abs());
+        let sway = self.half_turn * low.abs().max(high.abs());
+        let reach = spot.reach_mm(deepest);
+        [0, 1].map(|k| self.half[k] + reach[k] + sway)
+    }
+}
+
+/// All facets within the light's reach of a piece, in the order of their numbers, and the height below
+/// which no light comes.
+fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, piece: &Piece, frame: &Frame) -> (Vec<Seen>, f64) {
+    let Some((centre, radius)) = part.bvh.sphere_of_box() else { return (Vec::new(), 0.0) };
+    let (p, a) = (&frame.p, &frame.axes[2]);
+    let middle = (centre - p).dot(a);
     let lens_mm = spot.defocus_mm + spot.optics.lens_to_focus_mm;
     let (bottom, top) = (middle - radius, (middle + radius).min(lens_mm));
-    // How far along and across the light reaches between two heights.
-    let reach = |low: f64, high: f64| {
-        let deepest = (spot.defocus_mm - low).abs().max((spot.defocus_mm - high).abs());
-        let sway = half_turn * low.abs().max(high.abs());
-        spot.reach_mm(deepest).map(|r| r + sway)
-    };
-    let mut found: Vec<u32> = Vec::new();
-    let mut visit = |low: f64, high: f64| {
+    let mut found: Vec<(u32, [[f64; 3]; 3])> = Vec::new();
+    let visit = |low: f64, high: f64, found: &mut Vec<(u32, [[f64; 3]; 3])>| {
         let (low, high) = (low.max(bottom), high.min(top));
         if high < low {
             return;
         }
-        let [x, y] = reach(low, high);
-        part.bvh.visit_ray(&(p + a * low), &a, 0.0, high - low, libm::hypot(x + half, y + aside), |facet, _| {
-            found.push(facet);
+        let [x, y] = frame.reach(spot, low, high);
+        part.bvh.visit_ray(&(p + a * low), a, 0.0, high - low, libm::hypot(x, y), |facet, corners| {
+            if part.mesh.dead[facet as usize] == Dead::No {
+                found.push((facet, corners.map(|c| in_frame(&c, p, &frame.axes))));
+            }
             high - low
         });
     };
     let mut far = FIRST_STRETCH_MM;
-    visit(-far, far);
-    while far < top.max(-bottom) {
-        visit(far, 3.0 * far);
-        visit(-3.0 * far, -far);
+    visit(-far, far, &mut found);
+    while far < top {
+        visit(far, 3.0 * far, &mut found);
         far *= 3.0;
     }
-    found.sort_unstable();
-    found.dedup();
-    let in_frame = |q: &Point3<f64>| {
-        let d = q - p;
-        [d.dot(&o), d.dot(&n), d.dot(&a)]
-    };
-    found
-        .into_iter()
-        .filter(|&f| part.mesh.dead[f as usize] == Dead::No)
-        .filter_map(|facet| {
-            let corners = part.mesh.corners(facet as usize);
-            let places = corners.map(|c| in_frame(&c));
-            let low: [f64; 3] = std::array::from_fn(|k| places.iter().map(|c| c[k]).fold(f64::INFINITY, f64::min));
-            let high: [f64; 3] =
-                std::array::from_fn(|k| places.iter().map(|c| c[k]).fold(f64::NEG_INFINITY, f64::max));
-            let [x, y] = reach(low[2].max(bottom), high[2].min(top));
-            let beside = |k: usize, r: f64| low[k] > r || high[k] < -r;
-            if beside(0, x + half) || beside(1, y + aside) {
-                return None;
-            }
-            let normal = surfaces.normals[facet as usize];
-            let up = part.mesh.normals[facet as usize];
-            let up = if up.dot(&a) < 0.0 { -up } else { up };
-            let lit = normal.dot(&piece.from.a).max(normal.dot(&piece.to.a)) > 0.0;
-            let vertices = part.mesh.facets[facet as usize];
-            Some(Seen { facet, corners, vertices, rise: up.dot(&a), up, lit, low, high })
-        })
-        .collect()
+    far = FIRST_STRETCH_MM;
+    let mut floor = f64::NEG_INFINITY;
+    while far < -bottom {
+        // Looked at as wide as the light is at the end of the stretch.
+        let half = frame.reach(spot, -far, far);
+        floor = floor_mm(half, found.iter().map(|f| &f.1)).filter(|f| *f > -far).unwrap_or(floor);
+        if floor > -far {
+            break;
+        }
+        visit(-3.0 * far, -far, &mut found);
+        far *= 3.0;
+    }
+    found.sort_unstable_by_key(|f| f.0);
+    found.dedup_by_key(|f| f.0);
+    let seen = found.into_iter().filter_map(|(facet, places)| {
+        let bound = |k: usize, from: f64, of: fn(f64, f64) -> f64| places.iter().map(|c| c[k]).fold(from, of);
+        let low: [f64; 3] = std::array::from_fn(|k| bound(k, f64::INFINITY, f64::min));
+        let high: [f64; 3] = std::array::from_fn(|k| bound(k, f64::NEG_INFINITY, f64::max));
+        let reach = frame.reach(spot, low[2].max(bottom), high[2].min(top));
+        if (0..2).any(|k| low[k] > reach[k] || high[k] < -reach[k]) {
+            return None;
+        }
+        let normal = surfaces.normals[facet as usize];
+        let up = part.mesh.normals[facet as usize];
+        let up = if up.dot(a) < 0.0 { -up } else { up };
+        let lit = normal.dot(&piece.from.a).max(normal.dot(&piece.to.a)) > 0.0;
+        let corners = part.mesh.corners(facet as usize);
+        let vertices = part.mesh.facets[facet as usize];
+        Some(Seen { facet, corners, vertices, rise: up.dot(a), up, lit, low, high })
+    });
+    (seen.collect(), floor)
 }
