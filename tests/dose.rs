@@ -21,7 +21,12 @@ const SPEED: f64 = 4.0;
 const LOW: Thresholds = Thresholds { low_j_cm2: 1.0, high_j_cm2: 1e9, collateral_j_cm2: 1.0 };
 
 fn spot(profile: Profile) -> Spot {
-    Spot { profile, line_mm: 3.0, spot_mm: 1.2, defocus_mm: 20.0, optics: Optics::default() }
+    Spot { profile, line_mm: 3.0, spot_mm: 1.2, defocus_mm: 20.0, optics: optics() }
+}
+
+/// Such that the spot is what the optics make it: √(1 + (20/2)²) times the focus.
+fn optics() -> Optics {
+    Optics { focus_spot_mm: 1.2 / 101f64.sqrt(), ..Optics::default() }
 }
 
 /// A straight lit line from one point to another, the beam along `a`.

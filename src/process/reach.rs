@@ -51,9 +51,11 @@ pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, light: &L
     let (seen, floor) = seen(part, surfaces, spot, piece, &frame);
     let slope = spot.greatest_slope() + frame.half_turn;
     let lit = seen.iter().filter(|f| f.lit && f.high[2] >= floor - PLANE_MM);
+    // What shaded the last facet is likely to shade the next one too.
+    let mut last: Option<&Seen> = None;
     lit.map(|f| {
-        let by_part = seen.iter().any(|g| may_shade(g, f, slope));
-        let clear = !by_part && !clamp_near(shade, spot, &frame, f.low[2]);
+        last = last.filter(|g| may_shade(g, f, slope)).or_else(|| seen.iter().find(|g| may_shade(g, f, slope)));
+        let clear = last.is_none() && !clamp_near(shade, spot, &frame, f.low[2]);
         (f.facet, Near { piece: index, clear })
     })
     .collect()

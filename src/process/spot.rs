@@ -28,9 +28,18 @@ pub struct Spot {
 
 impl Spot {
     /// Radius at `z_mm` below the focus, mm: the job's spot where the job wants it, elsewhere as the
-    /// optics widen it.
+    /// optics widen it. A spot wider than the optics make it is drawn by something that shifts the beam,
+    /// and widens by as much as theirs; a narrower one in proportion.
     pub fn radius_mm(&self, z_mm: f64) -> f64 {
-        0.5 * self.spot_mm * self.optics.spot_mm(z_mm) / self.optics.spot_mm(self.defocus_mm)
+        let (own, here) = (self.optics.spot_mm(self.defocus_mm), self.optics.spot_mm(z_mm));
+        if self.spot_mm >= own { 0.5 * (self.spot_mm + here - own) } else { 0.5 * self.spot_mm * here / own }
+    }
+
+    /// By how much the radius changes per mm of depth.
+    fn widening(&self, z_mm: f64) -> f64 {
+        let o = &self.optics;
+        let own = 0.5 * o.focus_spot_mm * o.focus_spot_mm * z_mm / (o.rayleigh_mm * o.rayleigh_mm * o.spot_mm(z_mm));
+        own * (self.spot_mm / o.spot_mm(self.defocus_mm)).min(1.0)
     }
 
     /// Half sides of the rectangle, along travel and across, outside of which nothing lands, mm.
@@ -52,22 +61,22 @@ impl Spot {
         }
     }
 
-    /// How the light that lands at `[x, y]` leans against the axis: its slope along o and n. Light of
-    /// a Gaussian beam runs towards the focus far from it, and along the axis in it.
+    /// How the light that lands at `[x, y]` leans against the axis: its slope along o and n. Light runs
+    /// towards the focus far from it and along the axis in it, as the beam's rim does.
     pub fn slope(&self, [x, y]: [f64; 2], z_mm: f64) -> [f64; 2] {
-        let zr = self.optics.rayleigh_mm;
-        let k = -z_mm / (z_mm * z_mm + zr * zr);
+        let k = -self.widening(z_mm) / self.radius_mm(z_mm);
         match self.profile {
             Profile::Gaussian | Profile::TopHat => [k * x, k * y],
             Profile::Line => [k * x, 0.0],
         }
     }
 
-    /// The greatest length of [`Self::slope`] within reach, at any height.
+    /// No light within reach leans more, at any height.
     pub fn greatest_slope(&self) -> f64 {
-        let [x, y] = self.reach_mm(0.0);
-        let zr = self.optics.rayleigh_mm;
-        if self.profile == Profile::Line { x / zr } else { libm::hypot(x, y) / zr }
+        let rim = 0.5 * self.optics.focus_spot_mm / self.optics.rayleigh_mm;
+        let corner = if self.profile == Profile::Line { 1.0 } else { 2f64.sqrt() };
+        let reach = if self.profile == Profile::TopHat { 1.0 } else { GAUSSIAN_REACH };
+        rim * corner * reach * (self.spot_mm / self.optics.spot_mm(self.defocus_mm)).min(1.0)
     }
 
     /// From when to when, as shares of a straight way past the axis, a place is within reach.
@@ -164,6 +173,21 @@ mod tests {
                 let whole = sum * rx * ry / f64::from(n * n);
                 let off = if profile == Profile::TopHat { 1e-3 } else { 1e-5 };
                 assert!((whole - 1.0).abs() < off, "{profile:?} at {z}: {whole}");
+            }
+        }
+    }
+
+    /// The rim's light leans as the beam widens, whether the optics make the spot or something else.
+    #[test]
+    fn the_rim_widens_by_its_slope() {
+        for spot_mm in [0.4, 1.0, 3.0] {
+            let s = Spot { spot_mm, ..spot(Profile::TopHat) };
+            assert!((s.radius_mm(20.0) - 0.5 * spot_mm).abs() < 1e-12);
+            for z in [-150.0, -3.0, 0.0, 1.0, 20.0, 60.0] {
+                let step = 1e-4;
+                let slope = (s.radius_mm(z + step) - s.radius_mm(z - step)) / (2.0 * step);
+                assert!((s.slope([s.radius_mm(z), 0.0], z)[0] + slope).abs() < 1e-6);
+                assert!(slope.abs() <= s.greatest_slope());
             }
         }
     }
