@@ -144,7 +144,7 @@ pub fn segmented(part: &Part, job: &Job) -> Surfaces {
 
 /// Numbers of the surfaces to clean, checked.
 fn chosen(surfaces: &Surfaces, job: &Job) -> Result<Vec<u32>, PlanError> {
-    let list = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
+    let list = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
     if list.is_empty() {
         return Err(PlanError::Nothing);
     }
