@@ -48,6 +48,7 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
         plane_normal: Vector3::z(),
         closed: false,
         targets: vec![target(p, false), target(q, true)],
+        splits: Vec::new(),
         chord_error_mm: 0.0,
     }
 }

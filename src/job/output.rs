@@ -5,13 +5,13 @@ use super::dose::{self, DoseReport, dose};
 use super::files::{self, JobError};
 use super::model::Job;
 use super::plan::Plan;
-use super::progress::Progress;
 use super::report::Report;
 use super::verify;
 use crate::cell::Setup;
 use crate::cell::motion::Choice;
 use crate::part::{Part, Surfaces};
 use crate::program::{Program, ProgramFile, Timeline, dialects, lines};
+use crate::progress::Progress;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -75,9 +75,7 @@ pub fn program(
 
 /// Reads the program's own text, and refuses to hand out one that would not do what was planned.
 fn read_back(part: &Part, job: &Job, setup: &Setup, plan: &Plan, written: &[ProgramFile]) -> Result<(), JobError> {
-    let Some(first) = written.first() else { return Ok(()) };
-    let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let (_, verdict) = verify::check(part, plan, setup, job, first, &open, false)
+    let verdict = verify::check_own(part, plan, setup, job, written)
         .map_err(|what| JobError::Write { what: format!("the program cannot be read back: {what}") })?;
     match verdict.findings.as_slice() {
         [] => Ok(()),

@@ -6,7 +6,8 @@ use super::parameter;
 use super::report::CellReport;
 use crate::beam::{Body, Head, Tool};
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Choice, Refusal, Watch, choose};
+use crate::cell::motion::choice::{Touched, choose_again};
+use crate::cell::motion::{Arm, Choice, Refusal, Watch};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
@@ -257,31 +258,32 @@ pub(super) fn drive(
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
+    let mut touched = Touched::default();
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
     // What driving refused stays refused, whatever branch is chosen then.
     let mut refused: Vec<Refusal> = Vec::new();
     let mut best: Option<Plan> = None;
+    let drive = Drive {
+        part,
+        setup,
+        mounted: setup.mounted(),
+        robot,
+        speeds,
+        straight: straight(part, setup, job),
+        collision: collision.as_ref(),
+        go_on: &go_on,
+        known: Known::default(),
+    };
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
         (plan.choice, plan.refusals) = (None, Vec::new());
         plan.refuse(&refused);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
         let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
-        let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch);
+        let choice = choose_again(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch, &mut touched);
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);
-        let drive = Drive {
-            part,
-            setup,
-            mounted: setup.mounted(),
-            robot,
-            speeds,
-            straight: straight(part, setup, job),
-            collision: collision.as_ref(),
-            go_on: &go_on,
-            known: Known::default(),
-        };
         let mut shut = Vec::new();
         settle(plan, progress, |plan| {
             let Some(choice) = &plan.choice else { return Ok(Steps::default()) };

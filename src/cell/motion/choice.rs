@@ -12,6 +12,8 @@ use crate::cell::Joints;
 use crate::pose::{self, Pass};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU8, Ordering};
 
 /// A joint moves no further between two targets of a pass.
 pub const MOST_STEP_DEG: f64 = 30.0;
@@ -35,6 +37,10 @@ pub const AT_LIMIT: f64 = 6.0;
 pub const AT_SINGULARITY: f64 = 12.0;
 /// Targets whose states are made at once.
 const CHUNK: usize = 256;
+/// So many states of a target are worked out by one thread.
+const SIDE_BY_SIDE: usize = 256;
+/// Neighbouring spins whose states are looked at as one crowd.
+const CROWD_SPINS: u8 = 4;
 
 /// What was chosen for a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,41 +104,77 @@ impl Default for Watch<'_> {
     }
 }
 
+/// What is known of which states touch: of the targets of passes where a chosen one did, by branch and
+/// spin. Every reading of the turns is the same pose.
+#[derive(Default)]
+pub struct Touched(BTreeMap<usize, Vec<Looks>>);
+
+/// Of one target, for each branch and spin: not looked at, free, or touching.
+struct Looks(Vec<AtomicU8>);
+
+impl Touched {
+    fn of(&self, stop: &Stop) -> Option<&Looks> {
+        self.0.get(&stop.pass)?.get(stop.point)
+    }
+
+    fn add(&mut self, numbers: &[usize], passes: &[Pass], spins: usize) {
+        let unknown = || Looks(std::iter::repeat_with(AtomicU8::default).take(8 * spins).collect());
+        for &number in numbers {
+            let looks = || passes[number].targets.iter().map(|_| unknown()).collect();
+            self.0.entry(number).or_insert_with(looks);
+        }
+    }
+}
+
+impl Looks {
+    /// Whether a state is free; it is looked at once.
+    fn is_free(&self, state: &State, spins: usize, look: impl FnOnce() -> bool) -> bool {
+        let known = &self.0[usize::from(state.branch) * spins + usize::from(state.spin)];
+        if known.load(Ordering::Relaxed) == 0 {
+            known.store(if look() { 1 } else { 2 }, Ordering::Relaxed);
+        }
+        known.load(Ordering::Relaxed) == 1
+    }
+}
+
 /// Chooses spin and branch for every target that is not blocked.
 ///
 /// What is touched is asked for the chosen states first, and for all states of a pass where one of
 /// them does. `None`: the search was stopped.
 pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, watch: &Watch<'_>) -> Option<Choice> {
+    choose_again(arm, passes, defocus_mm, speed_mm_s, watch, &mut Touched::default())
+}
+
+/// The same for targets some of which were looked at before: they may be blocked by now, and branches
+/// closed, but they stand where they stood.
+pub fn choose_again(
+    arm: &Arm<'_>,
+    passes: &[Pass],
+    defocus_mm: f64,
+    speed_mm_s: f64,
+    watch: &Watch<'_>,
+    touched: &mut Touched,
+) -> Option<Choice> {
     let Watch { touches, go_on, is_open } = watch;
     let stops = stops(passes, defocus_mm, speed_mm_s);
-    let mut looked_at = vec![false; passes.len()];
     loop {
+        let looks = &*touched;
         let chain = chain(arm, &stops, go_on, |stop: &Stop| {
             let mut states = arm.states(&stop.part_from_focus).map_err(Refused::Lack)?;
             states.retain(|s| is_open(stop.pass, s.branch));
             if states.is_empty() {
                 return Err(Refused::Contact(NO_WAY.into()));
             }
-            if !looked_at[stop.pass] {
-                return Ok(states);
-            }
-            let mut contact = None;
-            let free: Vec<State> = states
-                .into_iter()
-                .filter(|s| {
-                    let touched = touches(&s.joints_deg);
-                    let is_free = touched.is_none();
-                    contact = contact.take().or(touched);
-                    is_free
-                })
-                .collect();
-            if free.is_empty() { Err(Refused::Contact(contact.unwrap_or_default())) } else { Ok(free) }
+            let Some(looks) = looks.of(stop) else { return Ok(states) };
+            let first = states[0].joints_deg;
+            states.retain(|s| looks.is_free(s, arm.spins(), || touches(&s.joints_deg).is_none()));
+            if states.is_empty() { Err(Refused::Contact(touches(&first).unwrap_or_default())) } else { Ok(states) }
         })?;
         let touching: Vec<usize> = stops
             .par_iter()
             .zip(&chain)
             .filter(|(stop, state)| {
-                go_on() && !looked_at[stop.pass] && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
+                go_on() && looks.of(stop).is_none() && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
             })
             .map(|(stop, _)| stop.pass)
             .collect();
@@ -142,9 +184,7 @@ pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, 
         if touching.is_empty() {
             return Some(choice(arm, passes, &stops, chain));
         }
-        for pass in touching {
-            looked_at[pass] = true;
-        }
+        touched.add(&touching, passes, arm.spins());
     }
 }
 
@@ -317,19 +357,19 @@ impl<'a> Rules<'a> {
     fn lit(&self, before: &Layer, layer: &mut Layer, seconds: f64) -> Vec<u32> {
         let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
         let spins = self.arm.spins();
-        let mut from = vec![OUT; layer.states.len()];
-        for (i, state) in layer.states.iter().enumerate() {
+        let one = |(state, standing): (&State, &f64)| {
             let to = &state.joints_deg;
             // Without its predecessor the piece starts here: out, round and in again.
-            let mut best = before.left_out + STARTED_ANEW;
+            let mut best = (before.left_out + STARTED_ANEW, OUT);
             for step in &self.spin_steps {
                 let spin = (usize::from(state.spin) + step) % spins;
                 'candidates: for k in before.range(usize::from(state.branch), spin, spins) {
                     let mut cost = before.cost[k];
-                    if cost >= best {
+                    let here = &before.states[k].joints_deg;
+                    // The last joint has the most readings.
+                    if cost >= best.0 || (to[5] - here[5]).abs() > most[5] {
                         continue;
                     }
-                    let here = &before.states[k].joints_deg;
                     for j in 0..6 {
                         let moved = (to[j] - here[j]).abs();
                         if moved > most[j] {
@@ -337,44 +377,119 @@ impl<'a> Rules<'a> {
                         }
                         cost += self.weights[j] * moved;
                     }
-                    if cost < best {
-                        (best, from[i]) = (cost, k as u32);
+                    if cost < best.0 {
+                        best = (cost, k as u32);
                     }
                 }
             }
-            layer.cost[i] = best + layer.standing[i];
-        }
-        from
+            (best.0 + standing, best.1)
+        };
+        let reached: Vec<(f64, u32)> =
+            layer.states.par_iter().zip(&layer.standing).with_min_len(SIDE_BY_SIDE).map(one).collect();
+        layer.cost = reached.iter().map(|r| r.0).collect();
+        reached.into_iter().map(|r| r.1).collect()
     }
 
     /// Costs and predecessors after a connecting move: from any state to any.
     fn round(&self, before: &Layer, layer: &mut Layer) -> Vec<u32> {
-        let mut order: Vec<u32> = (0..before.states.len() as u32).collect();
-        order.sort_by(|a, b| before.cost[*a as usize].total_cmp(&before.cost[*b as usize]));
+        let crowds = crowds(before);
+        let some = |(states, standing): (&[State], &[f64])| -> Vec<(f64, u32)> {
+            // What was best for the state before is good for this one, and shows what need not be looked at.
+            let mut guess = OUT;
+            let one = |(state, standing): (&State, &f64)| {
+                let best = self.cheapest_way(before, &crowds, state, guess);
+                guess = best.1;
+                (best.0 + standing, best.1)
+            };
+            states.iter().zip(standing).map(one).collect()
+        };
         let reached: Vec<(f64, u32)> = layer
             .states
-            .par_iter()
-            .zip(&layer.standing)
-            .map(|(state, standing)| {
-                let mut best = (before.left_out, OUT);
-                for &k in &order {
-                    let (here, so_far) = (&before.states[k as usize], before.cost[k as usize]);
-                    // Travel costs something at least: none behind this one can be cheaper.
-                    if so_far >= best.0 {
-                        break;
-                    }
-                    let changed = if here.branch == state.branch { 0.0 } else { CHANGED_BRANCH };
-                    let cost = so_far + changed + self.travel(&here.joints_deg, &state.joints_deg);
-                    if cost < best.0 {
-                        best = (cost, k);
-                    }
-                }
-                (best.0 + standing, best.1)
-            })
+            .par_chunks(SIDE_BY_SIDE)
+            .zip(layer.standing.par_chunks(SIDE_BY_SIDE))
+            .flat_map_iter(some)
             .collect();
         layer.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
+
+    /// Cost and predecessor of a state after a connecting move; `guess` may be a good predecessor.
+    fn cheapest_way(&self, before: &Layer, crowds: &[Crowd], state: &State, guess: u32) -> (f64, u32) {
+        let changed = |branch: u8| if branch == state.branch { 0.0 } else { CHANGED_BRANCH };
+        let mut best = (before.left_out, OUT);
+        let look = |best: &mut (f64, u32), k: u32| {
+            let here = &before.states[k as usize];
+            let so_far = before.cost[k as usize] + changed(here.branch);
+            if so_far < best.0 {
+                let cost = so_far + self.travel(&here.joints_deg, &state.joints_deg);
+                if cost < best.0 {
+                    *best = (cost, k);
+                }
+            }
+        };
+        if guess != OUT {
+            look(&mut best, guess);
+        }
+        for crowd in crowds {
+            // Travel costs something at least: none behind this one can be cheaper.
+            if crowd.cost >= best.0 {
+                break;
+            }
+            let nearest = crowd.nearest(&state.joints_deg);
+            if crowd.cost + changed(crowd.branch) + self.travel(&nearest, &state.joints_deg) < best.0 {
+                crowd.states.iter().for_each(|k| look(&mut best, *k));
+            }
+        }
+        best
+    }
+}
+
+/// States of one branch that lie near each other, and the box around their joints.
+struct Crowd {
+    states: Vec<u32>,
+    branch: u8,
+    least: Joints,
+    most: Joints,
+    /// Of the cheapest.
+    cost: f64,
+}
+
+impl Crowd {
+    /// The joints of the box that are nearest to others.
+    fn nearest(&self, to: &Joints) -> Joints {
+        std::array::from_fn(|j| to[j].clamp(self.least[j], self.most[j]))
+    }
+}
+
+/// All states of a layer in crowds, the cheapest first.
+fn crowds(layer: &Layer) -> Vec<Crowd> {
+    let readings = |s: &State| s.joints_deg.map(|deg| (deg / 360.0).round() as i8);
+    let mut order: Vec<u32> = (0..layer.states.len() as u32).collect();
+    let key = |k: u32| {
+        let s = &layer.states[k as usize];
+        (s.branch, readings(s), s.spin)
+    };
+    order.sort_by_cached_key(|k| key(*k));
+    let like = |a: &u32, b: &u32| {
+        let (a, b) = (key(*a), key(*b));
+        (a.0, a.1, a.2 / CROWD_SPINS) == (b.0, b.1, b.2 / CROWD_SPINS)
+    };
+    let crowd = |states: &[u32]| {
+        let of = |k: &u32| &layer.states[*k as usize];
+        let edge = |pick: fn(f64, f64) -> f64, start: f64| -> Joints {
+            std::array::from_fn(|j| states.iter().map(|k| of(k).joints_deg[j]).fold(start, pick))
+        };
+        Crowd {
+            branch: states.first().map_or(0, |k| of(k).branch),
+            least: edge(f64::min, f64::INFINITY),
+            most: edge(f64::max, f64::NEG_INFINITY),
+            cost: states.iter().map(|k| layer.cost[*k as usize]).fold(f64::INFINITY, f64::min),
+            states: states.to_vec(),
+        }
+    };
+    let mut out: Vec<Crowd> = order.chunk_by(like).map(crowd).collect();
+    out.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    out
 }
 
 /// The chain by pass and point, with what was left out and why.
