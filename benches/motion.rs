@@ -35,7 +35,7 @@ fn passes(count: usize) -> Vec<Pass> {
         let n = Vector3::new(x / 120.0, -1.0, (z - 25.0) / 120.0).normalize();
         let p = Point3::new(x, 120.0 * n.y + 110.0, z);
         let o = pose::target::travel(&Vector3::x(), &n);
-        Target { p, n, a: n, o, state: pose::State::Free, laser: along > 0, normal_hits: None }
+        Target { p, n, a: n, o, state: pose::State::Free, laser: along > 0, normal_hits: None, clearance_mm: None }
     };
     let line = |k: usize| Pass {
         surface: 1,
@@ -43,6 +43,7 @@ fn passes(count: usize) -> Vec<Pass> {
         closed: false,
         targets: (k * 100..(k + 1) * 100).map(target).collect(),
         chord_error_mm: 0.0,
+        splits: Vec::new(),
     };
     (0..count / 100).map(line).collect()
 }

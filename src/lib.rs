@@ -7,8 +7,9 @@
 //!   rays against all facets.
 //! - [`path`]: where the spot travels. Families of section planes, transversal lines walked along
 //!   the topology, normals, the dense line, chord error, order, and what no line reaches.
-//! - [`pose`]: how the beam stands. Interference of the beam with the part, P1's correction in the
-//!   section plane, the motion between targets, the targets of a [`pose::Pass`]; and an independent
+//! - [`beam`]: the tool. Optics, the head, clamps, and the space they take up at a pose.
+//! - [`pose`]: how the beam stands. Interference of beam and head with the part, P1's correction in the
+//!   section plane, the search for clearance, the motion between targets, the targets of a [`pose::Pass`]; and an independent
 //!   checker that shares no code with the rest.
 //! - [`cell`]: the robot and where it stands. A [`cell::Setup`] is a [`cell::Cell`] (frames, given or
 //!   measured, bodies, outputs, the controllers' words), a [`cell::Robot`] (kinematics both ways, limits)
@@ -57,6 +58,7 @@
 //! ```
 
 pub mod app;
+pub mod beam;
 pub mod cell;
 pub mod cli;
 pub mod job;
@@ -64,6 +66,7 @@ pub mod part;
 pub mod path;
 pub mod picture;
 pub mod pose;
+pub mod process;
 pub mod program;
 pub mod progress;
 pub mod sample;

@@ -17,6 +17,7 @@ use parts::{job, on, part, planned, planned_in, sample};
 
 fn setup(robot: &str, mount: Mount) -> Setup {
     Setup {
+        tool: clearbeam::beam::Tool::default(),
         robot: Some(Robot::load(robot, None).expect("shipped")),
         mount,
         ..Setup::shipped().expect("the shipped cell")

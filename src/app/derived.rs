@@ -6,6 +6,7 @@ use super::clearance::Clearances;
 use super::motion::Motion;
 use super::remedy::Remedy;
 use super::worker::Outcome;
+use crate::beam::{Obstacle, Tool};
 use crate::cell::{Cell, Setup};
 use crate::job::model::{CellFile, PartFile, SurfaceParameters};
 use crate::job::plan::segmented;
@@ -34,6 +35,8 @@ pub struct Derived {
     pub picture: Option<PartPicture>,
     /// The cell with the frames of its file, and the names of cell and robot in the job.
     pub cell_file: Option<((String, String), Result<Cell, String>)>,
+    /// Head and clamps, and their names in the job.
+    pub tool: Option<((String, Vec<Obstacle>), Result<Tool, String>)>,
     /// Cell and robot, and what in the job they were read from.
     pub setup: Option<(CellFile, Result<Setup, String>)>,
     /// Arm, head and floor, where the setup has a robot.
@@ -132,7 +135,9 @@ impl App {
 
     fn sync_cell(&mut self, job: &Job) {
         let d = &mut self.derived;
-        if d.setup.as_ref().is_some_and(|(of, _)| *of == job.cell) {
+        let tool_named = (job.beam.head.clone(), job.clamps.clone());
+        let same_tool = d.tool.as_ref().is_some_and(|(of, _)| *of == tool_named);
+        if same_tool && d.setup.as_ref().is_some_and(|(of, _)| *of == job.cell) {
             return;
         }
         let file = self.document.file.as_deref();
@@ -141,9 +146,13 @@ impl App {
         if d.cell_file.as_ref().is_none_or(|(of, _)| *of != named) {
             d.cell_file = Some((named, files::load_cell(job, file).map_err(|e| e.to_string())));
         }
+        if !same_tool {
+            d.tool = Some((tool_named, files::load_tool(job, file).map_err(|e| e.to_string())));
+        }
+        let tool = d.tool.as_ref().map_or(Err(String::new()), |(_, tool)| tool.clone());
         let cell = d.cell_file.as_ref().map_or(Err(String::new()), |(_, cell)| cell.clone());
         let robot = files::load_robot(job, file).map_err(|e| e.to_string());
-        let setup = robot.and_then(|robot| files::set_up(job, robot, cell?).map_err(|e| e.to_string()));
+        let setup = robot.and_then(|robot| files::set_up(job, robot, cell?, tool?).map_err(|e| e.to_string()));
         let stands = |c: &CellFile| (c.file.clone(), c.robot.clone(), c.mount);
         let same = d.setup.as_ref().is_some_and(|(of, _)| stands(of) == stands(&job.cell));
         d.cell = setup.as_ref().ok().and_then(CellPicture::new);

@@ -139,7 +139,7 @@ impl App {
         self.session.said = format!("writing into {}…", dir.display());
         self.worker.spawn(move || {
             let written = output::write(&dir, &job, file.as_deref(), &part, &setup, &plan, &surfaces);
-            Outcome::Exported(written.map_err(|e| e.to_string()))
+            Outcome::Exported(written.map(|(paths, _)| paths).map_err(|e| e.to_string()))
         });
     }
 

@@ -2,12 +2,10 @@
 //!
 //! Read from the cell file; what may touch what is told in `collision`.
 
-use super::frame::Frame;
 use super::mounting::CellError;
-use crate::part::{self, Part, Placement, Units};
+use crate::beam::Obstacle;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use std::sync::Arc;
 
 /// The `[bodies]` table of a cell file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -42,57 +40,13 @@ pub struct HeadCapsule {
     pub radius_mm: f64,
 }
 
-/// A body of facets that stands in the robot's base frame.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Obstacle {
-    /// STL file, relative to the cell file.
-    pub file: String,
-    /// Origin of the file in the base, mm.
-    #[serde(default)]
-    pub position_mm: [f64; 3],
-    /// Rotation about Z, Y and X, degrees.
-    #[serde(default)]
-    pub rz_ry_rx_deg: [f64; 3],
-    /// Unit of the file.
-    #[serde(default)]
-    pub units: Units,
-    /// What the file held.
-    #[serde(skip)]
-    solid: Arc<Part>,
-}
-
-impl PartialEq for Obstacle {
-    fn eq(&self, other: &Obstacle) -> bool {
-        let told = |o: &Obstacle| (o.position_mm, o.rz_ry_rx_deg, o.units, o.solid.digest);
-        self.file == other.file && told(self) == told(other)
-    }
-}
-
-impl Obstacle {
-    /// Its facets in the frame of its file, mm; none until they are read.
-    pub fn solid(&self) -> &Part {
-        &self.solid
-    }
-
-    /// Where it stands in the robot's base.
-    pub fn frame(&self) -> Frame {
-        Frame::new(self.position_mm, self.rz_ry_rx_deg)
-    }
-}
-
 impl Bodies {
     /// Reads the obstacles' files, which are named relative to `folder`.
     ///
     /// # Errors
     /// A file cannot be read or is no STL; the file is named.
     pub fn load(&mut self, folder: Option<&Path>) -> Result<(), CellError> {
-        for o in &mut self.obstacles {
-            let file = folder.map_or_else(|| o.file.clone().into(), |f| f.join(&o.file));
-            let solid = part::load(&file, o.units, &Placement::default(), &[]).map_err(CellError::Obstacle)?;
-            o.solid = Arc::new(solid);
-        }
-        Ok(())
+        self.obstacles.iter_mut().try_for_each(|o| o.load(folder)).map_err(CellError::Obstacle)
     }
 
     /// # Errors

@@ -3,7 +3,7 @@
 //! Each fit keeps its residuals, and refuses points that cannot tell the frame, with what to measure
 //! again. Where the figures come from and what frame they become is the cell file's business.
 
-use super::rpy;
+use crate::part::rpy;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 

@@ -68,9 +68,7 @@ impl<'a> Collision<'a> {
     pub fn new(setup: &'a Setup, part: &'a Part) -> Option<Collision<'a>> {
         let robot = setup.robot.as_ref()?;
         let (cell, bodies) = (&setup.cell, &setup.cell.bodies);
-        let obstacle = |o: &'a super::bodies::Obstacle| {
-            Solid::new(format!("obstacle {}", o.file), o.solid(), o.frame().isometry())
-        };
+        let obstacle = |o: &'a crate::beam::Obstacle| Solid::new(format!("obstacle {}", o.file), o.solid(), o.at());
         let mut standing: Vec<Solid<'a>> = bodies.obstacles.iter().filter_map(obstacle).collect();
         let head = |focus: Isometry3<f64>| bodies.head.iter().map(|h| Capsule::of(h, &focus)).collect::<Vec<_>>();
         let (standing_head, carried) = match setup.mount {

@@ -19,7 +19,7 @@ fn part(triangles: &Triangles) -> Part {
 fn setup(robot: &str, mount: Mount) -> Setup {
     let mut cell = Cell::shipped("mz04").expect("shipped");
     cell.bodies = Default::default();
-    Setup { cell, robot: Some(Robot::load(robot, None).expect("shipped")), mount }
+    Setup { cell, robot: Some(Robot::load(robot, None).expect("shipped")), mount, tool: crate::beam::Tool::default() }
 }
 
 fn at(position_mm: [f64; 3]) -> Frame {

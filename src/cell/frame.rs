@@ -3,7 +3,7 @@
 //! What the operator wrote is kept and written back.
 
 use super::calibration::{self, CalibrationNote, Fit, PointPair, ThreePoints};
-use super::rpy;
+use crate::part::rpy;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 

@@ -23,7 +23,6 @@ pub mod mounting;
 pub mod opw;
 pub mod outputs;
 pub mod robot;
-pub mod rpy;
 pub mod setup;
 pub mod timing;
 pub mod ur;

@@ -294,8 +294,8 @@ impl Robot {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::rpy;
     use crate::part::angle;
+    use crate::part::rpy;
     use proptest::prelude::*;
 
     fn robot(key: &str) -> Robot {

@@ -2,6 +2,7 @@
 
 use super::mounting::Mounted;
 use super::{Cell, CellError, Joints, Mount, Robot};
+use crate::beam::Tool;
 use crate::part::distance::segments;
 use nalgebra::{Isometry3, Point3};
 
@@ -14,6 +15,8 @@ pub struct Setup {
     pub robot: Option<Robot>,
     /// What it carries.
     pub mount: Mount,
+    /// Head and clamps of the job.
+    pub tool: Tool,
 }
 
 impl Setup {
@@ -22,7 +25,7 @@ impl Setup {
     /// # Errors
     /// Never, as shipped.
     pub fn shipped() -> Result<Setup, CellError> {
-        Ok(Setup { cell: Cell::shipped("mz04")?, robot: None, mount: Mount::PartInHand })
+        Ok(Setup { cell: Cell::shipped("mz04")?, robot: None, mount: Mount::PartInHand, tool: Tool::default() })
     }
 
     /// Whether the robot can stand in the cell.
@@ -166,7 +169,7 @@ mod tests {
             let robot = Robot::load(key, None).expect("shipped");
             for mount in [Mount::PartInHand, Mount::ToolInHand] {
                 let cell = Cell::shipped(key).expect("a cell for every robot");
-                let setup = Setup { cell, robot: Some(robot.clone()), mount };
+                let setup = Setup { cell, robot: Some(robot.clone()), mount, tool: Tool::default() };
                 setup.check().expect("home in range, the laser out of the base");
                 let collision = Collision::new(&setup, &part).expect("a robot");
                 assert_eq!(collision.first(&setup.home_joints_deg()), None, "{key}, {mount:?}, home");

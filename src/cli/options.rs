@@ -44,7 +44,7 @@ pub struct PlanOptions {
     /// Largest turn of the normal between two targets, degrees [default: 5]
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     max_turn: Option<f64>,
-    /// section-plane or none [default: section-plane]
+    /// section-plane, clearance or none [default: section-plane]
     #[arg(long, value_parser = correction)]
     correction: Option<Correction>,
     /// Speed of the spot, mm/s [default: 3]
@@ -59,6 +59,15 @@ pub struct PlanOptions {
     /// Spot diameter, mm [default: 1]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     spot: Option<f64>,
+    /// Greatest angle between beam and normal, degrees [default: 45]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    max_tilt: Option<f64>,
+    /// What cone and head keep from everything, mm [default: 0.5]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    margin: Option<f64>,
+    /// Head: a TOML stack of [[part]] from_mm to_mm r0_mm r1_mm from the focus on, or an STL [default: the ray alone]
+    #[arg(long, value_name = "FILE")]
+    head: Option<PathBuf>,
     /// Cell file [default: the shipped cell of the robot]
     #[arg(long, value_name = "CELL.toml")]
     cell: Option<PathBuf>,
@@ -94,6 +103,8 @@ impl PlanOptions {
             ("air-speed", self.air_speed),
             ("power", self.power),
             ("spot", self.spot),
+            ("max-tilt", self.max_tilt),
+            ("margin", self.margin),
         ];
         for (option, value) in numbers {
             if let (Some(p), Some(value)) = (Parameter::by_option(option), value) {
@@ -122,6 +133,11 @@ impl PlanOptions {
         self.robot.as_ref()
     }
 
+    /// The head's file, as seen from the current folder.
+    pub fn head(&self) -> Option<&PathBuf> {
+        self.head.as_ref()
+    }
+
     /// The cell file, as seen from the current folder.
     pub fn cell(&self) -> Option<&PathBuf> {
         self.cell.as_ref()
@@ -141,7 +157,7 @@ fn order(text: &str) -> Result<Order, String> {
 }
 
 fn correction(text: &str) -> Result<Correction, String> {
-    word(text, Correction::from_word(text), "section-plane or none")
+    word(text, Correction::from_word(text), "section-plane, clearance or none")
 }
 
 fn mount(text: &str) -> Result<Mount, String> {

@@ -4,7 +4,7 @@ use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::job::advice;
 use crate::job::plan::segmented;
-use crate::job::report::{Report, hours};
+use crate::job::report::hours;
 use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
 use std::path::{Path, PathBuf};
 
@@ -31,6 +31,10 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     if let Some(cell) = a.options.cell() {
         let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
         job.cell.file = file.display().to_string();
+    }
+    if let Some(head) = a.options.head() {
+        let file = std::path::absolute(head).map_err(anyhow::Error::from)?;
+        job.beam.head = file.display().to_string();
     }
     if let Some(robot) = a.options.robot() {
         job.cell.robot = if Robot::is_shipped(robot) {
@@ -63,9 +67,8 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
         other => Failure::Failed(other.into()),
     })?;
-    let written =
+    let (written, report) =
         output::write(&a.out, &job, job_file, &part, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
-    let report = Report::new(&plan, &surfaces);
     if a.json {
         let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));

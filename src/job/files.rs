@@ -1,6 +1,7 @@
 //! Job files: reading, atomic writing, and paths relative to where the job stands.
 
 use super::model::Job;
+use crate::beam::{Head, HeadError, Tool};
 use crate::cell::{Cell, CellError, Robot, RobotError, Setup};
 use crate::part::{LoadError, Part, load};
 use crate::program::dialects;
@@ -51,6 +52,9 @@ pub enum JobError {
     /// The robot cannot be used.
     #[error(transparent)]
     Robot(#[from] RobotError),
+    /// The head cannot be used.
+    #[error(transparent)]
+    Head(#[from] HeadError),
     /// Something cannot be written.
     #[error("{what}")]
     Write {
@@ -127,7 +131,7 @@ pub fn relative_to(path: &Path, job_file: Option<&Path>) -> String {
 /// A file cannot be read or has absurd figures.
 pub fn load_setup(job: &Job, job_file: Option<&Path>) -> Result<Setup, JobError> {
     let robot = load_robot(job, job_file)?;
-    set_up(job, robot, load_cell(job, job_file)?)
+    set_up(job, robot, load_cell(job, job_file)?, load_tool(job, job_file)?)
 }
 
 /// The robot of a job; `None`: poses only.
@@ -146,6 +150,18 @@ pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, J
     })
 }
 
+/// Head and clamps of a job.
+///
+/// # Errors
+/// A file cannot be read or has absurd figures.
+pub fn load_tool(job: &Job, job_file: Option<&Path>) -> Result<Tool, JobError> {
+    let named = Some(&job.beam.head).filter(|f| !f.is_empty());
+    let head = named.map(|f| Head::load(&beside(job_file, f))).transpose()?;
+    let mut clamps = job.clamps.clone();
+    clamps.iter_mut().try_for_each(|c| c.load(job_file.and_then(Path::parent)))?;
+    Ok(Tool { head, clamps })
+}
+
 /// The cell that a job names, with the frames of its file.
 ///
 /// # Errors
@@ -162,10 +178,10 @@ pub fn load_cell(job: &Job, job_file: Option<&Path>) -> Result<Cell, JobError> {
 ///
 /// # Errors
 /// The robot cannot stand there.
-pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell) -> Result<Setup, JobError> {
+pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell, tool: Tool) -> Result<Setup, JobError> {
     job.cell.put_frames(&mut cell);
     let mount = job.cell.mount.unwrap_or(cell.mount);
-    let setup = Setup { cell, robot, mount };
+    let setup = Setup { cell, robot, mount, tool };
     setup.check()?;
     Ok(setup)
 }
@@ -186,7 +202,9 @@ pub fn rebased(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobErro
     let mut job = job.clone();
     let own_robot = !job.cell.robot.is_empty() && !Robot::is_shipped(&job.cell.robot);
     let robot = own_robot.then_some(&mut job.cell.robot);
-    for path in [&mut job.part.file, &mut job.cell.file].into_iter().chain(robot) {
+    let clamps = job.clamps.iter_mut().map(|c| &mut c.file);
+    let files = [&mut job.part.file, &mut job.cell.file, &mut job.beam.head];
+    for path in files.into_iter().chain(robot).chain(clamps) {
         if !path.is_empty() {
             *path = relative(&beside(from, path), to)?;
         }

@@ -1,9 +1,12 @@
 //! The job: everything an operator decides, as TOML. What can be computed is not in it.
 
+use crate::beam::{Obstacle, Optics};
 use crate::cell::{Cell, Frame, Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
 use crate::path::{Direction, Order};
 use crate::pose::Correction;
+use crate::pose::tilt::{Pin, TiltRule};
+use crate::process::DoseParameters;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::collections::BTreeMap;
 
@@ -19,12 +22,25 @@ pub struct Job {
     pub clean: Clean,
     /// The section planes.
     pub layers: Layers,
-    /// The beam and its speeds.
+    /// The beam, its speeds and its head.
     pub beam: BeamParameters,
+    /// How wide the beam is.
+    pub optics: Optics,
     /// Which points of a line become targets, and what is done about interference.
     pub path: PathParameters,
+    /// Energy on the surface.
+    pub dose: DoseParameters,
     /// The robot cell.
     pub cell: CellFile,
+    /// What stands on the part, in the part frame.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub clamps: Vec<Obstacle>,
+    /// Directions that surfaces prefer or forbid.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tilts: Vec<TiltRule>,
+    /// Tilts that the operator has set on single lines.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pins: Vec<Pin>,
 }
 
 /// The part's file.
@@ -87,6 +103,18 @@ impl SurfaceParameters {
 pub struct Clean {
     /// `"all"`, or their numbers in the order of work.
     pub surfaces: Chosen,
+    /// Put aside for another job: they are not planned, whatever `surfaces` says.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub later: Vec<u32>,
+}
+
+impl Clean {
+    /// The surfaces to plan, in the order of work, given all that exist.
+    pub fn numbers(&self, all: impl Iterator<Item = u32>) -> Vec<u32> {
+        let mut list = self.surfaces.numbers(all);
+        list.retain(|n| !self.later.contains(n));
+        list
+    }
 }
 
 /// All surfaces, or some in the order of work.
@@ -237,11 +265,23 @@ pub struct BeamParameters {
     pub speed_mm_s: f64,
     /// Speed of the focus with the laser off.
     pub air_speed_mm_s: f64,
+    /// Head: a TOML stack or an STL, relative to the job file; empty: the beam is a ray.
+    pub head: String,
+    /// What cone and head keep from everything, mm.
+    pub margin_mm: f64,
 }
 
 impl Default for BeamParameters {
     fn default() -> Self {
-        BeamParameters { defocus_mm: 20.0, power_w: 500.0, spot_mm: 1.0, speed_mm_s: 3.0, air_speed_mm_s: 100.0 }
+        BeamParameters {
+            defocus_mm: 20.0,
+            power_w: 500.0,
+            spot_mm: 1.0,
+            speed_mm_s: 3.0,
+            air_speed_mm_s: 100.0,
+            head: String::new(),
+            margin_mm: 0.5,
+        }
     }
 }
 
@@ -257,6 +297,12 @@ pub struct PathParameters {
     pub max_turn_deg: f64,
     /// What is done about interference.
     pub correction: Correction,
+    /// Greatest angle between beam and normal, degrees.
+    pub max_tilt_deg: f64,
+    /// How fast the search may turn the beam against the normal along the line, degrees/mm.
+    pub tilt_rate_deg_mm: f64,
+    /// The same over time, degrees/s.
+    pub tilt_rate_deg_s: f64,
 }
 
 impl Default for PathParameters {
@@ -266,6 +312,9 @@ impl Default for PathParameters {
             max_step_mm: 5.0,
             max_turn_deg: 5.0,
             correction: Correction::SectionPlane,
+            max_tilt_deg: 45.0,
+            tilt_rate_deg_mm: 5.0,
+            tilt_rate_deg_s: 90.0,
         }
     }
 }
@@ -341,11 +390,13 @@ mod tests {
         job.layers.offset_mm = Offset::FromLowest(0.25);
         job.surfaces.edits =
             vec![SurfaceEdit::Merge { merge: vec![1, 2] }, SurfaceEdit::Split { split: 3, angle_deg: 4.0 }];
+        job.surfaces.edits.push(SurfaceEdit::Cut { cut: 4, facets: vec![7, 9] });
+        job.clean.later = vec![12];
         job.surfaces.names.insert("4".into(), "Dichtfläche".into());
         let text = toml::to_string(&job).expect("writes");
         assert_eq!(toml::from_str::<Job>(&text).expect("reads"), job);
         let all: Job = toml::from_str("[clean]\nsurfaces = \"all\"").expect("reads");
-        assert_eq!(all, Job { clean: Clean { surfaces: Chosen::All }, ..Job::default() });
+        assert_eq!(all, Job { clean: Clean { surfaces: Chosen::All, later: Vec::new() }, ..Job::default() });
     }
 
     #[test]

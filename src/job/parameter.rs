@@ -49,7 +49,7 @@ macro_rules! parameter {
 }
 
 /// The table, in the order of the panel. `a .. b`: from a to b; `a < b`: above a, to b.
-pub const PARAMETERS: [Parameter; 14] = [
+pub const PARAMETERS: [Parameter; 27] = [
     parameter!(
         Some("angle"),
         "surfaces.angle_deg",
@@ -169,6 +169,136 @@ pub const PARAMETERS: [Parameter; 14] = [
         "",
         "Diameter of the spot on the part",
         beam.spot_mm
+    ),
+    parameter!(
+        Some("margin"),
+        "beam.margin_mm",
+        "Margin",
+        "mm",
+        0.0..50.0,
+        "",
+        "What cone and head keep from everything; it counts once a head is given",
+        beam.margin_mm
+    ),
+    parameter!(
+        Some("max-tilt"),
+        "path.max_tilt_deg",
+        "Greatest tilt",
+        "°",
+        0.0..75.0,
+        "",
+        "Greatest angle between beam and normal that the search for clearance may take, and that is planned with a head",
+        path.max_tilt_deg
+    ),
+    parameter!(
+        None,
+        "path.tilt_rate_deg_mm",
+        "Tilt rate",
+        "°/mm",
+        0.0 < 1000.0,
+        "",
+        "How fast the search for clearance may turn the beam against the normal along the line",
+        path.tilt_rate_deg_mm
+    ),
+    parameter!(
+        None,
+        "path.tilt_rate_deg_s",
+        "Tilt speed",
+        "°/s",
+        0.0 < 10000.0,
+        "",
+        "The same over time, at the spot's speed",
+        path.tilt_rate_deg_s
+    ),
+    parameter!(
+        None,
+        "optics.lens_to_focus_mm",
+        "Lens to focus",
+        "mm",
+        1.0..5000.0,
+        "",
+        "From the last glass to the focus; the beam's cone ends there",
+        optics.lens_to_focus_mm
+    ),
+    parameter!(
+        None,
+        "optics.aperture_mm",
+        "Aperture",
+        "mm",
+        0.1..500.0,
+        "",
+        "Diameter of the beam at the last glass",
+        optics.aperture_mm
+    ),
+    parameter!(
+        None,
+        "optics.focus_spot_mm",
+        "Spot at the focus",
+        "mm",
+        0.001..50.0,
+        "d0",
+        "Diameter of the beam at its focus",
+        optics.focus_spot_mm
+    ),
+    parameter!(
+        None,
+        "optics.rayleigh_mm",
+        "Rayleigh length",
+        "mm",
+        0.001..10000.0,
+        "zR",
+        "Distance from the focus at which the spot is 1.41 times as wide",
+        optics.rayleigh_mm
+    ),
+    parameter!(
+        None,
+        "optics.wavelength_nm",
+        "Wavelength",
+        "nm",
+        100.0..20000.0,
+        "λ",
+        "Of the laser; it enters the beam quality M² alone",
+        optics.wavelength_nm
+    ),
+    parameter!(
+        None,
+        "dose.line_mm",
+        "Scanned width",
+        "mm",
+        0.0 < 500.0,
+        "",
+        "Width of a scanned line across the travel direction; it counts with the profile line",
+        dose.line_mm
+    ),
+    parameter!(
+        None,
+        "dose.low_j_cm2",
+        "Least dose",
+        "J/cm²",
+        0.0..1e9,
+        "",
+        "Less leaves the surface unclean; 0 = half of P/(v·d)",
+        dose.low_j_cm2
+    ),
+    parameter!(
+        None,
+        "dose.high_j_cm2",
+        "Greatest dose",
+        "J/cm²",
+        0.0..1e9,
+        "",
+        "More harms the surface; 0 = twice P/(v·d)",
+        dose.high_j_cm2
+    ),
+    parameter!(
+        None,
+        "dose.collateral_j_cm2",
+        "Collateral dose",
+        "J/cm²",
+        0.0..1e9,
+        "",
+        "Surfaces that were not chosen may get so much; 0 = a tenth of P/(v·d)",
+        dose.collateral_j_cm2
     ),
     parameter!(
         None,

@@ -4,6 +4,7 @@
 use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
+use crate::beam::{Body, Head, Tool};
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
@@ -12,12 +13,13 @@ use crate::path::chord::ChordLimits;
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{Correction, LineRules, Pass, State, plan_line};
+use crate::pose::{Correction, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
+use crate::program::sweep::{Proof, Prover};
 use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,6 +35,9 @@ pub struct SurfacePlan {
     pub passes: Vec<Pass>,
     /// What no line reaches.
     pub coverage: Coverage,
+    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
+    /// same limits.
+    pub by_section_plane: Option<Vec<Option<Pass>>>,
 }
 
 /// A plan.
@@ -51,6 +56,8 @@ pub struct Plan {
     pub refusals: Vec<Refusal>,
     /// The program over time; without a robot nothing is known of moves by joints.
     pub timeline: Option<Timeline>,
+    /// What is proven of its moves with the laser on.
+    pub proof: Option<Proof>,
     /// The frames it was made for.
     pub cell: Option<CellReport>,
     /// Speeds it was made for.
@@ -137,7 +144,7 @@ pub fn segmented(part: &Part, job: &Job) -> Surfaces {
 
 /// Numbers of the surfaces to clean, checked.
 fn chosen(surfaces: &Surfaces, job: &Job) -> Result<Vec<u32>, PlanError> {
-    let list = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
+    let list = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
     if list.is_empty() {
         return Err(PlanError::Nothing);
     }
@@ -181,16 +188,22 @@ pub fn plan(
         job.layers.spacing_mm,
         job.layers.offset_mm.mm(),
     );
+    let body = body(job, setup);
     let rules = rules(job);
     progress.begin("planning", families.iter().map(|f| f.heights_mm.len()).sum());
     let planned: Vec<(Digest, Arc<SurfacePlan>)> = families
         .into_par_iter()
         .map(|family| {
-            let key = key(part, surfaces, &family, job, &rules);
+            let rules = LineRules {
+                tilt: job.tilts.iter().find(|t| t.surface == family.surface).cloned().unwrap_or_default(),
+                pins: job.pins.iter().filter(|p| p.surface == family.surface).copied().collect(),
+                ..rules.clone()
+            };
+            let key = key(part, surfaces, &family, job, &rules, &setup.tool);
             if let Some(known) = cache.get(&key) {
                 return Ok((key, known));
             }
-            let made = plan_surface(part, surfaces, family, job, &rules, size_mm, progress)?;
+            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, size_mm, progress)?;
             Ok((key, Arc::new(made)))
         })
         .collect::<Result<_, PlanError>>()?;
@@ -204,16 +217,23 @@ pub fn plan(
         Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
-            let straight = Straight {
-                part,
-                mounted: setup.mounted(),
-                defocus_mm: speeds.defocus_mm,
-                deviation_mm: job.cell.deviation_mm,
-            };
+            let straight = straight(part, setup, job);
             settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, &speeds))?;
         }
     }
+    plan.proof = Some(prover(part, setup, job).prove(&plan.steps.lit_moves(&setup.mounted())));
     Ok(plan)
+}
+
+/// What proves the lit moves of a job.
+pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
+    let deviation_mm = job.cell.deviation_mm;
+    let (defocus_mm, sag_mm) = (job.beam.defocus_mm, job.path.chord_error_mm);
+    Prover::new(part, body(job, setup).as_ref(), setup.mounted(), defocus_mm, deviation_mm, sag_mm)
+}
+
+fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
+    Straight { prover: prover(part, setup, job), deviation_mm: job.cell.deviation_mm }
 }
 
 fn speeds(job: &Job) -> Speeds {
@@ -248,7 +268,7 @@ pub(super) fn drive(
         mounted: setup.mounted(),
         robot,
         speeds,
-        deviation_mm: job.cell.deviation_mm,
+        straight: straight(part, setup, job),
         collision: collision.as_ref(),
         go_on: &go_on,
         known: Known::default(),
@@ -368,7 +388,17 @@ fn rules(job: &Job) -> LineRules {
             max_turn_deg: job.path.max_turn_deg,
         },
         correction: job.path.correction,
+        max_tilt_deg: job.path.max_tilt_deg,
+        tilt_rate_deg_mm: job.path.tilt_rate_deg_mm.min(job.path.tilt_rate_deg_s / job.beam.speed_mm_s),
+        tilt: TiltRule::default(),
+        pins: Vec::new(),
     }
+}
+
+/// What stands around the beam; `None`: the beam is a ray.
+pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
+    let b = &job.beam;
+    Body::new(&setup.tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm)
 }
 
 fn plan_surface(
@@ -376,6 +406,7 @@ fn plan_surface(
     surfaces: &Surfaces,
     planes: SurfacePlanes,
     job: &Job,
+    body: Option<&Body<'_>>,
     rules: &LineRules,
     size_mm: f64,
     progress: &Progress,
@@ -387,28 +418,56 @@ fn plan_surface(
         section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
     let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);
     let lines = order::ordered(lines, job.layers.order, &planes.normal);
-    let passes = lines
+    let is_searched = rules.correction == Correction::Clearance;
+    let both = lines
         .par_iter()
-        .map(|line| {
+        .enumerate()
+        .map(|(number, line)| {
             progress.step()?;
-            Ok(plan_line(part, surface.number, line, &planes.normal, rules))
+            let name = (surface.number, number as u32);
+            let pass = plan_line(part, body, name, line, &planes.normal, rules);
+            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
+            let other = (is_searched && interferes)
+                .then(|| plan_line_by_section_plane(part, body, name, line, &planes.normal, rules));
+            Ok((pass, other))
         })
-        .collect::<Result<Vec<Pass>, Cancelled>>()?;
-    Ok(SurfacePlan { planes, passes, coverage })
+        .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
+    let (passes, others): (Vec<_>, Vec<_>) = both.into_iter().unzip();
+    Ok(SurfacePlan { planes, passes, coverage, by_section_plane: is_searched.then_some(others) })
 }
 
-fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rules: &LineRules) -> Digest {
+/// Of all that the poses of a surface depend on.
+fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rules: &LineRules, tool: &Tool) -> Digest {
     let facets = surfaces.get(planes.surface).map_or(&[][..], |s| &s.facets);
     let flipped = job.surfaces.flipped.contains(&planes.surface);
     let one_way = job.layers.order == Order::OneWay;
-    let corrected = rules.correction == Correction::SectionPlane;
-    Hasher::default()
+    let mut hasher = Hasher::default()
         .digest(part.digest)
         .u32s(facets)
-        .u32s(&[planes.surface, flipped.into(), one_way.into(), corrected.into()])
+        .u32s(&[planes.surface, flipped.into(), one_way.into(), rules.correction as u32])
         .f64s(planes.normal.as_slice())
         .f64s(&planes.heights_mm)
-        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm])
+        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm, rules.max_dense_turn_deg])
         .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
-        .finish()
+        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm])
+        .f64s(&[rules.tilt.preferred.lead_deg, rules.tilt.preferred.lean_deg, rules.tilt.least_deg])
+        .u32s(&rules.tilt.forbidden.iter().map(|s| *s as u32).collect::<Vec<_>>());
+    for pin in &rules.pins {
+        hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
+    }
+    for p in tool.head.iter().flat_map(Head::stack) {
+        hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
+    }
+    for clamp in &tool.clamps {
+        hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);
+    }
+    if tool.head.is_some() || !tool.clamps.is_empty() {
+        let (b, o) = (&job.beam, &job.optics);
+        hasher = hasher.f64s(&[b.defocus_mm, b.spot_mm, b.margin_mm]).f64s(&[
+            o.lens_to_focus_mm,
+            o.aperture_mm,
+            o.focus_spot_mm,
+        ]);
+    }
+    hasher.finish()
 }

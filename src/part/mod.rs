@@ -12,6 +12,7 @@ pub mod load;
 pub mod merge_tree;
 pub mod orient;
 pub mod placement;
+pub mod rpy;
 pub mod shape;
 pub mod stl;
 mod stl_text;

@@ -3,7 +3,8 @@
 
 use super::palette::Rgb;
 use super::solid::{Solid, along};
-use crate::cell::bodies::{HeadCapsule, Obstacle};
+use crate::beam::Obstacle;
+use crate::cell::bodies::HeadCapsule;
 use crate::cell::{Joints, Mount, Robot, Setup};
 use crate::part::Hasher;
 use crate::view::{Bounds, Depth, LineItem, LineSegment, MeshItem, PointItem};
@@ -218,7 +219,7 @@ fn obstacle(o: &Obstacle) -> MeshItem {
         colors_key: 0,
         facet_colors: Arc::new(vec![[r, g, b, 255]; mesh.facets.len()]),
         edges: None,
-        scene_from_item: o.frame().isometry(),
+        scene_from_item: o.at(),
     }
 }
 

@@ -11,17 +11,20 @@ pub enum Correction {
     /// P1 3.2: turned within the section plane.
     #[default]
     SectionPlane,
+    /// Turned in two degrees of freedom, along the whole line at once.
+    Clearance,
 }
 
 impl Correction {
     /// All corrections, as offered.
-    pub const ALL: [Correction; 2] = [Correction::SectionPlane, Correction::None];
+    pub const ALL: [Correction; 3] = [Correction::SectionPlane, Correction::Clearance, Correction::None];
 
     /// The word used on the command line and in jobs.
     pub fn word(self) -> &'static str {
         match self {
             Correction::None => "none",
             Correction::SectionPlane => "section-plane",
+            Correction::Clearance => "clearance",
         }
     }
 

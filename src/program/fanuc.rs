@@ -9,9 +9,10 @@ use super::fanuc_reader;
 use super::lines::{Line, Move};
 use super::pages::pages;
 use super::steps::{Pace, Way};
+use crate::cell::Setup;
 use crate::cell::controllers::Fanuc as Words;
 use crate::cell::controllers::words::{check_template, cut, filled, fixed, plain, text};
-use crate::cell::{Setup, rpy};
+use crate::part::rpy;
 
 /// The dialect.
 pub struct Fanuc;

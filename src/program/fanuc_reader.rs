@@ -6,7 +6,7 @@ use super::reading::{Found, wrong};
 use super::steps::{Pace, Way};
 use crate::cell::controllers::Fanuc as Words;
 use crate::cell::controllers::words::{matched, matched_key, number, said_lines};
-use crate::cell::rpy;
+use crate::part::rpy;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use std::collections::BTreeMap;
 

@@ -4,7 +4,8 @@
 use super::lines::Line;
 use super::steps::Way;
 use crate::cell::controllers::words::{fixed, number};
-use crate::cell::{Joints, Setup, rpy};
+use crate::cell::{Joints, Setup};
+use crate::part::rpy;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 /// Decimals of millimetres in a program: half a micrometre.

@@ -24,6 +24,7 @@ mod reading;
 mod round;
 pub mod series;
 pub mod steps;
+pub mod sweep;
 pub mod timeline;
 pub mod trapezoid;
 pub mod ur;

@@ -10,9 +10,10 @@ use super::lines::{Line, Move};
 use super::nachi_reader;
 use super::pages::{moves, pages};
 use super::steps::{Pace, Way};
+use crate::cell::Cell;
 use crate::cell::controllers::words::{check_template, filled, fixed, plain, text};
 use crate::cell::controllers::{Nachi as Words, NachiForm};
-use crate::cell::{Cell, rpy};
+use crate::part::rpy;
 use nalgebra::Isometry3;
 
 /// The dialect.

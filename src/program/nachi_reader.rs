@@ -5,7 +5,7 @@ use super::reading::{Found, wrong};
 use super::steps::{Pace, Way};
 use crate::cell::controllers::Nachi as Words;
 use crate::cell::controllers::words::{matched, matched_key, number, numbers, said_lines};
-use crate::cell::rpy;
+use crate::part::rpy;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 /// Reads a program and those it calls.

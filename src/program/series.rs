@@ -2,7 +2,8 @@
 //! far everything keeps from everything else.
 
 use super::timeline::Timeline;
-use crate::cell::{Collision, Contact, Joints, rpy};
+use crate::cell::{Collision, Contact, Joints};
+use crate::part::rpy;
 use rayon::prelude::*;
 
 /// One moment of the curves.

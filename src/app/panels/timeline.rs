@@ -3,8 +3,8 @@
 
 use super::super::command::Command;
 use super::super::{App, theme};
-use crate::cell::rpy;
 use crate::job::Plan;
+use crate::part::rpy;
 use crate::picture::palette::state;
 use crate::pose::State;
 use crate::program::Timeline;

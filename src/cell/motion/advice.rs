@@ -6,8 +6,9 @@
 
 use super::states::Arm;
 use crate::cell::collision::Collision;
-use crate::cell::{Frame, Mount, Robot, Setup, Spin, rpy};
+use crate::cell::{Frame, Mount, Robot, Setup, Spin};
 use crate::part::Part;
+use crate::part::rpy;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rayon::prelude::*;

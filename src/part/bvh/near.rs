@@ -17,6 +17,13 @@ impl Bvh {
         Some((centre, far2.sqrt()))
     }
 
+    /// Centre and radius of the sphere around the box of all facets, mm: wider than [`Self::sphere`],
+    /// and known at once.
+    pub fn sphere_of_box(&self) -> Option<(Point3<f64>, f64)> {
+        let b = &self.nodes.first()?.bounds;
+        Some((Point3::from(Vector3::from_fn(|k, _| b.middle(k))), 0.5 * self.diagonal_mm()))
+    }
+
     /// A corner of some facet.
     pub fn corner(&self) -> Option<Point3<f64>> {
         self.corners.first().map(|[a, ..]| *a)
@@ -31,6 +38,34 @@ impl Bvh {
             if near { -1.0 } else { segment.length }
         });
         near
+    }
+
+    /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` says no.
+    pub fn visit_near_boxes(
+        &self,
+        near: impl Fn(&[f64; 3], &[f64; 3]) -> bool,
+        mut visit: impl FnMut(u32, &[Point3<f64>; 3]) -> bool,
+    ) {
+        let mut stack = [0u32; 96];
+        let mut depth = usize::from(!self.nodes.is_empty());
+        while depth > 0 {
+            depth -= 1;
+            let node = &self.nodes[stack[depth] as usize];
+            if !near(&node.bounds.lo, &node.bounds.hi) {
+                continue;
+            }
+            if node.count > 0 {
+                for i in node.at as usize..(node.at + node.count) as usize {
+                    if !visit(self.facet[i], &self.corners[i]) {
+                        return;
+                    }
+                }
+            } else {
+                stack[depth] = node.at;
+                stack[depth + 1] = node.at + 1;
+                depth += 2;
+            }
+        }
     }
 
     /// Whether a facet of this mesh is within `reach_mm` of one of the other.

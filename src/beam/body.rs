@@ -1,0 +1,155 @@
+//! The space that beam and head take up at a pose: cut cones about the axis, from the point on the
+//! part upwards.
+//!
+//! # The spot's own neighbourhood
+//! A beam of any width touches the surface that it works on. What it is allowed to be near is told by
+//! direction, not by distance: beam and margin together count only within [`OWN_CONE_DEG`] of the axis
+//! as seen from the spot. Facets that the spot stands on or beside are outside of that cone as long as
+//! the beam stands more steeply on them than the cone's half angle; a wall 0.2 mm away enters it at a
+//! height of 0.2/tan 15° = 0.75 mm, and is seen.
+
+use super::frustum::Frustum;
+use super::head::{Head, HeadPart};
+use super::optics::Optics;
+use super::{Obstacle, Tool};
+
+/// Half angle of the cone within which beam and margin count, degrees.
+///
+/// Bracketed from below by a wall 1 mm high 0.2 mm beside the spot, which must be seen (11.4°); from
+/// above by the root of a V-groove of 60°, which a beam along the bisector must reach (30°), and by a
+/// fillet as narrow as spot and margin, whose bottom is no obstacle (45°).
+pub const OWN_CONE_DEG: f64 = 15.0;
+
+/// Its tangent.
+pub(crate) const OWN_SLOPE: f64 = 0.267_949_192_431_122_7;
+
+/// Its sine.
+pub(crate) const OWN_SINE: f64 = 0.258_819_045_102_520_74;
+
+/// The beam is looked at from here on, mm above the spot: nearer, even that cone is within the rounding
+/// of f32 coordinates on a large part.
+pub(crate) const START_MM: f64 = 0.05;
+
+/// Beam, head and clamps, ready to be asked for many poses.
+#[derive(Clone, Debug)]
+pub struct Body<'a> {
+    /// D, mm.
+    pub defocus_mm: f64,
+    /// What beam and head keep from everything, mm.
+    pub margin_mm: f64,
+    /// The beam, wider by the margin, within the cone of its own neighbourhood.
+    pub beam: Vec<Frustum>,
+    /// The head, as it is.
+    pub head: Vec<Frustum>,
+    /// What stands on the part, in its frame.
+    pub clamps: &'a [Obstacle],
+    /// Whether there is a head; without one the beam is a ray, and keeps no margin.
+    pub has_head: bool,
+    /// The beam's radius along t, mm: corners of a line.
+    profile: Vec<(f64, f64)>,
+}
+
+impl<'a> Body<'a> {
+    /// The tool of a job. `spot_mm` is the spot's diameter on the part at the defocus distance.
+    /// `None`: the beam is a ray, and nothing is clamped on.
+    pub fn new(tool: &'a Tool, optics: &Optics, spot_mm: f64, defocus_mm: f64, margin_mm: f64) -> Option<Body<'a>> {
+        if tool.head.is_none() && tool.clamps.is_empty() {
+            return None;
+        }
+        let shifted = |p: &HeadPart| Frustum {
+            t0_mm: p.from_mm + defocus_mm,
+            t1_mm: p.to_mm + defocus_mm,
+            r0_mm: p.r0_mm,
+            r1_mm: p.r1_mm,
+        };
+        let has_head = tool.head.is_some();
+        let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { vec![(0.0, RAY_MM), (1e4, RAY_MM)] };
+        let margin_mm = if has_head { margin_mm } else { 0.0 };
+        Some(Body {
+            defocus_mm,
+            margin_mm,
+            beam: widened(&profile, margin_mm),
+            head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
+            clamps: &tool.clamps,
+            has_head,
+            profile,
+        })
+    }
+
+    /// The same with another margin.
+    pub fn with_margin(&self, margin_mm: f64) -> Body<'a> {
+        Body { margin_mm, beam: self.beam_with(margin_mm), ..self.clone() }
+    }
+
+    /// The beam with another margin.
+    pub fn beam_with(&self, margin_mm: f64) -> Vec<Frustum> {
+        widened(&self.profile, margin_mm)
+    }
+}
+
+/// Radius of a ray, mm: what it keeps from clamps, and the part.
+const RAY_MM: f64 = 0.02;
+
+/// Spot, waist and aperture joined by straight lines: outside of the beam's own curve, which bends
+/// outwards.
+fn profile(optics: &Optics, spot_mm: f64, defocus_mm: f64) -> Vec<(f64, f64)> {
+    let mut out = vec![(0.0, 0.5 * spot_mm)];
+    if defocus_mm > 0.0 {
+        out.push((defocus_mm, 0.5 * optics.focus_spot_mm));
+    }
+    out.push((defocus_mm + optics.lens_to_focus_mm, 0.5 * optics.aperture_mm));
+    out
+}
+
+/// A beam wider by the margin, but no wider than the cone of its own neighbourhood.
+fn widened(profile: &[(f64, f64)], margin_mm: f64) -> Vec<Frustum> {
+    let mut out = Vec::new();
+    for w in profile.windows(2) {
+        let ((t0, r0), (t1, r1)) = (w[0], w[1]);
+        let start = t0.max(START_MM);
+        if t1 <= start {
+            continue;
+        }
+        let slope = (r1 - r0) / (t1 - t0);
+        // Where the two are as wide as each other.
+        let even = (r0 + margin_mm - slope * t0) / (OWN_SLOPE - slope);
+        let mut stops = vec![start];
+        stops.extend([even].into_iter().filter(|t| *t > start && *t < t1));
+        stops.push(t1);
+        let radius = |t: f64| (r0 + slope * (t - t0) + margin_mm).min(OWN_SLOPE * t);
+        out.extend(stops.windows(2).map(|s| Frustum {
+            t0_mm: s[0],
+            t1_mm: s[1],
+            r0_mm: radius(s[0]),
+            r1_mm: radius(s[1]),
+        }));
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slope_is_that_of_the_angle() {
+        assert_eq!(OWN_SLOPE, libm::tan(OWN_CONE_DEG.to_radians()));
+        assert_eq!(OWN_SINE, libm::sin(OWN_CONE_DEG.to_radians()));
+    }
+
+    #[test]
+    fn the_cone_has_no_gap_and_keeps_to_both_bounds() {
+        let tool = Tool { head: Some(Head::Stack(Vec::new())), clamps: Vec::new() };
+        for defocus_mm in [-15.0, 0.0, 20.0] {
+            let body = Body::new(&tool, &Optics::default(), 1.0, defocus_mm, 0.5).expect("a head");
+            assert!(body.beam.windows(2).all(|w| (w[0].t1_mm, w[0].r1_mm) == (w[1].t0_mm, w[1].r0_mm)));
+            let last = body.beam[body.beam.len() - 1];
+            assert!((last.t1_mm - defocus_mm - 200.0).abs() < 1e-9 && (last.r1_mm - 5.5).abs() < 1e-9);
+            for f in &body.beam {
+                assert!(f.r0_mm <= OWN_SLOPE * f.t0_mm + 1e-12 && f.r1_mm <= OWN_SLOPE * f.t1_mm + 1e-12);
+            }
+            let waist = body.beam.iter().map(|f| f.r0_mm).skip(1).fold(f64::INFINITY, f64::min);
+            assert!(defocus_mm <= 0.0 || (waist - 0.55).abs() < 1e-9, "{waist}");
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! A body of facets that stands somewhere: a clamp on the part, a fixture or a fence in the cell.
+//!
+//! In whose frame it stands is said where it is listed.
+
+use crate::part::{self, LoadError, Part, Placement, Units, rpy};
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use std::sync::Arc;
+
+/// An STL file and where it stands.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Obstacle {
+    /// STL file, relative to the file that names it.
+    pub file: String,
+    /// Origin of the file, mm.
+    #[serde(default)]
+    pub position_mm: [f64; 3],
+    /// Rotation about Z, Y and X, degrees.
+    #[serde(default)]
+    pub rz_ry_rx_deg: [f64; 3],
+    /// Unit of the file.
+    #[serde(default)]
+    pub units: Units,
+    /// What the file held.
+    #[serde(skip)]
+    solid: Arc<Part>,
+}
+
+impl PartialEq for Obstacle {
+    fn eq(&self, other: &Obstacle) -> bool {
+        let told = |o: &Obstacle| (o.position_mm, o.rz_ry_rx_deg, o.units, o.solid.digest);
+        self.file == other.file && told(self) == told(other)
+    }
+}
+
+impl Obstacle {
+    /// An obstacle at the origin whose file is still to be read.
+    pub fn named(file: String) -> Obstacle {
+        Obstacle { file, position_mm: [0.0; 3], rz_ry_rx_deg: [0.0; 3], units: Units::default(), solid: Arc::default() }
+    }
+
+    /// Its facets in the frame of its file, mm; none until they are read.
+    pub fn solid(&self) -> &Part {
+        &self.solid
+    }
+
+    /// Where it stands.
+    pub fn at(&self) -> Isometry3<f64> {
+        let turn = UnitQuaternion::from_rotation_matrix(&rpy::to_rotation(self.rz_ry_rx_deg));
+        Isometry3::from_parts(Translation3::from(self.position_mm), turn)
+    }
+
+    /// Reads its file, which is named relative to `folder`.
+    ///
+    /// # Errors
+    /// The file cannot be read or is no STL; it is named.
+    pub fn load(&mut self, folder: Option<&Path>) -> Result<(), LoadError> {
+        let file = folder.map_or_else(|| self.file.clone().into(), |f| f.join(&self.file));
+        self.solid = Arc::new(part::load(&file, self.units, &Placement::default(), &[])?);
+        Ok(())
+    }
+}
