@@ -6,6 +6,7 @@
 //! what was found. A point is called blocked only when no direction half a degree apart is free. The
 //! result is drawn to the aim as far as it stays free; the caller tests it again.
 
+mod bins;
 pub mod free_set;
 mod grid;
 mod polish;

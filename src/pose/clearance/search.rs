@@ -6,6 +6,7 @@
 //! is made again from that layer on. The laser may be off between layers: blocked length counts before
 //! splits, and splits before all else.
 
+use super::bins::Bins;
 use super::grid::{self, Cell};
 use super::track::{Lean, Track};
 use crate::pose::Beam;
@@ -326,45 +327,12 @@ impl Dp<'_> {
     }
 
     fn told(&self, chain: &Steps) -> Chain {
-        let tilts = |which: fn(&(Option<usize>, Option<usize>)) -> Option<usize>| {
-            chain.iter().zip(self.layers).map(|(s, l)| which(s).map(|u| l.tilts[u])).collect()
-        };
+        let tilt = |k: usize, u: Option<usize>| u.map(|u| self.layers[k].tilts[u]);
+        let arrive = chain.iter().enumerate().map(|(k, s)| tilt(k, s.0)).collect();
+        let leave = chain.iter().enumerate().map(|(k, s)| tilt(k, s.1)).collect();
         let cost = self.stages.last().map_or(Cost::default(), |end| {
             end.arrive.iter().flatten().map(|a| a.0).fold(end.off.0, |x, y| if y <= x { y } else { x })
         });
-        Chain { arrive: tilts(|s| s.0), leave: tilts(|s| s.1), cost }
-    }
-}
-
-/// Candidates by place, so that those within reach are found without looking at all.
-struct Bins {
-    width_deg: f64,
-    /// Row, column and index, in order.
-    list: Vec<(i32, i32, usize)>,
-}
-
-impl Bins {
-    fn new(tilts: &[Lean], weight: &[Option<f64>], width_deg: f64) -> Bins {
-        let mut bins = Bins { width_deg: width_deg.max(0.05), list: Vec::new() };
-        for (i, t) in tilts.iter().enumerate().filter(|(i, _)| weight[*i].is_some()) {
-            let (row, column) = bins.place(t);
-            bins.list.push((row, column, i));
-        }
-        bins.list.sort_unstable();
-        bins
-    }
-
-    fn place(&self, t: &Lean) -> (i32, i32) {
-        ((t.y / self.width_deg).floor() as i32, (t.x / self.width_deg).floor() as i32)
-    }
-
-    fn near(&self, t: &Lean, mut with: impl FnMut(usize)) {
-        let (row, column) = self.place(t);
-        for r in row - 1..=row + 1 {
-            let from = self.list.partition_point(|x| (x.0, x.1) < (r, column - 1));
-            for x in self.list[from..].iter().take_while(|x| (x.0, x.1) <= (r, column + 1)) {
-                with(x.2);
-            }
-        }
+        Chain { arrive, leave, cost }
     }
 }
