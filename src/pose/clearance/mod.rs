@@ -8,12 +8,14 @@
 
 mod bins;
 pub mod free_set;
+mod freedom;
 mod grid;
 mod polish;
 mod rows;
 mod search;
 mod track;
 mod window;
+mod windows;
 
 pub use free_set::{Direction, free_set};
 
@@ -25,7 +27,7 @@ use crate::path::DensePoint;
 use crate::path::dense;
 use nalgebra::Vector3;
 use track::Track;
-use window::Windows;
+use windows::Windows;
 
 /// A point of the corrected line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +80,7 @@ pub fn correct(
         (Track::new(&points, &tangents, (&places, round_mm), &rules.tilt, &pins, limits), free)
     };
     let ok = &windows.ok[..count];
-    let (seam, held) = match window::middle_of_longest(ok) {
+    let (seam, held) = match windows::middle_of_longest(ok) {
         Some(seam) => (seam, None),
         None => {
             let stands = windows.corrected(None);

@@ -3,7 +3,7 @@
 
 use super::Row;
 use super::track::{Lean, Site, Track};
-use super::window::Stand;
+use super::windows::Stand;
 use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
