@@ -235,7 +235,7 @@ fn tooth_gaps(part: &Part) -> (Vec<u32>, Surfaces) {
         .collect();
     let lowest = |e: &SurfaceEdit| match e {
         SurfaceEdit::Merge { merge } => merge.iter().min().copied(),
-        SurfaceEdit::Split { .. } => None,
+        SurfaceEdit::Split { .. } | SurfaceEdit::Cut { .. } => None,
     };
     (edits.iter().filter_map(lowest).collect(), cut(&edits))
 }

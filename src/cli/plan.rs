@@ -4,7 +4,7 @@ use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::job::advice;
 use crate::job::plan::segmented;
-use crate::job::report::{Report, hours};
+use crate::job::report::hours;
 use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
 use std::path::{Path, PathBuf};
 
@@ -67,9 +67,8 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
         other => Failure::Failed(other.into()),
     })?;
-    let written =
+    let (written, report) =
         output::write(&a.out, &job, job_file, &part, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
-    let report = Report::new(&plan, &surfaces);
     if a.json {
         let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));

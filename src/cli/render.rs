@@ -4,8 +4,8 @@ use super::{Failure, Outcome, print};
 use crate::job::plan::segmented;
 use crate::job::{self, Cache, Chosen, Job, Progress, files};
 use crate::part::Part;
-use crate::picture::{PartLook, PartPicture, PathLook, paths};
-use crate::view::{Camera, HeadlessGl, Renderer, Scene, StandardView, ViewSize};
+use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
+use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use anyhow::{Context as _, anyhow};
 use std::io::Cursor;
 use std::path::PathBuf;
@@ -24,6 +24,25 @@ pub struct Arguments {
     /// iso, front, back, left, right, top or bottom
     #[arg(long, default_value = "iso", value_parser = view)]
     view: StandardView,
+    /// What the colours tell: surface, dose or incidence
+    #[arg(long, default_value = "surface", value_parser = color)]
+    color: Color,
+}
+
+/// What the colours tell.
+#[derive(Clone, Copy, Debug)]
+enum Color {
+    Surface,
+    Dose(DoseLook),
+}
+
+fn color(text: &str) -> Result<Color, String> {
+    match text {
+        "surface" => Ok(Color::Surface),
+        "dose" => Ok(Color::Dose(DoseLook::Dose)),
+        "incidence" => Ok(Color::Dose(DoseLook::Incidence)),
+        _ => Err(format!("{text:?}: give surface, dose or incidence")),
+    }
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
@@ -43,8 +62,9 @@ fn view(text: &str) -> Result<StandardView, String> {
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let (job, job_file) = super::plan::opened(&a.input)?;
     let part = files::load_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
-    let planned = job_file.is_some();
-    let scene = scene(&part, &job, job_file.as_deref(), planned)?;
+    // A part alone is drawn as it is; what lands on it needs a plan.
+    let planned = job_file.is_some() || matches!(a.color, Color::Dose(_));
+    let scene = scene(&part, &job, job_file.as_deref(), planned, a.color)?;
     let (min, max) = part.mesh.bounds();
     let bounds = crate::view::Bounds { min, max };
     let pixels = ViewSize::new(f64::from(a.size[0]), f64::from(a.size[1]));
@@ -61,7 +81,13 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-fn scene(part: &Part, job: &Job, job_file: Option<&std::path::Path>, planned: bool) -> Result<Scene, Failure> {
+fn scene(
+    part: &Part,
+    job: &Job,
+    job_file: Option<&std::path::Path>,
+    planned: bool,
+    color: Color,
+) -> Result<Scene, Failure> {
     let surfaces = segmented(part, job);
     let picture = PartPicture::new(part, &surfaces);
     let mut look = PartLook::default();
@@ -70,7 +96,15 @@ fn scene(part: &Part, job: &Job, job_file: Option<&std::path::Path>, planned: bo
         let setup = files::load_setup(job, job_file).map_err(anyhow::Error::from)?;
         let plan = job::plan(part, &surfaces, job, &setup, &Cache::default(), &Progress::default())
             .map_err(anyhow::Error::from)?;
-        look.chosen = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
+        if let Color::Dose(look) = color {
+            let map =
+                job::dose(part, &surfaces, &plan, job, &setup, &Progress::default()).map_err(anyhow::Error::from)?;
+            let edges = picture.item(&surfaces, &PartLook::default()).edges;
+            let item = dose_item(&map, &surfaces, look);
+            scene.meshes.push(MeshItem { edges, ..item });
+            return Ok(scene);
+        }
+        look.chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
         let path_look = PathLook {
             lines: true,
             frames: false,

@@ -2,10 +2,13 @@
 
 use super::model::{CellFile, Chosen, Job, Offset};
 use super::parameter::Parameter;
+use crate::beam::Obstacle;
 use crate::cell::{Mount, Spin};
-use crate::part::{Placement, SurfaceEdit, Units};
+use crate::part::{Placement, SurfaceEdit, Surfaces, Units};
 use crate::path::{Direction, Order};
-use crate::pose::Correction;
+use crate::pose::{Correction, Pin, TiltRule};
+use crate::process::{Patch, Profile};
+use std::collections::BTreeMap;
 
 /// A change of the document.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,8 +31,16 @@ pub enum Edit {
     Shift(Vec<u32>, i32),
     /// The whole list, in this order.
     Reorder(Vec<u32>),
-    /// A merge or a split of surfaces.
+    /// A merge, a split or a cut of surfaces.
     Surfaces(SurfaceEdit),
+    /// Surfaces are put aside for another job, after some of their facets were cut off for that; back
+    /// they come by [`Edit::Clean`]. See [`Edit::aside`].
+    Later {
+        /// Cuts that make them surfaces of their own.
+        cuts: Vec<SurfaceEdit>,
+        /// Their numbers.
+        surfaces: Vec<u32>,
+    },
     /// Angle, island area or hysteresis changed: its number, and what *To clean* and flipped
     /// surfaces are called afterwards. Merges and splits were made on other numbers and are gone.
     Recut {
@@ -64,6 +75,16 @@ pub enum Edit {
     Dialect(String),
     /// Rotation about the beam axis.
     Spin(Spin),
+    /// A head file, as written in the job; empty takes it away.
+    Head(String),
+    /// What stands on the part.
+    Clamps(Vec<Obstacle>),
+    /// What a surface asks of the tilt; one that asks nothing is taken away.
+    Tilt(TiltRule),
+    /// Tilts set on lines of one surface, in place of those there were.
+    Pins(u32, Vec<Pin>),
+    /// How the power is spread over the spot.
+    Profile(Profile),
 }
 
 impl Edit {
@@ -88,6 +109,10 @@ impl Edit {
             Edit::Reorder(_) => "change order of work".into(),
             Edit::Surfaces(SurfaceEdit::Merge { merge }) => format!("merge {}", some(merge)),
             Edit::Surfaces(SurfaceEdit::Split { split, .. }) => format!("split surface {split}"),
+            Edit::Surfaces(SurfaceEdit::Cut { cut, facets }) => {
+                format!("cut {} facets off surface {cut}", facets.len())
+            }
+            Edit::Later { surfaces, .. } => format!("put {} aside", some(surfaces)),
             Edit::Rename(n, _) => format!("rename surface {n}"),
             Edit::FlipSurface(n) => format!("flip surface {n}"),
             Edit::FlipShell(n) => format!("flip shell {n}"),
@@ -99,7 +124,32 @@ impl Edit {
             Edit::Frames(_) => "change set-up".into(),
             Edit::Dialect(_) => "change dialect".into(),
             Edit::Spin(_) => "change spin".into(),
+            Edit::Head(file) if file.is_empty() => "take the head away".into(),
+            Edit::Head(_) => "change head".into(),
+            Edit::Clamps(_) => "change clamps".into(),
+            Edit::Tilt(rule) => format!("change tilt of surface {}", rule.surface),
+            Edit::Pins(surface, _) => format!("change pinned tilts of surface {surface}"),
+            Edit::Profile(_) => "change beam profile".into(),
         }
+    }
+
+    /// Puts patches that stay unclean aside: each becomes a surface of its own, or the whole surface
+    /// where nothing of it would be left. `None` where no patch holds the larger half of any facet.
+    pub fn aside(patches: &[Patch], surfaces: &Surfaces) -> Option<Edit> {
+        let (mut cuts, mut numbers) = (Vec::new(), Vec::new());
+        let mut left: BTreeMap<u32, usize> = BTreeMap::new();
+        for patch in patches.iter().filter(|p| !p.facets.is_empty()) {
+            let Some(surface) = surfaces.get(patch.surface) else { continue };
+            let left = left.entry(patch.surface).or_insert(surface.facets.len());
+            *left = left.saturating_sub(patch.facets.len());
+            if *left == 0 {
+                numbers.push(patch.surface);
+            } else {
+                cuts.push(SurfaceEdit::Cut { cut: patch.surface, facets: patch.facets.clone() });
+                numbers.push(surfaces.last_number + cuts.len() as u32);
+            }
+        }
+        (!numbers.is_empty()).then_some(Edit::Later { cuts, surfaces: numbers })
     }
 
     /// Applies it. `all` are the numbers of the surfaces that exist, for a job that cleans all.
@@ -114,10 +164,13 @@ impl Edit {
             Edit::Offset(o) => job.layers.offset_mm = *o,
             Edit::Order(o) => job.layers.order = *o,
             Edit::Correction(c) => job.path.correction = *c,
-            Edit::Clean(list) => change_list(job, all, |clean| {
-                clean.retain(|n| !list.contains(n));
-                clean.extend(list);
-            }),
+            Edit::Clean(list) => {
+                change_list(job, all, |clean| {
+                    clean.retain(|n| !list.contains(n));
+                    clean.extend(list);
+                });
+                job.clean.later.retain(|n| !list.contains(n));
+            }
             Edit::Unclean(list) => change_list(job, all, |clean| clean.retain(|n| !list.contains(n))),
             Edit::Shift(list, by) => change_list(job, all, |clean| shift(clean, list, *by)),
             Edit::Reorder(list) => job.clean.surfaces = Chosen::These(list.clone()),
@@ -127,10 +180,18 @@ impl Edit {
                     merged(job, all, merge);
                 }
             }
+            Edit::Later { cuts, surfaces } => {
+                job.surfaces.edits.extend(cuts.iter().cloned());
+                job.clean.later.extend(surfaces.iter().filter(|n| !job.clean.later.contains(n)).collect::<Vec<_>>());
+                if let Chosen::These(list) = &mut job.clean.surfaces {
+                    list.retain(|n| !surfaces.contains(n));
+                }
+            }
             Edit::Recut { key, value, clean, flipped } => {
                 Edit::Set(key, *value).apply(job, all);
                 job.surfaces.edits.clear();
                 job.surfaces.names.clear();
+                job.clean.later.clear();
                 job.surfaces.flipped = flipped.clone();
                 if job.clean.surfaces != Chosen::All {
                     job.clean.surfaces = Chosen::These(clean.clone());
@@ -160,6 +221,21 @@ impl Edit {
             }
             Edit::Dialect(dialect) => job.cell.dialect = dialect.clone(),
             Edit::Spin(spin) => job.cell.spin = *spin,
+            Edit::Head(file) => job.beam.head.clone_from(file),
+            Edit::Clamps(clamps) => job.clamps.clone_from(clamps),
+            Edit::Tilt(rule) => {
+                job.tilts.retain(|t| t.surface != rule.surface);
+                let asks_nothing = *rule == TiltRule { surface: rule.surface, ..TiltRule::default() };
+                if !asks_nothing {
+                    job.tilts.push(rule.clone());
+                    job.tilts.sort_by_key(|t| t.surface);
+                }
+            }
+            Edit::Pins(surface, pins) => {
+                job.pins.retain(|p| p.surface != *surface);
+                job.pins.extend(pins);
+            }
+            Edit::Profile(profile) => job.dose.profile = *profile,
         }
     }
 }
@@ -188,6 +264,7 @@ fn shift(list: &mut [u32], marked: &[u32], by: i32) {
 /// After a merge the kept number stands for all: it is cleaned if any of them was.
 fn merged(job: &mut Job, all: &[u32], merge: &[u32]) {
     let Some(&keep) = merge.iter().min() else { return };
+    job.clean.later.retain(|n| !merge.contains(n));
     if job.clean.surfaces == Chosen::All {
         return;
     }

@@ -5,6 +5,7 @@
 
 pub mod advice;
 pub mod document;
+pub mod dose;
 pub mod edit;
 pub mod files;
 pub mod model;
@@ -16,6 +17,7 @@ pub mod verify;
 
 pub use crate::progress::Progress;
 pub use document::Document;
+pub use dose::dose;
 pub use edit::Edit;
 pub use files::JobError;
 pub use model::{Chosen, Job, Offset};

@@ -103,6 +103,18 @@ impl SurfaceParameters {
 pub struct Clean {
     /// `"all"`, or their numbers in the order of work.
     pub surfaces: Chosen,
+    /// Put aside for another job: they are not planned, whatever `surfaces` says.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub later: Vec<u32>,
+}
+
+impl Clean {
+    /// The surfaces to plan, in the order of work, given all that exist.
+    pub fn numbers(&self, all: impl Iterator<Item = u32>) -> Vec<u32> {
+        let mut list = self.surfaces.numbers(all);
+        list.retain(|n| !self.later.contains(n));
+        list
+    }
 }
 
 /// All surfaces, or some in the order of work.
@@ -378,11 +390,13 @@ mod tests {
         job.layers.offset_mm = Offset::FromLowest(0.25);
         job.surfaces.edits =
             vec![SurfaceEdit::Merge { merge: vec![1, 2] }, SurfaceEdit::Split { split: 3, angle_deg: 4.0 }];
+        job.surfaces.edits.push(SurfaceEdit::Cut { cut: 4, facets: vec![7, 9] });
+        job.clean.later = vec![12];
         job.surfaces.names.insert("4".into(), "Dichtfläche".into());
         let text = toml::to_string(&job).expect("writes");
         assert_eq!(toml::from_str::<Job>(&text).expect("reads"), job);
         let all: Job = toml::from_str("[clean]\nsurfaces = \"all\"").expect("reads");
-        assert_eq!(all, Job { clean: Clean { surfaces: Chosen::All }, ..Job::default() });
+        assert_eq!(all, Job { clean: Clean { surfaces: Chosen::All, later: Vec::new() }, ..Job::default() });
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The files of a finished plan: job, program, report and path. Each appears whole or not at all,
 //! and the same job gives the same bytes.
 
+use super::dose::{self, DoseReport, dose};
 use super::files::{self, JobError};
 use super::model::Job;
 use super::plan::Plan;
@@ -10,6 +11,7 @@ use crate::cell::Setup;
 use crate::cell::motion::Choice;
 use crate::part::{Part, Surfaces};
 use crate::program::{Program, ProgramFile, Timeline, dialects, lines};
+use crate::progress::Progress;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -22,8 +24,8 @@ pub struct OutputFile {
     pub bytes: Vec<u8>,
 }
 
-/// The files of a plan; the program is read back and compared with the plan. `job` names its part and
-/// cell relative to the folder they will stand in.
+/// The files of a plan, and what they report; the program is read back and compared with the plan, and
+/// the dose is computed. `job` names its part and cell relative to the folder they will stand in.
 pub fn files(
     job: &Job,
     part_name: &str,
@@ -31,8 +33,12 @@ pub fn files(
     setup: &Setup,
     plan: &Plan,
     surfaces: &Surfaces,
-) -> Result<Vec<OutputFile>, JobError> {
-    let report = Report::new(plan, surfaces);
+) -> Result<(Vec<OutputFile>, Report), JobError> {
+    let mut report = Report::new(plan, surfaces);
+    let dose = dose(part, surfaces, plan, job, setup, &Progress::default())
+        .map_err(|e| JobError::Write { what: format!("the dose: {e}") })?;
+    let patches = dose::not_cleanable(part, surfaces, plan, job, &dose);
+    report.dose = Some(DoseReport::new(&dose, &patches, surfaces));
     let mut json = serde_json::to_string_pretty(&report).map_err(|e| JobError::Write { what: e.to_string() })?;
     json.push('\n');
     let written = program(job, part_name, setup, plan, &report)?;
@@ -45,7 +51,8 @@ pub fn files(
     if let Some(choice) = &plan.choice {
         out.push(file("joints.csv".into(), joints_csv(plan, choice).into_bytes()));
     }
-    Ok(out)
+    out.push(file("dose.ply".into(), dose::ply(&dose, surfaces)));
+    Ok((out, report))
 }
 
 /// The program's files as they would be written, the one to start first.
@@ -68,9 +75,7 @@ pub fn program(
 
 /// Reads the program's own text, and refuses to hand out one that would not do what was planned.
 fn read_back(part: &Part, job: &Job, setup: &Setup, plan: &Plan, written: &[ProgramFile]) -> Result<(), JobError> {
-    let Some(first) = written.first() else { return Ok(()) };
-    let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let (_, verdict) = verify::check(part, plan, setup, job, first, &open, false)
+    let verdict = verify::check_own(part, plan, setup, job, written)
         .map_err(|what| JobError::Write { what: format!("the program cannot be read back: {what}") })?;
     match verdict.findings.as_slice() {
         [] => Ok(()),
@@ -86,7 +91,7 @@ fn read_back(part: &Part, job: &Job, setup: &Setup, plan: &Plan, written: &[Prog
     }
 }
 
-/// Writes a plan into a folder, made if it is not there.
+/// Writes a plan into a folder, made if it is not there; the files, and what they report.
 ///
 /// # Errors
 /// What could not be written, and why.
@@ -98,18 +103,19 @@ pub fn write(
     setup: &Setup,
     plan: &Plan,
     surfaces: &Surfaces,
-) -> Result<Vec<PathBuf>, JobError> {
+) -> Result<(Vec<PathBuf>, Report), JobError> {
     std::fs::create_dir_all(dir).map_err(|e| JobError::write(dir, &e))?;
     let part_name =
         files::beside(job_file, &job.part.file).file_name().map_or(String::new(), |n| n.to_string_lossy().into());
     let moved = files::rebased(job, job_file, &dir.join("job.toml"))?;
     let mut written = Vec::new();
-    for f in files(&moved, &part_name, part, setup, plan, surfaces)? {
+    let (files, report) = files(&moved, &part_name, part, setup, plan, surfaces)?;
+    for f in files {
         let path = dir.join(&f.name);
         files::write_atomic(&path, &f.bytes)?;
         written.push(path);
     }
-    Ok(written)
+    Ok((written, report))
 }
 
 /// Comments at the head of a program.

@@ -6,7 +6,7 @@ use super::parameter;
 use super::report::CellReport;
 use crate::beam::{Body, Head, Tool};
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Choice, Refusal, Watch, choose};
+use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
@@ -144,7 +144,7 @@ pub fn segmented(part: &Part, job: &Job) -> Surfaces {
 
 /// Numbers of the surfaces to clean, checked.
 fn chosen(surfaces: &Surfaces, job: &Job) -> Result<Vec<u32>, PlanError> {
-    let list = job.clean.surfaces.numbers(surfaces.list.iter().map(|s| s.number));
+    let list = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
     if list.is_empty() {
         return Err(PlanError::Nothing);
     }
@@ -257,31 +257,32 @@ pub(super) fn drive(
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
+    let mut memory = Memory::default();
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
     // What driving refused stays refused, whatever branch is chosen then.
     let mut refused: Vec<Refusal> = Vec::new();
     let mut best: Option<Plan> = None;
+    let drive = Drive {
+        part,
+        setup,
+        mounted: setup.mounted(),
+        robot,
+        speeds,
+        straight: straight(part, setup, job),
+        collision: collision.as_ref(),
+        go_on: &go_on,
+        known: Known::default(),
+    };
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
         (plan.choice, plan.refusals) = (None, Vec::new());
         plan.refuse(&refused);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
         let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
-        let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch);
+        let choice = choose_again(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch, &mut memory);
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);
-        let drive = Drive {
-            part,
-            setup,
-            mounted: setup.mounted(),
-            robot,
-            speeds,
-            straight: straight(part, setup, job),
-            collision: collision.as_ref(),
-            go_on: &go_on,
-            known: Known::default(),
-        };
         let mut shut = Vec::new();
         settle(plan, progress, |plan| {
             let Some(choice) = &plan.choice else { return Ok(Steps::default()) };

@@ -1,5 +1,6 @@
 //! `report.json`: what was planned, in numbers that scripts rely on.
 
+use super::dose::DoseReport;
 use super::plan::Plan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
@@ -59,6 +60,9 @@ pub struct Report {
     pub proven: bool,
     /// The least that beam and head keep from everything at a target with the laser on; null without a head.
     pub min_clearance_mm: Option<f64>,
+    /// What lands; it is computed apart from the plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dose: Option<DoseReport>,
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<CellReport>,
@@ -281,6 +285,7 @@ impl Report {
             proven: plan.proof.as_ref().is_some_and(|p| p.refuted.is_empty()),
             proof: plan.proof.clone(),
             min_clearance_mm: clearance.reduce(f64::min),
+            dose: None,
             cell: plan.cell.clone(),
         }
     }
@@ -341,6 +346,9 @@ impl Report {
         }
         for (cause, count, example) in self.refused() {
             let _ = writeln!(out, "{count} targets refused ({cause}), such as {example}");
+        }
+        if let Some(dose) = &self.dose {
+            out.push_str(&dose.text());
         }
         for s in self.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
             let _ = writeln!(

@@ -8,7 +8,7 @@ use super::merge_tree::{MergeTree, Sets, below};
 use super::topology::{Mesh, NO_EDGE};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How facets become surfaces before the operator's own edits.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +38,13 @@ pub enum SurfaceEdit {
         /// The local angle, degrees.
         angle_deg: f64,
     },
+    /// These of its facets become a surface of their own, under the next number.
+    Cut {
+        /// Surface number.
+        cut: u32,
+        /// Facets, those of other surfaces are passed over.
+        facets: Vec<u32>,
+    },
 }
 
 /// One feature surface.
@@ -60,6 +67,8 @@ pub struct Surfaces {
     pub list: Vec<Surface>,
     /// Facet normals, on the side to be worked on: outward, or turned where the operator said so.
     pub normals: Vec<Vector3<f64>>,
+    /// The highest number that was ever given out: the next surface gets the one after it.
+    pub last_number: u32,
 }
 
 impl Surfaces {
@@ -91,7 +100,7 @@ impl Surfaces {
             }
         }
         let list = listed(mesh, &of_facet);
-        Surfaces { of_facet, list, normals }
+        Surfaces { of_facet, list, normals, last_number: count }
     }
 
     /// The surface of that number.
@@ -240,6 +249,17 @@ fn apply(mesh: &Mesh, dihedral_deg: &[f64], edit: &SurfaceEdit, of_facet: &mut [
             }
             *count += (numbers.len() as u32).saturating_sub(1);
         }
+        SurfaceEdit::Cut { cut, facets } => {
+            let listed: BTreeSet<u32> = facets.iter().copied().collect();
+            let own = |f: usize| of_facet.get(f) == Some(cut);
+            let rest = (0..of_facet.len()).any(|f| own(f) && !listed.contains(&(f as u32)));
+            let mine: Vec<u32> = listed.iter().copied().filter(|&f| own(f as usize)).collect();
+            // The whole surface keeps its number.
+            if rest && !mine.is_empty() {
+                *count += 1;
+                mine.iter().for_each(|&f| of_facet[f as usize] = *count);
+            }
+        }
     }
 }
 
@@ -297,6 +317,11 @@ mod tests {
         let merge = SurfaceEdit::Merge { merge: vec![2, 1] };
         let split = SurfaceEdit::Split { split: 3, angle_deg: 5.0 };
         assert_eq!(segment(&mesh, PLAIN, std::slice::from_ref(&merge)), [1, 1, 3, 3, 4]);
-        assert_eq!(segment(&mesh, PLAIN, &[merge, split]), [1, 1, 3, 5, 4]);
+        assert_eq!(segment(&mesh, PLAIN, &[merge.clone(), split.clone()]), [1, 1, 3, 5, 4]);
+        // Facets 4 to 7 are the two quads of surface 3; those of others are passed over.
+        let cut = |cut: u32, facets: &[u32]| SurfaceEdit::Cut { cut, facets: facets.to_vec() };
+        assert_eq!(segment(&mesh, PLAIN, &[cut(3, &[0, 6, 7, 99])]), [1, 2, 3, 5, 4]);
+        assert_eq!(segment(&mesh, PLAIN, &[merge, cut(3, &[4, 5]), cut(1, &[2, 3])]), [1, 6, 5, 3, 4]);
+        assert_eq!(segment(&mesh, PLAIN, &[cut(3, &[4, 5, 6, 7]), split]), [1, 2, 3, 5, 4], "all of it: no number");
     }
 }

@@ -2,15 +2,21 @@
 //! surface colours, path lines, frames, beams, air moves, the robot cell. The window and `render` share it.
 
 pub mod arm;
+mod colormap;
+pub mod dose;
 pub mod palette;
 pub mod part;
 pub mod paths;
 pub mod section;
 pub mod solid;
+mod tool;
 pub mod trail;
 
 pub use arm::CellPicture;
+pub use colormap::viridis;
+pub use dose::{DoseLook, dose_item};
 pub use palette::Palette;
 pub use part::{PartLook, PartPicture};
 pub use paths::{PathLook, paths};
+pub use tool::ToolPicture;
 pub use trail::Trail;

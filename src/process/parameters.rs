@@ -57,3 +57,28 @@ impl Default for DoseParameters {
         }
     }
 }
+
+/// What is little and what is much, J/cm².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thresholds {
+    /// Less leaves the surface unclean.
+    pub low_j_cm2: f64,
+    /// More harms it.
+    pub high_j_cm2: f64,
+    /// So much may land on a surface that was not chosen.
+    pub collateral_j_cm2: f64,
+}
+
+impl DoseParameters {
+    /// The thresholds of a job: those given, or 0.5, 2 and 0.1 times `P/(v·d)`, what lands on a plate
+    /// on the average with planes d apart.
+    pub fn thresholds(&self, power_w: f64, speed_mm_s: f64, spacing_mm: f64) -> Thresholds {
+        let mean = 100.0 * power_w / (speed_mm_s * spacing_mm);
+        let or = |given: f64, share: f64| if given > 0.0 { given } else { share * mean };
+        Thresholds {
+            low_j_cm2: or(self.low_j_cm2, 0.5),
+            high_j_cm2: or(self.high_j_cm2, 2.0),
+            collateral_j_cm2: or(self.collateral_j_cm2, 0.1),
+        }
+    }
+}

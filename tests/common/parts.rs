@@ -141,7 +141,7 @@ impl Planned {
 
     /// The files that `plan` would write.
     pub fn files(&self) -> Vec<OutputFile> {
-        output::files(&self.job, "part.stl", &self.part, &setup(), &self.plan, &self.surfaces).expect("files")
+        output::files(&self.job, "part.stl", &self.part, &setup(), &self.plan, &self.surfaces).expect("files").0
     }
 
     /// The second opinion on this part.

@@ -17,6 +17,13 @@ impl Bvh {
         Some((centre, far2.sqrt()))
     }
 
+    /// Centre and radius of the sphere around the box of all facets, mm: wider than [`Self::sphere`],
+    /// and known at once.
+    pub fn sphere_of_box(&self) -> Option<(Point3<f64>, f64)> {
+        let b = &self.nodes.first()?.bounds;
+        Some((Point3::from(Vector3::from_fn(|k, _| b.middle(k))), 0.5 * self.diagonal_mm()))
+    }
+
     /// A corner of some facet.
     pub fn corner(&self) -> Option<Point3<f64>> {
         self.corners.first().map(|[a, ..]| *a)

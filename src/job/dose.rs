@@ -1,0 +1,236 @@
+//! The dose of a plan, and how it is written: `dose.ply`, and its key of the report.
+//!
+//! It is computed apart from the plan, so that planning stays quick.
+
+use super::model::Job;
+use super::plan::{Plan, PlanError};
+use crate::cell::Setup;
+use crate::part::{Part, Surfaces};
+use crate::pose::Theirs;
+use crate::process::{DoseMap, Light, Patch, Spot, Task, dose as computed};
+use crate::program::Timeline;
+use crate::program::steps::{Pace, Step};
+use crate::progress::Progress;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Key `dose` of the report. Shares of the chosen area, areas mm² and cm², J/cm².
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DoseReport {
+    /// Share within the window.
+    pub within: f64,
+    /// Share below it.
+    pub under: f64,
+    /// Share above it.
+    pub over: f64,
+    /// Share that would get enough, but for what shades it.
+    pub shaded: f64,
+    /// Area of other surfaces that gets more than it may.
+    pub collateral_mm2: f64,
+    /// The window.
+    pub low_j_cm2: f64,
+    /// The window.
+    pub high_j_cm2: f64,
+    /// What may land on other surfaces.
+    pub collateral_j_cm2: f64,
+    /// The other surfaces.
+    pub collateral: Vec<CollateralReport>,
+    /// What stays unclean, the largest patch first.
+    pub not_cleanable: Vec<PatchReport>,
+}
+
+/// A patch that stays unclean.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PatchReport {
+    /// Its surface.
+    pub surface: u32,
+    /// Its area.
+    pub area_cm2: f64,
+    /// `blocked`, `shaded`, `missed` or `thin`.
+    pub cause: &'static str,
+    /// What it is blocked or shaded by.
+    pub by_surface: Option<u32>,
+    /// Its middle, part frame.
+    pub centre_mm: [f64; 3],
+}
+
+/// A surface that was not chosen and gets more than it may.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CollateralReport {
+    /// Its number.
+    pub surface: u32,
+    /// Area above the threshold.
+    pub area_mm2: f64,
+    /// The greatest dose on it.
+    pub greatest_j_cm2: f64,
+}
+
+/// Computes the dose of a plan.
+///
+/// # Errors
+/// [`PlanError::Cancelled`] when `progress` says so.
+pub fn dose(
+    part: &Part,
+    surfaces: &Surfaces,
+    plan: &Plan,
+    job: &Job,
+    setup: &Setup,
+    progress: &Progress,
+) -> Result<DoseMap, PlanError> {
+    let (b, d) = (&job.beam, &job.dose);
+    let spot = Spot {
+        profile: d.profile,
+        line_mm: d.line_mm,
+        spot_mm: b.spot_mm,
+        defocus_mm: b.defocus_mm,
+        optics: job.optics,
+    };
+    let times = ends_s(plan);
+    let light = Light::new(&plan.passes, spot, b.power_w, b.speed_mm_s, |pass, point| {
+        times.get(&(pass, point)).copied().unwrap_or(0.0)
+    });
+    let task = Task {
+        part,
+        surfaces,
+        clamps: &setup.tool.clamps,
+        chosen: job.clean.numbers(surfaces.list.iter().map(|s| s.number)),
+        thresholds: d.thresholds(b.power_w, b.speed_mm_s, job.layers.spacing_mm),
+    };
+    progress.begin("dose", light.pieces.len());
+    computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
+}
+
+/// When the moves to the targets end, s from the program's start. Without a robot nothing is known of
+/// moves by joints, and they take no time.
+fn ends_s(plan: &Plan) -> BTreeMap<(usize, usize), f64> {
+    if let Some(timeline) = &plan.timeline {
+        return Timeline::stops(timeline).iter().filter_map(|s| Some((s.target?, s.at_s))).collect();
+    }
+    let mut at_s = 0.0;
+    let mut out = BTreeMap::new();
+    for step in &plan.steps.list {
+        let Step::Go(go) = step else { continue };
+        if let Pace::Seconds(s) = go.pace {
+            at_s += s;
+        }
+        if let Some(target) = go.target {
+            out.insert(target, at_s);
+        }
+    }
+    out
+}
+
+/// Patches that are told to people.
+const PATCHES_TOLD: usize = 8;
+
+impl DoseReport {
+    /// What a dose comes to.
+    pub fn new(map: &DoseMap, patches: &[Patch], surfaces: &Surfaces) -> DoseReport {
+        let shares = map.shares(surfaces);
+        let collateral: Vec<CollateralReport> = map
+            .collateral(surfaces)
+            .into_iter()
+            .map(|c| CollateralReport { surface: c.surface, area_mm2: c.area_mm2, greatest_j_cm2: c.greatest_j_cm2 })
+            .collect();
+        DoseReport {
+            within: shares.within,
+            under: shares.under,
+            over: shares.over,
+            shaded: shares.shaded,
+            collateral_mm2: collateral.iter().map(|c| c.area_mm2).fold(0.0, |a, b| a + b),
+            low_j_cm2: map.thresholds.low_j_cm2,
+            high_j_cm2: map.thresholds.high_j_cm2,
+            collateral_j_cm2: map.thresholds.collateral_j_cm2,
+            collateral,
+            not_cleanable: patches.iter().map(|p| PatchReport::new(p, surfaces)).collect(),
+        }
+    }
+}
+
+impl PatchReport {
+    fn new(p: &Patch, surfaces: &Surfaces) -> PatchReport {
+        let wall = p.shaded_by.or(p.blocker.map(|b| b.theirs));
+        PatchReport {
+            surface: p.surface,
+            area_cm2: 0.01 * p.area_mm2,
+            cause: p.cause.word(),
+            by_surface: wall.and_then(|w| match w {
+                Theirs::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
+                Theirs::Clamp(_) => None,
+            }),
+            centre_mm: p.centre.coords.map(|x| x + 0.0).into(),
+        }
+    }
+}
+
+/// What a plan leaves unclean, by its dose.
+pub fn not_cleanable(part: &Part, surfaces: &Surfaces, plan: &Plan, job: &Job, map: &DoseMap) -> Vec<Patch> {
+    map.not_cleanable(&part.mesh, surfaces, &plan.passes, job.layers.spacing_mm)
+}
+
+impl DoseReport {
+    /// A few lines for people.
+    pub fn text(&self) -> String {
+        let percent = |share: f64| 100.0 * share;
+        let mut out = format!(
+            "{:.1}% of the area within {:.0} to {:.0} J/cm², {:.1}% under, {:.1}% over, {:.1}% shaded\n",
+            percent(self.within),
+            self.low_j_cm2,
+            self.high_j_cm2,
+            percent(self.under),
+            percent(self.over),
+            percent(self.shaded)
+        );
+        if !self.collateral.is_empty() {
+            let list: Vec<String> = self.collateral.iter().map(|c| c.surface.to_string()).collect();
+            out.push_str(&format!(
+                "{:.1} mm² of surfaces that were not chosen get more than {:.0} J/cm²: {}\n",
+                self.collateral_mm2,
+                self.collateral_j_cm2,
+                list.join(" ")
+            ));
+        }
+        for p in self.not_cleanable.iter().take(PATCHES_TOLD) {
+            let by = p.by_surface.map_or(String::new(), |n| format!(" by surface {n}"));
+            let [x, y, z] = p.centre_mm;
+            out.push_str(&format!(
+                "not cleanable: {:.2} cm² of surface {} around ({x:.1}, {y:.1}, {z:.1}), {}{by}\n",
+                p.area_cm2, p.surface, p.cause
+            ));
+        }
+        if let Some(more) = self.not_cleanable.len().checked_sub(PATCHES_TOLD).filter(|n| *n > 0) {
+            out.push_str(&format!("and {more} smaller patches, in report.json\n"));
+        }
+        out
+    }
+}
+
+/// `dose.ply`: the samples as polygons, binary little endian; the values stand at their corners.
+pub fn ply(map: &DoseMap, surfaces: &Surfaces) -> Vec<u8> {
+    let count = map.samples.len();
+    let mut out = format!(
+        "ply\nformat binary_little_endian 1.0\ncomment mm; J/cm2; -1 degrees where nothing lands\n\
+         element vertex {}\nproperty float x\nproperty float y\nproperty float z\nproperty float fluence_j_cm2\n\
+         property float incidence_deg\nproperty int surface\nelement face {count}\n\
+         property list uchar int vertex_indices\nend_header\n",
+        map.corners.len()
+    )
+    .into_bytes();
+    out.reserve(map.corners.len() * (24 + 4) + count);
+    for s in &map.samples {
+        let surface = surfaces.of_facet.get(s.facet as usize).map_or(0, |n| *n as i32);
+        for corner in map.corners_of(s) {
+            for x in corner.iter().chain([&s.fluence_j_cm2, &s.incidence_deg]) {
+                out.extend((x + 0.0).to_le_bytes());
+            }
+            out.extend(surface.to_le_bytes());
+        }
+    }
+    for s in &map.samples {
+        out.push(s.corner_count);
+        for k in 0..u32::from(s.corner_count) {
+            out.extend((s.first_corner + k).to_le_bytes());
+        }
+    }
+    out
+}

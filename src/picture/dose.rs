@@ -1,0 +1,111 @@
+//! The dose and the angle of incidence on the part, as coloured samples with their legend. The window
+//! and `render` share it.
+
+use super::colormap::viridis;
+use super::palette::{Rgb, mixed, state};
+use crate::part::{Hasher, Surfaces};
+use crate::process::{DoseMap, Sample, Verdict};
+use crate::view::MeshItem;
+use nalgebra::Isometry3;
+use std::sync::Arc;
+
+/// What is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DoseLook {
+    /// Energy per area.
+    Dose,
+    /// Angle between light and normal.
+    Incidence,
+}
+
+/// Where nothing lands.
+pub const UNLIT: Rgb = [120, 122, 126];
+/// More than the window allows.
+pub const OVER: Rgb = [226, 58, 38];
+/// A chosen surface that gets too little for want of light.
+pub const UNDER: Rgb = [30, 32, 36];
+/// A chosen surface that gets too little because something shades it.
+pub const SHADED: Rgb = state::MISSED;
+
+/// One step of a legend.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Key {
+    /// Its colour.
+    pub color: Rgb,
+    /// What it stands for.
+    pub label: String,
+}
+
+/// A scale of even colours, and what has a colour of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Legend {
+    /// What the numbers are.
+    pub unit: &'static str,
+    /// The ends of the scale.
+    pub range: [f64; 2],
+    /// Colours beside the scale.
+    pub keys: Vec<Key>,
+}
+
+/// The legend of a look.
+pub fn legend(map: &DoseMap, look: DoseLook) -> Legend {
+    let key = |color: Rgb, label: &str| Key { color, label: label.into() };
+    match look {
+        DoseLook::Dose => Legend {
+            unit: "J/cm2",
+            range: scale(map),
+            keys: vec![key(OVER, "over"), key(UNDER, "under"), key(SHADED, "shaded"), key(UNLIT, "no light")],
+        },
+        DoseLook::Incidence => Legend { unit: "deg", range: [0.0, 90.0], keys: vec![key(UNLIT, "no light")] },
+    }
+}
+
+/// The window takes up the scale: what is within can be told apart.
+fn scale(map: &DoseMap) -> [f64; 2] {
+    [0.0, map.thresholds.high_j_cm2]
+}
+
+/// All samples in the colours of a look.
+pub fn dose_item(map: &DoseMap, surfaces: &Surfaces, look: DoseLook) -> MeshItem {
+    let mut chosen = vec![false; map.samples.len()];
+    for (i, ..) in map.chosen_samples(surfaces) {
+        chosen[i] = true;
+    }
+    let (mut colors, mut positions) = (Vec::new(), Vec::new());
+    for (s, chosen) in map.samples.iter().zip(&chosen) {
+        let [r, g, b] = color(map, s, *chosen, look);
+        let corners = map.corners_of(s);
+        for pair in corners.get(1..).unwrap_or_default().windows(2) {
+            positions.extend([corners[0], pair[0], pair[1]]);
+            colors.push([r, g, b, 255]);
+        }
+    }
+    let bits: Vec<u32> = positions.iter().flatten().map(|x: &f32| x.to_bits()).collect();
+    let flat: Vec<u32> = colors.iter().map(|c: &[u8; 4]| u32::from_le_bytes(*c)).collect();
+    MeshItem {
+        geometry_key: Hasher::default().u32s(&bits).finish().0 as u64,
+        positions: Arc::new(positions),
+        colors_key: Hasher::default().u32s(&flat).finish().0 as u64,
+        facet_colors: Arc::new(colors),
+        edges: None,
+        scene_from_item: Isometry3::identity(),
+    }
+}
+
+fn color(map: &DoseMap, s: &Sample, chosen: bool, look: DoseLook) -> Rgb {
+    let dose = f64::from(s.fluence_j_cm2);
+    match look {
+        DoseLook::Incidence if s.incidence_deg < 0.0 => UNLIT,
+        DoseLook::Incidence => viridis(1.0 - f64::from(s.incidence_deg) / 90.0),
+        DoseLook::Dose => match map.verdict(s) {
+            Verdict::Over => OVER,
+            Verdict::Shaded if chosen => SHADED,
+            Verdict::Under if chosen => {
+                // The nearer to the window, the more of the scale shows through.
+                mixed(UNDER, viridis(dose / scale(map)[1]), (dose / map.thresholds.low_j_cm2) as f32 * 0.5)
+            }
+            _ if dose < 0.02 * map.thresholds.low_j_cm2 => UNLIT,
+            _ => viridis(dose / scale(map)[1]),
+        },
+    }
+}

@@ -1,0 +1,187 @@
+//! The light of a plan: moves of the spot with the laser on, cut into pieces on which the beam hardly
+//! turns, and what of a piece's energy comes by a point.
+//!
+//! On a piece the spot goes straight and the axis turns evenly. Seen from a point, the axis then goes
+//! by in a straight line, at every height above and below the spot, and neighbouring pieces join.
+
+use super::spot::Spot;
+use crate::part::angle;
+use crate::pose::{Pass, target};
+use nalgebra::{Point3, Vector3};
+
+/// The beam turns no more than this on a piece, degrees: 30 mm from the spot the way of its axis then
+/// bends by 0.005 mm.
+const TURN_DEG: f64 = 2.0;
+/// No piece is longer than so many spots, so that what is near one of them is not far from its middle.
+const LENGTH_SPOTS: f64 = 3.0;
+/// Nor is it cut shorter than this for that reason, mm.
+const LENGTH_MM: f64 = 1.0;
+/// What comes by a point is neglected below this share of what the middle of one line gets.
+const NEGLIGIBLE: f64 = 1e-5;
+
+/// Where the beam stands: spot, axis, travel direction and n = o × a, in the part frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Stand {
+    /// The spot, mm.
+    pub p: Point3<f64>,
+    /// Axis towards the laser.
+    pub a: Vector3<f64>,
+    /// Travel direction.
+    pub o: Vector3<f64>,
+    /// Across it.
+    pub n: Vector3<f64>,
+}
+
+impl Stand {
+    /// At a spot, with axis and travel direction (unit, square to it).
+    pub fn new(p: Point3<f64>, a: Vector3<f64>, o: Vector3<f64>) -> Stand {
+        Stand { p, a, o, n: o.cross(&a) }
+    }
+
+    fn between(from: &Stand, to: &Stand, t: f64) -> Stand {
+        let a = angle::slerp(&from.a, &to.a, t);
+        Stand::new(from.p + (to.p - from.p) * t, a, target::travel(&angle::slerp(&from.o, &to.o, t), &a))
+    }
+}
+
+/// A stretch of a lit move.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    /// Number of its pass.
+    pub pass: u32,
+    /// Where it begins.
+    pub from: Stand,
+    /// Where it ends.
+    pub to: Stand,
+    /// How long it takes, s.
+    pub seconds: f64,
+    /// When it ends, s.
+    pub ends_s: f64,
+}
+
+/// A point as seen from a piece: its places (x, y) about the axis at both ends, and how high it stands
+/// above the spot, mm.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// From the axis, at the start.
+    pub from: [f64; 2],
+    /// At the end.
+    pub to: [f64; 2],
+    /// Share of the way at which it is nearest to the axis.
+    pub nearest: f64,
+    /// How deep below the focus it lies then, mm.
+    pub z_mm: f64,
+}
+
+impl Seen {
+    /// Its place at a share of the way.
+    pub fn at(&self, t: f64) -> [f64; 2] {
+        [0, 1].map(|k| self.from[k] + (self.to[k] - self.from[k]) * t)
+    }
+}
+
+impl Piece {
+    /// The axis at a share of the way; the turn is small enough for the chord.
+    pub fn axis(&self, t: f64) -> Vector3<f64> {
+        (self.from.a * (1.0 - t) + self.to.a * t).normalize()
+    }
+
+    /// A point as it is seen from here.
+    #[inline]
+    pub fn sees(&self, q: &Point3<f64>, defocus_mm: f64) -> Seen {
+        let (u, v) = (q - self.from.p, q - self.to.p);
+        let from = [u.dot(&self.from.o), u.dot(&self.from.n)];
+        let to = [v.dot(&self.to.o), v.dot(&self.to.n)];
+        let d = [to[0] - from[0], to[1] - from[1]];
+        let dd = d[0] * d[0] + d[1] * d[1];
+        let nearest = if dd > 0.0 { (-(from[0] * d[0] + from[1] * d[1]) / dd).clamp(0.0, 1.0) } else { 0.5 };
+        let height = u.dot(&self.from.a) * (1.0 - nearest) + v.dot(&self.to.a) * nearest;
+        Seen { from, to, nearest, z_mm: defocus_mm - height }
+    }
+}
+
+/// What comes by a point from one piece.
+#[derive(Clone, Copy, Debug)]
+pub struct Passing {
+    /// The point as seen.
+    pub seen: Seen,
+    /// From when to when it is in the light, as shares of the way.
+    pub window: [f64; 2],
+    /// Energy per area square to the beam, J/mm².
+    pub j_mm2: f64,
+}
+
+/// All lit moves of a plan.
+#[derive(Clone, Debug)]
+pub struct Light {
+    /// In the order of the program.
+    pub pieces: Vec<Piece>,
+    /// The spot.
+    pub spot: Spot,
+    /// Power, W.
+    pub power_w: f64,
+    /// Below this, J/mm², a piece is neglected at a point.
+    pub negligible_j_mm2: f64,
+}
+
+impl Light {
+    /// The light of these passes, at a speed of the spot. `ends_s` tells when the move to a target
+    /// (pass, point) ends.
+    pub fn new(
+        passes: &[Pass],
+        spot: Spot,
+        power_w: f64,
+        speed_mm_s: f64,
+        ends_s: impl Fn(usize, usize) -> f64,
+    ) -> Light {
+        let mut pieces = Vec::new();
+        let longest_mm = (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
+        for (number, pass) in passes.iter().enumerate() {
+            for (point, w) in pass.targets.windows(2).enumerate().filter(|(_, w)| w[1].laser) {
+                let (from, to) = (Stand::new(w[0].p, w[0].a, w[0].o), Stand::new(w[1].p, w[1].a, w[1].o));
+                let length_mm = (to.p - from.p).norm();
+                let turn_deg = angle::between_deg(&from.a, &to.a).max(angle::between_deg(&from.o, &to.o));
+                let count = (length_mm / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0);
+                let (seconds, whole_s) = (length_mm / speed_mm_s / count, length_mm / speed_mm_s);
+                let starts_s = ends_s(number, point + 1) - whole_s;
+                let mut last = from;
+                for k in 1..=count as u32 {
+                    let next = if f64::from(k) < count { Stand::between(&from, &to, f64::from(k) / count) } else { to };
+                    let ends_s = starts_s + seconds * f64::from(k);
+                    pieces.push(Piece { pass: number as u32, from: last, to: next, seconds, ends_s });
+                    last = next;
+                }
+            }
+        }
+        let negligible_j_mm2 = NEGLIGIBLE * power_w / (speed_mm_s * spot.spot_mm);
+        Light { pieces, spot, power_w, negligible_j_mm2 }
+    }
+
+    /// Whether any light of a piece may come within `radius_mm` of a point.
+    #[inline]
+    pub fn reaches(&self, piece: &Piece, centre: &Point3<f64>, radius_mm: f64) -> bool {
+        let seen = piece.sees(centre, self.spot.defocus_mm);
+        let reach = self.spot.reach_mm(seen.z_mm.abs() + radius_mm);
+        (0..2).all(|k| {
+            let (x, y, r) = (seen.from[k], seen.to[k], reach[k] + radius_mm);
+            x.min(y) <= r && x.max(y) >= -r
+        })
+    }
+
+    /// What comes by a point from a piece, if it is worth a look.
+    #[inline]
+    pub fn passing(&self, piece: &Piece, q: &Point3<f64>) -> Option<Passing> {
+        let seen = piece.sees(q, self.spot.defocus_mm);
+        if seen.z_mm + self.spot.optics.lens_to_focus_mm <= 0.0 {
+            return None; // behind the lens
+        }
+        let window = self.spot.window(seen.from, seen.to, seen.z_mm)?;
+        let j_mm2 = self.energy(piece, &seen, window);
+        (j_mm2 > self.negligible_j_mm2).then_some(Passing { seen, window, j_mm2 })
+    }
+
+    /// Energy per area square to the beam within a window, J/mm².
+    pub fn energy(&self, piece: &Piece, seen: &Seen, window: [f64; 2]) -> f64 {
+        self.power_w * piece.seconds * self.spot.passed(seen.from, seen.to, seen.z_mm, window)
+    }
+}

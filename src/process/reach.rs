@@ -1,0 +1,185 @@
+//! Which facets a piece of the light comes near, and which of them nothing can shade.
+//!
+//! Most of a part is lit without anything in between, and a ray for each sample would cost more than
+//! all the rest: a facet that no other facet near the beam can shade is told here, once for a piece.
+
+use super::floor::{floor_mm, in_frame};
+use super::light::{Light, Piece};
+use super::shade::Shade;
+use super::spot::Spot;
+use crate::part::{Part, Surfaces, angle, topology::Dead};
+use crate::pose::target;
+use nalgebra::{Point3, Vector3};
+
+/// A plane may be missed by this much before a corner counts as beyond it, mm: the rounding of f32
+/// coordinates on a metre, which is far less than any shadow is wide.
+const PLANE_MM: f64 = 1e-4;
+/// Length of the first stretch above and below the spot that is looked at by itself, mm; each further
+/// one reaches three times as far.
+const FIRST_STRETCH_MM: f64 = 2.0;
+
+/// A piece that comes near a facet.
+#[derive(Clone, Copy, Debug)]
+pub struct Near {
+    /// Its place in [`Light::pieces`].
+    pub piece: u32,
+    /// Nothing stands between.
+    pub clear: bool,
+}
+
+/// A facet near a piece, seen along its middle axis.
+struct Seen {
+    facet: u32,
+    corners: [Point3<f64>; 3],
+    vertices: [u32; 3],
+    /// Unit normal, turned to the light.
+    up: Vector3<f64>,
+    /// How steeply it rises to the light: sine.
+    rise: f64,
+    /// Whether its side to be worked on is lit.
+    lit: bool,
+    /// Least and greatest x, y and height.
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+/// The facets that light of a piece comes to. What lies beneath others that stop all of it is not among
+/// them: no light was meant for it.
+pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, light: &Light, index: u32) -> Vec<(u32, Near)> {
+    let Some(piece) = light.pieces.get(index as usize) else { return Vec::new() };
+    let (spot, frame) = (&light.spot, Frame::of(piece));
+    let (seen, floor) = seen(part, surfaces, spot, piece, &frame);
+    let slope = spot.greatest_slope() + frame.half_turn;
+    let lit = seen.iter().filter(|f| f.lit && f.high[2] >= floor - PLANE_MM);
+    // What shaded the last facet is likely to shade the next one too.
+    let mut last: Option<&Seen> = None;
+    lit.map(|f| {
+        last = last.filter(|g| may_shade(g, f, slope)).or_else(|| seen.iter().find(|g| may_shade(g, f, slope)));
+        let clear = last.is_none() && !clamp_near(shade, spot, &frame, f.low[2]);
+        (f.facet, Near { piece: index, clear })
+    })
+    .collect()
+}
+
+/// Whether a clamp comes near the light above a height.
+fn clamp_near(shade: &Shade<'_>, spot: &Spot, frame: &Frame, from_mm: f64) -> bool {
+    let lens_mm = spot.defocus_mm + spot.optics.lens_to_focus_mm;
+    let [x, y] = frame.reach(spot, from_mm, lens_mm);
+    let at = |h: f64| frame.p + frame.axes[2] * h;
+    shade.clamp_near(&at(from_mm), &at(lens_mm), libm::hypot(x, y))
+}
+
+/// Whether some light to `f` may meet `g` first. `slope`: how far light may lean from the middle axis.
+fn may_shade(g: &Seen, f: &Seen, slope: f64) -> bool {
+    if g.facet == f.facet || g.high[2] <= f.low[2] + PLANE_MM {
+        return false;
+    }
+    let lean = slope * (g.high[2] - f.low[2]);
+    if (0..2).any(|k| g.low[k] > f.high[k] + lean || g.high[k] < f.low[k] - lean) {
+        return false;
+    }
+    // Facets around a vertex that all rise to the light lie beside one another, seen from it.
+    let both_rise = g.rise.min(f.rise) > slope;
+    if both_rise && g.lit && g.vertices.iter().any(|v| f.vertices.contains(v)) {
+        return false;
+    }
+    // Light leaves f upwards and never comes to what lies beneath its plane; nor through a plane that
+    // it is above of.
+    let under = f.rise > slope && g.corners.iter().all(|v| f.up.dot(&(v - f.corners[0])) <= PLANE_MM);
+    let above = g.rise > slope && f.corners.iter().all(|v| g.up.dot(&(v - g.corners[0])) >= -PLANE_MM);
+    !(under || above)
+}
+
+/// The frame of a piece: the middle of its way, and its axes along travel, across, and to the laser.
+struct Frame {
+    p: Point3<f64>,
+    axes: [Vector3<f64>; 3],
+    /// Half the way, along travel and across, mm.
+    half: [f64; 2],
+    /// Sine of half the turn.
+    half_turn: f64,
+}
+
+impl Frame {
+    fn of(piece: &Piece) -> Frame {
+        let a = piece.axis(0.5);
+        let o = target::travel(&piece.from.o, &a);
+        let axes = [o, o.cross(&a), a];
+        let way = (piece.to.p - piece.from.p) * 0.5;
+        Frame {
+            p: nalgebra::center(&piece.from.p, &piece.to.p),
+            axes,
+            half: [way.norm(), way.dot(&axes[1]).abs()],
+            half_turn: libm::sin(0.5 * angle::between_deg(&piece.from.a, &piece.to.a).to_radians()),
+        }
+    }
+
+    /// How far along and across the light reaches between two heights.
+    fn reach(&self, spot: &Spot, low: f64, high: f64) -> [f64; 2] {
+        let deepest = (spot.defocus_mm - low).abs().max((spot.defocus_mm - high).abs());
+        let sway = self.half_turn * low.abs().max(high.abs());
+        let reach = spot.reach_mm(deepest);
+        [0, 1].map(|k| self.half[k] + reach[k] + sway)
+    }
+}
+
+/// All facets within the light's reach of a piece, in the order of their numbers, and the height below
+/// which no light comes.
+fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, piece: &Piece, frame: &Frame) -> (Vec<Seen>, f64) {
+    let Some((centre, radius)) = part.bvh.sphere_of_box() else { return (Vec::new(), 0.0) };
+    let (p, a) = (&frame.p, &frame.axes[2]);
+    let middle = (centre - p).dot(a);
+    let lens_mm = spot.defocus_mm + spot.optics.lens_to_focus_mm;
+    let (bottom, top) = (middle - radius, (middle + radius).min(lens_mm));
+    let mut found: Vec<(u32, [[f64; 3]; 3])> = Vec::new();
+    let visit = |low: f64, high: f64, found: &mut Vec<(u32, [[f64; 3]; 3])>| {
+        let (low, high) = (low.max(bottom), high.min(top));
+        if high < low {
+            return;
+        }
+        let [x, y] = frame.reach(spot, low, high);
+        part.bvh.visit_ray(&(p + a * low), a, 0.0, high - low, libm::hypot(x, y), |facet, corners| {
+            if part.mesh.dead[facet as usize] == Dead::No {
+                found.push((facet, corners.map(|c| in_frame(&c, p, &frame.axes))));
+            }
+            high - low
+        });
+    };
+    let mut far = FIRST_STRETCH_MM;
+    visit(-far, far, &mut found);
+    while far < top {
+        visit(far, 3.0 * far, &mut found);
+        far *= 3.0;
+    }
+    far = FIRST_STRETCH_MM;
+    let mut floor = f64::NEG_INFINITY;
+    while far < -bottom {
+        // Looked at as wide as the light is at the end of the stretch.
+        let half = frame.reach(spot, -far, far);
+        floor = floor_mm(half, found.iter().map(|f| &f.1)).filter(|f| *f > -far).unwrap_or(floor);
+        if floor > -far {
+            break;
+        }
+        visit(-3.0 * far, -far, &mut found);
+        far *= 3.0;
+    }
+    found.sort_unstable_by_key(|f| f.0);
+    found.dedup_by_key(|f| f.0);
+    let seen = found.into_iter().filter_map(|(facet, places)| {
+        let bound = |k: usize, from: f64, of: fn(f64, f64) -> f64| places.iter().map(|c| c[k]).fold(from, of);
+        let low: [f64; 3] = std::array::from_fn(|k| bound(k, f64::INFINITY, f64::min));
+        let high: [f64; 3] = std::array::from_fn(|k| bound(k, f64::NEG_INFINITY, f64::max));
+        let reach = frame.reach(spot, low[2].max(bottom), high[2].min(top));
+        if (0..2).any(|k| low[k] > reach[k] || high[k] < -reach[k]) {
+            return None;
+        }
+        let normal = surfaces.normals[facet as usize];
+        let up = part.mesh.normals[facet as usize];
+        let up = if up.dot(a) < 0.0 { -up } else { up };
+        let lit = normal.dot(&piece.from.a).max(normal.dot(&piece.to.a)) > 0.0;
+        let corners = part.mesh.corners(facet as usize);
+        let vertices = part.mesh.facets[facet as usize];
+        Some(Seen { facet, corners, vertices, rise: up.dot(a), up, lit, low, high })
+    });
+    (seen.collect(), floor)
+}

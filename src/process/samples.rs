@@ -1,0 +1,109 @@
+//! Samples of the surface: facets cut into pieces no wider than a quarter of the spot where light
+//! comes; a facet, or a piece of one, that no light comes near stays large.
+
+use super::cell::{Cell, Plane};
+use super::light::Light;
+use super::reach::Near;
+use crate::pose::Theirs;
+use nalgebra::Point3;
+
+/// So many samples at most, then they are cut more coarsely: some 400 MB.
+pub const MOST_SAMPLES: usize = 4_000_000;
+
+/// A piece of the surface and what lands on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Its middle, mm, part frame.
+    pub centre: [f32; 3],
+    /// Its area, mm².
+    pub area_mm2: f32,
+    /// The facet that it is cut from.
+    pub facet: u32,
+    /// Where its corners begin in [`DoseMap::corners`](super::DoseMap::corners).
+    pub first_corner: u32,
+    /// How many it has.
+    pub corner_count: u8,
+    /// How many passes went over it with their spot.
+    pub passes: u16,
+    /// Energy per area, J/cm².
+    pub fluence_j_cm2: f32,
+    /// What it would be if nothing shaded it.
+    pub unshaded_j_cm2: f32,
+    /// Angle between light and normal, degrees, weighed by energy; −1 where nothing lands.
+    pub incidence_deg: f32,
+    /// What keeps most off.
+    pub shaded_by: Option<Theirs>,
+}
+
+/// A piece of a facet that is to be cut, and the light that comes near it.
+pub struct Plot {
+    /// Its facet.
+    pub facet: u32,
+    /// The facet's plane.
+    pub plane: Plane,
+    /// The piece.
+    pub cell: Cell,
+    /// In the order of the program.
+    pub near: Vec<Near>,
+    /// Where no light comes, pieces are no wider than this, mm.
+    pub dark_mm: f64,
+}
+
+impl Plot {
+    /// A whole facet.
+    pub fn of(facet: u32, corners: &[Point3<f64>; 3], near: Vec<Near>, dark_mm: f64) -> Plot {
+        let (plane, cell) = Plane::of(corners);
+        Plot { facet, plane, cell, near, dark_mm }
+    }
+}
+
+/// Cuts a plot until its pieces are no wider than a square of `pitch_mm`, or no light comes near, and
+/// hands every piece on with the light that does.
+pub fn cut(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&Cell, &[Near])) {
+    let mut lists = plot.near.clone();
+    let whole = lists.len();
+    halve(light, pitch_mm, plot, &plot.cell, (&mut lists, 0, whole), &mut leaf);
+}
+
+/// `lists`: the light near all cells that this one is a piece of, one behind the other; that of the
+/// last is from `start` to `end`.
+fn halve(
+    light: &Light,
+    pitch_mm: f64,
+    plot: &Plot,
+    cell: &Cell,
+    (lists, start, end): (&mut Vec<Near>, usize, usize),
+    leaf: &mut impl FnMut(&Cell, &[Near]),
+) {
+    let (middle, radius) = cell.disc();
+    let centre = plot.plane.place(middle);
+    for i in start..end {
+        let near = lists[i];
+        if light.reaches(&light.pieces[near.piece as usize], &centre, radius) {
+            lists.push(near);
+        }
+    }
+    let all = lists.len();
+    let is_dark = all == end && cell.size_mm() <= plot.dark_mm;
+    match cell.halves(pitch_mm).filter(|_| !is_dark) {
+        None => leaf(cell, &lists[end..]),
+        Some(halves) => {
+            for half in halves {
+                halve(light, pitch_mm, plot, &half, (lists, end, all), leaf);
+            }
+        }
+    }
+    lists.truncate(end);
+}
+
+/// Cuts a plot into smaller ones, so that many hands may work on it.
+pub fn parcel(light: &Light, pitch_mm: f64, plot: Plot) -> Vec<Plot> {
+    if plot.cell.size_mm() <= pitch_mm {
+        return vec![plot];
+    }
+    let mut out = Vec::new();
+    cut(light, pitch_mm, &plot, |cell, near| {
+        out.push(Plot { cell: *cell, near: near.to_vec(), ..plot });
+    });
+    out
+}

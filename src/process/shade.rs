@@ -1,0 +1,134 @@
+//! What stands between a point and the light: the part itself, and clamps.
+//!
+//! The light that lands beside the axis comes along its own ray, through the focus and on to the lens.
+
+use super::light::{Light, Passing, Piece};
+use crate::beam::Obstacle;
+use crate::part::{Bvh, Part, bvh::meet};
+use crate::pose::Theirs;
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// Rays start so far above their point, mm. From below: twenty times the rounding of f32 coordinates
+/// on a metre (6e-5 mm), so that a face that a dirty export covers twice does not shade itself. From
+/// above: nothing that shades is nearer to what it shades, but at a crease, where the light comes by
+/// anyway.
+const START_MM: f64 = 1e-3;
+/// A window is looked at in so many places.
+const LOOKS: usize = 5;
+/// Where two of them differ, the edge of the shadow is halved so often between them.
+const HALVINGS: usize = 4;
+
+/// The bodies that shade.
+pub struct Shade<'a> {
+    part: &'a Bvh,
+    clamps: Vec<(&'a Part, Isometry3<f64>)>,
+}
+
+/// The facet that shaded last: it is likely to shade the next point too.
+#[derive(Clone, Copy, Default)]
+pub struct Last(Option<(u32, [Point3<f64>; 3])>);
+
+/// What of a passing lands.
+#[derive(Clone, Copy, Debug)]
+pub struct Landing {
+    /// Share of the passing's energy.
+    pub share: f64,
+    /// What keeps the rest off.
+    pub by: Option<Theirs>,
+}
+
+impl<'a> Shade<'a> {
+    /// Part and clamps, all in the part frame.
+    pub fn new(part: &'a Part, clamps: &'a [Obstacle]) -> Shade<'a> {
+        Shade { part: &part.bvh, clamps: clamps.iter().map(|c| (c.solid(), c.at().inverse())).collect() }
+    }
+
+    /// Whether a clamp is within reach of a segment.
+    pub fn clamp_near(&self, from: &Point3<f64>, to: &Point3<f64>, reach_mm: f64) -> bool {
+        self.clamps.iter().any(|(solid, at)| solid.bvh.near_segment(&(at * from), &(at * to), reach_mm))
+    }
+
+    /// What of a passing lands on a point of facet `own`.
+    pub fn landing(
+        &self,
+        light: &Light,
+        piece: &Piece,
+        q: &Point3<f64>,
+        own: u32,
+        passing: &Passing,
+        last: &mut Last,
+    ) -> Landing {
+        let [t0, t1] = passing.window;
+        let mut look = |t: f64| self.wall(light, piece, q, own, passing, t, last);
+        let time = |k: usize| t0 + (t1 - t0) * (k as f64 + 0.5) / LOOKS as f64;
+        let looks: [Option<Theirs>; LOOKS] = std::array::from_fn(|k| look(time(k)));
+        let by = looks.iter().flatten().next().copied();
+        if by.is_none() || looks.iter().all(Option::is_some) {
+            return Landing { share: if by.is_none() { 1.0 } else { 0.0 }, by };
+        }
+        let (mut lit, mut since) = (0.0, t0);
+        for k in 0..LOOKS {
+            let is_free = looks[k].is_none();
+            let until = match looks.get(k + 1) {
+                None => t1,
+                Some(next) if next.is_none() == is_free => continue,
+                Some(_) => {
+                    let (mut a, mut b) = (time(k), time(k + 1));
+                    for _ in 0..HALVINGS {
+                        let middle = 0.5 * (a + b);
+                        if look(middle).is_none() == is_free { a = middle } else { b = middle }
+                    }
+                    0.5 * (a + b)
+                }
+            };
+            if is_free {
+                lit += light.energy(piece, &passing.seen, [since, until]);
+            }
+            since = until;
+        }
+        Landing { share: (lit / passing.j_mm2).min(1.0), by }
+    }
+
+    /// What is in the way of the light at one moment.
+    fn wall(
+        &self,
+        light: &Light,
+        piece: &Piece,
+        q: &Point3<f64>,
+        own: u32,
+        passing: &Passing,
+        t: f64,
+        last: &mut Last,
+    ) -> Option<Theirs> {
+        let z_mm = passing.seen.z_mm;
+        let [along, across] = light.spot.slope(passing.seen.at(t), z_mm);
+        let mix = |u: &Vector3<f64>, v: &Vector3<f64>| u * (1.0 - t) + v * t;
+        let ray = mix(&piece.from.a, &piece.to.a)
+            + mix(&piece.from.o, &piece.to.o) * along
+            + mix(&piece.from.n, &piece.to.n) * across;
+        let length = ray.norm();
+        let dir = ray / length;
+        let until = (z_mm + light.spot.optics.lens_to_focus_mm) * length;
+        let stops = |corners: &[Point3<f64>; 3]| meet(corners, q, &dir).is_some_and(|s| s > START_MM && s < until);
+        if let Some((facet, corners)) = last.0
+            && facet != own
+            && stops(&corners)
+        {
+            return Some(Theirs::Facet(facet));
+        }
+        let mut wall = None;
+        self.part.visit_ray(q, &dir, START_MM, until, 0.0, |facet, corners| {
+            if facet != own && stops(corners) {
+                wall = Some(Theirs::Facet(facet));
+                last.0 = Some((facet, *corners));
+                return -1.0;
+            }
+            until
+        });
+        wall.or_else(|| {
+            self.clamps.iter().enumerate().find_map(|(i, (solid, at))| {
+                solid.bvh.nearest_hit(&(at * q), &(at * dir), START_MM, until).map(|_| Theirs::Clamp(i as u32))
+            })
+        })
+    }
+}

@@ -1,0 +1,434 @@
+//! The dose against closed forms: lines and rasters of every profile, tilted and round surfaces, shadow,
+//! rims, the balance of energy, and what must not matter.
+
+#[path = "common/parts.rs"]
+mod parts;
+
+use clearbeam::beam::{Obstacle, Optics};
+use clearbeam::job::plan::segmented;
+use clearbeam::job::{self, Job, Progress};
+use clearbeam::part::{Part, Placement, Surfaces};
+use clearbeam::pose::target::travel;
+use clearbeam::pose::{Pass, State, Target, Theirs};
+use clearbeam::process::{DoseMap, Light, Profile, Sample, Spot, Task, Thresholds, dose};
+use clearbeam::sample::{Triangles, solids};
+use nalgebra::{Point3, Vector3};
+use parts::{block, near, part, placed, planned_at, sheet};
+use std::f64::consts::PI;
+
+const POWER_W: f64 = 300.0;
+const SPEED: f64 = 4.0;
+const LOW: Thresholds = Thresholds { low_j_cm2: 1.0, high_j_cm2: 1e9, collateral_j_cm2: 1.0 };
+
+fn spot(profile: Profile) -> Spot {
+    Spot { profile, line_mm: 3.0, spot_mm: 1.2, defocus_mm: 20.0, optics: optics() }
+}
+
+/// Such that the spot is what the optics make it: √(1 + (20/2)²) times the focus.
+fn optics() -> Optics {
+    Optics { focus_spot_mm: 1.2 / 101f64.sqrt(), ..Optics::default() }
+}
+
+/// A straight lit line from one point to another, the beam along `a`.
+fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
+    let (p, q, a) = (Point3::from(from), Point3::from(to), Vector3::from(a).normalize());
+    let o = travel(&(q - p), &a);
+    let target = |p: Point3<f64>, laser: bool| Target {
+        p,
+        n: a,
+        a,
+        o,
+        state: State::Free,
+        laser,
+        normal_hits: None,
+        clearance_mm: None,
+    };
+    Pass {
+        surface: 1,
+        plane_normal: Vector3::z(),
+        closed: false,
+        targets: vec![target(p, false), target(q, true)],
+        splits: Vec::new(),
+        chord_error_mm: 0.0,
+    }
+}
+
+fn light(passes: &[Pass], spot: Spot) -> Light {
+    Light::new(passes, spot, POWER_W, SPEED, |_, _| 0.0)
+}
+
+fn map_on(part: &Part, passes: &[Pass], spot: Spot, clamps: &[Obstacle]) -> (DoseMap, Surfaces) {
+    let surfaces = segmented(part, &Job::default());
+    let chosen = surfaces.list.iter().map(|s| s.number).collect();
+    let task = Task { part, surfaces: &surfaces, clamps, chosen, thresholds: LOW };
+    let map = dose(&task, light(passes, spot), &|| true).expect("nobody cancels");
+    (map, surfaces)
+}
+
+/// A sheet 20 by 20 mm in z = 0, its upper side the outer one.
+fn plate() -> Triangles {
+    sheet(&[[-10.0, 0.0], [10.0, 0.0]], 20.0)
+}
+
+fn centre(s: &Sample) -> [f64; 3] {
+    s.centre.map(f64::from)
+}
+
+fn gauss(x: f64, r: f64) -> f64 {
+    (2.0 / PI).sqrt() / r * libm::exp(-2.0 * x * x / (r * r))
+}
+
+/// Φ scaled to a spot: the share of a Gaussian line's power below x.
+fn below(x: f64, r: f64) -> f64 {
+    0.5 * (1.0 + libm::erf(2f64.sqrt() * x / r))
+}
+
+/// J/cm² of a line along x at y = 10, |x| ≤ 5, at a place on the plate.
+fn one_line(profile: Profile, x: f64, y: f64) -> f64 {
+    let (r, c) = (0.6, y - 10.0);
+    let run = below(x + 5.0, r) - below(x - 5.0, r);
+    let per_mm = match profile {
+        Profile::Gaussian => gauss(c, r) * run,
+        Profile::TopHat if c.abs() >= r => 0.0,
+        Profile::TopHat => {
+            let half = (r * r - c * c).sqrt();
+            ((x + half).min(5.0) - (x - half).max(-5.0)).max(0.0) / (PI * r * r)
+        }
+        Profile::Line => {
+            if c.abs() <= 1.5 {
+                run / 3.0
+            } else {
+                0.0
+            }
+        }
+    };
+    100.0 * POWER_W / SPEED * per_mm
+}
+
+#[test]
+fn one_line_has_the_profile_of_its_spot() {
+    for profile in Profile::ALL {
+        let (map, _) =
+            map_on(&part(&plate()), &[line([-5.0, 10.0, 0.0], [5.0, 10.0, 0.0], [0.0, 0.0, 1.0])], spot(profile), &[]);
+        let peak = one_line(profile, 0.0, 10.0);
+        assert!(map.sample_mm <= 0.25 * 1.2 + 1e-9 && !map.coarsened);
+        for s in &map.samples {
+            let [x, y, _] = centre(s);
+            let (found, expected) = (f64::from(s.fluence_j_cm2), one_line(profile, x, y));
+            assert!((found - expected).abs() < 2e-5 * peak, "{profile:?} at {x}, {y}: {found} instead of {expected}");
+            assert_eq!(s.incidence_deg < 0.0, found == 0.0);
+            assert!(s.incidence_deg < 1e-3);
+            if expected > 1e-4 * peak {
+                let corners = map.corners_of(s);
+                let wide = corners.iter().flat_map(|a| corners.iter().map(move |b| (a[0] - b[0]).hypot(a[1] - b[1])));
+                assert!(wide.fold(0.0, f32::max) <= 0.3001);
+            }
+        }
+        let energy: f64 =
+            map.samples.iter().map(|s| f64::from(s.fluence_j_cm2) * f64::from(s.area_mm2)).sum::<f64>() / 100.0;
+        // The rim of a top-hat runs through samples.
+        near("energy", energy, POWER_W * 10.0 / SPEED, if profile == Profile::Gaussian { 2e-4 } else { 0.01 });
+    }
+}
+
+#[test]
+fn a_raster_has_the_mean_and_the_ripple_of_its_spacing() {
+    for spacing in [0.3, 0.6, 0.9, 1.2] {
+        let passes: Vec<Pass> = (0..40)
+            .map(|i| 10.0 + (f64::from(i) - 19.5) * spacing)
+            .filter(|y| (0.5..19.5).contains(y))
+            .map(|y| line([-9.0, y, 0.0], [9.0, y, 0.0], [0.0, 0.0, 1.0]))
+            .collect();
+        let (map, _) = map_on(&part(&plate()), &passes, spot(Profile::Gaussian), &[]);
+        let mean = 100.0 * POWER_W / (SPEED * spacing);
+        let (mut area, mut sum, mut low, mut high) = (0.0, 0.0, f64::INFINITY, 0.0f64);
+        let periods = 4.0;
+        for s in &map.samples {
+            let [x, y, _] = centre(s);
+            let (dose, a) = (f64::from(s.fluence_j_cm2), f64::from(s.area_mm2));
+            if x.abs() > 4.0 || (y - 10.0).abs() > 0.5 * periods * spacing {
+                continue;
+            }
+            // First two harmonics of the sum of Gaussians (Poisson): closed form of the ripple.
+            let k = |n: f64| 2.0 * libm::exp(-0.5 * (PI * n * 0.6 / spacing) * (PI * n * 0.6 / spacing));
+            let phase = 2.0 * PI * (y - (10.0 + 0.5 * spacing)) / spacing;
+            let expected = mean * (1.0 + k(1.0) * libm::cos(phase) + k(2.0) * libm::cos(2.0 * phase));
+            assert!((dose - expected).abs() < 3e-3 * mean, "spacing {spacing}, y {y}: {dose} instead of {expected}");
+            (area, sum) = (area + a, sum + a * dose);
+            (low, high) = (low.min(dose), high.max(dose));
+        }
+        near("mean", sum / area, mean, 5e-3);
+        let ripple = 2.0 * libm::exp(-0.5 * (PI * 0.6 / spacing) * (PI * 0.6 / spacing));
+        assert!(((high - low) / (2.0 * mean) - ripple).abs() < 0.02 * ripple.max(0.05), "{spacing}");
+        let inner =
+            map.samples.iter().filter(|s| centre(s)[0].abs() < 4.0 && (centre(s)[1] - 10.0).abs() < 2.0 * spacing);
+        let expected = (2.0 * 0.6 / spacing).floor() as u16;
+        assert!(inner.into_iter().all(|s| s.passes == expected || s.passes == expected + 1));
+    }
+}
+
+#[test]
+fn a_tilted_plate_gets_the_cosine() {
+    for tilt in [20.0f64, 50.0] {
+        // The beam leans in the plane across the travel.
+        let (s, c) = (libm::sin(tilt.to_radians()), libm::cos(tilt.to_radians()));
+        let passes = [line([-9.0, 10.0, 0.0], [9.0, 10.0, 0.0], [0.0, s, c])];
+        let wide = Spot { optics: Optics { rayleigh_mm: 1e4, ..Optics::default() }, ..spot(Profile::Gaussian) };
+        let (map, _) = map_on(&part(&plate()), &passes, wide, &[]);
+        for sample in map.samples.iter().filter(|s| centre(s)[0].abs() < 4.0) {
+            let across = (centre(sample)[1] - 10.0) * c;
+            let expected = 100.0 * POWER_W / SPEED * gauss(across, 0.6) * c;
+            assert!((f64::from(sample.fluence_j_cm2) - expected).abs() < 1e-4 * 100.0 * POWER_W / SPEED);
+            assert!(sample.incidence_deg < 0.0 || (f64::from(sample.incidence_deg) - tilt).abs() < 1e-3);
+        }
+    }
+}
+
+/// A wide top-hat from above on a ball and on a cylinder: the angle is that of the place.
+#[test]
+fn round_surfaces_are_lit_at_the_angle_of_the_place() {
+    let wide =
+        Spot { spot_mm: 8.0, optics: Optics { rayleigh_mm: 1e5, ..Optics::default() }, ..spot(Profile::Gaussian) };
+    let ball = part(&solids::sphere(5.0, 240, 120));
+    let (map, _) = map_on(&ball, &[line([-2.0, 0.0, 5.0], [2.0, 0.0, 5.0], [0.0, 0.0, 1.0])], wide, &[]);
+    let cylinder = part(&solids::cylinder(5.0, 12.0, 360));
+    let (side, _) = map_on(&cylinder, &[line([5.0, 0.0, 3.0], [5.0, 0.0, 9.0], [1.0, 0.0, 0.0])], wide, &[]);
+    let check = |s: &Sample, cosine: f64, place: [f64; 2], half: f64| {
+        if cosine < 0.05 {
+            return; // where the facets turn away
+        }
+        let run = below(place[0] + half, 4.0) - below(place[0] - half, 4.0);
+        let expected = 100.0 * POWER_W / SPEED * gauss(place[1], 4.0) * run * cosine;
+        let found = f64::from(s.fluence_j_cm2);
+        assert!((found - expected).abs() < 0.02 * 100.0 * POWER_W / SPEED * 0.2, "{found} instead of {expected}");
+        let angle = libm::acos(cosine).to_degrees();
+        assert!((f64::from(s.incidence_deg) - angle).abs() < 1.6, "{} instead of {angle}", s.incidence_deg);
+    };
+    for s in &map.samples {
+        let [x, y, z] = centre(s);
+        if z < -0.1 {
+            assert_eq!(s.fluence_j_cm2, 0.0, "the far side");
+        } else {
+            check(s, z / 5.0, [x, y], 2.0);
+        }
+    }
+    for s in side.samples.iter().filter(|s| (3.0..9.0).contains(&centre(s)[2]) && centre(s)[0] > 0.0) {
+        let [x, y, z] = centre(s);
+        if x.hypot(y) > 4.9 {
+            check(s, x / 5.0, [z - 6.0, y], 3.0);
+        }
+    }
+}
+
+/// A roof over half of the plate: its edge at x = 0 in 5 mm height, light straight down along y.
+#[test]
+fn a_roof_shades_what_lies_under_it() {
+    let mut body = plate();
+    body.extend(block([-8.0, 2.0, 5.0], [0.0, 18.0, 6.0]));
+    let body = part(&body);
+    let passes = [line([0.0, 5.0, 0.0], [0.0, 15.0, 0.0], [0.0, 0.0, 1.0])];
+    let (map, surfaces) = map_on(&body, &passes, spot(Profile::Gaussian), &[]);
+    let plate_surface = surfaces.of_facet[0];
+    let peak = 100.0 * POWER_W / SPEED * gauss(0.0, 0.6);
+    for s in map.samples.iter().filter(|s| surfaces.of_facet[s.facet as usize] == plate_surface) {
+        let [x, y, _] = centre(s);
+        if !(8.0..12.0).contains(&y) {
+            continue;
+        }
+        let bare = 100.0 * POWER_W / SPEED * gauss(x, 0.6);
+        assert!((f64::from(s.unshaded_j_cm2) - bare).abs() < 1e-4 * peak);
+        // Through the focus at (0, 20): light to x < 0 comes over x·(20 − 5)/20 < 0 in 5 mm height.
+        let expected = if x > 0.0 { bare } else { 0.0 };
+        assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak, "{x}: {}", s.fluence_j_cm2);
+        if x < 0.0 && bare > 0.1 * peak {
+            assert!(matches!(s.shaded_by, Some(Theirs::Facet(f)) if surfaces.of_facet[f as usize] != plate_surface));
+        }
+    }
+    let top: f64 = map
+        .samples
+        .iter()
+        .filter(|s| centre(s)[2] > 5.9)
+        .map(|s| f64::from(s.fluence_j_cm2) * f64::from(s.area_mm2))
+        .sum::<f64>()
+        / 100.0;
+    near("half of it lands on the roof", top, 0.5 * POWER_W * 10.0 / SPEED, 5e-3);
+}
+
+/// A spot that runs along a rim, half over it, lights the floor 6 mm beneath with the other half; the
+/// spot is wider there.
+#[test]
+fn half_over_a_rim_lights_the_floor() {
+    let mut body = block([-10.0, 0.0, 0.0], [0.0, 20.0, 6.0]);
+    body.extend(block([0.0, 0.0, -1.0], [10.0, 20.0, 0.0]));
+    let passes = [line([0.0, 5.0, 6.0], [0.0, 15.0, 6.0], [0.0, 0.0, 1.0])];
+    let s = spot(Profile::Gaussian);
+    let (map, _) = map_on(&part(&body), &passes, s, &[]);
+    let r = s.radius_mm(26.0);
+    near("wider", r / 0.6, 26.0 / 20.0, 2e-3);
+    let mut floor = 0.0;
+    for sample in map.samples.iter().filter(|s| centre(s)[2].abs() < 1e-3 && centre(s)[0] > 0.0) {
+        let [x, y, _] = centre(sample);
+        floor += f64::from(sample.fluence_j_cm2) * f64::from(sample.area_mm2) / 100.0;
+        if (8.0..12.0).contains(&y) {
+            let expected = 100.0 * POWER_W / SPEED * gauss(x, r);
+            assert!((f64::from(sample.fluence_j_cm2) - expected).abs() < 1e-3 * expected.max(100.0), "{x}");
+        }
+    }
+    near("the other half", floor, 0.5 * POWER_W * 10.0 / SPEED, 5e-3);
+}
+
+/// Light that comes at a moving edge: the shadow moves with the beam, and the energy that passes is
+/// what a sum over single moments gives.
+#[test]
+fn a_crossing_shadow_is_the_sum_of_its_moments() {
+    let mut body = plate();
+    body.extend(block([-8.0, 2.0, 5.0], [0.0, 18.0, 6.0]));
+    // Across the edge: the spot comes out from under the roof.
+    let passes = [line([-3.0, 10.0, 0.0], [3.0, 10.0, 0.0], [0.0, 0.0, 1.0])];
+    let s = spot(Profile::Gaussian);
+    let (map, surfaces) = map_on(&part(&body), &passes, s, &[]);
+    let peak = 100.0 * POWER_W / SPEED * gauss(0.0, 0.6);
+    for sample in map.samples.iter().filter(|q| surfaces.of_facet[q.facet as usize] == surfaces.of_facet[0]) {
+        let [x, y, _] = centre(sample);
+        if !(-2.0..2.0).contains(&x) || (y - 10.0).abs() > 0.3 {
+            continue;
+        }
+        // At time t the axis is at t; light to x crosses 5 mm height at x + (t − x)·5/20, in the open if > 0.
+        let n = 4000;
+        let (mut sum, step) = (0.0, 6.0 / f64::from(n));
+        for i in 0..n {
+            let t = -3.0 + (f64::from(i) + 0.5) * step;
+            let k = 20.0 / 404.0;
+            if x - (x - t) * k * 5.0 > 0.0 && x - (x - t) * k * 6.0 > 0.0 {
+                sum += gauss(x - t, 0.6) * step;
+            }
+        }
+        let expected = 100.0 * POWER_W / SPEED * gauss(y - 10.0, 0.6) * sum;
+        assert!(
+            (f64::from(sample.fluence_j_cm2) - expected).abs() < 0.03 * peak,
+            "{x}: {} {expected}",
+            sample.fluence_j_cm2
+        );
+    }
+}
+
+#[test]
+fn a_clamp_shades_as_the_part_does() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("roof.stl");
+    std::fs::write(&file, clearbeam::sample::stl_bytes(&block([-8.0, 2.0, 5.0], [0.0, 18.0, 6.0]))).expect("writes");
+    let mut clamp = Obstacle::named(file.display().to_string());
+    clamp.load(None).expect("reads");
+    let passes = [line([0.0, 5.0, 0.0], [0.0, 15.0, 0.0], [0.0, 0.0, 1.0])];
+    let (map, _) = map_on(&part(&plate()), &passes, spot(Profile::Gaussian), &[clamp]);
+    let peak = 100.0 * POWER_W / SPEED * gauss(0.0, 0.6);
+    for s in map.samples.iter().filter(|s| (6.0..14.0).contains(&centre(s)[1])) {
+        let x = centre(s)[0];
+        let expected = if x > 0.0 { 100.0 * POWER_W / SPEED * gauss(x, 0.6) } else { 0.0 };
+        assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak);
+        assert_eq!(s.shaded_by, (x < 0.0 && s.unshaded_j_cm2 > 1.0).then_some(Theirs::Clamp(0)), "{x}");
+    }
+}
+
+/// A groove job, planned and computed.
+fn groove(placement: &Placement) -> (DoseMap, parts::Planned) {
+    let body = placed(&solids::v_groove(30.0, 6.0, 5.0, 12.0), placement);
+    let mut job = parts::job("z", 1.0);
+    job.layers.direction = clearbeam::path::Direction::Auto;
+    let planned = parts::planned(body, job);
+    let map =
+        job::dose(&planned.part, &planned.surfaces, &planned.plan, &planned.job, &parts::setup(), &Progress::default())
+            .expect("a dose");
+    (map, planned)
+}
+
+#[test]
+fn a_moved_or_turned_part_gets_the_same() {
+    let (map, one) = groove(&Placement::default());
+    let shares = map.shares(&one.surfaces);
+    assert!((shares.within + shares.under + shares.over + shares.shaded - 1.0).abs() < 1e-9);
+    let whole: f64 = map.histogram(&one.surfaces, 50, 1e5).iter().sum();
+    near("the histogram holds all", whole, one.surfaces.list.iter().map(|s| s.area_mm2).sum(), 1e-5);
+    for rotation_deg in [[0.0, 0.0, 90.0], [90.0, 0.0, 0.0]] {
+        let moved = Placement { rotation_deg, translation_mm: [7.0, -3.0, 50.0], ..Placement::default() };
+        let (again, other) = groove(&moved);
+        let same = again.shares(&other.surfaces);
+        for (a, b) in [
+            (shares.within, same.within),
+            (shares.under, same.under),
+            (shares.over, same.over),
+            (shares.shaded, same.shaded),
+        ] {
+            assert!((a - b).abs() < 5e-3, "{shares:?} and {same:?}");
+        }
+    }
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same() {
+    let maps = [1, 2, 3].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        pool.install(|| groove(&Placement::default()).0)
+    });
+    assert!(maps.iter().all(|m| m.samples == maps[0].samples && m.corners == maps[0].corners));
+}
+
+/// Parallel light over a ball: what passes through its disc lands, however wide the spot and however
+/// fine the samples.
+#[test]
+fn samples_add_up_to_what_comes_in() {
+    let body = part(&solids::sphere(6.0, 120, 60));
+    let lines: Vec<f64> = (-3..=3).map(|i| 2.0 * f64::from(i)).collect();
+    let passes: Vec<Pass> = lines.iter().map(|y| line([-12.0, *y, 6.0], [12.0, *y, 6.0], [0.0, 0.0, 1.0])).collect();
+    let mut counts = Vec::new();
+    for spot_mm in [0.8, 1.6, 3.2] {
+        let optics = Optics { rayleigh_mm: 1e5, ..Optics::default() };
+        let (map, _) = map_on(&body, &passes, Spot { spot_mm, optics, ..spot(Profile::Gaussian) }, &[]);
+        let lit: f64 = map.samples.iter().map(|q| f64::from(q.fluence_j_cm2) * f64::from(q.area_mm2) / 100.0).sum();
+        let step = 1e-3;
+        let through = |y: f64, at: f64| 2.0 * (36.0 - y * y).sqrt() * gauss(y - at, 0.5 * spot_mm) * step;
+        let places = (0..12_000).map(|i| -6.0 + (f64::from(i) + 0.5) * step);
+        let expected: f64 = places.map(|y| lines.iter().map(|at| through(y, *at)).sum::<f64>()).sum();
+        near("energy", lit, expected * POWER_W / SPEED, 3e-3);
+        counts.push(map.samples.len());
+    }
+    assert!(counts[0] > 2 * counts[1] && counts[1] > counts[2], "{counts:?}");
+}
+
+#[test]
+fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
+    let passes: Vec<Pass> = [9.6, 10.0, 14.0].map(|y| line([-5.0, y, 0.0], [5.0, y, 0.0], [0.0, 0.0, 1.0])).to_vec();
+    let body = part(&plate());
+    let surfaces = segmented(&body, &Job::default());
+    let task = Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![1], thresholds: LOW };
+    let ends = [2.5, 10.0, 20.0];
+    let light = Light::new(&passes, spot(Profile::Gaussian), POWER_W, SPEED, |pass, _| ends[pass]);
+    let map = dose(&task, light, &|| true).expect("a map");
+    let q = Point3::new(1.0, 10.1, 0.0);
+    let hits = map.hits_at(&body, &[], 0, &q, &Vector3::z());
+    assert_eq!(hits.iter().map(|h| h.pass).collect::<Vec<_>>(), [0, 1]);
+    for (hit, (y, ends_s)) in hits.iter().zip([(9.6, 2.5), (10.0, 10.0)]) {
+        assert!((hit.at_s - (ends_s - 4.0 / SPEED)).abs() < 1e-9 && hit.angle_deg < 1e-6);
+        near("dose", hit.j_cm2, 100.0 * POWER_W / SPEED * gauss(10.1 - y, 0.6), 1e-4);
+    }
+}
+
+#[test]
+fn what_is_not_chosen_and_lit_is_named() {
+    // A step: the lower face is cleaned right up to the wall, whose foot is lit as well.
+    let body = block([0.0, 0.0, 0.0], [20.0, 20.0, 6.0]);
+    let planned = planned_at(&body, &[[10.0, 10.0, 6.0]], parts::job("y", 0.5));
+    let map =
+        job::dose(&planned.part, &planned.surfaces, &planned.plan, &planned.job, &parts::setup(), &Progress::default())
+            .expect("a dose");
+    let shares = map.shares(&planned.surfaces);
+    assert!(shares.within > 0.93 && shares.over == 0.0 && shares.shaded == 0.0, "{shares:?}");
+    assert_eq!(map.collateral(&planned.surfaces), [], "the sides stand along the beam");
+    let below = planned.surface_at([10.0, 10.0, 0.0]);
+    assert!(
+        map.samples
+            .iter()
+            .filter(|s| planned.surfaces.of_facet[s.facet as usize] == below)
+            .all(|s| s.fluence_j_cm2 == 0.0)
+    );
+}
