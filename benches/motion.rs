@@ -43,6 +43,7 @@ fn passes(count: usize) -> Vec<Pass> {
         closed: false,
         targets: (k * 100..(k + 1) * 100).map(target).collect(),
         chord_error_mm: 0.0,
+        splits: Vec::new(),
     };
     (0..count / 100).map(line).collect()
 }

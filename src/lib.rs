@@ -23,6 +23,7 @@
 //!   ([`job::plan()`]), written ([`job::output`]) and compared with what was read ([`job::verify`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
+//! - [`progress`] is the one thing that all who work long share with who waits for them.
 //! - [`cli`] and [`app`] are the two doors: the command line and the window. Nothing imports them.
 //!
 //! Units: lengths mm, angles degrees, speeds mm/s, times s. Everything up to `program` is in the
@@ -67,5 +68,6 @@ pub mod picture;
 pub mod pose;
 pub mod process;
 pub mod program;
+pub mod progress;
 pub mod sample;
 pub mod view;

@@ -8,7 +8,7 @@ mod parts;
 
 use clearbeam::cell::motion::{Arm, Cause, Watch, choose};
 use clearbeam::cell::{Mount, Robot, Setup, Spin};
-use clearbeam::job::{Cache, advice};
+use clearbeam::job::{Cache, Progress, advice};
 use clearbeam::part::angle;
 use clearbeam::pose::{Pass, State};
 use clearbeam::program::{Step, Way};
@@ -199,9 +199,10 @@ fn a_better_setup_refuses_as_few_as_it_says() {
     let p = planned_in(part(&sample("workpiece")), on(job("z", 10.0), &[1, 2, 3]), &far);
     let before = p.plan.refusals.len();
     assert!(before > 10, "{before} refused");
-    assert!(!advice::advice(&p.part, &p.plan, &p.job, &far).is_empty());
-    let found = advice::better_setup(&p.part, &p.surfaces, &p.plan, &p.job, &far, &Cache::default());
-    let (better, left) = found.expect("something better");
+    let progress = Progress::default();
+    assert!(!advice::advice(&p.part, &p.plan, &p.job, &far, &progress).expect("goes on").is_empty());
+    let found = advice::better_setup(&p.part, &p.surfaces, &p.plan, &p.job, &far, &Cache::default(), &progress);
+    let (better, left) = found.expect("goes on").expect("something better");
     assert!(left < before / 10, "{left} of {before}");
     let mut moved = far.clone();
     advice::applied(&p.job.cell, Mount::PartInHand, &better).put_frames(&mut moved.cell);

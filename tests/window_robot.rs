@@ -40,6 +40,8 @@ fn the_arm_carries_the_part_under_the_laser() {
     press(&mut h, Modifiers::NONE, Key::P);
     settle(&mut h);
     snapshot(&mut h, "motion");
+    assert!(h.query_by_label("curve of the clearance").is_some());
+    assert!(h.query_by_label_contains("Clearance, mm · least ").is_some(), "with the least of all");
     click(&mut h, "Robot cell");
     assert!(h.query_by_label("pass 2 · point 12").is_some());
 }
@@ -114,9 +116,13 @@ fn a_click_in_a_curve_goes_there_and_the_line_of_the_program_follows() {
     let mut h = cup(&folder);
     press(&mut h, Modifiers::NONE, Key::M);
     press(&mut h, Modifiers::NONE, Key::P);
-    click_at(&mut h, "curves of joints", 0.8);
-    let (now_s, all_s, _) = place(&h);
-    assert!((0.7..0.9).contains(&(now_s as f64 / all_s as f64)), "{now_s} of {all_s}");
+    for (curve, share) in [("curves of joints", 0.8), ("curve of the clearance", 0.5)] {
+        click_at(&mut h, curve, share);
+        let (now_s, all_s, _) = place(&h);
+        // The axis stands left of the curve.
+        let at = now_s as f64 / all_s as f64;
+        assert!((share as f64 - 0.2..share as f64 + 0.1).contains(&at), "{curve}: {now_s} of {all_s}");
+    }
     // A click on a line goes to its move, or the next one: the first of the pass.
     press(&mut h, Modifiers::NONE, Key::Home);
     let (begun_s, _, first) = place(&h);

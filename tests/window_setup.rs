@@ -10,6 +10,7 @@ use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 /// The cup in the hand of an MZ04.
 fn job(folder: &tempfile::TempDir, cell: &str) -> PathBuf {
@@ -100,6 +101,47 @@ fn a_better_set_up_is_looked_at_applied_and_undone() {
     press(&mut h, Modifiers::COMMAND, Key::Z);
     assert_eq!(left_out(&h), before, "one step");
     assert_eq!(field(&h, "Laser in the base x"), "x 620.0 mm");
+}
+
+/// Steps until something is so, and says how long that took.
+fn until(h: &mut Harness<'_, App>, is_so: impl Fn(&Harness<'_, App>) -> bool) -> Duration {
+    let begun = Instant::now();
+    while !is_so(h) {
+        assert!(begun.elapsed() < Duration::from_secs(60), "it never came");
+        std::thread::sleep(Duration::from_millis(1));
+        h.step();
+    }
+    begun.elapsed()
+}
+
+#[test]
+fn a_search_says_what_it_does_and_is_cancelled_at_once() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut h = far(&folder);
+    reveal(&mut h, "Find a better set-up");
+    let found = |h: &Harness<'_, App>| h.query_by_label_contains("% within reach instead of ").is_some();
+    // Other tests take time as well: the best of three counts.
+    let mut least = Duration::MAX;
+    for _ in 0..3 {
+        h.get_by_label("Find a better set-up").click();
+        until(&mut h, |h| h.query_by_label_contains("trying set-ups ").is_some());
+        h.get_by_label("Cancel").click();
+        h.step();
+        least = least.min(until(&mut h, |h| h.query_by_label("Cancel").is_none()));
+        settle(&mut h);
+        assert!(!found(&h) && h.query_by_label("Find a better set-up").is_some(), "it can be looked for again");
+    }
+    assert!(least < Duration::from_millis(100), "{least:?}");
+    // What would help is looked for unasked after each plan.
+    h.key_press_modifiers(Modifiers::COMMAND, Key::R);
+    until(&mut h, |h| h.query_by_label_contains("trying changes ").is_some());
+    h.get_by_label("Cancel").click();
+    settle(&mut h);
+    assert!(h.query_by_label_contains("the search was cancelled").is_some());
+    press(&mut h, Modifiers::COMMAND, Key::R);
+    assert!(h.query_by_label_contains("Put the laser 100 mm nearer").is_some());
+    find(&mut h);
+    assert!(found(&h), "and found");
 }
 
 #[test]

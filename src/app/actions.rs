@@ -37,7 +37,7 @@ impl App {
             C::Open | C::Help | C::Escape | C::Theme => true,
             C::Undo => self.document.undo_name().is_some(),
             C::Redo => self.document.redo_name().is_some(),
-            C::Cancel => self.worker.progress().is_some(),
+            C::Cancel => self.progress().is_some(),
             C::Export
             | C::Play
             | C::NextPoint
@@ -111,7 +111,7 @@ impl App {
             C::TurnY => self.place(|p| p.quarter_turn(1)),
             C::TurnZ => self.place(|p| p.quarter_turn(2)),
             C::Plan => self.plan_again(),
-            C::Cancel => self.worker.cancel(),
+            C::Cancel => self.cancel(),
             C::BetterSetup => self.propose(),
             C::Theme => {
                 let dark = ctx.theme() == egui::Theme::Dark;

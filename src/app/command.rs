@@ -177,7 +177,7 @@ pub const COMMANDS: &[Row] = &[
     row(C::Text, "Program text", M::View, key(Key::P)),
     row(C::Theme, "Dark or light", M::View, None),
     row(C::Plan, "Plan now", M::Plan, ctrl(Key::R)),
-    row(C::Cancel, "Cancel planning", M::Plan, None),
+    row(C::Cancel, "Cancel planning or search", M::Plan, None),
     row(C::BetterSetup, "Find a better set-up", M::Plan, None),
     row(C::Play, "Play or pause", M::Plan, key(Key::Space)),
     row(C::NextPoint, "Next point", M::Plan, key(Key::ArrowRight)),

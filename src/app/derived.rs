@@ -2,6 +2,7 @@
 //! inputs it was made from; [`App::sync`] starts what is out of date.
 
 use super::App;
+use super::clearance::Clearances;
 use super::motion::Motion;
 use super::remedy::Remedy;
 use super::worker::Outcome;
@@ -46,6 +47,7 @@ pub struct Derived {
     pub plan_of: Option<Job>,
     /// The plan in motion, once that is made.
     pub motion: Option<Arc<Motion>>,
+    pub(super) clearances: Clearances,
     /// What would help with what is refused of it.
     pub(super) remedy: Remedy,
     /// Why there is none for the job as it is.
@@ -104,6 +106,7 @@ impl App {
         self.sync_cell(&job);
         self.sync_plan(part, job);
         self.sync_advice();
+        self.sync_clearance();
     }
 
     fn sync_surfaces(&mut self, part: &Arc<Part>, job: &Job) {
@@ -205,7 +208,8 @@ impl App {
                 }
                 Outcome::Planned(job, result) => self.planned(*job, result),
                 Outcome::Moving(of, motion) => self.moving(of, motion),
-                Outcome::Advised(of, sentences) => self.advised(of, sentences),
+                Outcome::Cleared(of, curve) => self.cleared(of, curve),
+                Outcome::Advised(of, told) => self.advised(of, told),
                 Outcome::Proposed(of, proposal) => self.proposed(of, proposal),
                 Outcome::Exported(result) => self.exported(result),
                 Outcome::Picked(purpose, path) => self.picked(purpose, path),
@@ -276,6 +280,7 @@ impl App {
 
     /// Takes a part that was opened.
     pub(super) fn take_part(&mut self, raw: Arc<RawPart>, part: Arc<Part>, of: PartFile) {
+        self.end_searches();
         self.derived = Derived {
             raw: Some(raw),
             part: Some(part),

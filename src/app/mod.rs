@@ -5,6 +5,7 @@
 //! 100 ms runs on a thread of its own, and a result whose inputs are no longer current is dropped.
 
 mod actions;
+mod clearance;
 mod command;
 mod derived;
 mod dialogs;
@@ -129,6 +130,7 @@ impl eframe::App for App {
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.worker.cancel();
+        self.end_searches();
         self.viewport.release();
     }
 }

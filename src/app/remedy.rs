@@ -1,5 +1,6 @@
 //! What would help with the targets that the robot refuses: sentences of advice, and a better set-up
-//! with its picture. Both are looked for on a thread and belong to one plan: with that they go.
+//! with its picture. Both are looked for on a thread, with progress and cancel, and belong to one plan:
+//! with that they go.
 
 use super::App;
 use super::worker::Outcome;
@@ -9,6 +10,7 @@ use crate::cell::motion::advice::BetterSetup;
 use crate::job::{Cache, Edit, Job, Plan, advice};
 use crate::part::{Hasher, Part, Surfaces};
 use crate::picture::{CellPicture, palette::state};
+use crate::progress::{Cancelled, Progress};
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
 use std::sync::Arc;
@@ -21,11 +23,26 @@ pub(super) const OUT_OF_REACH: [u8; 3] = state::BLOCKED;
 /// What is known of help, and the number of the plan that it is for.
 #[derive(Default)]
 pub struct Remedy {
-    advice: Option<(u64, Vec<String>)>,
-    is_advising: bool,
+    /// Of a search that was cancelled nothing is known.
+    advice: Option<(u64, Result<Vec<String>, Cancelled>)>,
+    advising: Option<Search>,
     /// `None` in it: there is no better one.
     proposal: Option<(u64, Option<Arc<Proposal>>)>,
-    proposing: Option<u64>,
+    proposing: Option<Search>,
+}
+
+/// A search on its thread.
+struct Search {
+    /// The plan that it is for.
+    of: u64,
+    progress: Arc<Progress>,
+}
+
+impl Search {
+    fn new(of: u64) -> (Search, Arc<Progress>) {
+        let progress = Arc::new(Progress::default());
+        (Search { of, progress: progress.clone() }, progress)
+    }
 }
 
 /// A set-up that was found, ready to be looked at.
@@ -51,9 +68,15 @@ struct Ingredients {
 }
 
 impl Proposal {
-    fn new(i: &Ingredients, surfaces: &Surfaces, cache: &Cache) -> Option<Proposal> {
+    fn new(
+        i: &Ingredients,
+        surfaces: &Surfaces,
+        cache: &Cache,
+        progress: &Progress,
+    ) -> Result<Option<Proposal>, Cancelled> {
         let Ingredients { part, plan, job, setup } = i;
-        let (found, left) = advice::better_setup(part, surfaces, plan, job, setup, cache)?;
+        let better = advice::better_setup(part, surfaces, plan, job, setup, cache, progress)?;
+        let Some((found, left)) = better else { return Ok(None) };
         let cell = advice::applied(&job.cell, setup.mount, &found);
         let mut setup = setup.clone();
         cell.put_frames(&mut setup.cell);
@@ -61,7 +84,7 @@ impl Proposal {
         let points = [(true, WITHIN, 6.0), (false, OUT_OF_REACH, 9.0)]
             .map(|(kind, color, size_px)| points(spots.iter().filter(|s| s.1 == kind).map(|s| s.0), color, size_px));
         let refused = [left, plan.refusals.len()];
-        Some(Proposal { picture: CellPicture::new(&setup), found, refused, setup, points })
+        Ok(Some(Proposal { picture: CellPicture::new(&setup), found, refused, setup, points }))
     }
 }
 
@@ -76,7 +99,7 @@ fn points(spots: impl Iterator<Item = Point3<f64>>, [r, g, b]: [u8; 3], size_px:
 
 impl App {
     /// Whether the plan is of the job as it is.
-    fn has_current_plan(&self) -> bool {
+    pub(super) fn has_current_plan(&self) -> bool {
         self.derived.plan.is_some() && self.derived.plan_of.as_ref() == Some(self.document.job())
     }
 
@@ -86,9 +109,9 @@ impl App {
     }
 
     /// What would help with the plan as it is; `None`: that is being looked for.
-    pub(super) fn advice(&self) -> Option<&[String]> {
+    pub(super) fn advice(&self) -> Option<Result<&[String], Cancelled>> {
         let known = self.derived.remedy.advice.as_ref().filter(|(of, _)| *of == self.derived.plan_count);
-        known.map(|(_, sentences)| sentences.as_slice())
+        known.map(|(_, told)| told.as_deref().map_err(|e| *e))
     }
 
     /// The set-up that is proposed for the plan as it is.
@@ -105,25 +128,42 @@ impl App {
 
     /// Whether a set-up for the plan as it is is being looked for.
     pub(super) fn is_proposing(&self) -> bool {
-        self.derived.remedy.proposing == Some(self.derived.plan_count) && self.has_current_plan()
+        self.derived.remedy.proposing.as_ref().is_some_and(|s| s.of == self.derived.plan_count)
+            && self.has_current_plan()
     }
 
-    /// Looks for what would help, one plan at a time: those of a drag are not waited for.
+    /// The search that is shown: one that was asked for before one that nobody asked for.
+    pub(super) fn search(&self) -> Option<&Progress> {
+        let r = &self.derived.remedy;
+        r.proposing.as_ref().or(r.advising.as_ref()).map(|s| &*s.progress)
+    }
+
+    /// Ends all of them.
+    pub(super) fn end_searches(&self) {
+        let r = &self.derived.remedy;
+        r.advising.iter().chain(&r.proposing).for_each(|s| s.progress.cancel());
+    }
+
+    /// Looks for what would help, one plan at a time, and ends searches for plans that are no more.
     pub(super) fn sync_advice(&mut self) {
-        if self.derived.remedy.is_advising || !self.has_refusals() || self.advice().is_some() {
+        let stale = |s: &&Search| s.of != self.derived.plan_count || !self.has_current_plan();
+        let r = &self.derived.remedy;
+        r.advising.iter().chain(&r.proposing).filter(stale).for_each(|s| s.progress.cancel());
+        if r.advising.is_some() || !self.has_refusals() || self.advice().is_some() {
             return;
         }
         if let Some(Ingredients { part, plan, job, setup }) = self.ingredients() {
-            self.derived.remedy.is_advising = true;
             let of = self.derived.plan_count;
-            self.worker.spawn(move || Outcome::Advised(of, advice::advice(&part, &plan, &job, &setup)));
+            let (search, progress) = Search::new(of);
+            self.derived.remedy.advising = Some(search);
+            self.worker.spawn(move || Outcome::Advised(of, advice::advice(&part, &plan, &job, &setup, &progress)));
         }
     }
 
-    pub(super) fn advised(&mut self, of: u64, sentences: Vec<String>) {
-        self.derived.remedy.is_advising = false;
-        if of == self.derived.plan_count {
-            self.derived.remedy.advice = Some((of, sentences));
+    pub(super) fn advised(&mut self, of: u64, told: Result<Vec<String>, Cancelled>) {
+        self.derived.remedy.advising = None;
+        if of == self.derived.plan_count && self.has_current_plan() {
+            self.derived.remedy.advice = Some((of, told));
         }
     }
 
@@ -133,18 +173,21 @@ impl App {
             let (surfaces, cache) = (self.derived.surfaces.clone(), self.derived.cache.clone());
             let of = self.derived.plan_count;
             self.derived.remedy.proposal = None;
-            self.derived.remedy.proposing = Some(of);
-            self.worker
-                .spawn(move || Outcome::Proposed(of, Proposal::new(&ingredients, &surfaces, &cache).map(Arc::new)));
+            let (search, progress) = Search::new(of);
+            if let Some(before) = self.derived.remedy.proposing.replace(search) {
+                before.progress.cancel();
+            }
+            self.worker.spawn(move || {
+                let proposal = Proposal::new(&ingredients, &surfaces, &cache, &progress);
+                Outcome::Proposed(of, proposal.map(|found| found.map(Arc::new)))
+            });
         }
     }
 
-    pub(super) fn proposed(&mut self, of: u64, proposal: Option<Arc<Proposal>>) {
-        if self.derived.remedy.proposing != Some(of) {
-            return; // for a plan that is no more
+    pub(super) fn proposed(&mut self, of: u64, proposal: Result<Option<Arc<Proposal>>, Cancelled>) {
+        if self.derived.remedy.proposing.take_if(|s| s.of == of).is_some() {
+            self.derived.remedy.proposal = proposal.ok().map(|found| (of, found));
         }
-        self.derived.remedy.proposing = None;
-        self.derived.remedy.proposal = Some((of, proposal));
     }
 
     /// Takes the proposed set-up into the job.

@@ -1,12 +1,14 @@
 //! Long work on its own threads: one thing at a time, with progress and cancel. Results come back
 //! over a channel and wake the window.
 
+use super::clearance::ClearanceCurve;
 use super::dialogs::Purpose;
 use super::motion::Motion;
 use super::remedy::Proposal;
 use crate::job::report::Report;
 use crate::job::{Job, Plan, PlanError, Progress};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
+use crate::progress::Cancelled;
 use eframe::egui;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -25,10 +27,12 @@ pub enum Outcome {
     Planned(Box<Job>, Result<(Arc<Plan>, Arc<Report>), PlanError>),
     /// The motion of the plan of that number.
     Moving(u64, Arc<Motion>),
+    /// The clearance over the motion of the plan of that number.
+    Cleared(u64, Arc<ClearanceCurve>),
     /// What would help with the plan of that number.
-    Advised(u64, Vec<String>),
+    Advised(u64, Result<Vec<String>, Cancelled>),
     /// A better set-up for it, if there is any.
-    Proposed(u64, Option<Arc<Proposal>>),
+    Proposed(u64, Result<Option<Arc<Proposal>>, Cancelled>),
     /// Files were written, or not.
     Exported(Result<Vec<PathBuf>, String>),
     /// A file was picked, or not.

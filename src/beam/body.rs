@@ -8,10 +8,10 @@
 //! the beam stands more steeply on them than the cone's half angle; a wall 0.2 mm away enters it at a
 //! height of 0.2/tan 15° = 0.75 mm, and is seen.
 
+use super::frustum::Frustum;
 use super::head::{Head, HeadPart};
 use super::optics::Optics;
 use super::{Obstacle, Tool};
-use crate::part::Part;
 
 /// Half angle of the cone within which beam and margin count, degrees.
 ///
@@ -23,30 +23,12 @@ pub const OWN_CONE_DEG: f64 = 15.0;
 /// Its tangent.
 pub(crate) const OWN_SLOPE: f64 = 0.267_949_192_431_122_7;
 
+/// Its sine.
+pub(crate) const OWN_SINE: f64 = 0.258_819_045_102_520_74;
+
 /// The beam is looked at from here on, mm above the spot: nearer, even that cone is within the rounding
 /// of f32 coordinates on a large part.
 pub(crate) const START_MM: f64 = 0.05;
-
-/// A cut cone about the axis, its ends flat: t is measured from the point on the part along a.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frustum {
-    /// Where it begins, mm.
-    pub t0_mm: f64,
-    /// Where it ends.
-    pub t1_mm: f64,
-    /// Radius where it begins, mm.
-    pub r0_mm: f64,
-    /// Radius where it ends, mm.
-    pub r1_mm: f64,
-}
-
-impl Frustum {
-    /// The greatest distance of any of its points from the point on the part, mm.
-    pub fn reach_mm(&self) -> f64 {
-        let end = |t: f64, r: f64| libm::hypot(t, r);
-        end(self.t0_mm, self.r0_mm).max(end(self.t1_mm, self.r1_mm))
-    }
-}
 
 /// Beam, head and clamps, ready to be asked for many poses.
 #[derive(Clone, Debug)]
@@ -55,14 +37,16 @@ pub struct Body<'a> {
     pub defocus_mm: f64,
     /// What beam and head keep from everything, mm.
     pub margin_mm: f64,
-    /// The beam, wider by the margin, within the cone of its own neighbourhood; none without a head.
+    /// The beam, wider by the margin, within the cone of its own neighbourhood.
     pub beam: Vec<Frustum>,
     /// The head, as it is.
     pub head: Vec<Frustum>,
-    /// A head of facets; in its frame the focus is the origin and a is z.
-    pub head_solid: Option<&'a Part>,
     /// What stands on the part, in its frame.
     pub clamps: &'a [Obstacle],
+    /// Whether there is a head; without one the beam is a ray, and keeps no margin.
+    pub has_head: bool,
+    /// The beam's radius along t, mm: corners of a line.
+    profile: Vec<(f64, f64)>,
 }
 
 impl<'a> Body<'a> {
@@ -72,47 +56,68 @@ impl<'a> Body<'a> {
         if tool.head.is_none() && tool.clamps.is_empty() {
             return None;
         }
-        let stack: &[HeadPart] = if let Some(Head::Stack(parts)) = &tool.head { parts } else { &[] };
         let shifted = |p: &HeadPart| Frustum {
             t0_mm: p.from_mm + defocus_mm,
             t1_mm: p.to_mm + defocus_mm,
             r0_mm: p.r0_mm,
             r1_mm: p.r1_mm,
         };
+        let has_head = tool.head.is_some();
+        let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { vec![(0.0, RAY_MM), (1e4, RAY_MM)] };
+        let margin_mm = if has_head { margin_mm } else { 0.0 };
         Some(Body {
             defocus_mm,
             margin_mm,
-            beam: if tool.head.is_some() { cone(optics, spot_mm, defocus_mm, margin_mm) } else { Vec::new() },
-            head: stack.iter().map(shifted).collect(),
-            head_solid: tool.head.as_ref().and_then(Head::solid),
+            beam: widened(&profile, margin_mm),
+            head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
             clamps: &tool.clamps,
+            has_head,
+            profile,
         })
+    }
+
+    /// The same with another margin.
+    pub fn with_margin(&self, margin_mm: f64) -> Body<'a> {
+        Body { margin_mm, beam: self.beam_with(margin_mm), ..self.clone() }
+    }
+
+    /// The beam with another margin.
+    pub fn beam_with(&self, margin_mm: f64) -> Vec<Frustum> {
+        widened(&self.profile, margin_mm)
     }
 }
 
+/// Radius of a ray, mm: what it keeps from clamps, and the part.
+const RAY_MM: f64 = 0.02;
+
 /// Spot, waist and aperture joined by straight lines: outside of the beam's own curve, which bends
 /// outwards.
-fn cone(optics: &Optics, spot_mm: f64, defocus_mm: f64, margin_mm: f64) -> Vec<Frustum> {
-    let lens = (defocus_mm + optics.lens_to_focus_mm, 0.5 * optics.aperture_mm);
-    let mut wide = vec![(0.0, 0.5 * spot_mm)];
+fn profile(optics: &Optics, spot_mm: f64, defocus_mm: f64) -> Vec<(f64, f64)> {
+    let mut out = vec![(0.0, 0.5 * spot_mm)];
     if defocus_mm > 0.0 {
-        wide.push((defocus_mm, 0.5 * optics.focus_spot_mm));
+        out.push((defocus_mm, 0.5 * optics.focus_spot_mm));
     }
-    wide.push(lens);
+    out.push((defocus_mm + optics.lens_to_focus_mm, 0.5 * optics.aperture_mm));
+    out
+}
+
+/// A beam wider by the margin, but no wider than the cone of its own neighbourhood.
+fn widened(profile: &[(f64, f64)], margin_mm: f64) -> Vec<Frustum> {
     let mut out = Vec::new();
-    for w in wide.windows(2) {
+    for w in profile.windows(2) {
         let ((t0, r0), (t1, r1)) = (w[0], w[1]);
-        if t1 <= t0 {
+        let start = t0.max(START_MM);
+        if t1 <= start {
             continue;
         }
         let slope = (r1 - r0) / (t1 - t0);
-        // Where the cone of the own neighbourhood is as wide as beam and margin.
+        // Where the two are as wide as each other.
         let even = (r0 + margin_mm - slope * t0) / (OWN_SLOPE - slope);
-        let mut stops = vec![t0.max(START_MM)];
-        stops.extend([even].into_iter().filter(|t| *t > t0.max(START_MM) && *t < t1));
+        let mut stops = vec![start];
+        stops.extend([even].into_iter().filter(|t| *t > start && *t < t1));
         stops.push(t1);
         let radius = |t: f64| (r0 + slope * (t - t0) + margin_mm).min(OWN_SLOPE * t);
-        out.extend(stops.windows(2).filter(|s| s[1] > s[0]).map(|s| Frustum {
+        out.extend(stops.windows(2).map(|s| Frustum {
             t0_mm: s[0],
             t1_mm: s[1],
             r0_mm: radius(s[0]),
@@ -129,6 +134,7 @@ mod tests {
     #[test]
     fn the_slope_is_that_of_the_angle() {
         assert_eq!(OWN_SLOPE, libm::tan(OWN_CONE_DEG.to_radians()));
+        assert_eq!(OWN_SINE, libm::sin(OWN_CONE_DEG.to_radians()));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Both are measured from the focus, the stack along a, against the light; an STL stands with its
 //! origin in the focus and its z along a. Cables and nozzles are pieces like any other.
 
+use super::envelope::envelope;
 use super::obstacle::Obstacle;
 use crate::part::{LoadError, Part};
 use serde::{Deserialize, Serialize};
@@ -28,8 +29,8 @@ pub struct HeadPart {
 pub enum Head {
     /// Cylinders and cones.
     Stack(Vec<HeadPart>),
-    /// Facets.
-    Solid(Obstacle),
+    /// Facets, and the stack that they sweep as they turn about the beam.
+    Solid(Obstacle, Vec<HeadPart>),
 }
 
 /// The TOML file of a stack.
@@ -73,7 +74,8 @@ impl Head {
         if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("stl")) {
             let mut solid = Obstacle::named(name);
             solid.load(None)?;
-            return Ok(Head::Solid(solid));
+            let stack = envelope(&solid.solid().mesh);
+            return Ok(Head::Solid(solid, stack));
         }
         let text = std::fs::read_to_string(file).map_err(|source| HeadError::Read { file: name.clone(), source })?;
         Head::from_toml(&text).map_err(|what| HeadError::Stack { file: name, what })
@@ -108,7 +110,14 @@ impl Head {
     pub fn solid(&self) -> Option<&Part> {
         match self {
             Head::Stack(_) => None,
-            Head::Solid(o) => Some(o.solid()),
+            Head::Solid(o, _) => Some(o.solid()),
+        }
+    }
+
+    /// The cylinders and cones that it counts as.
+    pub fn stack(&self) -> &[HeadPart] {
+        match self {
+            Head::Stack(parts) | Head::Solid(_, parts) => parts,
         }
     }
 }

@@ -4,11 +4,14 @@
 //! Millimetres; along the beam, t runs from the point on the part and z from the focus.
 
 pub mod body;
+pub mod envelope;
+pub mod frustum;
 pub mod head;
 pub mod obstacle;
 pub mod optics;
 
 pub use body::Body;
+pub use frustum::Frustum;
 pub use head::{Head, HeadError, HeadPart};
 pub use obstacle::Obstacle;
 pub use optics::Optics;

@@ -1,18 +1,19 @@
-//! Whether anything in the cell touches, at one pose of the robot: links, what the robot carries,
-//! and what stands.
+//! Whether anything in the cell touches, at one pose of the robot, and how far it keeps from it:
+//! links, what the robot carries, and what stands.
 //!
 //! Links and head are capsules, part and fixtures their facets; distances between them are exact.
 //! What stands is not tested against what stands (the robot's base among it), nor a link against its
 //! neighbours, nor the wrist against what it carries.
 
-use super::bodies::HeadCapsule;
+mod shapes;
+
 use super::robot::LinkCapsule;
 use super::{Joints, Mount, Robot, Setup};
-use crate::part::distance::{point_segment, segments};
-use crate::part::{Bvh, Part};
-use nalgebra::{Isometry3, Point3, Vector3};
-use std::borrow::Cow;
+use crate::part::Part;
+use nalgebra::Isometry3;
+use shapes::{Body, Capsule, Solid};
 use std::fmt;
+use std::ops::ControlFlow;
 
 /// Two bodies that touch, or come nearer than the margin.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,24 +52,12 @@ enum Carried<'a> {
     Head(Vec<Capsule>),
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Capsule {
-    from: Point3<f64>,
-    to: Point3<f64>,
-    radius_mm: f64,
-}
+/// A look at two bodies and their names.
+type Look<'l, B> = dyn FnMut(&'static str, &str, &Body<'_, '_>, &Body<'_, '_>) -> ControlFlow<B> + 'l;
 
-/// Facets with a place, and a sphere around them.
-#[derive(Clone, Debug)]
-struct Solid<'a> {
-    name: Cow<'a, str>,
-    bvh: &'a Bvh,
-    /// Whether it has an inside.
-    closed: bool,
-    at: Isometry3<f64>,
-    centre: Point3<f64>,
-    radius_mm: f64,
-}
+/// Clearance is told up to here, mm: nothing that keeps a hand's width away is in danger, and the
+/// search for what is nearest ends early.
+pub const CLEARANCE_REACH_MM: f64 = 100.0;
 
 const PART: &str = "part";
 const HEAD: &str = "head";
@@ -107,44 +96,80 @@ impl<'a> Collision<'a> {
     /// The first contact at a pose of the robot, in an order that is always the same; joints in
     /// degrees.
     pub fn first(&self, joints_deg: &Joints) -> Option<Contact> {
+        let met = self.each_pair(joints_deg, &mut |a, b, one, other| {
+            if !one.is_near(other, self.margin_mm) {
+                return ControlFlow::Continue(());
+            }
+            ControlFlow::Break(Contact { a, b: b.into() })
+        });
+        met.break_value()
+    }
+
+    /// Distance of the two bodies that are nearest each other at a pose of the robot, mm, 0 where they
+    /// touch; of equals the first in the order of [`Self::first`]. `None`: all keep farther apart than
+    /// [`CLEARANCE_REACH_MM`].
+    pub fn clearance(&self, joints_deg: &Joints) -> Option<(f64, Contact)> {
+        let mut nearest = None;
+        let mut within_mm = CLEARANCE_REACH_MM;
+        let _: ControlFlow<()> = self.each_pair(joints_deg, &mut |a, b, one, other| {
+            if let Some(mm) = one.distance_mm(other, within_mm) {
+                within_mm = mm;
+                nearest = Some((mm, Contact { a, b: b.into() }));
+            }
+            ControlFlow::Continue(())
+        });
+        nearest
+    }
+
+    /// The distance that everything keeps, mm.
+    pub fn margin_mm(&self) -> f64 {
+        self.margin_mm
+    }
+
+    /// Shows all that may touch at a pose, two by two and always in this order, until one look ends it.
+    fn each_pair<B>(&self, joints_deg: &Joints, look: &mut Look<'_, B>) -> ControlFlow<B> {
         let links = self.robot.capsules(joints_deg);
         let base_from_flange = self.robot.forward(joints_deg);
         let [_, moving @ ..] = &links;
-        let touched = moving.iter().find_map(|l| Some((l.name, self.met_by(&Capsule::of_link(l))?)));
+        for l in moving {
+            self.each_beside(l.name, &Body::Capsule(Capsule::of_link(l)), &[], look)?;
+        }
         // What is carried may touch all but the wrist that carries it.
         let [rest @ .., _] = &links;
-        let touched = touched.or_else(|| match &self.carried {
-            Carried::Part(part) => Some((PART, self.met_by_part(&part.moved(&base_from_flange), rest)?)),
-            Carried::Head(head) => {
-                head.iter().find_map(|c| Some((HEAD, self.met_by_head(&c.moved(&base_from_flange), rest)?)))
+        match &self.carried {
+            Carried::Part(part) => {
+                self.each_beside(PART, &Body::Solid(&part.moved(&base_from_flange)), rest, look)?;
             }
-        });
-        touched.map(|(a, b)| Contact { a, b: b.into() })
+            Carried::Head(head) => {
+                for c in head {
+                    self.each_beside(HEAD, &Body::Capsule(c.moved(&base_from_flange)), rest, look)?;
+                }
+            }
+        }
+        ControlFlow::Continue(())
     }
 
-    /// What a capsule of the arm touches of all that stands.
-    fn met_by(&self, c: &Capsule) -> Option<&str> {
-        let head = || self.standing_head.iter().any(|h| h.near(c, self.margin_mm)).then_some(HEAD);
-        let table = || self.table_z_mm.filter(|z| c.lowest_mm() < z + self.margin_mm).map(|_| TABLE);
-        let solid = || self.standing.iter().find(|s| s.near(c, self.margin_mm)).map(|s| &*s.name);
-        table().or_else(head).or_else(solid)
-    }
-
-    fn met_by_part(&self, part: &Solid<'_>, links: &[LinkCapsule]) -> Option<&str> {
-        let margin = self.margin_mm;
-        let table = || self.table_z_mm.filter(|z| part.reaches_below(z + margin)).map(|_| TABLE);
-        let head = || self.standing_head.iter().any(|h| part.near(h, margin)).then_some(HEAD);
-        let link = || links.iter().find(|l| part.near(&Capsule::of_link(l), margin)).map(|l| l.name);
-        let solid = || self.standing.iter().find(|s| s.near_solid(part, margin)).map(|s| &*s.name);
-        table().or_else(head).or_else(link).or_else(solid)
-    }
-
-    fn met_by_head(&self, c: &Capsule, links: &[LinkCapsule]) -> Option<&str> {
-        let margin = self.margin_mm;
-        let table = || self.table_z_mm.filter(|z| c.lowest_mm() < z + margin).map(|_| TABLE);
-        let link = || links.iter().find(|l| c.near(&Capsule::of_link(l), margin)).map(|l| l.name);
-        let solid = || self.standing.iter().find(|s| s.near(c, margin)).map(|s| &*s.name);
-        table().or_else(link).or_else(solid)
+    /// A body with all that stands, and with links.
+    fn each_beside<B>(
+        &self,
+        name: &'static str,
+        body: &Body<'_, 'a>,
+        links: &[LinkCapsule],
+        look: &mut Look<'_, B>,
+    ) -> ControlFlow<B> {
+        if let Some(z_mm) = self.table_z_mm {
+            look(name, TABLE, body, &Body::Below(z_mm))?;
+        }
+        for h in &self.standing_head {
+            look(name, HEAD, body, &Body::Capsule(*h))?;
+        }
+        for l in links {
+            look(name, l.name, body, &Body::Capsule(Capsule::of_link(l)))?;
+        }
+        for s in &self.standing {
+            look(name, &s.name, body, &Body::Solid(s))?;
+        }
+        ControlFlow::Continue(())
     }
 
     /// The first contact on a joint move, and where it is: 0 at `from`, 1 at `to`.
@@ -212,79 +237,6 @@ impl Carried<'_> {
                 head.iter().map(|c| c.from.coords.norm().max(c.to.coords.norm()) + c.radius_mm).fold(0.0, f64::max)
             }
         }
-    }
-}
-
-impl Capsule {
-    fn of(h: &HeadCapsule, focus: &Isometry3<f64>) -> Capsule {
-        let at = |mm: f64| focus * Point3::new(0.0, 0.0, mm);
-        Capsule { from: at(h.from_mm), to: at(h.to_mm), radius_mm: h.radius_mm }
-    }
-
-    fn of_link(l: &LinkCapsule) -> Capsule {
-        Capsule { from: l.from, to: l.to, radius_mm: l.radius_mm }
-    }
-
-    fn moved(&self, by: &Isometry3<f64>) -> Capsule {
-        Capsule { from: by * self.from, to: by * self.to, ..*self }
-    }
-
-    fn lowest_mm(&self) -> f64 {
-        self.from.z.min(self.to.z) - self.radius_mm
-    }
-
-    fn near(&self, o: &Capsule, margin_mm: f64) -> bool {
-        segments(&self.from, &self.to, &o.from, &o.to) <= self.radius_mm + o.radius_mm + margin_mm
-    }
-}
-
-impl<'a> Solid<'a> {
-    fn new(name: impl Into<Cow<'a, str>>, part: &'a Part, at: Isometry3<f64>) -> Option<Solid<'a>> {
-        let (centre, radius_mm) = part.bvh.sphere()?;
-        Some(Solid {
-            name: name.into(),
-            bvh: &part.bvh,
-            closed: part.orientation.watertight,
-            at,
-            centre: at * centre,
-            radius_mm,
-        })
-    }
-
-    fn moved(&self, by: &Isometry3<f64>) -> Solid<'a> {
-        Solid { name: self.name.clone(), at: by * self.at, centre: by * self.centre, ..*self }
-    }
-
-    fn near(&self, c: &Capsule, margin_mm: f64) -> bool {
-        let reach = c.radius_mm + margin_mm;
-        if point_segment(&self.centre, &c.from, &c.to) > self.radius_mm + reach {
-            return false;
-        }
-        let [from, to] = [c.from, c.to].map(|p| self.at.inverse_transform_point(&p));
-        self.bvh.near_segment(&from, &to, reach) || self.closed && self.bvh.holds(&from)
-    }
-
-    fn near_solid(&self, o: &Solid<'_>, margin_mm: f64) -> bool {
-        if (self.centre - o.centre).norm() > self.radius_mm + o.radius_mm + margin_mm {
-            return false;
-        }
-        let self_from_other = self.at.inv_mul(&o.at);
-        self.bvh.near_mesh(o.bvh, &self_from_other, margin_mm)
-            || self.holds_corner_of(o, &self_from_other)
-            || o.holds_corner_of(self, &self_from_other.inverse())
-    }
-
-    /// Of two that do not touch: whether the other is inside.
-    fn holds_corner_of(&self, o: &Solid<'_>, self_from_other: &Isometry3<f64>) -> bool {
-        self.closed && o.bvh.corner().is_some_and(|p| self.bvh.holds(&(self_from_other * p)))
-    }
-
-    fn reaches_below(&self, z_mm: f64) -> bool {
-        if self.centre.z - self.radius_mm >= z_mm {
-            return false;
-        }
-        let down = self.at.rotation.inverse() * Vector3::z();
-        self.bvh.reaches_below(&down, z_mm - self.at.translation.z)
     }
 }
 

@@ -1,10 +1,12 @@
 //! Closed forms, what is exempt, and brute force over sampled points.
 
 use super::*;
+use crate::cell::bodies::HeadCapsule;
 use crate::cell::{Cell, Frame};
 use crate::part::distance::point_triangle;
 use crate::part::{Placement, Units};
 use crate::sample::{Triangles, solids, stl_bytes};
+use nalgebra::Point3;
 use proptest::prelude::*;
 
 /// Upper arm upright on axis 1, forearm forward: flange at (352, 0, 625), pointing along x.
@@ -94,6 +96,52 @@ fn what_carries_and_what_stands_is_exempt() {
     assert!(Collision::new(&none, &cube).is_none());
 }
 
+#[test]
+fn clearance_is_the_distance_of_head_and_box_and_of_what_is_nearer() {
+    let cube = part(&solids::cube(20.0));
+    let mut tool = setup("mz04", Mount::ToolInHand);
+    let told = |setup: &Setup| {
+        let told = Collision::new(setup, &cube).expect("a robot").clearance(&FORWARD);
+        told.map(|(mm, pair)| (mm, pair.to_string()))
+    };
+    let is = |told: Option<(f64, String)>, mm: f64, pair: &str| {
+        let (found, between) = told.expect("something is near");
+        assert!((found - mm).abs() < 1e-9 && between == pair, "{found} mm, {between}");
+    };
+    // The head goes on along the flange's axis: its ball ends at x = 352 + 100 - 10 + 8.
+    tool.cell.flange_from_tool = at([0.0, 0.0, 100.0]);
+    tool.cell.bodies.head = vec![HeadCapsule { from_mm: 10.0, to_mm: 60.0, radius_mm: 8.0 }];
+    tool.cell.base_from_part = at([450.0 + 12.5, -10.0, 615.0]);
+    is(told(&tool), 12.5, "head against part");
+    // Beside an edge that is 30 mm to the side and 40 mm ahead of the ball's middle.
+    tool.cell.base_from_part = at([442.0 + 40.0, 30.0, 615.0]);
+    is(told(&tool), 50.0 - 8.0, "head against part");
+    tool.cell.bodies.table_z_mm = Some(625.0 - 8.0 - 30.0);
+    // Axis 2 of this arm is lower than that: the upper arm reaches through the table.
+    is(told(&tool), 0.0, "shoulder against table");
+    tool.cell.bodies.table_z_mm = None;
+    tool.cell.base_from_part = at([442.0, -10.0, 615.0]);
+    is(told(&tool), 0.0, "head against part");
+    // Far enough out for the forearm not to count.
+    tool.cell.flange_from_tool = at([0.0, 0.0, 300.0]);
+    for (off, mm) in [(-0.5, Some(CLEARANCE_REACH_MM - 0.5)), (0.001, None)] {
+        tool.cell.base_from_part = at([650.0 + CLEARANCE_REACH_MM + off, -10.0, 615.0]);
+        match mm {
+            Some(mm) => is(told(&tool), mm, "head against part"),
+            None => assert_eq!(told(&tool), None, "nothing is near"),
+        }
+    }
+
+    // Held beside the upper arm and above the table.
+    let mut hand = setup("mz04", Mount::PartInHand);
+    let arm_mm = hand.robot.as_ref().expect("one").links.upper_arm_mm;
+    hand.cell.flange_from_part = at([-200.0, -10.0, -352.0 + arm_mm + 21.0]);
+    is(told(&hand), 21.0, "part against upper arm");
+    hand.cell.flange_from_part = at([-400.0, -10.0, 60.0]);
+    hand.cell.bodies.table_z_mm = Some(218.0);
+    is(told(&hand), 7.0, "part against table");
+}
+
 /// A cell file beside an STL file.
 fn cell_with_cube(edge: f64, bodies: &str) -> Result<Cell, String> {
     let folder = tempfile::tempdir().expect("a folder");
@@ -163,6 +211,13 @@ proptest! {
             low + (high - low) * u[i]
         });
         let found = collision.first(&joints);
+        let clearance = collision.clearance(&joints);
+        let bare = Collision { margin_mm: 0.0, ..collision.clone() };
+        prop_assert_eq!(clearance.as_ref().is_some_and(|(mm, _)| *mm <= 5.0), found.is_some(), "{:?}", clearance);
+        prop_assert_eq!(clearance.as_ref().is_some_and(|(mm, _)| *mm == 0.0), bare.first(&joints).is_some());
+        if let Some((0.0, pair)) = &clearance {
+            prop_assert_eq!(Some(pair.clone()), bare.first(&joints));
+        }
 
         let flange = robot.forward(&joints);
         let links = robot.capsules(&joints);

@@ -57,8 +57,9 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
     }
     let surfaces = segmented(&part, &job);
-    let cache = Cache::default();
-    let plan = job::plan(&part, &surfaces, &job, &setup, &cache, &Progress::default()).map_err(|e| match e {
+    // Nobody cancels it: a key that ends the program ends all.
+    let (cache, progress) = (Cache::default(), Progress::default());
+    let plan = job::plan(&part, &surfaces, &job, &setup, &cache, &progress).map_err(|e| match e {
         PlanError::Parameter(_)
         | PlanError::NoSurface { .. }
         | PlanError::Twice(_)
@@ -78,10 +79,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(hours);
             text.push_str(&format!("{work} of work, {travel} of travel, {waiting} of waiting\n"));
         }
-        for sentence in advice::advice(&part, &plan, &job, &setup) {
+        for sentence in advice::advice(&part, &plan, &job, &setup, &progress).unwrap_or_default() {
             text.push_str(&format!("to help: {sentence}\n"));
         }
-        if let Some((better, left)) = advice::better_setup(&part, &surfaces, &plan, &job, &setup, &cache) {
+        let better = advice::better_setup(&part, &surfaces, &plan, &job, &setup, &cache, &progress);
+        if let Ok(Some((better, left))) = better {
             let before = plan.refusals.len();
             text.push_str(&format!(
                 "a better set-up: {left} targets refused instead of {before}, with this in the job's [cell]\n"

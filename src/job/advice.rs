@@ -2,13 +2,13 @@
 //! and a better set-up.
 
 use super::model::{CellFile, Job};
-use super::plan::{Cache, Plan, drive};
-use super::progress::Progress;
+use super::plan::{Cache, Plan, PlanError, drive};
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
 use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
 use crate::cell::{Mount, Setup};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, State};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Point3};
 
 /// Passes that are driven again, slower.
@@ -38,20 +38,30 @@ fn frames(plan: &Plan, defocus_mm: f64) -> [Vec<Isometry3<f64>>; 2] {
 }
 
 /// Sentences that say what would help, the best first; none where nothing was refused, or nothing helps.
-pub fn advice(part: &Part, plan: &Plan, job: &Job, setup: &Setup) -> Vec<String> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn advice(
+    part: &Part,
+    plan: &Plan,
+    job: &Job,
+    setup: &Setup,
+    progress: &Progress,
+) -> Result<Vec<String>, Cancelled> {
     let [done, refused] = frames(plan, job.beam.defocus_mm);
-    let found = advice::changes(setup, part, job.cell.spin, &sampled(&done, SAMPLE), &sampled(&refused, SAMPLE));
+    let samples = [&done, &refused].map(|all| sampled(all, SAMPLE));
+    let found = advice::changes(setup, part, job.cell.spin, &samples[0], &samples[1], progress)?;
     let all = refused.len().min(SAMPLE);
     let mut out: Vec<String> = found.iter().map(Advice::to_string).collect();
-    out.extend(slower(plan, job, setup));
+    out.extend(slower(plan, job, setup, progress)?);
     if refused.len() > all && !found.is_empty() {
         out.push(format!("(tried on {SAMPLE} of the {} refused targets)", refused.len()));
     }
-    out
+    Ok(out)
 }
 
 /// The highest speed at which passes that are too fast can be driven.
-fn slower(plan: &Plan, job: &Job, setup: &Setup) -> Option<String> {
+fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<Option<String>, Cancelled> {
     let mut numbers: Vec<usize> = refusals(plan).iter().filter(|r| r.cause == Cause::Speed).map(|r| r.pass).collect();
     numbers.dedup();
     let again: Vec<Pass> = sampled(&numbers, PASSES)
@@ -69,22 +79,27 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup) -> Option<String> {
             pass
         })
         .collect();
-    if again.is_empty() {
-        return None;
+    let Some(arm) = Arm::new(setup, job.cell.spin).filter(|_| !again.is_empty()) else { return Ok(None) };
+    let go_on = || progress.goes_on();
+    let watch = Watch { go_on: &go_on, ..Watch::default() };
+    progress.begin("trying lower speeds", SLOWER.len());
+    for share in SLOWER {
+        let speed_mm_s = job.beam.speed_mm_s * share;
+        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &watch).ok_or(Cancelled)?;
+        if !choice.refusals.iter().any(|r| r.cause == Cause::Speed) {
+            return Ok(Some(format!("move the spot at {speed_mm_s:.2} mm/s: no joint is too fast then")));
+        }
+        progress.step()?;
     }
-    let arm = Arm::new(setup, job.cell.spin)?;
-    let works = |share: &&f64| {
-        let speed_mm_s = job.beam.speed_mm_s * **share;
-        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &Watch::default()).unwrap_or_default();
-        !choice.refusals.iter().any(|r| r.cause == Cause::Speed)
-    };
-    let share = SLOWER.iter().find(works)?;
-    Some(format!("move the spot at {:.2} mm/s: no joint is too fast then", job.beam.speed_mm_s * share))
+    Ok(None)
 }
 
 /// The mounting with which most of the work can be done, and how many targets are refused with it: what
 /// was found on single targets is planned before it is offered, first on some passes, the best on all.
 /// `None`: nothing is better.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
 pub fn better_setup(
     part: &Part,
     surfaces: &Surfaces,
@@ -92,9 +107,10 @@ pub fn better_setup(
     job: &Job,
     setup: &Setup,
     cache: &Cache,
-) -> Option<(BetterSetup, usize)> {
+    progress: &Progress,
+) -> Result<Option<(BetterSetup, usize)>, Cancelled> {
     if refusals(plan).is_empty() {
-        return None;
+        return Ok(None);
     }
     let [mut done, refused] = frames(plan, job.beam.defocus_mm);
     done.extend(refused);
@@ -107,20 +123,32 @@ pub fn better_setup(
         job.cell.put_frames(&mut setup.cell);
         (job, setup)
     };
-    let stands = |setup: &Setup| setup.check().is_ok();
-    let tried = advice::better_setups(setup, part, &sampled(&done, 3 * SAMPLE)).into_iter().filter_map(|better| {
+    let found = advice::better_setups(setup, part, &sampled(&done, 3 * SAMPLE), progress)?;
+    progress.begin("planning some passes", found.len());
+    let mut tried = Vec::new();
+    for better in found {
         let (job, setup) = changed(&better);
-        if !stands(&setup) {
-            return None;
+        if let (Some(robot), Ok(())) = (&setup.robot, setup.check()) {
+            let mut trial = Plan { passes: passes.clone(), ..Plan::default() };
+            // What cannot be planned is no better.
+            match drive(&mut trial, part, &setup, robot, &job, &progress.within()) {
+                Ok(()) => tried.push((trial.refusals.len(), better)),
+                Err(PlanError::Cancelled) => return Err(Cancelled),
+                Err(_) => {}
+            }
         }
-        let mut trial = Plan { passes: passes.clone(), ..Plan::default() };
-        drive(&mut trial, part, &setup, setup.robot.as_ref()?, &job, &Progress::default()).ok()?;
-        Some((trial.refusals.len(), better))
-    });
-    let (_, better) = tried.min_by_key(|(left, _)| *left)?;
+        progress.step()?;
+    }
+    let Some((_, better)) = tried.into_iter().min_by_key(|(left, _)| *left) else { return Ok(None) };
     let (job, setup) = changed(&better);
-    let left = super::plan(part, surfaces, &job, &setup, cache, &Progress::default()).ok()?.refusals.len();
-    (left < refusals(plan).len()).then_some((better, left))
+    match super::plan(part, surfaces, &job, &setup, cache, progress) {
+        Ok(whole) => {
+            let left = whole.refusals.len();
+            Ok((left < refusals(plan).len()).then_some((better, left)))
+        }
+        Err(PlanError::Cancelled) => Err(Cancelled),
+        Err(_) => Ok(None),
+    }
 }
 
 /// The job's cell with the frames of a better set-up.

@@ -4,13 +4,13 @@
 
 use super::model::Job;
 use super::plan::{Plan, PlanError};
-use super::progress::Progress;
 use crate::cell::Setup;
 use crate::part::{Part, Surfaces};
 use crate::pose::Theirs;
 use crate::process::{DoseMap, Light, Patch, Spot, Task, dose as computed};
 use crate::program::Timeline;
 use crate::program::steps::{Pace, Step};
+use crate::progress::Progress;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -12,10 +12,10 @@ pub mod model;
 pub mod output;
 pub mod parameter;
 pub mod plan;
-pub mod progress;
 pub mod report;
 pub mod verify;
 
+pub use crate::progress::Progress;
 pub use document::Document;
 pub use dose::dose;
 pub use edit::Edit;
@@ -23,4 +23,3 @@ pub use files::JobError;
 pub use model::{Chosen, Job, Offset};
 pub use parameter::{PARAMETERS, Parameter};
 pub use plan::{Cache, Plan, PlanError, plan};
-pub use progress::Progress;

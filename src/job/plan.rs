@@ -3,7 +3,6 @@
 
 use super::model::Job;
 use super::parameter;
-use super::progress::{Cancelled, Progress};
 use super::report::CellReport;
 use crate::beam::{Body, Head, Tool};
 use crate::cell::collision::Collision;
@@ -14,12 +13,14 @@ use crate::path::chord::ChordLimits;
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{LineRules, Pass, State, TiltRule, plan_line};
+use crate::pose::{Correction, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Speeds, Steps, steps};
+use crate::program::sweep::{Proof, Prover};
+use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
@@ -34,6 +35,9 @@ pub struct SurfacePlan {
     pub passes: Vec<Pass>,
     /// What no line reaches.
     pub coverage: Coverage,
+    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
+    /// same limits.
+    pub by_section_plane: Option<Vec<Option<Pass>>>,
 }
 
 /// A plan.
@@ -52,6 +56,8 @@ pub struct Plan {
     pub refusals: Vec<Refusal>,
     /// The program over time; without a robot nothing is known of moves by joints.
     pub timeline: Option<Timeline>,
+    /// What is proven of its moves with the laser on.
+    pub proof: Option<Proof>,
     /// The frames it was made for.
     pub cell: Option<CellReport>,
     /// Speeds it was made for.
@@ -211,16 +217,23 @@ pub fn plan(
         Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
-            let straight = Straight {
-                part,
-                mounted: setup.mounted(),
-                defocus_mm: speeds.defocus_mm,
-                deviation_mm: job.cell.deviation_mm,
-            };
+            let straight = straight(part, setup, job);
             settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, &speeds))?;
         }
     }
+    plan.proof = Some(prover(part, setup, job).prove(&plan.steps.lit_moves(&setup.mounted())));
     Ok(plan)
+}
+
+/// What proves the lit moves of a job.
+pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
+    let deviation_mm = job.cell.deviation_mm;
+    let (defocus_mm, sag_mm) = (job.beam.defocus_mm, job.path.chord_error_mm);
+    Prover::new(part, body(job, setup).as_ref(), setup.mounted(), defocus_mm, deviation_mm, sag_mm)
+}
+
+fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
+    Straight { prover: prover(part, setup, job), deviation_mm: job.cell.deviation_mm }
 }
 
 fn speeds(job: &Job) -> Speeds {
@@ -264,7 +277,7 @@ pub(super) fn drive(
             mounted: setup.mounted(),
             robot,
             speeds,
-            deviation_mm: job.cell.deviation_mm,
+            straight: straight(part, setup, job),
             collision: collision.as_ref(),
             go_on: &go_on,
             known: Known::default(),
@@ -404,15 +417,22 @@ fn plan_surface(
         section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
     let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);
     let lines = order::ordered(lines, job.layers.order, &planes.normal);
-    let passes = lines
+    let is_searched = rules.correction == Correction::Clearance;
+    let both = lines
         .par_iter()
         .enumerate()
         .map(|(number, line)| {
             progress.step()?;
-            Ok(plan_line(part, body, (surface.number, number as u32), line, &planes.normal, rules))
+            let name = (surface.number, number as u32);
+            let pass = plan_line(part, body, name, line, &planes.normal, rules);
+            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
+            let other = (is_searched && interferes)
+                .then(|| plan_line_by_section_plane(part, body, name, line, &planes.normal, rules));
+            Ok((pass, other))
         })
-        .collect::<Result<Vec<Pass>, Cancelled>>()?;
-    Ok(SurfacePlan { planes, passes, coverage })
+        .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
+    let (passes, others): (Vec<_>, Vec<_>) = both.into_iter().unzip();
+    Ok(SurfacePlan { planes, passes, coverage, by_section_plane: is_searched.then_some(others) })
 }
 
 /// Of all that the poses of a surface depend on.
@@ -434,14 +454,8 @@ fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rule
     for pin in &rules.pins {
         hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
     }
-    match &tool.head {
-        None => {}
-        Some(Head::Stack(parts)) => {
-            for p in parts {
-                hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
-            }
-        }
-        Some(Head::Solid(o)) => hasher = hasher.digest(o.solid().digest),
+    for p in tool.head.iter().flat_map(Head::stack) {
+        hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
     }
     for clamp in &tool.clamps {
         hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);

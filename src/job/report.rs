@@ -4,8 +4,9 @@ use super::dose::DoseReport;
 use super::plan::Plan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
-use crate::pose::{Blocker, Ours, Pass, State, Target, Theirs};
+use crate::pose::{Blocker, Correction, Ours, Pass, Split, State, Target, Theirs};
 use crate::program::Timeline;
+use crate::program::sweep::Proof;
 use serde::Serialize;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
@@ -36,6 +37,8 @@ pub struct Report {
     pub blocked: usize,
     /// Largest angle between beam and normal with the laser on.
     pub max_tilt_deg: f64,
+    /// Fastest turn of the beam against the normal on lit moves that touch a corrected target, degrees/mm.
+    pub max_tilt_rate_deg_per_mm: f64,
     /// Largest distance of a dropped point from its chord.
     pub max_chord_error_mm: f64,
     /// Largest distance of neighbouring lines on any surface.
@@ -46,6 +49,17 @@ pub struct Report {
     pub surfaces: Vec<SurfaceReport>,
     /// What is blocked or missed, and why.
     pub problems: Vec<Problem>,
+    /// Where the laser is off while the beam turns.
+    pub splits: Vec<SplitReport>,
+    /// Both corrections within the same limits, before any robot; none unless the beam was searched.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub corrections: Vec<Outcome>,
+    /// What is proven of the moves with the laser on; null before the program is made.
+    pub proof: Option<Proof>,
+    /// Whether all of them are.
+    pub proven: bool,
+    /// The least that beam and head keep from everything at a target with the laser on; null without a head.
+    pub min_clearance_mm: Option<f64>,
     /// What lands; it is computed apart from the plan.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dose: Option<DoseReport>,
@@ -121,6 +135,81 @@ pub struct SurfaceReport {
     pub spacing_max_mm: Option<f64>,
 }
 
+/// A pass that is split at a point, with two targets there.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SplitReport {
+    /// Pass.
+    pub pass: usize,
+    /// The second of the two.
+    pub point: usize,
+    /// Surface.
+    pub surface: u32,
+    /// The facet that stands between.
+    pub by_facet: Option<u32>,
+    /// Its surface.
+    pub by_surface: Option<u32>,
+}
+
+/// What a correction makes of the same lines.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Outcome {
+    /// Its word.
+    pub correction: &'static str,
+    /// Rows that it corrects.
+    pub corrected: usize,
+    /// Rows that it leaves blocked.
+    pub blocked: usize,
+    /// Length that it leaves blocked.
+    pub blocked_mm: f64,
+    /// Largest angle between beam and normal.
+    pub max_tilt_deg: f64,
+    /// Fastest turn against the normal.
+    pub max_tilt_rate_deg_per_mm: f64,
+}
+
+impl Outcome {
+    fn of<'a>(correction: Correction, passes: impl Iterator<Item = &'a Pass> + Clone) -> Outcome {
+        let targets = || passes.clone().flat_map(|p| &p.targets);
+        let count = |state: State| targets().filter(|t| t.state == state).count();
+        Outcome {
+            correction: correction.word(),
+            corrected: count(State::Corrected),
+            blocked: count(State::Blocked),
+            blocked_mm: passes.clone().map(|p| p.length_mm(|_, to| !to.laser)).fold(0.0, |a, b| a + b),
+            max_tilt_deg: targets().filter(|t| t.state != State::Blocked).map(Target::tilt_deg).fold(0.0, f64::max),
+            max_tilt_rate_deg_per_mm: passes.map(Pass::max_tilt_rate_deg_mm).fold(0.0, f64::max),
+        }
+    }
+}
+
+/// Both corrections on the surfaces that were searched.
+fn corrections(plan: &Plan) -> Vec<Outcome> {
+    if plan.surfaces.iter().all(|s| s.by_section_plane.is_none()) {
+        return Vec::new();
+    }
+    let searched = plan.surfaces.iter().flat_map(|s| &s.passes);
+    let other = plan.surfaces.iter().flat_map(|s| {
+        let by_plane = s.by_section_plane.iter().flatten();
+        s.passes.iter().zip(by_plane).map(|(own, other)| other.as_ref().unwrap_or(own))
+    });
+    vec![Outcome::of(Correction::Clearance, searched), Outcome::of(Correction::SectionPlane, other)]
+}
+
+fn splits(passes: &[Pass], surfaces: &Surfaces) -> Vec<SplitReport> {
+    let of_pass = |(pass, p): (usize, &Pass)| -> Vec<SplitReport> {
+        let one = |s: &Split| {
+            let by_facet = s.wall.and_then(|b| match b.theirs {
+                Theirs::Facet(f) => Some(f),
+                Theirs::Clamp(_) => None,
+            });
+            let by_surface = by_facet.map(|f| surfaces.of_facet[f as usize]);
+            SplitReport { pass, point: s.point, surface: p.surface, by_facet, by_surface }
+        };
+        p.splits.iter().map(one).collect()
+    };
+    passes.iter().enumerate().flat_map(of_pass).collect()
+}
+
 /// One thing that is not done.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Problem {
@@ -170,6 +259,8 @@ impl Report {
                 }
             })
             .collect();
+        let clearance =
+            all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked).filter_map(|t| t.clearance_mm);
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
         Report {
             passes: all.len(),
@@ -183,11 +274,17 @@ impl Report {
             corrected: count(all, &|t| t.state == State::Corrected),
             blocked: count(all, &|t| t.state == State::Blocked),
             max_tilt_deg: lit.map(Target::tilt_deg).fold(0.0, f64::max),
+            max_tilt_rate_deg_per_mm: all.iter().map(Pass::max_tilt_rate_deg_mm).fold(0.0, f64::max),
             max_chord_error_mm: all.iter().map(|p| p.chord_error_mm).fold(0.0, f64::max),
             max_surface_spacing_mm: rows.iter().filter_map(|r| r.spacing_max_mm).fold(0.0, f64::max),
             missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
             problems: problems(plan, surfaces),
+            splits: splits(all, surfaces),
+            corrections: corrections(plan),
             surfaces: rows,
+            proven: plan.proof.as_ref().is_some_and(|p| p.refuted.is_empty()),
+            proof: plan.proof.clone(),
+            min_clearance_mm: clearance.reduce(f64::min),
             dose: None,
             cell: plan.cell.clone(),
         }

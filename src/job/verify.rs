@@ -6,12 +6,14 @@
 //! Comments do nothing and are not looked at.
 
 use super::model::Job;
-use super::plan::Plan;
+use super::plan::{self, Plan};
 use crate::cell::{Joints, Setup};
 use crate::part::{Part, angle};
 use crate::pose::Beam;
 use crate::pose::checker::Checker;
+
 use crate::program::dialect::{Goal, Read, ReadError, ReadLine, ReadMove, Reading};
+use crate::program::sweep::{LitMove, Proof, Prover};
 use crate::program::{Line, Move, Pace, Program, ProgramFile, Way, dialects, lines, lit};
 use nalgebra::{Isometry3, Point3};
 use rayon::prelude::*;
@@ -80,6 +82,8 @@ pub struct Verdict {
     pub worst_mm: f64,
     /// Largest turn from the plan, degrees.
     pub worst_deg: f64,
+    /// What is proven of the moves with the laser on.
+    pub proof: Proof,
     /// In the order of the program.
     pub findings: Vec<Finding>,
 }
@@ -92,6 +96,8 @@ pub struct Expected<'a> {
     pub setup: &'a Setup,
     /// D, mm.
     pub defocus_mm: f64,
+    /// Proves its lit moves.
+    pub prover: Prover<'a>,
     /// The plan's moves in order.
     pub moves: Vec<&'a Move>,
     /// The plan as it is written, and read again.
@@ -105,7 +111,7 @@ pub struct Expected<'a> {
 /// The text is of no dialect, or the plan cannot be written in it.
 pub fn check(
     part: &Part,
-    plan: &Plan,
+    planned: &Plan,
     setup: &Setup,
     job: &Job,
     first: &ProgramFile,
@@ -119,14 +125,21 @@ pub fn check(
             dialects::names()
         ));
     };
-    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let lines = lines(&planned.steps, setup, job.beam.power_w);
     let files = dialect.write(&Program { head: Vec::new(), lines: lines.clone(), setup }).map_err(|e| e.to_string())?;
     let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let Some(main) = files.first() else { return Err("the plan has no program".into()) };
     let written =
         dialect.read(main, &Reading { setup, open: &own }).map_err(|e| format!("the plan's own program: {e}"))?;
     let moves = lines.iter().filter_map(|l| if let Line::Move(m) = l { Some(m.as_ref()) } else { None }).collect();
-    let expected = Expected { part, setup, defocus_mm: job.beam.defocus_mm, moves, written: &written };
+    let expected = Expected {
+        part,
+        setup,
+        defocus_mm: job.beam.defocus_mm,
+        prover: plan::prover(part, setup, job),
+        moves,
+        written: &written,
+    };
     let verdict = match dialect.read(first, &Reading { setup, open }) {
         Ok(read) => verify(&expected, &read, with_checker),
         Err(e) => {
@@ -381,10 +394,7 @@ fn differ(poses: &Poses<'_>, plan: Option<&Move>, want: &ReadLine, have: &ReadLi
 /// A move as it is driven.
 struct Driven<'a> {
     at: &'a ReadLine,
-    from: Isometry3<f64>,
-    to: Isometry3<f64>,
-    /// Whether the focus goes straight on the part, rather than the flange in the base.
-    by_focus: bool,
+    lit: LitMove,
 }
 
 /// Follows the program with the robot: ranges, speeds, and where the laser is on. Gives the lit moves.
@@ -443,7 +453,7 @@ fn driven<'a>(
             match (m.way, at, here) {
                 (Way::Linear, Some(from), Some(to)) => {
                     let by_focus = matches!(m.goal, Goal::Focus(_));
-                    out.push(Driven { at: line, from, to, by_focus });
+                    out.push(Driven { at: line, lit: LitMove { from, to, by_focus } });
                 }
                 _ => {
                     let text = "a move by joints with the laser on".into();
@@ -471,7 +481,7 @@ fn speed(poses: &Poses<'_>, line: &ReadLine, from: &Joints, to: &Joints, seconds
     }
 }
 
-/// The beam on all lit moves, as the controller makes them.
+/// Proves the lit moves as the controller makes them; what cannot be proven is a finding.
 fn interference(
     expected: &Expected<'_>,
     poses: &Poses<'_>,
@@ -479,31 +489,33 @@ fn interference(
     with_checker: bool,
     verdict: &mut Verdict,
 ) {
+    let moves: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
+    verdict.proof = expected.prover.prove(&moves);
+    for (n, blocker) in &verdict.proof.refuted {
+        let text = format!("{blocker} with the laser on");
+        verdict.findings.push(finding(driven[*n].at, Kind::Interference, text));
+    }
+    if !with_checker {
+        return;
+    }
     let part = expected.part;
     let facets = part.mesh.facets.len().max(1);
-    let checker = with_checker.then(|| Checker::new((0..facets).map(|f| part.mesh.corners(f))));
+    let checker = Checker::new((0..part.mesh.facets.len()).map(|f| part.mesh.corners(f)));
     let every = (driven.len() * facets).div_ceil(CHECKER_BUDGET).max(1);
     let hits: Vec<Finding> = driven
         .par_iter()
-        .enumerate()
-        .filter_map(|(n, d)| {
-            let beam = Beam::on(part);
-            let focus = |t: f64| {
-                let pose = d.from.lerp_slerp(&d.to, t);
-                if d.by_focus { pose } else { poses.setup.focus_for(&pose) }
-            };
-            let second = || {
-                let checker = checker.as_ref().filter(|_| n % every == 0)?;
-                let (spot, a) = lit::spot(&beam, &focus(1.0), poses.defocus_mm);
-                checker.hit(&spot, &a, lit::FROM_MM).map(|facet| (spot, facet as u32))
-            };
-            let hit = lit::hit(&beam, poses.defocus_mm, focus).or_else(second);
-            hit.map(|(p, facet)| {
-                let text =
-                    format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
-                finding(d.at, Kind::Interference, text)
-            })
+        .step_by(every)
+        .filter_map(|d| {
+            let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
+            let (p, a) = lit::spot(&Beam::on(part), &end, poses.defocus_mm);
+            let facet = checker.hit(&p, &a, lit::FROM_MM)?;
+            let text = format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
+            Some(finding(d.at, Kind::Interference, text))
         })
         .collect();
-    verdict.findings.extend(hits);
+    for hit in hits {
+        if !verdict.findings.iter().any(|f| (&f.file, f.line, f.kind) == (&hit.file, hit.line, hit.kind)) {
+            verdict.findings.push(hit);
+        }
+    }
 }

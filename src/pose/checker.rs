@@ -51,6 +51,56 @@ impl Checker {
     }
 }
 
+/// A cut cone as numbers: where it begins and ends along a from the spot, and its radii there, mm.
+pub type CutCone = [f64; 4];
+
+impl Checker {
+    /// Least distance between any facet and a cut cone about the axis, mm, no more than `within_mm`: the
+    /// distance from a convex body is convex, so two searches, one in the other, find the nearest point
+    /// of a facet.
+    pub fn cone_distance(&self, p: &Point3<f64>, a: &Vector3<f64>, cone: &CutCone, within_mm: f64) -> f64 {
+        let [t0, t1, r0, r1] = *cone;
+        let centre = p + a * (0.5 * (t0 + t1));
+        let size = 0.5 * (t1 - t0) + r0.max(r1);
+        self.facets.iter().fold(within_mm, |least, f| {
+            // Farther than the ball around the cone, told by the ball around the facet.
+            let middle = Point3::from((f[0].coords + f[1].coords + f[2].coords) / 3.0);
+            let round = f.iter().map(|c| (c - middle).norm()).fold(0.0, f64::max);
+            if (middle - centre).norm() - round - size > least {
+                return least;
+            }
+            let on = |u: f64, v: f64| f[0] + ((f[1] - f[0]) * (1.0 - v) + (f[2] - f[0]) * v) * u;
+            let along = |u: f64| lowest(|v| beside_cone(&(on(u, v) - p), a, cone));
+            least.min(lowest(along))
+        })
+    }
+}
+
+/// Least value of a convex function over 0 to 1.
+fn lowest(f: impl Fn(f64) -> f64) -> f64 {
+    let (mut lo, mut hi) = (0.0, 1.0);
+    for _ in 0..48 {
+        let (x, y) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+        if f(x) < f(y) { hi = y } else { lo = x }
+    }
+    f(0.5 * (lo + hi)).min(f(0.0)).min(f(1.0))
+}
+
+/// Distance of a point from a cut cone, in the half plane of axis and point.
+fn beside_cone(d: &Vector3<f64>, a: &Vector3<f64>, [t0, t1, r0, r1]: &CutCone) -> f64 {
+    let t = d.dot(a);
+    let r = (d - a * t).norm();
+    if (*t0..=*t1).contains(&t) && (r - r0) * (t1 - t0) <= (r1 - r0) * (t - t0) {
+        return 0.0;
+    }
+    let to = |[x, y]: [f64; 2], [dx, dy]: [f64; 2]| {
+        let s = (((t - x) * dx + (r - y) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+        libm::hypot(t - x - s * dx, r - y - s * dy)
+    };
+    let lids = to([*t0, 0.0], [0.0, r0.max(1e-9)]).min(to([*t1, 0.0], [0.0, r1.max(1e-9)]));
+    lids.min(to([*t0, *r0], [t1 - t0, r1 - r0]))
+}
+
 /// Distance of a point from a triangle by its barycentric regions.
 fn nearest(p: &Point3<f64>, [a, b, c]: &[Point3<f64>; 3]) -> f64 {
     let (ab, ac, ap) = (b - a, c - a, p - a);

@@ -6,7 +6,7 @@
 use super::motion::Pose;
 use crate::beam::Body;
 use crate::part::{Bvh, Part, angle, distance};
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Isometry3, Point3, Vector3};
 use std::cell::Cell;
 
 /// A beam closer than this to a facet interferes, mm. Two hundredths are well above the error of
@@ -66,14 +66,29 @@ pub struct Blocker {
     pub t_mm: f64,
 }
 
+impl std::fmt::Display for Blocker {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ours = match self.ours {
+            Ours::Beam => "the beam",
+            Ours::Head => "the head",
+        };
+        match self.theirs {
+            Theirs::Facet(facet) => write!(f, "{ours} hits facet {facet}"),
+            Theirs::Clamp(clamp) => write!(f, "{ours} hits clamp {}", clamp + 1),
+        }
+    }
+}
+
 /// The beam as a ray without end.
 #[derive(Clone, Debug)]
 pub struct Beam<'a> {
-    bvh: &'a Bvh,
+    pub(super) bvh: &'a Bvh,
     /// Diagonal of the part: nothing lies further along a beam.
     size_mm: f64,
-    /// What stands around the beam.
-    body: Option<&'a Body<'a>>,
+    /// What stands around the ray.
+    pub(super) body: Option<&'a Body<'a>>,
+    /// The facet that stopped cone or head last, and whether it is one of the part.
+    pub(super) last_of_body: Cell<Option<([Point3<f64>; 3], bool)>>,
     /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
     last: Cell<Option<[Point3<f64>; 3]>>,
 }
@@ -86,16 +101,22 @@ impl<'a> Beam<'a> {
 
     /// A beam with cone, head and clamps on this part; without them a ray.
     pub fn with(part: &'a Part, body: Option<&'a Body<'a>>) -> Beam<'a> {
-        Beam { bvh: &part.bvh, size_mm: part.bvh.diagonal_mm(), body, last: Cell::new(None) }
+        Beam {
+            bvh: &part.bvh,
+            size_mm: part.bvh.diagonal_mm(),
+            body,
+            last: Cell::new(None),
+            last_of_body: Cell::new(None),
+        }
     }
 
-    /// What beam and head keep from everything, mm, at most [`FAR_MM`]; `None` without a head.
-    pub fn clearance_mm(&self, _p: &Point3<f64>, _a: &Vector3<f64>) -> Option<f64> {
-        self.body.map(|_| FAR_MM)
-    }
-
-    /// Whether the beam to the point `p` of the surface, along the unit axis `a`, meets nothing.
+    /// Whether beam and head meet nothing, the spot in the point `p` of the surface, along the unit axis
+    /// `a`.
     pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        self.is_ray_free(p, a) && self.is_body_free(p, a)
+    }
+
+    fn is_ray_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         let ray = distance::WideRay::new(p, a, GRAZE_MM);
         let stops = |corners: &[Point3<f64>; 3]| !ray.surely_misses(corners) && interferes(p, a, corners);
         if self.last.get().is_some_and(|corners| stops(&corners)) {
@@ -110,26 +131,20 @@ impl<'a> Beam<'a> {
             }
             f64::INFINITY
         });
-        free
+        free && self.things().skip(1).all(|(_, bvh, at)| first_in(bvh, at.as_ref(), p, a).is_none())
     }
 
-    /// The first thing that the beam meets.
+    /// What stands in the way of the ray, the first of it, or else of cone and head.
     pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
-        let ray = distance::WideRay::new(p, a, GRAZE_MM);
-        let mut first: Option<Blocker> = None;
-        self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |facet, corners| {
-            if !ray.surely_misses(corners) && interferes(p, a, corners) {
-                let t_mm = crate::part::bvh::meet(corners, p, a)
-                    .filter(|t| *t > 0.0)
-                    .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
-                let theirs = Theirs::Facet(facet);
-                if first.is_none_or(|b| (t_mm, theirs) < (b.t_mm, b.theirs)) {
-                    first = Some(Blocker { ours: Ours::Beam, theirs, t_mm });
-                }
-            }
-            f64::INFINITY
-        });
-        first
+        let first = self
+            .things()
+            .filter_map(|(clamp, bvh, at)| {
+                let (facet, t_mm) = first_in(bvh, at.as_ref(), p, a)?;
+                let theirs = clamp.map_or(Theirs::Facet(facet), Theirs::Clamp);
+                Some(Blocker { ours: Ours::Beam, theirs, t_mm })
+            })
+            .min_by(|x, y| x.t_mm.total_cmp(&y.t_mm));
+        first.or_else(|| self.body_blocker(p, a))
     }
 
     /// How far along the beam the farthest facet lies that the motion between two poses may touch,
@@ -139,10 +154,17 @@ impl<'a> Beam<'a> {
     /// Two kinds of facets cannot be touched: those that the beam leaves on their face at both ends
     /// (the points between lie on that side too, and so do the axes between), and those that do not
     /// rise above the spot, such as the rest of a convex surface.
-    pub(super) fn conflict(&self, from: &Pose, to: &Pose, middle: &Pose, sag_mm: f64) -> Option<f64> {
+    pub(super) fn conflict(
+        &self,
+        from: &Pose,
+        to: &Pose,
+        middle: &Pose,
+        sag_mm: f64,
+        stray_mm: impl Fn(f64) -> f64,
+    ) -> Option<f64> {
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
-        let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM;
+        let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM + stray_mm(t.max(0.0));
         let mut farthest: Option<f64> = None;
         // A turning beam sweeps wide only far out: each stretch is looked at as wide as it gets, so
         // that the surface around the spot is not visited for the sake of the far end.
@@ -206,6 +228,25 @@ impl<'a> Beam<'a> {
         });
         best.map_or(*p, |off| p + a * off)
     }
+}
+
+/// The first facet that the ray interferes with, and where, mm along it; the facets stand at `at`.
+fn first_in(bvh: &Bvh, at: Option<&Isometry3<f64>>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<(u32, f64)> {
+    let (p, a) = &super::around::moved(at, p, a);
+    let ray = distance::WideRay::new(p, a, GRAZE_MM);
+    let mut first: Option<(f64, u32)> = None;
+    bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |facet, corners| {
+        if !ray.surely_misses(corners) && interferes(p, a, corners) {
+            let t_mm = crate::part::bvh::meet(corners, p, a)
+                .filter(|t| *t > 0.0)
+                .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
+            if first.is_none_or(|f| (t_mm, facet) < f) {
+                first = Some((t_mm, facet));
+            }
+        }
+        f64::INFINITY
+    });
+    first.map(|(t_mm, facet)| (facet, t_mm))
 }
 
 /// Whether the beam from `p` along `a` interferes with one facet.

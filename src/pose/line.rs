@@ -1,11 +1,12 @@
 //! From a transversal line to the targets of a pass: dense line, detection, correction, the test of
 //! the result and of the motion between, and the arch height reduction.
 
+use super::clearance;
 use super::correction::Correction;
-use super::interference::Beam;
+use super::interference::{Beam, Blocker};
 use super::motion::{self, Pose};
 use super::section_plane;
-use super::target::{Pass, State, Target, travel};
+use super::target::{Pass, Split, State, Target, against_normal_deg, travel};
 use super::tilt::{Pin, TiltRule};
 use crate::beam::Body;
 use crate::part::{Part, angle};
@@ -45,6 +46,9 @@ const AXIS_ERROR_DEG: f64 = 1.0;
 /// spot the spot then strays 0.02 mm, the beam's own margin; with 5° it strays 0.1 mm.
 const CORRECTED_TURN_DEG: f64 = 2.5;
 
+/// The wall that a beam would run into behind a split is looked for this far, mm.
+const WALL_MM: f64 = 20.0;
+
 /// Plans one line of one surface; `m` is its section plane's normal, `number` its place in the working
 /// order of the surface.
 pub fn plan_line(
@@ -55,20 +59,50 @@ pub fn plan_line(
     m: &Vector3<f64>,
     rules: &LineRules,
 ) -> Pass {
+    // Without a head the section plane keeps limits of its own.
+    let limit_deg = body.map(|_| rules.max_tilt_deg);
+    planned(part, body, (surface, number), line, m, rules, (rules.correction, limit_deg))
+}
+
+/// The same line by the section plane within the greatest tilt of `rules`: what the search is compared
+/// with.
+pub fn plan_line_by_section_plane(
+    part: &Part,
+    body: Option<&Body<'_>>,
+    (surface, number): (u32, u32),
+    line: &TransversalLine,
+    m: &Vector3<f64>,
+    rules: &LineRules,
+) -> Pass {
+    let correction = (Correction::SectionPlane, Some(rules.max_tilt_deg));
+    planned(part, body, (surface, number), line, m, rules, correction)
+}
+
+fn planned(
+    part: &Part,
+    body: Option<&Body<'_>>,
+    (surface, number): (u32, u32),
+    line: &TransversalLine,
+    m: &Vector3<f64>,
+    rules: &LineRules,
+    (correction, limit_deg): (Correction, Option<f64>),
+) -> Pass {
     let beam = Beam::with(part, body);
-    let _ = number;
     let (points, free) = detected(&beam, dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg));
-    let axes = match rules.correction {
-        Correction::None => points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect(),
-        Correction::SectionPlane | Correction::Clearance => {
-            section_plane::correct(part, &beam, &points, &free, line.closed, m)
+    let mut planned = match correction {
+        Correction::None => {
+            let axes = points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect();
+            Planned::along_normals(points, axes)
+        }
+        Correction::SectionPlane => {
+            let axes = section_plane::correct(part, &beam, &points, &free, line.closed, m, limit_deg);
+            Planned::along_normals(points, axes)
+        }
+        Correction::Clearance => {
+            let rows = clearance::correct(part, &beam, &points, &free, line.closed, number, rules);
+            Planned::of_rows(&rows, rules.tilt_rate_deg_mm)
         }
     };
-    // What a correction leaves within rounding of the normal is the normal.
-    let snapped =
-        |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
-    let axes = points.iter().zip(axes).map(snapped).collect();
-    let mut planned = Planned { points, axes };
     planned.test_motion(&beam, rules.chord.max_turn_deg.min(CORRECTED_TURN_DEG));
     let kept = planned.reduce(&beam, &rules.chord);
     planned.pass(&beam, surface, m, line.closed, &kept)
@@ -112,13 +146,39 @@ fn detected(beam: &Beam<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<b
     (out, free)
 }
 
-/// A dense line with its axes; `None` where the beam is blocked.
+/// A dense line with its axes.
 struct Planned {
     points: Vec<DensePoint>,
+    /// `None` where the beam is blocked.
     axes: Vec<Option<Vector3<f64>>>,
+    /// What the axes would be if nothing were in the way.
+    aims: Vec<Vector3<f64>>,
+    /// The same point as the one before; the laser is off between the two.
+    splits: Vec<bool>,
+    /// How fast a corrected beam may turn against the normal, degrees/mm.
+    rate_deg_mm: f64,
 }
 
 impl Planned {
+    fn along_normals(points: Vec<DensePoint>, axes: Vec<Option<Vector3<f64>>>) -> Planned {
+        // What a correction leaves within rounding of the normal is the normal.
+        let snapped =
+            |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
+        let axes = points.iter().zip(axes).map(snapped).collect();
+        let (aims, splits) = (points.iter().map(|q| q.n).collect(), vec![false; points.len()]);
+        Planned { points, axes, aims, splits, rate_deg_mm: f64::INFINITY }
+    }
+
+    fn of_rows(rows: &[clearance::Row], rate_deg_mm: f64) -> Planned {
+        Planned {
+            points: rows.iter().map(|r| r.q).collect(),
+            axes: rows.iter().map(|r| r.axis).collect(),
+            aims: rows.iter().map(|r| r.aim).collect(),
+            splits: rows.iter().map(|r| r.is_split).collect(),
+            rate_deg_mm,
+        }
+    }
+
     fn pose(&self, i: usize) -> Option<Pose> {
         self.axes[i].map(|a| Pose { p: self.points[i].p, a })
     }
@@ -126,7 +186,7 @@ impl Planned {
     fn state(&self, i: usize) -> State {
         match self.axes[i] {
             None => State::Blocked,
-            Some(a) if a == self.points[i].n => State::Free,
+            Some(a) if a == self.aims[i] => State::Free,
             Some(_) => State::Corrected,
         }
     }
@@ -134,39 +194,45 @@ impl Planned {
     /// Where the beam hits something between two neighbours that are free, a blocked point is put;
     /// where it turns more than a move may, points between.
     fn test_motion(&mut self, beam: &Beam<'_>, max_turn_deg: f64) {
-        let (mut points, mut axes) = (Vec::with_capacity(self.points.len()), Vec::with_capacity(self.points.len()));
-        for i in 0..self.points.len() {
-            points.push(self.points[i]);
-            axes.push(self.axes[i]);
-            let Some((from, to)) = self.pose(i).zip((i + 1 < self.points.len()).then(|| self.pose(i + 1)).flatten())
-            else {
-                continue;
-            };
-            let between = |t: f64| dense::midway(&self.points[i], &self.points[i + 1], t);
+        let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new()));
+        self.rate_deg_mm = old.rate_deg_mm;
+        for i in 0..old.points.len() {
+            self.push(old.points[i], old.axes[i], old.aims[i], old.splits[i]);
+            let Some(next) = (i + 1 < old.points.len() && !old.splits[i + 1]).then_some(i + 1) else { continue };
+            let Some((from, to)) = old.pose(i).zip(old.pose(next)) else { continue };
+            let between = |t: f64| dense::midway(&old.points[i], &old.points[next], t);
             if let Some(t) = motion::hit(beam, &from, &to, 0.0) {
-                points.push(between(t));
-                axes.push(None);
+                self.push(between(t), None, between(t).n, false);
                 continue;
             }
             // A hair of tolerance: turns are found in whole fractions of a degree.
             let steps = (angle::between_deg(&from.a, &to.a) / max_turn_deg - 1e-6).ceil().max(1.0);
+            let tilted = old.aims[i] != old.points[i].n || old.aims[next] != old.points[next].n;
             for k in 1..steps as usize {
                 let t = k as f64 / steps;
-                points.push(between(t));
-                axes.push(Some(motion::midway(&from, &to, t).a));
+                let q = between(t);
+                let aim = if tilted { angle::slerp(&old.aims[i], &old.aims[next], t) } else { q.n };
+                self.push(q, Some(motion::midway(&from, &to, t).a), aim, false);
             }
         }
-        (self.points, self.axes) = (points, axes);
+    }
+
+    fn push(&mut self, q: DensePoint, axis: Option<Vector3<f64>>, aim: Vector3<f64>, is_split: bool) {
+        self.points.push(q);
+        self.axes.push(axis);
+        self.aims.push(aim);
+        self.splits.push(is_split);
     }
 
     /// The places that become targets.
     fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<Place> {
         let last = self.points.len() - 1;
-        // Points at which the state changes stay, on both sides.
+        // Points at which the state changes stay, on both sides; and those of a split.
         let fixed: Vec<bool> = (0..=last)
             .map(|i| {
                 let state = self.state(i);
-                i > 0 && self.state(i - 1) != state || i < last && self.state(i + 1) != state
+                i > 0 && (self.state(i - 1) != state || self.splits[i])
+                    || i < last && (self.state(i + 1) != state || self.splits[i + 1])
             })
             .collect();
         chord::simplify(&self.points, &fixed, limits, |from, to| self.may_span(beam, from, to, limits.max_turn_deg))
@@ -178,7 +244,7 @@ impl Planned {
         if place.share == 0.0 {
             return Some(a);
         }
-        if self.state(place.index) == State::Free {
+        if a == self.points[place.index].n && self.state(place.index) == State::Free {
             return Some(place.on(&self.points).n);
         }
         Some(angle::slerp(&a, &self.axes[place.index + 1]?, place.share))
@@ -205,7 +271,9 @@ impl Planned {
         };
         let corrected = self.state(i.index) == State::Corrected || self.state(j.index) == State::Corrected;
         let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };
+        let (n, to_n) = (i.on(&self.points).n, j.on(&self.points).n);
         angle::between_deg(&from.a, &to.a) <= max_turn_deg + 1e-6
+            && (!corrected || against_normal_deg((&n, &from.a), (&to_n, &to.a)) <= self.rate_deg_mm * whole)
             && between.clone().all(on_axis)
             && motion::is_free(beam, &from, &to, sag)
     }
@@ -213,11 +281,17 @@ impl Planned {
     fn pass(&self, beam: &Beam<'_>, surface: u32, m: &Vector3<f64>, closed: bool, kept: &[Place]) -> Pass {
         let tangents = dense::tangents(&self.points, closed);
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
+        let mut splits = Vec::new();
         for &place in kept {
             let q = place.on(&self.points);
             let axis = self.axis(place);
             let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
-            let laser = state != State::Blocked && targets.last().is_some_and(|t| t.state != State::Blocked);
+            let is_split = place.share == 0.0 && self.splits[place.index];
+            let laser =
+                !is_split && state != State::Blocked && targets.last().is_some_and(|t| t.state != State::Blocked);
+            if is_split {
+                splits.push(Split { point: targets.len(), wall: self.wall(beam, place.index) });
+            }
             let normal_hits = beam.blocker(&q.p, &q.n);
             let clearance_mm = beam.clearance_mm(&q.p, &a);
             let tangent = match place.share {
@@ -237,6 +311,21 @@ impl Planned {
         }
         let chord_error_mm =
             kept.windows(2).map(|w| chord::chord_error_mm(&self.points, w[0], w[1])).fold(0.0, f64::max);
-        Pass { surface, plane_normal: *m, closed, targets, chord_error_mm }
+        Pass { surface, plane_normal: *m, closed, targets, chord_error_mm, splits }
+    }
+
+    /// What keeps the beam from turning at the split `i`: on the way from one beam to the other, or where
+    /// the one before would come to if it were kept on.
+    fn wall(&self, beam: &Beam<'_>, i: usize) -> Option<Blocker> {
+        let (q, from, to) = (self.points[i], self.axes[i.checked_sub(1)?]?, self.axes[i]?);
+        let arc = angle::Arc::new(&from, &to);
+        let steps = angle::between_deg(&from, &to).ceil().max(2.0);
+        let across = (1..steps as usize).find_map(|k| beam.blocker(&q.p, &arc.at(k as f64 / steps)));
+        let kept_on = || {
+            let ahead = self.points[i..].iter().take_while(|s| (s.p - q.p).norm() <= WALL_MM);
+            let mut there = ahead.map(|s| (s.p, angle::rotation_between(&q.n, &s.n) * from));
+            there.find_map(|(p, a)| beam.blocker(&p, &a))
+        };
+        across.or_else(kept_on).or_else(|| beam.blocker(&q.p, &q.n))
     }
 }

@@ -3,7 +3,10 @@
 //!
 //! Part frame, millimetres and degrees. The beam here is a ray (P1); robots come later.
 
+pub mod access;
+pub mod around;
 pub mod checker;
+pub mod clearance;
 pub mod correction;
 pub mod interference;
 pub mod line;
@@ -14,6 +17,6 @@ pub mod tilt;
 
 pub use correction::Correction;
 pub use interference::{Beam, Blocker, Ours, Theirs};
-pub use line::{LineRules, plan_line};
-pub use target::{Pass, State, Target};
+pub use line::{LineRules, plan_line, plan_line_by_section_plane};
+pub use target::{Pass, Split, State, Target};
 pub use tilt::{Pin, Tilt, TiltRule};

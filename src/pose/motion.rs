@@ -1,10 +1,12 @@
 //! The motion between two targets: the point goes straight, the axis turns at constant rate, and
 //! the spot is where that axis meets the part.
 //!
-//! The motion is cut in halves until a piece is clear by more than anything on it can move, or is
-//! so short that its middle stands for it. So a fin however thin between two free targets is met.
+//! Conservative advancement: a motion is cut in halves until a piece is clear by more than anything on
+//! it can move, or is so short that its middle stands for it. So a fin however thin between two free
+//! targets is met, by the beam or by the head alone.
 
-use super::interference::Beam;
+use super::around::Conflict;
+use super::interference::{Beam, Blocker};
 use crate::part::angle;
 use nalgebra::{Point3, Vector3};
 
@@ -26,6 +28,47 @@ pub fn midway(from: &Pose, to: &Pose, t: f64) -> Pose {
     Pose { p: from.p + (to.p - from.p) * t, a: angle::slerp(&from.a, &to.a, t) }
 }
 
+/// A motion over t from 0 to 1.
+pub trait Motion {
+    /// The pose at t, half way between two others.
+    fn between(&self, from: (&Pose, f64), to: (&Pose, f64)) -> Pose;
+
+    /// How far the part may lie from the chord between two poses, mm.
+    fn sag_mm(&self) -> f64;
+
+    /// Over a share of the motion: how far a point of the tool, so far from the spot, may lie from where
+    /// a straight spot and a constant turn put it, mm.
+    fn stray_mm(&self, share: f64, reach_mm: f64) -> f64;
+
+    /// What is in the way in the middle of a piece that is short.
+    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker>;
+}
+
+/// The spot goes straight, and the axis turns at constant rate.
+struct Straight {
+    sag_mm: f64,
+}
+
+impl Motion for Straight {
+    fn between(&self, from: (&Pose, f64), to: (&Pose, f64)) -> Pose {
+        midway(from.0, to.0, 0.5)
+    }
+
+    fn sag_mm(&self) -> f64 {
+        self.sag_mm
+    }
+
+    fn stray_mm(&self, _share: f64, _reach_mm: f64) -> f64 {
+        0.0
+    }
+
+    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
+        let sag_mm = self.sag_mm;
+        let spot = if sag_mm > 1e-9 { beam.spot(&middle.p, &middle.a, 2.0 * sag_mm + 1e-3) } else { middle.p };
+        if beam.is_free(&spot, &middle.a) { None } else { beam.blocker(&spot, &middle.a) }
+    }
+}
+
 /// Whether the beam meets nothing between two targets. `sag_mm`: how far the part may lie from the
 /// chord between them.
 pub fn is_free(beam: &Beam<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> bool {
@@ -34,18 +77,44 @@ pub fn is_free(beam: &Beam<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> bool {
 
 /// A share of the way at which the beam hits something, if it does.
 pub fn hit(beam: &Beam<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> Option<f64> {
-    hit_between(beam, (from, 0.0), (to, 1.0), sag_mm)
+    swept(beam, &Straight { sag_mm }, (from, 0.0), (to, 1.0)).map(|h| h.t)
 }
 
-fn hit_between(beam: &Beam<'_>, from: (&Pose, f64), to: (&Pose, f64), sag_mm: f64) -> Option<f64> {
-    let middle = midway(from.0, to.0, 0.5);
-    let reach_mm = beam.conflict(from.0, to.0, &middle, sag_mm)?;
-    let half_turn = 0.5 * angle::between_deg(&from.0.a, &to.0.a).to_radians();
-    let moved_mm = (to.0.p - from.0.p).norm() + 2.0 * reach_mm * libm::sin(half_turn);
-    let t = 0.5 * (from.1 + to.1);
-    if moved_mm <= PIECE_MM {
-        let spot = if sag_mm > 1e-9 { beam.spot(&middle.p, &middle.a, 2.0 * sag_mm + 1e-3) } else { middle.p };
-        return (!beam.is_free(&spot, &middle.a)).then_some(t);
-    }
-    hit_between(beam, from, (&middle, t), sag_mm).or_else(|| hit_between(beam, (&middle, t), to, sag_mm))
+/// Where a motion hits something.
+#[derive(Clone, Copy, Debug)]
+pub struct Swept {
+    /// Share of the way.
+    pub t: f64,
+    /// The pose there.
+    pub pose: Pose,
+    /// What is in the way.
+    pub blocker: Blocker,
 }
+
+/// Sweeps a motion between two poses at their shares of the way: `None` is a proof that beam and head
+/// keep clear of everything, but for what [`super::around::short_mm`] allows of the margin.
+pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Swept> {
+    let middle = motion.between(from, to);
+    let share = to.1 - from.1;
+    let stray = |reach_mm: f64| motion.stray_mm(share, reach_mm);
+    let reach_mm = beam.conflict(from.0, to.0, &middle, motion.sag_mm(), &stray);
+    let body = beam.body_conflict([from.0, &middle, to.0], motion.sag_mm(), stray);
+    if reach_mm.is_none() && body == Conflict::None {
+        return None;
+    }
+    let half_turn = 0.5 * angle::between_deg(&from.0.a, &to.0.a).to_radians();
+    let is_short =
+        reach_mm.is_none_or(|reach_mm| (to.0.p - from.0.p).norm() + 2.0 * reach_mm * libm::sin(half_turn) <= PIECE_MM);
+    let t = 0.5 * (from.1 + to.1);
+    if is_short && body != Conflict::Wide {
+        return motion.blocker(beam, &middle).map(|blocker| Swept { t, pose: middle, blocker });
+    }
+    if share < LEAST_SHARE {
+        // A jump in the motion never gets short.
+        return motion.blocker(beam, &middle).map(|blocker| Swept { t, pose: middle, blocker });
+    }
+    swept(beam, motion, from, (&middle, t)).or_else(|| swept(beam, motion, (&middle, t), to))
+}
+
+/// A motion is not cut further than into so small pieces: a metre into less than a micrometre.
+const LEAST_SHARE: f64 = 1e-6;

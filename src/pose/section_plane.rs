@@ -24,7 +24,8 @@ const IN_PLANE: f64 = 0.1;
 const MAX_GROWTH: usize = 24;
 
 /// Corrects one line. `free[i]`: the beam along the normal is free. Returns the axis of each point;
-/// `None` where there is no free one. `closed`: the last point is the first again.
+/// `None` where there is no free one. `closed`: the last point is the first again. `limit_deg`: the greatest
+/// tilt of all, in place of this method's own two.
 pub fn correct(
     part: &Part,
     beam: &Beam<'_>,
@@ -32,12 +33,14 @@ pub fn correct(
     free: &[bool],
     closed: bool,
     m: &Vector3<f64>,
+    limit_deg: Option<f64>,
 ) -> Vec<Option<Vector3<f64>>> {
+    let limits_deg = limit_deg.map_or((MAX_TILT_DEG, MAX_TILT_TO_O_DEG), |limit| (limit, limit));
     if free.iter().all(|f| *f) {
         return points.iter().map(|q| Some(q.n)).collect();
     }
     if !closed {
-        return Line { part, beam, points, free, m }.corrected();
+        return Line { part, beam, points, free, m, limits_deg }.corrected();
     }
     // A closed line is opened in the middle of its longest free stretch, so that every run has two
     // free ends.
@@ -48,7 +51,7 @@ pub fn correct(
     let turned: Vec<usize> = (0..=count).map(|i| (i + seam) % count).collect();
     let opened: Vec<DensePoint> = turned.iter().map(|&i| points[i]).collect();
     let opened_free: Vec<bool> = turned.iter().map(|&i| free[i]).collect();
-    let axes = Line { part, beam, points: &opened, free: &opened_free, m }.corrected();
+    let axes = Line { part, beam, points: &opened, free: &opened_free, m, limits_deg }.corrected();
     let mut out: Vec<Option<Vector3<f64>>> = (0..count).map(|i| axes[(i + count - seam) % count]).collect();
     out.push(out[0]);
     out
@@ -79,6 +82,8 @@ struct Line<'a> {
     points: &'a [DensePoint],
     free: &'a [bool],
     m: &'a Vector3<f64>,
+    /// Greatest tilt of a beam that is turned by itself, and of one towards O, degrees.
+    limits_deg: (f64, f64),
 }
 
 /// The corrected points from `first` on, with their axes.
@@ -136,7 +141,7 @@ impl Line<'_> {
             };
             let wanted = self.between(start, end);
             let free = |i: usize, axis: &Vector3<f64>| {
-                angle::between_deg(axis, &self.points[i].n) <= MAX_TILT_TO_O_DEG
+                angle::between_deg(axis, &self.points[i].n) <= self.limits_deg.1
                     && self.beam.is_free(&self.points[i].p, axis)
             };
             let axes: Vec<_> = (first..=last).map(|i| Some(wanted(i)).filter(|a| free(i, a))).collect();
@@ -240,13 +245,13 @@ impl Line<'_> {
         let axis = |by: f64| angle::turned(start, self.m, side * by);
         let good = |by: f64| {
             let a = axis(by);
-            angle::between_deg(&a, &q.n) <= MAX_TILT_DEG
+            angle::between_deg(&a, &q.n) <= self.limits_deg.0
                 && self.beam.is_free(&q.p, &a)
                 && self.beam.is_free(&q.p, &axis(by - SPARE_DEG))
         };
         // What is found has a degree to spare, so steps of a degree pass over no more than that.
         const STEP_DEG: f64 = 1.0;
-        let steps = (2.0 * MAX_TILT_DEG / STEP_DEG) as usize;
+        let steps = (2.0 * self.limits_deg.0 / STEP_DEG) as usize;
         let found = (0..=steps).map(|k| k as f64 * STEP_DEG).find(|&by| good(by))?;
         let (mut low, mut high) = (found - STEP_DEG, found);
         if found > 0.0 {

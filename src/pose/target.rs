@@ -1,13 +1,14 @@
 //! Targets and passes, and the path frame `[n o a]` at a target (P2 4.3).
 
 use super::interference::Blocker;
+use super::tilt::Tilt;
 use crate::part::angle;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 /// What became of a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum State {
-    /// The beam stands along the surface normal.
+    /// The beam stands along the surface normal, or as the surface's rule and the pins ask.
     Free,
     /// The beam was tilted out of something's way.
     Corrected,
@@ -53,6 +54,18 @@ impl Target {
         angle::between_deg(&self.a, &self.n)
     }
 
+    /// Travel direction on the surface, unit, square to n.
+    pub fn tangent(&self) -> Vector3<f64> {
+        let along = self.a.dot(&self.n);
+        let flat = if along.abs() > 1e-6 { self.o - self.a * (self.o.dot(&self.n) / along) } else { self.o };
+        travel(&flat, &self.n)
+    }
+
+    /// How the beam is tilted against the normal.
+    pub fn tilt(&self) -> Tilt {
+        Tilt::of(&self.a, &self.n, &self.tangent())
+    }
+
     /// Where the focus stands: `p + D·a`, mm.
     pub fn focus(&self, defocus_mm: f64) -> Point3<f64> {
         self.p + self.a * defocus_mm
@@ -68,6 +81,12 @@ impl Target {
 pub fn frame(origin: &Point3<f64>, a: &Vector3<f64>, o: &Vector3<f64>) -> Isometry3<f64> {
     let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[o.cross(a), *o, *a]));
     Isometry3::from_parts(Translation3::from(origin.coords), UnitQuaternion::from_rotation_matrix(&rotation))
+}
+
+/// How far a beam axis turns against the normal that is carried along: normal and axis before and behind,
+/// degrees.
+pub fn against_normal_deg(before: (&Vector3<f64>, &Vector3<f64>), behind: (&Vector3<f64>, &Vector3<f64>)) -> f64 {
+    angle::between_deg(&(angle::rotation_between(before.0, behind.0) * before.1), behind.1)
 }
 
 /// The part of a tangent that is square to the axis, unit.
@@ -88,6 +107,17 @@ pub struct Pass {
     pub targets: Vec<Target>,
     /// Largest distance of a dropped point from its chord, mm.
     pub chord_error_mm: f64,
+    /// Where the laser is off while the beam turns, because nothing free leads from one side to the other.
+    pub splits: Vec<Split>,
+}
+
+/// A place where a pass is split: two targets at one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Split {
+    /// Index of the second of the two; the move that ends at it is made with the laser off.
+    pub point: usize,
+    /// What the beam would hit on the way.
+    pub wall: Option<Blocker>,
 }
 
 impl Pass {
@@ -98,6 +128,16 @@ impl Pass {
             .filter(|w| which(&w[0], &w[1]))
             .map(|w| (w[1].p - w[0].p).norm())
             .fold(0.0, |a, b| a + b)
+    }
+
+    /// Fastest turn of the beam against the normal on lit moves that touch a corrected target, degrees/mm.
+    pub fn max_tilt_rate_deg_mm(&self) -> f64 {
+        let is = |t: &Target| t.state == State::Corrected;
+        let rate = |w: &[Target]| {
+            let way_mm = (w[1].p - w[0].p).norm();
+            against_normal_deg((&w[0].n, &w[0].a), (&w[1].n, &w[1].a)) / way_mm.max(1e-9)
+        };
+        self.targets.windows(2).filter(|w| w[1].laser && (is(&w[0]) || is(&w[1]))).map(rate).fold(0.0, f64::max)
     }
 
     /// Runs of targets that are reached with the laser on: first and last index of each.

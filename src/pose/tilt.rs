@@ -89,6 +89,37 @@ pub struct TiltRule {
     pub forbidden: Vec<Side>,
 }
 
+/// A beam stands to a side if it does so by more than this, degrees.
+const TO_A_SIDE_DEG: f64 = 1.0;
+
+impl TiltRule {
+    /// Whether the rule lets a beam stand so.
+    pub fn allows(&self, tilt: Tilt) -> bool {
+        let to = |side: &Side| match side {
+            Side::Lead => tilt.lead_deg,
+            Side::Lag => -tilt.lead_deg,
+            Side::Left => -tilt.lean_deg,
+            Side::Right => tilt.lean_deg,
+        };
+        // A hair of tolerance: what is asked for is allowed, whatever the rounding.
+        tilt.angle_deg() >= self.least_deg - 1e-6 && self.forbidden.iter().all(|side| to(side) <= TO_A_SIDE_DEG + 1e-6)
+    }
+
+    /// The tilt that is best where nothing is in the way: the preferred one, as steep as the rule asks;
+    /// with no direction of its own the first of lead, lag, right and left that is allowed.
+    pub fn aim(&self, max_tilt_deg: f64) -> Tilt {
+        let whole = self.preferred.angle_deg();
+        let wanted = whole.max(self.least_deg).min(max_tilt_deg);
+        let scaled = |(lead, lean): (f64, f64)| Tilt { lead_deg: wanted * lead, lean_deg: wanted * lean };
+        if wanted == whole && self.allows(self.preferred) {
+            return self.preferred;
+        }
+        let own = (whole > 0.0).then(|| (self.preferred.lead_deg / whole, self.preferred.lean_deg / whole));
+        let sides = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
+        own.into_iter().chain(sides).map(scaled).find(|t| self.allows(*t)).unwrap_or(self.preferred)
+    }
+}
+
 /// A tilt that the operator has set at a place of one line; the search keeps to it where it can.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]

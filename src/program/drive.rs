@@ -32,8 +32,8 @@ pub struct Drive<'a> {
     pub robot: &'a Robot,
     /// Speeds of the spot.
     pub speeds: Speeds,
-    /// How far the spot may leave its line, mm.
-    pub deviation_mm: f64,
+    /// What keeps the spot to its line, and clear.
+    pub straight: Straight<'a>,
     /// What the arm and all it carries may touch; `None`: nothing.
     pub collision: Option<&'a Collision<'a>>,
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
@@ -262,14 +262,8 @@ impl Drive<'_> {
 
     /// Lit moves from one stand to the next, with stations in between where the spot needs them.
     fn between(&self, from: &Stand, to: &Stand, seconds: f64, out: &mut Vec<Lit>) -> Result<(), (Cause, String)> {
-        let straight = Straight {
-            part: self.part,
-            mounted: self.mounted,
-            defocus_mm: self.speeds.defocus_mm,
-            deviation_mm: self.deviation_mm,
-        };
         let (mut here, mut done) = (*from, 0.0);
-        for (share, at) in straight.between(&from.at, &to.at)? {
+        for (share, at) in self.straight.between(&from.at, &to.at)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
             let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
                 return Err((Cause::Limit, "between two targets a joint would leave its range".into()));

@@ -2,17 +2,15 @@
 //! the spot a little beside its line. Planner and verification look at it in the same way.
 
 use super::steps::Station;
+use super::sweep::{LitMove, Prover};
 use crate::cell::motion::Cause;
-use crate::cell::mounting::Mounted;
-use crate::part::Part;
 use crate::pose::Beam;
+use crate::pose::motion::Swept;
 use nalgebra::{Isometry3, Point3, Vector3};
 
 /// The beam is looked at from here on, mm above the spot: nearer, the facets that the spot stands on
 /// answer at random where the spot is a rounding off.
 pub const FROM_MM: f64 = 0.1;
-/// Poses looked at on a move, its end included.
-pub const LOOKS: usize = 4;
 /// The spot is where the axis meets the part, so far from where it should be at most, mm.
 const WINDOW_MM: f64 = 1.0;
 
@@ -28,27 +26,11 @@ pub fn spot(beam: &Beam<'_>, part_from_focus: &Isometry3<f64>, defocus_mm: f64) 
     (beam.spot(&foot(part_from_focus, defocus_mm), &a, WINDOW_MM), a)
 }
 
-/// The first place on a move, given over 0 to 1 as path frames, whose beam goes through a facet.
-pub fn hit(
-    beam: &Beam<'_>,
-    defocus_mm: f64,
-    part_from_focus: impl Fn(f64) -> Isometry3<f64>,
-) -> Option<(Point3<f64>, u32)> {
-    (1..=LOOKS).find_map(|k| {
-        let (spot, a) = spot(beam, &part_from_focus(k as f64 / LOOKS as f64), defocus_mm);
-        beam.passes_through(&spot, &a, FROM_MM).map(|facet| (spot, facet))
-    })
-}
-
 /// What keeps a lit move of the flange to the planned line of the spot.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Straight<'a> {
-    /// The part.
-    pub part: &'a Part,
-    /// Frames in use.
-    pub mounted: Mounted,
-    /// D, mm.
-    pub defocus_mm: f64,
+    /// Part, frames and D, and what sweeps a move that keeps to its line.
+    pub prover: Prover<'a>,
     /// How far the spot may leave its line, mm.
     pub deviation_mm: f64,
 }
@@ -83,9 +65,11 @@ impl Straight<'_> {
         }
         if halvings == 0 {
             return Err(match met {
-                Some((p, facet)) => {
+                Some(hit) => {
+                    let p = hit.pose.p;
                     let at = format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z);
-                    (Cause::Beam, format!("as the flange goes straight the beam to {at} hits facet {facet}"))
+                    let (cause, what) = (Cause::of_blocker(&hit.blocker), hit.blocker);
+                    (cause, format!("as the flange goes straight, the spot at {at}, {what}"))
                 }
                 None => (Cause::Singularity, format!("the spot would leave its line by {off_mm:.2} mm")),
             });
@@ -96,14 +80,14 @@ impl Straight<'_> {
         self.halved((&middle, t), to, halvings - 1, out)
     }
 
-    /// Where the beam hits the part on a lit move, as the flange goes.
-    fn beam_hits(&self, from: &Station, to: &Station) -> Option<(Point3<f64>, u32)> {
-        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
-        hit(&Beam::on(self.part), self.defocus_mm, |t| self.mounted.focus_for(&a.lerp_slerp(&b, t)))
+    /// What beam or head hits on a lit move, as the flange goes.
+    fn beam_hits(&self, from: &Station, to: &Station) -> Option<Swept> {
+        let [from, to] = [from, to].map(|s| self.prover.mounted.flange_for(&s.frame()));
+        self.prover.hit(&LitMove { from, to, by_focus: false })
     }
 
     fn foot(&self, frame: &Isometry3<f64>) -> Point3<f64> {
-        foot(frame, self.defocus_mm)
+        foot(frame, self.prover.defocus_mm)
     }
 
     /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
@@ -111,20 +95,20 @@ impl Straight<'_> {
         let (a, b) = (from.frame(), to.frame());
         let foot = nalgebra::center(&self.foot(&a), &self.foot(&b));
         let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
-        middle.x = foot + middle.a * self.defocus_mm;
+        middle.x = foot + middle.a * self.prover.defocus_mm;
         middle
     }
 
     /// How far the spot leaves the straight line where the flange goes straight, mm.
     fn deviation(&self, from: &Station, to: &Station) -> f64 {
-        let (a, b) = (self.mounted.flange_for(&from.frame()), self.mounted.flange_for(&to.frame()));
+        let (a, b) = (self.prover.mounted.flange_for(&from.frame()), self.prover.mounted.flange_for(&to.frame()));
         let (start, end) = (self.foot(&from.frame()), self.foot(&to.frame()));
         let line = end - start;
         let length2 = line.norm_squared();
         [0.25, 0.5, 0.75]
             .into_iter()
             .map(|t| {
-                let foot = self.foot(&self.mounted.focus_for(&a.lerp_slerp(&b, t)));
+                let foot = self.foot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)));
                 let along = if length2 > 0.0 { ((foot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
                 (foot - (start + line * along)).norm()
             })

@@ -24,6 +24,7 @@ mod reading;
 mod round;
 pub mod series;
 pub mod steps;
+pub mod sweep;
 pub mod timeline;
 pub mod trapezoid;
 pub mod ur;
@@ -32,6 +33,6 @@ pub mod yaskawa;
 
 pub use dialect::{Dialect, Program, ProgramFile};
 pub use lines::{Line, Move, lines};
-pub use series::{Sample, series};
+pub use series::{Clearance, Sample, clearances, series};
 pub use steps::{Go, Pace, Step, Steps, Way, steps};
 pub use timeline::{Breakdown, Moment, Stop, Timeline};

@@ -1,8 +1,10 @@
-//! Joints, their speeds and what limits them over the time of a program, sampled for curves.
+//! Joints, their speeds and what limits them over the time of a program, sampled for curves; and how
+//! far everything keeps from everything else.
 
 use super::timeline::Timeline;
-use crate::cell::Joints;
+use crate::cell::{Collision, Contact, Joints};
 use crate::part::rpy;
+use rayon::prelude::*;
 
 /// One moment of the curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +22,19 @@ pub struct Sample {
     /// Flange about Z, Y and X in the base.
     pub rz_ry_rx_deg: [f64; 3],
 }
+
+/// One moment of the curve of clearance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Clearance {
+    /// From the program's start, s.
+    pub time_s: f64,
+    /// Distance of the two bodies that are nearest each other, and which they are; `None`: all keep
+    /// farther apart than is looked at.
+    pub nearest: Option<(f64, Contact)>,
+}
+
+/// Clearance is looked at so often over a program: more than a screen shows, and soon done.
+const MOST_CLEARANCES: usize = 2000;
 
 /// Long moves are sampled so many times over the whole program.
 const EVEN_SAMPLES: f64 = 2000.0;
@@ -41,6 +56,16 @@ pub fn series(timeline: &Timeline) -> Vec<Sample> {
         }
     }
     out
+}
+
+/// The clearance at evenly chosen moments of the curves, the first and the last among them.
+pub fn clearances(samples: &[Sample], collision: &Collision<'_>) -> Vec<Clearance> {
+    let count = samples.len().min(MOST_CLEARANCES);
+    let look = |k: usize| {
+        let s = &samples[k * (samples.len() - 1) / (count - 1).max(1)];
+        Clearance { time_s: s.time_s, nearest: collision.clearance(&s.joints_deg) }
+    };
+    (0..count).into_par_iter().map(look).collect()
 }
 
 fn push(out: &mut Vec<Sample>, timeline: &Timeline, time_s: f64) {

@@ -3,8 +3,10 @@
 
 use super::air::Space;
 use super::lit::Straight;
+use super::sweep::LitMove;
 use crate::cell::Cell;
 use crate::cell::motion::Refusal;
+use crate::cell::mounting::Mounted;
 use crate::part::angle;
 use crate::pose::target::frame;
 use crate::pose::{Pass, Target};
@@ -132,7 +134,7 @@ pub struct Speeds {
 /// tried again without them.
 pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Result<Steps, Vec<Refusal>> {
     let mut refused = Vec::new();
-    let space = Space::new(straight.part, &cell.air, speeds.defocus_mm);
+    let space = Space::new(straight.prover.part, &cell.air, speeds.defocus_mm);
     let mut out = Steps::default();
     let mut at: Option<Station> = None;
     let mut said = None;
@@ -216,6 +218,24 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Spe
 }
 
 impl Steps {
+    /// The moves with the laser on, as the flange makes them.
+    pub fn lit_moves(&self, mounted: &Mounted) -> Vec<LitMove> {
+        let (mut lit, mut at) = (false, None);
+        let mut out = Vec::new();
+        for step in &self.list {
+            match step {
+                Step::Laser(on) => lit = *on,
+                Step::Go(go) => {
+                    let to = mounted.flange_for(&go.to.frame());
+                    out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false }));
+                    at = Some(to);
+                }
+                Step::Say(_) | Step::Home => {}
+            }
+        }
+        out
+    }
+
     pub(super) fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (way, pace) = (Way::Linear, Pace::Seconds(seconds));
         self.list.push(Step::Go(Go { to, way, joints_deg: None, pace, target }));

@@ -1,9 +1,11 @@
 //! What a program takes: trapezoids, waits, moments and curves against figures worked out by hand.
 
 use super::*;
-use crate::cell::Timing;
-use crate::program::series;
+use crate::cell::{Collision, Timing};
+use crate::part::{Part, Placement, Units};
 use crate::program::steps::{Go, Station, Step};
+use crate::program::{clearances, series};
+use crate::sample::{solids, stl_bytes};
 use nalgebra::{Point3, Vector3};
 
 /// The MZ04 in its shipped cell; laser and controller answer after known times.
@@ -118,6 +120,26 @@ fn straight_moves_carry_the_spot_evenly_and_joint_moves_the_joints() {
     let m = t.moment(s[1].at_s - 0.5 * s[1].seconds);
     for k in 0..6 {
         assert!((m.joints_deg[k] - 0.5 * (s[0].joints_deg[k] + s[1].joints_deg[k])).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn clearance_is_looked_at_from_the_first_moment_to_the_last() {
+    let setup = setup();
+    let t = Timeline::new(&program(), &setup).expect("reachable");
+    let curve = series(&t);
+    let ball = Part::from_bytes(&stl_bytes(&solids::sphere(10.0, 12, 6)), Units::Mm, &Placement::default(), &[]);
+    let ball = ball.expect("a part");
+    let collision = Collision::new(&setup, &ball).expect("a robot");
+    for samples in [&curve[..], &curve[..1], &[]] {
+        let looked = clearances(samples, &collision);
+        assert!(looked.len() <= 2000 && looked.is_empty() == samples.is_empty());
+        let ends = [looked.first(), looked.last()].map(|c| c.map(|c| c.time_s));
+        assert_eq!(ends, [samples.first(), samples.last()].map(|s| s.map(|s| s.time_s)));
+        for c in &looked {
+            let sample = samples.iter().find(|s| s.time_s == c.time_s).expect("a moment of the curves");
+            assert_eq!(c.nearest, collision.clearance(&sample.joints_deg));
+        }
     }
 }
 

@@ -1,8 +1,11 @@
 //! The motion as curves over time: joints within their limits, their speeds, the pose of the flange,
-//! the distance from a singular pose. A cursor is where the simulation is; a drag moves both.
+//! the distance from a singular pose and from what stands in the cell. A cursor is where the
+//! simulation is; a drag moves both.
 
 use super::super::App;
-use crate::program::{Sample, Timeline};
+use super::super::clearance::ClearanceCurve;
+use crate::cell::collision::CLEARANCE_REACH_MM;
+use crate::program::{Clearance, Sample, Timeline};
 use eframe::egui::{self, Color32, RichText, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotBounds, PlotUi, VLine};
 
@@ -21,12 +24,31 @@ const MOST_POINTS: usize = 1200;
 /// The shortest stretch that can be looked at, s.
 const SHORTEST_S: f64 = 0.05;
 
-/// One diagram.
-struct Diagram<'a> {
+/// What a curve runs over.
+trait Timed {
+    fn time_s(&self) -> f64;
+}
+
+impl Timed for Sample {
+    fn time_s(&self) -> f64 {
+        self.time_s
+    }
+}
+
+impl Timed for Clearance {
+    fn time_s(&self) -> f64 {
+        self.time_s
+    }
+}
+
+/// One diagram over samples.
+struct Diagram<'a, T> {
     /// For who cannot see it.
     name: &'static str,
     title: String,
-    curves: Vec<Curve<'a>>,
+    curves: Vec<Curve<'a, T>>,
+    /// Said behind the numbers of the curves.
+    words: Option<fn(&T) -> String>,
     /// Where it must not go: value and colour.
     bounds: Vec<(f64, Color32)>,
     decimals: usize,
@@ -34,16 +56,16 @@ struct Diagram<'a> {
     least: f64,
 }
 
-struct Curve<'a> {
+struct Curve<'a, T> {
     name: &'static str,
     color: Color32,
-    value: Box<dyn Fn(&Sample) -> f64 + 'a>,
+    value: Box<dyn Fn(&T) -> f64 + 'a>,
 }
 
-impl Diagram<'_> {
-    /// Its share of the width: room for the numbers of its curves.
+impl<T> Diagram<'_, T> {
+    /// Its share of the width: room for the numbers of its curves, and for words.
     fn share(&self) -> f32 {
-        3.0 + self.curves.len() as f32
+        3.0 + self.curves.len() as f32 + if self.words.is_some() { 2.0 } else { 0.0 }
     }
 }
 
@@ -54,17 +76,33 @@ impl App {
         let samples = &motion.curves;
         let span = self.plot_span(timeline.total_s());
         let list = diagrams(timeline, samples);
-        let whole = ui.available_width() - 3.0 * ui.spacing().item_spacing.x;
-        let curves: f32 = list.iter().map(Diagram::share).sum();
-        let height = ui.available_height();
+        let clearance = self.clearance().cloned();
+        let last = clearance_diagram(clearance.as_deref());
+        let whole = ui.available_width() - list.len() as f32 * ui.spacing().item_spacing.x;
+        let width = whole / (list.iter().map(Diagram::share).sum::<f32>() + last.share());
         ui.horizontal_top(|ui| {
-            for diagram in list {
-                let width = whole * diagram.share() / curves;
-                ui.allocate_ui(vec2(width, height), |ui| {
-                    ui.set_width(width);
-                    ui.vertical(|ui| self.diagram(ui, &diagram, samples, span, timeline.total_s()));
-                });
+            for d in &list {
+                self.beside(ui, d, samples, width, span, timeline.total_s());
             }
+            let looked_at = clearance.as_ref().map_or(&[][..], |c| &c.samples);
+            self.beside(ui, &last, looked_at, width, span, timeline.total_s());
+        });
+    }
+
+    /// A diagram beside the others, so many times as wide as its share.
+    fn beside<T: Timed>(
+        &mut self,
+        ui: &mut egui::Ui,
+        d: &Diagram<'_, T>,
+        samples: &[T],
+        width: f32,
+        span: [f64; 2],
+        total_s: f64,
+    ) {
+        let size = vec2(width * d.share(), ui.available_height());
+        ui.allocate_ui(size, |ui| {
+            ui.set_width(size.x);
+            ui.vertical(|ui| self.diagram(ui, d, samples, span, total_s));
         });
     }
 
@@ -80,19 +118,30 @@ impl App {
         self.session.plot_span.unwrap_or([0.0, total_s.max(SHORTEST_S)])
     }
 
-    fn diagram(&mut self, ui: &mut egui::Ui, d: &Diagram<'_>, samples: &[Sample], span: [f64; 2], total_s: f64) {
+    fn diagram<T: Timed>(
+        &mut self,
+        ui: &mut egui::Ui,
+        d: &Diagram<'_, T>,
+        samples: &[T],
+        span: [f64; 2],
+        total_s: f64,
+    ) {
         ui.add(egui::Label::new(RichText::new(&d.title).strong()).truncate());
         let time_s = self.session.time_s;
-        let now = samples.get(samples.partition_point(|s| s.time_s < time_s)).or(samples.last());
+        let now = samples.get(samples.partition_point(|s| s.time_s() < time_s)).or(samples.last());
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
+            let small = |text: String| RichText::new(text).small().monospace();
             for c in &d.curves {
                 let value = now.map_or(0.0, |s| (c.value)(s));
                 let decimals = if value.abs() < 100.0 { d.decimals } else { 0 };
                 // Rounded, and + 0 so that no −0.0 is shown.
                 let power = 10f64.powi(decimals as i32);
                 let text = format!("{} {:.decimals$}", c.name, (value * power).round() / power + 0.0);
-                ui.add(egui::Label::new(RichText::new(text).small().monospace().color(c.color)).selectable(false));
+                ui.add(egui::Label::new(small(text).color(c.color)).selectable(false));
+            }
+            if let (Some(now), Some(words)) = (now, d.words) {
+                ui.add(egui::Label::new(small(words(now))).selectable(false).truncate());
             }
         });
         let lines: Vec<Vec<[f64; 2]>> = d.curves.iter().map(|c| thinned(samples, span, &c.value)).collect();
@@ -150,9 +199,9 @@ fn zoomed([from, to]: [f64; 2], about_s: f64, factor: f64, total_s: f64) -> Opti
 }
 
 /// P2's Fig. 16, and what limits it.
-fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> {
+fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a, Sample>> {
     let robot = timeline.robot();
-    let six = |value: fn(&'a crate::cell::Robot, &Sample, usize) -> f64| -> Vec<Curve<'a>> {
+    let six = |value: fn(&'a crate::cell::Robot, &Sample, usize) -> f64| -> Vec<Curve<'a, Sample>> {
         (0..6)
             .map(|i| Curve { name: NAMES[i], color: COLORS[i], value: Box::new(move |s| value(robot, s, i)) })
             .collect()
@@ -170,6 +219,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
             name: "curves of joints",
             title: format!("Joints, ° · nearest limit {margin_deg:.1}°"),
             curves: six(|_, s, i| s.joints_deg[i]),
+            words: None,
             bounds: limits.collect(),
             decimals: 1,
             least: 10.0,
@@ -178,6 +228,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
             name: "curves of joint speeds",
             title: format!("Joint speed, % of full · most {peak:.0} % {which}"),
             curves: six(share_of_full),
+            words: None,
             bounds: vec![(100.0, red), (-100.0, red)],
             decimals: 0,
             least: 10.0,
@@ -186,6 +237,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
             name: "curves of the flange's angles",
             title: "Flange in the base, °".into(),
             curves: vec![angle("RZ", 0, COLORS[0]), angle("RY", 1, COLORS[2]), angle("RX", 2, COLORS[5])],
+            words: None,
             bounds: Vec::new(),
             decimals: 1,
             least: 10.0,
@@ -194,11 +246,37 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a>> 
             name: "curve of the distance to singularity",
             title: format!("To singularity · least {singular:.2}"),
             curves: vec![Curve { name: "distance", color: COLORS[1], value: Box::new(|s| s.singularity) }],
+            words: None,
             bounds: vec![(0.0, red)],
             decimals: 2,
             least: 0.2,
         },
     ]
+}
+
+/// How near anything comes to anything else; without a curve that is being looked at.
+fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearance> {
+    let nearest = curve.iter().flat_map(|c| &c.samples).filter_map(|s| s.nearest.as_ref());
+    let least = nearest.min_by(|a, b| a.0.total_cmp(&b.0));
+    let title = match (curve, least) {
+        (None, _) => "Clearance, mm · …".into(),
+        (_, None) => format!("Clearance, mm · all beyond {CLEARANCE_REACH_MM:.0} mm"),
+        (_, Some((mm, pair))) => format!("Clearance, mm · least {mm:.1} {pair}"),
+    };
+    let mm = |s: &Clearance| s.nearest.as_ref().map_or(CLEARANCE_REACH_MM, |n| n.0);
+    let words: fn(&Clearance) -> String = |s| match &s.nearest {
+        Some((_, pair)) => pair.to_string(),
+        None => "or more".into(),
+    };
+    Diagram {
+        name: "curve of the clearance",
+        title,
+        curves: vec![Curve { name: "nearest", color: COLORS[2], value: Box::new(mm) }],
+        words: Some(words),
+        bounds: vec![(curve.map_or(0.0, |c| c.margin_mm), super::super::theme::WRONG)],
+        decimals: 1,
+        least: 10.0,
+    }
 }
 
 fn share_of_full(robot: &crate::cell::Robot, s: &Sample, joint: usize) -> f64 {
@@ -217,11 +295,11 @@ fn range(lines: &[Vec<[f64; 2]>], least: f64) -> [f64; 2] {
 }
 
 /// The samples in sight, one beyond each end; of many, what stands out.
-fn thinned(samples: &[Sample], [from, to]: [f64; 2], value: &dyn Fn(&Sample) -> f64) -> Vec<[f64; 2]> {
-    let first = samples.partition_point(|s| s.time_s < from).saturating_sub(1);
-    let end = (samples.partition_point(|s| s.time_s <= to) + 1).min(samples.len());
+fn thinned<T: Timed>(samples: &[T], [from, to]: [f64; 2], value: &dyn Fn(&T) -> f64) -> Vec<[f64; 2]> {
+    let first = samples.partition_point(|s| s.time_s() < from).saturating_sub(1);
+    let end = (samples.partition_point(|s| s.time_s() <= to) + 1).min(samples.len());
     let seen = samples.get(first..end).unwrap_or_default();
-    let point = |s: &Sample| [s.time_s, value(s)];
+    let point = |s: &T| [s.time_s(), value(s)];
     if seen.len() <= MOST_POINTS {
         return seen.iter().map(point).collect();
     }

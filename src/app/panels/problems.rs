@@ -85,11 +85,14 @@ impl App {
             None => {
                 ui.label(RichText::new("looking for what would help…").weak());
             }
-            Some([]) => {
+            Some(Err(_)) => {
+                ui.label(RichText::new("the search was cancelled; Ctrl+R plans and looks again").weak());
+            }
+            Some(Ok([])) => {
                 let text = "No single change that was tried; look for a better set-up, under Cell";
                 ui.label(RichText::new(text).weak());
             }
-            Some(sentences) => {
+            Some(Ok(sentences)) => {
                 for sentence in sentences {
                     // What is said in brackets is about the others.
                     let text = match sentence.starts_with('(') {

@@ -23,7 +23,7 @@ impl App {
             if self.is_proposing() {
                 ui.horizontal(|ui| {
                     ui.spinner();
-                    ui.label("Looking for a better set-up…");
+                    ui.label("Looking for a better set-up…").on_hover_text("Cancel is in the status line");
                 });
                 return;
             }

@@ -2,18 +2,37 @@
 
 use super::super::{App, theme};
 use crate::program::Timeline;
+use crate::progress::Progress;
 use eframe::egui::{self, ProgressBar, RichText};
+use std::time::Duration;
+
+/// Progress is shown anew after this time.
+const SHOWN_AGAIN: Duration = Duration::from_millis(100);
 
 impl App {
+    /// Stage and share of what can be cancelled: planning, else a search for what would help.
+    pub(in super::super) fn progress(&self) -> Option<(&'static str, f32)> {
+        let planning = self.worker.progress().filter(|_| !self.derived.is_current(self.document.job()));
+        planning.or_else(|| self.search().map(Progress::now).filter(|p| !p.0.is_empty()))
+    }
+
+    /// Ends that.
+    pub(in super::super) fn cancel(&self) {
+        match self.search().filter(|_| self.derived.is_current(self.document.job())) {
+            Some(search) => search.cancel(),
+            None => self.worker.cancel(),
+        }
+    }
+
     pub(in super::super) fn status(&mut self, ui: &mut egui::Ui) {
         ui.horizontal(|ui| {
-            if let Some((stage, share)) =
-                self.worker.progress().filter(|_| !self.derived.is_current(self.document.job()))
-            {
-                ui.add(ProgressBar::new(share).desired_width(160.0).text(format!("{stage} {:.0} %", share * 100.0)));
+            if let Some((stage, share)) = self.progress() {
+                ui.add(ProgressBar::new(share).desired_width(190.0).text(format!("{stage} {:.0} %", share * 100.0)));
                 if ui.small_button("Cancel").clicked() {
-                    self.worker.cancel();
+                    self.cancel();
                 }
+                // The work goes on while the hand is still.
+                ui.ctx().request_repaint_after(SHOWN_AGAIN);
             }
             if let Some((_, report)) = &self.derived.plan {
                 let r = report;

@@ -9,6 +9,7 @@ use crate::cell::collision::Collision;
 use crate::cell::{Frame, Mount, Robot, Setup, Spin};
 use crate::part::Part;
 use crate::part::rpy;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -53,15 +54,25 @@ pub fn sampled<T: Copy>(all: &[T], most: usize) -> Vec<T> {
 }
 
 /// Whether the arm can stand at each path frame with something to spare, touching nothing.
-fn possible(setup: &Setup, part: &Part, frames: &[Isometry3<f64>], step_deg: f64) -> Vec<bool> {
-    let Some(robot) = &setup.robot else { return vec![false; frames.len()] };
+fn possible(
+    setup: &Setup,
+    part: &Part,
+    frames: &[Isometry3<f64>],
+    step_deg: f64,
+    progress: &Progress,
+) -> Result<Vec<bool>, Cancelled> {
+    let Some(robot) = &setup.robot else { return Ok(vec![false; frames.len()]) };
     let arm = Arm::with_step(robot, setup, step_deg);
     let collision = Collision::new(setup, part);
     let free = |s: &super::State| {
         robot.limit_margin_deg(&s.joints_deg) >= SPARE_DEG
             && collision.as_ref().is_none_or(|c| c.first(&s.joints_deg).is_none())
     };
-    frames.iter().map(|f| arm.states(f).is_ok_and(|states| states.iter().any(free))).collect()
+    let look = |f: &Isometry3<f64>| {
+        progress.check()?;
+        Ok(arm.states(f).is_ok_and(|states| states.iter().any(free)))
+    };
+    frames.iter().map(look).collect()
 }
 
 fn count(all: &[bool]) -> usize {
@@ -70,22 +81,26 @@ fn count(all: &[bool]) -> usize {
 
 /// Changes that make refused targets possible, the best first: more gained, less lost, then the smaller
 /// change. `done` and `refused` are samples of path frames in the part.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
 pub fn changes(
     setup: &Setup,
     part: &Part,
     spin: Spin,
     done: &[Isometry3<f64>],
     refused: &[Isometry3<f64>],
-) -> Vec<Advice> {
+    progress: &Progress,
+) -> Result<Vec<Advice>, Cancelled> {
     if refused.is_empty() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let now_deg = if spin == Spin::Travel { 180.0 } else { SPINS_DEG };
-    let before = possible(setup, part, done, now_deg);
+    let before = possible(setup, part, done, now_deg, progress)?;
     // What is possible by itself was refused for the way to it: no change of place is known to help.
     let stuck: Vec<Isometry3<f64>> = refused
         .iter()
-        .zip(possible(setup, part, refused, now_deg))
+        .zip(possible(setup, part, refused, now_deg, progress)?)
         .filter(|(_, possible)| !possible)
         .map(|(f, _)| *f)
         .collect();
@@ -96,26 +111,29 @@ pub fn changes(
     for (text, changed) in variants(setup) {
         tried.push((text, changed, now_deg));
     }
-    let mut found: Vec<(usize, Advice)> = tried
+    progress.begin("trying changes", tried.len());
+    let found = tried
         .into_par_iter()
         .enumerate()
-        .filter_map(|(rank, (text, changed, step_deg))| {
-            let gained = count(&possible(&changed, part, &stuck, step_deg));
-            if gained == 0 {
-                return None;
+        .map(|(rank, (text, changed, step_deg))| {
+            let gained = count(&possible(&changed, part, &stuck, step_deg, progress)?);
+            let mut lost = 0;
+            if gained > 0 {
+                let after = possible(&changed, part, done, step_deg, progress)?;
+                lost = before.iter().zip(&after).filter(|(b, a)| **b && !**a).count();
             }
-            let after = possible(&changed, part, done, step_deg);
-            let lost = before.iter().zip(&after).filter(|(b, a)| **b && !**a).count();
-            Some((rank, Advice { text, gained, of: refused.len(), lost }))
+            progress.step()?;
+            Ok((rank, Advice { text, gained, of: refused.len(), lost }))
         })
-        .collect();
+        .collect::<Result<Vec<(usize, Advice)>, Cancelled>>();
+    let mut found = found?;
     let worth = |a: &Advice| a.gained as i64 - 2 * a.lost as i64;
     found.retain(|(_, a)| worth(a) > 0);
     found.sort_by(|(i, a), (j, b)| worth(b).cmp(&worth(a)).then(i.cmp(j)));
     // The same by another number says nothing new.
     let kind = |a: &Advice| a.text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
     let mut kinds = BTreeSet::new();
-    found.into_iter().map(|(_, a)| a).filter(|a| kinds.insert(kind(a))).take(3).collect()
+    Ok(found.into_iter().map(|(_, a)| a).filter(|a| kinds.insert(kind(a))).take(3).collect())
 }
 
 /// One thing changed, the smallest changes first.
@@ -212,37 +230,56 @@ pub struct BetterSetup {
 /// The first is found on a coarse grid over how the part is held and where laser or part stands, then by
 /// single steps from the best, ever smaller; the others are the best small changes of what there is.
 /// `frames`: a sample of path frames, evenly over the work.
-pub fn better_setups(setup: &Setup, part: &Part, frames: &[Isometry3<f64>]) -> Vec<BetterSetup> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn better_setups(
+    setup: &Setup,
+    part: &Part,
+    frames: &[Isometry3<f64>],
+    progress: &Progress,
+) -> Result<Vec<BetterSetup>, Cancelled> {
     if frames.is_empty() || setup.robot.is_none() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    let score = |s: &Setup| count(&possible(s, part, frames, 2.0 * SPINS_DEG));
-    let start = score(setup);
-    let scored = |list: Vec<Setup>| -> Vec<(usize, Setup)> {
-        let scores: Vec<usize> = list.par_iter().map(score).collect();
+    let score = |s: &Setup| Ok(count(&possible(s, part, frames, 2.0 * SPINS_DEG, progress)?));
+    let start = score(setup)?;
+    let scored = |stage, list: Vec<Setup>| -> Result<Vec<(usize, Setup)>, Cancelled> {
+        progress.begin(stage, list.len());
+        let one = |s: &Setup| {
+            let score = score(s)?;
+            progress.step().map(|()| score)
+        };
+        let scores = list.par_iter().map(one).collect::<Result<Vec<usize>, Cancelled>>()?;
         let mut out: Vec<(usize, Setup)> = scores.into_iter().zip(list).collect();
         out.sort_by_key(|s| std::cmp::Reverse(s.0));
-        out
+        Ok(out)
     };
     let mut found = Vec::new();
-    if let Some(mut best) = scored(grid(setup)).into_iter().next() {
+    if let Some(mut best) = scored("trying set-ups", grid(setup))?.into_iter().next() {
         for step_mm in [60.0, 30.0, 10.0] {
-            while let Some(next) = scored(around(&best.1, step_mm)).into_iter().next().filter(|n| n.0 > best.0) {
+            let next = |best: &(usize, Setup)| -> Result<_, Cancelled> {
+                let list = scored("improving the set-up", around(&best.1, step_mm))?;
+                Ok(list.into_iter().next().filter(|n| n.0 > best.0))
+            };
+            while let Some(next) = next(&best)? {
                 best = next;
             }
         }
         found.push(best);
     }
-    let small = scored(variants(setup).into_iter().map(|(_, s)| s).collect());
+    let small = scored("trying small changes", variants(setup).into_iter().map(|(_, s)| s).collect())?;
     found.extend(small.into_iter().take(SMALL_CHANGES));
     let share = |n: usize| n as f64 / frames.len() as f64;
-    let better = |(n, mut s): (usize, Setup)| BetterSetup {
-        share_before: share(start),
-        share_after: share(n),
-        part: part_frame(&mut s).clone(),
-        base_from_laser: s.cell.base_from_laser.clone(),
-        sample: frames.to_vec(),
-        possible: possible(&s, part, frames, SPINS_DEG),
+    let better = |(n, mut s): (usize, Setup)| {
+        Ok(BetterSetup {
+            share_before: share(start),
+            share_after: share(n),
+            part: part_frame(&mut s).clone(),
+            base_from_laser: s.cell.base_from_laser.clone(),
+            sample: frames.to_vec(),
+            possible: possible(&s, part, frames, SPINS_DEG, progress)?,
+        })
     };
     found.into_iter().filter(|f| f.0 >= start).map(better).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::choice::{MOST_SPEED, MOST_STEP_DEG, most_deg};
 use super::states::{Arm, Lack, State};
+use crate::pose::{Blocker, Ours, Theirs};
 use nalgebra::Isometry3;
 
 /// What kind of thing is in the way.
@@ -37,6 +38,15 @@ impl Cause {
             Cause::Limit => "limit",
             Cause::Speed => "speed",
             Cause::Singularity => "singularity",
+        }
+    }
+
+    /// The cause of something in the way of beam or head.
+    pub fn of_blocker(b: &Blocker) -> Cause {
+        match (b.ours, b.theirs) {
+            (_, Theirs::Clamp(_)) => Cause::Obstacle,
+            (Ours::Head, _) => Cause::Head,
+            (Ours::Beam, _) => Cause::Beam,
         }
     }
 

@@ -1,6 +1,8 @@
-//! Whether something comes near the facets of a hierarchy: a capsule, another mesh, a half space.
+//! Whether something comes near the facets of a hierarchy, and how near: a capsule, another mesh, a
+//! half space.
 //!
-//! Every question is a yes or a no, so that a search may end at the first facet that is near.
+//! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
+//! box first, and no box is entered that keeps farther away than what was found.
 
 use super::{Bounds, Bvh, Node, meet};
 use crate::part::distance::{segment_triangle, triangles};
@@ -29,16 +31,41 @@ impl Bvh {
 
     /// Whether a facet is within `reach_mm` of the segment.
     pub fn near_segment(&self, from: &Point3<f64>, to: &Point3<f64>, reach_mm: f64) -> bool {
-        let along = to - from;
-        let length = along.norm();
-        let dir = if length > 0.0 { along / length } else { Vector3::z() };
+        let segment = Slender::new(from, to);
         let mut near = false;
-        self.visit_ray(from, &dir, 0.0, length, reach_mm, |_, corners| {
-            let through = meet(corners, from, &dir).is_some_and(|t| (0.0..=length).contains(&t));
-            near = near || through || segment_triangle(from, to, corners) <= reach_mm;
-            if near { -1.0 } else { length }
+        self.visit_ray(from, &segment.dir, 0.0, segment.length, reach_mm, |_, corners| {
+            near = near || segment.distance(corners) <= reach_mm;
+            if near { -1.0 } else { segment.length }
         });
         near
+    }
+
+    /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` says no.
+    pub fn visit_near_boxes(
+        &self,
+        near: impl Fn(&[f64; 3], &[f64; 3]) -> bool,
+        mut visit: impl FnMut(u32, &[Point3<f64>; 3]) -> bool,
+    ) {
+        let mut stack = [0u32; 96];
+        let mut depth = usize::from(!self.nodes.is_empty());
+        while depth > 0 {
+            depth -= 1;
+            let node = &self.nodes[stack[depth] as usize];
+            if !near(&node.bounds.lo, &node.bounds.hi) {
+                continue;
+            }
+            if node.count > 0 {
+                for i in node.at as usize..(node.at + node.count) as usize {
+                    if !visit(self.facet[i], &self.corners[i]) {
+                        return;
+                    }
+                }
+            } else {
+                stack[depth] = node.at;
+                stack[depth + 1] = node.at + 1;
+                depth += 2;
+            }
+        }
     }
 
     /// Whether a facet of this mesh is within `reach_mm` of one of the other.
@@ -70,14 +97,83 @@ impl Bvh {
         false
     }
 
+    /// Distance of the nearest facet from the segment, mm, 0 where it passes through one; `None`: at
+    /// least `within_mm`.
+    pub fn distance_to_segment(&self, from: &Point3<f64>, to: &Point3<f64>, within_mm: f64) -> Option<f64> {
+        let segment = Slender::new(from, to);
+        let sides = Sides::new(&segment);
+        let mut best = within_mm;
+        let mut open = Vec::from_iter(self.nodes.first().map(|n| (sides.gap(&n.bounds), 0u32)));
+        while let Some((gap, i)) = open.pop() {
+            if gap >= best {
+                continue;
+            }
+            let node = &self.nodes[i as usize];
+            if node.count == 0 {
+                let child = |at: u32| (sides.gap(&self.nodes[at as usize].bounds), at);
+                push_nearer_last(&mut open, child(node.at), child(node.at + 1));
+                continue;
+            }
+            best = self.leaf(node).iter().map(|c| segment.distance(c)).fold(best, f64::min);
+        }
+        (best < within_mm).then_some(best)
+    }
+
+    /// Distance of the two nearest facets of this mesh and another, mm, 0 where they meet; `None`: at
+    /// least `within_mm`.
+    pub fn distance_to_mesh(&self, other: &Bvh, self_from_other: &Isometry3<f64>, within_mm: f64) -> Option<f64> {
+        let turn = Turn::new(self_from_other);
+        let gap = |i: u32, j: u32| {
+            let (a, b) = (&self.nodes[i as usize].bounds, &other.nodes[j as usize].bounds);
+            (turn.bounds(b).gap(a), (i, j))
+        };
+        let mut best = within_mm;
+        let there = !self.nodes.is_empty() && !other.nodes.is_empty();
+        let mut open = Vec::from_iter(there.then(|| gap(0, 0)));
+        while let Some((near, (i, j))) = open.pop() {
+            if near >= best {
+                continue;
+            }
+            let (a, b) = (&self.nodes[i as usize], &other.nodes[j as usize]);
+            if a.count > 0 && b.count > 0 {
+                for mine in self.leaf(a) {
+                    let theirs = other.leaf(b).iter().map(|c| triangles(mine, &c.map(|p| self_from_other * p)));
+                    best = theirs.fold(best, f64::min);
+                }
+            } else if a.count > 0 || b.count == 0 && a.bounds.half_area() < b.bounds.half_area() {
+                push_nearer_last(&mut open, gap(i, b.at), gap(i, b.at + 1));
+            } else {
+                push_nearer_last(&mut open, gap(a.at, j), gap(a.at + 1, j));
+            }
+        }
+        (best < within_mm).then_some(best)
+    }
+
+    /// The least `dir·p` of all corners, mm (`dir` is a unit vector); `None`: there are none.
+    pub fn lowest_mm(&self, dir: &Vector3<f64>) -> Option<f64> {
+        let mut best = f64::INFINITY;
+        let lowest = |i: u32| (self.nodes[i as usize].bounds.lowest(dir), i);
+        let mut open = Vec::from_iter((!self.nodes.is_empty()).then(|| lowest(0)));
+        while let Some((low, i)) = open.pop() {
+            if low >= best {
+                continue;
+            }
+            let node = &self.nodes[i as usize];
+            if node.count == 0 {
+                push_nearer_last(&mut open, lowest(node.at), lowest(node.at + 1));
+                continue;
+            }
+            best = self.leaf(node).iter().flatten().map(|p| dir.dot(&p.coords)).fold(best, f64::min);
+        }
+        (best < f64::INFINITY).then_some(best)
+    }
+
     /// Whether a corner has `dir·p` below `height_mm`.
     pub fn reaches_below(&self, dir: &Vector3<f64>, height_mm: f64) -> bool {
         let mut open = Vec::from_iter((!self.nodes.is_empty()).then_some(0u32));
         while let Some(i) = open.pop() {
             let node = &self.nodes[i as usize];
-            let b = &node.bounds;
-            let lowest: f64 = (0..3).map(|k| dir[k] * if dir[k] > 0.0 { b.lo[k] } else { b.hi[k] }).sum();
-            if lowest >= height_mm {
+            if node.bounds.lowest(dir) >= height_mm {
                 continue;
             }
             if node.count == 0 {
@@ -113,6 +209,65 @@ impl Bvh {
     }
 }
 
+/// Two boxes to look into, by how far away they are; the last one is taken first.
+fn push_nearer_last<I>(open: &mut Vec<(f64, I)>, one: (f64, I), other: (f64, I)) {
+    open.extend(if one.0 < other.0 { [other, one] } else { [one, other] });
+}
+
+/// A segment made ready for facets.
+struct Slender {
+    from: Point3<f64>,
+    to: Point3<f64>,
+    dir: Vector3<f64>,
+    length: f64,
+}
+
+impl Slender {
+    fn new(from: &Point3<f64>, to: &Point3<f64>) -> Slender {
+        let along = to - from;
+        let length = along.norm();
+        let dir = if length > 0.0 { along / length } else { Vector3::z() };
+        Slender { from: *from, to: *to, dir, length }
+    }
+
+    fn distance(&self, corners: &[Point3<f64>; 3]) -> f64 {
+        let through = meet(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t));
+        if through { 0.0 } else { segment_triangle(&self.from, &self.to, corners) }
+    }
+}
+
+/// A segment made ready for boxes.
+struct Sides {
+    from: Point3<f64>,
+    bounds: Bounds,
+    /// Square to the segment and to an axis each.
+    across: [Vector3<f64>; 3],
+}
+
+impl Sides {
+    fn new(s: &Slender) -> Sides {
+        let across = [0, 1, 2].map(|k| {
+            let square = s.dir.cross(&Vector3::ith(k, 1.0));
+            let norm = square.norm();
+            if norm > 1e-6 { square / norm } else { Vector3::zeros() }
+        });
+        Sides { from: s.from, bounds: Bounds::of(&[s.from, s.to, s.to]), across }
+    }
+
+    /// A box is at least so far away: as far as the gap between the two seen along any line.
+    fn gap(&self, b: &Bounds) -> f64 {
+        let middle = Vector3::from_fn(|k, _| b.middle(k)) - self.from.coords;
+        let half = Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
+        let beside = self.across.iter().map(|u| less(u.dot(&middle).abs() - u.abs().dot(&half)));
+        beside.fold(self.bounds.gap(b), f64::max)
+    }
+}
+
+/// A gap, less by more than the rounding of turned boxes.
+fn less(gap: f64) -> f64 {
+    gap * (1.0 - 1e-9) - 1e-9
+}
+
 /// A motion made ready for boxes.
 struct Turn {
     rotation: Matrix3<f64>,
@@ -139,6 +294,17 @@ impl Bounds {
         // Wider by more than the rounding of a turned box.
         let reach = reach_mm * (1.0 + 1e-9) + 1e-9;
         (0..3).all(|k| self.lo[k] <= o.hi[k] + reach && o.lo[k] <= self.hi[k] + reach)
+    }
+
+    /// Distance of two boxes, less by more than the rounding of a turned one.
+    fn gap(&self, o: &Bounds) -> f64 {
+        let apart = Vector3::from_fn(|k, _| (o.lo[k] - self.hi[k]).max(self.lo[k] - o.hi[k]).max(0.0));
+        less(apart.norm())
+    }
+
+    /// The least `dir·p` of a box.
+    fn lowest(&self, dir: &Vector3<f64>) -> f64 {
+        (0..3).map(|k| dir[k] * if dir[k] > 0.0 { self.lo[k] } else { self.hi[k] }).sum()
     }
 }
 
@@ -178,7 +344,9 @@ mod tests {
                 let through = meet(&c, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
                 if through { 0.0 } else { segment_triangle(&p, &q, &c) }
             }).fold(f64::INFINITY, f64::min);
-            prop_assert_eq!(Bvh::new(&mesh).near_segment(&p, &q, reach), least <= reach);
+            let tree = Bvh::new(&mesh);
+            prop_assert_eq!(tree.near_segment(&p, &q, reach), least <= reach);
+            prop_assert_eq!(tree.distance_to_segment(&p, &q, reach), (least < reach).then_some(least));
         }
 
         #[test]
@@ -192,7 +360,9 @@ mod tests {
                 .flat_map(|a| live(&two).map(move |b| triangles(&a, &moved(b))).collect::<Vec<_>>())
                 .fold(f64::INFINITY, f64::min);
             prop_assume!((least - reach).abs() > 1e-9);
-            prop_assert_eq!(Bvh::new(&one).near_mesh(&Bvh::new(&two), &motion, reach), least <= reach);
+            let (one, two) = (Bvh::new(&one), Bvh::new(&two));
+            prop_assert_eq!(one.near_mesh(&two, &motion, reach), least <= reach);
+            prop_assert_eq!(one.distance_to_mesh(&two, &motion, reach), (least < reach).then_some(least));
         }
 
         #[test]
@@ -201,7 +371,9 @@ mod tests {
             let mesh = soup(&numbers);
             let d = Vector3::from(d);
             let least = live(&mesh).flatten().map(|p| d.dot(&p.coords)).fold(f64::INFINITY, f64::min);
-            prop_assert_eq!(Bvh::new(&mesh).reaches_below(&d, height), least < height);
+            let tree = Bvh::new(&mesh);
+            prop_assert_eq!(tree.reaches_below(&d, height), least < height);
+            prop_assert_eq!(tree.lowest_mm(&d), least.is_finite().then_some(least));
         }
 
         /// A ball holds what is nearer its centre than its flats are.

@@ -1,8 +1,8 @@
 //! Progress of long work, and the wish to end it: shared between the thread that works and the one
 //! that shows.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 /// Named stage, done and whole, cancelled.
 #[derive(Debug, Default)]
@@ -10,7 +10,7 @@ pub struct Progress {
     stage: Mutex<&'static str>,
     done: AtomicUsize,
     whole: AtomicUsize,
-    cancelled: AtomicBool,
+    cancelled: Arc<AtomicBool>,
 }
 
 /// The work was cancelled.
@@ -27,13 +27,24 @@ impl Progress {
         self.whole.store(whole, Ordering::Relaxed);
     }
 
+    /// Of work within this one: it ends with this, and its stages are not shown.
+    pub fn within(&self) -> Progress {
+        Progress { cancelled: self.cancelled.clone(), ..Progress::default() }
+    }
+
     /// One piece is done.
     ///
     /// # Errors
     /// [`Cancelled`] when the work should end.
     pub fn step(&self) -> Result<(), Cancelled> {
         self.done.fetch_add(1, Ordering::Relaxed);
-        if self.cancelled.load(Ordering::Relaxed) { Err(Cancelled) } else { Ok(()) }
+        self.check()
+    }
+
+    /// # Errors
+    /// [`Cancelled`] when the work should end.
+    pub fn check(&self) -> Result<(), Cancelled> {
+        if self.goes_on() { Ok(()) } else { Err(Cancelled) }
     }
 
     /// Whether nobody asked the work to end.

@@ -1,0 +1,365 @@
+//! A cut cone about an axis and its distance from facets.
+//!
+//! The distance of two convex bodies is found by Gilbert, Johnson and Keerthi's algorithm (1988): each
+//! step gives a point of their difference (no farther than it: an upper bound) and a plane that the
+//! difference lies behind (no nearer: a lower bound), so a question of yes or no ends as soon as either
+//! bound answers it.
+
+use nalgebra::{Point3, Vector3};
+
+/// A cut cone about the beam's axis, its ends flat: t is measured from the point on the part along a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frustum {
+    /// Where it begins, mm.
+    pub t0_mm: f64,
+    /// Where it ends.
+    pub t1_mm: f64,
+    /// Radius where it begins, mm.
+    pub r0_mm: f64,
+    /// Radius where it ends, mm.
+    pub r1_mm: f64,
+}
+
+impl Frustum {
+    /// The greatest distance of any of its points from t = 0 on the axis, mm.
+    pub fn reach_mm(&self) -> f64 {
+        let end = |t: f64, r: f64| (t * t + r * r).sqrt();
+        end(self.t0_mm, self.r0_mm).max(end(self.t1_mm, self.r1_mm))
+    }
+
+    /// Where it stands with t = 0 in `p` and its axis along the unit vector `a`.
+    pub fn placed(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Placed {
+        Placed { origin: *p, axis: *a, shape: *self, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
+    }
+}
+
+/// A cut cone in space.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed {
+    origin: Point3<f64>,
+    axis: Vector3<f64>,
+    shape: Frustum,
+    inverse: Vector3<f64>,
+}
+
+/// So many steps at most; four or five are usual, and what is undecided then counts as near.
+const MOST_STEPS: usize = 48;
+
+impl Placed {
+    /// Whether a box might come within `reach_mm`; `false` is certain.
+    #[inline]
+    pub fn near_box(&self, lo: &[f64; 3], hi: &[f64; 3], reach_mm: f64) -> bool {
+        let (mut middle, mut half) = (0.0, 0.0);
+        for k in 0..3 {
+            let a = self.axis[k];
+            middle += (0.5 * (lo[k] + hi[k]) - self.origin[k]) * a;
+            half += 0.5 * (hi[k] - lo[k]) * a.abs();
+        }
+        let s = &self.shape;
+        let from = (middle - half).max(s.t0_mm - reach_mm);
+        let to = (middle + half).min(s.t1_mm + reach_mm);
+        if from > to + 1e-9 {
+            return false;
+        }
+        // The stretch of the axis beside the box, as wide as the cone gets there.
+        let slope = (s.r1_mm - s.r0_mm) / (s.t1_mm - s.t0_mm);
+        let at = |t: f64| s.r0_mm + slope * (t.clamp(s.t0_mm, s.t1_mm) - s.t0_mm);
+        // A point beside the flank may be nearest to a wider place further along.
+        let radius = at(from - reach_mm).max(at(to + reach_mm)) + reach_mm + 1e-9;
+        let (mut near, mut far) = (from - 1e-9, to + 1e-9);
+        for k in 0..3 {
+            let x = (lo[k] - radius - self.origin[k]) * self.inverse[k];
+            let y = (hi[k] + radius - self.origin[k]) * self.inverse[k];
+            let (x, y) = if x < y { (x, y) } else { (y, x) };
+            if x > near {
+                near = x;
+            }
+            if y < far {
+                far = y;
+            }
+        }
+        near <= far + 1e-9 * (1.0 + far.abs())
+    }
+
+    /// Whether a triangle comes within `reach_mm`.
+    pub fn is_near(&self, corners: &[Point3<f64>; 3], reach_mm: f64) -> bool {
+        if self.surely_apart(corners, reach_mm) {
+            return false;
+        }
+        let mut near = true;
+        self.approach(corners, |low, high| {
+            near = low <= reach_mm;
+            low > reach_mm || high <= reach_mm
+        });
+        near
+    }
+
+    /// Distance from a triangle, mm, never more than the true one by more than rounding, and less by a
+    /// millionth at most; 0 where they touch.
+    pub fn distance_mm(&self, corners: &[Point3<f64>; 3]) -> f64 {
+        let mut least = 0.0;
+        self.approach(corners, |low, high| {
+            least = low;
+            high - low <= 1e-6 * (1e-3 + high)
+        });
+        least.max(0.0)
+    }
+
+    /// Told by the axis and by the greatest radius alone.
+    #[inline]
+    fn surely_apart(&self, corners: &[Point3<f64>; 3], reach_mm: f64) -> bool {
+        let s = &self.shape;
+        let d = corners.map(|c| c - self.origin);
+        let t = d.map(|d| d.dot(&self.axis));
+        let (low, high) = (t[0].min(t[1]).min(t[2]), t[0].max(t[1]).max(t[2]));
+        if low > s.t1_mm + reach_mm || high < s.t0_mm - reach_mm {
+            return true;
+        }
+        // Seen along the axis: is there a line between it and the triangle?
+        let slope = (s.r1_mm - s.r0_mm) / (s.t1_mm - s.t0_mm);
+        let at = |t: f64| s.r0_mm + slope * (t.clamp(s.t0_mm, s.t1_mm) - s.t0_mm);
+        let radius = at(low - reach_mm).max(at(high + reach_mm)) + reach_mm + 1e-9;
+        let q = [d[0] - self.axis * t[0], d[1] - self.axis * t[1], d[2] - self.axis * t[2]];
+        [(0, 1, 2), (1, 2, 0), (2, 0, 1)].into_iter().any(|(i, j, k)| {
+            let side = q[j] - q[i];
+            // Twice the areas on either side of the line: of the axis, and of the third corner.
+            let axis = -side.cross(&q[i]).dot(&self.axis);
+            let third = side.cross(&(q[k] - q[i])).dot(&self.axis);
+            axis * third < 0.0 && axis * axis > radius * radius * side.norm_squared()
+        })
+    }
+
+    /// The farthest point of the cone along `d`.
+    #[inline]
+    fn support(&self, d: &Vector3<f64>) -> Point3<f64> {
+        let along = d.dot(&self.axis);
+        let flat = d - self.axis * along;
+        let length = flat.norm();
+        // Along the axis what is left is rounding, and points anywhere: also along the axis.
+        let flat = flat - self.axis * flat.dot(&self.axis);
+        let s = &self.shape;
+        let (t, r) = if s.t0_mm * along + s.r0_mm * length >= s.t1_mm * along + s.r1_mm * length {
+            (s.t0_mm, s.r0_mm)
+        } else {
+            (s.t1_mm, s.r1_mm)
+        };
+        let out = if length > 1e-9 * along.abs() { flat * (r / length) } else { Vector3::zeros() };
+        self.origin + self.axis * t + out
+    }
+
+    /// Tells bounds of the distance, better and better, until `enough` says so.
+    fn approach(&self, corners: &[Point3<f64>; 3], mut enough: impl FnMut(f64, f64) -> bool) {
+        let mut v = self.origin + self.axis * (0.5 * (self.shape.t0_mm + self.shape.t1_mm)) - corners[0];
+        let mut simplex = Simplex::default();
+        let mut low = 0.0f64;
+        for _ in 0..MOST_STEPS {
+            let high = v.norm();
+            if high < 1e-12 {
+                enough(0.0, 0.0);
+                return;
+            }
+            let far = corners.iter().fold(&corners[0], |b, c| if c.coords.dot(&v) > b.coords.dot(&v) { c } else { b });
+            let w = self.support(&-v) - far;
+            let bound = w.dot(&v) / high;
+            low = low.max(bound);
+            if enough(low, high) {
+                return;
+            }
+            // No nearer by more than rounding, or a point that is there already.
+            if high - bound <= 1e-12 * high || simplex.has(&w) {
+                return;
+            }
+            let Some(next) = simplex.with(w) else {
+                enough(0.0, 0.0);
+                return;
+            };
+            if next.norm_squared() >= v.norm_squared() && low > 0.0 && simplex.count > 1 {
+                return; // rounding: it gets no better
+            }
+            v = next;
+        }
+    }
+}
+
+/// One to three points of the difference of two bodies.
+#[derive(Clone, Copy, Default)]
+struct Simplex {
+    points: [Vector3<f64>; 4],
+    count: usize,
+}
+
+impl Simplex {
+    fn has(&self, w: &Vector3<f64>) -> bool {
+        self.points[..self.count].iter().any(|p| (p - w).norm_squared() <= 1e-24 * (1.0 + w.norm_squared()))
+    }
+
+    /// Adds a point, keeps those that the point nearest to the origin needs, and returns it; `None`:
+    /// the origin is inside.
+    fn with(&mut self, w: Vector3<f64>) -> Option<Vector3<f64>> {
+        self.points[self.count] = w;
+        self.count += 1;
+        let p = self.points;
+        let (nearest, kept): (Vector3<f64>, [bool; 4]) = match self.count {
+            1 => (p[0], [true, false, false, false]),
+            2 => nearest_on_segment(&p[0], &p[1], [0, 1]),
+            3 => nearest_on_triangle(&p[0], &p[1], &p[2], [0, 1, 2]),
+            _ => nearest_on_tetrahedron(&p)?,
+        };
+        let mut count = 0;
+        for i in 0..self.count {
+            if kept[i] {
+                self.points[count] = p[i];
+                count += 1;
+            }
+        }
+        self.count = count;
+        Some(nearest)
+    }
+}
+
+fn only<const N: usize>(which: [usize; N]) -> [bool; 4] {
+    std::array::from_fn(|i| which.contains(&i))
+}
+
+fn nearest_on_segment(a: &Vector3<f64>, b: &Vector3<f64>, [i, j]: [usize; 2]) -> (Vector3<f64>, [bool; 4]) {
+    let ab = b - a;
+    let t = -a.dot(&ab);
+    let whole = ab.norm_squared();
+    if t <= 0.0 {
+        (*a, only([i]))
+    } else if t >= whole {
+        (*b, only([j]))
+    } else {
+        (a + ab * (t / whole), only([i, j]))
+    }
+}
+
+/// By Voronoi regions (Ericson, Real-Time Collision Detection, 5.1.5), for the origin.
+fn nearest_on_triangle(
+    a: &Vector3<f64>,
+    b: &Vector3<f64>,
+    c: &Vector3<f64>,
+    [i, j, k]: [usize; 3],
+) -> (Vector3<f64>, [bool; 4]) {
+    let (ab, ac) = (b - a, c - a);
+    let (d1, d2) = (-ab.dot(a), -ac.dot(a));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return (*a, only([i]));
+    }
+    let (d3, d4) = (-ab.dot(b), -ac.dot(b));
+    if d3 >= 0.0 && d4 <= d3 {
+        return (*b, only([j]));
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        return (a + ab * (d1 / (d1 - d3)), only([i, j]));
+    }
+    let (d5, d6) = (-ab.dot(c), -ac.dot(c));
+    if d6 >= 0.0 && d5 <= d6 {
+        return (*c, only([k]));
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        return (a + ac * (d2 / (d2 - d6)), only([i, k]));
+    }
+    let va = d3 * d6 - d5 * d4;
+    if va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0 {
+        let t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return (b + (c - b) * t, only([j, k]));
+    }
+    let sum = va + vb + vc;
+    (a + ab * (vb / sum) + ac * (vc / sum), only([i, j, k]))
+}
+
+fn nearest_on_tetrahedron(p: &[Vector3<f64>; 4]) -> Option<(Vector3<f64>, [bool; 4])> {
+    let mut best: Option<(Vector3<f64>, [bool; 4])> = None;
+    for [i, j, k, l] in [[0, 1, 2, 3], [0, 3, 1, 2], [0, 2, 3, 1], [1, 3, 2, 0]] {
+        let n = (p[j] - p[i]).cross(&(p[k] - p[i]));
+        let (origin, other) = (-p[i].dot(&n), (p[l] - p[i]).dot(&n));
+        // On the fourth corner's side of this face: not nearest there. A flat one is looked at as well.
+        if origin * other > 0.0 && other.abs() > 1e-14 * n.norm() {
+            continue;
+        }
+        let found = nearest_on_triangle(&p[i], &p[j], &p[k], [i, j, k]);
+        if best.is_none_or(|b| found.0.norm_squared() < b.0.norm_squared()) {
+            best = Some(found);
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn point(c: [f64; 3]) -> Point3<f64> {
+        Point3::from(Vector3::from(c))
+    }
+
+    /// Distance of a point from a cut cone, in the half plane of axis and point.
+    fn from_point(f: &Frustum, p: &Point3<f64>, a: &Vector3<f64>, q: &Point3<f64>) -> f64 {
+        let d = q - p;
+        let t = d.dot(a);
+        let r = (d - a * t).norm();
+        let slope = (f.r1_mm - f.r0_mm) / (f.t1_mm - f.t0_mm);
+        if (f.t0_mm..=f.t1_mm).contains(&t) && r <= f.r0_mm + slope * (t - f.t0_mm) {
+            return 0.0;
+        }
+        let to = |u: [f64; 2], v: [f64; 2]| {
+            let (dx, dy) = (v[0] - u[0], v[1] - u[1]);
+            let s = (((t - u[0]) * dx + (r - u[1]) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+            libm::hypot(t - u[0] - s * dx, r - u[1] - s * dy)
+        };
+        let (x, y) = ([f.t0_mm, f.r0_mm], [f.t1_mm, f.r1_mm]);
+        to([f.t0_mm, 0.0], x).min(to(x, y)).min(to(y, [f.t1_mm, 0.0]))
+    }
+
+    /// Over the triangle by two ternary searches: the distance to a convex body is convex.
+    fn brute(f: &Frustum, p: &Point3<f64>, a: &Vector3<f64>, c: &[Point3<f64>; 3]) -> f64 {
+        let least = |g: &dyn Fn(f64) -> f64| {
+            let (mut lo, mut hi) = (0.0, 1.0);
+            for _ in 0..80 {
+                let (x, y) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+                if g(x) < g(y) { hi = y } else { lo = x }
+            }
+            g(0.5 * (lo + hi))
+        };
+        least(&|u| least(&|v| from_point(f, p, a, &(c[0] + ((c[1] - c[0]) * (1.0 - v) + (c[2] - c[0]) * v) * u))))
+    }
+
+    const SIDE: std::ops::Range<f64> = -12.0..12.0;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #[test]
+        fn the_distance_is_the_least(c in prop::array::uniform9(SIDE), p in prop::array::uniform3(-3.0..3.0f64),
+                                     a in prop::array::uniform3(-1.0..1.0f64), t0 in -4.0..4.0f64, long in 0.1..20.0f64,
+                                     r0 in 0.0..4.0f64, r1 in 0.01..6.0f64, reach in 0.0..5.0f64) {
+            let corners = [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
+            let a = Vector3::from(a);
+            prop_assume!(a.norm() > 0.1);
+            let (p, a) = (point(p), a.normalize());
+            let f = Frustum { t0_mm: t0, t1_mm: t0 + long, r0_mm: r0, r1_mm: r1 };
+            let placed = f.placed(&p, &a);
+            let (found, least) = (placed.distance_mm(&corners), brute(&f, &p, &a, &corners));
+            prop_assert!((found - least).abs() < 2e-5 * (1.0 + least), "{found} against {least}");
+            if (least - reach).abs() > 1e-4 {
+                prop_assert_eq!(placed.is_near(&corners, reach), least <= reach);
+            }
+            let lo = [0, 1, 2].map(|k| corners.iter().map(|c| c[k]).fold(f64::INFINITY, f64::min));
+            let hi = [0, 1, 2].map(|k| corners.iter().map(|c| c[k]).fold(f64::NEG_INFINITY, f64::max));
+            prop_assert!(least > reach || placed.near_box(&lo, &hi, reach));
+        }
+    }
+
+    #[test]
+    fn a_flat_end_is_flat() {
+        let f = Frustum { t0_mm: 10.0, t1_mm: 30.0, r0_mm: 8.0, r1_mm: 8.0 };
+        let placed = f.placed(&Point3::origin(), &Vector3::z());
+        let plate = |z: f64| [Point3::new(-50.0, -50.0, z), Point3::new(50.0, -50.0, z), Point3::new(0.0, 90.0, z)];
+        assert!((placed.distance_mm(&plate(7.0)) - 3.0).abs() < 1e-6);
+        assert!((placed.distance_mm(&plate(31.5)) - 1.5).abs() < 1e-6);
+        assert_eq!(placed.distance_mm(&plate(12.0)), 0.0);
+    }
+}

@@ -1,0 +1,176 @@
+//! Shapes that may touch: capsules, facets with a place, and all that lies below a height. Whether two
+//! are near each other, and how far apart they are.
+
+use crate::cell::bodies::HeadCapsule;
+use crate::cell::robot::LinkCapsule;
+use crate::part::distance::{point_segment, segments};
+use crate::part::{Bvh, Part};
+use nalgebra::{Isometry3, Point3, Vector3};
+use std::borrow::Cow;
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Capsule {
+    pub from: Point3<f64>,
+    pub to: Point3<f64>,
+    pub radius_mm: f64,
+}
+
+/// Facets with a place, and a sphere around them.
+#[derive(Clone, Debug)]
+pub(super) struct Solid<'a> {
+    pub name: Cow<'a, str>,
+    bvh: &'a Bvh,
+    /// Whether it has an inside.
+    closed: bool,
+    at: Isometry3<f64>,
+    pub centre: Point3<f64>,
+    pub radius_mm: f64,
+}
+
+/// What may touch.
+pub(super) enum Body<'s, 'a> {
+    Capsule(Capsule),
+    Solid(&'s Solid<'a>),
+    /// Everything below this height in the base, mm: it stands, and is always the second of a pair.
+    Below(f64),
+}
+
+impl Body<'_, '_> {
+    /// Whether it touches another body, or comes nearer than a margin.
+    pub fn is_near(&self, o: &Body<'_, '_>, margin_mm: f64) -> bool {
+        match (self, o) {
+            (Body::Capsule(a), Body::Capsule(b)) => a.distance_mm(b) <= margin_mm,
+            (Body::Capsule(c), Body::Solid(s)) | (Body::Solid(s), Body::Capsule(c)) => s.is_near(c, margin_mm),
+            (Body::Solid(a), Body::Solid(b)) => b.is_near_solid(a, margin_mm),
+            (Body::Capsule(c), Body::Below(z_mm)) => c.lowest_mm() < z_mm + margin_mm,
+            (Body::Solid(s), Body::Below(z_mm)) => s.reaches_below(z_mm + margin_mm),
+            (Body::Below(_), _) => false,
+        }
+    }
+
+    /// How far apart the two are, mm, 0 where they touch; `None`: at least `within_mm`.
+    pub fn distance_mm(&self, o: &Body<'_, '_>, within_mm: f64) -> Option<f64> {
+        let mm = match (self, o) {
+            (Body::Capsule(a), Body::Capsule(b)) => a.distance_mm(b),
+            (Body::Capsule(c), Body::Solid(s)) | (Body::Solid(s), Body::Capsule(c)) => s.distance_mm(c, within_mm)?,
+            (Body::Solid(a), Body::Solid(b)) => b.distance_of_solid_mm(a, within_mm)?,
+            (Body::Capsule(c), Body::Below(z_mm)) => c.lowest_mm() - z_mm,
+            (Body::Solid(s), Body::Below(z_mm)) => s.height_above_mm(*z_mm, within_mm)?,
+            (Body::Below(_), _) => return None,
+        };
+        let mm = mm.max(0.0);
+        (mm < within_mm).then_some(mm)
+    }
+}
+
+impl Capsule {
+    pub fn of(h: &HeadCapsule, focus: &Isometry3<f64>) -> Capsule {
+        let at = |mm: f64| focus * Point3::new(0.0, 0.0, mm);
+        Capsule { from: at(h.from_mm), to: at(h.to_mm), radius_mm: h.radius_mm }
+    }
+
+    pub fn of_link(l: &LinkCapsule) -> Capsule {
+        Capsule { from: l.from, to: l.to, radius_mm: l.radius_mm }
+    }
+
+    pub fn moved(&self, by: &Isometry3<f64>) -> Capsule {
+        Capsule { from: by * self.from, to: by * self.to, ..*self }
+    }
+
+    fn lowest_mm(&self) -> f64 {
+        self.from.z.min(self.to.z) - self.radius_mm
+    }
+
+    /// Below 0 where they touch.
+    fn distance_mm(&self, o: &Capsule) -> f64 {
+        segments(&self.from, &self.to, &o.from, &o.to) - (self.radius_mm + o.radius_mm)
+    }
+}
+
+impl<'a> Solid<'a> {
+    pub fn new(name: impl Into<Cow<'a, str>>, part: &'a Part, at: Isometry3<f64>) -> Option<Solid<'a>> {
+        let (centre, radius_mm) = part.bvh.sphere()?;
+        Some(Solid {
+            name: name.into(),
+            bvh: &part.bvh,
+            closed: part.orientation.watertight,
+            at,
+            centre: at * centre,
+            radius_mm,
+        })
+    }
+
+    pub fn moved(&self, by: &Isometry3<f64>) -> Solid<'a> {
+        Solid { name: self.name.clone(), at: by * self.at, centre: by * self.centre, ..*self }
+    }
+
+    /// Whether the spheres around solid and capsule keep farther apart than this.
+    fn is_clear_of(&self, c: &Capsule, mm: f64) -> bool {
+        point_segment(&self.centre, &c.from, &c.to) > self.radius_mm + c.radius_mm + mm
+    }
+
+    fn is_near(&self, c: &Capsule, margin_mm: f64) -> bool {
+        if self.is_clear_of(c, margin_mm) {
+            return false;
+        }
+        let [from, to] = [c.from, c.to].map(|p| self.at.inverse_transform_point(&p));
+        self.bvh.near_segment(&from, &to, c.radius_mm + margin_mm) || self.closed && self.bvh.holds(&from)
+    }
+
+    /// Below 0 where they touch.
+    fn distance_mm(&self, c: &Capsule, within_mm: f64) -> Option<f64> {
+        if self.is_clear_of(c, within_mm) {
+            return None;
+        }
+        let [from, to] = [c.from, c.to].map(|p| self.at.inverse_transform_point(&p));
+        if self.closed && self.bvh.holds(&from) {
+            return Some(0.0);
+        }
+        Some(self.bvh.distance_to_segment(&from, &to, within_mm + c.radius_mm)? - c.radius_mm)
+    }
+
+    fn is_near_solid(&self, o: &Solid<'_>, margin_mm: f64) -> bool {
+        if (self.centre - o.centre).norm() > self.radius_mm + o.radius_mm + margin_mm {
+            return false;
+        }
+        let self_from_other = self.at.inv_mul(&o.at);
+        self.bvh.near_mesh(o.bvh, &self_from_other, margin_mm) || self.is_around_or_in(o, &self_from_other)
+    }
+
+    fn distance_of_solid_mm(&self, o: &Solid<'_>, within_mm: f64) -> Option<f64> {
+        if (self.centre - o.centre).norm() > self.radius_mm + o.radius_mm + within_mm {
+            return None;
+        }
+        let self_from_other = self.at.inv_mul(&o.at);
+        if self.is_around_or_in(o, &self_from_other) {
+            return Some(0.0);
+        }
+        self.bvh.distance_to_mesh(o.bvh, &self_from_other, within_mm)
+    }
+
+    /// Of two whose facets do not meet: whether one is inside the other.
+    fn is_around_or_in(&self, o: &Solid<'_>, self_from_other: &Isometry3<f64>) -> bool {
+        self.holds_corner_of(o, self_from_other) || o.holds_corner_of(self, &self_from_other.inverse())
+    }
+
+    fn holds_corner_of(&self, o: &Solid<'_>, self_from_other: &Isometry3<f64>) -> bool {
+        self.closed && o.bvh.corner().is_some_and(|p| self.bvh.holds(&(self_from_other * p)))
+    }
+
+    /// The base's upward direction in the solid's own frame.
+    fn up(&self) -> Vector3<f64> {
+        self.at.rotation.inverse() * Vector3::z()
+    }
+
+    fn reaches_below(&self, z_mm: f64) -> bool {
+        self.centre.z - self.radius_mm < z_mm && self.bvh.reaches_below(&self.up(), z_mm - self.at.translation.z)
+    }
+
+    /// Below 0 where it reaches below.
+    fn height_above_mm(&self, z_mm: f64, within_mm: f64) -> Option<f64> {
+        if self.centre.z - self.radius_mm >= z_mm + within_mm {
+            return None;
+        }
+        Some(self.bvh.lowest_mm(&self.up())? + self.at.translation.z - z_mm)
+    }
+}

@@ -1,0 +1,209 @@
+//! What stands around the ray: the cone of the beam, the head behind it, and clamps on the part.
+//!
+//! The same questions as for the ray are asked of cut cones: is a pose free, what is in its way, may a
+//! motion touch anything. The margin is kept from everything; what the spot stands on is told from a
+//! wall by direction (see [`crate::beam::body`]).
+
+use super::interference::{Beam, Blocker, FAR_MM, Ours, Theirs};
+use super::motion::Pose;
+use crate::beam::body::OWN_SINE;
+use crate::beam::{Body, Frustum};
+use crate::part::{Bvh, angle};
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// What is known of a motion, beside the ray's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Conflict {
+    /// Cone and head are clear by more than they can move.
+    None,
+    /// Something may be touched, by a body that moves so little that the middle stands for the motion.
+    Short,
+    /// Who knows: look at the halves.
+    Wide,
+}
+
+/// One of the tool's bodies at a pose.
+#[derive(Clone, Copy)]
+struct Limb<'f> {
+    ours: Ours,
+    shape: &'f Frustum,
+    /// What it keeps, mm; the beam's margin is in its shape.
+    keeps_mm: f64,
+}
+
+impl<'a> Beam<'a> {
+    fn limbs<'f>(body: &'f Body<'a>) -> impl Iterator<Item = Limb<'f>> {
+        let head = body.head.iter().map(|shape| Limb { ours: Ours::Head, shape, keeps_mm: body.margin_mm });
+        head.chain(body.beam.iter().map(|shape| Limb { ours: Ours::Beam, shape, keeps_mm: 0.0 }))
+    }
+
+    /// All that can be hit: what it is, its facets, and where it stands in the part frame.
+    pub(super) fn things(&self) -> impl Iterator<Item = (Option<u32>, &'a Bvh, Option<Isometry3<f64>>)> {
+        let clamps = self.body.map_or(&[][..], |b| b.clamps);
+        let clamps = clamps.iter().enumerate().map(|(i, c)| (Some(i as u32), &c.solid().bvh, Some(c.at())));
+        std::iter::once((None, self.bvh, None)).chain(clamps)
+    }
+
+    /// Whether cone and head keep their margin.
+    pub(super) fn is_body_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        let Some(body) = self.body else { return true };
+        if let Some((corners, of_part)) = self.last_of_body.get() {
+            let hit = Self::limbs(body).any(|limb| {
+                (limb.ours == Ours::Head || !of_part || !leaves(p, a, &corners))
+                    && limb.shape.placed(p, a).is_near(&corners, limb.keeps_mm)
+            });
+            if hit {
+                return false;
+            }
+        }
+        Self::limbs(body).all(|limb| self.hit_of(&limb, p, a).is_none())
+    }
+
+    /// The first of the tool's bodies that does not keep its margin, and from what.
+    pub fn body_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
+        let (limb, theirs) = Self::limbs(self.body?).find_map(|limb| Some((limb, self.hit_of(&limb, p, a)?)))?;
+        Some(Blocker { ours: limb.ours, theirs, t_mm: limb.shape.t0_mm })
+    }
+
+    fn hit_of(&self, limb: &Limb<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Theirs> {
+        self.things().find_map(|(clamp, bvh, at)| {
+            let (p, a) = moved(at.as_ref(), p, a);
+            let placed = limb.shape.placed(&p, &a);
+            let mut hit = None;
+            bvh.visit_near_boxes(
+                |lo, hi| placed.near_box(lo, hi, limb.keeps_mm),
+                |facet, corners| {
+                    let counts = limb.ours == Ours::Head || clamp.is_some() || !leaves(&p, &a, corners);
+                    if counts && placed.is_near(corners, limb.keeps_mm) {
+                        hit = Some(clamp.map_or(Theirs::Facet(facet), Theirs::Clamp));
+                        if at.is_none() {
+                            self.last_of_body.set(Some((*corners, true)));
+                        }
+                    }
+                    hit.is_none()
+                },
+            );
+            hit
+        })
+    }
+
+    /// What beam and head keep from everything, mm, at most [`FAR_MM`]: the head's distance, or the widest
+    /// margin with which the beam would still be free, whichever is less; `None` without a head.
+    pub fn clearance_mm(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<f64> {
+        let body = self.body.filter(|b| b.has_head)?;
+        let mut least = FAR_MM;
+        for shape in &body.head {
+            for (_, bvh, at) in self.things() {
+                let (p, a) = moved(at.as_ref(), p, a);
+                let placed = shape.placed(&p, &a);
+                if at.is_none() {
+                    // No farther than the spot itself: most facets are told from that alone.
+                    least = least.min(placed.distance_mm(&[p, p, p]) + 1e-6);
+                }
+                let nearest = std::cell::Cell::new(least);
+                bvh.visit_near_boxes(
+                    |lo, hi| placed.near_box(lo, hi, nearest.get()),
+                    |_, corners| {
+                        if placed.is_near(corners, nearest.get()) {
+                            nearest.set(nearest.get().min(placed.distance_mm(corners)));
+                        }
+                        nearest.get() > 0.0
+                    },
+                );
+                least = nearest.get();
+            }
+        }
+        let free = |margin_mm: f64| {
+            body.beam_with(margin_mm)
+                .iter()
+                .all(|shape| self.hit_of(&Limb { ours: Ours::Beam, shape, keeps_mm: 0.0 }, p, a).is_none())
+        };
+        if least <= 0.0 || free(least) {
+            return Some(least.max(0.0));
+        }
+        let Some(mut low) = [body.margin_mm, 0.0].into_iter().find(|mm| *mm < least && free(*mm)) else {
+            return Some(0.0);
+        };
+        let mut high = least;
+        while high - low > 0.002 {
+            let middle = 0.5 * (low + high);
+            if free(middle) { low = middle } else { high = middle }
+        }
+        Some(low)
+    }
+
+    /// Whether cone or head may touch anything on the motion between two poses; see
+    /// [`Beam::conflict`]. `stray_mm` tells how far a point of the tool so far from the spot may lie from
+    /// where straight spot and constant turn put it.
+    pub(super) fn body_conflict(
+        &self,
+        [from, middle, to]: [&Pose; 3],
+        sag_mm: f64,
+        stray_mm: impl Fn(f64) -> f64,
+    ) -> Conflict {
+        let Some(body) = self.body else { return Conflict::None };
+        let half_mm = 0.5 * (to.p - from.p).norm();
+        let half_turn = libm::sin(0.25 * angle::between_deg(&from.a, &to.a).to_radians()) * 2.0;
+        let short_mm = short_mm(body.margin_mm);
+        let mut worst = Conflict::None;
+        for limb in Self::limbs(body) {
+            let reach_mm = limb.shape.reach_mm();
+            let moved_mm = half_mm + half_turn * reach_mm + stray_mm(reach_mm);
+            let keeps_mm = limb.keeps_mm + moved_mm;
+            let meets = self.things().any(|(clamp, bvh, at)| {
+                let [from, middle, to] = [from, middle, to].map(|q| {
+                    let (p, a) = moved(at.as_ref(), &q.p, &q.a);
+                    Pose { p, a }
+                });
+                let placed = limb.shape.placed(&middle.p, &middle.a);
+                let mut met = false;
+                bvh.visit_near_boxes(
+                    |lo, hi| placed.near_box(lo, hi, keeps_mm),
+                    |_, corners| {
+                        let own = limb.ours == Ours::Beam && clamp.is_none();
+                        let harmless = own
+                            && (leaves(&from.p, &from.a, corners) && leaves(&to.p, &to.a, corners)
+                                || !rises(&from, corners, sag_mm) && !rises(&to, corners, sag_mm));
+                        met = met || !harmless && placed.is_near(corners, keeps_mm);
+                        !met
+                    },
+                );
+                met
+            });
+            if meets && moved_mm > short_mm {
+                return Conflict::Wide;
+            }
+            if meets {
+                worst = Conflict::Short;
+            }
+        }
+        worst
+    }
+}
+
+/// A motion on which no point of a body moves farther than this to either side, mm, is told by its
+/// middle: a tenth of the margin may be lost on it.
+pub fn short_mm(margin_mm: f64) -> f64 {
+    (0.1 * margin_mm).max(0.02)
+}
+
+/// The pose in the frame of something that stands at `at`.
+pub(super) fn moved(at: Option<&Isometry3<f64>>, p: &Point3<f64>, a: &Vector3<f64>) -> (Point3<f64>, Vector3<f64>) {
+    at.map_or((*p, *a), |at| (at.inverse_transform_point(p), at.inverse_transform_vector(a)))
+}
+
+/// Whether the whole cone of the spot's own neighbourhood stays in front of a facet that the spot is on
+/// or in front of.
+fn leaves(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> bool {
+    let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+    let (rise, height, length) = (n.dot(a), n.dot(&(p - corners[0])), n.norm());
+    rise.abs() > OWN_SINE * length && (height * rise > 0.0 || height.abs() <= 1e-7 * length)
+}
+
+/// Whether a facet rises above the spot at all.
+fn rises(q: &Pose, corners: &[Point3<f64>; 3], sag_mm: f64) -> bool {
+    corners.iter().any(|c| (c - q.p).dot(&q.a) > RISE_MM + 2.0 * sag_mm)
+}
+
+/// What rises less than this above the spot is below the start of the beam's first piece.
+const RISE_MM: f64 = 0.01;

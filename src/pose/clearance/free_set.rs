@@ -1,0 +1,99 @@
+//! The directions at one point in which nothing is in the way: on the coarse grid, and searched
+//! through to half a degree where the coarse grid finds none.
+
+use super::grid;
+use super::track::{Lean, Site, Track};
+use crate::part::{Part, bvh};
+use crate::pose::Beam;
+use crate::pose::tilt::Tilt;
+use nalgebra::{Point3, Vector3};
+
+/// Half the side of the squares that the search begins with, degrees.
+const HALF_SQUARE_DEG: f64 = 4.0;
+/// Half the side of those that it ends with: their middles are half a degree apart.
+const HALF_LEAST_DEG: f64 = 0.25;
+/// A square counts as behind a facet if one so much larger is: its sides are not quite great circles.
+const INFLATED: f64 = 1.15;
+/// A facet nearer than this may be one that the point stands on, mm.
+const NEAR_MM: f64 = 0.05;
+/// So many openings are enough to lead a beam through.
+const ENOUGH: usize = 64;
+
+/// A direction of the coarse grid, and whether it is free.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Direction {
+    /// Against the normal.
+    pub tilt: Tilt,
+    /// Unit axis.
+    pub axis: Vector3<f64>,
+    /// Whether nothing is in the way.
+    pub is_free: bool,
+}
+
+/// The free set at a point `p` with the unit normal `n`, travelling along `tangent`: all cells of the
+/// coarse grid up to the greatest tilt.
+pub fn free_set(
+    beam: &Beam<'_>,
+    p: &Point3<f64>,
+    n: &Vector3<f64>,
+    tangent: &Vector3<f64>,
+    max_tilt_deg: f64,
+) -> Vec<Direction> {
+    let cells = grid::disc(max_tilt_deg, grid::coarse_spacing_deg(max_tilt_deg));
+    let direction = |c: Lean| {
+        let tilt = Tilt { lead_deg: c.x, lean_deg: c.y };
+        let axis = tilt.axis(n, tangent);
+        Direction { tilt, axis, is_free: beam.is_free(p, &axis) }
+    };
+    cells.into_iter().map(direction).collect()
+}
+
+/// Free tilts at a point, half a degree apart; none only if there are none. Squares that lie behind a
+/// single facet are passed over whole.
+pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) -> Vec<Lean> {
+    let mut out = Vec::new();
+    let search = Openings { part, beam, track, site };
+    let count = (track.max_tilt_deg / (2.0 * HALF_SQUARE_DEG)).ceil() as i32;
+    for row in -count..=count {
+        for column in -count..=count {
+            let middle = Lean::new(f64::from(column), f64::from(row)) * (2.0 * HALF_SQUARE_DEG);
+            search.within(&middle, HALF_SQUARE_DEG, &mut out);
+        }
+    }
+    out
+}
+
+struct Openings<'a> {
+    part: &'a Part,
+    beam: &'a Beam<'a>,
+    track: &'a Track<'a>,
+    site: &'a Site,
+}
+
+impl Openings<'_> {
+    fn within(&self, middle: &Lean, half_deg: f64, out: &mut Vec<Lean>) {
+        let corner_deg = half_deg * std::f64::consts::SQRT_2;
+        if out.len() >= ENOUGH || middle.norm() - corner_deg > self.track.max_tilt_deg {
+            return;
+        }
+        let p = &self.site.q.p;
+        if half_deg <= HALF_LEAST_DEG {
+            if self.track.allows(self.site, middle) && self.beam.is_free(p, &self.site.axis(middle)) {
+                out.push(*middle);
+            }
+            return;
+        }
+        let corners =
+            |half: f64| [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| Lean::new(x, y));
+        if let Some(facet) = self.beam.passes_through(p, &self.site.axis(middle), NEAR_MM) {
+            let facet = self.part.mesh.corners(facet as usize);
+            let is_behind = |c: Lean| bvh::meet(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
+            if corners(half_deg * INFLATED).into_iter().all(is_behind) {
+                return;
+            }
+        }
+        for c in corners(0.5 * half_deg) {
+            self.within(&(middle + c), 0.5 * half_deg, out);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! The spherical grid around a normal: tilts on a hexagonal lattice, in the plane of the two tilts.
+
+use super::track::Lean;
+use std::collections::BTreeSet;
+
+/// So many spacings from the middle of the coarse grid to its edge: 241 cells, whatever the greatest
+/// tilt.
+const SPACINGS: f64 = 8.1;
+
+/// Spacing of the coarse grid, degrees.
+pub fn coarse_spacing_deg(max_tilt_deg: f64) -> f64 {
+    max_tilt_deg / SPACINGS
+}
+
+/// A cell: row and column.
+pub type Cell = (i32, i32);
+
+/// The middle of a cell of the lattice with this spacing.
+pub fn middle((row, column): Cell, spacing_deg: f64) -> Lean {
+    let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
+    Lean::new((f64::from(column) + shift) * spacing_deg, f64::from(row) * row_deg(spacing_deg))
+}
+
+fn row_deg(spacing_deg: f64) -> f64 {
+    spacing_deg * 0.75f64.sqrt()
+}
+
+/// Adds the cells within a radius of a tilt.
+pub fn add_disc(cells: &mut BTreeSet<Cell>, around: &Lean, radius_deg: f64, spacing_deg: f64) {
+    let rows = |y: f64| y / row_deg(spacing_deg);
+    for row in rows(around.y - radius_deg).floor() as i32..=rows(around.y + radius_deg).ceil() as i32 {
+        let columns = |x: f64| x / spacing_deg;
+        for column in columns(around.x - radius_deg).floor() as i32 - 1..=columns(around.x + radius_deg).ceil() as i32 {
+            if (middle((row, column), spacing_deg) - around).norm() <= radius_deg + 1e-9 {
+                cells.insert((row, column));
+            }
+        }
+    }
+}
+
+/// The middles of the cells within a radius of the normal.
+pub fn disc(radius_deg: f64, spacing_deg: f64) -> Vec<Lean> {
+    let mut cells = BTreeSet::new();
+    add_disc(&mut cells, &Lean::zeros(), radius_deg, spacing_deg);
+    cells.into_iter().map(|c| middle(c, spacing_deg)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn about_240_cells_each_with_six_neighbours() {
+        let spacing_deg = coarse_spacing_deg(45.0);
+        let cells = disc(45.0, spacing_deg);
+        assert_eq!(cells.len(), 241);
+        assert!(cells.contains(&Lean::zeros()));
+        for c in cells.iter().filter(|c| c.norm() < 45.0 - spacing_deg) {
+            let near = cells.iter().filter(|d| *d != c && (*d - c).norm() < 1.1 * spacing_deg);
+            assert_eq!(near.count(), 6);
+        }
+        assert!(cells.iter().all(|c| c.norm() <= 45.0 + 1e-8));
+    }
+}

@@ -1,0 +1,92 @@
+//! The correction in two degrees of freedom: tilts along a whole line at once.
+//!
+//! Where the aim (the normal, or what the surface's rule and the pins ask for) is blocked, a window is
+//! laid around it, wide enough to turn away and back. In it a chain of tilts is searched on the coarse
+//! grid, on one half as wide where that leaves anything dark, and then in ever narrower tubes around
+//! what was found. A point is called blocked only when no direction half a degree apart is free. The
+//! result is drawn to the aim as far as it stays free; the caller tests it again.
+
+pub mod free_set;
+mod grid;
+mod polish;
+mod rows;
+mod search;
+mod track;
+mod window;
+
+pub use free_set::{Direction, free_set};
+
+use super::interference::Beam;
+use super::line::LineRules;
+use super::tilt::Pin;
+use crate::part::Part;
+use crate::path::DensePoint;
+use crate::path::dense;
+use nalgebra::Vector3;
+use track::Track;
+use window::Windows;
+
+/// A point of the corrected line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// Point and normal.
+    pub q: DensePoint,
+    /// The beam; `None`: blocked.
+    pub axis: Option<Vector3<f64>>,
+    /// The beam that would be best here.
+    pub aim: Vector3<f64>,
+    /// The same point as the one before with another beam: the laser is off between the two.
+    pub is_split: bool,
+}
+
+/// Corrects a line. `free[i]`: the beam along the normal is free. `number`: which line of its surface
+/// this is. `closed`: the last point is the first again, and gets the same beam.
+pub fn correct(
+    part: &Part,
+    beam: &Beam<'_>,
+    points: &[DensePoint],
+    free: &[bool],
+    closed: bool,
+    number: u32,
+    rules: &LineRules,
+) -> Vec<Row> {
+    let pins: Vec<Pin> = rules.pins.iter().filter(|p| p.line == number).copied().collect();
+    let mut places_mm = vec![0.0];
+    for w in points.windows(2) {
+        places_mm.push(places_mm[places_mm.len() - 1] + (w[1].p - w[0].p).norm());
+    }
+    let round_mm = places_mm.last().copied().filter(|_| closed);
+    let limits = (rules.max_tilt_deg, rules.tilt_rate_deg_mm);
+    let tangents = dense::tangents(points, closed);
+    let track = Track::new(points, &tangents, (&places_mm, round_mm), &rules.tilt, &pins, limits);
+    let windows = Windows::new(part, beam, &track, free);
+    let has_search = !windows.ok.iter().all(|ok| *ok);
+    if !closed || !has_search {
+        return rows::rows(beam, &track, &windows.corrected(None));
+    }
+    // A closed line is opened where the beam may have its aim; where it may nowhere, it is solved as an
+    // open one first, and opened again half way round with the beam that was found there.
+    let count = points.len() - 1;
+    let opened = |seam: usize| -> (Track<'_>, Vec<bool>) {
+        let at: Vec<usize> = (0..=count).map(|i| (i + seam) % count).collect();
+        let pick = |i: &usize| points[*i];
+        let points: Vec<DensePoint> = at.iter().map(pick).collect();
+        let tangents: Vec<Vector3<f64>> = at.iter().map(|&i| tangents[i]).collect();
+        let places: Vec<f64> = at.iter().map(|&i| places_mm[i]).collect();
+        let free = at.iter().map(|&i| free[i]).collect();
+        (Track::new(&points, &tangents, (&places, round_mm), &rules.tilt, &pins, limits), free)
+    };
+    let ok = &windows.ok[..count];
+    let (seam, held) = match window::middle_of_longest(ok) {
+        Some(seam) => (seam, None),
+        None => {
+            let stands = windows.corrected(None);
+            let half = count / 2;
+            (half, stands[half].arrive.map(|t| track.sites[half].axis(&t)))
+        }
+    };
+    let (track, free) = opened(seam);
+    let windows = Windows::new(part, beam, &track, &free);
+    let out = rows::rows(beam, &track, &windows.corrected(held));
+    rows::from_start(out, &points[0])
+}

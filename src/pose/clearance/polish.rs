@@ -1,0 +1,178 @@
+//! The last step on the sphere: off the grid, and as near to the aim as the way stays free.
+
+use super::search::NEARNESS_DEG2;
+use super::track::{Lean, Track};
+use super::window::Stand;
+use crate::pose::{Beam, motion};
+
+/// Steps in which a tilt is drawn to the aim, degrees; what is found has more to spare.
+const STEP_DEG: f64 = 1.0;
+/// To this the last free tilt is found.
+const EXACT_DEG: f64 = 0.05;
+/// So often points are laid between their neighbours.
+const SWEEPS: usize = 6;
+
+/// Draws the tilts of points `first` to `last` to their aims.
+pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), stands: &mut [Stand]) {
+    let mut at = first;
+    while at < last {
+        // A piece: lit from point to point, without a split inside.
+        let (Some(start), Some(_)) = (stands[at].leave, stands[at + 1].arrive) else {
+            at += 1;
+            continue;
+        };
+        let mut tilts = vec![start];
+        let from = at;
+        while at < last {
+            let (Some(_), Some(tilt)) = (stands[at].leave, stands[at + 1].arrive) else { break };
+            at += 1;
+            tilts.push(tilt);
+            if stands[at].leave != stands[at].arrive {
+                break;
+            }
+        }
+        // At the window's own ends the beam joins what is outside.
+        let held = (from == first && first > 0, at == last && last + 1 < track.sites.len());
+        let piece = Piece { beam, track, from };
+        let better = piece.polished(&tilts, held);
+        for (k, tilt) in better.into_iter().enumerate() {
+            let i = from + k;
+            if k > 0 || stands[i].arrive == stands[i].leave {
+                stands[i].arrive = Some(tilt);
+            }
+            if i < at || stands[i].leave == Some(tilts[k]) {
+                stands[i].leave = Some(tilt);
+            }
+        }
+    }
+}
+
+struct Piece<'a> {
+    beam: &'a Beam<'a>,
+    track: &'a Track<'a>,
+    from: usize,
+}
+
+impl Piece<'_> {
+    fn is_free(&self, k: usize, tilt: &Lean) -> bool {
+        let site = &self.track.sites[self.from + k];
+        self.track.allows(site, tilt) && self.beam.is_free(&site.q.p, &site.axis(tilt))
+    }
+
+    fn aim(&self, k: usize) -> Lean {
+        self.track.sites[self.from + k].aim
+    }
+
+    fn may_turn(&self, k: usize, from: &Lean, to: &Lean) -> bool {
+        let sites = &self.track.sites;
+        self.track.may_turn((&sites[self.from + k], from), (&sites[self.from + k + 1], to))
+    }
+
+    fn polished(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+        let drawn = self.drawn(tilts, held);
+        let smooth = self.smoothed(&drawn, held);
+        [smooth, drawn].into_iter().find(|t| self.is_good(t)).unwrap_or_else(|| tilts.to_vec())
+    }
+
+    /// Whether a piece can be gone: allowed, not too fast, free between.
+    fn is_good(&self, tilts: &[Lean]) -> bool {
+        let sites = &self.track.sites[self.from..];
+        tilts.windows(2).enumerate().all(|(k, w)| {
+            self.may_turn(k, &w[0], &w[1])
+                && motion::is_free(self.beam, &sites[k].pose(&w[0]), &sites[k + 1].pose(&w[1]), 0.0)
+        })
+    }
+
+    /// Towards the aim along the straight way, each as far as it is free with something to spare, and no
+    /// farther than its neighbours' rates allow.
+    fn drawn(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+        let last = tilts.len() - 1;
+        let whole: Vec<f64> = tilts.iter().enumerate().map(|(k, t)| (t - self.aim(k)).norm()).collect();
+        let at = |k: usize, size: f64| match whole[k] {
+            0.0 => tilts[k],
+            w if size >= w => tilts[k],
+            w => self.aim(k) + (tilts[k] - self.aim(k)) * (size / w),
+        };
+        let mut size: Vec<f64> = (0..=last)
+            .map(|k| if k == 0 && held.0 || k == last && held.1 { whole[k] } else { self.least(k, whole[k], &at) })
+            .collect();
+        let sites = &self.track.sites[self.from..];
+        let way_deg = |k: usize| self.track.rate_deg_mm * (sites[k + 1].arc_mm - sites[k].arc_mm);
+        for k in 0..last {
+            size[k + 1] = size[k + 1].max((size[k] - way_deg(k)).min(whole[k + 1]));
+        }
+        for k in (0..last).rev() {
+            size[k] = size[k].max((size[k + 1] - way_deg(k)).min(whole[k]));
+        }
+        // Turning about the aim uses up some of the rate: give way outwards until all fits.
+        for _ in 0..last.min(200) {
+            let mut fits = true;
+            for k in 0..last {
+                if !self.may_turn(k, &at(k, size[k]), &at(k + 1, size[k + 1])) {
+                    fits = false;
+                    for i in [k, k + 1] {
+                        size[i] = (size[i] + 0.3 * way_deg(k)).min(whole[i]);
+                    }
+                }
+            }
+            if fits {
+                break;
+            }
+        }
+        (0..=last).map(|k| at(k, size[k])).collect()
+    }
+
+    /// The least size of a tilt that is free all the way down from what it is, and what it keeps to spare.
+    fn least(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+        let good = |size: f64| self.is_free(k, &at(k, size));
+        let mut low = whole;
+        loop {
+            if low <= 0.0 {
+                return 0.0;
+            }
+            let next = (low - STEP_DEG).max(0.0);
+            if !good(next) {
+                let mut blocked = next;
+                while low - blocked > EXACT_DEG {
+                    let middle = 0.5 * (low + blocked);
+                    if good(middle) { low = middle } else { blocked = middle }
+                }
+                // Where tilt and nearness together are least.
+                return (low + NEARNESS_DEG2.sqrt()).min(whole);
+            }
+            low = next;
+        }
+    }
+
+    /// Points laid between their neighbours where they stay free, with a step to spare.
+    fn smoothed(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+        let mut out = tilts.to_vec();
+        let last = tilts.len() - 1;
+        let sites = &self.track.sites[self.from..];
+        for _ in 0..SWEEPS {
+            for k in 1..last {
+                let aim = self.aim(k);
+                if out[k] == aim || k == 0 && held.0 || k == last && held.1 {
+                    continue;
+                }
+                let share =
+                    (sites[k].arc_mm - sites[k - 1].arc_mm) / (sites[k + 1].arc_mm - sites[k - 1].arc_mm).max(1e-12);
+                let middle = out[k - 1].lerp(&out[k + 1], share);
+                if (middle - out[k]).norm() < 1e-3 {
+                    continue;
+                }
+                let inwards = (aim - middle)
+                    .try_normalize(1e-9)
+                    .map_or(middle, |d| middle + d * STEP_DEG.min((aim - middle).norm()));
+                if self.may_turn(k - 1, &out[k - 1], &middle)
+                    && self.may_turn(k, &middle, &out[k + 1])
+                    && self.is_free(k, &middle)
+                    && self.is_free(k, &inwards)
+                {
+                    out[k] = middle;
+                }
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,81 @@
+//! From stands to the rows of a line: splits are doubled points, and what is blocked ends where the
+//! beam does.
+
+use super::Row;
+use super::track::{Lean, Site, Track};
+use super::window::Stand;
+use crate::path::DensePoint;
+use crate::pose::{Beam, motion};
+
+/// Ends of a blocked stretch are found to this, mm.
+const END_MM: f64 = 0.05;
+
+/// The rows of a line.
+pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
+    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| Row {
+        q: site.q,
+        axis: tilt.map(|t| site.axis(&t)),
+        aim: site.axis(&site.aim),
+        is_split,
+    };
+    let mut out = Vec::with_capacity(stands.len());
+    for (i, (site, stand)) in track.sites.iter().zip(stands).enumerate() {
+        out.push(row(site, stand.arrive.or(stand.leave), false));
+        if let (Some(from), Some(to)) = (stand.arrive, stand.leave)
+            && from != to
+        {
+            out.push(row(site, Some(to), true));
+        }
+        let (Some(next), Some(after)) = (track.sites.get(i + 1), stands.get(i + 1)) else { break };
+        if stand.leave.is_some() && after.arrive.is_some() {
+            continue;
+        }
+        // Dark from here to the next point: each side goes on as far as its beam is free.
+        let (low, high) = (stand.leave.or(stand.arrive), after.arrive.or(after.leave));
+        let (mut from, mut to) = (site.midway(next, 0.0), site.midway(next, 1.0));
+        if let Some(tilt) = low {
+            from = gone(beam, track, (site, next), tilt, 0.0);
+        }
+        if let Some(tilt) = high {
+            to = gone(beam, track, (site, next), tilt, 1.0);
+        }
+        let way_mm = next.arc_mm - site.arc_mm;
+        if low.is_some() && from.arc_mm > site.arc_mm && from.arc_mm < next.arc_mm {
+            out.push(row(&from, low, false));
+        }
+        if low.is_some() && high.is_some() || way_mm > END_MM {
+            let t = (0.5 * (from.arc_mm + to.arc_mm) - site.arc_mm) / way_mm.max(1e-12);
+            out.push(row(&site.midway(next, t.clamp(0.0, 1.0)), None, false));
+        }
+        if high.is_some() && to.arc_mm < next.arc_mm && to.arc_mm > from.arc_mm {
+            out.push(row(&to, high, false));
+        }
+    }
+    out
+}
+
+/// How far a tilt that is held stays free from one end of a gap.
+fn gone(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
+    let start = site.midway(next, from);
+    let good = |t: f64| {
+        let there = site.midway(next, t);
+        track.allows(&there, &tilt)
+            && beam.is_free(&there.q.p, &there.axis(&tilt))
+            && motion::is_free(beam, &start.pose(&tilt), &there.pose(&tilt), 0.0)
+    };
+    let (mut free, mut blocked) = (from, 1.0 - from);
+    while (blocked - free).abs() * (next.arc_mm - site.arc_mm) > END_MM {
+        let middle = 0.5 * (free + blocked);
+        if good(middle) { free = middle } else { blocked = middle }
+    }
+    site.midway(next, free)
+}
+
+/// Turns the rows of a closed line that was opened elsewhere so that they begin and end at a point.
+pub fn from_start(mut rows: Vec<Row>, start: &DensePoint) -> Vec<Row> {
+    rows.pop();
+    let Some(at) = rows.iter().position(|r| r.q == *start) else { return rows };
+    rows.rotate_left(at);
+    rows.extend(rows.first().copied());
+    rows
+}

@@ -1,0 +1,149 @@
+//! The proof that nothing is in the way of a lit move as the controller makes it: between two poses the
+//! flange goes straight (or the path frame, where the controller moves that), and the spot a little
+//! beside its line.
+//!
+//! Planner and verification prove in the same way, by [`swept`]. What is proven is a little less than
+//! the margin that was planned with: the spot may leave its line by the allowed deviation, and short
+//! pieces are told by their middle.
+
+use super::lit::{FROM_MM, spot};
+use crate::beam::Body;
+use crate::cell::mounting::Mounted;
+use crate::part::{Part, angle};
+use crate::pose::around::short_mm;
+use crate::pose::motion::{Motion, Pose, Swept, swept};
+use crate::pose::{Beam, Blocker, Ours, Theirs};
+use nalgebra::Isometry3;
+use rayon::prelude::*;
+use serde::{Serialize, Serializer};
+
+/// A move with the laser on.
+#[derive(Clone, Copy, Debug)]
+pub struct LitMove {
+    /// Where it begins: flange in the base, or path frame in the part.
+    pub from: Isometry3<f64>,
+    /// Where it ends.
+    pub to: Isometry3<f64>,
+    /// Whether it is the path frame that goes straight.
+    pub by_focus: bool,
+}
+
+/// What was proven of lit moves.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Proof {
+    /// Lit moves.
+    pub intervals: usize,
+    /// Those on which nothing can be touched.
+    pub proven: usize,
+    /// Those on which something is: their place in the list, and what.
+    #[serde(serialize_with = "count")]
+    pub refuted: Vec<(usize, Blocker)>,
+    /// What cone and head are proven to keep from everything, mm; 0 for a ray.
+    pub margin_mm: f64,
+}
+
+/// Reports say how many.
+fn count<S: Serializer>(list: &[(usize, Blocker)], s: S) -> Result<S::Ok, S::Error> {
+    s.serialize_u64(list.len() as u64)
+}
+
+/// Sweeps lit moves.
+#[derive(Clone, Debug)]
+pub struct Prover<'a> {
+    pub(super) part: &'a Part,
+    body: Option<Body<'a>>,
+    pub(super) mounted: Mounted,
+    pub(super) defocus_mm: f64,
+    sag_mm: f64,
+}
+
+impl<'a> Prover<'a> {
+    /// A prover for a part and what stands around the beam. `deviation_mm`: how far the spot may leave its
+    /// line; `sag_mm`: how far the part may lie from a chord.
+    pub fn new(
+        part: &'a Part,
+        body: Option<&Body<'a>>,
+        mounted: Mounted,
+        defocus_mm: f64,
+        deviation_mm: f64,
+        sag_mm: f64,
+    ) -> Prover<'a> {
+        let less = |b: &Body<'a>| b.with_margin((b.margin_mm - deviation_mm - short_mm(b.margin_mm)).max(0.0));
+        Prover { part, body: body.map(less), mounted, defocus_mm, sag_mm }
+    }
+
+    /// What is in the way of a move, if anything is.
+    pub fn hit(&self, m: &LitMove) -> Option<Swept> {
+        let beam = Beam::with(self.part, self.body.as_ref());
+        let lever_mm = |pose: &Isometry3<f64>| {
+            if m.by_focus {
+                return self.defocus_mm.abs();
+            }
+            (self.mounted.focus_at(pose).translation.vector - pose.translation.vector).norm() + self.defocus_mm.abs()
+        };
+        let turn_deg = angle::turned_deg(&m.from.rotation.rotation_to(&m.to.rotation).to_rotation_matrix());
+        let going = Going {
+            prover: self,
+            beam: &beam,
+            m,
+            turn: turn_deg.to_radians(),
+            lever_mm: lever_mm(&m.from).max(lever_mm(&m.to)),
+        };
+        swept(&beam, &going, (&going.at(0.0), 0.0), (&going.at(1.0), 1.0))
+    }
+
+    /// Proves what can be proven.
+    pub fn prove(&self, moves: &[LitMove]) -> Proof {
+        let found: Vec<Option<Blocker>> = moves.par_iter().map(|m| self.hit(m).map(|h| h.blocker)).collect();
+        let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
+        let margin_mm = self.body.as_ref().filter(|b| b.has_head).map_or(0.0, |b| b.margin_mm - short_mm(b.margin_mm));
+        Proof { intervals: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm: margin_mm.max(0.0) }
+    }
+}
+
+/// A lit move on its way.
+struct Going<'a> {
+    prover: &'a Prover<'a>,
+    beam: &'a Beam<'a>,
+    m: &'a LitMove,
+    /// Angle that it turns by, radians.
+    turn: f64,
+    /// From what goes straight to the spot, mm.
+    lever_mm: f64,
+}
+
+impl Going<'_> {
+    /// The spot on the part, and the axis.
+    fn at(&self, t: f64) -> Pose {
+        let pose = self.m.from.lerp_slerp(&self.m.to, t);
+        let focus = if self.m.by_focus { pose } else { self.prover.mounted.focus_for(&pose) };
+        let (p, a) = spot(self.beam, &focus, self.prover.defocus_mm);
+        Pose { p, a }
+    }
+}
+
+impl Motion for Going<'_> {
+    fn between(&self, from: (&Pose, f64), to: (&Pose, f64)) -> Pose {
+        self.at(0.5 * (from.1 + to.1))
+    }
+
+    fn sag_mm(&self) -> f64 {
+        self.prover.sag_mm
+    }
+
+    /// A point that turns about a straight line lies off its chord by `(1 − cos(θ/2))·r ≤ θ²r/8`; twice
+    /// that, for the point and for the line that it is compared with.
+    fn stray_mm(&self, share: f64, reach_mm: f64) -> f64 {
+        let turn = self.turn * share;
+        0.25 * turn * turn * (self.lever_mm + reach_mm)
+    }
+
+    /// Beside its planned point the ray may start a little inside a rounding: it is looked at from
+    /// [`FROM_MM`] on.
+    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
+        if let Some(facet) = beam.passes_through(&middle.p, &middle.a, FROM_MM) {
+            return Some(Blocker { ours: Ours::Beam, theirs: Theirs::Facet(facet), t_mm: FROM_MM });
+        }
+        beam.body_blocker(&middle.p, &middle.a)
+    }
+}
