@@ -50,7 +50,6 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
         targets: vec![target(p, false), target(q, true)],
         splits: Vec::new(),
         chord_error_mm: 0.0,
-        splits: Vec::new(),
     }
 }
 
