@@ -11,6 +11,8 @@
 //! - [`pose`]: how the beam stands. Interference of beam and head with the part, P1's correction in the
 //!   section plane, the search for clearance, the motion between targets, the targets of a [`pose::Pass`]; and an independent
 //!   checker that shares no code with the rest.
+//! - [`process`]: what the beam does to the surface. The [`process::Light`] of all lit moves lands on fine
+//!   samples, a [`process::DoseMap`]; a [`process::Patch`] stays unclean, and says why.
 //! - [`cell`]: the robot and where it stands. A [`cell::Setup`] is a [`cell::Cell`] (frames, given or
 //!   measured, bodies, outputs, the controllers' words), a [`cell::Robot`] (kinematics both ways, limits)
 //!   and a [`cell::Mount`]: part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot(180°)·H⁻¹`.

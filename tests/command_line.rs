@@ -69,24 +69,56 @@ fn plan_writes_its_files_and_the_job_plans_the_same_again() {
     let report = json(&output);
     let keys: Vec<&str> = report.as_object().expect("object").keys().map(String::as_str).collect();
     let expected = "passes points work_mm corrected_mm blocked_mm air_mm time_s interfering corrected blocked \
-                    max_tilt_deg max_chord_error_mm max_surface_spacing_mm missed_area_mm2 surfaces problems";
+                    max_tilt_deg max_chord_error_mm max_surface_spacing_mm missed_area_mm2 surfaces problems \
+                    splits proof proven min_clearance_mm dose";
     assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
     let row: Vec<&String> = report["surfaces"][0].as_object().expect("row").keys().collect();
     let expected =
         "surface area_mm2 passes points work_mm corrected_mm blocked_mm missed_area_mm2 spacing_min_mm spacing_max_mm";
     assert_eq!(row, expected.split_whitespace().collect::<Vec<_>>());
     assert_eq!((report["passes"].as_u64(), report["work_mm"].as_f64()), (Some(5), Some(50.0)));
-    let names = ["job.toml", "MZ04-01-A.001", "report.json", "path.csv"];
+    let dose = &report["dose"];
+    let shares: f64 = ["within", "under", "over", "shaded"].iter().filter_map(|k| dose[k].as_f64()).sum();
+    assert!((shares - 1.0).abs() < 1e-9, "{dose}");
+    let keys: Vec<&String> = dose.as_object().expect("dose").keys().collect();
+    let expected =
+        "within under over shaded collateral_mm2 low_j_cm2 high_j_cm2 collateral_j_cm2 collateral not_cleanable";
+    assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
+    let names = ["job.toml", "MZ04-01-A.001", "report.json", "path.csv", "dose.ply"];
     let read = |dir: &str| names.map(|n| std::fs::read(PathBuf::from(dir).join(n)).expect(n));
     let path = String::from_utf8(read(&out)[3].clone()).expect("text");
     assert!(path.starts_with(
         "pass,point,surface,laser,state,px,py,pz,nx,ny,nz,ax,ay,az,ox,oy,oz,x,y,z,tilt_deg,clearance_mm\n"
     ));
     assert!(path.lines().all(|l| l.split(',').count() == 22));
+    assert_dose_ply(&read(&out)[4], &side);
 
     let again = inside(folder.path(), "deep/again");
     assert_eq!(code(&["plan", &inside(folder.path(), "deep/er/job.toml"), "--out", &again]), 0);
     assert!(read(&out) == read(&again), "a plan's own job gives the same bytes");
+}
+
+/// Header and length are those of the counts, and the highest dose lies on the chosen side.
+fn assert_dose_ply(bytes: &[u8], side: &str) {
+    let end = bytes.windows(11).position(|w| w == b"end_header\n").expect("a header") + 11;
+    let header = String::from_utf8(bytes[..end].to_vec()).expect("text");
+    assert!(header.starts_with("ply\nformat binary_little_endian 1.0\n"), "{header}");
+    let count = |what: &str| -> usize {
+        let line = header.lines().find_map(|l| l.strip_prefix(what)).expect("a count");
+        line.trim().parse().expect("a number")
+    };
+    let (vertices, faces) = (count("element vertex"), count("element face"));
+    let vertex = |i: usize| &bytes[end + 24 * i..end + 24 * (i + 1)];
+    let float = |i: usize, k: usize| f32::from_le_bytes(vertex(i)[4 * k..4 * k + 4].try_into().expect("four"));
+    let surface = |i: usize| i32::from_le_bytes(vertex(i)[20..].try_into().expect("four"));
+    let best = (0..vertices).max_by(|a, b| float(*a, 3).total_cmp(&float(*b, 3))).expect("vertices");
+    assert_eq!(surface(best).to_string(), side);
+    assert!((0..vertices).all(|i| (float(i, 3) == 0.0) == (float(i, 4) == -1.0)));
+    let mut at = end + 24 * vertices;
+    for _ in 0..faces {
+        at += 1 + 4 * usize::from(bytes[at]);
+    }
+    assert_eq!(at, bytes.len());
 }
 
 #[test]

@@ -6,11 +6,11 @@ mod parts;
 
 use clearbeam::beam::{Obstacle, Optics};
 use clearbeam::job::plan::segmented;
-use clearbeam::job::{self, Job, Progress};
+use clearbeam::job::{self, Document, Edit, Job, Progress};
 use clearbeam::part::{Part, Placement, Surfaces};
 use clearbeam::pose::target::travel;
-use clearbeam::pose::{Pass, State, Target, Theirs};
-use clearbeam::process::{DoseMap, Light, Profile, Sample, Spot, Task, Thresholds, dose};
+use clearbeam::pose::{Correction, Pass, State, Target, Theirs};
+use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{block, near, part, placed, planned_at, sheet};
@@ -431,4 +431,107 @@ fn what_is_not_chosen_and_lit_is_named() {
             .filter(|s| planned.surfaces.of_facet[s.facet as usize] == below)
             .all(|s| s.fluence_j_cm2 == 0.0)
     );
+}
+
+/// A plate of strips 1 mm wide under a roof of 8 by 16 mm.
+fn roofed() -> Triangles {
+    let strips: Vec<[f64; 2]> = (-10..=10).map(|x| [f64::from(x), 0.0]).collect();
+    let mut body = sheet(&strips, 20.0);
+    body.extend(block([-8.0, 2.0, 5.0], [0.0, 18.0, 6.0]));
+    body
+}
+
+fn patches_of(planned: &parts::Planned) -> Vec<Patch> {
+    let (p, setup) = (planned, parts::setup());
+    let map = job::dose(&p.part, &p.surfaces, &p.plan, &p.job, &setup, &Progress::default()).expect("a dose");
+    job::dose::not_cleanable(&p.part, &p.surfaces, &p.plan, &p.job, &map)
+}
+
+#[test]
+fn what_stays_unclean_has_its_cause() {
+    // Top of a block, planes that lie in it.
+    let missed = planned_at(&block([0.0; 3], [10.0, 10.0, 5.0]), &[[5.0, 5.0, 5.0]], parts::job("z", 1.0));
+    let [patch] = &patches_of(&missed)[..] else { panic!("one patch") };
+    assert_eq!((patch.cause, patch.facets.len()), (Cause::Missed, 2));
+    near("area", patch.area_mm2, 100.0, 1e-4);
+    assert!((patch.centre - Point3::new(5.0, 5.0, 5.0)).norm() < 0.01);
+
+    // Enough lines, too little power.
+    let mut job = parts::job("y", 0.5);
+    job.dose.low_j_cm2 = 1e6;
+    job.dose.high_j_cm2 = 1e7;
+    let thin = planned_at(&block([0.0; 3], [10.0, 10.0, 5.0]), &[[5.0, 5.0, 5.0]], job);
+    let [patch] = &patches_of(&thin)[..] else { panic!("one patch") };
+    assert_eq!(patch.cause, Cause::Thin);
+    near("area", patch.area_mm2, 100.0, 1e-4);
+
+    // Under a roof: no beam, where none is tilted.
+    let mut job = parts::job("y", 0.5);
+    job.path.correction = Correction::None;
+    let blocked = planned_at(&roofed(), &[[5.0, 10.0, 0.0]], job);
+    let patch = &patches_of(&blocked)[0];
+    assert_eq!(patch.cause, Cause::Blocked);
+    assert!((patch.area_mm2 - 128.0).abs() < 10.0, "{}", patch.area_mm2);
+    let wall = patch.blocker.map(|b| b.theirs);
+    let plate = blocked.surface_at([5.0, 10.0, 0.0]);
+    assert!(matches!(wall, Some(Theirs::Facet(f)) if blocked.surfaces.of_facet[f as usize] != plate), "{wall:?}");
+
+    // Light that is meant for the plate and falls on the roof.
+    let body = part(&roofed());
+    let passes: Vec<Pass> = (1..33)
+        .map(|i| line([-9.5, 0.6 * f64::from(i), 0.0], [9.5, 0.6 * f64::from(i), 0.0], [0.0, 0.0, 1.0]))
+        .map(|pass| Pass { surface: plate, ..pass })
+        .collect();
+    let surfaces = segmented(&body, &Job::default());
+    let thresholds = Thresholds { low_j_cm2: 5000.0, high_j_cm2: 1e6, collateral_j_cm2: 1.0 };
+    let task = Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![plate], thresholds };
+    let map = dose(&task, light(&passes, spot(Profile::Gaussian)), &|| true).expect("a map");
+    let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6)[0];
+    assert_eq!(patch.cause, Cause::Shaded);
+    near("area", patch.area_mm2, 128.0, 0.05);
+    assert!(matches!(patch.shaded_by, Some(Theirs::Facet(f)) if surfaces.of_facet[f as usize] != plate));
+    let shares = map.shares(&surfaces);
+    near("shaded", shares.shaded, 128.0 / 400.0, 0.06);
+    let top = surface_of(&body, &surfaces, [-4.0, 10.0, 6.0]);
+    let [collateral] = &map.collateral(&surfaces)[..] else { panic!("the roof's top alone") };
+    assert_eq!(collateral.surface, top);
+    near("the roof", collateral.area_mm2, 128.0, 1e-3);
+}
+
+fn surface_of(part: &Part, surfaces: &Surfaces, at: [f64; 3]) -> u32 {
+    parts::surface_at(part, surfaces, at)
+}
+
+#[test]
+fn what_stays_unclean_can_be_put_aside() {
+    let mut job = parts::job("y", 0.5);
+    job.path.correction = Correction::None;
+    let blocked = planned_at(&roofed(), &[[5.0, 10.0, 0.0]], job);
+    let plate = blocked.surface_at([5.0, 10.0, 0.0]);
+    let patches = patches_of(&blocked);
+    assert_eq!(patches[0].facets.len(), 16, "the strips under the roof");
+    let edit = Edit::aside(&patches[..1], &blocked.surfaces).expect("whole facets");
+    let new = blocked.surfaces.last_number + 1;
+    assert_eq!(edit.name(), format!("put surface {new} aside"));
+    let all: Vec<u32> = blocked.surfaces.list.iter().map(|s| s.number).collect();
+    let mut document = Document::new(blocked.job.clone(), None);
+    assert!(document.apply(&edit, &all, None));
+    let job = document.job().clone();
+    let again = segmented(&blocked.part, &job);
+    assert_eq!(again.list.iter().map(|s| s.number).collect::<Vec<_>>(), [&all[..], &[new]].concat());
+    assert_eq!(again.get(new).map(|s| s.facets.clone()), Some(patches[0].facets.clone()));
+    let mut everything = job.clone();
+    everything.clean.surfaces = clearbeam::job::Chosen::All;
+    assert!(!everything.clean.numbers(again.list.iter().map(|s| s.number)).contains(&new));
+    let text = toml::to_string(&job).expect("writes");
+    assert_eq!(toml::from_str::<Job>(&text).expect("reads"), job);
+    // What is left is cleaned, and taking it back cleans all of it.
+    let rest = parts::planned(parts::part(&roofed()), job.clone());
+    assert!(rest.plan.passes.iter().all(|p| p.surface == plate));
+    assert!(rest.report().blocked_mm < 0.35 * blocked.report().blocked_mm);
+    document.apply(&Edit::Clean(vec![new]), &all, None);
+    assert!(document.job().clean.later.is_empty());
+    document.undo();
+    document.undo();
+    assert_eq!(document.job(), &blocked.job);
 }

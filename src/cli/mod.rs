@@ -4,6 +4,7 @@
 //! with one line that says what, where and what to do.
 
 mod inspect;
+mod legend;
 mod options;
 mod plan;
 mod render;

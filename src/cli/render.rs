@@ -4,6 +4,7 @@ use super::{Failure, Outcome, print};
 use crate::job::plan::segmented;
 use crate::job::{self, Cache, Chosen, Job, Progress, files};
 use crate::part::Part;
+use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use anyhow::{Context as _, anyhow};
@@ -64,7 +65,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let part = files::load_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
     // A part alone is drawn as it is; what lands on it needs a plan.
     let planned = job_file.is_some() || matches!(a.color, Color::Dose(_));
-    let scene = scene(&part, &job, job_file.as_deref(), planned, a.color)?;
+    let (scene, legend) = scene(&part, &job, job_file.as_deref(), planned, a.color)?;
     let (min, max) = part.mesh.bounds();
     let bounds = crate::view::Bounds { min, max };
     let pixels = ViewSize::new(f64::from(a.size[0]), f64::from(a.size[1]));
@@ -75,7 +76,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let mut renderer = Renderer::new(gl.gl()).map_err(anyhow::Error::from)?;
     renderer.draw(&scene, &camera, a.size).map_err(anyhow::Error::from)?;
     let mut png = Cursor::new(Vec::new());
-    renderer.read_rgba().write_to(&mut png, image::ImageFormat::Png).context("the picture cannot be packed")?;
+    let mut image = renderer.read_rgba();
+    if let Some(legend) = &legend {
+        super::legend::paint(&mut image, legend);
+    }
+    image.write_to(&mut png, image::ImageFormat::Png).context("the picture cannot be packed")?;
     files::write_atomic(&a.out, png.get_ref()).map_err(|e| anyhow!(e))?;
     print(&format!("wrote {}\n", a.out.display()));
     Ok(Outcome::Done)
@@ -87,7 +92,7 @@ fn scene(
     job_file: Option<&std::path::Path>,
     planned: bool,
     color: Color,
-) -> Result<Scene, Failure> {
+) -> Result<(Scene, Option<Legend>), Failure> {
     let surfaces = segmented(part, job);
     let picture = PartPicture::new(part, &surfaces);
     let mut look = PartLook::default();
@@ -102,7 +107,7 @@ fn scene(
             let edges = picture.item(&surfaces, &PartLook::default()).edges;
             let item = dose_item(&map, &surfaces, look);
             scene.meshes.push(MeshItem { edges, ..item });
-            return Ok(scene);
+            return Ok((scene, Some(legend(&map, look))));
         }
         look.chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
         let path_look = PathLook {
@@ -117,5 +122,5 @@ fn scene(
         scene.lines = paths(&plan, job.beam.defocus_mm, &path_look, 1);
     }
     scene.meshes.push(picture.item(&surfaces, &look));
-    Ok(scene)
+    Ok((scene, None))
 }

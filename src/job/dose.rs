@@ -96,7 +96,7 @@ pub fn dose(
         chosen: job.clean.numbers(surfaces.list.iter().map(|s| s.number)),
         thresholds: d.thresholds(b.power_w, b.speed_mm_s, job.layers.spacing_mm),
     };
-    progress.begin("dose", light.pieces.len());
+    progress.begin("dose", 2 * light.runs.len());
     computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
 }
 

@@ -43,26 +43,46 @@ pub struct Legend {
     pub unit: &'static str,
     /// The ends of the scale.
     pub range: [f64; 2],
+    /// Numbers to be marked on it: the thresholds.
+    pub marks: Vec<f64>,
+    /// Bright is low, dark is high.
+    pub falls: bool,
     /// Colours beside the scale.
     pub keys: Vec<Key>,
+}
+
+impl Legend {
+    /// Share of the colours' way at a share of the scale.
+    pub fn share(&self, share: f64) -> f64 {
+        if self.falls { 1.0 - share } else { share }
+    }
 }
 
 /// The legend of a look.
 pub fn legend(map: &DoseMap, look: DoseLook) -> Legend {
     let key = |color: Rgb, label: &str| Key { color, label: label.into() };
+    let t = &map.thresholds;
     match look {
         DoseLook::Dose => Legend {
             unit: "J/cm2",
-            range: scale(map),
+            range: [0.0, t.high_j_cm2],
+            marks: vec![0.0, t.low_j_cm2, t.high_j_cm2],
+            falls: false,
             keys: vec![key(OVER, "over"), key(UNDER, "under"), key(SHADED, "shaded"), key(UNLIT, "no light")],
         },
-        DoseLook::Incidence => Legend { unit: "deg", range: [0.0, 90.0], keys: vec![key(UNLIT, "no light")] },
+        DoseLook::Incidence => Legend {
+            unit: "deg",
+            range: [0.0, 90.0],
+            marks: vec![0.0, 30.0, 60.0, 90.0],
+            falls: true,
+            keys: vec![key(UNLIT, "no light")],
+        },
     }
 }
 
 /// The window takes up the scale: what is within can be told apart.
-fn scale(map: &DoseMap) -> [f64; 2] {
-    [0.0, map.thresholds.high_j_cm2]
+fn share(map: &DoseMap, dose: f64) -> f64 {
+    dose / map.thresholds.high_j_cm2
 }
 
 /// All samples in the colours of a look.
@@ -102,10 +122,10 @@ fn color(map: &DoseMap, s: &Sample, chosen: bool, look: DoseLook) -> Rgb {
             Verdict::Shaded if chosen => SHADED,
             Verdict::Under if chosen => {
                 // The nearer to the window, the more of the scale shows through.
-                mixed(UNDER, viridis(dose / scale(map)[1]), (dose / map.thresholds.low_j_cm2) as f32 * 0.5)
+                mixed(UNDER, viridis(share(map, dose)), (dose / map.thresholds.low_j_cm2) as f32 * 0.5)
             }
             _ if dose < 0.02 * map.thresholds.low_j_cm2 => UNLIT,
-            _ => viridis(dose / scale(map)[1]),
+            _ => viridis(share(map, dose)),
         },
     }
 }

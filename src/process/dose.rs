@@ -195,13 +195,16 @@ fn near_facets(
     shade: &Shade<'_>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<Vec<Vec<Near>>> {
-    let pairs: Vec<Vec<(u32, Near)>> = (0..light.pieces.len() as u32)
+    let lit: Vec<Vec<(u32, bool)>> = (0..light.runs.len())
         .into_par_iter()
-        .map(|i| step().then(|| lit_facets(task.part, task.surfaces, shade, light, i)))
+        .map(|i| step().then(|| lit_facets(task.part, task.surfaces, shade, &light.spot, light.run(i).1)))
         .collect::<Option<_>>()?;
     let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); task.part.mesh.facets.len()];
-    for (facet, near) in pairs.into_iter().flatten() {
-        of_facet[facet as usize].push(near);
+    for (i, facets) in lit.into_iter().enumerate() {
+        let (first, run) = light.run(i);
+        for (facet, clear) in facets {
+            of_facet[facet as usize].extend((first..first + run.len() as u32).map(|piece| Near { piece, clear }));
+        }
     }
     Some(of_facet)
 }

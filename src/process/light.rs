@@ -16,6 +16,9 @@ const TURN_DEG: f64 = 2.0;
 const LENGTH_SPOTS: f64 = 3.0;
 /// Nor is it cut shorter than this for that reason, mm.
 const LENGTH_MM: f64 = 1.0;
+/// Pieces that follow one another are looked at together as far as the beam turns no more than this,
+/// degrees.
+const RUN_TURN_DEG: f64 = 8.0;
 /// What comes by a point is neglected below this share of what the middle of one line gets.
 const NEGLIGIBLE: f64 = 1e-5;
 
@@ -116,6 +119,8 @@ pub struct Passing {
 pub struct Light {
     /// In the order of the program.
     pub pieces: Vec<Piece>,
+    /// Pieces that follow one another and lie near together: where each such run ends in `pieces`.
+    pub runs: Vec<u32>,
     /// The spot.
     pub spot: Spot,
     /// Power, W.
@@ -154,7 +159,15 @@ impl Light {
             }
         }
         let negligible_j_mm2 = NEGLIGIBLE * power_w / (speed_mm_s * spot.spot_mm);
-        Light { pieces, spot, power_w, negligible_j_mm2 }
+        let runs = runs(&pieces, longest_mm);
+        Light { pieces, runs, spot, power_w, negligible_j_mm2 }
+    }
+
+    /// The pieces of a run: number of the first, and all of them.
+    pub fn run(&self, index: usize) -> (u32, &[Piece]) {
+        let end = |i: usize| self.runs.get(i).map_or(self.pieces.len(), |e| *e as usize);
+        let start = index.checked_sub(1).map_or(0, end);
+        (start as u32, self.pieces.get(start..end(index)).unwrap_or_default())
     }
 
     /// Whether any light of a piece may come within `radius_mm` of a point.
@@ -184,4 +197,30 @@ impl Light {
     pub fn energy(&self, piece: &Piece, seen: &Seen, window: [f64; 2]) -> f64 {
         self.power_w * piece.seconds * self.spot.passed(seen.from, seen.to, seen.z_mm, window)
     }
+}
+
+fn runs(pieces: &[Piece], longest_mm: f64) -> Vec<u32> {
+    let mut ends = Vec::new();
+    let mut first: Option<&Piece> = None;
+    let mut length_mm = 0.0;
+    for (i, piece) in pieces.iter().enumerate() {
+        let own_mm = (piece.to.p - piece.from.p).norm();
+        let goes_on = first.is_some_and(|f| {
+            let follows = i > 0 && pieces[i - 1].to.p == piece.from.p && f.pass == piece.pass;
+            follows
+                && length_mm + own_mm <= longest_mm * (1.0 + 1e-9)
+                && angle::between_deg(&f.from.a, &piece.to.a) <= RUN_TURN_DEG
+        });
+        if !goes_on {
+            if i > 0 {
+                ends.push(i as u32);
+            }
+            (first, length_mm) = (Some(piece), 0.0);
+        }
+        length_mm += own_mm;
+    }
+    if !pieces.is_empty() {
+        ends.push(pieces.len() as u32);
+    }
+    ends
 }

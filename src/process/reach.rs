@@ -1,10 +1,10 @@
-//! Which facets a piece of the light comes near, and which of them nothing can shade.
+//! Which facets a run of the light comes near, and which of them nothing can shade.
 //!
 //! Most of a part is lit without anything in between, and a ray for each sample would cost more than
-//! all the rest: a facet that no other facet near the beam can shade is told here, once for a piece.
+//! all the rest: a facet that no other facet near the beam can shade is told here, once for a run.
 
 use super::floor::{floor_mm, in_frame};
-use super::light::{Light, Piece};
+use super::light::Piece;
 use super::shade::Shade;
 use super::spot::Spot;
 use crate::part::{Part, Surfaces, angle, topology::Dead};
@@ -27,7 +27,7 @@ pub struct Near {
     pub clear: bool,
 }
 
-/// A facet near a piece, seen along its middle axis.
+/// A facet near a run, seen along its middle axis.
 struct Seen {
     facet: u32,
     corners: [Point3<f64>; 3],
@@ -43,20 +43,18 @@ struct Seen {
     high: [f64; 3],
 }
 
-/// The facets that light of a piece comes to. What lies beneath others that stop all of it is not among
-/// them: no light was meant for it.
-pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, light: &Light, index: u32) -> Vec<(u32, Near)> {
-    let Some(piece) = light.pieces.get(index as usize) else { return Vec::new() };
-    let (spot, frame) = (&light.spot, Frame::of(piece));
-    let (seen, floor) = seen(part, surfaces, spot, piece, &frame);
-    let slope = spot.greatest_slope() + frame.half_turn;
+/// The facets that light of a run comes to, and whether nothing can shade them. What lies beneath others
+/// that stop all of it is not among them: no light was meant for it.
+pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, spot: &Spot, run: &[Piece]) -> Vec<(u32, bool)> {
+    let Some(frame) = Frame::of(run) else { return Vec::new() };
+    let (seen, floor) = seen(part, surfaces, spot, run, &frame);
+    let slope = spot.greatest_slope() + frame.turn;
     let lit = seen.iter().filter(|f| f.lit && f.high[2] >= floor - PLANE_MM);
     // What shaded the last facet is likely to shade the next one too.
     let mut last: Option<&Seen> = None;
     lit.map(|f| {
         last = last.filter(|g| may_shade(g, f, slope)).or_else(|| seen.iter().find(|g| may_shade(g, f, slope)));
-        let clear = last.is_none() && !clamp_near(shade, spot, &frame, f.low[2]);
-        (f.facet, Near { piece: index, clear })
+        (f.facet, last.is_none() && !clamp_near(shade, spot, &frame, f.low[2]))
     })
     .collect()
 }
@@ -90,42 +88,43 @@ fn may_shade(g: &Seen, f: &Seen, slope: f64) -> bool {
     !(under || above)
 }
 
-/// The frame of a piece: the middle of its way, and its axes along travel, across, and to the laser.
+/// The frame of a run: its middle, and its axes along travel, across, and to the laser.
 struct Frame {
     p: Point3<f64>,
     axes: [Vector3<f64>; 3],
-    /// Half the way, along travel and across, mm.
-    half: [f64; 2],
-    /// Sine of half the turn.
-    half_turn: f64,
+    /// How far the spot goes from the middle along the axes, mm.
+    half: [f64; 3],
+    /// The greatest turn from the middle axis: sine.
+    turn: f64,
 }
 
 impl Frame {
-    fn of(piece: &Piece) -> Frame {
-        let a = piece.axis(0.5);
-        let o = target::travel(&piece.from.o, &a);
-        let axes = [o, o.cross(&a), a];
-        let way = (piece.to.p - piece.from.p) * 0.5;
-        Frame {
-            p: nalgebra::center(&piece.from.p, &piece.to.p),
-            axes,
-            half: [way.norm(), way.dot(&axes[1]).abs()],
-            half_turn: libm::sin(0.5 * angle::between_deg(&piece.from.a, &piece.to.a).to_radians()),
+    fn of(run: &[Piece]) -> Option<Frame> {
+        let (first, last) = (&run.first()?.from, &run.last()?.to);
+        let a = angle::slerp(&first.a, &last.a, 0.5);
+        let o = target::travel(&first.o, &a);
+        let (p, axes) = (nalgebra::center(&first.p, &last.p), [o, o.cross(&a), a]);
+        let mut frame = Frame { p, axes, half: [0.0; 3], turn: 0.0 };
+        for stand in run.iter().map(|piece| &piece.to).chain([first]) {
+            let place = in_frame(&stand.p, &frame.p, &frame.axes);
+            frame.half = [0, 1, 2].map(|k| frame.half[k].max(place[k].abs()));
+            frame.turn = frame.turn.max(stand.a.cross(&a).norm());
         }
+        Some(frame)
     }
 
     /// How far along and across the light reaches between two heights.
     fn reach(&self, spot: &Spot, low: f64, high: f64) -> [f64; 2] {
-        let deepest = (spot.defocus_mm - low).abs().max((spot.defocus_mm - high).abs());
-        let sway = self.half_turn * low.abs().max(high.abs());
+        let deepest = (spot.defocus_mm - low).abs().max((spot.defocus_mm - high).abs()) + self.half[2];
+        let sway = self.turn * (low.abs().max(high.abs()) + self.half[2]);
         let reach = spot.reach_mm(deepest);
         [0, 1].map(|k| self.half[k] + reach[k] + sway)
     }
 }
 
-/// All facets within the light's reach of a piece, in the order of their numbers, and the height below
+/// All facets within the light's reach of a run, in the order of their numbers, and the height below
 /// which no light comes.
-fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, piece: &Piece, frame: &Frame) -> (Vec<Seen>, f64) {
+fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[Piece], frame: &Frame) -> (Vec<Seen>, f64) {
     let Some((centre, radius)) = part.bvh.sphere_of_box() else { return (Vec::new(), 0.0) };
     let (p, a) = (&frame.p, &frame.axes[2]);
     let middle = (centre - p).dot(a);
@@ -176,7 +175,7 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, piece: &Piece, frame: &Fr
         let normal = surfaces.normals[facet as usize];
         let up = part.mesh.normals[facet as usize];
         let up = if up.dot(a) < 0.0 { -up } else { up };
-        let lit = normal.dot(&piece.from.a).max(normal.dot(&piece.to.a)) > 0.0;
+        let lit = run.iter().any(|piece| normal.dot(&piece.from.a) > 0.0 || normal.dot(&piece.to.a) > 0.0);
         let corners = part.mesh.corners(facet as usize);
         let vertices = part.mesh.facets[facet as usize];
         Some(Seen { facet, corners, vertices, rise: up.dot(a), up, lit, low, high })
