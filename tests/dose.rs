@@ -141,29 +141,25 @@ fn a_raster_has_the_mean_and_the_ripple_of_its_spacing() {
             .collect();
         let (map, _) = map_on(&part(&plate()), &passes, spot(Profile::Gaussian), &[]);
         let mean = 100.0 * POWER_W / (SPEED * spacing);
-        let (mut area, mut sum, mut low, mut high) = (0.0, 0.0, f64::INFINITY, 0.0f64);
-        let periods = 4.0;
-        for s in &map.samples {
-            let [x, y, _] = centre(s);
-            let (dose, a) = (f64::from(s.fluence_j_cm2), f64::from(s.area_mm2));
-            if x.abs() > 4.0 || (y - 10.0).abs() > 0.5 * periods * spacing {
-                continue;
-            }
-            // First two harmonics of the sum of Gaussians (Poisson): closed form of the ripple.
+        let (mut area, mut sum) = (0.0, 0.0);
+        let inner = |s: &&Sample| centre(s)[0].abs() < 4.0 && (centre(s)[1] - 10.0).abs() < 2.0 * spacing;
+        for s in map.samples.iter().filter(inner) {
+            let (y, dose, a) = (centre(s)[1], f64::from(s.fluence_j_cm2), f64::from(s.area_mm2));
+            // The sum of Gaussians by its harmonics (Poisson): closed form of the ripple.
             let k = |n: f64| 2.0 * libm::exp(-0.5 * (PI * n * 0.6 / spacing) * (PI * n * 0.6 / spacing));
             let phase = 2.0 * PI * (y - (10.0 + 0.5 * spacing)) / spacing;
-            let expected = mean * (1.0 + k(1.0) * libm::cos(phase) + k(2.0) * libm::cos(2.0 * phase));
-            assert!((dose - expected).abs() < 3e-3 * mean, "spacing {spacing}, y {y}: {dose} instead of {expected}");
+            let expected =
+                mean * (1.0 + (1..4).map(|n| k(f64::from(n)) * libm::cos(f64::from(n) * phase)).sum::<f64>());
+            assert!((dose - expected).abs() < 2e-4 * mean, "spacing {spacing}, y {y}: {dose} instead of {expected}");
             (area, sum) = (area + a, sum + a * dose);
-            (low, high) = (low.min(dose), high.max(dose));
+            // As many lines as there are within the radius.
+            let off = ((y - 10.0) / spacing - 0.5).rem_euclid(1.0) * spacing;
+            let lines = |from: f64| (0..5).filter(|n| from + f64::from(*n) * spacing < 0.6).count();
+            let close =
+                [off, spacing - off].iter().any(|o| ((0.6 - o) / spacing - ((0.6 - o) / spacing).round()).abs() < 0.01);
+            assert!(close || usize::from(s.passes) == lines(off) + lines(spacing - off), "{} at {y}", s.passes);
         }
-        near("mean", sum / area, mean, 5e-3);
-        let ripple = 2.0 * libm::exp(-0.5 * (PI * 0.6 / spacing) * (PI * 0.6 / spacing));
-        assert!(((high - low) / (2.0 * mean) - ripple).abs() < 0.02 * ripple.max(0.05), "{spacing}");
-        let inner =
-            map.samples.iter().filter(|s| centre(s)[0].abs() < 4.0 && (centre(s)[1] - 10.0).abs() < 2.0 * spacing);
-        let expected = (2.0 * 0.6 / spacing).floor() as u16;
-        assert!(inner.into_iter().all(|s| s.passes == expected || s.passes == expected + 1));
+        near("mean", sum / area, mean, 0.02);
     }
 }
 
@@ -251,7 +247,8 @@ fn a_roof_shades_what_lies_under_it() {
         .map(|s| f64::from(s.fluence_j_cm2) * f64::from(s.area_mm2))
         .sum::<f64>()
         / 100.0;
-    near("half of it lands on the roof", top, 0.5 * POWER_W * 10.0 / SPEED, 5e-3);
+    // The spot is narrower there: its radius is two samples.
+    near("half of it lands on the roof", top, 0.5 * POWER_W * 10.0 / SPEED, 0.015);
 }
 
 /// A spot that runs along a rim, half over it, lights the floor 6 mm beneath with the other half; the
@@ -264,7 +261,7 @@ fn half_over_a_rim_lights_the_floor() {
     let s = spot(Profile::Gaussian);
     let (map, _) = map_on(&part(&body), &passes, s, &[]);
     let r = s.radius_mm(26.0);
-    near("wider", r / 0.6, 26.0 / 20.0, 2e-3);
+    near("wider", r / 0.6, (170.0f64 / 101.0).sqrt(), 1e-9);
     let mut floor = 0.0;
     for sample in map.samples.iter().filter(|s| centre(s)[2].abs() < 1e-3 && centre(s)[0] > 0.0) {
         let [x, y, _] = centre(sample);
@@ -326,7 +323,50 @@ fn a_clamp_shades_as_the_part_does() {
         let x = centre(s)[0];
         let expected = if x > 0.0 { 100.0 * POWER_W / SPEED * gauss(x, 0.6) } else { 0.0 };
         assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak);
-        assert_eq!(s.shaded_by, (x < 0.0 && s.unshaded_j_cm2 > 1.0).then_some(Theirs::Clamp(0)), "{x}");
+        if x > 0.0 || f64::from(s.unshaded_j_cm2) > 1e-3 * peak {
+            assert_eq!(s.shaded_by, (x < 0.0).then_some(Theirs::Clamp(0)), "{x}");
+        }
+    }
+}
+
+/// A line of many short moves is worked out as few pieces, and gives what one move gives; one that bends
+/// or turns is not taken for straight.
+#[test]
+fn short_moves_are_joined_where_they_run_straight() {
+    let targets = |stand: &dyn Fn(f64) -> ([f64; 3], f64)| {
+        let mut pass = line([-5.0, 10.0, 0.0], [5.0, 10.0, 0.0], [0.0, 0.0, 1.0]);
+        let one = pass.targets[1];
+        pass.targets = (0..=100)
+            .map(|i| {
+                let (p, lean_deg) = stand(f64::from(i) / 100.0);
+                let a = Vector3::new(0.0, libm::sin(lean_deg.to_radians()), libm::cos(lean_deg.to_radians()));
+                Target { p: Point3::from(p), a, laser: i > 0, ..one }
+            })
+            .collect();
+        pass
+    };
+    let straight = light(&[targets(&|t| ([10.0 * t - 5.0, 10.0, 0.0], 0.0))], spot(Profile::Gaussian));
+    assert_eq!(straight.pieces.len(), 3, "no longer than three spots");
+    let seconds: f64 = straight.pieces.iter().map(|p| p.seconds).sum();
+    near("time", seconds, 10.0 / SPEED, 1e-9);
+    let bent = |t: f64| [10.0 * t - 5.0, 10.0 + libm::sin(20.0 * t), 0.0];
+    let bends = light(&[targets(&|t| (bent(t), 0.0))], spot(Profile::Gaussian));
+    for piece in &bends.pieces {
+        let t = |p: &Point3<f64>| (p.x + 5.0) / 10.0;
+        let (a, b) = (t(&piece.from.p), t(&piece.to.p));
+        for k in 1..10 {
+            let share = f64::from(k) / 10.0;
+            let (on, of) = (piece.from.p + (piece.to.p - piece.from.p) * share, bent(a + (b - a) * share));
+            assert!((on.y - of[1]).abs() < 0.02, "{} {}", on.y, of[1]);
+        }
+    }
+    let turns = light(&[targets(&|t| ([10.0 * t - 5.0, 10.0, 0.0], 30.0 * t * t))], spot(Profile::Gaussian));
+    assert!(turns.pieces.iter().all(|p| parts::angle_deg(&p.from.a, &p.to.a) <= 4.001));
+    for piece in &turns.pieces {
+        let (a, b) = ((piece.from.p.x + 5.0) / 10.0, (piece.to.p.x + 5.0) / 10.0);
+        let lean = 30.0 * (0.5 * (a + b)) * (0.5 * (a + b));
+        let wanted = Vector3::new(0.0, libm::sin(lean.to_radians()), libm::cos(lean.to_radians()));
+        assert!(parts::angle_deg(&piece.axis(0.5), &wanted) < 0.15);
     }
 }
 
@@ -392,7 +432,7 @@ fn samples_add_up_to_what_comes_in() {
         near("energy", lit, expected * POWER_W / SPEED, 3e-3);
         counts.push(map.samples.len());
     }
-    assert!(counts[0] > 2 * counts[1] && counts[1] > counts[2], "{counts:?}");
+    assert!(counts[0] > counts[1] && counts[1] > counts[2], "{counts:?}");
 }
 
 #[test]

@@ -10,8 +10,13 @@ use crate::pose::{Pass, target};
 use nalgebra::{Point3, Vector3};
 
 /// The beam turns no more than this on a piece, degrees: 30 mm from the spot the way of its axis then
-/// bends by 0.005 mm.
-const TURN_DEG: f64 = 2.0;
+/// bends by 0.02 mm.
+const TURN_DEG: f64 = 4.0;
+/// Moves that follow one another are one piece as long as the targets between lie on the way, to this
+/// share of the spot, and the axes there to this angle.
+const STRAIGHT_SPOTS: f64 = 0.005;
+/// That angle, degrees: 0.05 mm at 30 mm from the spot.
+const EVEN_DEG: f64 = 0.1;
 /// No piece is longer than so many spots, so that what is near one of them is not far from its middle.
 const LENGTH_SPOTS: f64 = 3.0;
 /// Nor is it cut shorter than this for that reason, mm.
@@ -142,19 +147,31 @@ impl Light {
         let mut pieces = Vec::new();
         let longest_mm = (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
         for (number, pass) in passes.iter().enumerate() {
-            for (point, w) in pass.targets.windows(2).enumerate().filter(|(_, w)| w[1].laser) {
-                let (from, to) = (Stand::new(w[0].p, w[0].a, w[0].o), Stand::new(w[1].p, w[1].a, w[1].o));
-                let length_mm = (to.p - from.p).norm();
-                let turn_deg = angle::between_deg(&from.a, &to.a).max(angle::between_deg(&from.o, &to.o));
-                let count = (length_mm / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0);
-                let (seconds, whole_s) = (length_mm / speed_mm_s / count, length_mm / speed_mm_s);
-                let starts_s = ends_s(number, point + 1) - whole_s;
-                let mut last = from;
-                for k in 1..=count as u32 {
-                    let next = if f64::from(k) < count { Stand::between(&from, &to, f64::from(k) / count) } else { to };
-                    let ends_s = starts_s + seconds * f64::from(k);
-                    pieces.push(Piece { pass: number as u32, from: last, to: next, seconds, ends_s });
-                    last = next;
+            for (start, end) in pass.lit_pieces() {
+                let Some(lit) = pass.targets.get(start..=end) else { continue };
+                let stands: Vec<Stand> = lit.iter().map(|t| Stand::new(t.p, t.a, t.o)).collect();
+                let mut at = 0;
+                while at + 1 < stands.len() {
+                    let last = at + joined(&stands[at..], longest_mm, STRAIGHT_SPOTS * spot.spot_mm);
+                    let length_mm: f64 = stands[at..=last].windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
+                    let whole_s = length_mm / speed_mm_s;
+                    let starts_s = ends_s(number, start + last) - whole_s;
+                    let count = pieces_of(&stands[at], &stands[last], longest_mm);
+                    let mut from = stands[at];
+                    for k in 1..=count {
+                        let share = f64::from(k) / f64::from(count);
+                        let to =
+                            if k < count { Stand::between(&stands[at], &stands[last], share) } else { stands[last] };
+                        pieces.push(Piece {
+                            pass: number as u32,
+                            from,
+                            to,
+                            seconds: whole_s / f64::from(count),
+                            ends_s: starts_s + whole_s * share,
+                        });
+                        from = to;
+                    }
+                    at = last;
                 }
             }
         }
@@ -197,6 +214,33 @@ impl Light {
     pub fn energy(&self, piece: &Piece, seen: &Seen, window: [f64; 2]) -> f64 {
         self.power_w * piece.seconds * self.spot.passed(seen.from, seen.to, seen.z_mm, window)
     }
+}
+
+/// Into how many pieces a way has to be cut.
+fn pieces_of(from: &Stand, to: &Stand, longest_mm: f64) -> u32 {
+    let turn_deg = angle::between_deg(&from.a, &to.a).max(angle::between_deg(&from.o, &to.o));
+    ((to.p - from.p).norm() / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0) as u32
+}
+
+/// How many moves from the first stand on are one piece; the first is in any case.
+fn joined(stands: &[Stand], longest_mm: f64, off_mm: f64) -> usize {
+    let Some(first) = stands.first() else { return 0 };
+    let mut way_mm = vec![0.0];
+    let mut count = 1;
+    for (i, to) in stands.iter().enumerate().skip(1) {
+        way_mm.push(way_mm[i - 1] + (to.p - stands[i - 1].p).norm());
+        let is_even = |k: usize| {
+            let t = way_mm[k] / way_mm[i];
+            let stand = Stand::between(first, to, t);
+            (stand.p - stands[k].p).norm() <= off_mm && angle::between_deg(&stand.a, &stands[k].a) <= EVEN_DEG
+        };
+        let fits = way_mm[i] > 0.0 && pieces_of(first, to, longest_mm) == 1 && (1..i).all(is_even);
+        if i > 1 && !fits {
+            break;
+        }
+        count = i;
+    }
+    count
 }
 
 fn runs(pieces: &[Piece], longest_mm: f64) -> Vec<u32> {

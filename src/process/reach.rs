@@ -43,8 +43,8 @@ struct Seen {
     high: [f64; 3],
 }
 
-/// The facets that light of a run comes to, and whether nothing can shade them. What lies beneath others
-/// that stop all of it is not among them: no light was meant for it.
+/// The facets that light of a run comes to, and whether nothing can shade them. What lies beneath the spot
+/// and beneath others that stop all light is not among them: no light was meant for it.
 pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, spot: &Spot, run: &[Piece]) -> Vec<(u32, bool)> {
     let Some(frame) = Frame::of(run) else { return Vec::new() };
     let (seen, floor) = seen(part, surfaces, spot, run, &frame);
@@ -180,5 +180,6 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[Piece], frame: &Fr
         let vertices = part.mesh.facets[facet as usize];
         Some(Seen { facet, corners, vertices, rise: up.dot(a), up, lit, low, high })
     });
-    (seen.collect(), floor)
+    // Light is meant for the spot, whatever stands above it: that is shade.
+    (seen.collect(), floor.min(-frame.half[2] - spot.spot_mm))
 }

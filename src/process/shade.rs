@@ -13,8 +13,11 @@ use nalgebra::{Isometry3, Point3, Vector3};
 /// above: nothing that shades is nearer to what it shades, but at a crease, where the light comes by
 /// anyway.
 const START_MM: f64 = 1e-3;
-/// A window is looked at in so many places.
-const LOOKS: usize = 5;
+/// A window is looked at in no more places than this.
+const MOST_LOOKS: usize = 7;
+/// They are so many radii of the spot apart, its ends among them: what shades for a shorter way is
+/// overlooked. One look, in the middle, stands for a way that is shorter than that.
+const LOOK_RADII: f64 = 0.5;
 /// Where two of them differ, the edge of the shadow is halved so often between them.
 const HALVINGS: usize = 4;
 
@@ -60,14 +63,22 @@ impl<'a> Shade<'a> {
     ) -> Landing {
         let [t0, t1] = passing.window;
         let mut look = |t: f64| self.wall(light, piece, q, own, passing, t, last);
-        let time = |k: usize| t0 + (t1 - t0) * (k as f64 + 0.5) / LOOKS as f64;
-        let looks: [Option<Theirs>; LOOKS] = std::array::from_fn(|k| look(time(k)));
+        let way = [0, 1].map(|k| (passing.seen.to[k] - passing.seen.from[k]) * (t1 - t0));
+        let apart = LOOK_RADII * light.spot.radius_mm(passing.seen.z_mm);
+        let stretches = (libm::hypot(way[0], way[1]) / apart).min((MOST_LOOKS - 1) as f64) as usize;
+        let time =
+            |k: usize| if stretches == 0 { 0.5 * (t0 + t1) } else { t0 + (t1 - t0) * k as f64 / stretches as f64 };
+        let mut looks: [Option<Theirs>; MOST_LOOKS] = [None; MOST_LOOKS];
+        let looks = &mut looks[..=stretches];
+        for (k, found) in looks.iter_mut().enumerate() {
+            *found = look(time(k));
+        }
         let by = looks.iter().flatten().next().copied();
         if by.is_none() || looks.iter().all(Option::is_some) {
             return Landing { share: if by.is_none() { 1.0 } else { 0.0 }, by };
         }
         let (mut lit, mut since) = (0.0, t0);
-        for k in 0..LOOKS {
+        for k in 0..looks.len() {
             let is_free = looks[k].is_none();
             let until = match looks.get(k + 1) {
                 None => t1,
