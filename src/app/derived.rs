@@ -20,6 +20,9 @@ use crate::picture::{CellPicture, PartPicture};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+/// Head and clamps as a job names them.
+type ToolFiles = (String, Vec<Obstacle>);
+
 /// Computed state.
 #[derive(Default)]
 pub struct Derived {
@@ -45,7 +48,7 @@ pub struct Derived {
     /// The cell with the frames of its file, and the names of cell and robot in the job.
     pub cell_file: Option<((String, String), Result<Cell, String>)>,
     /// Head and clamps, and their names in the job.
-    pub tool: Option<((String, Vec<Obstacle>), Result<Tool, String>)>,
+    pub tool: Option<(ToolFiles, Result<Tool, String>)>,
     /// Cell and robot, and what in the job they were read from.
     pub setup: Option<(CellFile, Result<Setup, String>)>,
     /// Arm, head and floor, where the setup has a robot.

@@ -203,7 +203,7 @@ pub fn plan(
             if let Some(known) = cache.get(&key) {
                 return Ok((key, known));
             }
-            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, size_mm, progress)?;
+            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, progress)?;
             Ok((key, Arc::new(made)))
         })
         .collect::<Result<_, PlanError>>()?;
@@ -233,7 +233,7 @@ pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
 }
 
 fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
-    Straight { prover: prover(part, setup, job), deviation_mm: job.cell.deviation_mm }
+    Straight { prover: prover(part, setup, job).with_spare(), deviation_mm: job.cell.deviation_mm }
 }
 
 fn speeds(job: &Job) -> Speeds {
@@ -408,12 +408,11 @@ fn plan_surface(
     job: &Job,
     body: Option<&Body<'_>>,
     rules: &LineRules,
-    size_mm: f64,
     progress: &Progress,
 ) -> Result<SurfacePlan, PlanError> {
     let Some(surface) = surfaces.get(planes.surface) else { return Err(PlanError::Nothing) };
     let normals = VertexNormals::new(&part.mesh, surfaces, surface);
-    let merge_mm = 1e-6 * size_mm;
+    let merge_mm = 1e-6 * part.mesh.diagonal();
     let lines: Vec<TransversalLine> =
         section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
     let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);

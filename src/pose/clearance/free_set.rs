@@ -87,7 +87,7 @@ impl Openings<'_> {
         }
         let corners =
             |half: f64| [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| Lean::new(x, y));
-        if let Some(facet) = self.beam.passes_through(p, &self.site.axis(middle), NEAR_MM) {
+        if let Some(facet) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
             let facet = self.part.mesh.corners(facet as usize);
             let is_behind = |c: Lean| bvh::meet(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
             if corners(half_deg * INFLATED).into_iter().all(is_behind) {
