@@ -14,6 +14,7 @@ use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, Surfac
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
+use clearbeam::pose::clearance::free_set;
 use clearbeam::pose::{Beam, Correction, LineRules, TiltRule, plan_line};
 use clearbeam::sample::{solids::helical_gear, stl_bytes};
 use criterion::measurement::WallTime;
@@ -26,6 +27,8 @@ use std::time::Duration;
 /// Label, and what [`helical_gear`] takes: 9 856, 97 280 and 998 400 facets.
 const SIZES: [(&str, [usize; 4]); 3] = [("10k", [14, 4, 8, 3]), ("100k", [40, 8, 15, 4]), ("1M", [40, 24, 54, 11])];
 const BEAMS: usize = 100_000;
+/// Points of lines that are searched.
+const SEARCHED: usize = 3000;
 /// Tooth gaps whose lines are corrected.
 const GAPS: usize = 3;
 /// The planes of the corrected lines, mm apart.
@@ -45,6 +48,7 @@ fn stages(c: &mut Criterion) {
         slicing(&mut group, size, &part);
         beams(&mut group, size, &part);
         correction(&mut group, size, &part);
+        clearance(&mut group, size, &part);
         whole_plan(&mut group, size, &part);
         group.finish();
     }
@@ -147,29 +151,60 @@ fn surface_points(mesh: &Mesh) -> Vec<(Point3<f64>, Vector3<f64>)> {
 /// Lines over tooth gaps (flank, root, flank). With 40 teeth 228 of the 240 have a run on either
 /// flank, and all of it is corrected; the 14 teeth of 10 k stand too far apart: detection alone.
 fn correction(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
-    let (gaps, surfaces) = tooth_gaps(part);
-    let rules = LineRules {
-        max_gap_mm: dense::max_gap_mm(GAP_SPACING_MM),
-        max_dense_turn_deg: dense::MAX_TURN_DEG,
-        chord: ChordLimits { chord_error_mm: 0.02, max_step_mm: 5.0, max_turn_deg: 5.0 },
-        correction: Correction::SectionPlane,
-        max_tilt_deg: 45.0,
-        tilt_rate_deg_mm: 5.0,
-        tilt: TiltRule::default(),
-        pins: Vec::new(),
-    };
-    let (lo, hi) = part.mesh.bounds();
-    let count = ((hi.z - lo.z) / GAP_SPACING_MM).floor() as usize;
-    let heights_mm: Vec<f64> = (0..count).map(|i| lo.z + (i as f64 + 0.5) * GAP_SPACING_MM).collect();
-    let lines: Vec<(u32, TransversalLine)> = gaps
-        .iter()
-        .filter_map(|&number| surfaces.get(number))
-        .flat_map(|s| lines_of(part, &surfaces, s, &heights_mm).into_iter().map(|line| (s.number, line)))
-        .collect();
+    let rules = line_rules(Correction::SectionPlane);
+    let lines = gap_lines(part);
     group.bench_function(format!("correction, {} lines/{size}", lines.len()), |b| {
         b.iter(|| {
             lines.par_iter().map(|(s, line)| plan_line(part, None, (*s, 0), line, &Z, &rules)).collect::<Vec<_>>()
         });
+    });
+}
+
+fn line_rules(correction: Correction) -> LineRules {
+    LineRules {
+        max_gap_mm: dense::max_gap_mm(GAP_SPACING_MM),
+        max_dense_turn_deg: dense::MAX_TURN_DEG,
+        chord: ChordLimits { chord_error_mm: 0.02, max_step_mm: 5.0, max_turn_deg: 5.0 },
+        correction,
+        max_tilt_deg: 45.0,
+        tilt_rate_deg_mm: 5.0,
+        tilt: TiltRule::default(),
+        pins: Vec::new(),
+    }
+}
+
+fn gap_lines(part: &Part) -> Vec<(u32, TransversalLine)> {
+    let (gaps, surfaces) = tooth_gaps(part);
+    let (lo, hi) = part.mesh.bounds();
+    let count = ((hi.z - lo.z) / GAP_SPACING_MM).floor() as usize;
+    let heights_mm: Vec<f64> = (0..count).map(|i| lo.z + (i as f64 + 0.5) * GAP_SPACING_MM).collect();
+    gaps.iter()
+        .filter_map(|&number| surfaces.get(number))
+        .flat_map(|s| lines_of(part, &surfaces, s, &heights_mm).into_iter().map(|line| (s.number, line)))
+        .collect()
+}
+
+/// The search over the same lines, as many as have 3000 points; and the free sets of 3000 points alone.
+fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
+    let rules = line_rules(Correction::Clearance);
+    let mut points = 0;
+    let mut lines = gap_lines(part);
+    lines.retain(|(_, line)| {
+        let take = points < SEARCHED;
+        points += if take { dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg).len() } else { 0 };
+        take
+    });
+    group.bench_function(format!("search and polish, {points} points/{size}"), |b| {
+        b.iter(|| {
+            lines.par_iter().map(|(s, line)| plan_line(part, None, (*s, 0), line, &Z, &rules)).collect::<Vec<_>>()
+        });
+    });
+    let mut stands: Vec<_> =
+        lines.iter().flat_map(|(_, line)| dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg)).collect();
+    stands.truncate(SEARCHED);
+    group.bench_function(format!("free sets, {} points/{size}", stands.len()), |b| {
+        let set = |beam: &mut Beam<'_>, q: &dense::DensePoint| free_set(beam, &q.p, &q.n, &Z, rules.max_tilt_deg);
+        b.iter(|| stands.par_iter().map_init(|| Beam::on(part), set).collect::<Vec<_>>());
     });
 }
 

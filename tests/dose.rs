@@ -48,8 +48,8 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
         plane_normal: Vector3::z(),
         closed: false,
         targets: vec![target(p, false), target(q, true)],
-        chord_error_mm: 0.0,
         splits: Vec::new(),
+        chord_error_mm: 0.0,
     }
 }
 

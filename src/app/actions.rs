@@ -46,7 +46,9 @@ impl App {
             | C::LastPass
             | C::First
             | C::Last
-            | C::Section => self.derived.plan.is_some(),
+            | C::Section
+            | C::Access
+            | C::Dose => self.derived.plan.is_some(),
             C::Cell => self.derived.cell.is_some(),
             C::BetterSetup => self.has_refusals() && !self.is_proposing(),
             C::Plots => self.timeline().is_some(),
@@ -160,6 +162,9 @@ impl App {
             C::Cell => self.toggle_cell(),
             C::Plots => show.plots = !show.plots,
             C::Text => show.text = !show.text,
+            C::ToolBodies => show.tool = !show.tool,
+            C::Access => show.access = !show.access,
+            C::Dose => self.toggle_dose(),
             _ => {}
         }
     }

@@ -6,16 +6,22 @@ use super::clearance::Clearances;
 use super::motion::Motion;
 use super::remedy::Remedy;
 use super::worker::Outcome;
-use crate::beam::{Obstacle, Tool};
+use crate::beam::{Obstacle, Optics, Tool};
 use crate::cell::{Cell, Setup};
+use crate::job::model::BeamParameters;
 use crate::job::model::{CellFile, PartFile, SurfaceParameters};
+use crate::job::plan::body;
 use crate::job::plan::segmented;
 use crate::job::report::Report;
 use crate::job::{self, Cache, Chosen, Job, Plan, files};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
+use crate::picture::ToolPicture;
 use crate::picture::{CellPicture, PartPicture};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+
+/// Head and clamps as a job names them.
+type ToolFiles = (String, Vec<Obstacle>);
 
 /// Computed state.
 #[derive(Default)]
@@ -31,12 +37,18 @@ pub struct Derived {
     surfaces_of: Option<(SurfaceParameters, Arc<Part>)>,
     /// Their shapes, as far as known.
     pub shapes: BTreeMap<u32, Shape>,
+    /// Head, beam and clamps, and what they were made from.
+    pub tool_picture: Option<((BeamParameters, Optics, u64), ToolPicture)>,
+    /// Grows with each tool that is read.
+    pub tool_count: u64,
+    /// What lands.
+    pub doses: super::dose::Doses,
     /// Buffers of the part.
     pub picture: Option<PartPicture>,
     /// The cell with the frames of its file, and the names of cell and robot in the job.
     pub cell_file: Option<((String, String), Result<Cell, String>)>,
     /// Head and clamps, and their names in the job.
-    pub tool: Option<((String, Vec<Obstacle>), Result<Tool, String>)>,
+    pub tool: Option<(ToolFiles, Result<Tool, String>)>,
     /// Cell and robot, and what in the job they were read from.
     pub setup: Option<(CellFile, Result<Setup, String>)>,
     /// Arm, head and floor, where the setup has a robot.
@@ -104,7 +116,9 @@ impl App {
         let Some(part) = self.derived.part.clone() else { return };
         self.sync_surfaces(&part, &job);
         self.sync_cell(&job);
+        self.sync_tool(&job);
         self.sync_plan(part, job);
+        self.sync_dose();
         self.sync_advice();
         self.sync_clearance();
     }
@@ -147,6 +161,7 @@ impl App {
             d.cell_file = Some((named, files::load_cell(job, file).map_err(|e| e.to_string())));
         }
         if !same_tool {
+            d.tool_count += 1;
             d.tool = Some((tool_named, files::load_tool(job, file).map_err(|e| e.to_string())));
         }
         let tool = d.tool.as_ref().map_or(Err(String::new()), |(_, tool)| tool.clone());
@@ -161,6 +176,16 @@ impl App {
             self.session.other_camera = None;
             self.session.fit_pending |= self.session.show.cell;
         }
+    }
+
+    fn sync_tool(&mut self, job: &Job) {
+        let d = &mut self.derived;
+        let of = (job.beam.clone(), job.optics, d.tool_count);
+        if d.tool_picture.as_ref().is_some_and(|(known, _)| *known == of) {
+            return;
+        }
+        let Some((_, Ok(setup))) = &d.setup else { return };
+        d.tool_picture = Some((of, ToolPicture::new(&setup.tool, body(job, setup).as_ref())));
     }
 
     fn sync_plan(&mut self, part: Arc<Part>, job: Job) {
@@ -206,6 +231,7 @@ impl App {
                         self.derived.shapes = shapes;
                     }
                 }
+                Outcome::Dosed(of, view) => self.dosed(of, view),
                 Outcome::Planned(job, result) => self.planned(*job, result),
                 Outcome::Moving(of, motion) => self.moving(of, motion),
                 Outcome::Cleared(of, curve) => self.cleared(of, curve),

@@ -15,6 +15,10 @@ pub enum Purpose {
     Cell,
     /// A robot file.
     Robot,
+    /// A laser head to open.
+    Head,
+    /// An STL that stands on the part.
+    Clamp,
 }
 
 /// Gets its answer when the user has given it; `None` if he would not.
@@ -39,6 +43,8 @@ impl FileDialogs for NativeDialogs {
                 Purpose::SaveJob => dialog.add_filter("Job", &["toml", "clearbeam"]).set_file_name(name).save_file(),
                 Purpose::Export => dialog.set_title("Folder for the program").pick_folder(),
                 Purpose::Cell => dialog.add_filter("Cell", &["toml"]).pick_file(),
+                Purpose::Head => dialog.add_filter("Head", &["toml", "stl", "STL"]).pick_file(),
+                Purpose::Clamp => dialog.add_filter("Clamp", &["stl", "STL"]).pick_file(),
                 Purpose::Robot => dialog.add_filter("Robot", &["toml"]).pick_file(),
             });
         });

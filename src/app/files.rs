@@ -4,6 +4,7 @@ use super::App;
 use super::dialogs::Purpose;
 use super::session::AfterGuard;
 use super::worker::{Opened, Outcome};
+use crate::beam::Obstacle;
 use crate::job::{Document, Job, files, output};
 use crate::part::{Part, digest_of, stl};
 use eframe::egui;
@@ -78,6 +79,16 @@ impl App {
                 let beside = self.document.file.clone();
                 let named = files::relative_to(&path, beside.as_deref());
                 self.edit(crate::job::Edit::Cell(named));
+            }
+            Purpose::Head => {
+                let named = files::relative_to(&path, self.document.file.as_deref());
+                self.edit(crate::job::Edit::Head(named));
+            }
+            Purpose::Clamp => {
+                let named = files::relative_to(&path, self.document.file.as_deref());
+                let mut clamps = self.document.job().clamps.clone();
+                clamps.push(Obstacle::named(named));
+                self.edit(crate::job::Edit::Clamps(clamps));
             }
             Purpose::Robot => {
                 let named = files::relative_to(&path, self.document.file.as_deref());

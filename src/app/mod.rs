@@ -4,11 +4,13 @@
 //! by its inputs). Panels send [`Command`]s and edits; nothing else changes the document. Work over
 //! 100 ms runs on a thread of its own, and a result whose inputs are no longer current is dropped.
 
+mod access;
 mod actions;
 mod clearance;
 mod command;
 mod derived;
 mod dialogs;
+mod dose;
 mod files;
 mod motion;
 mod panels;
@@ -25,6 +27,7 @@ pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
 use crate::job::Document;
+use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;
 use eframe::egui;
@@ -42,6 +45,9 @@ pub struct App {
     scene: Arc<Scene>,
     worker: Worker,
     dialogs: Box<dyn FileDialogs>,
+    /// The access map of the moment, and the strip of the pass.
+    access: Option<access::Made<access::Place, AccessMap>>,
+    strip: Option<access::Made<(Over, usize), AccessStrip>>,
     /// Lines of the paths, kept while nothing about them changes.
     path_lines: Option<scene::PathLines>,
     recent: Vec<PathBuf>,
@@ -66,6 +72,8 @@ impl App {
             scene: Arc::new(Scene::default()),
             worker: Worker::new(cc.egui_ctx.clone()),
             dialogs,
+            access: None,
+            strip: None,
             path_lines: None,
             recent,
         };
@@ -108,11 +116,17 @@ impl eframe::App for App {
             if self.session.show.plots && self.timeline().is_some() {
                 egui::Panel::bottom("plots").default_size(240.0).min_size(160.0).show(ui, |ui| self.plots(ui));
             }
+            if self.session.show.access && self.derived.plan.is_some() {
+                egui::Panel::bottom("access").default_size(230.0).min_size(150.0).show(ui, |ui| self.access_panel(ui));
+            }
             egui::Panel::left("lists").default_size(330.0).min_size(240.0).show(ui, |ui| self.lists(ui));
             egui::Panel::right("parameters").default_size(300.0).min_size(240.0).show(ui, |ui| self.parameters(ui));
             egui::Panel::bottom("timeline").show(ui, |ui| self.timeline_panel(ui));
             if self.session.show.text && self.derived.motion.is_some() {
                 egui::Panel::right("text").default_size(330.0).min_size(180.0).show(ui, |ui| self.program_text(ui));
+            }
+            if self.session.show.dose && self.derived.plan.is_some() {
+                egui::Panel::right("dose").default_size(260.0).min_size(200.0).show(ui, |ui| self.dose_panel(ui));
             }
             let frame = egui::Frame::NONE.fill(ui.visuals().panel_fill);
             egui::CentralPanel::default().frame(frame).show(ui, |ui| self.view(ui));

@@ -95,6 +95,9 @@ impl App {
             Command::Cell => s.cell,
             Command::Plots => s.plots,
             Command::Text => s.text,
+            Command::ToolBodies => s.tool,
+            Command::Access => s.access,
+            Command::Dose => s.dose,
             _ => false,
         }
     }
@@ -143,12 +146,16 @@ impl App {
     }
 
     fn take_pointer(&mut self, r: &ViewportResponse) {
+        self.session.hover_place = r.hover_px.and_then(|px| self.picked_at(px, r));
         if let Some(n) = self.surface_at(r.hover_px, r) {
             self.session.hovered = Some(n);
         }
         if let Some(px) = r.clicked_px {
             match (self.session.tool, self.picked_at(px, r)) {
                 (Tool::Select, found) => {
+                    if let (true, Some((facet, point))) = (self.session.show.dose, found) {
+                        self.click_dose(facet, point);
+                    }
                     let n = found.and_then(|(f, _)| self.derived.surfaces.of_facet.get(f as usize).copied());
                     self.select(n, r.modifiers);
                     self.session.scroll_to = n;

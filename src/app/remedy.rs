@@ -32,14 +32,16 @@ pub struct Remedy {
 }
 
 /// A search on its thread.
-struct Search {
+pub struct Search {
     /// The plan that it is for.
-    of: u64,
-    progress: Arc<Progress>,
+    pub of: u64,
+    /// How far it is, and its end.
+    pub progress: Arc<Progress>,
 }
 
 impl Search {
-    fn new(of: u64) -> (Search, Arc<Progress>) {
+    /// A search for the plan of that number.
+    pub fn new(of: u64) -> (Search, Arc<Progress>) {
         let progress = Arc::new(Progress::default());
         (Search { of, progress: progress.clone() }, progress)
     }
@@ -142,6 +144,7 @@ impl App {
     pub(super) fn end_searches(&self) {
         let r = &self.derived.remedy;
         r.advising.iter().chain(&r.proposing).for_each(|s| s.progress.cancel());
+        self.end_dose();
     }
 
     /// Looks for what would help, one plan at a time, and ends searches for plans that are no more.

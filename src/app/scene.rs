@@ -5,7 +5,7 @@ use super::command::Command;
 use super::derived::Derived;
 use super::session::{Session, Show};
 use crate::picture::{PartLook, PathLook, paths, section};
-use crate::pose::Target;
+use crate::pose::{State, Target};
 use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
 use eframe::egui;
 use nalgebra::{Isometry3, Vector3};
@@ -50,7 +50,8 @@ impl App {
             scene.lines = section::section(part, &d.surfaces, plan, s.at.0, defocus_mm, &look, d.plan_count);
         } else {
             let place = self.scene_from_part();
-            let part = picture.item(&d.surfaces, &part_look(d, s, self.clean_list()));
+            let dose = self.dose_picture();
+            let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
             scene.meshes.push(MeshItem { scene_from_item: place, ..part });
             if let Some((plan, _)) = &d.plan {
                 let known = (d.plan_count, defocus_mm, look.clone());
@@ -62,6 +63,7 @@ impl App {
                 scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
             self.add_simulation(&mut scene, place);
+            self.add_tool(&mut scene, place);
             scene.points.extend(self.proposed_points(place));
         }
         if let Some(t) = self.target() {
@@ -88,6 +90,18 @@ impl App {
         scene.meshes.extend(cone);
         scene.lines.push(line);
         scene.points.extend(spot);
+    }
+
+    /// Head and beam at the current target, and what stands on the part.
+    fn add_tool(&self, scene: &mut Scene, place: Isometry3<f64>) {
+        let Some((_, tool)) = self.derived.tool_picture.as_ref().filter(|_| self.session.show.tool) else { return };
+        scene.meshes.extend(tool.clamps(&place));
+        if self.is_in_cell() {
+            scene.meshes.extend(self.placed().map_or_else(Vec::new, |p| tool.at(&p.base_from_focus, p.lit)));
+        } else if let Some(t) = self.target() {
+            let focus = place * t.frame(self.document.job().beam.defocus_mm);
+            scene.meshes.extend(tool.at(&focus, t.state != State::Blocked));
+        }
     }
 
     /// The target that is stepped to.

@@ -1,6 +1,9 @@
 //! What is selected, shown and open: neither saved nor undone.
 
+use super::dose::Clicked;
+use crate::pose::access::Over;
 use crate::view::Camera;
+use nalgebra::Point3;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -65,10 +68,32 @@ pub struct Session {
     pub said: String,
     /// An error that must be read.
     pub error: Option<String>,
+    /// Facet and point of the part under the cursor.
+    pub hover_place: Option<(u32, Point3<f64>)>,
+    /// Which part of the tilt is shown along the line.
+    pub strip_over: Over,
+    /// The pin that is dragged, by its place among those of the line.
+    pub pin_dragged: Option<usize>,
+    /// What the part is coloured by.
+    pub coloring: Coloring,
+    /// What lands at the place that was clicked last.
+    pub clicked: Option<Clicked>,
     /// What a click in the view does, other than select.
     pub tool: Tool,
     /// Camera must be fitted once the part is there.
     pub fit_pending: bool,
+}
+
+/// What the part is coloured by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Coloring {
+    /// Its surfaces.
+    #[default]
+    Surface,
+    /// Energy that lands.
+    Dose,
+    /// Angle between light and normal.
+    Incidence,
 }
 
 /// What a click in the view does.
@@ -108,6 +133,12 @@ pub struct Show {
     pub plots: bool,
     /// The program's text.
     pub text: bool,
+    /// Head, beam and clamps.
+    pub tool: bool,
+    /// The access map.
+    pub access: bool,
+    /// The dose, and what stays unclean.
+    pub dose: bool,
 }
 
 /// Columns of the lists.
@@ -162,6 +193,9 @@ impl Default for Session {
                 cell: false,
                 plots: false,
                 text: false,
+                tool: true,
+                access: false,
+                dose: false,
             },
             filter: Default::default(),
             sort: (Column::Number, false),
@@ -185,6 +219,11 @@ impl Default for Session {
             title: String::new(),
             said: String::new(),
             error: None,
+            hover_place: None,
+            strip_over: Over::Lead,
+            pin_dragged: None,
+            coloring: Coloring::Surface,
+            clicked: None,
             tool: Tool::Select,
             fit_pending: false,
         }

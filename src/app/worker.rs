@@ -3,6 +3,7 @@
 
 use super::clearance::ClearanceCurve;
 use super::dialogs::Purpose;
+use super::dose::DoseView;
 use super::motion::Motion;
 use super::remedy::Proposal;
 use crate::job::report::Report;
@@ -33,6 +34,8 @@ pub enum Outcome {
     Advised(u64, Result<Vec<String>, Cancelled>),
     /// A better set-up for it, if there is any.
     Proposed(u64, Result<Option<Arc<Proposal>>, Cancelled>),
+    /// The dose of the plan of that number.
+    Dosed(u64, Result<Arc<DoseView>, PlanError>),
     /// Files were written, or not.
     Exported(Result<Vec<PathBuf>, String>),
     /// A file was picked, or not.

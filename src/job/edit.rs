@@ -2,11 +2,12 @@
 
 use super::model::{CellFile, Chosen, Job, Offset};
 use super::parameter::Parameter;
+use crate::beam::Obstacle;
 use crate::cell::{Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, Surfaces, Units};
 use crate::path::{Direction, Order};
-use crate::pose::Correction;
-use crate::process::Patch;
+use crate::pose::{Correction, Pin, TiltRule};
+use crate::process::{Patch, Profile};
 use std::collections::BTreeMap;
 
 /// A change of the document.
@@ -74,6 +75,16 @@ pub enum Edit {
     Dialect(String),
     /// Rotation about the beam axis.
     Spin(Spin),
+    /// A head file, as written in the job; empty takes it away.
+    Head(String),
+    /// What stands on the part.
+    Clamps(Vec<Obstacle>),
+    /// What a surface asks of the tilt; one that asks nothing is taken away.
+    Tilt(TiltRule),
+    /// Tilts set on lines of one surface, in place of those there were.
+    Pins(u32, Vec<Pin>),
+    /// How the power is spread over the spot.
+    Profile(Profile),
 }
 
 impl Edit {
@@ -113,6 +124,12 @@ impl Edit {
             Edit::Frames(_) => "change set-up".into(),
             Edit::Dialect(_) => "change dialect".into(),
             Edit::Spin(_) => "change spin".into(),
+            Edit::Head(file) if file.is_empty() => "take the head away".into(),
+            Edit::Head(_) => "change head".into(),
+            Edit::Clamps(_) => "change clamps".into(),
+            Edit::Tilt(rule) => format!("change tilt of surface {}", rule.surface),
+            Edit::Pins(surface, _) => format!("change pinned tilts of surface {surface}"),
+            Edit::Profile(_) => "change beam profile".into(),
         }
     }
 
@@ -204,6 +221,21 @@ impl Edit {
             }
             Edit::Dialect(dialect) => job.cell.dialect = dialect.clone(),
             Edit::Spin(spin) => job.cell.spin = *spin,
+            Edit::Head(file) => job.beam.head.clone_from(file),
+            Edit::Clamps(clamps) => job.clamps.clone_from(clamps),
+            Edit::Tilt(rule) => {
+                job.tilts.retain(|t| t.surface != rule.surface);
+                let asks_nothing = *rule == TiltRule { surface: rule.surface, ..TiltRule::default() };
+                if !asks_nothing {
+                    job.tilts.push(rule.clone());
+                    job.tilts.sort_by_key(|t| t.surface);
+                }
+            }
+            Edit::Pins(surface, pins) => {
+                job.pins.retain(|p| p.surface != *surface);
+                job.pins.extend(pins);
+            }
+            Edit::Profile(profile) => job.dose.profile = *profile,
         }
     }
 }

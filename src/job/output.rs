@@ -75,9 +75,7 @@ pub fn program(
 
 /// Reads the program's own text, and refuses to hand out one that would not do what was planned.
 fn read_back(part: &Part, job: &Job, setup: &Setup, plan: &Plan, written: &[ProgramFile]) -> Result<(), JobError> {
-    let Some(first) = written.first() else { return Ok(()) };
-    let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let (_, verdict) = verify::check(part, plan, setup, job, first, &open, false)
+    let verdict = verify::check_own(part, plan, setup, job, written)
         .map_err(|what| JobError::Write { what: format!("the program cannot be read back: {what}") })?;
     match verdict.findings.as_slice() {
         [] => Ok(()),

@@ -6,7 +6,7 @@ use super::parameter;
 use super::report::CellReport;
 use crate::beam::{Body, Head, Tool};
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Choice, Refusal, Watch, choose};
+use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
@@ -203,7 +203,7 @@ pub fn plan(
             if let Some(known) = cache.get(&key) {
                 return Ok((key, known));
             }
-            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, size_mm, progress)?;
+            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, progress)?;
             Ok((key, Arc::new(made)))
         })
         .collect::<Result<_, PlanError>>()?;
@@ -233,7 +233,7 @@ pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
 }
 
 fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
-    Straight { prover: prover(part, setup, job), deviation_mm: job.cell.deviation_mm }
+    Straight { prover: prover(part, setup, job).with_spare(), deviation_mm: job.cell.deviation_mm }
 }
 
 fn speeds(job: &Job) -> Speeds {
@@ -257,31 +257,32 @@ pub(super) fn drive(
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
+    let mut memory = Memory::default();
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
     // What driving refused stays refused, whatever branch is chosen then.
     let mut refused: Vec<Refusal> = Vec::new();
     let mut best: Option<Plan> = None;
+    let drive = Drive {
+        part,
+        setup,
+        mounted: setup.mounted(),
+        robot,
+        speeds,
+        straight: straight(part, setup, job),
+        collision: collision.as_ref(),
+        go_on: &go_on,
+        known: Known::default(),
+    };
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
         (plan.choice, plan.refusals) = (None, Vec::new());
         plan.refuse(&refused);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
         let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
-        let choice = choose(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch);
+        let choice = choose_again(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch, &mut memory);
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);
-        let drive = Drive {
-            part,
-            setup,
-            mounted: setup.mounted(),
-            robot,
-            speeds,
-            straight: straight(part, setup, job),
-            collision: collision.as_ref(),
-            go_on: &go_on,
-            known: Known::default(),
-        };
         let mut shut = Vec::new();
         settle(plan, progress, |plan| {
             let Some(choice) = &plan.choice else { return Ok(Steps::default()) };
@@ -407,12 +408,11 @@ fn plan_surface(
     job: &Job,
     body: Option<&Body<'_>>,
     rules: &LineRules,
-    size_mm: f64,
     progress: &Progress,
 ) -> Result<SurfacePlan, PlanError> {
     let Some(surface) = surfaces.get(planes.surface) else { return Err(PlanError::Nothing) };
     let normals = VertexNormals::new(&part.mesh, surfaces, surface);
-    let merge_mm = 1e-6 * size_mm;
+    let merge_mm = 1e-6 * part.mesh.diagonal();
     let lines: Vec<TransversalLine> =
         section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
     let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);

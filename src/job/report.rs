@@ -334,6 +334,9 @@ impl Report {
             "largest tilt {:.1}°, chord error {:.4} mm, spacing on the surface up to {:.3} mm",
             self.max_tilt_deg, self.max_chord_error_mm, self.max_surface_spacing_mm
         );
+        if !self.splits.is_empty() {
+            let _ = writeln!(out, "{} splits: laser off while the beam turns, a wall between", self.splits.len());
+        }
         for s in self.surfaces.iter().filter(|s| s.missed_area_mm2 > 0.0) {
             let _ = writeln!(
                 out,

@@ -14,7 +14,7 @@ use crate::pose::checker::Checker;
 
 use crate::program::dialect::{Goal, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::sweep::{LitMove, Proof, Prover};
-use crate::program::{Line, Move, Pace, Program, ProgramFile, Way, dialects, lines, lit};
+use crate::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way, dialects, lines, lit};
 use nalgebra::{Isometry3, Point3};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -118,28 +118,16 @@ pub fn check(
     open: &dyn Fn(&str) -> Option<String>,
     with_checker: bool,
 ) -> Result<(&'static str, Verdict), String> {
-    let Some(dialect) = dialects::of_text(&first.text) else {
-        return Err(format!(
-            "{}: is no program of any dialect known here ({}); give the file that was exported",
-            first.name,
-            dialects::names()
-        ));
-    };
+    let dialect = dialect_of(first)?;
     let lines = lines(&planned.steps, setup, job.beam.power_w);
     let files = dialect.write(&Program { head: Vec::new(), lines: lines.clone(), setup }).map_err(|e| e.to_string())?;
     let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let Some(main) = files.first() else { return Err("the plan has no program".into()) };
     let written =
         dialect.read(main, &Reading { setup, open: &own }).map_err(|e| format!("the plan's own program: {e}"))?;
-    let moves = lines.iter().filter_map(|l| if let Line::Move(m) = l { Some(m.as_ref()) } else { None }).collect();
-    let expected = Expected {
-        part,
-        setup,
-        defocus_mm: job.beam.defocus_mm,
-        prover: plan::prover(part, setup, job),
-        moves,
-        written: &written,
-    };
+    let prover = plan::prover(part, setup, job);
+    let expected =
+        Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
     let verdict = match dialect.read(first, &Reading { setup, open }) {
         Ok(read) => verify(&expected, &read, with_checker),
         Err(e) => {
@@ -152,6 +140,42 @@ pub fn check(
         }
     };
     Ok((dialect.name(), verdict))
+}
+
+/// Reads a program that was just written, its first file first, and compares it with the plan: its words
+/// are the plan's own, so it is written and read once.
+///
+/// # Errors
+/// It cannot be read back.
+pub fn check_own(
+    part: &Part,
+    plan: &Plan,
+    setup: &Setup,
+    job: &Job,
+    written: &[ProgramFile],
+) -> Result<Verdict, String> {
+    let Some(first) = written.first() else { return Ok(Verdict::default()) };
+    let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
+    let read = dialect_of(first)?.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
+    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let prover = plan::prover(part, setup, job);
+    let defocus_mm = job.beam.defocus_mm;
+    let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };
+    Ok(verify(&expected, &read, false))
+}
+
+fn dialect_of(first: &ProgramFile) -> Result<&'static dyn Dialect, String> {
+    dialects::of_text(&first.text).ok_or_else(|| {
+        format!(
+            "{}: is no program of any dialect known here ({}); give the file that was exported",
+            first.name,
+            dialects::names()
+        )
+    })
+}
+
+fn moves(lines: &[Line]) -> Vec<&Move> {
+    lines.iter().filter_map(|l| if let Line::Move(m) = l { Some(m.as_ref()) } else { None }).collect()
 }
 
 /// A line that does something.

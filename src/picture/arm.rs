@@ -3,7 +3,6 @@
 
 use super::palette::Rgb;
 use super::solid::{Solid, along};
-use crate::beam::Obstacle;
 use crate::cell::bodies::HeadCapsule;
 use crate::cell::{Joints, Mount, Robot, Setup};
 use crate::part::Hasher;
@@ -98,7 +97,7 @@ impl CellPicture {
             flange,
             holder,
             head: head(bodies, &profile),
-            obstacles: setup.cell.bodies.obstacles.iter().map(obstacle).collect(),
+            obstacles: setup.cell.bodies.obstacles.iter().map(super::tool::obstacle).collect(),
             cone: Solid::turned(&[[0.0, 0.0], [0.018 * head_mm, tip_mm]], LIGHT, 150),
             tip_mm,
             top_mm,
@@ -206,21 +205,6 @@ fn head(capsules: &[HeadCapsule], nozzle: &[[f64; 2]]) -> Vec<(Solid, Isometry3<
         (Solid::rod(c.radius_mm, high - low, [true, true], HEAD), Isometry3::translation(0.0, 0.0, low))
     };
     capsules.iter().map(body).collect()
-}
-
-/// Something that stands in the cell.
-fn obstacle(o: &Obstacle) -> MeshItem {
-    let mesh = &o.solid().mesh;
-    let corners = (0..mesh.facets.len()).flat_map(|f| mesh.corners(f));
-    let [r, g, b] = METAL;
-    MeshItem {
-        geometry_key: Hasher::default().digest(o.solid().digest).finish().0 as u64,
-        positions: Arc::new(corners.map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect()),
-        colors_key: 0,
-        facet_colors: Arc::new(vec![[r, g, b, 255]; mesh.facets.len()]),
-        edges: None,
-        scene_from_item: o.at(),
-    }
 }
 
 fn floor(reach_mm: f64) -> Vec<LineSegment> {

@@ -9,6 +9,7 @@ pub mod part;
 pub mod paths;
 pub mod section;
 pub mod solid;
+mod tool;
 pub mod trail;
 
 pub use arm::CellPicture;
@@ -17,4 +18,5 @@ pub use dose::{DoseLook, dose_item};
 pub use palette::Palette;
 pub use part::{PartLook, PartPicture};
 pub use paths::{PathLook, paths};
+pub use tool::ToolPicture;
 pub use trail::Trail;

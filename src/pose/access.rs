@@ -152,6 +152,12 @@ pub struct AccessStrip {
 }
 
 impl AccessStrip {
+    /// The tilt that was chosen nearest to a place on the line.
+    pub fn chosen_at(&self, at_mm: f64) -> Option<Tilt> {
+        let known = self.columns.iter().filter_map(|c| Some(((c.at_mm - at_mm).abs(), c.chosen?)));
+        known.min_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, tilt)| tilt)
+    }
+
     /// Looks at a pass, at no more than `most` of its targets.
     pub fn along(
         beam: &Beam<'_>,

@@ -76,14 +76,24 @@ impl Checker {
     }
 }
 
-/// Least value of a convex function over 0 to 1.
+/// Least value of a convex function over 0 to 1, by golden section.
 fn lowest(f: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let (mut lo, mut hi) = (0.0, 1.0);
-    for _ in 0..48 {
-        let (x, y) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
-        if f(x) < f(y) { hi = y } else { lo = x }
+    let (mut x, mut y) = (1.0 - GOLDEN, GOLDEN);
+    let (mut fx, mut fy) = (f(x), f(y));
+    for _ in 0..38 {
+        if fx < fy {
+            (hi, y, fy) = (y, x, fx);
+            x = hi - GOLDEN * (hi - lo);
+            fx = f(x);
+        } else {
+            (lo, x, fx) = (x, y, fy);
+            y = lo + GOLDEN * (hi - lo);
+            fy = f(y);
+        }
     }
-    f(0.5 * (lo + hi)).min(f(0.0)).min(f(1.0))
+    fx.min(fy).min(f(0.0)).min(f(1.0))
 }
 
 /// Distance of a point from a cut cone, in the half plane of axis and point.

@@ -198,16 +198,21 @@ impl<'a> Beam<'a> {
         farthest
     }
 
-    /// The nearest facet that the bare ray from `from_mm` above `p` on goes through.
-    pub fn passes_through(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64) -> Option<u32> {
+    /// The nearest facet that the ray from `from_mm` above `p` on goes through, or within `keeps_mm` of.
+    pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, keeps_mm: f64) -> Option<u32> {
         let mut first: Option<(f64, u32)> = None;
-        self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, 0.0, |facet, corners| {
-            if let Some(t) = crate::part::bvh::meet(corners, p, a).filter(|t| *t > from_mm)
+        self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, keeps_mm, |facet, corners| {
+            let through = crate::part::bvh::meet(corners, p, a).filter(|t| *t > from_mm);
+            let beside = || {
+                let near = keeps_mm > 0.0 && distance::ray_triangle(p, a, from_mm, corners) <= keeps_mm;
+                near.then(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(from_mm))
+            };
+            if let Some(t) = through.or_else(beside)
                 && first.is_none_or(|f| (t, facet) < f)
             {
                 first = Some((t, facet));
             }
-            first.map_or(f64::INFINITY, |f| f.0)
+            f64::INFINITY
         });
         first.map(|f| f.1)
     }

@@ -38,19 +38,46 @@ pub struct Drive<'a> {
     pub collision: Option<&'a Collision<'a>>,
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
-    /// What was found out so far for one choice.
+    /// What was found out so far.
     pub known: Known,
 }
 
-/// Ways and pieces that were worked out: when targets are refused, most of the others stay as they are.
+/// Ways and pieces that were worked out: when targets are refused, or others chosen, most of the rest stays
+/// as it is. A pose is told by its joints, to the last bit.
 #[derive(Default)]
 pub struct Known {
     ways: Mutex<BTreeMap<Ends, Option<Vec<Go>>>>,
-    pieces: Mutex<BTreeMap<Piece, DrivenPiece>>,
+    pieces: Mutex<BTreeMap<(Piece, Vec<Bits>), DrivenPiece>>,
+    /// Ways in from home or a gate.
+    ways_in: Mutex<BTreeMap<[Bits; 2], Option<WayIn>>>,
+    /// Whether a move by joints is clear.
+    clear: Mutex<BTreeMap<[Bits; 2], bool>>,
 }
 
-/// The last target of a piece (or home) and the first of the next (or home).
-type Ends = [Option<(usize, usize)>; 2];
+impl Known {
+    /// The way in from a stand to another one.
+    pub fn way_in(&self, from: &Stand, to: &Stand, make: impl FnOnce() -> Option<WayIn>) -> Option<WayIn> {
+        known(&self.ways_in, [from, to].map(|s| bits(&s.joints_deg)), make)
+    }
+
+    /// Whether the move by joints from one pose to another is clear.
+    pub fn is_clear(&self, from: &Joints, to: &Joints, make: impl FnOnce() -> bool) -> bool {
+        known(&self.clear, [from, to].map(bits), make)
+    }
+}
+
+/// Stands on the way to straight above a piece's end, and that one.
+pub type WayIn = (Vec<Stand>, Stand);
+
+/// Joints as a key.
+type Bits = [u64; 6];
+
+fn bits(joints_deg: &Joints) -> Bits {
+    joints_deg.map(f64::to_bits)
+}
+
+/// The end of a piece (or home) and the start of the next (or home).
+type Ends = [Option<Bits>; 2];
 
 /// Where a piece begins and its lit moves.
 type DrivenPiece = Result<(Stand, Vec<Lit>), Refusal>;
@@ -121,7 +148,7 @@ impl Drive<'_> {
         let driven: Vec<DrivenPiece> = pieces
             .par_iter()
             .take_any_while(|_| (self.go_on)())
-            .map(|&piece| known(&self.known.pieces, piece, || self.piece(passes, choice, piece)))
+            .map(|&piece| self.known_piece(passes, choice, piece))
             .collect();
         if !(self.go_on)() {
             return Err(Undriven::default());
@@ -147,9 +174,7 @@ impl Drive<'_> {
                 }
                 let from = (i > 0).then(|| end(i - 1));
                 let to = whole.get(i).map(|piece| piece.0);
-                let before = (i > 0).then(|| (pieces[i - 1].0, pieces[i - 1].2));
-                let after = pieces.get(i).map(|p| (p.0, p.1));
-                known(&self.known.ways, [before, after], || round::way(self, &space, from.as_ref(), to.as_ref()))
+                self.known_way(&space, from.as_ref(), to.as_ref())
             })
             .collect();
         if !(self.go_on)() {
@@ -157,10 +182,7 @@ impl Drive<'_> {
         }
         if let (Some(None), false) = (ways.first(), whole.is_empty()) {
             // Nothing begins here: refuse all pieces up to the first that can be gone to.
-            let reachable = |i: &usize| {
-                let to = [None, Some((pieces[*i].0, pieces[*i].1))];
-                known(&self.known.ways, to, || round::way(self, &space, None, Some(&whole[*i].0))).is_some()
-            };
+            let reachable = |i: &usize| self.known_way(&space, None, Some(&whole[*i].0)).is_some();
             let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
             return Err(self.unreached(&pieces[..begin], choice));
         }
@@ -172,10 +194,7 @@ impl Drive<'_> {
         for (i, (way, &(number, first, last))) in ways.iter().zip(&pieces).enumerate() {
             let Some(way) = way else {
                 // Home is on every way that is tried last: the piece that has none to it is in a pocket.
-                let stuck = i > 0 && {
-                    let from = [Some((pieces[i - 1].0, pieces[i - 1].2)), None];
-                    known(&self.known.ways, from, || round::way(self, &space, Some(&end(i - 1)), None)).is_none()
-                };
+                let stuck = i > 0 && self.known_way(&space, Some(&end(i - 1)), None).is_none();
                 closed.push(if stuck { pieces[i - 1] } else { (number, first, last) });
                 continue;
             };
@@ -230,6 +249,17 @@ impl Drive<'_> {
             out.refused.extend((first..=last).map(refuse));
         }
         out
+    }
+
+    fn known_way(&self, space: &Space<'_>, from: Option<&Stand>, to: Option<&Stand>) -> Option<Vec<Go>> {
+        let ends = [from, to].map(|s| s.map(|s| bits(&s.joints_deg)));
+        known(&self.known.ways, ends, || round::way(self, space, from, to))
+    }
+
+    fn known_piece(&self, passes: &[Pass], choice: &Choice, piece: Piece) -> DrivenPiece {
+        let (number, first, last) = piece;
+        let chosen = choice.rows[number][first..=last].iter().flatten().map(|c| bits(&c.joints_deg)).collect();
+        known(&self.known.pieces, (piece, chosen), || self.piece(passes, choice, piece))
     }
 
     fn piece(&self, passes: &[Pass], choice: &Choice, (number, first, last): Piece) -> DrivenPiece {

@@ -5,7 +5,7 @@
 //! clear of the part, arm and part clear of what stands in the cell.
 
 use super::air::Space;
-use super::drive::{Drive, Stand};
+use super::drive::{Drive, Stand, WayIn};
 use super::steps::{Go, Pace, Station, Way};
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, State};
@@ -215,7 +215,11 @@ impl Round<'_> {
 
     /// Stands from home (or a gate) to straight above a piece's end, that one included and given once
     /// more: at once, or by stands around the part from which a way leads over it.
-    fn way_in(&self, from: &Stand, to: &Stand) -> Option<(Vec<Stand>, Stand)> {
+    fn way_in(&self, from: &Stand, to: &Stand) -> Option<WayIn> {
+        self.drive.known.way_in(from, to, || self.new_way_in(from, to))
+    }
+
+    fn new_way_in(&self, from: &Stand, to: &Stand) -> Option<WayIn> {
         let home = from.joints_deg;
         if let Some(above) = self.outs(to).find(|above| self.joints_clear(&home, &above.joints_deg)) {
             return Some((vec![above], above));
@@ -234,7 +238,9 @@ impl Round<'_> {
             }));
         }
         gates.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let open = gates.iter().filter(|g| self.joints_clear(&home, &g.1.joints_deg)).take(MOST_TRIED);
+        // The gates are the same for every piece.
+        let is_open = |gate: &Joints| self.drive.known.is_clear(&home, gate, || self.joints_clear(&home, gate));
+        let open = gates.iter().filter(|g| is_open(&g.1.joints_deg)).take(MOST_TRIED);
         open.into_iter().find_map(|(_, gate)| {
             let mut stands = vec![*gate];
             stands.extend(self.along_sphere(gate, &above)?);

@@ -55,7 +55,13 @@ pub struct Prover<'a> {
     pub(super) mounted: Mounted,
     pub(super) defocus_mm: f64,
     sag_mm: f64,
+    /// What the ray keeps from facets, mm.
+    ray_keeps_mm: f64,
 }
+
+/// A plan keeps this much more clear than is asked of its program, mm: numbers are written with three or four
+/// digits, and what just passes a facet must not just hit it when it is read back.
+pub const SPARE_MM: f64 = 0.01;
 
 impl<'a> Prover<'a> {
     /// A prover for a part and what stands around the beam. `deviation_mm`: how far the spot may leave its
@@ -69,7 +75,14 @@ impl<'a> Prover<'a> {
         sag_mm: f64,
     ) -> Prover<'a> {
         let less = |b: &Body<'a>| b.with_margin((b.margin_mm - deviation_mm - short_mm(b.margin_mm)).max(0.0));
-        Prover { part, body: body.map(less), mounted, defocus_mm, sag_mm }
+        Prover { part, body: body.map(less), mounted, defocus_mm, sag_mm, ray_keeps_mm: 0.0 }
+    }
+
+    /// The same, which keeps [`SPARE_MM`] more: for a plan.
+    pub fn with_spare(&self) -> Prover<'a> {
+        let body =
+            self.body.as_ref().map(|b| if b.has_head { b.with_margin(b.margin_mm + SPARE_MM) } else { b.clone() });
+        Prover { body, ray_keeps_mm: SPARE_MM, ..self.clone() }
     }
 
     /// What is in the way of a move, if anything is.
@@ -141,7 +154,7 @@ impl Motion for Going<'_> {
     /// Beside its planned point the ray may start a little inside a rounding: it is looked at from
     /// [`FROM_MM`] on.
     fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
-        if let Some(facet) = beam.passes_through(&middle.p, &middle.a, FROM_MM) {
+        if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_keeps_mm) {
             return Some(Blocker { ours: Ours::Beam, theirs: Theirs::Facet(facet), t_mm: FROM_MM });
         }
         beam.body_blocker(&middle.p, &middle.a)

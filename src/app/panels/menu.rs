@@ -29,7 +29,7 @@ impl App {
         if self.derived.plan.is_none() && self.derived.cell.is_none() {
             return;
         }
-        for command in [Command::Text, Command::Plots, Command::Cell] {
+        for command in [Command::Text, Command::Plots, Command::Access, Command::Dose, Command::Cell] {
             let button = egui::Button::selectable(self.is_shown(command), super::name_of(command));
             let keys = super::keys_of(ui.ctx(), command);
             let response = ui.add_enabled(self.is_enabled(command), button).on_hover_text(keys);

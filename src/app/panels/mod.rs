@@ -1,7 +1,10 @@
 //! The panels: each shows a part of the state and sends commands and edits.
 
+mod access;
+mod beam;
 mod cell;
 mod dialogs;
+mod dose;
 mod frames;
 mod lists;
 mod menu;

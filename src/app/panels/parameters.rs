@@ -32,6 +32,7 @@ impl App {
                 &["beam.defocus_mm", "beam.spot_mm", "beam.power_w", "beam.speed_mm_s", "beam.air_speed_mm_s"],
             );
             self.correction(ui);
+            self.tool(ui);
             egui::CollapsingHeader::new("Targets").show(ui, |ui| {
                 self.numbers(ui, &["path.chord_error_mm", "path.max_step_mm", "path.max_turn_deg"]);
             });
@@ -52,6 +53,7 @@ impl App {
                 });
             });
             egui::CollapsingHeader::new("Part").show(ui, |ui| self.part(ui));
+            self.dose_parameters(ui);
             self.cell_panel(ui);
         });
     }

@@ -62,7 +62,10 @@ impl App {
                         row.missed_area_mm2
                     )
                 }
-                (_, Some(by), _) => format!("surface {surface}: {} targets blocked by surface {by}", list.len()),
+                (_, Some(by), _) => {
+                    let ours = if list[0].cause == "head" { ", which the head would hit" } else { "" };
+                    format!("surface {surface}: {} targets blocked by surface {by}{ours}", list.len())
+                }
                 _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause)),
             };
             let why = list[0].detail.as_deref().map_or_else(String::new, |d| format!("{d}\n"));

@@ -13,14 +13,34 @@ impl App {
     /// Stage and share of what can be cancelled: planning, else a search for what would help.
     pub(in super::super) fn progress(&self) -> Option<(&'static str, f32)> {
         let planning = self.worker.progress().filter(|_| !self.derived.is_current(self.document.job()));
-        planning.or_else(|| self.search().map(Progress::now).filter(|p| !p.0.is_empty()))
+        let search = || self.search().map(Progress::now).filter(|p| !p.0.is_empty());
+        planning.or_else(search).or_else(|| self.dose_progress())
     }
 
     /// Ends that.
     pub(in super::super) fn cancel(&self) {
         match self.search().filter(|_| self.derived.is_current(self.document.job())) {
             Some(search) => search.cancel(),
+            None if self.derived.is_current(self.document.job()) => self.end_dose(),
             None => self.worker.cancel(),
+        }
+    }
+
+    /// What is proven of the moves with the laser on.
+    fn proof(&self, ui: &mut egui::Ui) {
+        let Some((_, report)) = &self.derived.plan else { return };
+        let Some(proof) = &report.proof else { return };
+        let clearance = report.min_clearance_mm.map_or_else(String::new, |mm| format!(", least clearance {mm:.2} mm"));
+        if report.proven {
+            let tip = format!(
+                "On {} moves with the laser on nothing can be touched{}{clearance}",
+                proof.intervals,
+                if proof.margin_mm > 0.0 { format!(", by {:.2} mm", proof.margin_mm) } else { String::new() }
+            );
+            ui.label(RichText::new("proven free").color(theme::ACCENT)).on_hover_text(tip);
+        } else {
+            let text = format!("{} of {} moves not proven", proof.refuted.len(), proof.intervals);
+            ui.label(RichText::new(text).color(theme::WRONG));
         }
     }
 
@@ -45,6 +65,7 @@ impl App {
                     ui.label(RichText::new(format!("{} blocked", r.blocked)).color(theme::WRONG));
                 }
                 ui.label(format!("{:.1} mm · {}", r.work_mm, super::clock(time_s)));
+                self.proof(ui);
                 if !self.derived.is_current(self.document.job()) {
                     ui.label(RichText::new("out of date").color(theme::ATTENTION)).on_hover_text("Ctrl+R plans again");
                 }

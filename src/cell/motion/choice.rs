@@ -6,6 +6,8 @@
 //! possible are left out. All spins are looked at; nothing is sampled or refined, so the chain is the
 //! optimum of these rules.
 
+use super::crowds::{Crowd, crowds};
+use super::memory::Memory;
 use super::refusal::{self, Cause, Refusal};
 use super::states::{Arm, Lack, SPIN_STEP_DEG, State};
 use crate::cell::Joints;
@@ -35,6 +37,8 @@ pub const AT_LIMIT: f64 = 6.0;
 pub const AT_SINGULARITY: f64 = 12.0;
 /// Targets whose states are made at once.
 const CHUNK: usize = 256;
+/// So many states of a target are worked out by one thread.
+const SIDE_BY_SIDE: usize = 256;
 
 /// What was chosen for a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +87,7 @@ enum Refused {
 
 /// What the search asks while it works.
 pub struct Watch<'a> {
-    /// What the arm and all it carries touch at some joints, in words.
+    /// What the arm and all it carries touch at some joints, in words: the same a whole turn further.
     pub touches: &'a (dyn Fn(&Joints) -> Option<String> + Sync),
     /// Whether to go on.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
@@ -103,36 +107,42 @@ impl Default for Watch<'_> {
 /// What is touched is asked for the chosen states first, and for all states of a pass where one of
 /// them does. `None`: the search was stopped.
 pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, watch: &Watch<'_>) -> Option<Choice> {
+    choose_again(arm, passes, defocus_mm, speed_mm_s, watch, &mut Memory::default())
+}
+
+/// The same for targets some of which were looked at before: they may be blocked by now, and branches
+/// closed, but they stand where they stood.
+pub fn choose_again(
+    arm: &Arm<'_>,
+    passes: &[Pass],
+    defocus_mm: f64,
+    speed_mm_s: f64,
+    watch: &Watch<'_>,
+    memory: &mut Memory,
+) -> Option<Choice> {
     let Watch { touches, go_on, is_open } = watch;
     let stops = stops(passes, defocus_mm, speed_mm_s);
-    let mut looked_at = vec![false; passes.len()];
     loop {
+        let known = &*memory;
         let chain = chain(arm, &stops, go_on, |stop: &Stop| {
-            let mut states = arm.states(&stop.part_from_focus).map_err(Refused::Lack)?;
+            let mut states =
+                known.states((stop.pass, stop.point), || arm.states(&stop.part_from_focus)).map_err(Refused::Lack)?;
             states.retain(|s| is_open(stop.pass, s.branch));
             if states.is_empty() {
                 return Err(Refused::Contact(NO_WAY.into()));
             }
-            if !looked_at[stop.pass] {
-                return Ok(states);
-            }
-            let mut contact = None;
-            let free: Vec<State> = states
-                .into_iter()
-                .filter(|s| {
-                    let touched = touches(&s.joints_deg);
-                    let is_free = touched.is_none();
-                    contact = contact.take().or(touched);
-                    is_free
-                })
-                .collect();
-            if free.is_empty() { Err(Refused::Contact(contact.unwrap_or_default())) } else { Ok(free) }
+            let Some(looks) = known.looks((stop.pass, stop.point)) else { return Ok(states) };
+            let first = states[0].joints_deg;
+            states.retain(|s| looks.is_free(s, arm.spins(), || touches(&s.joints_deg).is_none()));
+            if states.is_empty() { Err(Refused::Contact(touches(&first).unwrap_or_default())) } else { Ok(states) }
         })?;
         let touching: Vec<usize> = stops
             .par_iter()
             .zip(&chain)
             .filter(|(stop, state)| {
-                go_on() && !looked_at[stop.pass] && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
+                go_on()
+                    && known.looks((stop.pass, stop.point)).is_none()
+                    && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
             })
             .map(|(stop, _)| stop.pass)
             .collect();
@@ -140,11 +150,12 @@ pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, 
             return None;
         }
         if touching.is_empty() {
-            return Some(choice(arm, passes, &stops, chain));
+            let choice = choice(arm, passes, &stops, chain);
+            memory.keep(passes);
+            return Some(choice);
         }
-        for pass in touching {
-            looked_at[pass] = true;
-        }
+        memory.look_at(&touching, passes, arm.spins());
+        memory.keep(passes);
     }
 }
 
@@ -317,19 +328,19 @@ impl<'a> Rules<'a> {
     fn lit(&self, before: &Layer, layer: &mut Layer, seconds: f64) -> Vec<u32> {
         let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
         let spins = self.arm.spins();
-        let mut from = vec![OUT; layer.states.len()];
-        for (i, state) in layer.states.iter().enumerate() {
+        let one = |(state, standing): (&State, &f64)| {
             let to = &state.joints_deg;
             // Without its predecessor the piece starts here: out, round and in again.
-            let mut best = before.left_out + STARTED_ANEW;
+            let mut best = (before.left_out + STARTED_ANEW, OUT);
             for step in &self.spin_steps {
                 let spin = (usize::from(state.spin) + step) % spins;
                 'candidates: for k in before.range(usize::from(state.branch), spin, spins) {
                     let mut cost = before.cost[k];
-                    if cost >= best {
+                    let here = &before.states[k].joints_deg;
+                    // The last joint has the most readings.
+                    if cost >= best.0 || (to[5] - here[5]).abs() > most[5] {
                         continue;
                     }
-                    let here = &before.states[k].joints_deg;
                     for j in 0..6 {
                         let moved = (to[j] - here[j]).abs();
                         if moved > most[j] {
@@ -337,43 +348,70 @@ impl<'a> Rules<'a> {
                         }
                         cost += self.weights[j] * moved;
                     }
-                    if cost < best {
-                        (best, from[i]) = (cost, k as u32);
+                    if cost < best.0 {
+                        best = (cost, k as u32);
                     }
                 }
             }
-            layer.cost[i] = best + layer.standing[i];
-        }
-        from
+            (best.0 + standing, best.1)
+        };
+        let reached: Vec<(f64, u32)> =
+            layer.states.par_iter().zip(&layer.standing).with_min_len(SIDE_BY_SIDE).map(one).collect();
+        layer.cost = reached.iter().map(|r| r.0).collect();
+        reached.into_iter().map(|r| r.1).collect()
     }
 
     /// Costs and predecessors after a connecting move: from any state to any.
     fn round(&self, before: &Layer, layer: &mut Layer) -> Vec<u32> {
-        let mut order: Vec<u32> = (0..before.states.len() as u32).collect();
-        order.sort_by(|a, b| before.cost[*a as usize].total_cmp(&before.cost[*b as usize]));
+        let crowds = crowds(&before.states, &before.cost);
+        let some = |(states, standing): (&[State], &[f64])| -> Vec<(f64, u32)> {
+            // What was best for the state before is good for this one, and shows what need not be looked at.
+            let mut guess = OUT;
+            let one = |(state, standing): (&State, &f64)| {
+                let best = self.cheapest_way(before, &crowds, state, guess);
+                guess = best.1;
+                (best.0 + standing, best.1)
+            };
+            states.iter().zip(standing).map(one).collect()
+        };
         let reached: Vec<(f64, u32)> = layer
             .states
-            .par_iter()
-            .zip(&layer.standing)
-            .map(|(state, standing)| {
-                let mut best = (before.left_out, OUT);
-                for &k in &order {
-                    let (here, so_far) = (&before.states[k as usize], before.cost[k as usize]);
-                    // Travel costs something at least: none behind this one can be cheaper.
-                    if so_far >= best.0 {
-                        break;
-                    }
-                    let changed = if here.branch == state.branch { 0.0 } else { CHANGED_BRANCH };
-                    let cost = so_far + changed + self.travel(&here.joints_deg, &state.joints_deg);
-                    if cost < best.0 {
-                        best = (cost, k);
-                    }
-                }
-                (best.0 + standing, best.1)
-            })
+            .par_chunks(SIDE_BY_SIDE)
+            .zip(layer.standing.par_chunks(SIDE_BY_SIDE))
+            .flat_map_iter(some)
             .collect();
         layer.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
+    }
+
+    /// Cost and predecessor of a state after a connecting move; `guess` may be a good predecessor.
+    fn cheapest_way(&self, before: &Layer, crowds: &[Crowd], state: &State, guess: u32) -> (f64, u32) {
+        let changed = |branch: u8| if branch == state.branch { 0.0 } else { CHANGED_BRANCH };
+        let mut best = (before.left_out, OUT);
+        let look = |best: &mut (f64, u32), k: u32| {
+            let here = &before.states[k as usize];
+            let so_far = before.cost[k as usize] + changed(here.branch);
+            if so_far < best.0 {
+                let cost = so_far + self.travel(&here.joints_deg, &state.joints_deg);
+                if cost < best.0 {
+                    *best = (cost, k);
+                }
+            }
+        };
+        if guess != OUT {
+            look(&mut best, guess);
+        }
+        for crowd in crowds {
+            // Travel costs something at least: none behind this one can be cheaper.
+            if crowd.cost >= best.0 {
+                break;
+            }
+            let nearest = crowd.nearest(&state.joints_deg);
+            if crowd.cost + changed(crowd.branch) + self.travel(&nearest, &state.joints_deg) < best.0 {
+                crowd.states.iter().for_each(|k| look(&mut best, *k));
+            }
+        }
+        best
     }
 }
 

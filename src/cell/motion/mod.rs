@@ -7,9 +7,12 @@
 
 pub mod advice;
 pub mod choice;
+mod crowds;
+pub mod memory;
 pub mod refusal;
 pub mod states;
 
-pub use choice::{Choice, Chosen, Watch, choose};
+pub use choice::{Choice, Chosen, Watch, choose, choose_again};
+pub use memory::Memory;
 pub use refusal::{Cause, Refusal};
 pub use states::{Arm, State};

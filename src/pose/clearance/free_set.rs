@@ -56,7 +56,9 @@ pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) ->
     let count = (track.max_tilt_deg / (2.0 * HALF_SQUARE_DEG)).ceil() as i32;
     for row in -count..=count {
         for column in -count..=count {
-            let middle = Lean::new(f64::from(column), f64::from(row)) * (2.0 * HALF_SQUARE_DEG);
+            // So that the last middles are the multiples of half a degree.
+            let middle =
+                Lean::new(f64::from(column), f64::from(row)) * (2.0 * HALF_SQUARE_DEG) + Lean::repeat(HALF_LEAST_DEG);
             search.within(&middle, HALF_SQUARE_DEG, &mut out);
         }
     }
@@ -78,14 +80,14 @@ impl Openings<'_> {
         }
         let p = &self.site.q.p;
         if half_deg <= HALF_LEAST_DEG {
-            if self.track.allows(self.site, middle) && self.beam.is_free(p, &self.site.axis(middle)) {
-                out.push(*middle);
-            }
+            let tilt = grid::at_rim(*middle, self.track.max_tilt_deg, 2.0 * HALF_LEAST_DEG);
+            let is_free = |t: &Lean| self.track.allows(self.site, t) && self.beam.is_free(p, &self.site.axis(t));
+            out.extend(tilt.filter(is_free));
             return;
         }
         let corners =
             |half: f64| [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| Lean::new(x, y));
-        if let Some(facet) = self.beam.passes_through(p, &self.site.axis(middle), NEAR_MM) {
+        if let Some(facet) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
             let facet = self.part.mesh.corners(facet as usize);
             let is_behind = |c: Lean| bvh::meet(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
             if corners(half_deg * INFLATED).into_iter().all(is_behind) {

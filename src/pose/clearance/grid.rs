@@ -38,6 +38,12 @@ pub fn add_disc(cells: &mut BTreeSet<Cell>, around: &Lean, radius_deg: f64, spac
     }
 }
 
+/// A tilt that lies beyond the greatest by no more than half a spacing is taken at the greatest: so the
+/// rim has candidates, too.
+pub fn at_rim(tilt: Lean, max_tilt_deg: f64, spacing_deg: f64) -> Option<Lean> {
+    (tilt.norm() <= max_tilt_deg + 0.5 * spacing_deg).then(|| tilt.cap_magnitude(max_tilt_deg))
+}
+
 /// The middles of the cells within a radius of the normal.
 pub fn disc(radius_deg: f64, spacing_deg: f64) -> Vec<Lean> {
     let mut cells = BTreeSet::new();

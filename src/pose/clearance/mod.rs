@@ -6,13 +6,16 @@
 //! what was found. A point is called blocked only when no direction half a degree apart is free. The
 //! result is drawn to the aim as far as it stays free; the caller tests it again.
 
+mod bins;
 pub mod free_set;
+mod freedom;
 mod grid;
 mod polish;
 mod rows;
 mod search;
 mod track;
 mod window;
+mod windows;
 
 pub use free_set::{Direction, free_set};
 
@@ -24,7 +27,7 @@ use crate::path::DensePoint;
 use crate::path::dense;
 use nalgebra::Vector3;
 use track::Track;
-use window::Windows;
+use windows::Windows;
 
 /// A point of the corrected line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +80,7 @@ pub fn correct(
         (Track::new(&points, &tangents, (&places, round_mm), &rules.tilt, &pins, limits), free)
     };
     let ok = &windows.ok[..count];
-    let (seam, held) = match window::middle_of_longest(ok) {
+    let (seam, held) = match windows::middle_of_longest(ok) {
         Some(seam) => (seam, None),
         None => {
             let stands = windows.corrected(None);

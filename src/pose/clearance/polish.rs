@@ -1,8 +1,8 @@
 //! The last step on the sphere: off the grid, and as near to the aim as the way stays free.
 
-use super::search::NEARNESS_DEG2;
+use super::freedom::NEARNESS_DEG2;
 use super::track::{Lean, Track};
-use super::window::Stand;
+use super::windows::Stand;
 use crate::pose::{Beam, motion};
 
 /// Steps in which a tilt is drawn to the aim, degrees; what is found has more to spare.

@@ -3,18 +3,21 @@
 
 use super::Row;
 use super::track::{Lean, Site, Track};
-use super::window::Stand;
+use super::windows::Stand;
 use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
+use nalgebra::Vector3;
 
 /// Ends of a blocked stretch are found to this, mm.
 const END_MM: f64 = 0.05;
 
 /// The rows of a line.
 pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
+    // Tested once more, whatever a tilt came from.
+    let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
     let row = |site: &Site, tilt: Option<Lean>, is_split: bool| Row {
         q: site.q,
-        axis: tilt.map(|t| site.axis(&t)),
+        axis: tilt.map(|t| site.axis(&t)).filter(|a| is_free(&site.q, a)),
         aim: site.axis(&site.aim),
         is_split,
     };
@@ -39,12 +42,13 @@ pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
         if let Some(tilt) = high {
             to = gone(beam, track, (site, next), tilt, 1.0);
         }
-        let way_mm = next.arc_mm - site.arc_mm;
         if low.is_some() && from.arc_mm > site.arc_mm && from.arc_mm < next.arc_mm {
             out.push(row(&from, low, false));
         }
-        if low.is_some() && high.is_some() || way_mm > END_MM {
-            let t = (0.5 * (from.arc_mm + to.arc_mm) - site.arc_mm) / way_mm.max(1e-12);
+        if low.is_some() && high.is_some() {
+            // Nothing else tells that it is dark between.
+            let way_mm = (next.arc_mm - site.arc_mm).max(1e-12);
+            let t = (0.5 * (from.arc_mm + to.arc_mm) - site.arc_mm) / way_mm;
             out.push(row(&site.midway(next, t.clamp(0.0, 1.0)), None, false));
         }
         if high.is_some() && to.arc_mm < next.arc_mm && to.arc_mm > from.arc_mm {

@@ -1,151 +1,54 @@
-//! Which stretches of a line are searched, and how: coarse, finer, and in tubes around what was found.
+//! How a stretch of a line is searched: coarse, finer, and in tubes around what was found.
 
 use super::free_set::openings;
 use super::grid;
 use super::polish;
 use super::search::{self, Chain, Layer};
-use super::track::{Lean, Track};
-use crate::part::Part;
-use crate::pose::{Beam, motion};
-use nalgebra::Vector3;
+use super::track::Lean;
+use super::windows::{Stand, Windows};
 use std::collections::BTreeSet;
 
 /// Spacing of the finest grid, degrees.
 const FINEST_DEG: f64 = 0.5;
 /// A tube reaches so many spacings of the grid before to each side: what is best may lie beside the
 /// cell that was found, not farther.
-const TUBE: f64 = 1.2;
+const TUBE: f64 = 1.0;
 /// Where the laser is off, beams found up to this far away are tried, mm.
 const HOLD_MM: f64 = 2.0;
 /// Openings are looked for in blocked stretches at points this far apart, mm, and at their ends.
 const LOOK_MM: f64 = 1.0;
 
-/// How the beam stands at a point: coming and leaving. They differ where the line is split.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stand {
-    /// Coming; `None`: the laser is off before.
-    pub arrive: Option<Lean>,
-    /// Leaving; `None`: it is off behind.
-    pub leave: Option<Lean>,
-}
-
-/// A line, and where its aim is free.
-pub struct Windows<'a> {
-    part: &'a Part,
-    beam: &'a Beam<'a>,
-    track: &'a Track<'a>,
-    /// Whether the beam may have its aim.
-    pub ok: Vec<bool>,
-}
-
-impl<'a> Windows<'a> {
-    /// Looks at the aims. `free[i]`: the beam along the normal is free.
-    pub fn new(part: &'a Part, beam: &'a Beam<'a>, track: &'a Track<'a>, free: &[bool]) -> Windows<'a> {
-        let sites = &track.sites;
-        let plain = |i: usize| sites[i].aim == Lean::zeros();
-        let mut ok: Vec<bool> = (0..sites.len())
-            .map(|i| {
-                let s = &sites[i];
-                track.allows(s, &s.aim) && if plain(i) { free[i] } else { beam.is_free(&s.q.p, &s.axis(&s.aim)) }
-            })
-            .collect();
-        for i in 0..sites.len().saturating_sub(1) {
-            let (from, to) = (&sites[i], &sites[i + 1]);
-            // Between normals the detection has looked.
-            let stays = plain(i) && plain(i + 1)
-                || track.may_turn((from, &from.aim), (to, &to.aim))
-                    && motion::is_free(beam, &from.pose(&from.aim), &to.pose(&to.aim), 0.0);
-            if ok[i] && ok[i + 1] && !stays {
-                (ok[i], ok[i + 1]) = (false, false);
-            }
-        }
-        Windows { part, beam, track, ok }
-    }
-
-    /// How the beam stands at every point. `held`: the axis at both ends of an opened closed line.
-    pub fn corrected(&self, held: Option<Vector3<f64>>) -> Vec<Stand> {
-        let sites = &self.track.sites;
-        let aim = |i: usize| Stand { arrive: Some(sites[i].aim), leave: Some(sites[i].aim) };
-        let mut out: Vec<Stand> = (0..sites.len()).map(aim).collect();
-        let last = sites.len() - 1;
-        let margin_mm = self.track.max_tilt_deg / self.track.rate_deg_mm;
-        let mut at = 0;
-        while let Some(core) = (at..=last).find(|&i| !self.ok[i]) {
-            // Windows that would overlap are one.
-            let mut end = core;
-            while let Some(next) = (end + 1..=last)
-                .take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + 2.0 * margin_mm)
-                .find(|&i| !self.ok[i])
-            {
-                end = next;
-            }
-            let first = (0..core)
-                .rev()
-                .take_while(|&i| sites[i].arc_mm >= sites[core].arc_mm - margin_mm)
-                .last()
-                .unwrap_or(core);
-            let behind = (end + 1..=last)
-                .take_while(|&i| sites[i].arc_mm <= sites[end].arc_mm + margin_mm)
-                .last()
-                .unwrap_or(end);
-            let fixed = |i: usize, rim: usize| match held {
-                Some(axis) if i == rim => Some(sites[i].tilt_of(&axis)),
-                _ => (i != rim && self.ok[i]).then(|| sites[i].aim),
-            };
-            let window = Window {
-                all: self,
-                first: first.max(at.saturating_sub(1)),
-                core,
-                end,
-                last: behind,
-                start: fixed(first, 0),
-                finish: fixed(behind, last),
-            };
-            window.solve(&mut out);
-            at = behind + 1;
-        }
-        out
-    }
-}
-
-/// The middle of the longest stretch of a ring.
-pub fn middle_of_longest(ok: &[bool]) -> Option<usize> {
-    let count = ok.len();
-    let (mut best, mut length, mut run) = (None, 0, 0);
-    // Twice round, so that a stretch over the seam is seen whole.
-    for i in 0..2 * count {
-        run = if ok[i % count] { (run + 1).min(count) } else { 0 };
-        if run > length {
-            (length, best) = (run, Some((i + count - (run - 1) / 2) % count));
-        }
-    }
-    best
-}
-
-struct Window<'a> {
-    all: &'a Windows<'a>,
+/// A stretch of a line that is searched.
+pub(super) struct Window<'a> {
+    pub(super) all: &'a Windows<'a>,
     /// Its first point.
-    first: usize,
+    pub(super) first: usize,
     /// The first whose aim is blocked.
-    core: usize,
+    pub(super) core: usize,
     /// The last of those.
-    end: usize,
+    pub(super) end: usize,
     /// Its last point.
-    last: usize,
+    pub(super) last: usize,
     /// The tilt at the first point, where it is given.
-    start: Option<Lean>,
+    pub(super) start: Option<Lean>,
     /// The tilt at the last.
-    finish: Option<Lean>,
+    pub(super) finish: Option<Lean>,
 }
 
 impl Window<'_> {
-    fn solve(&self, out: &mut [Stand]) {
+    /// Searches it, and puts what is found into the line.
+    pub(super) fn solve(&self, out: &mut [Stand]) {
         let track = self.all.track;
+        for (end, given) in [(self.first, self.start), (self.last, self.finish)] {
+            if given.is_some() {
+                out[end] = Stand { arrive: given, leave: given };
+            }
+        }
         let coarse_deg = grid::coarse_spacing_deg(track.max_tilt_deg);
-        let (mut layers, mut chain) = self.on_grid(coarse_deg);
+        let (mut layers, mut chain) = self.on_grid(coarse_deg, None);
         let mut found_deg = coarse_deg;
         if chain.cost.blocked_um > 0 || chain.cost.splits > 0 {
-            let finer = self.on_grid(0.5 * coarse_deg);
+            let finer = self.on_grid(0.5 * coarse_deg, Some(coarse_deg));
             if finer.1.cost < chain.cost {
                 (layers, chain) = finer;
                 found_deg = 0.5 * coarse_deg;
@@ -188,7 +91,7 @@ impl Window<'_> {
         out
     }
 
-    fn layer(&self, site: usize, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
+    fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
         let given = if site == self.first {
             self.start
         } else if site == self.last {
@@ -196,7 +99,7 @@ impl Window<'_> {
         } else {
             None
         };
-        Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]) }
+        Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]), coarser_deg }
     }
 
     /// Whether a tilt can be reached from a given end; beside the core nothing asks for more.
@@ -210,15 +113,16 @@ impl Window<'_> {
     }
 
     /// The best chain on a grid over all tilts.
-    fn on_grid(&self, spacing_deg: f64) -> (Vec<Layer>, Chain) {
+    fn on_grid(&self, spacing_deg: f64, coarser_deg: Option<f64>) -> (Vec<Layer>, Chain) {
         let track = self.all.track;
-        let cells = grid::disc(track.max_tilt_deg, spacing_deg);
+        let cells = grid::disc(track.max_tilt_deg + 0.5 * spacing_deg, spacing_deg);
+        let at_rim = |t: Lean| grid::at_rim(t, track.max_tilt_deg, spacing_deg);
         let layer = |site: usize| {
-            self.layer(site, || {
+            self.layer(site, coarser_deg, || {
                 let s = &track.sites[site];
-                let mut tilts: Vec<Lean> = cells.iter().map(|c| s.base + c).collect();
+                let mut tilts: Vec<Lean> = cells.iter().filter_map(|c| at_rim(s.base + c)).collect();
                 tilts.extend((s.aim != s.base).then_some(s.aim));
-                tilts.retain(|t| t.norm() <= track.max_tilt_deg + 1e-6 && self.is_within_reach(site, t));
+                tilts.retain(|t| self.is_within_reach(site, t));
                 tilts
             })
         };
@@ -232,7 +136,7 @@ impl Window<'_> {
         let track = self.all.track;
         let before = out.to_vec();
         let layer = |site: usize| {
-            self.layer(site, || {
+            self.layer(site, None, || {
                 let s = &track.sites[site];
                 let mut middles: Vec<Lean> = [before[site].arrive, before[site].leave].into_iter().flatten().collect();
                 if middles.is_empty() {
@@ -243,7 +147,8 @@ impl Window<'_> {
                 for m in &middles {
                     grid::add_disc(&mut cells, &(m - s.base), radius_deg, spacing_deg);
                 }
-                let mut tilts: Vec<Lean> = cells.into_iter().map(|c| s.base + grid::middle(c, spacing_deg)).collect();
+                let tilt = |c| grid::at_rim(s.base + grid::middle(c, spacing_deg), track.max_tilt_deg, spacing_deg);
+                let mut tilts: Vec<Lean> = cells.into_iter().filter_map(tilt).collect();
                 let near = middles.iter().any(|m| (m - s.aim).norm() <= radius_deg);
                 tilts.extend(near.then_some(s.aim));
                 tilts.extend(middles);

@@ -1,0 +1,88 @@
+//! States that lie near each other, looked at as one: most of those that a connecting move could start
+//! from are too far away to be the cheapest, whatever they are in detail.
+
+use super::states::State;
+use crate::cell::Joints;
+
+/// Neighbouring spins whose states are looked at as one crowd.
+const CROWD_SPINS: u8 = 4;
+
+/// States of one branch that lie near each other, and the box around their joints.
+pub(super) struct Crowd {
+    pub states: Vec<u32>,
+    pub branch: u8,
+    least: Joints,
+    most: Joints,
+    /// Of the cheapest.
+    pub cost: f64,
+}
+
+impl Crowd {
+    /// The joints of the box that are nearest to others.
+    pub fn nearest(&self, to: &Joints) -> Joints {
+        std::array::from_fn(|j| to[j].clamp(self.least[j], self.most[j]))
+    }
+}
+
+/// All states with their costs in crowds, the cheapest first.
+pub(super) fn crowds(all: &[State], cost: &[f64]) -> Vec<Crowd> {
+    let readings = |s: &State| s.joints_deg.map(|deg| (deg / 360.0).round() as i8);
+    let mut order: Vec<u32> = (0..all.len() as u32).collect();
+    let key = |k: u32| {
+        let s = &all[k as usize];
+        (s.branch, readings(s), s.spin)
+    };
+    order.sort_by_cached_key(|k| key(*k));
+    let like = |a: &u32, b: &u32| {
+        let (a, b) = (key(*a), key(*b));
+        (a.0, a.1, a.2 / CROWD_SPINS) == (b.0, b.1, b.2 / CROWD_SPINS)
+    };
+    let crowd = |states: &[u32]| {
+        let of = |k: &u32| &all[*k as usize];
+        let edge = |pick: fn(f64, f64) -> f64, start: f64| -> Joints {
+            std::array::from_fn(|j| states.iter().map(|k| of(k).joints_deg[j]).fold(start, pick))
+        };
+        Crowd {
+            branch: states.first().map_or(0, |k| of(k).branch),
+            least: edge(f64::min, f64::INFINITY),
+            most: edge(f64::max, f64::NEG_INFINITY),
+            cost: states.iter().map(|k| cost[*k as usize]).fold(f64::INFINITY, f64::min),
+            states: states.to_vec(),
+        }
+    };
+    let mut out: Vec<Crowd> = order.chunk_by(like).map(crowd).collect();
+    out.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Every state is in one crowd, within its box and no cheaper than it; crowds are of one branch.
+        #[test]
+        fn a_crowd_bounds_its_states(joints in prop::collection::vec(prop::array::uniform6(-360.0..360.0f64), 0..200),
+                                     to in prop::array::uniform6(-400.0..400.0f64)) {
+            let state = |(i, joints_deg): (usize, &Joints)| State {
+                joints_deg: *joints_deg, spin: (i / 3 % 72) as u8, branch: (i % 8) as u8, turn: 0, singularity: 1.0,
+            };
+            let all: Vec<State> = joints.iter().enumerate().map(state).collect();
+            let cost: Vec<f64> = joints.iter().map(|j| j[0].abs()).collect();
+            let found = crowds(&all, &cost);
+            let mut seen: Vec<u32> = found.iter().flat_map(|c| c.states.clone()).collect();
+            seen.sort_unstable();
+            prop_assert_eq!(seen, (0..all.len() as u32).collect::<Vec<_>>());
+            prop_assert!(found.windows(2).all(|w| w[0].cost <= w[1].cost));
+            for c in &found {
+                let nearest = c.nearest(&to);
+                for k in &c.states {
+                    let s = &all[*k as usize];
+                    prop_assert!(s.branch == c.branch && cost[*k as usize] >= c.cost);
+                    prop_assert!((0..6).all(|j| (nearest[j] - to[j]).abs() <= (s.joints_deg[j] - to[j]).abs()));
+                }
+            }
+        }
+    }
+}

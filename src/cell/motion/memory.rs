@@ -1,0 +1,77 @@
+//! What the search for a chain keeps when it is asked again: states, and which of them touch. A target
+//! stands where it stood, whatever was refused or closed meanwhile.
+
+use super::states::{Lack, State};
+use crate::pose::Pass;
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
+
+/// So many states are kept: a quarter of a gigabyte. The others are made again.
+const MOST_STATES: usize = 4_000_000;
+
+/// The states of a target, or why there is none.
+type Made = Result<Vec<State>, Lack>;
+
+/// What is known of the targets of some passes.
+#[derive(Default)]
+pub struct Memory {
+    /// By pass and point; empty until a second search begins.
+    states: Vec<Vec<OnceLock<Made>>>,
+    kept: AtomicUsize,
+    /// Of the targets of passes where a chosen state touched.
+    looks: BTreeMap<usize, Vec<Looks>>,
+}
+
+/// Of one target, by branch and spin: not looked at, free, or touching. Every reading of the turns is
+/// the same pose.
+pub(super) struct Looks(Vec<AtomicU8>);
+
+impl Memory {
+    /// Keeps the states of these passes from now on.
+    pub(super) fn keep(&mut self, passes: &[Pass]) {
+        if self.states.is_empty() {
+            self.states = passes.iter().map(|p| p.targets.iter().map(|_| OnceLock::new()).collect()).collect();
+        }
+    }
+
+    /// The states of a target by pass and point, made if they are not known.
+    pub(super) fn states(&self, (pass, point): (usize, usize), make: impl FnOnce() -> Made) -> Made {
+        let Some(place) = self.states.get(pass).and_then(|p| p.get(point)) else { return make() };
+        if let Some(known) = place.get() {
+            return known.clone();
+        }
+        let made = make();
+        let more = made.as_ref().map_or(0, Vec::len);
+        if self.kept.fetch_add(more, Ordering::Relaxed) + more <= MOST_STATES {
+            // Nobody else asks for the same target meanwhile.
+            let _ = place.set(made.clone());
+        }
+        made
+    }
+
+    /// Which states of a target touch, where its pass is looked at in full.
+    pub(super) fn looks(&self, (pass, point): (usize, usize)) -> Option<&Looks> {
+        self.looks.get(&pass)?.get(point)
+    }
+
+    /// Looks at these passes in full from now on.
+    pub(super) fn look_at(&mut self, numbers: &[usize], passes: &[Pass], spins: usize) {
+        let unknown = || Looks(std::iter::repeat_with(AtomicU8::default).take(8 * spins).collect());
+        for &number in numbers {
+            let looks = || passes[number].targets.iter().map(|_| unknown()).collect();
+            self.looks.entry(number).or_insert_with(looks);
+        }
+    }
+}
+
+impl Looks {
+    /// Whether a state is free; it is looked at once.
+    pub(super) fn is_free(&self, state: &State, spins: usize, look: impl FnOnce() -> bool) -> bool {
+        let known = &self.0[usize::from(state.branch) * spins + usize::from(state.spin)];
+        if known.load(Ordering::Relaxed) == 0 {
+            known.store(if look() { 1 } else { 2 }, Ordering::Relaxed);
+        }
+        known.load(Ordering::Relaxed) == 1
+    }
+}
