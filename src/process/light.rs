@@ -15,8 +15,8 @@ const TURN_DEG: f64 = 4.0;
 /// Moves that follow one another are one piece as long as the targets between lie on the way, to this
 /// share of the spot, and the axes there to this angle.
 const STRAIGHT_SPOTS: f64 = 0.005;
-/// That angle, degrees: 0.05 mm at 30 mm from the spot.
-const EVEN_DEG: f64 = 0.1;
+/// That angle, degrees: 0.1 mm at 30 mm from the spot.
+const EVEN_DEG: f64 = 0.2;
 /// No piece is longer than so many spots, so that what is near one of them is not far from its middle.
 const LENGTH_SPOTS: f64 = 3.0;
 /// Nor is it cut shorter than this for that reason, mm.
