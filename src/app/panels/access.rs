@@ -28,6 +28,12 @@ fn color(a: Access) -> Color32 {
     }
 }
 
+/// Darker, and still opaque: neighbours overlap.
+fn dimmed(c: Color32) -> Color32 {
+    let [r, g, b] = [c.r(), c.g(), c.b()].map(|x| (u16::from(x) * 3 / 4) as u8);
+    Color32::from_rgb(r, g, b)
+}
+
 impl App {
     pub(in super::super) fn access_panel(&mut self, ui: &mut egui::Ui) {
         let height = ui.available_height();
@@ -268,7 +274,7 @@ fn draw_strip(ui: &egui::Ui, frame: &Frame, strip: &AccessStrip, pins: &[Pin], a
             let y = frame.rect.bottom() - (k as f32 + 0.5) * cell;
             let middle = pos2(0.5 * (left + right), y);
             let size = vec2(right - left + 0.5, cell + 0.5);
-            painter.rect_filled(Rect::from_center_size(middle, size), 0, color(*access).gamma_multiply(0.75));
+            painter.rect_filled(Rect::from_center_size(middle, size), 0, dimmed(color(*access)));
         }
     }
     let line = ui.visuals().strong_text_color();
