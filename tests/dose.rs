@@ -210,7 +210,7 @@ fn round_surfaces_are_lit_at_the_angle_of_the_place() {
     }
     for s in side.samples.iter().filter(|s| (3.0..9.0).contains(&centre(s)[2]) && centre(s)[0] > 0.0) {
         let [x, y, z] = centre(s);
-        if x.hypot(y) > 4.9 {
+        if libm::hypot(x, y) > 4.9 {
             check(s, x / 5.0, [z - 6.0, y], 3.0);
         }
     }
