@@ -55,9 +55,9 @@ impl Cell {
         if self.count < MOST {
             self.corners[self.count] = corner;
             self.count += 1;
-            for k in 0..2 {
-                self.low[k] = self.low[k].min(corner[k]);
-                self.high[k] = self.high[k].max(corner[k]);
+            for (k, x) in corner.into_iter().enumerate() {
+                self.low[k] = self.low[k].min(x);
+                self.high[k] = self.high[k].max(x);
             }
         }
     }

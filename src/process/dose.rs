@@ -134,7 +134,7 @@ fn landed(
     let (share, by) = if near.clear {
         (1.0, None)
     } else {
-        let l = shade.landing(light, piece, q, own, &passing, last);
+        let l = shade.landing(light, piece, (q, own), &passing, last);
         (l.share, l.by)
     };
     let unshaded_j_mm2 = passing.j_mm2 * cosine;

@@ -56,13 +56,12 @@ impl<'a> Shade<'a> {
         &self,
         light: &Light,
         piece: &Piece,
-        q: &Point3<f64>,
-        own: u32,
+        (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         last: &mut Last,
     ) -> Landing {
         let [t0, t1] = passing.window;
-        let mut look = |t: f64| self.wall(light, piece, q, own, passing, t, last);
+        let mut look = |t: f64| self.wall(light, piece, (q, own), passing, t, last);
         let way = [0, 1].map(|k| (passing.seen.to[k] - passing.seen.from[k]) * (t1 - t0));
         let apart = LOOK_RADII * light.spot.radius_mm(passing.seen.z_mm);
         let stretches = (libm::hypot(way[0], way[1]) / apart).min((MOST_LOOKS - 1) as f64) as usize;
@@ -105,8 +104,7 @@ impl<'a> Shade<'a> {
         &self,
         light: &Light,
         piece: &Piece,
-        q: &Point3<f64>,
-        own: u32,
+        (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         t: f64,
         last: &mut Last,
