@@ -278,6 +278,7 @@ fn worked(
             }
             let q = plot.plane.place(middle);
             let mut sum = Sum::default();
+            last.next_point();
             for n in near {
                 if let Some(l) = landed(light, shade, n, (&q, &normal, plot.facet), &mut last) {
                     sum.add(&l);
