@@ -47,6 +47,20 @@ pub struct Body<'a> {
     pub has_head: bool,
     /// The beam's radius along t, mm: corners of a line.
     profile: Vec<(f64, f64)>,
+    own: Own,
+}
+
+/// The cone of the spot's own neighbourhood.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Own {
+    /// Tangent of its half angle.
+    slope: f64,
+    /// Where the beam begins to be looked at.
+    start_mm: f64,
+}
+
+impl Own {
+    const WHOLE: Own = Own { slope: OWN_SLOPE, start_mm: START_MM };
 }
 
 impl<'a> Body<'a> {
@@ -68,7 +82,8 @@ impl<'a> Body<'a> {
         Some(Body {
             defocus_mm,
             margin_mm,
-            beam: widened(&profile, margin_mm),
+            beam: widened(&profile, margin_mm, Own::WHOLE),
+            own: Own::WHOLE,
             head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
             clamps: &tool.clamps,
             has_head,
@@ -81,9 +96,20 @@ impl<'a> Body<'a> {
         Body { margin_mm, beam: self.beam_with(margin_mm), ..self.clone() }
     }
 
+    /// The same, that keeps a little less: by so much of its margin, and by so many steps of half a degree of
+    /// the cone of its own neighbourhood. What just passes with the one must not just hit with the other.
+    pub fn eased(&self, less_mm: f64, steps: u8) -> Body<'a> {
+        let margin_mm = (self.margin_mm - less_mm).max(0.0);
+        let own = Own {
+            slope: libm::tan((OWN_CONE_DEG - 0.5 * f64::from(steps)).to_radians()),
+            start_mm: START_MM * (1.0 + 0.5 * f64::from(steps)),
+        };
+        Body { margin_mm, beam: widened(&self.profile, margin_mm, own), own, ..self.clone() }
+    }
+
     /// The beam with another margin.
     pub fn beam_with(&self, margin_mm: f64) -> Vec<Frustum> {
-        widened(&self.profile, margin_mm)
+        widened(&self.profile, margin_mm, self.own)
     }
 }
 
@@ -102,21 +128,21 @@ fn profile(optics: &Optics, spot_mm: f64, defocus_mm: f64) -> Vec<(f64, f64)> {
 }
 
 /// A beam wider by the margin, but no wider than the cone of its own neighbourhood.
-fn widened(profile: &[(f64, f64)], margin_mm: f64) -> Vec<Frustum> {
+fn widened(profile: &[(f64, f64)], margin_mm: f64, own: Own) -> Vec<Frustum> {
     let mut out = Vec::new();
     for w in profile.windows(2) {
         let ((t0, r0), (t1, r1)) = (w[0], w[1]);
-        let start = t0.max(START_MM);
+        let start = t0.max(own.start_mm);
         if t1 <= start {
             continue;
         }
         let slope = (r1 - r0) / (t1 - t0);
         // Where the two are as wide as each other.
-        let even = (r0 + margin_mm - slope * t0) / (OWN_SLOPE - slope);
+        let even = (r0 + margin_mm - slope * t0) / (own.slope - slope);
         let mut stops = vec![start];
         stops.extend([even].into_iter().filter(|t| *t > start && *t < t1));
         stops.push(t1);
-        let radius = |t: f64| (r0 + slope * (t - t0) + margin_mm).min(OWN_SLOPE * t);
+        let radius = |t: f64| (r0 + slope * (t - t0) + margin_mm).min(own.slope * t);
         out.extend(stops.windows(2).map(|s| Frustum {
             t0_mm: s[0],
             t1_mm: s[1],

@@ -198,13 +198,14 @@ impl<'a> Beam<'a> {
         farthest
     }
 
-    /// The nearest facet that the ray from `from_mm` above `p` on goes through, or within `keeps_mm` of.
-    pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, keeps_mm: f64) -> Option<u32> {
+    /// The nearest facet that the ray from `from_mm` above `p` on goes through, or comes nearer to than a
+    /// share of what a beam keeps at a target.
+    pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, share: f64) -> Option<u32> {
         let mut first: Option<(f64, u32)> = None;
-        self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, keeps_mm, |facet, corners| {
+        self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, share * GRAZE_MM, |facet, corners| {
             let through = crate::part::bvh::meet(corners, p, a).filter(|t| *t > from_mm);
             let beside = || {
-                let near = keeps_mm > 0.0 && distance::ray_triangle(p, a, from_mm, corners) <= keeps_mm;
+                let near = share > 0.0 && is_beside(p, a, corners, from_mm, share);
                 near.then(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(from_mm))
             };
             if let Some(t) = through.or_else(beside)
@@ -267,9 +268,14 @@ fn interferes(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> 
     if distance::ray_triangle(p, a, 0.0, corners) > GRAZE_MM {
         return false;
     }
-    STRETCHES_MM.iter().any(|&t| {
+    is_beside(p, a, corners, 0.0, 1.0)
+}
+
+/// Whether a facet is nearer to the ray than a share of what that keeps, from `from_mm` on.
+fn is_beside(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3], from_mm: f64, share: f64) -> bool {
+    STRETCHES_MM.iter().filter(|t| **t >= from_mm).any(|&t| {
         let allowed = t * TOUCH_SLOPE;
-        distance::ray_triangle(p, a, t, corners) <= allowed.min(GRAZE_MM)
+        distance::ray_triangle(p, a, t, corners) <= share * allowed.min(GRAZE_MM)
     })
 }
 

@@ -55,8 +55,10 @@ pub struct Prover<'a> {
     pub(super) mounted: Mounted,
     pub(super) defocus_mm: f64,
     sag_mm: f64,
-    /// What the ray keeps from facets, mm.
-    ray_keeps_mm: f64,
+    /// The body that a plan is held to.
+    spare: Option<Body<'a>>,
+    /// The share of what a ray keeps at a target that it has to keep here.
+    ray_share: f64,
 }
 
 /// A plan keeps this much more clear than is asked of its program, mm: numbers are written with three or four
@@ -74,15 +76,15 @@ impl<'a> Prover<'a> {
         deviation_mm: f64,
         sag_mm: f64,
     ) -> Prover<'a> {
-        let less = |b: &Body<'a>| b.with_margin((b.margin_mm - deviation_mm - short_mm(b.margin_mm)).max(0.0));
-        Prover { part, body: body.map(less), mounted, defocus_mm, sag_mm, ray_keeps_mm: 0.0 }
+        let eased_mm = body.map_or(0.0, |b| deviation_mm + short_mm(b.margin_mm));
+        let eased = body.map(|b| b.eased(eased_mm, 2));
+        let spare = body.map(|b| b.eased((eased_mm - SPARE_MM).max(0.0), 1));
+        Prover { part, body: eased, spare, mounted, defocus_mm, sag_mm, ray_share: 0.0 }
     }
 
-    /// The same, which keeps [`SPARE_MM`] more: for a plan.
+    /// The same, held to a little more: for a plan.
     pub fn with_spare(&self) -> Prover<'a> {
-        let body =
-            self.body.as_ref().map(|b| if b.has_head { b.with_margin(b.margin_mm + SPARE_MM) } else { b.clone() });
-        Prover { body, ray_keeps_mm: SPARE_MM, ..self.clone() }
+        Prover { body: self.spare.clone(), ray_share: 0.5, ..self.clone() }
     }
 
     /// What is in the way of a move, if anything is.
@@ -154,7 +156,7 @@ impl Motion for Going<'_> {
     /// Beside its planned point the ray may start a little inside a rounding: it is looked at from
     /// [`FROM_MM`] on.
     fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
-        if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_keeps_mm) {
+        if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
             return Some(Blocker { ours: Ours::Beam, theirs: Theirs::Facet(facet), t_mm: FROM_MM });
         }
         beam.body_blocker(&middle.p, &middle.a)

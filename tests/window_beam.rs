@@ -1,0 +1,104 @@
+//! The true beam in the window: head, optics, access map, tilt along a line, dose.
+//!
+//! `UPDATE_SNAPSHOTS=1 cargo test --test window_beam` takes new pictures; look at them before keeping.
+
+mod common;
+
+use clearbeam::app::{App, Purpose};
+use common::window::{Answers, click, drag, press, sample, settle, snapshot, window};
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use std::path::PathBuf;
+
+/// The crater beside the lug, its lines 1.5 mm apart.
+fn job(folder: &tempfile::TempDir, more: &str) -> PathBuf {
+    std::fs::copy(sample("workpiece.stl"), folder.path().join("workpiece.stl")).expect("copies");
+    let head = "[[part]]\nfrom_mm = 60\nto_mm = 90\nr0_mm = 6\nr1_mm = 14\n[[part]]\nfrom_mm = 90\nto_mm = 200\nr0_mm = 18\nr1_mm = 18\n";
+    std::fs::write(folder.path().join("head.toml"), head).expect("writes");
+    let text = "[part]\nfile = \"workpiece.stl\"\n[clean]\nsurfaces = [2]\n[layers]\nspacing_mm = 1.5\n\
+                [path]\ncorrection = \"clearance\"\n";
+    let file = folder.path().join("job.toml");
+    std::fs::write(&file, format!("{text}{more}")).expect("writes");
+    file
+}
+
+fn reveal(h: &mut Harness<'_, App>, label: &str) {
+    h.get_by_label(label).scroll_to_me();
+    settle(h);
+}
+
+fn says(h: &Harness<'_, App>, part: &str) -> String {
+    let node = h.get_by_label_contains(part).accesskit_node();
+    node.label().or_else(|| node.value()).unwrap_or_default()
+}
+
+#[test]
+fn a_head_is_opened_seen_and_taken_away() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let answers = Answers::default();
+    answers.0.lock().expect("answers").push((Purpose::Head, folder.path().join("head.toml")));
+    let mut h = window(Some(job(&folder, "")), &answers);
+    assert!(h.query_by_label("Margin").is_none(), "a ray keeps no margin");
+    click(&mut h, "Open head…");
+    assert!(h.query_by_label("head.toml").is_some());
+    h.get_by_label("Margin");
+    assert!(says(&h, "proven").contains("proven free"));
+    press(&mut h, Modifiers::NONE, Key::T);
+    let free = says(&h, "Access at the target");
+    assert!(free.ends_with("% free"), "{free}");
+    for label in ["access map", "tilt along the line"] {
+        h.get_by_label(label);
+    }
+    snapshot(&mut h, "access");
+    press(&mut h, Modifiers::COMMAND, Key::Z);
+    assert!(h.query_by_label("Margin").is_none(), "undone");
+}
+
+#[test]
+fn a_tilt_is_pinned_by_dragging_and_let_go() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut h = window(Some(job(&folder, "")), &Answers::default());
+    press(&mut h, Modifiers::NONE, Key::PageDown);
+    press(&mut h, Modifiers::NONE, Key::T);
+    let strip = h.get_by_label("tilt along the line").rect();
+    let middle = strip.center();
+    drag(&mut h, middle, middle - eframe::egui::vec2(0.0, 0.25 * strip.height()));
+    assert!(h.query_by_label("Let all pins go").is_some(), "a pin");
+    assert!(h.query_by_label("Undo").is_some());
+    snapshot(&mut h, "pinned");
+    click(&mut h, "Let all pins go");
+    assert!(h.query_by_label("Let all pins go").is_none());
+}
+
+#[test]
+fn the_spot_of_the_optics_and_both_ways_to_a_wanted_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut h = window(Some(job(&folder, "[beam]\nspot_mm = 2.0\n")), &Answers::default());
+    click(&mut h, "Optics");
+    reveal(&mut h, "Wavelength");
+    assert_eq!(says(&h, "Spot at D"), "Spot at D = 20.0 mm: 1.005 mm");
+    assert_eq!(says(&h, "M² ="), "M² = 3.69");
+    reveal(&mut h, "D = -39.9 mm");
+    click(&mut h, "D = -39.9 mm");
+    assert!(says(&h, "Spot at D").starts_with("Spot at D = -39.9 mm: 1.99"), "{}", says(&h, "Spot at D"));
+}
+
+#[test]
+fn the_dose_is_shown_and_what_stays_unclean_put_aside() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // The planes along z miss what is parallel to them: a lug's side.
+    let mut h = window(Some(job(&folder, "")), &Answers::default());
+    press(&mut h, Modifiers::NONE, Key::D);
+    for label in ["colour scale", "histogram of the dose"] {
+        h.get_by_label(label);
+    }
+    let within = says(&h, "% within the window");
+    let share: f64 = within.split('%').next().and_then(|s| s.parse().ok()).expect("a share");
+    assert!((5.0..=100.0).contains(&share), "{within}");
+    snapshot(&mut h, "dose");
+    click(&mut h, "incidence");
+    assert!(h.query_by_label("histogram of the dose").is_none());
+    press(&mut h, Modifiers::NONE, Key::D);
+    assert!(h.query_by_label("colour scale").is_none());
+}
