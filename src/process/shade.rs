@@ -82,7 +82,7 @@ impl<'a> Shade<'a> {
         let stretches = (libm::hypot(way[0], way[1]) / apart).min((MOST_LOOKS - 1) as f64) as usize;
         let middle = passing.seen.at(0.5 * (t0 + t1));
         if let Some((_, place, wall)) = last.look.filter(|l| l.0 == piece.pass) {
-            let is_near = stretches == 0 && libm::hypot(middle[0] - place[0], middle[1] - place[1]) <= apart;
+            let is_near = stretches == 0 && libm::hypot(middle[0] - place[0], middle[1] - place[1]) <= 0.5 * apart;
             if is_near || passing.j_mm2 < FAINT * light.line_j_mm2() {
                 return Landing { share: if wall.is_none() { 1.0 } else { 0.0 }, by: wall };
             }
