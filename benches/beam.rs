@@ -1,37 +1,110 @@
-//! What lands on a gear of 100 k facets, on 100 k samples.
+//! Cone and head on a gear of 100 k facets: detection, free sets, the search, the proof, and what lands.
 //!
-//! `cargo bench --bench beam -- dose`.
+//! `cargo bench --bench beam`; `cargo bench --bench beam -- dose` one of it.
 
+use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::Setup;
-use clearbeam::job::plan::segmented;
+use clearbeam::job::plan::{body, prover, segmented};
 use clearbeam::job::{self, Cache, Chosen, Job, Progress};
 use clearbeam::part::{Part, Placement, Units};
-use clearbeam::path::Direction;
+use clearbeam::pose::access::AccessMap;
+use clearbeam::pose::{Beam, Correction, Tilt, TiltRule};
 use clearbeam::sample::{solids::helical_gear, stl_bytes};
 use criterion::{Criterion, criterion_group, criterion_main};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 use std::time::Duration;
 
-/// All surfaces of the gear, planned with planes 2 mm apart. The spot is so wide that its samples are
-/// about as large as the facets.
+/// Surfaces that are cleaned.
+const SURFACES: u32 = 2;
+
+/// Some surfaces of the gear, so many that there are about 100 k samples of a spot of 1 mm.
 fn dose(c: &mut Criterion) {
     let bytes = stl_bytes(&helical_gear(40, 8, 15, 4));
     let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
     let Ok(setup) = Setup::shipped() else { return };
     let mut job = Job::default();
-    job.clean.surfaces = Chosen::All;
-    job.layers.direction = Direction::Auto;
-    job.layers.spacing_mm = 2.0;
-    job.beam.spot_mm = 3.0;
+    job.clean.surfaces = Chosen::These((1..=SURFACES).collect());
     let surfaces = segmented(&part, &job);
     let Ok(plan) = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else { return };
     let run = || job::dose(&part, &surfaces, &plan, &job, &setup, &Progress::default());
     let Ok(map) = run() else { return };
-    let name = format!("dose, {} samples, {} pieces/100k", map.samples.len(), map.light.pieces.len());
+    let lit = map.samples.iter().filter(|s| s.fluence_j_cm2 > 0.0).count();
+    let name = format!("dose, {lit} samples in the light of {} pieces/100k", map.light.pieces.len());
     let mut group = c.benchmark_group("beam");
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(5));
     group.bench_function(name, |b| b.iter(run));
     group.finish();
 }
 
-criterion_group!(benches, dose);
+/// A nozzle that comes near the spot, and the head behind it.
+const HEAD: &str = "[[part]]\nfrom_mm = 40\nto_mm = 80\nr0_mm = 5\nr1_mm = 18\n\
+                    [[part]]\nfrom_mm = 80\nto_mm = 240\nr0_mm = 25\nr1_mm = 25\n";
+/// Poses that are looked at.
+const POSES: usize = 3000;
+/// Directions of a free set.
+const DIRECTIONS: usize = 240;
+
+/// Poses along the normals of the first surfaces' targets, and on a hexagonal grid around them.
+fn proven(c: &mut Criterion) {
+    let bytes = stl_bytes(&helical_gear(40, 8, 15, 4));
+    let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
+    let (Ok(mut setup), Ok(head)) = (Setup::shipped(), Head::from_toml(HEAD)) else { return };
+    setup.tool = Tool { head: Some(head), clamps: Vec::new() };
+    let mut job = Job::default();
+    job.path.correction = Correction::SectionPlane;
+    let surfaces = segmented(&part, &job);
+    job.clean.surfaces = Chosen::These(surfaces.list.iter().map(|s| s.number).take(12).collect());
+    let Ok(plan) = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else { return };
+    let body = body(&job, &setup);
+    let beam = || Beam::with(&part, body.as_ref());
+    type Place = (Point3<f64>, Vector3<f64>, Vector3<f64>);
+    let all: Vec<Place> = plan.passes.iter().flat_map(|p| &p.targets).map(|t| (t.p, t.n, t.tangent())).collect();
+    let every = (all.len() / POSES).max(1);
+    let places: Vec<Place> = all.into_iter().step_by(every).take(POSES).collect();
+    let tilts: Vec<Tilt> = (0..DIRECTIONS)
+        .map(|i| {
+            // Evenly over the cap of 45 degrees, by the golden angle.
+            let (r, turn) = (45.0 * ((i as f64 + 0.5) / DIRECTIONS as f64).sqrt(), i as f64 * 2.399_963_229_728_653);
+            Tilt { lead_deg: r * libm::cos(turn), lean_deg: r * libm::sin(turn) }
+        })
+        .collect();
+    let mut group = c.benchmark_group("beam");
+    group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
+    group.bench_function(format!("detection, {} poses/100k", places.len()), |b| {
+        let free = |beam: &mut Beam<'_>, (p, n, _): &Place| usize::from(beam.is_free(p, n));
+        b.iter(|| places.par_iter().map_init(beam, free).sum::<usize>());
+    });
+    group.bench_function(format!("free sets, {} poses x {DIRECTIONS}/100k", places.len()), |b| {
+        let free =
+            |beam: &mut Beam<'_>, (p, n, o): &Place| tilts.iter().filter(|t| beam.is_free(p, &t.axis(n, o))).count();
+        b.iter(|| places.par_iter().map_init(beam, free).sum::<usize>());
+    });
+    group.bench_function("access map of one place, 3 degrees/100k", |b| {
+        let Some((p, n, o)) = places.get(places.len() / 2) else { return };
+        b.iter(|| AccessMap::at(&beam(), p, n, o, &TiltRule::default(), 45.0, 3.0).free_share());
+    });
+    let mut moves = plan.steps.lit_moves(&setup.mounted());
+    moves.truncate(POSES);
+    group.bench_function(format!("proof, {} moves/100k", moves.len()), |b| {
+        let prover = prover(&part, &setup, &job);
+        b.iter(|| prover.prove(&moves).proven);
+    });
+    let few = |job: &Job| {
+        let mut job = job.clone();
+        job.clean.surfaces = Chosen::These(surfaces.list.iter().map(|s| s.number).take(2).collect());
+        job
+    };
+    for correction in [Correction::SectionPlane, Correction::Clearance] {
+        let mut job = few(&job);
+        job.path.correction = correction;
+        let planned = || job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default());
+        let Ok(plan) = planned() else { return };
+        let rows: usize = plan.passes.iter().map(|p| p.targets.len()).sum();
+        group.bench_function(format!("plan with {}, {rows} rows/100k", correction.word()), |b| b.iter(planned));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, proven, dose);
 criterion_main!(benches);

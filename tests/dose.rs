@@ -120,7 +120,8 @@ fn one_line_has_the_profile_of_its_spot() {
             assert!(s.incidence_deg < 1e-3);
             if expected > 1e-4 * peak {
                 let corners = map.corners_of(s);
-                let wide = corners.iter().flat_map(|a| corners.iter().map(move |b| (a[0] - b[0]).hypot(a[1] - b[1])));
+                let wide =
+                    corners.iter().flat_map(|a| corners.iter().map(move |b| libm::hypotf(a[0] - b[0], a[1] - b[1])));
                 assert!(wide.fold(0.0, f32::max) <= 0.3001);
             }
         }

@@ -25,7 +25,7 @@ impl App {
 
     /// Surfaces to clean, in the order of work.
     pub(super) fn clean_list(&self) -> Vec<u32> {
-        self.document.job().clean.surfaces.numbers(self.derived.surfaces.list.iter().map(|s| s.number))
+        self.document.job().clean.numbers(self.derived.surfaces.list.iter().map(|s| s.number))
     }
 
     /// Whether a command can do anything now.

@@ -134,7 +134,7 @@ fn landed(
     let (share, by) = if near.clear {
         (1.0, None)
     } else {
-        let l = shade.landing(light, piece, q, own, &passing, last);
+        let l = shade.landing(light, piece, (q, own), &passing, last);
         (l.share, l.by)
     };
     let unshaded_j_mm2 = passing.j_mm2 * cosine;
@@ -278,6 +278,7 @@ fn worked(
             }
             let q = plot.plane.place(middle);
             let mut sum = Sum::default();
+            last.next_point();
             for n in near {
                 if let Some(l) = landed(light, shade, n, (&q, &normal, plot.facet), &mut last) {
                     sum.add(&l);

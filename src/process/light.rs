@@ -180,6 +180,11 @@ impl Light {
         Light { pieces, runs, spot, power_w, negligible_j_mm2 }
     }
 
+    /// About what the middle of one line gets, J/mm².
+    pub fn line_j_mm2(&self) -> f64 {
+        self.negligible_j_mm2 / NEGLIGIBLE
+    }
+
     /// The pieces of a run: number of the first, and all of them.
     pub fn run(&self, index: usize) -> (u32, &[Piece]) {
         let end = |i: usize| self.runs.get(i).map_or(self.pieces.len(), |e| *e as usize);

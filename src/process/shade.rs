@@ -18,6 +18,9 @@ const MOST_LOOKS: usize = 7;
 /// They are so many radii of the spot apart, its ends among them: what shades for a shorter way is
 /// overlooked. One look, in the middle, stands for a way that is shorter than that.
 const LOOK_RADII: f64 = 0.5;
+/// What comes by is faint below this share of what the middle of one line gets: then the last look stands
+/// for it.
+const FAINT: f64 = 1e-3;
 /// Where two of them differ, the edge of the shadow is halved so often between them.
 const HALVINGS: usize = 4;
 
@@ -27,9 +30,22 @@ pub struct Shade<'a> {
     clamps: Vec<(&'a Part, Isometry3<f64>)>,
 }
 
-/// The facet that shaded last: it is likely to shade the next point too.
+/// What was found last: light and shade change little from one piece to the next, and from one point to
+/// its neighbour.
 #[derive(Clone, Copy, Default)]
-pub struct Last(Option<(u32, [Point3<f64>; 3])>);
+pub struct Last {
+    /// The facet that shaded is likely to shade the next point too.
+    facet: Option<(u32, [Point3<f64>; 3])>,
+    /// What stood in the way at this point: of which pass, at which place about the axis.
+    look: Option<(u32, [f64; 2], Option<Theirs>)>,
+}
+
+impl Last {
+    /// Another point is looked at.
+    pub fn next_point(&mut self) {
+        self.look = None;
+    }
+}
 
 /// What of a passing lands.
 #[derive(Clone, Copy, Debug)]
@@ -56,16 +72,22 @@ impl<'a> Shade<'a> {
         &self,
         light: &Light,
         piece: &Piece,
-        q: &Point3<f64>,
-        own: u32,
+        (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         last: &mut Last,
     ) -> Landing {
         let [t0, t1] = passing.window;
-        let mut look = |t: f64| self.wall(light, piece, (q, own), passing, t, last);
         let way = [0, 1].map(|k| (passing.seen.to[k] - passing.seen.from[k]) * (t1 - t0));
         let apart = LOOK_RADII * light.spot.radius_mm(passing.seen.z_mm);
         let stretches = (libm::hypot(way[0], way[1]) / apart).min((MOST_LOOKS - 1) as f64) as usize;
+        let middle = passing.seen.at(0.5 * (t0 + t1));
+        if let Some((_, place, wall)) = last.look.filter(|l| l.0 == piece.pass) {
+            let is_near = stretches == 0 && libm::hypot(middle[0] - place[0], middle[1] - place[1]) <= 0.5 * apart;
+            if is_near || passing.j_mm2 < FAINT * light.line_j_mm2() {
+                return Landing { share: if wall.is_none() { 1.0 } else { 0.0 }, by: wall };
+            }
+        }
+        let mut look = |t: f64| self.wall(light, piece, (q, own), passing, t, last);
         let time =
             |k: usize| if stretches == 0 { 0.5 * (t0 + t1) } else { t0 + (t1 - t0) * k as f64 / stretches as f64 };
         let mut looks: [Option<Theirs>; MOST_LOOKS] = [None; MOST_LOOKS];
@@ -74,7 +96,10 @@ impl<'a> Shade<'a> {
             *found = look(time(k));
         }
         let by = looks.iter().flatten().next().copied();
+        let end = looks.last().copied().flatten();
+        let kept = Some((piece.pass, passing.seen.at(time(stretches)), end));
         if by.is_none() || looks.iter().all(Option::is_some) {
+            last.look = kept;
             return Landing { share: if by.is_none() { 1.0 } else { 0.0 }, by };
         }
         let (mut lit, mut since) = (0.0, t0);
@@ -97,6 +122,7 @@ impl<'a> Shade<'a> {
             }
             since = until;
         }
+        last.look = kept;
         Landing { share: (lit / passing.j_mm2).min(1.0), by }
     }
 
@@ -120,7 +146,7 @@ impl<'a> Shade<'a> {
         let dir = ray / length;
         let until = (z_mm + light.spot.optics.lens_to_focus_mm) * length;
         let stops = |corners: &[Point3<f64>; 3]| meet(corners, q, &dir).is_some_and(|s| s > START_MM && s < until);
-        if let Some((facet, corners)) = last.0
+        if let Some((facet, corners)) = last.facet
             && facet != own
             && stops(&corners)
         {
@@ -130,7 +156,7 @@ impl<'a> Shade<'a> {
         self.part.visit_ray(q, &dir, START_MM, until, 0.0, |facet, corners| {
             if facet != own && stops(corners) {
                 wall = Some(Theirs::Facet(facet));
-                last.0 = Some((facet, *corners));
+                last.facet = Some((facet, *corners));
                 return -1.0;
             }
             until
