@@ -65,7 +65,7 @@ pub struct PlanOptions {
     /// What cone and head keep from everything, mm [default: 0.5]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     margin: Option<f64>,
-    /// Head: a TOML stack of [[part]] from_mm to_mm r0_mm r1_mm from the focus on, or an STL [default: the ray alone]
+    /// Head: a TOML stack (part: from_mm to_mm r0_mm r1_mm, from the focus on), or an STL [default: the ray alone]
     #[arg(long, value_name = "FILE")]
     head: Option<PathBuf>,
     /// Cell file [default: the shipped cell of the robot]

@@ -21,7 +21,7 @@ const FIRST_STRETCH_MM: f64 = 2.0;
 /// A piece that comes near a facet.
 #[derive(Clone, Copy, Debug)]
 pub struct Near {
-    /// Its place in [`Light::pieces`].
+    /// Its place in [`super::light::Light::pieces`].
     pub piece: u32,
     /// Nothing stands between.
     pub clear: bool,
