@@ -5,6 +5,9 @@
 mod parts;
 
 use clearbeam::beam::{Body, Frustum, Head, Obstacle, Optics, Tool};
+use clearbeam::cell::{Cell, Frame, Mount};
+use clearbeam::job::Job;
+use clearbeam::job::files::set_up;
 use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
 use clearbeam::pose::around::short_mm;
@@ -308,6 +311,33 @@ fn a_clamp_is_in_the_way_like_the_part() {
 }
 
 #[test]
+fn what_stands_in_the_cell_is_in_the_way_of_a_carried_head() {
+    let dir = tempfile::tempdir().expect("a folder");
+    std::fs::write(dir.path().join("post.stl"), clearbeam::sample::stl_bytes(&block([-2.0; 3], [2.0; 3])))
+        .expect("written");
+    let mut post = Obstacle::named("post.stl".into());
+    post.position_mm = [410.0, 25.0, 80.0];
+    post.load(Some(dir.path())).expect("an STL");
+    let mut cell = Cell::shipped("mz04").expect("shipped");
+    cell.bodies.obstacles.push(post);
+    cell.base_from_part = Frame::new([400.0, 0.0, 50.0], [90.0, 0.0, 0.0]);
+    for (mount, stands) in [(Mount::ToolInHand, 1), (Mount::PartInHand, 0)] {
+        let mut job = Job::default();
+        job.cell.mount = Some(mount);
+        let setup = set_up(&job, None, cell.clone(), Tool::default()).expect("stands");
+        assert_eq!(setup.tool.clamps.len(), stands);
+        // In the part's frame: (10, 25, 30) in the base, turned back by a quarter.
+        for c in &setup.tool.clamps {
+            assert!((c.at().translation.vector - Vector3::new(25.0, -10.0, 30.0)).norm() < 1e-9);
+            let body = clearbeam::job::plan::body(&job, &setup);
+            let plate = floor_and(&[]);
+            let hit = Beam::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());
+            assert_eq!(hit.map(|b| b.theirs), Some(Theirs::Clamp(0)));
+        }
+    }
+}
+
+#[test]
 fn a_head_of_facets_counts_as_what_it_sweeps() {
     let dir = tempfile::tempdir().expect("a folder");
     // A box 30 by 30, off the axis: it sweeps a cylinder of the distance to its far corner.
@@ -434,7 +464,7 @@ proptest! {
         prop_assume!(beam.is_free(&from.p, &from.a) && beam.is_free(&to.p, &to.a));
         let proven = motion::is_free(&beam, &from, &to, 0.0);
         let check = Checker::new((0..p.mesh.facets.len()).map(|f| p.mesh.corners(f)));
-        let narrow = b.with_margin(MARGIN_MM - short_mm(MARGIN_MM));
+        let narrow = b.eased(short_mm(MARGIN_MM), 0);
         let mut worst = f64::INFINITY;
         for k in 0..=12 {
             let q = motion::midway(&from, &to, f64::from(k) / 12.0);

@@ -56,7 +56,7 @@ impl App {
 
     fn hovered_place(&self) -> Option<Place> {
         let (facet, p) = self.session.hover_place?;
-        let (part, d) = (self.derived.part.as_ref()?, &self.derived);
+        let d = &self.derived;
         let surface = *d.surfaces.of_facet.get(facet as usize)?;
         let flat = *d.surfaces.normals.get(facet as usize)?;
         let targets = d.plan.iter().flat_map(|(plan, _)| &plan.passes).filter(|pass| pass.surface == surface);
@@ -70,7 +70,6 @@ impl App {
         let tangent = near.map_or_else(|| angle::any_square_to(&flat), |t| t.tangent());
         let spacing_mm = self.document.job().layers.spacing_mm;
         let on_it = near.filter(|t| (t.p - p).norm() <= spacing_mm && t.state != State::Blocked);
-        let _ = part;
         Some(Place { p, n, tangent, surface, chosen: on_it.map(|t| t.tilt()), hovered: true })
     }
 

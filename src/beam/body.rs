@@ -91,11 +91,6 @@ impl<'a> Body<'a> {
         })
     }
 
-    /// The same with another margin.
-    pub fn with_margin(&self, margin_mm: f64) -> Body<'a> {
-        Body { margin_mm, beam: self.beam_with(margin_mm), ..self.clone() }
-    }
-
     /// The same, that keeps a little less: by so much of its margin, and by so many steps of half a degree of
     /// the cone of its own neighbourhood. What just passes with the one must not just hit with the other.
     pub fn eased(&self, less_mm: f64, steps: u8) -> Body<'a> {

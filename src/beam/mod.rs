@@ -21,6 +21,6 @@ pub use optics::Optics;
 pub struct Tool {
     /// The head; `None`: the beam is a ray.
     pub head: Option<Head>,
-    /// What stands on the part, in its frame.
+    /// What stands on the part, in its frame; behind it, where the head is carried, what stands in the cell.
     pub clamps: Vec<Obstacle>,
 }

@@ -2,7 +2,7 @@
 
 use super::model::Job;
 use crate::beam::{Head, HeadError, Tool};
-use crate::cell::{Cell, CellError, Robot, RobotError, Setup};
+use crate::cell::{Cell, CellError, Mount, Robot, RobotError, Setup};
 use crate::part::{LoadError, Part, load};
 use crate::program::dialects;
 use std::io::Write as _;
@@ -178,9 +178,14 @@ pub fn load_cell(job: &Job, job_file: Option<&Path>) -> Result<Cell, JobError> {
 ///
 /// # Errors
 /// The robot cannot stand there.
-pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell, tool: Tool) -> Result<Setup, JobError> {
+pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell, mut tool: Tool) -> Result<Setup, JobError> {
     job.cell.put_frames(&mut cell);
     let mount = job.cell.mount.unwrap_or(cell.mount);
+    if mount == Mount::ToolInHand {
+        // The part stands still in the cell, and what stands beside it is in the way of beam and head.
+        let part_from_base = cell.base_from_part.isometry().inverse();
+        tool.clamps.extend(cell.bodies.obstacles.iter().map(|o| o.seen_in(&part_from_base)));
+    }
     let setup = Setup { cell, robot, mount, tool };
     setup.check()?;
     Ok(setup)
