@@ -10,7 +10,6 @@ use clearbeam::job::Job;
 use clearbeam::job::files::set_up;
 use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
-use clearbeam::pose::around::short_mm;
 use clearbeam::pose::checker::{Checker, CutCone};
 use clearbeam::pose::motion::{self, Pose};
 use clearbeam::pose::{Beam, Ours, Theirs, Tilt};
@@ -464,7 +463,7 @@ proptest! {
         prop_assume!(beam.is_free(&from.p, &from.a) && beam.is_free(&to.p, &to.a));
         let proven = motion::is_free(&beam, &from, &to, 0.0);
         let check = Checker::new((0..p.mesh.facets.len()).map(|f| p.mesh.corners(f)));
-        let narrow = b.eased(short_mm(MARGIN_MM), 0);
+        let narrow = b.eased(b.short_mm, 0);
         let mut worst = f64::INFINITY;
         for k in 0..=12 {
             let q = motion::midway(&from, &to, f64::from(k) / 12.0);
@@ -480,6 +479,6 @@ proptest! {
             }
         }
         // A hit that is well inside is found; a proof allows of the margin what it says.
-        prop_assert!(!proven || worst >= -short_mm(MARGIN_MM) - 1e-5, "proven, {worst}");
+        prop_assert!(!proven || worst >= -b.short_mm - 1e-5, "proven, {worst}");
     }
 }

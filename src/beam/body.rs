@@ -48,6 +48,9 @@ pub struct Body<'a> {
     /// The beam's radius along t, mm: corners of a line.
     profile: Vec<(f64, f64)>,
     own: Own,
+    /// A body that moves no farther than this to either side is told by its middle, mm: a tenth of the margin
+    /// may be lost on it. The same for all that is eased from this one, so that all cut a motion alike.
+    pub short_mm: f64,
 }
 
 /// The cone of the spot's own neighbourhood.
@@ -84,6 +87,7 @@ impl<'a> Body<'a> {
             margin_mm,
             beam: widened(&profile, margin_mm, Own::WHOLE),
             own: Own::WHOLE,
+            short_mm: (0.1 * margin_mm).max(0.02),
             head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
             clamps: &tool.clamps,
             has_head,

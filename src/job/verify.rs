@@ -531,7 +531,7 @@ fn interference(
         .step_by(every)
         .filter_map(|d| {
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
-            let (p, a) = lit::spot(&Beam::on(part), &end, poses.defocus_mm);
+            let (p, a) = expected.prover.spot(&Beam::on(part), &end);
             let facet = checker.hit(&p, &a, lit::FROM_MM)?;
             let text = format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
             Some(finding(d.at, Kind::Interference, text))

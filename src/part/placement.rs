@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// Scale about the file's origin, then rotation, then translation: `p = R·(s·q) + t`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 pub struct Placement {
     /// Factor on all three axes, on top of the unit.
     pub scale: f64,

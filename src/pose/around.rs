@@ -144,7 +144,6 @@ impl<'a> Beam<'a> {
         let Some(body) = self.body else { return Conflict::None };
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.25 * angle::between_deg(&from.a, &to.a).to_radians()) * 2.0;
-        let short_mm = short_mm(body.margin_mm);
         let mut worst = Conflict::None;
         for limb in Self::limbs(body) {
             let reach_mm = limb.shape.reach_mm();
@@ -170,7 +169,7 @@ impl<'a> Beam<'a> {
                 );
                 met
             });
-            if meets && moved_mm > short_mm {
+            if meets && moved_mm > body.short_mm {
                 return Conflict::Wide;
             }
             if meets {
@@ -179,12 +178,6 @@ impl<'a> Beam<'a> {
         }
         worst
     }
-}
-
-/// A motion on which no point of a body moves farther than this to either side, mm, is told by its
-/// middle: a tenth of the margin may be lost on it.
-pub fn short_mm(margin_mm: f64) -> f64 {
-    (0.1 * margin_mm).max(0.02)
 }
 
 /// The pose in the frame of something that stands at `at`.

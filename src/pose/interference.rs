@@ -34,6 +34,10 @@ const RISE_MM: f64 = 0.01;
 /// Clearances are measured up to here, mm: farther away nothing depends on them.
 pub const FAR_MM: f64 = 100.0;
 
+/// A beam that runs along a facet by less than 5° does not stand on it: the sine. Beams are tilted by 80° at
+/// most; just past a rim the axis would meet the side below it.
+const STANDS_SINE: f64 = 0.087;
+
 /// Length of the first stretch of a moving beam that is looked at by itself, mm.
 const FIRST_STRETCH_MM: f64 = 1.0;
 
@@ -224,7 +228,9 @@ impl<'a> Beam<'a> {
         let start = p - a * window_mm;
         let mut best: Option<f64> = None;
         self.bvh.visit_ray(&start, a, 0.0, 2.0 * window_mm, 0.0, |_, corners| {
-            if let Some(t) = crate::part::bvh::meet(corners, &start, a) {
+            let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+            let stands = n.dot(a).abs() > STANDS_SINE * n.norm();
+            if let Some(t) = crate::part::bvh::meet(corners, &start, a).filter(|_| stands) {
                 let off = t - window_mm;
                 if off.abs() <= window_mm && best.is_none_or(|b| (off.abs(), off) < (b.abs(), b)) {
                     best = Some(off);

@@ -92,7 +92,7 @@ pub struct Swept {
 }
 
 /// Sweeps a motion between two poses at their shares of the way: `None` is a proof that beam and head
-/// keep clear of everything, but for what [`super::around::short_mm`] allows of the margin.
+/// keep clear of everything, but for what `Body::short_mm` allows of the margin.
 pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Swept> {
     let middle = motion.between(from, to);
     let share = to.1 - from.1;

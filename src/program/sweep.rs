@@ -10,10 +10,9 @@ use super::lit::{FROM_MM, spot};
 use crate::beam::Body;
 use crate::cell::mounting::Mounted;
 use crate::part::{Part, angle};
-use crate::pose::around::short_mm;
 use crate::pose::motion::{Motion, Pose, Swept, swept};
 use crate::pose::{Beam, Blocker, Ours, Theirs};
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
@@ -55,6 +54,7 @@ pub struct Prover<'a> {
     pub(super) mounted: Mounted,
     pub(super) defocus_mm: f64,
     sag_mm: f64,
+    window_mm: f64,
     /// The body that a plan is held to.
     spare: Option<Body<'a>>,
     /// The share of what a ray keeps at a target that it has to keep here.
@@ -76,10 +76,25 @@ impl<'a> Prover<'a> {
         deviation_mm: f64,
         sag_mm: f64,
     ) -> Prover<'a> {
-        let eased_mm = body.map_or(0.0, |b| deviation_mm + short_mm(b.margin_mm));
-        let eased = body.map(|b| b.eased(eased_mm, 2));
-        let spare = body.map(|b| b.eased((eased_mm - SPARE_MM).max(0.0), 1));
-        Prover { part, body: eased, spare, mounted, defocus_mm, sag_mm, ray_share: 0.0 }
+        // A plan may lose the length of a short piece, and what is read back is not held to that again.
+        let eased = body.map(|b| b.eased(deviation_mm + b.short_mm + SPARE_MM, 2));
+        let spare = body.map(|b| b.eased(deviation_mm, 1));
+        Prover {
+            part,
+            body: eased,
+            spare,
+            mounted,
+            defocus_mm,
+            sag_mm,
+            window_mm: deviation_mm + 2.0 * sag_mm,
+            ray_share: 0.0,
+        }
+    }
+
+    /// Where the beam of a path frame stands on the part, and its axis: no farther from where it should be
+    /// than it may deviate, and than the part may lie from a chord.
+    pub fn spot(&self, beam: &Beam<'_>, part_from_focus: &Isometry3<f64>) -> (Point3<f64>, Vector3<f64>) {
+        spot(beam, part_from_focus, self.defocus_mm, self.window_mm)
     }
 
     /// The same, held to a little more: for a plan.
@@ -111,7 +126,7 @@ impl<'a> Prover<'a> {
     pub fn prove(&self, moves: &[LitMove]) -> Proof {
         let found: Vec<Option<Blocker>> = moves.par_iter().map(|m| self.hit(m).map(|h| h.blocker)).collect();
         let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
-        let margin_mm = self.body.as_ref().filter(|b| b.has_head).map_or(0.0, |b| b.margin_mm - short_mm(b.margin_mm));
+        let margin_mm = self.body.as_ref().filter(|b| b.has_head).map_or(0.0, |b| b.margin_mm - b.short_mm);
         Proof { intervals: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm: margin_mm.max(0.0) }
     }
 }
@@ -132,7 +147,7 @@ impl Going<'_> {
     fn at(&self, t: f64) -> Pose {
         let pose = self.m.from.lerp_slerp(&self.m.to, t);
         let focus = if self.m.by_focus { pose } else { self.prover.mounted.focus_for(&pose) };
-        let (p, a) = spot(self.beam, &focus, self.prover.defocus_mm);
+        let (p, a) = self.prover.spot(self.beam, &focus);
         Pose { p, a }
     }
 }
