@@ -223,18 +223,22 @@ fn what_the_spot_stands_on_does_not_count_and_a_wall_beside_it_does() {
     assert!(free(&trough, bottom.into(), Vector3::z()));
 }
 
+/// Six moves of 5 mm along x with free ends, something thin in the way of the third.
+fn refutes_the_third_move_alone(beam: &Beam<'_>) {
+    let pose = |x: f64| Pose { p: Point3::new(x, 0.0, 0.0), a: Vector3::z() };
+    for k in 0..6 {
+        let (from, to) = (5.0 * f64::from(k), 5.0 * f64::from(k + 1));
+        assert!([from, to].iter().all(|x| beam.is_free(&pose(*x).p, &pose(*x).a)), "targets are free");
+        assert_eq!(motion::is_free(beam, &pose(from), &pose(to), 0.0), k != 2, "{from} to {to}");
+    }
+}
+
 #[test]
 fn a_thin_fin_between_two_free_targets_refutes_that_interval_alone() {
     let tool = needle();
     let b = body(&tool);
     let p = floor_and(&[block([12.4, -4.0, 0.0], [12.6, 4.0, 8.0])]);
-    let beam = Beam::with(&p, Some(&b));
-    let pose = |x: f64| Pose { p: Point3::new(x, 0.0, 0.0), a: Vector3::z() };
-    for k in 0..6 {
-        let (from, to) = (5.0 * f64::from(k), 5.0 * f64::from(k + 1));
-        assert!([from, to].iter().all(|x| beam.is_free(&pose(*x).p, &pose(*x).a)), "targets are free");
-        assert_eq!(motion::is_free(&beam, &pose(from), &pose(to), 0.0), k != 2, "{from} to {to}");
-    }
+    refutes_the_third_move_alone(&Beam::with(&p, Some(&b)));
 }
 
 #[test]
@@ -245,12 +249,7 @@ fn a_fin_that_only_the_head_touches_refutes_that_interval_alone() {
     let fin = block([12.4, 15.4, 41.0], [12.6, 30.0, 60.0]);
     let p = floor_and(&[fin]);
     let beam = Beam::with(&p, Some(&b));
-    let pose = |x: f64| Pose { p: Point3::new(x, 0.0, 0.0), a: Vector3::z() };
-    for k in 0..6 {
-        let (from, to) = (5.0 * f64::from(k), 5.0 * f64::from(k + 1));
-        assert!([from, to].iter().all(|x| beam.is_free(&pose(*x).p, &pose(*x).a)), "targets are free");
-        assert_eq!(motion::is_free(&beam, &pose(from), &pose(to), 0.0), k != 2, "{from} to {to}");
-    }
+    refutes_the_third_move_alone(&beam);
     let hit = beam.blocker(&Point3::new(12.5, 0.0, 0.0), &Vector3::z()).expect("in the way");
     assert_eq!(hit.ours, Ours::Head);
     assert!(matches!(hit.theirs, Theirs::Facet(f) if f >= 12), "the fin's facets come behind the floor's: {hit:?}");

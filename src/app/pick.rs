@@ -37,7 +37,7 @@ impl App {
             );
         }
         self.take_pointer(&response);
-        self.cursor_text(ui, &response);
+        self.cursor_text(ui);
         let menu = response.response.clone();
         if response.secondary_clicked_px.is_some() || menu.context_menu_opened() {
             menu.context_menu(|ui| self.view_menu(ui));
@@ -145,9 +145,15 @@ impl App {
         self.derived.surfaces.of_facet.get(facet as usize).copied()
     }
 
+    /// The surface of the place under the cursor.
+    fn hovered_surface(&self) -> Option<u32> {
+        let (facet, _) = self.session.hover_place?;
+        self.derived.surfaces.of_facet.get(facet as usize).copied()
+    }
+
     fn take_pointer(&mut self, r: &ViewportResponse) {
         self.session.hover_place = r.hover_px.and_then(|px| self.picked_at(px, r));
-        if let Some(n) = self.surface_at(r.hover_px, r) {
+        if let Some(n) = self.hovered_surface() {
             self.session.hovered = Some(n);
         }
         if let Some(px) = r.clicked_px {
@@ -226,8 +232,8 @@ impl App {
         self.session.tool = Tool::Select;
     }
 
-    fn cursor_text(&self, ui: &egui::Ui, r: &ViewportResponse) {
-        let Some(surface) = self.surface_at(r.hover_px, r) else { return };
+    fn cursor_text(&self, ui: &egui::Ui) {
+        let Some(surface) = self.hovered_surface() else { return };
         let Some(pointer) = ui.ctx().pointer_hover_pos() else { return };
         let label = self.derived.label(self.document.job(), surface);
         let text = format!("{surface}  {label}");

@@ -106,11 +106,8 @@ pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Po
     let is_short =
         reach_mm.is_none_or(|reach_mm| (to.0.p - from.0.p).norm() + 2.0 * reach_mm * libm::sin(half_turn) <= PIECE_MM);
     let t = 0.5 * (from.1 + to.1);
-    if is_short && body != Conflict::Wide {
-        return motion.blocker(beam, &middle).map(|blocker| Swept { t, pose: middle, blocker });
-    }
-    if share < LEAST_SHARE {
-        // A jump in the motion never gets short.
+    // A jump in the motion never gets short.
+    if is_short && body != Conflict::Wide || share < LEAST_SHARE {
         return motion.blocker(beam, &middle).map(|blocker| Swept { t, pose: middle, blocker });
     }
     swept(beam, motion, from, (&middle, t)).or_else(|| swept(beam, motion, (&middle, t), to))
