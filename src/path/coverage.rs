@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 /// Within this angle of the planes a facet counts as parallel to them: lines would be 5.8 times as
 /// far apart as wanted.
-const PARALLEL_DEG: f64 = 10.0;
+pub(super) const PARALLEL_DEG: f64 = 10.0;
 
 /// Coverage of one surface.
 #[derive(Clone, Debug, Default, PartialEq)]

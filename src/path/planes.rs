@@ -107,7 +107,7 @@ pub fn planes(
 }
 
 /// Heights of a family over an extent.
-fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f64>) -> Vec<f64> {
+pub(super) fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f64>) -> Vec<f64> {
     // A hair less: an extent of n spacings that f32 coordinates have made a little longer must not
     // get n + 1 planes, the outer ones on its rims.
     let steps = (hi - lo) / spacing_mm - 1e-4;
@@ -121,11 +121,13 @@ fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f64>) -> Vec<
     (0..count).map(|i| first + i as f64 * spacing_mm).collect()
 }
 
-fn live<'a>(mesh: &'a Mesh, s: &'a Surface) -> impl Iterator<Item = usize> + 'a {
+/// The proper facets of a surface.
+pub(super) fn live<'a>(mesh: &'a Mesh, s: &'a Surface) -> impl Iterator<Item = usize> + 'a {
     s.facets.iter().map(|&f| f as usize).filter(|&f| mesh.dead[f] == Dead::No)
 }
 
-fn extent(mesh: &Mesh, s: &Surface, normal: &Vector3<f64>) -> Option<(f64, f64)> {
+/// Least and greatest height of a surface along a direction, mm.
+pub(super) fn extent(mesh: &Mesh, s: &Surface, normal: &Vector3<f64>) -> Option<(f64, f64)> {
     live(mesh, s)
         .flat_map(|f| mesh.corners(f))
         .map(|p| p.coords.dot(normal))
