@@ -4,6 +4,9 @@
 //! [`lines`] is the one entry; it knows geometry alone. Working order and sense are `path::order`'s.
 
 pub mod adaptive;
+mod march;
+mod net;
+pub mod offset;
 pub mod spacing;
 
 use super::normals::VertexNormals;
@@ -127,7 +130,8 @@ pub fn lines(
             heights_mm: adaptive::heights_mm(mesh, surface, &family.normal, rule.spacing_mm),
             ..family.clone()
         }),
-        Strategy::Offset | Strategy::Spiral => none("later".into()),
+        Strategy::Offset => offset::lines(mesh, surface, normals, rule, merge_mm),
+        Strategy::Spiral => none("later".into()),
         Strategy::Cross => {
             let Some(second) = across(mesh, surface, rule, family) else {
                 return SurfaceLines {

@@ -1,0 +1,195 @@
+//! Strategies in closed form: spacing on cone, sphere, torus and saddle, nested squares, spirals, and
+//! surfaces on which little or nothing can be laid.
+
+use clearbeam::part::distance::point_triangle;
+use clearbeam::part::surfaces::Surface;
+use clearbeam::part::{Mesh, Surfaces};
+use clearbeam::path::normals::VertexNormals;
+use clearbeam::path::planes::{Direction, planes};
+use clearbeam::path::strategy::{Achieved, Layout, SurfaceLines, lines, offset::borders};
+use clearbeam::path::{Strategy, SurfacePlanes, TransversalLine};
+use nalgebra::Point3;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// A surface by itself, all facets under number 1.
+struct Alone {
+    mesh: Mesh,
+    surfaces: Surfaces,
+}
+
+impl Alone {
+    fn new(points: &[[f64; 3]], facets: Vec<[u32; 3]>) -> Alone {
+        let mesh = Mesh::from_indexed(points.iter().map(|p| Point3::new(p[0], p[1], p[2])).collect(), facets);
+        let all = Surface {
+            number: 1,
+            facets: (0..mesh.facets.len() as u32).collect(),
+            area_mm2: mesh.areas.iter().sum(),
+        };
+        let surfaces = Surfaces {
+            of_facet: vec![1; mesh.facets.len()],
+            list: vec![all],
+            normals: mesh.normals.clone(),
+            last_number: 1,
+        };
+        Alone { mesh, surfaces }
+    }
+
+    /// A net of `m` by `n` quads over the unit square, `u` closing on itself where `round`.
+    fn grid(m: usize, n: usize, round: bool, at: impl Fn(f64, f64) -> [f64; 3]) -> Alone {
+        let columns = if round { m } else { m + 1 };
+        let mut points = Vec::new();
+        for j in 0..=n {
+            points.extend((0..columns).map(|i| at(i as f64 / m as f64, j as f64 / n as f64)));
+        }
+        let v = |i: usize, j: usize| (j * columns + i % columns) as u32;
+        let mut facets = Vec::new();
+        for j in 0..n {
+            for i in 0..m {
+                facets.push([v(i, j), v(i + 1, j), v(i + 1, j + 1)]);
+                facets.push([v(i, j), v(i + 1, j + 1), v(i, j + 1)]);
+            }
+        }
+        Alone::new(&points, facets)
+    }
+
+    fn surface(&self) -> &Surface {
+        &self.surfaces.list[0]
+    }
+
+    fn family(&self, direction: Direction, spacing: f64) -> SurfacePlanes {
+        planes(&self.mesh, &self.surfaces, &[1], direction, spacing, None).pop().unwrap_or(SurfacePlanes {
+            surface: 1,
+            normal: nalgebra::Vector3::z(),
+            heights_mm: Vec::new(),
+        })
+    }
+
+    fn laid(&self, rule: &Layout, direction: Direction) -> SurfaceLines {
+        let normals = VertexNormals::new(&self.mesh, &self.surfaces, self.surface());
+        let family = self.family(direction, rule.spacing_mm);
+        let merge = 1e-6 * self.mesh.diagonal();
+        let made = lines(&self.mesh, self.surface(), &normals, rule, &family, merge);
+        let again = lines(&self.mesh, self.surface(), &normals, rule, &family, merge);
+        assert_eq!(made, again, "the same twice");
+        self.check(&made);
+        made
+    }
+
+    /// What holds for all lines: points on the surface, apart from each other, ranks ascending.
+    fn check(&self, made: &SurfaceLines) {
+        assert!(!made.lines.is_empty() || made.reason.is_some(), "lines or a reason");
+        assert!(made.lines.windows(2).all(|w| w[0].plane <= w[1].plane));
+        let count: usize = made.lines.iter().map(|l| l.points.len()).sum();
+        for (i, q) in made.lines.iter().flat_map(|l| &l.points).enumerate() {
+            assert!((q.n.norm() - 1.0).abs() < 1e-9 && q.p.coords.iter().all(|x| x.is_finite()));
+            if i % (count / 300 + 1) == 0 {
+                let off = (0..self.mesh.facets.len())
+                    .filter(|&f| self.mesh.areas[f] > 0.0)
+                    .map(|f| point_triangle(&q.p, &self.mesh.corners(f)))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(off < 1e-6, "{:?} is {off} mm off the surface", q.p);
+            }
+        }
+        for line in &made.lines {
+            assert!(line.points.len() >= 2 && (!line.closed || line.points.len() >= 3));
+        }
+    }
+}
+
+fn achieved(made: &SurfaceLines) -> &Achieved {
+    made.achieved.as_ref().expect("neighbours")
+}
+
+fn layout(strategy: Strategy, spacing: f64) -> Layout {
+    Layout::new(strategy, spacing)
+}
+
+/// Index of the border whose points are nearest to `p`.
+fn border_at(of: &Alone, p: [f64; 3]) -> usize {
+    let found = borders(&of.mesh, of.surface());
+    let near = |i: &usize| {
+        found[*i].edges.iter().flatten().map(|q| (q - Point3::from(p)).norm()).fold(f64::INFINITY, f64::min)
+    };
+    (0..found.len()).min_by(|a, b| near(a).total_cmp(&near(b))).expect("a border")
+}
+
+/// Frustum of radii 20 and 8, 30 high.
+fn frustum() -> Alone {
+    Alone::grid(120, 42, true, |u, v| {
+        let r = 20.0 - 12.0 * v;
+        [r * libm::cos(TAU * u), r * libm::sin(TAU * u), 30.0 * v]
+    })
+}
+
+/// A cap of 70° about the z axis of a sphere of radius 25, its pole a hole of 4°.
+fn cap(from_deg: f64) -> Alone {
+    Alone::grid(120, 42, true, |u, v| {
+        let t = (70.0 + (from_deg - 70.0) * v).to_radians();
+        [25.0 * libm::sin(t) * libm::cos(TAU * u), 25.0 * libm::sin(t) * libm::sin(TAU * u), 25.0 * libm::cos(t)]
+    })
+}
+
+/// The upper half of a torus of radii 30 and 8.
+fn torus() -> Alone {
+    Alone::grid(150, 34, true, |u, v| {
+        let (r, z) = (30.0 + 8.0 * libm::cos(PI * v), 8.0 * libm::sin(PI * v));
+        [r * libm::cos(TAU * u), r * libm::sin(TAU * u), z]
+    })
+}
+
+fn saddle() -> Alone {
+    Alone::grid(72, 72, false, |u, v| {
+        let (x, y) = (40.0 * u - 20.0, 40.0 * v - 20.0);
+        [x, y, x * y / 25.0]
+    })
+}
+
+#[test]
+fn adaptive_planes_keep_the_spacing_on_the_surface() {
+    let x = Direction::Along([1.0, 0.0, 0.0]);
+    let z = Direction::Along([0.0, 0.0, 1.0]);
+    for (name, of, m) in [("cone", frustum(), z), ("cap", cap(12.0), z), ("saddle", saddle(), x), ("torus", torus(), x)] {
+        for spacing in [0.5, 1.3] {
+            let made = of.laid(&layout(Strategy::Adaptive, spacing), m);
+            let max = achieved(&made).max_mm;
+            println!("{name} {spacing}: {:?}..{max} at {:?}", achieved(&made).min_mm, achieved(&made).max_at);
+            assert!((max / spacing - 1.0).abs() < 0.01, "{name}: {max} for {spacing}");
+        }
+    }
+}
+
+#[test]
+fn offset_lines_keep_the_spacing_from_a_border() {
+    let rings = [
+        ("cone", frustum(), [20.0, 0.0, 0.0]),
+        ("cone from above", frustum(), [8.0, 0.0, 30.0]),
+        ("cap", cap(12.0), [25.0, 0.0, 0.0]),
+        ("torus", torus(), [38.0, 0.0, 0.0]),
+        ("torus from inside", torus(), [22.0, 0.0, 0.0]),
+        ("saddle", saddle(), [20.0, 0.0, 0.0]),
+    ];
+    for (name, of, at) in rings {
+        for spacing in [0.5, 1.0] {
+            let rule = Layout { border: Some(border_at(&of, at)), ..layout(Strategy::Offset, spacing) };
+            let made = of.laid(&rule, Direction::Auto);
+            let a = achieved(&made);
+            println!("{name} {spacing}: {}..{} at {:?} {:?}", a.min_mm, a.max_mm, a.min_at, a.max_at);
+        }
+    }
+}
+
+#[test]
+fn two_triangles_give_nested_squares() {
+    let square = Alone::grid(1, 1, false, |u, v| [10.0 * u, 10.0 * v, 0.0]);
+    let made = square.laid(&layout(Strategy::Offset, 1.0), Direction::Auto);
+    assert_eq!(made.lines.len(), 5);
+    for (k, line) in made.lines.iter().enumerate() {
+        assert!(line.closed && line.plane == k);
+        let off = |q: &Point3<f64>| q.x.min(q.y).min(10.0 - q.x).min(10.0 - q.y);
+        let wrong = line.points.iter().map(|q| (off(&q.p) - 0.5 - k as f64).abs()).fold(0.0, f64::max);
+        assert!(wrong < 1e-6, "square {k} is {wrong} mm off");
+        let corner = Point3::new(0.5 + k as f64, 0.5 + k as f64, 0.0);
+        let near = line.points.iter().map(|q| (q.p - corner).norm()).fold(f64::INFINITY, f64::min);
+        assert!(near < 1e-6, "square {k} has no corner: {near}");
+    }
+}
