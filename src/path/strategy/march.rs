@@ -22,6 +22,9 @@ pub(super) struct Field {
     /// its higher.
     border: Vec<[f64; 2]>,
     is_border: Vec<bool>,
+    /// Whether a vertex's turn has come since its distance was last changed. A slope that may still
+    /// change would let the cubic sink below the truth, and what is too short is never made longer.
+    is_settled: Vec<bool>,
 }
 
 /// A difference of slopes that tells a ridge from a curved front: 17°.
@@ -36,6 +39,7 @@ impl Field {
             arrives: vec![(Vector3::zeros(), 0); count],
             border: vec![[1.0; 2]; net.mesh.edges.len()],
             is_border: vec![false; count],
+            is_settled: vec![false; count],
         };
         let mut heap = BinaryHeap::new();
         for &e in from {
@@ -51,6 +55,7 @@ impl Field {
             if f64::from_bits(bits) > field.mm[v as usize] {
                 continue;
             }
+            field.is_settled[v as usize] = true;
             for &f in net.mesh.vertex_facets(v) {
                 let corners = net.mesh.facets[f as usize];
                 for k in (0..3).filter(|&k| corners[k] != v) {
@@ -62,6 +67,7 @@ impl Field {
                         let at = corners[k] as usize;
                         field.mm[at] = mm;
                         field.arrives[at] = (direction, f);
+                        field.is_settled[at] = false;
                         heap.push(Reverse((mm.to_bits(), corners[k])));
                     }
                 }
@@ -127,7 +133,7 @@ impl Field {
         let corners = net.mesh.facets[f];
         let at = |i: usize| net.mesh.vertices[corners[i % 3] as usize];
         let (a, c) = (at(k), at(k + 2));
-        let known = |i: usize| self.mm[corners[i % 3] as usize].is_finite();
+        let known = |i: usize| self.is_settled[corners[i % 3] as usize];
         let direct = |i: usize| (self.mm[corners[i % 3] as usize] + (c - at(i)).norm(), c - at(i));
         let (mm, way) = match (known(k), known(k + 1)) {
             (true, true) => {
@@ -171,12 +177,17 @@ pub(super) struct Along {
 }
 
 impl Along {
-    /// Where two fronts meet between the ends, and the distance there.
-    pub fn ridge(&self) -> Option<(f64, f64)> {
+    /// Where two fronts meet, from the first end on to the other at most; `None` where one front passes.
+    fn kink(&self) -> Option<f64> {
         let bend = self.slopes[0] - self.slopes[1];
         let x = (self.ends[1] - self.slopes[1] * self.length - self.ends[0]) / bend;
-        let inside = bend > RIDGE && x > 1e-3 * self.length && x < (1.0 - 1e-3) * self.length;
-        inside.then(|| (x, self.ends[0] + self.slopes[0] * x))
+        (bend > RIDGE).then(|| x.clamp(0.0, self.length))
+    }
+
+    /// Where two fronts meet between the ends, and the distance there.
+    pub fn ridge(&self) -> Option<(f64, f64)> {
+        let x = self.kink().filter(|&x| x > 1e-3 * self.length && x < (1.0 - 1e-3) * self.length)?;
+        Some((x, self.ends[0] + self.slopes[0] * x))
     }
 
     /// The distance at `x` from the first end, where no ridge is.
@@ -198,13 +209,14 @@ impl Along {
         let straight = |s: f64| {
             if s.abs() < 1.0 { px - s * py / libm::sqrt(1.0 - s * s) } else { -s.signum() * f64::INFINITY }
         };
-        if let Some((ridge, _)) = self.ridge() {
-            let [x, y] = [
-                straight(self.slopes[0]).clamp(0.0, ridge),
-                straight(self.slopes[1]).clamp(ridge, l),
-            ];
-            let one = (x, self.ends[0] + self.slopes[0] * x + off(x));
-            let two = (y, self.ends[1] - self.slopes[1] * (l - y) + off(y));
+        if let Some(kink) = self.kink() {
+            // One line of one slope each side; from an end where the fronts meet there.
+            let peak = if let Some((_, peak)) = self.ridge() { peak } else { self.ends[usize::from(kink > 0.5 * l)] };
+            let rise = (peak - self.ends[0]) / kink.max(1e-300);
+            let fall = (self.ends[1] - peak) / (l - kink).max(1e-300);
+            let (x, y) = (straight(rise).clamp(0.0, kink), straight(fall).clamp(kink, l));
+            let one = (x, self.ends[0] + rise * x + off(x));
+            let two = (y, self.ends[1] - fall * (l - y) + off(y));
             return least(least(one, two), ends);
         }
         let mut x = straight((self.ends[1] - self.ends[0]) / l.max(1e-300)).clamp(0.0, l);
@@ -232,11 +244,14 @@ impl Along {
         (first, second)
     }
 
-    /// Where the distance is `level`, between the ends' distances.
+    /// Where the distance is `level`, between the ends' distances; not for a ridge between the ends.
     pub fn place(&self, level: f64) -> f64 {
         let up = self.ends[0] < self.ends[1];
         let (mut low, mut high) = (0.0, self.length);
         let mut x = self.length * ((level - self.ends[0]) / (self.ends[1] - self.ends[0])).clamp(0.0, 1.0);
+        if self.kink().is_some() {
+            return x;
+        }
         // Newton, kept between ends that hold the place.
         for _ in 0..12 {
             let wrong = self.at(x) - level;

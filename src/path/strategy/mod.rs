@@ -116,7 +116,7 @@ pub fn lines(
     let raster = |planes: SurfacePlanes| {
         let lines = cut(&planes);
         SurfaceLines {
-            achieved: spacing::achieved(&lines, rule.spacing_mm),
+            achieved: spacing::achieved(&lines, Some(&planes.normal), rule.spacing_mm),
             reason: lines.is_empty().then(|| {
                 format!("no plane crosses surface {}: turn the planes' direction into it", surface.number)
             }),

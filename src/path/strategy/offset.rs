@@ -81,7 +81,7 @@ pub(super) fn lines(
     } else {
         None
     };
-    SurfaceLines { achieved: spacing::achieved(&lines, rule.spacing_mm), lines, planes: Vec::new(), reason }
+    SurfaceLines { achieved: spacing::achieved(&lines, None, rule.spacing_mm), lines, planes: Vec::new(), reason }
 }
 
 /// A net that follows the ridges, with the distance at its vertices.

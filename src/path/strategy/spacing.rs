@@ -4,6 +4,7 @@
 //! neighbour's end (at rims and holes) tell nothing and are passed over, as are those without a
 //! neighbour within 6 spacings, more than planes leave where they are counted to reach.
 
+use super::super::coverage::PARALLEL_DEG;
 use super::super::section::TransversalLine;
 use crate::part::distance::point_segment;
 use nalgebra::{Point3, Vector3};
@@ -47,15 +48,21 @@ const BLOCK: usize = 16;
 const REACH: f64 = 6.0;
 
 /// Measures lines of ascending rank, each against the rank before; `None` where no point of a line
-/// has a neighbour.
-pub fn achieved(lines: &[TransversalLine], spacing_mm: f64) -> Option<Achieved> {
+/// has a neighbour. Of lines cut by planes what those miss (`coverage`) does not count.
+pub fn achieved(
+    lines: &[TransversalLine],
+    planes_normal: Option<&Vector3<f64>>,
+    spacing_mm: f64,
+) -> Option<Achieved> {
     let ranks: Vec<Vec<f64>> = lines.iter().map(|l| vec![l.plane as f64; l.points.len()]).collect();
-    measured(lines, &ranks, spacing_mm)
+    measured(lines, &ranks, planes_normal, spacing_mm)
 }
 
 /// The same with a rank for each point, ascending from line to line or along them: the turn of a
 /// spiral. The neighbour is what is half a rank to one and a half before.
-pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], spacing_mm: f64) -> Option<Achieved> {
+pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], planes_normal: Option<&Vector3<f64>>, spacing_mm: f64) -> Option<Achieved> {
+    let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
+    let missed = |n: &Vector3<f64>| planes_normal.is_some_and(|m| n.cross(m).norm() < parallel_sine);
     let (segments, blocks) = blocks(lines, ranks);
     // Blocks by their rank: the widest tells how far back one that reaches here may stand.
     let widest = blocks.iter().map(|b| b.ranks.1 - b.ranks.0).fold(0.0, f64::max);
@@ -82,7 +89,7 @@ pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], spacing_mm
                     let distance = point_segment(p, &s.a, &s.b);
                     // The other side of a thin wall is no neighbour.
                     if distance < best.0 && s.n.dot(n) > 0.0 && s.rank >= low && s.rank <= high {
-                        best = (distance, s.beside(p, distance));
+                        best = (distance, s.beside(p, distance) && !missed(&s.n) && !missed(n));
                     }
                 }
             }
