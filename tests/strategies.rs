@@ -9,7 +9,7 @@ use clearbeam::path::planes::{Direction, planes};
 use clearbeam::path::strategy::{Achieved, Layout, SurfaceLines, lines, offset::borders};
 use clearbeam::path::{Strategy, SurfacePlanes};
 use nalgebra::Point3;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::TAU;
 
 /// A surface by itself, all facets under number 1.
 struct Alone {
@@ -194,5 +194,58 @@ fn two_triangles_give_nested_squares() {
         let corner = Point3::new(0.5 + k as f64, 0.5 + k as f64, 0.0);
         let near = line.points.iter().map(|q| (q.p - corner).norm()).fold(f64::INFINITY, f64::min);
         assert!(near < 1e-6, "square {k} has no corner: {near}");
+    }
+}
+
+/// A cap of 70° of a sphere of radius 25 with its pole.
+fn whole_cap() -> Alone {
+    let (m, n) = (110, 45);
+    let mut points = vec![[0.0, 0.0, 25.0]];
+    for j in 1..=n {
+        let t = (70.0 * j as f64 / n as f64).to_radians();
+        points.extend((0..m).map(|i| {
+            let a = TAU * i as f64 / m as f64;
+            [25.0 * libm::sin(t) * libm::cos(a), 25.0 * libm::sin(t) * libm::sin(a), 25.0 * libm::cos(t)]
+        }));
+    }
+    let v = |i: usize, j: usize| (1 + (j - 1) * m + i % m) as u32;
+    let mut facets: Vec<[u32; 3]> = (0..m).map(|i| [0, v(i, 1), v(i + 1, 1)]).collect();
+    for j in 1..n {
+        for i in 0..m {
+            facets.push([v(i, j), v(i, j + 1), v(i + 1, j + 1)]);
+            facets.push([v(i, j), v(i + 1, j + 1), v(i + 1, j)]);
+        }
+    }
+    Alone::new(&points, facets)
+}
+
+fn square(n: usize) -> Alone {
+    Alone::grid(n, n, false, |u, v| [30.0 * u - 15.0, 30.0 * v - 15.0, 2.0])
+}
+
+fn annulus(m: usize, n: usize) -> Alone {
+    // Turned so that it looks up.
+    Alone::grid(m, n, true, |u, v| {
+        let r = 20.0 - 14.0 * v;
+        [r * libm::cos(TAU * u), r * libm::sin(TAU * u), 0.0]
+    })
+}
+
+#[test]
+fn turns_of_a_spiral_lie_one_spacing_apart() {
+    let surfaces = [
+        ("two triangles", square(1)),
+        ("plane", square(70)),
+        ("cap", whole_cap()),
+        ("annulus", annulus(120, 40)),
+        ("coarse annulus", annulus(24, 1)),
+    ];
+    for (name, of) in surfaces {
+        for spacing in [0.7, 1.3] {
+            let made = of.laid(&layout(Strategy::Spiral, spacing), Direction::Auto);
+            let a = achieved(&made);
+            let pieces = made.lines.len();
+            println!("{name} {spacing}: {}..{} {pieces} pieces, {:?} at {:?} {:?}", a.min_mm, a.max_mm, made.reason, a.min_at, a.max_at);
+        }
     }
 }

@@ -76,7 +76,8 @@ impl Cut<'_> {
     /// Lines of the crossed facets of one plane.
     fn lines(&self, facets: &[u32], height: f64) -> Vec<(Vec<SectionPoint>, bool)> {
         let gates: Vec<(u32, u32)> = facets.iter().filter_map(|&f| self.gates(f, height)).collect();
-        chained(&gates, |edge| self.point(edge, height))
+        let line = |(edges, closed): (Vec<u32>, bool)| (edges.iter().map(|&e| self.point(e, height)).collect(), closed);
+        chained(&gates).into_iter().map(line).collect()
     }
 
     fn gates(&self, facet: u32, height: f64) -> Option<(u32, u32)> {
@@ -108,12 +109,9 @@ impl Cut<'_> {
     }
 }
 
-/// Lines through facets, each entered by one edge (upwards) and left by another (downwards); and
-/// whether they close. `point` tells where an edge is crossed.
-pub(super) fn chained(
-    gates: &[(u32, u32)],
-    mut point: impl FnMut(u32) -> SectionPoint,
-) -> Vec<(Vec<SectionPoint>, bool)> {
+/// Lines through facets, each entered by one edge (upwards) and left by another (downwards): the edges
+/// in order, and whether they close.
+pub(super) fn chained(gates: &[(u32, u32)]) -> Vec<(Vec<u32>, bool)> {
     let mut by_entry: Vec<(u32, u32)> = gates.iter().enumerate().map(|(i, g)| (g.0, i as u32)).collect();
     by_entry.sort_unstable();
     let mut exits: Vec<u32> = gates.iter().map(|g| g.1).collect();
@@ -141,17 +139,17 @@ pub(super) fn chained(
         if visited[start] {
             continue;
         }
-        let mut points = Vec::new();
+        let mut edges = Vec::new();
         if !has_predecessor[start] {
-            points.push(point(gates[start].0));
+            edges.push(gates[start].0);
         }
         let mut slot = Some(start);
         while let Some(s) = slot.filter(|&s| !visited[s]) {
             visited[s] = true;
-            points.push(point(gates[s].1));
+            edges.push(gates[s].1);
             slot = successor[s];
         }
-        lines.push((points, has_predecessor[start]));
+        lines.push((edges, has_predecessor[start]));
     }
     lines
 }

@@ -7,7 +7,9 @@ pub mod adaptive;
 mod march;
 mod net;
 pub mod offset;
+mod radial;
 pub mod spacing;
+mod spiral;
 
 use super::normals::VertexNormals;
 use super::planes::{self, SurfacePlanes};
@@ -131,7 +133,7 @@ pub fn lines(
             ..family.clone()
         }),
         Strategy::Offset => offset::lines(mesh, surface, normals, rule, merge_mm),
-        Strategy::Spiral => none("later".into()),
+        Strategy::Spiral => spiral::lines(mesh, surface, normals, rule, merge_mm),
         Strategy::Cross => {
             let Some(second) = across(mesh, surface, rule, family) else {
                 return SurfaceLines {

@@ -4,6 +4,7 @@
 use super::super::normals::{VertexNormals, between};
 use super::super::planes::live;
 use super::super::section::SectionPoint;
+use crate::part::angle::unit;
 use crate::part::merge_tree::Sets;
 use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::{Point3, Vector3};
@@ -108,6 +109,36 @@ impl Net {
             }
         }
         (Net { mesh: Mesh::from_indexed(vertices, facets), normals }, first)
+    }
+
+    /// Makes a point of a facet, told by its three weights, a vertex, unless it is one; and its number.
+    pub fn with_vertex(self, facet: u32, weights: [f64; 3]) -> (Net, u32) {
+        let corners = self.mesh.facets[facet as usize];
+        let near = 1e-6;
+        if let Some(k) = (0..3).find(|&k| weights[k] > 1.0 - near) {
+            return (self, corners[k]);
+        }
+        if let Some(k) = (0..3).find(|&k| weights[(k + 2) % 3] < near) {
+            let edge = self.mesh.facet_edges[facet as usize][k];
+            let share = weights[(k + 1) % 3] / (weights[k] + weights[(k + 1) % 3]);
+            let forward = self.mesh.edges[edge as usize][0] == corners[k];
+            return self.cut(&[(edge, if forward { share } else { 1.0 - share })]);
+        }
+        let Net { mesh, mut normals } = self;
+        let mut p = Vector3::zeros();
+        let mut n = Vector3::zeros();
+        for k in 0..3 {
+            p += mesh.vertices[corners[k] as usize].coords * weights[k];
+            n += normals[corners[k] as usize] * weights[k];
+        }
+        let (mut vertices, mut facets) = (mesh.vertices, mesh.facets);
+        let new = vertices.len() as u32;
+        vertices.push(Point3::from(p));
+        normals.push(unit(n).unwrap_or(normals[corners[0] as usize]));
+        let [a, b, c] = corners;
+        facets[facet as usize] = [a, b, new];
+        facets.extend([[b, c, new], [c, a, new]]);
+        (Net { mesh: Mesh::from_indexed(vertices, facets), normals }, new)
     }
 
     /// Length of an edge, mm.

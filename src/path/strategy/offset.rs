@@ -152,8 +152,8 @@ impl Levels {
         jobs.par_iter()
             .flat_map_iter(|(rank, level, facets)| {
                 let gates: Vec<(u32, u32)> = facets.iter().filter_map(|&f| self.gates(f, *level)).collect();
-                let lines = chained(&gates, |edge| self.point(edge, *level));
-                lines.into_iter().filter_map(move |(points, closed)| {
+                chained(&gates).into_iter().filter_map(move |(edges, closed)| {
+                    let points = edges.iter().map(|&e| self.point(e, *level)).collect();
                     let (points, closed) = merged(points, closed, merge_mm)?;
                     Some(TransversalLine { plane: *rank, points, closed })
                 })
