@@ -30,6 +30,10 @@ pub(super) struct Field {
 /// A difference of slopes that tells a ridge from a curved front: 17°.
 const RIDGE: f64 = 0.3;
 
+/// How often a vertex is taken up at most. Behind an obtuse corner once more is enough; two corners of a
+/// sliver could better each other for ever by what the cubic is off.
+const MOST_TURNS: u8 = 4;
+
 impl Field {
     /// Distances from these edges of the net. Ways shorter by less than `grain_mm` are not followed.
     pub fn new(net: &Net, from: &[u32], grain_mm: f64) -> Field {
@@ -50,12 +54,14 @@ impl Field {
                 heap.push(Reverse((0u64, v)));
             }
         }
+        let mut turns = vec![0u8; count];
         // Distances are not negative: their bits sort as they do.
         while let Some(Reverse((bits, v))) = heap.pop() {
             if f64::from_bits(bits) > field.mm[v as usize] {
                 continue;
             }
             field.is_settled[v as usize] = true;
+            turns[v as usize] = turns[v as usize].saturating_add(1);
             for &f in net.mesh.vertex_facets(v) {
                 let corners = net.mesh.facets[f as usize];
                 for k in (0..3).filter(|&k| corners[k] != v) {
@@ -63,6 +69,7 @@ impl Field {
                     let across = (k + 1) % 3;
                     if let Some((mm, direction)) = field.way(net, f, across)
                         && mm < field.mm[corners[k] as usize] - grain_mm
+                        && turns[corners[k] as usize] < MOST_TURNS
                     {
                         let at = corners[k] as usize;
                         field.mm[at] = mm;

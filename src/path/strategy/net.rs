@@ -59,22 +59,8 @@ impl Net {
 
     /// About how many pieces that takes.
     fn pieces(&self, size_mm: &impl Fn(&Point3<f64>) -> f64, scale: f64) -> f64 {
-        (0..self.mesh.facets.len())
-            .map(|f| {
-                // A facet whose size varies is looked at in nine places.
-                let [a, b, c] = self.mesh.corners(f);
-                let at = |i: usize, j: usize| a + (b - a) * (i as f64 / 4.0) + (c - a) * (j as f64 / 4.0);
-                let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
-                let least = scale * size_mm(&at(1, 1)).min(size_mm(&a)).min(size_mm(&b)).min(size_mm(&c));
-                if longest <= least {
-                    return 1.0;
-                }
-                let places = [(0, 0), (1, 0), (2, 0), (0, 1), (0, 2), (1, 1), (4, 0), (0, 4), (2, 2)];
-                let share = 1.0 / places.len() as f64;
-                let of = |size: f64| (5.0 * self.mesh.areas[f] / (size * size)).max(2.0 * longest / size).max(1.0);
-                places.iter().map(|&(i, j)| share * of(scale * size_mm(&at(i, j)))).sum::<f64>()
-            })
-            .sum()
+        let size = |p: &Point3<f64>| scale * size_mm(p);
+        (0..self.mesh.facets.len()).map(|f| pieces(&self.mesh.corners(f), &size, 8)).sum()
     }
 
     /// Cuts edges, each at a share of the way from its lower vertex, and the facets beside them. Also
@@ -178,4 +164,22 @@ impl Net {
         loops.sort_by_key(|l| (-(l.0 * 1e5).round() as i64, l.1));
         loops.into_iter().map(|(length, _, edges)| (length, edges)).collect()
     }
+}
+
+/// About how many pieces a facet is cut into; looked at in quarters while sizes differ much in it.
+fn pieces(corners: &[Point3<f64>; 3], size_mm: &impl Fn(&Point3<f64>) -> f64, depth: usize) -> f64 {
+    let [a, b, c] = *corners;
+    let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
+    let sizes = [size_mm(&a), size_mm(&b), size_mm(&c), size_mm(&(a + ((b - a) + (c - a)) / 3.0))];
+    let (least, most) = sizes.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &s| (l.min(s), m.max(s)));
+    if longest <= least {
+        return 1.0;
+    }
+    if most > 1.5 * least && depth > 0 {
+        let (p, q, r) = (nalgebra::center(&a, &b), nalgebra::center(&b, &c), nalgebra::center(&c, &a));
+        return [[a, p, r], [p, b, q], [r, q, c], [p, q, r]].iter().map(|t| pieces(t, size_mm, depth - 1)).sum();
+    }
+    let mean = sizes.iter().sum::<f64>() / 4.0;
+    let area = 0.5 * (b - a).cross(&(c - a)).norm();
+    (5.0 * area / (mean * mean)).max(2.0 * longest / mean).max(1.0)
 }

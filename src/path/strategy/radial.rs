@@ -129,8 +129,9 @@ impl Walk<'_> {
             let (p, q) = (mesh.facets[f as usize][(k + 1) % 3], mesh.facets[f as usize][(k + 2) % 3]);
             (height(p) >= 0.0 && height(q) < 0.0).then_some((f, (k + 1) % 3))
         });
-        // No curve passes a facet twice.
-        for _ in 0..2 * mesh.facets.len() + 4 {
+        // No curve passes a facet twice; one that does (on a Möbius strip) goes round for ever.
+        let mut passed = u32::MAX;
+        for step in 1..2 * mesh.facets.len() + 4 {
             let Some((facet, leaves)) = next else {
                 // Past a rim: on to the next one inwards, if there is one.
                 match self.over_gap(&here, angle, &height, &crossing) {
@@ -150,6 +151,12 @@ impl Walk<'_> {
                     None => return f64::NAN,
                 }
             };
+            if facet == passed {
+                return f64::NAN;
+            }
+            if step.is_power_of_two() {
+                passed = facet;
+            }
             let corners = mesh.facets[facet as usize];
             if self.axis.vertex.is_some_and(|c| corners.contains(&c)) {
                 return length + (here - self.axis.at).norm() - off;

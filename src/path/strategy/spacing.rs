@@ -55,12 +55,13 @@ pub fn achieved(
     spacing_mm: f64,
 ) -> Option<Achieved> {
     let ranks: Vec<Vec<f64>> = lines.iter().map(|l| vec![l.plane as f64; l.points.len()]).collect();
-    measured(lines, &ranks, planes_normal, spacing_mm)
+    measured(lines, &ranks, planes_normal, 0.0, spacing_mm)
 }
 
 /// The same with a rank for each point, ascending from line to line or along them: the turn of a
-/// spiral. The neighbour is what is half a rank to one and a half before.
-pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], planes_normal: Option<&Vector3<f64>>, spacing_mm: f64) -> Option<Achieved> {
+/// spiral. The neighbour is what is half a rank to one and a half before; points before the rank `from`
+/// are not measured.
+pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], planes_normal: Option<&Vector3<f64>>, from: f64, spacing_mm: f64) -> Option<Achieved> {
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let missed = |n: &Vector3<f64>| planes_normal.is_some_and(|m| n.cross(m).norm() < parallel_sine);
     let (segments, blocks) = blocks(lines, ranks);
@@ -73,15 +74,16 @@ pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], planes_nor
         .flat_map(|(l, r)| l.points.iter().zip(r))
         .step_by(step)
         .map(|(q, &rank)| (q.p, q.n, rank))
+        .filter(|x| x.2 >= from)
         .collect();
     let samples = all
         .par_iter()
         .filter_map(|(p, n, rank)| {
             let (low, high) = (rank - 1.5, rank - 0.5);
-            let from = blocks.partition_point(|b| b.ranks.0 < low - widest);
+            let start = blocks.partition_point(|b| b.ranks.0 < low - widest);
             let to = blocks.partition_point(|b| b.ranks.0 <= high);
             let mut best: (f64, bool) = (REACH * spacing_mm, false);
-            for block in blocks[from..to].iter().filter(|b| b.ranks.1 >= low) {
+            for block in blocks[start..to].iter().filter(|b| b.ranks.1 >= low) {
                 if block.distance_mm(p) >= best.0 {
                     continue;
                 }

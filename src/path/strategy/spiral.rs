@@ -30,7 +30,9 @@ pub(super) fn lines(
     let net = net.refined(|p| libm::sqrt(8.0 * CHORD_MM * axis.off(p)).max(finest));
     let winding = Winding::new(&net, &axis, rule.spacing_mm);
     let (mut lines, mut turns) = winding.lines(merge_mm);
-    let achieved = spacing::measured(&lines, &turns, None, rule.spacing_mm);
+    // About the centre itself a spiral leads outwards more than around, and turns lie nearer.
+    let from = if axis.vertex.is_some() { 2.0 } else { 0.0 };
+    let achieved = spacing::measured(&lines, &turns, None, from, rule.spacing_mm);
     if rule.inward {
         lines.reverse();
         turns.reverse();
