@@ -127,10 +127,7 @@ impl Field {
         Along {
             length,
             ends: [self.mm[from as usize], self.mm[to as usize]],
-            slopes: [
-                self.slope(net, facet, edge, from, &unit),
-                -self.slope(net, facet, edge, to, &-unit),
-            ],
+            slopes: [self.slope(net, facet, edge, from, &unit), -self.slope(net, facet, edge, to, &-unit)],
         }
     }
 
@@ -265,11 +262,14 @@ impl Along {
             if wrong.abs() < 1e-10 {
                 break;
             }
-            if (wrong < 0.0) == up { low = x } else { high = x }
+            if (wrong < 0.0) == up {
+                low = x
+            } else {
+                high = x
+            }
             let to = x - wrong / self.slopes_at(x).0;
             x = if to > low && to < high { to } else { 0.5 * (low + high) };
         }
         x
     }
 }
-

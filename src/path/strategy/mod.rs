@@ -119,9 +119,9 @@ pub fn lines(
         let lines = cut(&planes);
         SurfaceLines {
             achieved: spacing::achieved(&lines, Some(&planes.normal), rule.spacing_mm),
-            reason: lines.is_empty().then(|| {
-                format!("no plane crosses surface {}: turn the planes' direction into it", surface.number)
-            }),
+            reason: lines
+                .is_empty()
+                .then(|| format!("no plane crosses surface {}: turn the planes' direction into it", surface.number)),
             lines,
             planes: vec![planes],
         }

@@ -139,7 +139,8 @@ impl Walk<'_> {
                         length += (at - here).norm();
                         here = at;
                         next = self.exit(facet, entered, &height);
-                        if next.is_none() && self.axis.vertex.is_none_or(|c| !mesh.facets[facet as usize].contains(&c)) {
+                        if next.is_none() && self.axis.vertex.is_none_or(|c| !mesh.facets[facet as usize].contains(&c))
+                        {
                             return f64::NAN;
                         }
                         if next.is_none() {
@@ -182,9 +183,7 @@ impl Walk<'_> {
         let corners = self.net.mesh.facets[facet as usize];
         let before = corners.map(|v| height(v) >= 0.0);
         (0..3)
-            .find(|&k| {
-                before[k] && !before[(k + 1) % 3] && self.net.mesh.facet_edges[facet as usize][k] != entered
-            })
+            .find(|&k| before[k] && !before[(k + 1) % 3] && self.net.mesh.facet_edges[facet as usize][k] != entered)
             .map(|k| (facet, k))
     }
 

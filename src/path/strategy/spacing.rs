@@ -49,19 +49,21 @@ const REACH: f64 = 6.0;
 
 /// Measures lines of ascending rank, each against the rank before; `None` where no point of a line
 /// has a neighbour. Of lines cut by planes what those miss (`coverage`) does not count.
-pub fn achieved(
-    lines: &[TransversalLine],
-    planes_normal: Option<&Vector3<f64>>,
-    spacing_mm: f64,
-) -> Option<Achieved> {
+pub fn achieved(lines: &[TransversalLine], planes_normal: Option<&Vector3<f64>>, spacing_mm: f64) -> Option<Achieved> {
     let ranks: Vec<Vec<f64>> = lines.iter().map(|l| vec![l.plane as f64; l.points.len()]).collect();
-    measured(lines, &ranks, planes_normal, 0.0, spacing_mm)
+    measured(lines, &ranks, planes_normal, |_| true, spacing_mm)
 }
 
 /// The same with a rank for each point, ascending from line to line or along them: the turn of a
-/// spiral. The neighbour is what is half a rank to one and a half before; points before the rank `from`
-/// are not measured.
-pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], planes_normal: Option<&Vector3<f64>>, from: f64, spacing_mm: f64) -> Option<Achieved> {
+/// spiral. The neighbour is what is half a rank to one and a half before; points
+/// of which `counts` says no are not measured.
+pub(super) fn measured(
+    lines: &[TransversalLine],
+    ranks: &[Vec<f64>],
+    planes_normal: Option<&Vector3<f64>>,
+    counts: impl Fn(&Point3<f64>) -> bool,
+    spacing_mm: f64,
+) -> Option<Achieved> {
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let missed = |n: &Vector3<f64>| planes_normal.is_some_and(|m| n.cross(m).norm() < parallel_sine);
     let (segments, blocks) = blocks(lines, ranks);
@@ -74,7 +76,7 @@ pub(super) fn measured(lines: &[TransversalLine], ranks: &[Vec<f64>], planes_nor
         .flat_map(|(l, r)| l.points.iter().zip(r))
         .step_by(step)
         .map(|(q, &rank)| (q.p, q.n, rank))
-        .filter(|x| x.2 >= from)
+        .filter(|x| counts(&x.0))
         .collect();
     let samples = all
         .par_iter()

@@ -30,9 +30,9 @@ pub(super) fn lines(
     let net = net.refined(|p| libm::sqrt(8.0 * CHORD_MM * axis.off(p)).max(finest));
     let winding = Winding::new(&net, &axis, rule.spacing_mm);
     let (mut lines, mut turns) = winding.lines(merge_mm);
-    // About the centre itself a spiral leads outwards more than around, and turns lie nearer.
-    let from = if axis.vertex.is_some() { 2.0 } else { 0.0 };
-    let achieved = spacing::measured(&lines, &turns, None, from, rule.spacing_mm);
+    // Near the axis a spiral leads outwards more than around, and turns lie nearer.
+    let around = |p: &Point3<f64>| axis.off(p) >= 1.5 * rule.spacing_mm;
+    let achieved = spacing::measured(&lines, &turns, None, around, rule.spacing_mm);
     if rule.inward {
         lines.reverse();
         turns.reverse();
@@ -60,9 +60,8 @@ pub(super) fn lines(
 /// The middle is the centroid of the area, or the given point; its normal line meets the surface in the
 /// centre. Where it meets nothing, the centre is a hole. A closed surface has no mean normal; then it is z.
 fn centred(mesh: &Mesh, surface: &Surface, net: Net, rule: &Layout) -> (Net, Axis) {
-    let (sum, area) = live(mesh, surface).fold((Vector3::zeros(), 0.0), |(s, a), f| {
-        (s + mesh.centroid(f).coords * mesh.areas[f], a + mesh.areas[f])
-    });
+    let (sum, area) = live(mesh, surface)
+        .fold((Vector3::zeros(), 0.0), |(s, a), f| (s + mesh.centroid(f).coords * mesh.areas[f], a + mesh.areas[f]));
     let middle = rule.centre.unwrap_or(Point3::from(sum / f64::max(area, 1e-300)));
     let mean = mean_normal(mesh, surface);
     let along = mean.unwrap_or_else(Vector3::z);
@@ -121,7 +120,8 @@ impl Winding<'_> {
     fn new<'a>(net: &'a Net, axis: &'a Axis, spacing_mm: f64) -> Winding<'a> {
         let polar: Vec<(f64, f64)> = net.mesh.vertices.par_iter().map(|p| axis.polar(p)).collect();
         let excess = excess(net, axis);
-        let value: Vec<f64> = (0..polar.len()).map(|v| (polar[v].0 + excess[v]) / spacing_mm - polar[v].1 / TAU).collect();
+        let value: Vec<f64> =
+            (0..polar.len()).map(|v| (polar[v].0 + excess[v]) / spacing_mm - polar[v].1 / TAU).collect();
         let mut winding = Winding { net, axis, spacing_mm, polar, excess, value, first: Vec::new() };
         let mut first = Vec::with_capacity(net.mesh.edges.len() + 1);
         let mut count = 0u32;
