@@ -368,3 +368,22 @@ fn plate(holes: usize) -> Alone {
     Alone::new(&points, facets.collect())
 }
 
+#[test]
+fn offset_lines_of_a_pierced_plate_keep_their_distance() {
+    let made = plate(50).laid(&layout(Strategy::Offset, 1.0), Direction::Auto);
+    let rim = borders(&plate(50).mesh, plate(50).surface());
+    assert_eq!(rim.len(), 51);
+    assert!((rim[0].length_mm - 340.0).abs() < 1e-9, "the longest first");
+    let off = |p: &Point3<f64>| {
+        let edges = rim.iter().flat_map(|b| &b.edges);
+        edges.map(|[a, b]| clearbeam::part::distance::point_segment(p, a, b)).fold(f64::INFINITY, f64::min)
+    };
+    let wrong: Vec<f64> = made
+        .lines
+        .iter()
+        .filter(|l| l.plane < 2)
+        .flat_map(|l| l.points.iter().step_by(7).map(|q| (off(&q.p) - 0.5 - l.plane as f64).abs()))
+        .collect();
+    let beyond = |mm: f64| wrong.iter().filter(|w| **w > mm).count() as f64 / wrong.len() as f64;
+    assert!(beyond(0.01) < 1e-3 && beyond(0.02) == 0.0, "{} of {} points", beyond(0.01), wrong.len());
+}

@@ -36,14 +36,20 @@ impl Net {
     }
 
     /// Cuts facets until no edge is longer than `size_mm` at its middle. Where that takes more pieces
-    /// than there is time for, all sizes grow alike.
-    pub fn refined(self, size_mm: impl Fn(&Point3<f64>) -> f64) -> Net {
+    /// than there is time for, all sizes grow alike. `even`: slivers in one plane are turned into better
+    /// facets on the way.
+    pub fn refined(self, even: bool, size_mm: impl Fn(&Point3<f64>) -> f64) -> Net {
         let most = MOST_PIECES.max(1.2 * self.mesh.facets.len() as f64);
         let mut scale = 1.0;
         while self.pieces(&size_mm, scale) > most {
             scale *= 1.2;
         }
         let mut net = self;
+        // Slivers between coplanar facets first: what they are cut into would be slivers too.
+        for _ in 0..60 {
+            let Some(turned) = net.flipped().filter(|_| even) else { break };
+            net = turned;
+        }
         // Every pass halves what is too long: 40 of them are more than any f64 length needs.
         for _ in 0..40 {
             let long: Vec<u32> = (0..net.mesh.edges.len() as u32)
@@ -53,8 +59,46 @@ impl Net {
                 break;
             }
             net = net.cut(&long.iter().map(|&e| (e, 0.5)).collect::<Vec<_>>()).0;
+            if even {
+                net = net.flipped().unwrap_or(net);
+            }
         }
         net
+    }
+
+    /// The other diagonal for pairs of facets in one plane, where it makes their angles wider (Delaunay);
+    /// no facet twice. `None` where there is nothing to turn.
+    fn flipped(&self) -> Option<Net> {
+        let mesh = &self.mesh;
+        let mut facets = mesh.facets.clone();
+        let mut touched = vec![false; facets.len()];
+        let mut any = false;
+        for e in 0..mesh.edges.len() as u32 {
+            let Some([f, g]) = mesh.smooth_pair(e).map(|p| p.map(|f| f as usize)) else { continue };
+            if touched[f] || touched[g] || mesh.normals[f].dot(&mesh.normals[g]) < 1.0 - 1e-9 {
+                continue;
+            }
+            let side = |h: usize| mesh.facet_edges[h].iter().position(|&x| x == e);
+            let (Some(i), Some(j)) = (side(f), side(g)) else { continue };
+            let [a, b, c] = [0, 1, 2].map(|k| mesh.facets[f][(i + k) % 3]);
+            let d = mesh.facets[g][(j + 2) % 3];
+            let at = |v: u32| mesh.vertices[v as usize];
+            let n = &mesh.normals[f];
+            let angle = |p: u32, q: u32, r: u32| {
+                let (u, v) = (at(p) - at(q), at(r) - at(q));
+                libm::atan2(u.cross(&v).norm(), u.dot(&v))
+            };
+            let turns = |p: u32, q: u32, r: u32| (at(q) - at(p)).cross(&(at(r) - at(p))).dot(n);
+            // Points of the new diagonal stay on the part: within what coordinates can tell.
+            let flat = (at(d) - at(a)).dot(n).abs() < 3e-7;
+            let wide = angle(a, c, b) + angle(b, d, a) > std::f64::consts::PI + 1e-6;
+            if flat && wide && turns(d, b, c) > 0.0 && turns(c, a, d) > 0.0 {
+                (facets[f], facets[g]) = ([d, b, c], [c, a, d]);
+                (touched[f], touched[g]) = (true, true);
+                any = true;
+            }
+        }
+        any.then(|| Net { mesh: Mesh::from_indexed(mesh.vertices.clone(), facets), normals: self.normals.clone() })
     }
 
     /// About how many pieces that takes.

@@ -59,7 +59,7 @@ pub(super) fn lines(
         ));
     }
     let size_mm = (PIECE * rule.spacing_mm).min(0.15 * surface.area_mm2.sqrt());
-    let net = net.refined(|_| size_mm);
+    let net = net.refined(true, |_| size_mm);
     let from = match rule.border {
         Some(chosen) => net.loops().into_iter().nth(chosen).map(|l| l.1).unwrap_or_default(),
         None => net.rim(),
