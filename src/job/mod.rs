@@ -12,6 +12,7 @@ pub mod model;
 pub mod output;
 pub mod parameter;
 pub mod plan;
+pub mod recipe;
 pub mod report;
 pub mod verify;
 
@@ -23,3 +24,4 @@ pub use files::JobError;
 pub use model::{Chosen, Job, Offset};
 pub use parameter::{PARAMETERS, Parameter};
 pub use plan::{Cache, Plan, PlanError, plan};
+pub use recipe::Recipe;

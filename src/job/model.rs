@@ -1,5 +1,6 @@
 //! The job: everything an operator decides, as TOML. What can be computed is not in it.
 
+use super::recipe::Recipe;
 use crate::beam::{Obstacle, Optics};
 use crate::cell::{Cell, Frame, Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
@@ -35,6 +36,12 @@ pub struct Job {
     /// What stands on the part, in the part frame.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub clamps: Vec<Obstacle>,
+    /// What surfaces can be worked with in place of the job's own values.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub recipes: Vec<Recipe>,
+    /// The recipe of a surface, by its number.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub recipe_of: BTreeMap<String, String>,
     /// Directions that surfaces prefer or forbid.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tilts: Vec<TiltRule>,
@@ -303,6 +310,8 @@ pub struct PathParameters {
     pub tilt_rate_deg_mm: f64,
     /// The same over time, degrees/s.
     pub tilt_rate_deg_s: f64,
+    /// How far the head may be drawn back or pushed forward on a line that is blocked otherwise, mm.
+    pub standoff_mm: f64,
 }
 
 impl Default for PathParameters {
@@ -315,6 +324,7 @@ impl Default for PathParameters {
             max_tilt_deg: 45.0,
             tilt_rate_deg_mm: 5.0,
             tilt_rate_deg_s: 90.0,
+            standoff_mm: 0.0,
         }
     }
 }

@@ -49,7 +49,7 @@ macro_rules! parameter {
 }
 
 /// The table, in the order of the panel. `a .. b`: from a to b; `a < b`: above a, to b.
-pub const PARAMETERS: [Parameter; 27] = [
+pub const PARAMETERS: [Parameter; 28] = [
     parameter!(
         Some("angle"),
         "surfaces.angle_deg",
@@ -212,6 +212,16 @@ pub const PARAMETERS: [Parameter; 27] = [
     ),
     parameter!(
         None,
+        "path.standoff_mm",
+        "Standoff window",
+        "mm",
+        0.0..100.0,
+        "",
+        "How far the head may be drawn back or pushed forward on lines that are blocked otherwise; 0 = not at all",
+        path.standoff_mm
+    ),
+    parameter!(
+        None,
         "optics.lens_to_focus_mm",
         "Lens to focus",
         "mm",
@@ -360,6 +370,7 @@ impl Parameter {
 /// The first that is out of range.
 pub fn check_all(job: &Job) -> Result<(), String> {
     PARAMETERS.iter().try_for_each(|p| p.check((p.get)(job)))?;
+    job.check_recipes()?;
     dialects::known(&job.cell.dialect)?;
     if let Some(offset) = job.layers.offset_mm.mm()
         && !(0.0..=job.layers.spacing_mm).contains(&offset)

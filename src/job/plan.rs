@@ -4,7 +4,7 @@
 use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
-use crate::beam::{Body, Head, Tool};
+use crate::beam::{Body, Head, Stance, Tool, Work};
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
@@ -12,16 +12,18 @@ use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::normals::VertexNormals;
+use crate::path::planes::Layout;
 use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{Correction, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
+use crate::pose::{Correction, Line, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
-use crate::program::steps::{Speeds, Steps, steps};
+use crate::program::steps::{Steps, steps};
 use crate::program::sweep::{Proof, Prover};
 use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
 use thiserror::Error;
@@ -60,8 +62,6 @@ pub struct Plan {
     pub proof: Option<Proof>,
     /// The frames it was made for.
     pub cell: Option<CellReport>,
-    /// Speeds it was made for.
-    pub speeds: Option<Speeds>,
 }
 
 /// Why there is no plan.
@@ -176,49 +176,43 @@ pub fn plan(
     dialects::check(&job.cell.dialect, setup, job.beam.power_w).map_err(PlanError::Parameter)?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
-    if job.layers.spacing_mm > size_mm {
-        return Err(PlanError::SpacingTooLarge { spacing_mm: job.layers.spacing_mm, size_mm });
+    let own: BTreeMap<u32, Cow<'_, Job>> = list.iter().map(|&n| (n, job.of_surface(n))).collect();
+    if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
+        return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }
-    bound_size(surfaces, &list, job, size_mm)?;
-    let families = planes::planes(
-        &part.mesh,
-        surfaces,
-        &list,
-        job.layers.direction,
-        job.layers.spacing_mm,
-        job.layers.offset_mm.mm(),
-    );
-    let body = body(job, setup);
-    let rules = rules(job);
+    bound_size(surfaces, &own, size_mm)?;
+    let layouts: Vec<Layout> = own_layouts(&list, &own);
+    let families = planes::planes(&part.mesh, surfaces, &layouts);
     progress.begin("planning", families.iter().map(|f| f.heights_mm.len()).sum());
     let planned: Vec<(Digest, Arc<SurfacePlan>)> = families
         .into_par_iter()
         .map(|family| {
+            let job = own.get(&family.surface).map_or(job, |j| j);
             let rules = LineRules {
                 tilt: job.tilts.iter().find(|t| t.surface == family.surface).cloned().unwrap_or_default(),
                 pins: job.pins.iter().filter(|p| p.surface == family.surface).copied().collect(),
-                ..rules.clone()
+                ..rules(job)
             };
             let key = key(part, surfaces, &family, job, &rules, &setup.tool);
-            if let Some(known) = cache.get(&key) {
-                return Ok((key, known));
-            }
-            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, progress)?;
-            Ok((key, Arc::new(made)))
+            let made = match cache.get(&key) {
+                Some(known) => known,
+                None => Arc::new(plan_surface(part, surfaces, family, job, &setup.tool, &rules, progress)?),
+            };
+            Ok((key, worked(made, job, &setup.tool)))
         })
         .collect::<Result<_, PlanError>>()?;
     let surface_plans: Vec<_> = planned.iter().map(|(_, p)| p.clone()).collect();
     cache.keep(planned.into_iter().collect());
     let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
-    let speeds = speeds(job);
+    let air_mm_s = job.beam.air_speed_mm_s;
     let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
-    let mut plan = Plan { surfaces: surface_plans, passes, cell, speeds: Some(speeds), ..Plan::default() };
+    let mut plan = Plan { surfaces: surface_plans, passes, cell, ..Plan::default() };
     match &setup.robot {
         Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
             let straight = straight(part, setup, job);
-            settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, &speeds))?;
+            settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, air_mm_s))?;
         }
     }
     plan.proof = Some(prover(part, setup, job).prove(&plan.steps.lit_moves(&setup.mounted())));
@@ -228,16 +222,22 @@ pub fn plan(
 /// What proves the lit moves of a job.
 pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
     let deviation_mm = job.cell.deviation_mm;
-    let (defocus_mm, sag_mm) = (job.beam.defocus_mm, job.path.chord_error_mm);
-    Prover::new(part, body(job, setup).as_ref(), setup.mounted(), defocus_mm, deviation_mm, sag_mm)
+    let mut all: Vec<Stance<'_>> = stances(job, &setup.tool);
+    let mut sag_mm = job.path.chord_error_mm;
+    for recipe in &job.recipes {
+        let own = recipe.applied(job);
+        sag_mm = sag_mm.max(own.path.chord_error_mm);
+        for stance in stances(&own, &setup.tool) {
+            if !all.iter().any(|s| s.work == stance.work) {
+                all.push(stance);
+            }
+        }
+    }
+    Prover::new(part, &all, setup.mounted(), deviation_mm, sag_mm)
 }
 
 fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
     Straight { prover: prover(part, setup, job).with_spare(), deviation_mm: job.cell.deviation_mm }
-}
-
-fn speeds(job: &Job) -> Speeds {
-    Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm }
 }
 
 /// Spin, branch and joints of every target, and the program's steps with them. What the robot cannot
@@ -251,7 +251,6 @@ pub(super) fn drive(
     progress: &Progress,
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
-    let speeds = speeds(job);
     progress.begin("choosing spins", 2);
     let collision = Collision::new(setup, part);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
@@ -267,7 +266,7 @@ pub(super) fn drive(
         setup,
         mounted: setup.mounted(),
         robot,
-        speeds,
+        air_mm_s: job.beam.air_speed_mm_s,
         straight: straight(part, setup, job),
         collision: collision.as_ref(),
         go_on: &go_on,
@@ -279,7 +278,7 @@ pub(super) fn drive(
         plan.refuse(&refused);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
         let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
-        let choice = choose_again(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch, &mut memory);
+        let choice = choose_again(&arm, &plan.passes, &watch, &mut memory);
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);
@@ -359,16 +358,18 @@ fn block(pass: &mut Pass, point: usize) {
 }
 
 /// Refuses what no machine's memory would hold, before anything is allocated.
-fn bound_size(surfaces: &Surfaces, list: &[u32], job: &Job, size_mm: f64) -> Result<(), PlanError> {
+fn bound_size(surfaces: &Surfaces, own: &BTreeMap<u32, Cow<'_, Job>>, size_mm: f64) -> Result<(), PlanError> {
     // A hundred metres: no robot reaches that, and one flipped bit of a coordinate gives more.
     if size_mm > 1e5 || size_mm.is_nan() {
         return Err(PlanError::PartTooLarge { size_mm });
     }
-    let spacing_mm = job.layers.spacing_mm;
-    let gap_mm = rules(job).max_gap_mm;
-    let area: f64 = list.iter().filter_map(|&n| surfaces.get(n)).map(|s| s.area_mm2).sum();
     // Every plane is cut through every surface at least once.
-    let points = area / (spacing_mm * gap_mm) + size_mm / spacing_mm * list.len() as f64;
+    let points_of = |(&n, job): (&u32, &Cow<'_, Job>)| {
+        let (spacing_mm, gap_mm) = (job.layers.spacing_mm, rules(job).max_gap_mm);
+        surfaces.get(n).map_or(0.0, |s| s.area_mm2) / (spacing_mm * gap_mm) + size_mm / spacing_mm
+    };
+    let points: f64 = own.iter().map(points_of).sum();
+    let spacing_mm = own.values().map(|j| j.layers.spacing_mm).fold(f64::INFINITY, f64::min);
     if points > MOST_POINTS {
         return Err(PlanError::SpacingTooSmall { spacing_mm, points });
     }
@@ -395,10 +396,47 @@ fn rules(job: &Job) -> LineRules {
     }
 }
 
+/// A surface's plan with the work of its job: power and speed change no pose, and without a head where the
+/// focus stands does not either.
+fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
+    let wanted = work(job);
+    let own = |w: &Work| match tool.head {
+        None => wanted,
+        Some(_) => Work { speed_mm_s: wanted.speed_mm_s, power_w: wanted.power_w, ..*w },
+    };
+    if made.passes.iter().any(|p| p.work != own(&p.work)) {
+        Arc::make_mut(&mut made).passes.iter_mut().for_each(|p| p.work = own(&p.work));
+    }
+    made
+}
+
 /// What stands around the beam; `None`: the beam is a ray.
 pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
+    stances(job, &setup.tool).swap_remove(0).body
+}
+
+/// How the head may be held over lines, as wanted first: then drawn back and pushed forward by half of the
+/// standoff window and all of it.
+fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>> {
+    let wanted = work(job);
+    let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
+    let lifted = |share: &f64| wanted.lifted(&job.optics, share * job.path.standoff_mm);
+    lifts.iter().map(|s| Stance::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
+}
+
+/// What a job works with.
+fn work(job: &Job) -> Work {
     let b = &job.beam;
-    Body::new(&setup.tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm)
+    Work { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, speed_mm_s: b.speed_mm_s, power_w: b.power_w }
+}
+
+fn own_layouts(list: &[u32], own: &BTreeMap<u32, Cow<'_, Job>>) -> Vec<Layout> {
+    let layout = |n: &u32| {
+        let layers = &own.get(n)?.layers;
+        let (direction, spacing_mm) = (layers.direction, layers.spacing_mm);
+        Some(Layout { surface: *n, direction, spacing_mm, offset_mm: layers.offset_mm.mm() })
+    };
+    list.iter().filter_map(layout).collect()
 }
 
 fn plan_surface(
@@ -406,7 +444,7 @@ fn plan_surface(
     surfaces: &Surfaces,
     planes: SurfacePlanes,
     job: &Job,
-    body: Option<&Body<'_>>,
+    tool: &Tool,
     rules: &LineRules,
     progress: &Progress,
 ) -> Result<SurfacePlan, PlanError> {
@@ -418,16 +456,17 @@ fn plan_surface(
     let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);
     let lines = order::ordered(lines, job.layers.order, &planes.normal);
     let is_searched = rules.correction == Correction::Clearance;
+    let stances = stances(job, tool);
     let both = lines
         .par_iter()
         .enumerate()
         .map(|(number, line)| {
             progress.step()?;
-            let name = (surface.number, number as u32);
-            let pass = plan_line(part, body, name, line, &planes.normal, rules);
+            let line = Line { line, surface: surface.number, number: number as u32, m: planes.normal };
+            let pass = plan_line(part, &stances, &line, rules);
             let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
-            let other = (is_searched && interferes)
-                .then(|| plan_line_by_section_plane(part, body, name, line, &planes.normal, rules));
+            let other =
+                (is_searched && interferes).then(|| plan_line_by_section_plane(part, &stances[0], &line, rules));
             Ok((pass, other))
         })
         .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
@@ -448,7 +487,7 @@ fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rule
         .f64s(&planes.heights_mm)
         .f64s(&[job.layers.spacing_mm, rules.max_gap_mm, rules.max_dense_turn_deg])
         .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
-        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm])
+        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm, job.path.standoff_mm])
         .f64s(&[rules.tilt.preferred.lead_deg, rules.tilt.preferred.lean_deg, rules.tilt.least_deg])
         .u32s(&rules.tilt.forbidden.iter().map(|s| *s as u32).collect::<Vec<_>>());
     for pin in &rules.pins {
@@ -466,6 +505,7 @@ fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rule
             o.lens_to_focus_mm,
             o.aperture_mm,
             o.focus_spot_mm,
+            o.rayleigh_mm,
         ]);
     }
     hasher.finish()

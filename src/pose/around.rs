@@ -73,9 +73,8 @@ impl<'a> Beam<'a> {
             bvh.visit_near_boxes_of(
                 all as u32,
                 |lo, hi, of| {
-                    let near = |near: u32, i: usize| {
-                        near | u32::from(placed[i].near_box(lo, hi, limbs[i].keeps_mm)) << i
-                    };
+                    let near =
+                        |near: u32, i: usize| near | u32::from(placed[i].near_box(lo, hi, limbs[i].keeps_mm)) << i;
                     among(of).fold(0, near)
                 },
                 |corners, of| {

@@ -70,12 +70,18 @@ pub struct Blocker {
     pub t_mm: f64,
 }
 
-impl std::fmt::Display for Blocker {
+impl std::fmt::Display for Ours {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let ours = match self.ours {
+        f.write_str(match self {
             Ours::Beam => "the beam",
             Ours::Head => "the head",
-        };
+        })
+    }
+}
+
+impl std::fmt::Display for Blocker {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ours = self.ours;
         match self.theirs {
             Theirs::Facet(facet) => write!(f, "{ours} hits facet {facet}"),
             Theirs::Clamp(clamp) => write!(f, "{ours} hits clamp {}", clamp + 1),

@@ -8,7 +8,7 @@ use super::motion::{self, Pose};
 use super::section_plane;
 use super::target::{Pass, Split, State, Target, against_normal_deg, travel};
 use super::tilt::{Pin, TiltRule};
-use crate::beam::Body;
+use crate::beam::{Stance, Work};
 use crate::part::{Part, angle};
 use crate::path::TransversalLine;
 use crate::path::chord::{self, ChordLimits, Place};
@@ -49,45 +49,52 @@ const CORRECTED_TURN_DEG: f64 = 2.5;
 /// The wall that a beam would run into behind a split is looked for this far, mm.
 const WALL_MM: f64 = 20.0;
 
-/// Plans one line of one surface; `m` is its section plane's normal, `number` its place in the working
-/// order of the surface.
-pub fn plan_line(
-    part: &Part,
-    body: Option<&Body<'_>>,
-    (surface, number): (u32, u32),
-    line: &TransversalLine,
-    m: &Vector3<f64>,
-    rules: &LineRules,
-) -> Pass {
-    // Without a head the section plane keeps limits of its own.
-    let limit_deg = body.map(|_| rules.max_tilt_deg);
-    planned(part, body, (surface, number), line, m, rules, (rules.correction, limit_deg))
+/// A line to be planned.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<'a> {
+    /// Its points.
+    pub line: &'a TransversalLine,
+    /// Surface number.
+    pub surface: u32,
+    /// Its place in the working order of the surface.
+    pub number: u32,
+    /// Normal of its section plane.
+    pub m: Vector3<f64>,
+}
+
+/// Plans one line of one surface. Of several stances the first is what is wanted; another one is taken
+/// where it leaves less of the line blocked.
+pub fn plan_line(part: &Part, stances: &[Stance<'_>], line: &Line<'_>, rules: &LineRules) -> Pass {
+    let mut best: Option<(f64, Pass)> = None;
+    for stance in stances {
+        // Without a head the section plane keeps limits of its own.
+        let limit_deg = stance.body.as_ref().map(|_| rules.max_tilt_deg);
+        let pass = planned(part, stance, line, rules, (rules.correction, limit_deg));
+        let blocked_mm = pass.length_mm(|_, to| !to.laser);
+        if best.as_ref().is_none_or(|(least_mm, _)| blocked_mm < least_mm - 1e-6) {
+            best = Some((blocked_mm, pass));
+        }
+        if blocked_mm == 0.0 {
+            break;
+        }
+    }
+    best.map_or_else(|| planned(part, &Stance::ray(Work::default()), line, rules, (Correction::None, None)), |b| b.1)
 }
 
 /// The same line by the section plane within the greatest tilt of `rules`: what the search is compared
 /// with.
-pub fn plan_line_by_section_plane(
-    part: &Part,
-    body: Option<&Body<'_>>,
-    (surface, number): (u32, u32),
-    line: &TransversalLine,
-    m: &Vector3<f64>,
-    rules: &LineRules,
-) -> Pass {
-    let correction = (Correction::SectionPlane, Some(rules.max_tilt_deg));
-    planned(part, body, (surface, number), line, m, rules, correction)
+pub fn plan_line_by_section_plane(part: &Part, stance: &Stance<'_>, line: &Line<'_>, rules: &LineRules) -> Pass {
+    planned(part, stance, line, rules, (Correction::SectionPlane, Some(rules.max_tilt_deg)))
 }
 
 fn planned(
     part: &Part,
-    body: Option<&Body<'_>>,
-    (surface, number): (u32, u32),
-    line: &TransversalLine,
-    m: &Vector3<f64>,
+    stance: &Stance<'_>,
+    Line { line, surface, number, m }: &Line<'_>,
     rules: &LineRules,
     (correction, limit_deg): (Correction, Option<f64>),
 ) -> Pass {
-    let beam = Beam::with(part, body);
+    let beam = Beam::with(part, stance.body.as_ref());
     let (points, free) = detected(&beam, dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg));
     let mut planned = match correction {
         Correction::None => {
@@ -99,13 +106,22 @@ fn planned(
             Planned::along_normals(points, axes)
         }
         Correction::Clearance => {
-            let rows = clearance::correct(part, &beam, &points, &free, line.closed, number, rules);
+            let rows = clearance::correct(part, &beam, &points, &free, line.closed, *number, rules);
             Planned::of_rows(&rows, rules.tilt_rate_deg_mm)
         }
     };
     planned.test_motion(&beam, rules.chord.max_turn_deg.min(CORRECTED_TURN_DEG));
     let kept = planned.reduce(&beam, &rules.chord);
-    planned.pass(&beam, surface, m, line.closed, &kept)
+    let pass = Pass {
+        surface: *surface,
+        work: stance.work,
+        plane_normal: *m,
+        closed: line.closed,
+        targets: Vec::new(),
+        chord_error_mm: 0.0,
+        splits: Vec::new(),
+    };
+    planned.fill(&beam, pass, &kept)
 }
 
 /// Finds out which points are free, and adds those at which that changes.
@@ -278,8 +294,8 @@ impl Planned {
             && motion::is_free(beam, &from, &to, sag)
     }
 
-    fn pass(&self, beam: &Beam<'_>, surface: u32, m: &Vector3<f64>, closed: bool, kept: &[Place]) -> Pass {
-        let tangents = dense::tangents(&self.points, closed);
+    fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[Place]) -> Pass {
+        let tangents = dense::tangents(&self.points, pass.closed);
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
         let mut splits = Vec::new();
         for &place in kept {
@@ -311,7 +327,7 @@ impl Planned {
         }
         let chord_error_mm =
             kept.windows(2).map(|w| chord::chord_error_mm(&self.points, w[0], w[1])).fold(0.0, f64::max);
-        Pass { surface, plane_normal: *m, closed, targets, chord_error_mm, splits }
+        Pass { targets, chord_error_mm, splits, ..pass }
     }
 
     /// What keeps the beam from turning at the split `i`: on the way from one beam to the other, or where

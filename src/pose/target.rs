@@ -2,6 +2,7 @@
 
 use super::interference::Blocker;
 use super::tilt::Tilt;
+use crate::beam::Work;
 use crate::part::angle;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
@@ -99,6 +100,8 @@ pub fn travel(tangent: &Vector3<f64>, a: &Vector3<f64>) -> Vector3<f64> {
 pub struct Pass {
     /// Surface number.
     pub surface: u32,
+    /// What it is worked with.
+    pub work: Work,
     /// Unit normal of its section plane (m).
     pub plane_normal: Vector3<f64>,
     /// Whether it ends where it began.

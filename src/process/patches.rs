@@ -72,8 +72,9 @@ impl DoseMap {
         for pass in passes {
             stretches.entry(pass.surface).or_default().extend(of_pass(pass));
         }
-        let spot_mm2 = 0.25 * std::f64::consts::PI * self.light.spot.spot_mm * self.light.spot.spot_mm;
-        let reach_mm = spacing_mm.max(0.5 * self.light.spot.spot_mm);
+        let spot_mm = self.light.least_spot_mm();
+        let spot_mm2 = 0.25 * std::f64::consts::PI * spot_mm * spot_mm;
+        let reach_mm = spacing_mm.max(0.5 * spot_mm);
         let mut patches: Vec<Patch> = self
             .connected(&low)
             .into_iter()
