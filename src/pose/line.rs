@@ -50,7 +50,7 @@ const CORRECTED_TURN_DEG: f64 = 2.5;
 const WALL_MM: f64 = 20.0;
 
 /// Plans one line of one surface; `m` is its section plane's normal, `number` its place in the working
-/// order of the surface.
+/// order of the surface. Over its dark gaps the laser is off.
 pub fn plan_line(
     part: &Part,
     body: Option<&Body<'_>>,
@@ -79,6 +79,40 @@ pub fn plan_line_by_section_plane(
 }
 
 fn planned(
+    part: &Part,
+    body: Option<&Body<'_>>,
+    (surface, number): (u32, u32),
+    line: &TransversalLine,
+    m: &Vector3<f64>,
+    rules: &LineRules,
+    correction: (Correction, Option<f64>),
+) -> Pass {
+    if line.dark.is_empty() {
+        return planned_piece(part, body, (surface, number), line, m, rules, correction);
+    }
+    // What a beam keeps clear of on one side of a gap says nothing of the other side: each piece is planned
+    // by itself, and its first target is reached with the laser off, as any pass's.
+    let mut whole = Pass {
+        surface,
+        plane_normal: *m,
+        closed: false,
+        targets: Vec::new(),
+        chord_error_mm: 0.0,
+        splits: Vec::new(),
+    };
+    for piece in line.pieces().filter(|p| p.len() > 1) {
+        let piece = TransversalLine { plane: line.plane, points: piece.to_vec(), closed: false, dark: Vec::new() };
+        let pass = planned_piece(part, body, (surface, number), &piece, m, rules, correction);
+        let before = whole.targets.len();
+        whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
+        whole.targets.extend(pass.targets);
+        whole.chord_error_mm = whole.chord_error_mm.max(pass.chord_error_mm);
+    }
+    whole
+}
+
+/// The same for a line without gaps.
+fn planned_piece(
     part: &Part,
     body: Option<&Body<'_>>,
     (surface, number): (u32, u32),
