@@ -10,6 +10,7 @@ pub mod normals;
 pub mod order;
 pub mod planes;
 pub mod section;
+pub mod tour;
 
 pub use dense::DensePoint;
 pub use order::Order;

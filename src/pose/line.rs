@@ -10,9 +10,9 @@ use super::target::{Pass, Split, State, Target, against_normal_deg, travel};
 use super::tilt::{Pin, TiltRule};
 use crate::beam::Body;
 use crate::part::{Part, angle};
-use crate::path::TransversalLine;
 use crate::path::chord::{self, ChordLimits, Place};
 use crate::path::dense::{self, DensePoint};
+use crate::path::{SectionPoint, TransversalLine};
 use nalgebra::Vector3;
 
 /// What a line is planned by.
@@ -92,17 +92,19 @@ fn planned(
     }
     // What a beam keeps clear of on one side of a gap says nothing of the other side: each piece is planned
     // by itself, and its first target is reached with the laser off, as any pass's.
-    let mut whole = Pass {
-        surface,
-        plane_normal: *m,
-        closed: false,
-        targets: Vec::new(),
-        chord_error_mm: 0.0,
-        splits: Vec::new(),
-    };
-    for piece in line.pieces().filter(|p| p.len() > 1) {
-        let piece = TransversalLine { plane: line.plane, points: piece.to_vec(), closed: false, dark: Vec::new() };
-        let pass = planned_piece(part, body, (surface, number), &piece, m, rules, correction);
+    let mut whole =
+        Pass { surface, plane_normal: *m, closed: false, targets: Vec::new(), chord_error_mm: 0.0, splits: Vec::new() };
+    let (mut start_mm, mut last) = (0.0, None);
+    for points in line.pieces().filter(|p| p.len() > 1) {
+        let way_mm = |w: &[SectionPoint]| (w[1].p - w[0].p).norm();
+        start_mm += last.map_or(0.0, |last: SectionPoint| (points[0].p - last.p).norm());
+        last = points.last().copied();
+        // Pins are told by their place on the whole line.
+        let moved = |pin: &Pin| Pin { at_mm: pin.at_mm - start_mm, ..*pin };
+        let rules = LineRules { pins: rules.pins.iter().map(moved).collect(), ..rules.clone() };
+        start_mm += points.windows(2).map(way_mm).fold(0.0, |a, b| a + b);
+        let piece = TransversalLine { plane: line.plane, points: points.to_vec(), closed: false, dark: Vec::new() };
+        let pass = planned_piece(part, body, (surface, number), &piece, m, &rules, correction);
         let before = whole.targets.len();
         whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
         whole.targets.extend(pass.targets);
