@@ -6,6 +6,7 @@
 pub mod chord;
 pub mod coverage;
 pub mod dense;
+pub mod ends;
 pub mod normals;
 pub mod order;
 pub mod planes;
