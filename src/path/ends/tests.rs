@@ -1,12 +1,14 @@
 use super::*;
+use crate::part::distance::point_segment;
 use crate::part::merge_tree::{MergeTree, dihedral_angles};
 use crate::part::stl::RawFacet;
 use crate::part::surfaces::{Surface, SurfaceRule, Surfaces};
 use crate::part::{Mesh, angle::between_deg};
 use crate::path::normals::VertexNormals;
-use crate::path::section::{TransversalLine, sections};
+use crate::path::section::{SectionPoint, TransversalLine, sections};
 use crate::sample::{Triangles, solids};
-use nalgebra::Vector3;
+use nalgebra::{Point3, Vector3};
+use proptest::prelude::*;
 use std::f64::consts::PI;
 
 struct Cutting {
@@ -217,10 +219,8 @@ fn a_closed_line_that_is_cut_is_open() {
     assert!(kept.len() == 2 && kept.iter().all(|l| !l.closed), "{kept:?}");
     for end in kept.iter().flat_map(|l| [l.points[0].p, l.points[l.points.len() - 1].p]) {
         // Beside the wall's facets the rim is no straight line: the distance of space, to 1e-6 on the rim's polygon.
-        let off = rim(&tube.mesh, wall)
-            .segments(0.0)
-            .map(|[a, b]| crate::part::distance::point_segment(&end, &a, &b))
-            .fold(f64::INFINITY, f64::min);
+        let off =
+            rim(&tube.mesh, wall).segments(0.0).map(|[a, b]| point_segment(&end, &a, &b)).fold(f64::INFINITY, f64::min);
         assert!((off - 4.0).abs() < 1e-6, "{off}");
     }
     let joint = joined(kept, 50.0);
@@ -287,7 +287,7 @@ fn between_two_surfaces_the_spot_stays_near_its_own() {
 #[test]
 fn pieces_are_joined_in_their_sense_only() {
     let piece = |from: [f64; 2], to: [f64; 2], plane: usize| {
-        let q = |p: [f64; 2]| crate::path::SectionPoint { p: nalgebra::Point3::new(p[0], p[1], 0.0), n: Vector3::z() };
+        let q = |p: [f64; 2]| SectionPoint { p: Point3::new(p[0], p[1], 0.0), n: Vector3::z() };
         TransversalLine { plane, points: vec![q(from), q(to)], closed: false, dark: Vec::new() }
     };
     // Three in a row, told in another order; one beside them; one of another plane; one at an angle of 11°.
@@ -308,6 +308,43 @@ fn pieces_are_joined_in_their_sense_only() {
     assert_eq!(joined(found.clone(), 3.5), found);
     let touching = vec![piece([0.0, 0.0], [3.0, 0.0], 0), piece([3.0, 0.0], [5.0, 0.0], 0)];
     assert_eq!(joined(touching, 0.0).len(), 1);
+}
+
+proptest! {
+    /// What is kept is far enough, and what is far enough is kept.
+    #[test]
+    fn an_inset_keeps_what_is_far_enough(angle in 0.0..PI, height in -25.0..25.0f64, off_mm in 0.1..8.0f64, sides in 3..40usize) {
+        let plate = Cutting::new(&solids::blind_hole(40.0, 7.0, 10.0, sides));
+        let top = plate.facing(Vector3::z());
+        let lines = plate.lines(top, Vector3::new(libm::cos(angle), libm::sin(angle), 0.0), &[height]);
+        let outline: Vec<_> = rim(&plate.mesh, top).segments(0.0).collect();
+        let away = |p: &Point3<f64>| outline.iter().map(|[a, b]| point_segment(p, a, b)).fold(f64::INFINITY, f64::min);
+        let kept = inset(&plate.mesh, top, lines.clone(), off_mm, 0.0);
+        let places = |lines: &[TransversalLine]| -> Vec<Point3<f64>> {
+            let share = |(a, b): (SectionPoint, SectionPoint)| (0..=20).map(move |i| a.p + (b.p - a.p) * (f64::from(i) / 20.0));
+            lines.iter().flat_map(|l| l.sides().flat_map(share).collect::<Vec<_>>()).collect()
+        };
+        for p in places(&kept) {
+            prop_assert!(away(&p) > off_mm - 1e-6, "{p} at {}", away(&p));
+        }
+        let on_kept = |p: &Point3<f64>| kept.iter().flat_map(|l| l.sides()).any(|(a, b)| point_segment(p, &a.p, &b.p) < 1e-6);
+        for p in places(&lines) {
+            prop_assert!(away(&p) < off_mm + 1e-5 || on_kept(&p), "{p} at {}", away(&p));
+        }
+    }
+}
+
+#[test]
+fn a_turned_surface_is_run_over_on_its_own_side() {
+    let mut house = Cutting::new(&roof(&[(0.0, 10.0), (20.0, 4.0)]));
+    // The flat is worked from below, the slope from above.
+    for f in [0, 1] {
+        house.surfaces.normals[f] = -house.surfaces.normals[f];
+    }
+    let flat = house.facing(Vector3::z());
+    let (lines, _) = house.over(flat, 2.0, Vector3::y(), &[4.0]);
+    near(&lengths(&lines), &[12.0]);
+    assert!(lines[0].points.iter().all(|q| q.n.z < 0.0));
 }
 
 #[test]
