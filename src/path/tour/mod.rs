@@ -70,21 +70,24 @@ pub fn toured(
     // Every line is now as the zigzag runs it, so the zigzag is the order of their numbers.
     let stops = Stops::new(&zigzag, start.copied(), sense);
     let plain: Vec<Stop> = (0..zigzag.len()).map(|line| stops.stop(line, 0)).collect();
-    // With no place to come from, the way may begin at either end of the zigzag's first or last line.
-    let corners = [plain.first(), plain.last()].into_iter().flatten().flat_map(|stop| [*stop, stops.turned(*stop)]);
-    let firsts = corners.filter(|c| c.entry < stops.entries(c.line)).map(Some);
-    let firsts: Vec<Option<Stop>> = if start.is_some() { vec![None] } else { firsts.collect() };
-    let nearest = firsts.into_iter().map(|first| search::nearest(&stops, first));
-    let mut best = search::improved(&stops, std::iter::once(plain.clone()).chain(nearest).collect());
+    let mut best = search::improved(&stops, starts(&stops, &plain));
     if zigzag.len() < EXACT_BELOW {
         let exact = seams::chosen(&stops, exact::solved(&stops));
         if stops.way_mm(&exact) < stops.way_mm(&best) - 1e-9 {
             best = exact;
         }
     }
-    drop(stops);
     let mut taken: Vec<Option<TransversalLine>> = zigzag.into_iter().map(Some).collect();
     best.into_iter().filter_map(|stop| Some(ends::run(taken.get_mut(stop.line)?.take()?, stop.entry))).collect()
+}
+
+/// The zigzag, and nearest neighbours from its corners where there is no place to come from.
+fn starts(stops: &Stops<'_>, plain: &[Stop]) -> Vec<Vec<Stop>> {
+    let corners = [plain.first(), plain.last()].into_iter().flatten().flat_map(|stop| [*stop, stops.turned(*stop)]);
+    let firsts = corners.filter(|c| c.entry < stops.entries(c.line)).map(Some);
+    let firsts: Vec<Option<Stop>> = if stops.start.is_some() { vec![None] } else { firsts.collect() };
+    let nearest = firsts.into_iter().map(|first| search::nearest(stops, first));
+    std::iter::once(plain.to_vec()).chain(nearest).collect()
 }
 
 #[cfg(test)]

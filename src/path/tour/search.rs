@@ -1,5 +1,6 @@
 //! Orders made shorter by exchange: a stretch turned round (2-opt), a few lines moved elsewhere (Or-opt),
-//! then kicks: two neighbouring stretches change places, and what gets no shorter is taken back.
+//! then kicks: two neighbouring stretches change places, one of them turned or not, and what gets no shorter is
+//! taken back.
 //!
 //! Only lines near each other are tried as new neighbours, and only around what has changed, so the time
 //! grows little faster than the number of lines.
@@ -12,8 +13,8 @@ use std::collections::VecDeque;
 
 /// Lines moved together by Or-opt.
 const MOVED: usize = 3;
-/// Kicks: so many for each line, and so many in all.
-const KICKS: (usize, usize) = (30, 500);
+/// Kicks by the number of lines: few lines are then as good as solved, and many still take little time.
+const KICKS: (usize, usize, usize) = (60_000, 50, 600);
 /// Stretches that a kick exchanges are no longer than this.
 const KICKED: u64 = 30;
 /// What counts as shorter, mm: more than rounding.
@@ -216,7 +217,8 @@ impl Search<'_> {
         Some((best.0, touched.to_vec()))
     }
 
-    /// Two neighbouring stretches change places, again and again; kept where the way is no longer for it.
+    /// Two neighbouring stretches change places, again and again, the one put first turned or not; kept where
+    /// the way is no longer for it.
     fn kick(&mut self) {
         let count = self.order.len();
         if count < 4 {
@@ -230,22 +232,29 @@ impl Search<'_> {
             random ^= random >> 27;
             (random.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 33) % n
         };
-        for _ in 0..(KICKS.0 * count).min(KICKS.1) {
-            let most = KICKED.min(count as u64 / 2);
-            let (one, two) = (1 + below(most) as usize, 1 + below(most) as usize);
-            let from = below((count - one - two) as u64 + 1) as usize;
-            let (middle, end) = (from + one, from + one + two);
-            let loss = self.hop(self.before(from), self.at(middle))
-                + self.hop(self.at(end - 1), self.at(from))
-                + self.hop(self.at(middle - 1), self.at(end))
-                - self.hop(self.before(from), self.at(from))
-                - self.hop(self.at(middle - 1), self.at(middle))
-                - self.hop(self.at(end - 1), self.at(end));
+        for _ in 0..(KICKS.0 / count).clamp(KICKS.1, KICKS.2) {
             let (order, place) = (self.order.clone(), self.place.clone());
-            self.order[from..end].rotate_left(one);
-            self.number(from, end);
-            let seen = [from.saturating_sub(1), from, from + two - 1, from + two, end - 1, end];
-            let mut touched: Vec<usize> = seen.into_iter().filter_map(|i| self.at(i)).map(|s| s.line).collect();
+            let (mut loss, mut touched) = (0.0, Vec::new());
+            // One alone is often just taken back by the exchanges.
+            for _ in 0..=below(3) {
+                let most = KICKED.min(count as u64 / 2);
+                let (one, two) = (1 + below(most) as usize, 1 + below(most) as usize);
+                let from = below((count - one - two) as u64 + 1) as usize;
+                let end = from + one + two;
+                let joints = |s: &Search<'_>, middle: usize| {
+                    let hop = |i: usize| s.hop(s.before(i), s.at(i));
+                    hop(from) + hop(middle) + hop(end)
+                };
+                let before = joints(self, from + one);
+                self.order[from..end].rotate_left(one);
+                self.number(from, end);
+                if self.stops.sense == Sense::Either && below(2) == 0 {
+                    self.turn(from, from + two - 1);
+                }
+                loss += joints(self, from + two) - before;
+                let seen = [from.saturating_sub(1), from, from + two - 1, from + two, end - 1, end];
+                touched.extend(seen.into_iter().filter_map(|i| self.at(i)).map(|s| s.line));
+            }
             touched.sort_unstable();
             touched.dedup();
             if self.settle(touched) < loss + GAIN_MM {
