@@ -4,6 +4,7 @@
 //! Stages that planning runs on all cores are run so here, too. `benches/peers.py` times the same
 //! stages of other programs on the same meshes; compare figures of one sitting only.
 
+use clearbeam::beam::{Body, Head, Optics, Tool};
 use clearbeam::cell::Setup;
 use clearbeam::job::{Cache, Chosen, Job, Progress, plan, plan::segmented};
 use clearbeam::part::merge_tree::dihedral_angles;
@@ -184,6 +185,10 @@ fn gap_lines(part: &Part) -> Vec<(u32, TransversalLine)> {
         .collect()
 }
 
+/// A nozzle that comes near the spot, and the head behind it.
+const HEAD: &str = "[[part]]\nfrom_mm = 40\nto_mm = 80\nr0_mm = 5\nr1_mm = 18\n\
+                    [[part]]\nfrom_mm = 80\nto_mm = 240\nr0_mm = 25\nr1_mm = 25\n";
+
 /// The search over the same lines, as many as have 3000 points; and the free sets of 3000 points alone.
 fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let rules = line_rules(Correction::Clearance);
@@ -198,6 +203,13 @@ fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) 
         b.iter(|| {
             lines.par_iter().map(|(s, line)| plan_line(part, None, (*s, 0), line, &Z, &rules)).collect::<Vec<_>>()
         });
+    });
+    let Ok(head) = Head::from_toml(HEAD) else { return };
+    let tool = Tool { head: Some(head), clamps: Vec::new() };
+    let body = Body::new(&tool, &Optics::default(), 1.0, 20.0, 0.5);
+    group.bench_function(format!("search and polish with a head, {points} points/{size}"), |b| {
+        let planned = |(s, line): &(u32, TransversalLine)| plan_line(part, body.as_ref(), (*s, 0), line, &Z, &rules);
+        b.iter(|| lines.par_iter().map(planned).collect::<Vec<_>>());
     });
     let mut stands: Vec<_> =
         lines.iter().flat_map(|(_, line)| dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg)).collect();

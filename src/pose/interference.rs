@@ -91,8 +91,8 @@ pub struct Beam<'a> {
     size_mm: f64,
     /// What stands around the ray.
     pub(super) body: Option<&'a Body<'a>>,
-    /// The facet that stopped cone or head last, and whether it is one of the part.
-    pub(super) last_of_body: Cell<Option<([Point3<f64>; 3], bool)>>,
+    /// The facet of the part that stopped cone or head last.
+    pub(super) last_of_body: Cell<Option<[Point3<f64>; 3]>>,
     /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
     last: Cell<Option<[Point3<f64>; 3]>>,
 }
