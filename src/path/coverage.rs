@@ -76,12 +76,10 @@ impl PointGrid {
     fn new(lines: &[TransversalLine], cell_mm: f64) -> PointGrid {
         let mut cells: BTreeMap<[i64; 3], Vec<Piece>> = BTreeMap::new();
         for line in lines {
-            let closing = if line.closed { line.points.first() } else { None };
-            let ring: Vec<_> = line.points.iter().chain(closing).map(|q| q.p).collect();
-            for w in ring.windows(2) {
-                let pieces = ((w[1] - w[0]).norm() / cell_mm).ceil().max(1.0);
+            for (from, to) in line.sides() {
+                let pieces = ((to.p - from.p).norm() / cell_mm).ceil().max(1.0);
                 for i in 0..pieces as usize {
-                    let at = |k: usize| w[0] + (w[1] - w[0]) * (k as f64 / pieces);
+                    let at = |k: usize| from.p + (to.p - from.p) * (k as f64 / pieces);
                     cells.entry(key(&at(i), cell_mm)).or_default().push((at(i), at(i + 1)));
                 }
             }

@@ -6,10 +6,12 @@
 pub mod chord;
 pub mod coverage;
 pub mod dense;
+pub mod ends;
 pub mod normals;
 pub mod order;
 pub mod planes;
 pub mod section;
+pub mod tour;
 
 pub use dense::DensePoint;
 pub use order::Order;

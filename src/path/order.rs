@@ -41,7 +41,7 @@ pub fn ordered(lines: Vec<TransversalLine>, order: Order, normal: &Vector3<f64>)
     while let Some(plane) = rest.peek().map(|l| l.plane) {
         let mut here: Vec<TransversalLine> = Vec::new();
         while let Some(line) = rest.next_if(|l| l.plane == plane) {
-            here.push(if backwards { reversed(line) } else { line });
+            here.push(if backwards { line.reversed() } else { line });
         }
         while !here.is_empty() {
             let (index, start) = nearest_start(&here, spot, normal);
@@ -54,11 +54,6 @@ pub fn ordered(lines: Vec<TransversalLine>, order: Order, normal: &Vector3<f64>)
         backwards = order == Order::Zigzag && !backwards;
     }
     done
-}
-
-fn reversed(mut line: TransversalLine) -> TransversalLine {
-    line.points.reverse();
-    line
 }
 
 /// Index of a line and of the point to start it at.

@@ -10,9 +10,9 @@ use super::target::{Pass, Split, State, Target, against_normal_deg, travel};
 use super::tilt::{Pin, TiltRule};
 use crate::beam::{Stance, Work};
 use crate::part::{Part, angle};
-use crate::path::TransversalLine;
 use crate::path::chord::{self, ChordLimits, Place};
 use crate::path::dense::{self, DensePoint};
+use crate::path::{SectionPoint, TransversalLine};
 use nalgebra::Vector3;
 
 /// What a line is planned by.
@@ -63,14 +63,14 @@ pub struct Line<'a> {
 }
 
 /// Plans one line of one surface. Of several stances the first is what is wanted; another one is taken
-/// where it leaves less of the line blocked.
+/// where it leaves less of the line blocked. Over the line's dark gaps the laser is off.
 pub fn plan_line(part: &Part, stances: &[Stance<'_>], line: &Line<'_>, rules: &LineRules) -> Pass {
     let mut best: Option<(f64, Pass)> = None;
     for stance in stances {
         // Without a head the section plane keeps limits of its own.
         let limit_deg = stance.body.as_ref().map(|_| rules.max_tilt_deg);
         let pass = planned(part, stance, line, rules, (rules.correction, limit_deg));
-        let blocked_mm = pass.length_mm(|_, to| !to.laser);
+        let blocked_mm = pass.length_mm(|from, to| !to.laser && !Pass::is_gap(from, to));
         if best.as_ref().is_none_or(|(least_mm, _)| blocked_mm < least_mm - 1e-6) {
             best = Some((blocked_mm, pass));
         }
@@ -88,6 +88,48 @@ pub fn plan_line_by_section_plane(part: &Part, stance: &Stance<'_>, line: &Line<
 }
 
 fn planned(
+    part: &Part,
+    stance: &Stance<'_>,
+    whole_line: &Line<'_>,
+    rules: &LineRules,
+    correction: (Correction, Option<f64>),
+) -> Pass {
+    if whole_line.line.dark.is_empty() {
+        return planned_piece(part, stance, whole_line, rules, correction);
+    }
+    let Line { line, surface, m, .. } = whole_line;
+    // What a beam keeps clear of on one side of a gap says nothing of the other side: each piece is planned
+    // by itself, and its first target is reached with the laser off, as any pass's.
+    let mut whole = Pass {
+        surface: *surface,
+        work: stance.work,
+        plane_normal: *m,
+        closed: false,
+        targets: Vec::new(),
+        chord_error_mm: 0.0,
+        splits: Vec::new(),
+    };
+    let (mut start_mm, mut last) = (0.0, None);
+    for points in line.pieces().filter(|p| p.len() > 1) {
+        let way_mm = |w: &[SectionPoint]| (w[1].p - w[0].p).norm();
+        start_mm += last.map_or(0.0, |last: SectionPoint| (points[0].p - last.p).norm());
+        last = points.last().copied();
+        // Pins are told by their place on the whole line.
+        let moved = |pin: &Pin| Pin { at_mm: pin.at_mm - start_mm, ..*pin };
+        let rules = LineRules { pins: rules.pins.iter().map(moved).collect(), ..rules.clone() };
+        start_mm += points.windows(2).map(way_mm).fold(0.0, |a, b| a + b);
+        let piece = TransversalLine { plane: line.plane, points: points.to_vec(), closed: false, dark: Vec::new() };
+        let pass = planned_piece(part, stance, &Line { line: &piece, ..*whole_line }, &rules, correction);
+        let before = whole.targets.len();
+        whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
+        whole.targets.extend(pass.targets);
+        whole.chord_error_mm = whole.chord_error_mm.max(pass.chord_error_mm);
+    }
+    whole
+}
+
+/// The same for a line without gaps.
+fn planned_piece(
     part: &Part,
     stance: &Stance<'_>,
     Line { line, surface, number, m }: &Line<'_>,

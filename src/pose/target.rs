@@ -133,6 +133,12 @@ impl Pass {
             .fold(0.0, |a, b| a + b)
     }
 
+    /// Whether the laser is off between two neighbouring targets though nothing blocks the beam: a gap that the
+    /// line passes over, or a split.
+    pub fn is_gap(from: &Target, to: &Target) -> bool {
+        !to.laser && from.state != State::Blocked && to.state != State::Blocked
+    }
+
     /// Fastest turn of the beam against the normal on lit moves that touch a corrected target, degrees/mm.
     pub fn max_tilt_rate_deg_mm(&self) -> f64 {
         let is = |t: &Target| t.state == State::Corrected;

@@ -195,7 +195,7 @@ fn same(a: &Option<Blocker>, b: &Option<Blocker>) -> bool {
 }
 
 fn of_pass(pass: &Pass) -> impl Iterator<Item = Stretch> {
-    pass.targets.windows(2).map(|w| {
+    pass.targets.windows(2).filter(|w| !Pass::is_gap(&w[0], &w[1])).map(|w| {
         let blocked = w.iter().find(|t| t.state == State::Blocked).filter(|_| !w[1].laser);
         Stretch { from: w[0].p, to: w[1].p, blocked: blocked.map(|t| t.normal_hits) }
     })
