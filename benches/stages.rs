@@ -150,7 +150,7 @@ fn surface_points(mesh: &Mesh) -> Vec<(Point3<f64>, Vector3<f64>)> {
 }
 
 fn planned(part: &Part, stance: &Stance<'_>, surface: u32, line: &TransversalLine, rules: &LineRules) -> Pass {
-    plan_line(part, std::slice::from_ref(stance), &Line { line, surface, number: 0, m: Z }, rules)
+    plan_line(part, std::slice::from_ref(stance), &Line { line, surface, number: 0, m: Some(Z) }, rules)
 }
 
 /// Lines over tooth gaps (flank, root, flank). With 40 teeth 228 of the 240 have a run on either

@@ -327,7 +327,7 @@ fn what_stands_in_the_cell_is_in_the_way_of_a_carried_head() {
         // In the part's frame: (10, 25, 30) in the base, turned back by a quarter.
         for c in &setup.tool.clamps {
             assert!((c.at().translation.vector - Vector3::new(25.0, -10.0, 30.0)).norm() < 1e-9);
-            let body = clearbeam::job::plan::body(&job, &setup);
+            let body = clearbeam::job::surface_plan::body(&job, &setup);
             let plate = floor_and(&[]);
             let hit = Beam::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());
             assert_eq!(hit.map(|b| b.theirs), Some(Theirs::Clamp(0)));

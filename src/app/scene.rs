@@ -200,7 +200,7 @@ fn angles_onto(m: &Vector3<f64>, camera: &Camera) -> (f64, f64) {
 
 fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
     let missed =
-        d.plan.iter().flat_map(|(plan, _)| &plan.surfaces).flat_map(|p| p.coverage.missed_facets.iter().copied());
+        d.plan.iter().flat_map(|(plan, _)| &plan.surfaces).flat_map(|p| p.laid.coverage.missed_facets.iter().copied());
     PartLook {
         chosen,
         selected: s.selected.clone(),

@@ -2,7 +2,8 @@
 //! and a better set-up.
 
 use super::model::{CellFile, Job};
-use super::plan::{Cache, Plan, PlanError, drive};
+use super::plan::{Plan, PlanError, drive};
+use super::surface_plan::Cache;
 use crate::beam::Work;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
 use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};

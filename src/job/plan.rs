@@ -1,20 +1,19 @@
 //! From a job to a plan: planes, lines, poses, program, report. Surfaces whose inputs have not
 //! changed are taken from the cache.
 
+use super::lay::{self, Laid};
 use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
-use crate::beam::{Body, Head, Stance, Tool, Work};
+use super::surface_plan::{Cache, SurfacePlan, key_of, plan_surface, raster, rules, rules_of, stances, worked};
+use crate::beam::Stance;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
-use crate::part::{Digest, Hasher, Part, Surfaces};
-use crate::path::chord::ChordLimits;
-use crate::path::coverage::{Coverage, coverage};
-use crate::path::normals::VertexNormals;
-use crate::path::planes::Layout;
-use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{Correction, Line, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
+use crate::part::{Digest, Part, Surfaces};
+use crate::path::Order;
+use crate::path::planes::{self, Raster};
+use crate::pose::{Pass, State};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
@@ -25,22 +24,8 @@ use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 use thiserror::Error;
-
-/// A surface's share of a plan.
-#[derive(Clone, Debug)]
-pub struct SurfacePlan {
-    /// Its planes.
-    pub planes: SurfacePlanes,
-    /// Its passes in working order.
-    pub passes: Vec<Pass>,
-    /// What no line reaches.
-    pub coverage: Coverage,
-    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
-    /// same limits.
-    pub by_section_plane: Option<Vec<Option<Pass>>>,
-}
 
 /// A plan.
 #[derive(Clone, Debug, Default)]
@@ -119,23 +104,6 @@ impl From<Cancelled> for PlanError {
     }
 }
 
-/// Surface plans by the digest of all that they depend on.
-#[derive(Debug, Default)]
-pub struct Cache(Mutex<BTreeMap<Digest, Arc<SurfacePlan>>>);
-
-impl Cache {
-    fn get(&self, key: &Digest) -> Option<Arc<SurfacePlan>> {
-        self.0.lock().ok()?.get(key).cloned()
-    }
-
-    /// Keeps what the newest plan uses, and nothing else.
-    fn keep(&self, used: BTreeMap<Digest, Arc<SurfacePlan>>) {
-        if let Ok(mut map) = self.0.lock() {
-            *map = used;
-        }
-    }
-}
-
 /// The surfaces of a part under a job.
 pub fn segmented(part: &Part, job: &Job) -> Surfaces {
     let s = &job.surfaces;
@@ -181,29 +149,49 @@ pub fn plan(
         return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }
     bound_size(surfaces, &own, size_mm)?;
-    let layouts: Vec<Layout> = own_layouts(&list, &own);
-    let families = planes::planes(&part.mesh, surfaces, &layouts);
-    progress.begin("planning", families.iter().map(|f| f.heights_mm.len()).sum());
-    let planned: Vec<(Digest, Arc<SurfacePlan>)> = families
+    let rasters: Vec<Raster> = list.iter().filter_map(|n| Some(raster(*n, own.get(n)?))).collect();
+    let families = planes::planes(&part.mesh, surfaces, &rasters);
+    let mine = |n: u32| own.get(&n).map_or(job, |j| j);
+    progress.begin("laying lines", families.len());
+    let laid: Vec<(Digest, Arc<Laid>)> = families
         .into_par_iter()
         .map(|family| {
-            let job = own.get(&family.surface).map_or(job, |j| j);
-            let rules = LineRules {
-                tilt: job.tilts.iter().find(|t| t.surface == family.surface).cloned().unwrap_or_default(),
-                pins: job.pins.iter().filter(|p| p.surface == family.surface).copied().collect(),
-                ..rules(job)
-            };
-            let key = key(part, surfaces, &family, job, &rules, &setup.tool);
+            progress.step()?;
+            Ok(cache.laid(part, surfaces, family, mine))
+        })
+        .collect::<Result<Vec<Option<_>>, Cancelled>>()?
+        .into_iter()
+        .flatten()
+        .collect();
+    // Where a surface begins may depend on where the one before ends.
+    let (mut spot, mut lines) = (None, Vec::with_capacity(laid.len()));
+    for (key, laid) in &laid {
+        let ordered = lay::ordered(laid, &mine(laid.surface).layers, spot.as_ref());
+        let from = spot;
+        spot = lay::end_of(&ordered.lines).or(spot);
+        lines.push((*key, from, laid.clone(), ordered));
+    }
+    progress.begin("planning", lines.iter().map(|l| l.3.lines.len()).sum());
+    let planned: Vec<(Digest, Arc<SurfacePlan>)> = lines
+        .into_par_iter()
+        .map(|(key, from, laid, ordered)| {
+            let job = mine(laid.surface);
+            let rules = rules_of(laid.surface, job);
+            let from = from.filter(|_| job.layers.order == Order::Shortest);
+            let key = key_of(key, from, job, &rules, &setup.tool);
             let made = match cache.get(&key) {
                 Some(known) => known,
-                None => Arc::new(plan_surface(part, surfaces, family, job, &setup.tool, &rules, progress)?),
+                None => Arc::new(plan_surface(part, laid, ordered, job, &setup.tool, &rules, progress)?),
             };
             Ok((key, worked(made, job, &setup.tool)))
         })
         .collect::<Result<_, PlanError>>()?;
     let surface_plans: Vec<_> = planned.iter().map(|(_, p)| p.clone()).collect();
-    cache.keep(planned.into_iter().collect());
-    let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
+    cache.keep(planned.into_iter().collect(), laid.into_iter().collect());
+    let passes: Vec<Pass> = surface_plans
+        .iter()
+        .flat_map(|s| (0..mine(s.laid.surface).layers.passes as usize).flat_map(|_| s.passes.iter().cloned()))
+        .collect();
     let air_mm_s = job.beam.air_speed_mm_s;
     let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
     let mut plan = Plan { surfaces: surface_plans, passes, cell, ..Plan::default() };
@@ -378,135 +366,3 @@ fn bound_size(surfaces: &Surfaces, own: &BTreeMap<u32, Cow<'_, Job>>, size_mm: f
 
 /// Points of dense lines: a square metre at P1's spacing has 8 million, and takes a minute or two.
 const MOST_POINTS: f64 = 5e8;
-
-fn rules(job: &Job) -> LineRules {
-    LineRules {
-        max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm).min(job.path.max_step_mm),
-        max_dense_turn_deg: dense::MAX_TURN_DEG.min(job.path.max_turn_deg),
-        chord: ChordLimits {
-            chord_error_mm: job.path.chord_error_mm,
-            max_step_mm: job.path.max_step_mm,
-            max_turn_deg: job.path.max_turn_deg,
-        },
-        correction: job.path.correction,
-        max_tilt_deg: job.path.max_tilt_deg,
-        tilt_rate_deg_mm: job.path.tilt_rate_deg_mm.min(job.path.tilt_rate_deg_s / job.beam.speed_mm_s),
-        tilt: TiltRule::default(),
-        pins: Vec::new(),
-    }
-}
-
-/// A surface's plan with the work of its job: power and speed change no pose, and without a head where the
-/// focus stands does not either.
-fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
-    let wanted = work(job);
-    let own = |w: &Work| match tool.head {
-        None => wanted,
-        Some(_) => Work { speed_mm_s: wanted.speed_mm_s, power_w: wanted.power_w, ..*w },
-    };
-    if made.passes.iter().any(|p| p.work != own(&p.work)) {
-        Arc::make_mut(&mut made).passes.iter_mut().for_each(|p| p.work = own(&p.work));
-    }
-    made
-}
-
-/// What stands around the beam; `None`: the beam is a ray.
-pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
-    stances(job, &setup.tool).swap_remove(0).body
-}
-
-/// How the head may be held over lines, as wanted first: then drawn back and pushed forward by half of the
-/// standoff window and all of it.
-fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>> {
-    let wanted = work(job);
-    let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
-    let lifted = |share: &f64| wanted.lifted(&job.optics, share * job.path.standoff_mm);
-    lifts.iter().map(|s| Stance::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
-}
-
-/// What a job works with.
-fn work(job: &Job) -> Work {
-    let b = &job.beam;
-    Work { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, speed_mm_s: b.speed_mm_s, power_w: b.power_w }
-}
-
-fn own_layouts(list: &[u32], own: &BTreeMap<u32, Cow<'_, Job>>) -> Vec<Layout> {
-    let layout = |n: &u32| {
-        let layers = &own.get(n)?.layers;
-        let (direction, spacing_mm) = (layers.direction, layers.spacing_mm);
-        Some(Layout { surface: *n, direction, spacing_mm, offset_mm: layers.offset_mm.mm() })
-    };
-    list.iter().filter_map(layout).collect()
-}
-
-fn plan_surface(
-    part: &Part,
-    surfaces: &Surfaces,
-    planes: SurfacePlanes,
-    job: &Job,
-    tool: &Tool,
-    rules: &LineRules,
-    progress: &Progress,
-) -> Result<SurfacePlan, PlanError> {
-    let Some(surface) = surfaces.get(planes.surface) else { return Err(PlanError::Nothing) };
-    let normals = VertexNormals::new(&part.mesh, surfaces, surface);
-    let merge_mm = 1e-6 * part.mesh.diagonal();
-    let lines: Vec<TransversalLine> =
-        section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
-    let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);
-    let lines = order::ordered(lines, job.layers.order, &planes.normal);
-    let is_searched = rules.correction == Correction::Clearance;
-    let stances = stances(job, tool);
-    let both = lines
-        .par_iter()
-        .enumerate()
-        .map(|(number, line)| {
-            progress.step()?;
-            let line = Line { line, surface: surface.number, number: number as u32, m: planes.normal };
-            let pass = plan_line(part, &stances, &line, rules);
-            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
-            let other =
-                (is_searched && interferes).then(|| plan_line_by_section_plane(part, &stances[0], &line, rules));
-            Ok((pass, other))
-        })
-        .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
-    let (passes, others): (Vec<_>, Vec<_>) = both.into_iter().unzip();
-    Ok(SurfacePlan { planes, passes, coverage, by_section_plane: is_searched.then_some(others) })
-}
-
-/// Of all that the poses of a surface depend on.
-fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rules: &LineRules, tool: &Tool) -> Digest {
-    let facets = surfaces.get(planes.surface).map_or(&[][..], |s| &s.facets);
-    let flipped = job.surfaces.flipped.contains(&planes.surface);
-    let one_way = job.layers.order == Order::OneWay;
-    let mut hasher = Hasher::default()
-        .digest(part.digest)
-        .u32s(facets)
-        .u32s(&[planes.surface, flipped.into(), one_way.into(), rules.correction as u32])
-        .f64s(planes.normal.as_slice())
-        .f64s(&planes.heights_mm)
-        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm, rules.max_dense_turn_deg])
-        .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
-        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm, job.path.standoff_mm])
-        .f64s(&[rules.tilt.preferred.lead_deg, rules.tilt.preferred.lean_deg, rules.tilt.least_deg])
-        .u32s(&rules.tilt.forbidden.iter().map(|s| *s as u32).collect::<Vec<_>>());
-    for pin in &rules.pins {
-        hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
-    }
-    for p in tool.head.iter().flat_map(Head::stack) {
-        hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
-    }
-    for clamp in &tool.clamps {
-        hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);
-    }
-    if tool.head.is_some() || !tool.clamps.is_empty() {
-        let (b, o) = (&job.beam, &job.optics);
-        hasher = hasher.f64s(&[b.defocus_mm, b.spot_mm, b.margin_mm]).f64s(&[
-            o.lens_to_focus_mm,
-            o.aperture_mm,
-            o.focus_spot_mm,
-            o.rayleigh_mm,
-        ]);
-    }
-    hasher.finish()
-}

@@ -5,7 +5,7 @@
 
 use super::model::Job;
 use super::parameter::Parameter;
-use crate::path::{Direction, Order};
+use crate::path::{Direction, Order, Strategy};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -21,6 +21,9 @@ const WHOLE: [&str; 3] = ["beam.air_speed_mm_s", "beam.margin_mm", "path.tilt_ra
 pub struct Recipe {
     /// What it is called.
     pub name: String,
+    /// How lines are laid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strategy: Option<Strategy>,
     /// Normal of the section planes.
     #[serde(with = "as_text", skip_serializing_if = "Option::is_none")]
     pub direction: Option<Direction>,
@@ -57,6 +60,7 @@ impl Recipe {
     /// The job with the recipe's values in place of its own.
     pub fn applied(&self, job: &Job) -> Job {
         let mut own = job.clone();
+        own.layers.strategy = self.strategy.unwrap_or(own.layers.strategy);
         own.layers.direction = self.direction.unwrap_or(own.layers.direction);
         own.layers.order = self.order.unwrap_or(own.layers.order);
         for (key, value) in &self.values {
@@ -92,6 +96,22 @@ impl Job {
     /// The job as it is for one surface.
     pub fn of_surface(&self, surface: u32) -> Cow<'_, Job> {
         self.recipe_of(surface).map_or(Cow::Borrowed(self), |r| Cow::Owned(r.applied(self)))
+    }
+
+    /// The spacing at which neighbouring spots overlap by so many per cent of their width, mm.
+    ///
+    /// # Errors
+    /// There is none for that.
+    pub fn spacing_of_overlap(&self, percent: f64) -> Result<f64, String> {
+        if !(0.0..=95.0).contains(&percent) {
+            return Err(format!("overlap = {percent}: give a number from 0 to 95 %"));
+        }
+        Ok(self.beam.spot_mm * (1.0 - 0.01 * percent))
+    }
+
+    /// The overlap of neighbouring spots as a share of their width, per cent; negative where they do not meet.
+    pub fn overlap_percent(&self) -> f64 {
+        100.0 * (1.0 - self.layers.spacing_mm / self.beam.spot_mm)
     }
 
     /// What is wrong with its recipes, as a sentence.

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 /// Within this angle of the planes a facet counts as parallel to them: lines would be 5.8 times as
 /// far apart as wanted.
-const PARALLEL_DEG: f64 = 10.0;
+pub(super) const PARALLEL_DEG: f64 = 10.0;
 
 /// Coverage of one surface.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,26 +26,31 @@ pub struct Coverage {
     pub spacing_max_mm: Option<f64>,
 }
 
-/// Looks for missed facets: parallel within 10° to the planes, or crossed by no line of the surface
-/// and further than one spacing from any.
+/// Looks for missed facets: parallel within 10° to the planes (of two families: to both), or crossed by no line
+/// of the surface and further than one spacing from any. Lines that no planes cut are looked at alone.
+///
+/// The spacing is that of planes at equal distances; lines laid otherwise are measured.
 pub fn coverage(
     mesh: &Mesh,
     surface: &Surface,
-    planes: &SurfacePlanes,
+    planes: &[SurfacePlanes],
     spacing_mm: f64,
     lines: &[TransversalLine],
 ) -> Coverage {
-    let m = &planes.normal;
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let mut grid: Option<PointGrid> = None;
     let mut out = Coverage::default();
     for &f in surface.facets.iter().filter(|&&f| mesh.dead[f as usize] == Dead::No) {
-        let sine = mesh.normals[f as usize].cross(m).norm();
-        let heights = mesh.corners(f as usize).map(|p| p.coords.dot(m));
-        let (lo, hi) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
-        let from = planes.heights_mm.partition_point(|&c| c <= lo);
-        let crossed = planes.heights_mm.get(from).is_some_and(|&c| c <= hi);
-        let missed = sine < parallel_sine
+        let sine = |planes: &SurfacePlanes| mesh.normals[f as usize].cross(&planes.normal).norm();
+        let crosses = |planes: &SurfacePlanes| {
+            let heights = mesh.corners(f as usize).map(|p| p.coords.dot(&planes.normal));
+            let (lo, hi) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
+            let from = planes.heights_mm.partition_point(|&c| c <= lo);
+            planes.heights_mm.get(from).is_some_and(|&c| c <= hi)
+        };
+        let steepest = planes.iter().map(sine).reduce(f64::max);
+        let crossed = planes.iter().any(|p| sine(p) >= parallel_sine && crosses(p));
+        let missed = steepest.is_some_and(|sine| sine < parallel_sine)
             || (!crossed && {
                 let grid = grid.get_or_insert_with(|| PointGrid::new(lines, spacing_mm));
                 !grid.has_within(&mesh.corners(f as usize), spacing_mm)
@@ -54,7 +59,7 @@ pub fn coverage(
             out.missed_area_mm2 += mesh.areas[f as usize];
             out.missed_facets.push(f);
         } else {
-            let on_surface = spacing_mm / sine;
+            let on_surface = spacing_mm / steepest.unwrap_or(1.0);
             out.spacing_min_mm = Some(out.spacing_min_mm.map_or(on_surface, |s| s.min(on_surface)));
             out.spacing_max_mm = Some(out.spacing_max_mm.map_or(on_surface, |s| s.max(on_surface)));
         }

@@ -11,9 +11,11 @@ pub mod normals;
 pub mod order;
 pub mod planes;
 pub mod section;
+pub mod strategy;
 pub mod tour;
 
 pub use dense::DensePoint;
 pub use order::Order;
 pub use planes::{Direction, SurfacePlanes};
 pub use section::{SectionPoint, TransversalLine};
+pub use strategy::Strategy;

@@ -15,20 +15,26 @@ pub enum Order {
     Zigzag,
     /// All lines run in the same sense.
     OneWay,
+    /// The order with the shortest ways between the lines; see [`super::tour`].
+    Shortest,
 }
 
 impl Order {
+    /// All of them, in the order of lists.
+    pub const ALL: [Order; 3] = [Order::Zigzag, Order::OneWay, Order::Shortest];
+
     /// The word used on the command line and in jobs.
     pub fn word(self) -> &'static str {
         match self {
             Order::Zigzag => "zigzag",
             Order::OneWay => "one-way",
+            Order::Shortest => "shortest",
         }
     }
 
     /// The order of that word.
     pub fn from_word(word: &str) -> Option<Order> {
-        [Order::Zigzag, Order::OneWay].into_iter().find(|o| o.word() == word)
+        Order::ALL.into_iter().find(|o| o.word() == word)
     }
 }
 

@@ -74,7 +74,7 @@ pub struct SurfacePlanes {
 
 /// What planes a surface is to get.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Layout {
+pub struct Raster {
     /// Surface number.
     pub surface: u32,
     /// Normal of the planes.
@@ -86,8 +86,8 @@ pub struct Layout {
 }
 
 /// The planes of surfaces, in their order. Surfaces without any proper facet get none.
-pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Layout]) -> Vec<SurfacePlanes> {
-    let mut all: Vec<(SurfacePlanes, (f64, f64), &Layout)> = layouts
+pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Raster]) -> Vec<SurfacePlanes> {
+    let mut all: Vec<(SurfacePlanes, (f64, f64), &Raster)> = layouts
         .iter()
         .filter_map(|layout| Some((surfaces.get(layout.surface)?, layout)))
         .filter_map(|(s, layout)| {
@@ -102,7 +102,7 @@ pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Layout]) -> Vec<Surfa
     for i in 0..all.len() {
         let (normal, own, layout) = (all[i].0.normal, all[i].1, *all[i].2);
         let is_same =
-            |(p, _, l): &&(SurfacePlanes, (f64, f64), &Layout)| p.normal == normal && l.family() == layout.family();
+            |(p, _, l): &&(SurfacePlanes, (f64, f64), &Raster)| p.normal == normal && l.family() == layout.family();
         let joint = all.iter().filter(is_same).fold(own, |j, (_, e, _)| (j.0.min(e.0), j.1.max(e.1)));
         let family = family(joint, layout.spacing_mm, layout.offset_mm);
         let touched = family.partition_point(|&h| h <= own.0)..family.partition_point(|&h| h <= own.1);
@@ -111,7 +111,7 @@ pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Layout]) -> Vec<Surfa
     all.into_iter().map(|(p, ..)| p).collect()
 }
 
-impl Layout {
+impl Raster {
     /// Surfaces of one family agree in this, and in their planes' normal.
     fn family(&self) -> (f64, Option<f64>) {
         (self.spacing_mm, self.offset_mm)
@@ -119,7 +119,7 @@ impl Layout {
 }
 
 /// Heights of a family over an extent.
-fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f64>) -> Vec<f64> {
+pub(super) fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f64>) -> Vec<f64> {
     // A hair less: an extent of n spacings that f32 coordinates have made a little longer must not
     // get n + 1 planes, the outer ones on its rims.
     let steps = (hi - lo) / spacing_mm - 1e-4;
@@ -133,11 +133,13 @@ fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f64>) -> Vec<
     (0..count).map(|i| first + i as f64 * spacing_mm).collect()
 }
 
-fn live<'a>(mesh: &'a Mesh, s: &'a Surface) -> impl Iterator<Item = usize> + 'a {
+/// The proper facets of a surface.
+pub(super) fn live<'a>(mesh: &'a Mesh, s: &'a Surface) -> impl Iterator<Item = usize> + 'a {
     s.facets.iter().map(|&f| f as usize).filter(|&f| mesh.dead[f] == Dead::No)
 }
 
-fn extent(mesh: &Mesh, s: &Surface, normal: &Vector3<f64>) -> Option<(f64, f64)> {
+/// Least and greatest height of a surface along a direction, mm.
+pub(super) fn extent(mesh: &Mesh, s: &Surface, normal: &Vector3<f64>) -> Option<(f64, f64)> {
     live(mesh, s)
         .flat_map(|f| mesh.corners(f))
         .map(|p| p.coords.dot(normal))

@@ -21,7 +21,8 @@ pub struct SectionPoint {
 /// One line of one surface in one plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TransversalLine {
-    /// Index of the plane within its surface's planes.
+    /// Rank of the line on its surface, from 0: the index of its plane or of its distance from the
+    /// border; 0 for all pieces of a spiral; the second raster of a cross counts on from the first.
     pub plane: usize,
     /// Points in order. A closed line does not repeat its first.
     pub points: Vec<SectionPoint>,
@@ -108,48 +109,9 @@ struct Cut<'a> {
 impl Cut<'_> {
     /// Lines of the crossed facets of one plane.
     fn lines(&self, facets: &[u32], height: f64) -> Vec<(Vec<SectionPoint>, bool)> {
-        // Edge by which each facet is entered (upwards) and left (downwards).
         let gates: Vec<(u32, u32)> = facets.iter().filter_map(|&f| self.gates(f, height)).collect();
-        let mut by_entry: Vec<(u32, u32)> = gates.iter().enumerate().map(|(i, g)| (g.0, i as u32)).collect();
-        by_entry.sort_unstable();
-        let mut exits: Vec<u32> = gates.iter().map(|g| g.1).collect();
-        exits.sort_unstable();
-        let once = |sorted: &[u32], e: u32| {
-            let at = sorted.partition_point(|&x| x < e);
-            sorted.get(at) == Some(&e) && sorted.get(at + 1) != Some(&e)
-        };
-        // Over an edge with more than two facets of the surface no line is led.
-        let next = |slot: usize| -> Option<usize> {
-            let e = gates[slot].1;
-            let at = by_entry.partition_point(|x| x.0 < e);
-            let unique = by_entry.get(at)?.0 == e && by_entry.get(at + 1).is_none_or(|x| x.0 != e);
-            (unique && once(&exits, e)).then(|| by_entry[at].1 as usize)
-        };
-        let successor: Vec<Option<usize>> = (0..gates.len()).map(next).collect();
-        let mut has_predecessor = vec![false; gates.len()];
-        for s in successor.iter().flatten() {
-            has_predecessor[*s] = true;
-        }
-        let mut visited = vec![false; gates.len()];
-        let mut lines = Vec::new();
-        let starts = (0..gates.len()).filter(|&s| !has_predecessor[s]).chain(0..gates.len());
-        for start in starts {
-            if visited[start] {
-                continue;
-            }
-            let mut points = Vec::new();
-            if !has_predecessor[start] {
-                points.push(self.point(gates[start].0, height));
-            }
-            let mut slot = Some(start);
-            while let Some(s) = slot.filter(|&s| !visited[s]) {
-                visited[s] = true;
-                points.push(self.point(gates[s].1, height));
-                slot = successor[s];
-            }
-            lines.push((points, has_predecessor[start]));
-        }
-        lines
+        let line = |(edges, closed): (Vec<u32>, bool)| (edges.iter().map(|&e| self.point(e, height)).collect(), closed);
+        chained(&gates).into_iter().map(line).collect()
     }
 
     fn gates(&self, facet: u32, height: f64) -> Option<(u32, u32)> {
@@ -181,8 +143,53 @@ impl Cut<'_> {
     }
 }
 
+/// Lines through facets, each entered by one edge (upwards) and left by another (downwards): the edges
+/// in order, and whether they close.
+pub(super) fn chained(gates: &[(u32, u32)]) -> Vec<(Vec<u32>, bool)> {
+    let mut by_entry: Vec<(u32, u32)> = gates.iter().enumerate().map(|(i, g)| (g.0, i as u32)).collect();
+    by_entry.sort_unstable();
+    let mut exits: Vec<u32> = gates.iter().map(|g| g.1).collect();
+    exits.sort_unstable();
+    let once = |sorted: &[u32], e: u32| {
+        let at = sorted.partition_point(|&x| x < e);
+        sorted.get(at) == Some(&e) && sorted.get(at + 1) != Some(&e)
+    };
+    // Over an edge with more than two facets of the surface no line is led.
+    let next = |slot: usize| -> Option<usize> {
+        let e = gates[slot].1;
+        let at = by_entry.partition_point(|x| x.0 < e);
+        let unique = by_entry.get(at)?.0 == e && by_entry.get(at + 1).is_none_or(|x| x.0 != e);
+        (unique && once(&exits, e)).then(|| by_entry[at].1 as usize)
+    };
+    let successor: Vec<Option<usize>> = (0..gates.len()).map(next).collect();
+    let mut has_predecessor = vec![false; gates.len()];
+    for s in successor.iter().flatten() {
+        has_predecessor[*s] = true;
+    }
+    let mut visited = vec![false; gates.len()];
+    let mut lines = Vec::new();
+    let starts = (0..gates.len()).filter(|&s| !has_predecessor[s]).chain(0..gates.len());
+    for start in starts {
+        if visited[start] {
+            continue;
+        }
+        let mut edges = Vec::new();
+        if !has_predecessor[start] {
+            edges.push(gates[start].0);
+        }
+        let mut slot = Some(start);
+        while let Some(s) = slot.filter(|&s| !visited[s]) {
+            visited[s] = true;
+            edges.push(gates[s].1);
+            slot = successor[s];
+        }
+        lines.push((edges, has_predecessor[start]));
+    }
+    lines
+}
+
 /// Drops points closer than `merge_mm` to the one before; `None` if no line is left.
-fn merged(points: Vec<SectionPoint>, closed: bool, merge_mm: f64) -> Option<(Vec<SectionPoint>, bool)> {
+pub(super) fn merged(points: Vec<SectionPoint>, closed: bool, merge_mm: f64) -> Option<(Vec<SectionPoint>, bool)> {
     let mut kept: Vec<SectionPoint> = Vec::with_capacity(points.len());
     for q in &points {
         if kept.last().is_none_or(|k| (k.p - q.p).norm() >= merge_mm) {

@@ -58,8 +58,8 @@ pub struct Line<'a> {
     pub surface: u32,
     /// Its place in the working order of the surface.
     pub number: u32,
-    /// Normal of its section plane.
-    pub m: Vector3<f64>,
+    /// Normal of its section plane; `None`: it lies in no plane.
+    pub m: Option<Vector3<f64>>,
 }
 
 /// Plans one line of one surface. Of several stances the first is what is wanted; another one is taken
@@ -103,7 +103,7 @@ fn planned(
     let mut whole = Pass {
         surface: *surface,
         work: stance.work,
-        plane_normal: *m,
+        plane_normal: plane_normal(line, *m),
         closed: false,
         targets: Vec::new(),
         chord_error_mm: 0.0,
@@ -128,6 +128,17 @@ fn planned(
     whole
 }
 
+/// A line's own plane, or that of travel and normal in its middle.
+fn plane_normal(line: &TransversalLine, m: Option<Vector3<f64>>) -> Vector3<f64> {
+    let middle = line.points.len() / 2;
+    let at = |i: usize| line.points.get(i).or(line.points.last()).map(|q| DensePoint { p: q.p, n: q.n });
+    let local = || {
+        let (before, behind) = (at(middle.saturating_sub(1))?, at(middle + 1)?);
+        Some(section_plane::local_plane(&before, &at(middle)?, &behind))
+    };
+    m.or_else(local).unwrap_or_else(Vector3::z)
+}
+
 /// The same for a line without gaps.
 fn planned_piece(
     part: &Part,
@@ -144,7 +155,7 @@ fn planned_piece(
             Planned::along_normals(points, axes)
         }
         Correction::SectionPlane => {
-            let axes = section_plane::correct(part, &beam, &points, &free, line.closed, m, limit_deg);
+            let axes = section_plane::correct(part, &beam, &points, &free, line.closed, *m, limit_deg);
             Planned::along_normals(points, axes)
         }
         Correction::Clearance => {
@@ -157,7 +168,7 @@ fn planned_piece(
     let pass = Pass {
         surface: *surface,
         work: stance.work,
-        plane_normal: *m,
+        plane_normal: plane_normal(line, *m),
         closed: line.closed,
         targets: Vec::new(),
         chord_error_mm: 0.0,

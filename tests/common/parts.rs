@@ -95,7 +95,7 @@ pub fn cut(
     let number = surface_at(&part, &surfaces, at);
     let surface = surfaces.get(number).expect("there");
     let family = {
-        let layout = planes::Layout { surface: number, direction: job.layers.direction, spacing_mm, offset_mm: None };
+        let layout = planes::Raster { surface: number, direction: job.layers.direction, spacing_mm, offset_mm: None };
         planes::planes(&part.mesh, &surfaces, &[layout]).remove(0)
     };
     let normals = VertexNormals::new(&part.mesh, &surfaces, surface);

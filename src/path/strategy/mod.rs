@@ -1,0 +1,181 @@
+//! Which lines the spot runs on a surface: parallel planes, planes that follow its slope, lines at
+//! equal distance from its border, one spiral, or two rasters across each other.
+//!
+//! [`lines`] is the one entry; it knows geometry alone. Working order and sense are `path::order`'s.
+
+pub mod adaptive;
+mod march;
+mod net;
+pub mod offset;
+mod radial;
+pub mod spacing;
+mod spiral;
+
+use super::normals::VertexNormals;
+use super::planes::{self, SurfacePlanes};
+use super::section::{TransversalLine, sections};
+use crate::part::{Mesh, angle, surfaces::Surface};
+use nalgebra::{Point3, Vector3};
+use serde::{Deserialize, Serialize};
+pub use spacing::Achieved;
+
+/// How lines are laid on a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Strategy {
+    /// Parallel planes at equal heights (P2 4.2.1).
+    #[default]
+    Planes,
+    /// Parallel planes, nearer where the surface slopes, so that the spacing on it is kept.
+    Adaptive,
+    /// Lines at equal distance from the border, measured over the surface.
+    Offset,
+    /// One spiral with equal distance between its turns (P4 5).
+    Spiral,
+    /// Two rasters of planes across each other.
+    Cross,
+}
+
+impl Strategy {
+    /// All of them, in the order of lists.
+    pub const ALL: [Strategy; 5] =
+        [Strategy::Planes, Strategy::Adaptive, Strategy::Offset, Strategy::Spiral, Strategy::Cross];
+
+    /// The word used on the command line and in jobs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Strategy::Planes => "planes",
+            Strategy::Adaptive => "adaptive",
+            Strategy::Offset => "offset",
+            Strategy::Spiral => "spiral",
+            Strategy::Cross => "cross",
+        }
+    }
+
+    /// The strategy of that word.
+    pub fn from_word(word: &str) -> Option<Strategy> {
+        Strategy::ALL.into_iter().find(|s| s.word() == word)
+    }
+}
+
+/// What a surface's lines follow from, beside its planes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    /// How lines are laid.
+    pub strategy: Strategy,
+    /// Wanted distance of neighbouring lines, mm: on the surface, for planes from plane to plane.
+    pub spacing_mm: f64,
+    /// For `Offset`: the border loop to start from, 0 the longest; `None` the whole outline.
+    pub border: Option<usize>,
+    /// For `Spiral`: its centre in the part frame, or the nearest point of the surface to it; `None`:
+    /// the middle of the surface.
+    pub centre: Option<Point3<f64>>,
+    /// For `Spiral`: from the rim to the centre.
+    pub inward: bool,
+    /// For `Cross`: from the first planes' normal to the second's, degrees.
+    pub cross_deg: f64,
+}
+
+impl Layout {
+    /// A strategy as it is without further choice: whole outline, middle, outward, square across.
+    pub fn new(strategy: Strategy, spacing_mm: f64) -> Layout {
+        Layout { strategy, spacing_mm, border: None, centre: None, inward: false, cross_deg: 90.0 }
+    }
+}
+
+/// The lines of one surface.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SurfaceLines {
+    /// By ascending rank.
+    pub lines: Vec<TransversalLine>,
+    /// The spacing that they really have; `None` where no two are neighbours.
+    pub achieved: Option<Achieved>,
+    /// The planes that cut them, for `coverage`: none for offset and spiral, two for a cross.
+    pub planes: Vec<SurfacePlanes>,
+    /// What is not as wanted, and what to do; without lines: why there are none.
+    pub reason: Option<String>,
+}
+
+/// Lays the lines of a surface by a rule. `family` is its family of equal planes: of it `Planes` and
+/// `Cross` take all, `Adaptive` the normal alone.
+///
+/// Points closer than `merge_mm` are merged; lines shorter than that are dropped.
+pub fn lines(
+    mesh: &Mesh,
+    surface: &Surface,
+    normals: &VertexNormals,
+    rule: &Layout,
+    family: &SurfacePlanes,
+    merge_mm: f64,
+) -> SurfaceLines {
+    if !(rule.spacing_mm.is_finite() && rule.spacing_mm > 0.0) {
+        return none(format!("a spacing of {} mm gives no lines: choose one greater than 0", rule.spacing_mm));
+    }
+    if planes::live(mesh, surface).next().is_none() {
+        return none(format!("surface {} has no proper facet: leave it out", surface.number));
+    }
+    let cut = |planes: &SurfacePlanes| sections(mesh, surface, normals, &planes.normal, &planes.heights_mm, merge_mm);
+    let raster = |planes: SurfacePlanes| {
+        let lines = cut(&planes);
+        SurfaceLines {
+            achieved: spacing::achieved(&lines, Some(&planes.normal), rule.spacing_mm),
+            reason: lines
+                .is_empty()
+                .then(|| format!("no plane crosses surface {}: turn the planes' direction into it", surface.number)),
+            lines,
+            planes: vec![planes],
+        }
+    };
+    match rule.strategy {
+        Strategy::Planes => raster(family.clone()),
+        Strategy::Adaptive => raster(SurfacePlanes {
+            heights_mm: adaptive::heights_mm(mesh, surface, &family.normal, rule.spacing_mm),
+            ..family.clone()
+        }),
+        Strategy::Offset => offset::lines(mesh, surface, normals, rule, merge_mm),
+        Strategy::Spiral => spiral::lines(mesh, surface, normals, rule, merge_mm),
+        Strategy::Cross => {
+            let Some(second) = across(mesh, surface, rule, family) else {
+                return SurfaceLines {
+                    reason: Some(format!(
+                        "surface {} has no mean normal to turn the second raster about: choose another strategy",
+                        surface.number
+                    )),
+                    ..raster(family.clone())
+                };
+            };
+            crossed(raster(family.clone()), raster(second))
+        }
+    }
+}
+
+/// Planes turned about the surface's mean normal, at equal heights.
+fn across(mesh: &Mesh, surface: &Surface, rule: &Layout, family: &SurfacePlanes) -> Option<SurfacePlanes> {
+    let axis = mean_normal(mesh, surface)?;
+    let normal = angle::unit(angle::turned(&family.normal, &axis, rule.cross_deg))?;
+    let extent = planes::extent(mesh, surface, &normal)?;
+    Some(SurfacePlanes { surface: surface.number, normal, heights_mm: planes::family(extent, rule.spacing_mm, None) })
+}
+
+/// One raster and another across it, whose ranks count on.
+fn crossed(one: SurfaceLines, mut two: SurfaceLines) -> SurfaceLines {
+    let ranks = one.planes.iter().map(|p| p.heights_mm.len()).sum::<usize>();
+    two.lines.iter_mut().for_each(|l| l.plane += ranks);
+    SurfaceLines {
+        lines: [one.lines, two.lines].concat(),
+        achieved: Achieved::both(one.achieved, two.achieved),
+        planes: [one.planes, two.planes].concat(),
+        reason: one.reason.or(two.reason),
+    }
+}
+
+/// The mean of a surface's normals, unit; `None` where they cancel out, as on a closed surface.
+fn mean_normal(mesh: &Mesh, surface: &Surface) -> Option<Vector3<f64>> {
+    let (sum, area) = planes::live(mesh, surface)
+        .fold((Vector3::zeros(), 0.0), |(n, a), f| (n + mesh.normals[f] * mesh.areas[f], a + mesh.areas[f]));
+    angle::unit(sum).filter(|_| sum.norm() > 1e-3 * area)
+}
+
+fn none(reason: String) -> SurfaceLines {
+    SurfaceLines { reason: Some(reason), ..Default::default() }
+}

@@ -1,0 +1,185 @@
+//! A surface's facets by themselves, cut finer where asked. Every piece lies in the facet it was cut
+//! from, so what is found on the net is on the part, with the normals of the whole surface.
+
+use super::super::normals::{VertexNormals, between};
+use super::super::planes::live;
+use super::super::section::SectionPoint;
+use crate::part::angle::unit;
+use crate::part::merge_tree::Sets;
+use crate::part::{Mesh, surfaces::Surface};
+use nalgebra::{Point3, Vector3};
+
+/// A copy of one surface.
+pub(super) struct Net {
+    /// Its proper facets and what they were cut into.
+    pub mesh: Mesh,
+    /// Unit normals at the vertices.
+    pub normals: Vec<Vector3<f64>>,
+}
+
+/// Pieces that a surface is cut into at most, or a fifth more than it has facets.
+const MOST_PIECES: f64 = 150_000.0;
+
+impl Net {
+    /// The surface as it is.
+    pub fn new(mesh: &Mesh, surface: &Surface, normals: &VertexNormals) -> Net {
+        let mut vertices: Vec<u32> = live(mesh, surface).flat_map(|f| mesh.facets[f]).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let mut local = vec![0u32; mesh.vertices.len()];
+        for (i, &v) in vertices.iter().enumerate() {
+            local[v as usize] = i as u32;
+        }
+        let facets = live(mesh, surface).map(|f| mesh.facets[f].map(|v| local[v as usize])).collect();
+        let points = vertices.iter().map(|&v| mesh.vertices[v as usize]).collect();
+        Net { mesh: Mesh::from_indexed(points, facets), normals: vertices.iter().map(|&v| normals.at(v)).collect() }
+    }
+
+    /// Cuts facets until no edge is longer than `size_mm` at its middle. Where that takes more pieces
+    /// than there is time for, all sizes grow alike.
+    pub fn refined(self, size_mm: impl Fn(&Point3<f64>) -> f64) -> Net {
+        let most = MOST_PIECES.max(1.2 * self.mesh.facets.len() as f64);
+        let mut scale = 1.0;
+        while self.pieces(&size_mm, scale) > most {
+            scale *= 1.2;
+        }
+        let mut net = self;
+        // Every pass halves what is too long: 40 of them are more than any f64 length needs.
+        for _ in 0..40 {
+            let long: Vec<u32> = (0..net.mesh.edges.len() as u32)
+                .filter(|&e| net.length_mm(e) > scale * size_mm(&net.on_edge(e, 0.5).p))
+                .collect();
+            if long.is_empty() || net.mesh.facets.len() as f64 > 4.0 * most {
+                break;
+            }
+            net = net.cut(&long.iter().map(|&e| (e, 0.5)).collect::<Vec<_>>()).0;
+        }
+        net
+    }
+
+    /// About how many pieces that takes.
+    fn pieces(&self, size_mm: &impl Fn(&Point3<f64>) -> f64, scale: f64) -> f64 {
+        let size = |p: &Point3<f64>| scale * size_mm(p);
+        (0..self.mesh.facets.len()).map(|f| pieces(&self.mesh.corners(f), &size, 8)).sum()
+    }
+
+    /// Cuts edges, each at a share of the way from its lower vertex, and the facets beside them. Also
+    /// the number of the first new vertex: they follow in the order of `cuts` (ascending by edge).
+    pub fn cut(&self, cuts: &[(u32, f64)]) -> (Net, u32) {
+        let first = self.mesh.vertices.len() as u32;
+        let mut middle = vec![u32::MAX; self.mesh.edges.len()];
+        let (mut vertices, mut normals) = (self.mesh.vertices.clone(), self.normals.clone());
+        for &(e, share) in cuts {
+            middle[e as usize] = vertices.len() as u32;
+            let q = self.on_edge(e, share);
+            vertices.push(q.p);
+            normals.push(q.n);
+        }
+        let mut facets: Vec<[u32; 3]> = Vec::with_capacity(self.mesh.facets.len() + 3 * cuts.len());
+        for (corners, edges) in self.mesh.facets.iter().zip(&self.mesh.facet_edges) {
+            let m = edges.map(|e| middle.get(e as usize).copied().filter(|&v| v != u32::MAX));
+            // Turned so that its first cut follows an edge that is whole, if there is one.
+            let turn = (0..3).find(|&k| m[k].is_some() && m[(k + 2) % 3].is_none()).unwrap_or(0);
+            let at = |k: usize| (corners[(turn + k) % 3], m[(turn + k) % 3]);
+            let [(a, ab), (b, bc), (c, ca)] = [at(0), at(1), at(2)];
+            match (ab, bc, ca) {
+                (Some(p), None, None) => facets.extend([[a, p, c], [p, b, c]]),
+                (Some(p), Some(q), None) => {
+                    facets.push([p, b, q]);
+                    let far = |u: u32, v: u32| (vertices[u as usize] - vertices[v as usize]).norm_squared();
+                    let across = if far(a, q) <= far(p, c) { [[a, p, q], [a, q, c]] } else { [[a, p, c], [p, q, c]] };
+                    facets.extend(across);
+                }
+                (Some(p), Some(q), Some(r)) => facets.extend([[a, p, r], [p, b, q], [r, q, c], [p, q, r]]),
+                _ => facets.push(*corners),
+            }
+        }
+        (Net { mesh: Mesh::from_indexed(vertices, facets), normals }, first)
+    }
+
+    /// Makes a point of a facet, told by its three weights, a vertex, unless it is one; and its number.
+    pub fn with_vertex(self, facet: u32, weights: [f64; 3]) -> (Net, u32) {
+        let corners = self.mesh.facets[facet as usize];
+        let near = 1e-6;
+        if let Some(k) = (0..3).find(|&k| weights[k] > 1.0 - near) {
+            return (self, corners[k]);
+        }
+        if let Some(k) = (0..3).find(|&k| weights[(k + 2) % 3] < near) {
+            let edge = self.mesh.facet_edges[facet as usize][k];
+            let share = weights[(k + 1) % 3] / (weights[k] + weights[(k + 1) % 3]);
+            let forward = self.mesh.edges[edge as usize][0] == corners[k];
+            return self.cut(&[(edge, if forward { share } else { 1.0 - share })]);
+        }
+        let Net { mesh, mut normals } = self;
+        let mut p = Vector3::zeros();
+        let mut n = Vector3::zeros();
+        for k in 0..3 {
+            p += mesh.vertices[corners[k] as usize].coords * weights[k];
+            n += normals[corners[k] as usize] * weights[k];
+        }
+        let (mut vertices, mut facets) = (mesh.vertices, mesh.facets);
+        let new = vertices.len() as u32;
+        vertices.push(Point3::from(p));
+        normals.push(unit(n).unwrap_or(normals[corners[0] as usize]));
+        let [a, b, c] = corners;
+        facets[facet as usize] = [a, b, new];
+        facets.extend([[b, c, new], [c, a, new]]);
+        (Net { mesh: Mesh::from_indexed(vertices, facets), normals }, new)
+    }
+
+    /// Length of an edge, mm.
+    pub fn length_mm(&self, edge: u32) -> f64 {
+        let [a, b] = self.mesh.edges[edge as usize];
+        (self.mesh.vertices[b as usize] - self.mesh.vertices[a as usize]).norm()
+    }
+
+    /// The point at a share of the way from an edge's lower vertex, with its normal.
+    pub fn on_edge(&self, edge: u32, share: f64) -> SectionPoint {
+        let [a, b] = self.mesh.edges[edge as usize].map(|v| v as usize);
+        let (from, to) = (self.mesh.vertices[a], self.mesh.vertices[b]);
+        SectionPoint { p: from + (to - from) * share, n: between(&self.normals[a], &self.normals[b], share) }
+    }
+
+    /// The edges of the outline: of one facet only.
+    pub fn rim(&self) -> Vec<u32> {
+        (0..self.mesh.edges.len() as u32).filter(|&e| self.mesh.edge_facets(e).len() == 1).collect()
+    }
+
+    /// The outline's loops as sets of edges, the longest first. Loops that touch are one.
+    pub fn loops(&self) -> Vec<(f64, Vec<u32>)> {
+        let rim = self.rim();
+        let mut sets = Sets::new(self.mesh.vertices.len());
+        for &e in &rim {
+            let [a, b] = self.mesh.edges[e as usize];
+            sets.join(a, b);
+        }
+        let mut of: Vec<(u32, u32)> = rim.iter().map(|&e| (sets.root(self.mesh.edges[e as usize][0]), e)).collect();
+        of.sort_unstable();
+        let mut loops: Vec<(f64, u32, Vec<u32>)> = of
+            .chunk_by(|a, b| a.0 == b.0)
+            .map(|c| (c.iter().map(|x| self.length_mm(x.1)).sum(), c[0].0, c.iter().map(|x| x.1).collect()))
+            .collect();
+        // In steps of a micrometre fraction: of equal loops the one with the lowest vertex is first,
+        // however finely they are cut.
+        loops.sort_by_key(|l| (-(l.0 * 1e5).round() as i64, l.1));
+        loops.into_iter().map(|(length, _, edges)| (length, edges)).collect()
+    }
+}
+
+/// About how many pieces a facet is cut into; looked at in quarters while sizes differ much in it.
+fn pieces(corners: &[Point3<f64>; 3], size_mm: &impl Fn(&Point3<f64>) -> f64, depth: usize) -> f64 {
+    let [a, b, c] = *corners;
+    let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
+    let sizes = [size_mm(&a), size_mm(&b), size_mm(&c), size_mm(&(a + ((b - a) + (c - a)) / 3.0))];
+    let (least, most) = sizes.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &s| (l.min(s), m.max(s)));
+    if longest <= least {
+        return 1.0;
+    }
+    if most > 1.5 * least && depth > 0 {
+        let (p, q, r) = (nalgebra::center(&a, &b), nalgebra::center(&b, &c), nalgebra::center(&c, &a));
+        return [[a, p, r], [p, b, q], [r, q, c], [p, q, r]].iter().map(|t| pieces(t, size_mm, depth - 1)).sum();
+    }
+    let mean = sizes.iter().sum::<f64>() / 4.0;
+    let area = 0.5 * (b - a).cross(&(c - a)).norm();
+    (5.0 * area / (mean * mean)).max(2.0 * longest / mean).max(1.0)
+}

@@ -1,0 +1,218 @@
+//! Arc length from the centre of a spiral to every vertex of a net, along radial curves: the surface cut
+//! by half-planes through the centre's axis (P4 5).
+//!
+//! A curve is walked inwards from facet to facet. Across a hole, or from island to island, it goes on
+//! in a straight line to the next rim in its half-plane, so that turns keep their place behind it. It ends at
+//! the centre, or at the innermost rim where the centre is a hole.
+
+use super::net::Net;
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+/// Where a spiral turns about.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Axis {
+    /// A point of it: the centre, where that is on the surface.
+    pub at: Point3<f64>,
+    /// Directions: the axis itself and two square to it.
+    pub along: Vector3<f64>,
+    pub u: Vector3<f64>,
+    pub v: Vector3<f64>,
+    /// The centre's vertex; `None`: it is a hole.
+    pub vertex: Option<u32>,
+}
+
+impl Axis {
+    /// Distance from the axis, mm, and angle about it, 0 to 2π.
+    pub fn polar(&self, p: &Point3<f64>) -> (f64, f64) {
+        let (x, y) = ((p - self.at).dot(&self.u), (p - self.at).dot(&self.v));
+        let angle = libm::atan2(y, x);
+        (self.off(p), if angle < 0.0 { (angle + TAU).min(TAU * (1.0 - f64::EPSILON)) } else { angle })
+    }
+
+    /// Distance from the axis, mm.
+    pub fn off(&self, p: &Point3<f64>) -> f64 {
+        let (x, y) = ((p - self.at).dot(&self.u), (p - self.at).dot(&self.v));
+        libm::sqrt(x * x + y * y)
+    }
+}
+
+/// Sectors by which rims are looked up.
+const SECTORS: usize = 1024;
+/// Vertices are worked out in so many groups, from the axis outwards: a curve that meets an edge of the
+/// groups before it has its length from there.
+const GROUPS: usize = 16;
+
+/// Lengths at the vertices less their distance from the axis, mm: on a plane 0. NaN where no radial curve
+/// tells it: on the axis, but for the centre.
+pub(super) fn excess(net: &Net, axis: &Axis) -> Vec<f64> {
+    let polar: Vec<(f64, f64)> = net.mesh.vertices.par_iter().map(|p| axis.polar(p)).collect();
+    let walk = Walk { net, axis, polar: &polar, rims: rims(net, &polar) };
+    let count = polar.len();
+    let mut order: Vec<u32> = (0..count as u32).collect();
+    order.sort_by(|&a, &b| polar[a as usize].0.total_cmp(&polar[b as usize].0).then(a.cmp(&b)));
+    let mut excess = vec![f64::NAN; count];
+    let mut known = vec![false; count];
+    for group in order.chunks(count.div_ceil(GROUPS).max(1)) {
+        let found: Vec<f64> = group.par_iter().map(|&v| walk.excess(v, &excess, &known)).collect();
+        for (&v, found) in group.iter().zip(found) {
+            excess[v as usize] = found;
+            known[v as usize] = found.is_finite();
+        }
+    }
+    excess
+}
+
+/// Rim edges by the sectors that they pass.
+fn rims(net: &Net, polar: &[(f64, f64)]) -> Vec<Vec<u32>> {
+    let mut rims = vec![Vec::new(); SECTORS];
+    let sector = |angle: f64| ((angle / TAU * SECTORS as f64).floor() as i64).rem_euclid(SECTORS as i64) as usize;
+    for e in net.rim() {
+        let [a, b] = net.mesh.edges[e as usize].map(|v| polar[v as usize].1);
+        let turn = wrapped(b - a);
+        let (from, width) = if turn < 0.0 { (b, -turn) } else { (a, turn) };
+        let count = (width / TAU * SECTORS as f64).ceil() as usize + 1;
+        for i in 0..count.min(SECTORS) {
+            rims[(sector(from) + i) % SECTORS].push(e);
+        }
+    }
+    rims
+}
+
+/// An angle between −π and π.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    if angle > PI {
+        angle - TAU
+    } else if angle < -PI {
+        angle + TAU
+    } else {
+        angle
+    }
+}
+
+struct Walk<'a> {
+    net: &'a Net,
+    axis: &'a Axis,
+    polar: &'a [(f64, f64)],
+    rims: Vec<Vec<u32>>,
+}
+
+impl Walk<'_> {
+    fn excess(&self, vertex: u32, known_excess: &[f64], known: &[bool]) -> f64 {
+        if self.axis.vertex == Some(vertex) {
+            return 0.0;
+        }
+        let mesh = &self.net.mesh;
+        let start = mesh.vertices[vertex as usize];
+        let (off, angle) = self.polar[vertex as usize];
+        if off < 1e-9 {
+            return f64::NAN;
+        }
+        let outward = self.axis.u * libm::cos(angle) + self.axis.v * libm::sin(angle);
+        let side = self.axis.along.cross(&outward);
+        // A vertex on the half-plane counts as before it; those that must lie on it do.
+        let height = |v: u32| {
+            let exact = v == vertex || self.axis.vertex == Some(v);
+            if exact { 0.0 } else { (mesh.vertices[v as usize] - self.axis.at).dot(&side) }
+        };
+        let crossing = |a: u32, b: u32| {
+            let (ha, hb) = (height(a), height(b));
+            let t = if ha == hb { 0.5 } else { (ha / (ha - hb)).clamp(0.0, 1.0) };
+            let (p, q) = (mesh.vertices[a as usize], mesh.vertices[b as usize]);
+            (p + (q - p) * t, t)
+        };
+        let mut here = start;
+        let mut length = 0.0;
+        let mut next = mesh.vertex_facets(vertex).iter().find_map(|&f| {
+            let k = mesh.facets[f as usize].iter().position(|&v| v == vertex)?;
+            let (p, q) = (mesh.facets[f as usize][(k + 1) % 3], mesh.facets[f as usize][(k + 2) % 3]);
+            (height(p) >= 0.0 && height(q) < 0.0).then_some((f, (k + 1) % 3))
+        });
+        // No curve passes a facet twice; one that does (on a Möbius strip) goes round for ever.
+        let mut passed = u32::MAX;
+        for step in 1..2 * mesh.facets.len() + 4 {
+            let Some((facet, leaves)) = next else {
+                // Past a rim: on to the next one inwards, if there is one.
+                match self.over_gap(&here, angle, &height, &crossing) {
+                    Some((facet, entered, at)) => {
+                        length += (at - here).norm();
+                        here = at;
+                        next = self.exit(facet, entered, &height);
+                        if next.is_none() && self.axis.vertex.is_none_or(|c| !mesh.facets[facet as usize].contains(&c))
+                        {
+                            return f64::NAN;
+                        }
+                        if next.is_none() {
+                            next = Some((facet, 0));
+                        }
+                        continue;
+                    }
+                    None if self.axis.vertex.is_none() => return length - off,
+                    None => return f64::NAN,
+                }
+            };
+            if facet == passed {
+                return f64::NAN;
+            }
+            if step.is_power_of_two() {
+                passed = facet;
+            }
+            let corners = mesh.facets[facet as usize];
+            if self.axis.vertex.is_some_and(|c| corners.contains(&c)) {
+                return length + (here - self.axis.at).norm() - off;
+            }
+            let (a, b) = (corners[leaves], corners[(leaves + 1) % 3]);
+            let (at, t) = crossing(a, b);
+            length += (at - here).norm();
+            here = at;
+            let (a, b) = (a as usize, b as usize);
+            if known[a] && known[b] && a != vertex as usize && b != vertex as usize {
+                let rest = self.axis.off(&at) + known_excess[a] + (known_excess[b] - known_excess[a]) * t;
+                return length + rest - off;
+            }
+            let edge = mesh.facet_edges[facet as usize][leaves];
+            let over = mesh.two_facets(edge).map(|[f, g]| if f == facet { g } else { f });
+            next = over.and_then(|g| self.exit(g, edge, &height));
+        }
+        f64::NAN
+    }
+
+    /// The edge by which a curve leaves a facet that it has entered by another.
+    fn exit(&self, facet: u32, entered: u32, height: &impl Fn(u32) -> f64) -> Option<(u32, usize)> {
+        let corners = self.net.mesh.facets[facet as usize];
+        let before = corners.map(|v| height(v) >= 0.0);
+        (0..3)
+            .find(|&k| before[k] && !before[(k + 1) % 3] && self.net.mesh.facet_edges[facet as usize][k] != entered)
+            .map(|k| (facet, k))
+    }
+
+    /// The nearest rim further inwards in the half-plane: facet, edge and place.
+    fn over_gap(
+        &self,
+        here: &Point3<f64>,
+        angle: f64,
+        height: &impl Fn(u32) -> f64,
+        crossing: &impl Fn(u32, u32) -> (Point3<f64>, f64),
+    ) -> Option<(u32, u32, Point3<f64>)> {
+        let mesh = &self.net.mesh;
+        let from = self.axis.off(here) * (1.0 - 1e-9);
+        let sector = ((angle / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
+        let mut best: Option<(f64, (u32, u32, Point3<f64>))> = None;
+        for &e in &self.rims[sector] {
+            let Some(&f) = mesh.edge_facets(e).first() else { continue };
+            let Some(k) = mesh.facet_edges[f as usize].iter().position(|&x| x == e) else { continue };
+            let (a, b) = (mesh.facets[f as usize][k], mesh.facets[f as usize][(k + 1) % 3]);
+            // Only where the curve comes in by this edge.
+            if height(a) < 0.0 && height(b) >= 0.0 {
+                let at = crossing(a, b).0;
+                let off = self.axis.off(&at);
+                let same_side = wrapped(self.axis.polar(&at).1 - angle).abs() < 1.0;
+                if same_side && off < from && best.as_ref().is_none_or(|b| off > b.0) {
+                    best = Some((off, (f, e, at)));
+                }
+            }
+        }
+        best.map(|b| b.1)
+    }
+}
