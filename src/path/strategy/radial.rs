@@ -91,6 +91,9 @@ pub(super) fn wrapped(angle: f64) -> f64 {
     }
 }
 
+/// Where a curve comes in over a rim: facet, edge and place.
+type Entry = (u32, u32, Point3<f64>);
+
 struct Walk<'a> {
     net: &'a Net,
     axis: &'a Axis,
@@ -194,11 +197,11 @@ impl Walk<'_> {
         angle: f64,
         height: &impl Fn(u32) -> f64,
         crossing: &impl Fn(u32, u32) -> (Point3<f64>, f64),
-    ) -> Option<(u32, u32, Point3<f64>)> {
+    ) -> Option<Entry> {
         let mesh = &self.net.mesh;
         let from = self.axis.off(here) * (1.0 - 1e-9);
         let sector = ((angle / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
-        let mut best: Option<(f64, (u32, u32, Point3<f64>))> = None;
+        let mut best: Option<(f64, Entry)> = None;
         for &e in &self.rims[sector] {
             let Some(&f) = mesh.edge_facets(e).first() else { continue };
             let Some(k) = mesh.facet_edges[f as usize].iter().position(|&x| x == e) else { continue };

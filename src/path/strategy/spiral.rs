@@ -31,7 +31,7 @@ pub(super) fn lines(
     let winding = Winding::new(&net, &axis, rule.spacing_mm);
     let (mut lines, mut turns) = winding.lines(merge_mm);
     // Near the axis a spiral leads outwards more than around, and turns lie nearer.
-    let around = |p: &Point3<f64>| axis.off(p) >= 1.5 * rule.spacing_mm;
+    let around = |p: &Point3<f64>| axis.off(p) >= 2.5 * rule.spacing_mm;
     let achieved = spacing::measured(&lines, &turns, None, around, rule.spacing_mm);
     if rule.inward {
         lines.reverse();
