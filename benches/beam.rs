@@ -4,7 +4,8 @@
 
 use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::Setup;
-use clearbeam::job::plan::{body, prover, segmented};
+use clearbeam::job::plan::{prover, segmented};
+use clearbeam::job::surface_plan::body;
 use clearbeam::job::{self, Cache, Chosen, Job, Progress};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::pose::access::AccessMap;

@@ -4,6 +4,7 @@
 //! Stages that planning runs on all cores are run so here, too. `benches/peers.py` times the same
 //! stages of other programs on the same meshes; compare figures of one sitting only.
 
+use clearbeam::beam::{Head, Optics, Stance, Tool, Work};
 use clearbeam::cell::Setup;
 use clearbeam::job::{Cache, Chosen, Job, Progress, plan, plan::segmented};
 use clearbeam::part::merge_tree::dihedral_angles;
@@ -15,7 +16,7 @@ use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
 use clearbeam::pose::clearance::free_set;
-use clearbeam::pose::{Beam, Correction, LineRules, TiltRule, plan_line};
+use clearbeam::pose::{Beam, Correction, Line, LineRules, Pass, TiltRule, plan_line};
 use clearbeam::sample::{solids::helical_gear, stl_bytes};
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, criterion_group, criterion_main};
@@ -148,15 +149,18 @@ fn surface_points(mesh: &Mesh) -> Vec<(Point3<f64>, Vector3<f64>)> {
     out
 }
 
+fn planned(part: &Part, stance: &Stance<'_>, surface: u32, line: &TransversalLine, rules: &LineRules) -> Pass {
+    plan_line(part, std::slice::from_ref(stance), &Line { line, surface, number: 0, m: Some(Z) }, rules)
+}
+
 /// Lines over tooth gaps (flank, root, flank). With 40 teeth 228 of the 240 have a run on either
 /// flank, and all of it is corrected; the 14 teeth of 10 k stand too far apart: detection alone.
 fn correction(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let rules = line_rules(Correction::SectionPlane);
+    let ray = Stance::ray(Work::default());
     let lines = gap_lines(part);
     group.bench_function(format!("correction, {} lines/{size}", lines.len()), |b| {
-        b.iter(|| {
-            lines.par_iter().map(|(s, line)| plan_line(part, None, (*s, 0), line, &Z, &rules)).collect::<Vec<_>>()
-        });
+        b.iter(|| lines.par_iter().map(|(s, line)| planned(part, &ray, *s, line, &rules)).collect::<Vec<_>>());
     });
 }
 
@@ -184,9 +188,14 @@ fn gap_lines(part: &Part) -> Vec<(u32, TransversalLine)> {
         .collect()
 }
 
+/// A nozzle that comes near the spot, and the head behind it.
+const HEAD: &str = "[[part]]\nfrom_mm = 40\nto_mm = 80\nr0_mm = 5\nr1_mm = 18\n\
+                    [[part]]\nfrom_mm = 80\nto_mm = 240\nr0_mm = 25\nr1_mm = 25\n";
+
 /// The search over the same lines, as many as have 3000 points; and the free sets of 3000 points alone.
 fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let rules = line_rules(Correction::Clearance);
+    let ray = Stance::ray(Work::default());
     let mut points = 0;
     let mut lines = gap_lines(part);
     lines.retain(|(_, line)| {
@@ -195,9 +204,13 @@ fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) 
         take
     });
     group.bench_function(format!("search and polish, {points} points/{size}"), |b| {
-        b.iter(|| {
-            lines.par_iter().map(|(s, line)| plan_line(part, None, (*s, 0), line, &Z, &rules)).collect::<Vec<_>>()
-        });
+        b.iter(|| lines.par_iter().map(|(s, line)| planned(part, &ray, *s, line, &rules)).collect::<Vec<_>>());
+    });
+    let Ok(head) = Head::from_toml(HEAD) else { return };
+    let tool = Tool { head: Some(head), clamps: Vec::new() };
+    let held = Stance::new(&tool, &Optics::default(), Work::default(), 0.5);
+    group.bench_function(format!("search and polish with a head, {points} points/{size}"), |b| {
+        b.iter(|| lines.par_iter().map(|(s, line)| planned(part, &held, *s, line, &rules)).collect::<Vec<_>>());
     });
     let mut stands: Vec<_> =
         lines.iter().flat_map(|(_, line)| dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg)).collect();

@@ -3,7 +3,7 @@
 use clearbeam::part::surfaces::Surface;
 use clearbeam::part::{Mesh, Surfaces};
 use clearbeam::path::normals::VertexNormals;
-use clearbeam::path::planes::{Direction, planes};
+use clearbeam::path::planes::{Direction, Raster, planes};
 use clearbeam::path::strategy::{Layout, lines, spacing};
 use clearbeam::path::{Strategy, section};
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -36,7 +36,11 @@ fn strategies(c: &mut Criterion) {
     let (mesh, surfaces) = plate();
     let Some(surface) = surfaces.get(1) else { return };
     let normals = VertexNormals::new(&mesh, &surfaces, surface);
-    let family = planes(&mesh, &surfaces, &[1], Direction::Along([1.0, 0.0, 0.0]), SPACING_MM, None);
+    let family = planes(
+        &mesh,
+        &surfaces,
+        &[Raster { surface: 1, direction: Direction::Along([1.0, 0.0, 0.0]), spacing_mm: SPACING_MM, offset_mm: None }],
+    );
     let Some(family) = family.first() else { return };
     let mut group = c.benchmark_group("strategies");
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_millis(1500));

@@ -31,7 +31,7 @@ fn corrected_axes_of_a_groove_point_to_o_on_the_plane_of_symmetry() {
         let beam = Beam::on(&part);
         let points = flanks(half_angle, 8.0, 0.1, 20.3);
         let free: Vec<bool> = points.iter().map(|q| beam.is_free(&q.p, &q.n)).collect();
-        let axes = correct(&part, &beam, &points, &free, false, &Vector3::y(), None);
+        let axes = correct(&part, &beam, &points, &free, false, Some(Vector3::y()), None);
         let first = (0..points.len()).find(|&i| axes[i] != Some(points[i].n)).expect("a corrected point");
         // p0 and pn are mirror images: their beams meet above the root at the height
         // z0 + |x0|·tan β (the beam stands 90° − β off the vertical).

@@ -4,6 +4,7 @@
 #[path = "common/parts.rs"]
 mod parts;
 
+use clearbeam::beam::Work;
 use clearbeam::beam::{Obstacle, Optics};
 use clearbeam::job::plan::segmented;
 use clearbeam::job::{self, Document, Edit, Job, Progress};
@@ -45,6 +46,7 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
     };
     Pass {
         surface: 1,
+        work: Work { defocus_mm: 20.0, spot_mm: 1.2, speed_mm_s: SPEED, power_w: POWER_W },
         plane_normal: Vector3::z(),
         closed: false,
         targets: vec![target(p, false), target(q, true)],
@@ -54,7 +56,9 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
 }
 
 fn light(passes: &[Pass], spot: Spot) -> Light {
-    Light::new(passes, spot, POWER_W, SPEED, |_, _| 0.0)
+    let work = |p: &Pass| Work { defocus_mm: spot.defocus_mm, spot_mm: spot.spot_mm, ..p.work };
+    let passes: Vec<Pass> = passes.iter().map(|p| Pass { work: work(p), ..p.clone() }).collect();
+    Light::new(&passes, &spot, |_, _| 0.0)
 }
 
 fn map_on(part: &Part, passes: &[Pass], spot: Spot, clamps: &[Obstacle]) -> (DoseMap, Surfaces) {
@@ -443,7 +447,7 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
     let surfaces = segmented(&body, &Job::default());
     let task = Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![1], thresholds: LOW };
     let ends = [2.5, 10.0, 20.0];
-    let light = Light::new(&passes, spot(Profile::Gaussian), POWER_W, SPEED, |pass, _| ends[pass]);
+    let light = Light::new(&passes, &spot(Profile::Gaussian), |pass, _| ends[pass]);
     let map = dose(&task, light, &|| true).expect("a map");
     let q = Point3::new(1.0, 10.1, 0.0);
     let hits = map.hits_at(&body, &[], 0, &q, &Vector3::z());

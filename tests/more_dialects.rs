@@ -1,6 +1,7 @@
 //! KUKA, ABB, Yaskawa and ESTUN: what is written is read back to where it was planned, as fast; what
 //! was cut or changed is refused or differs; and one small program of each is exactly this.
 
+use clearbeam::beam::Work;
 use clearbeam::cell::{Mount, Robot, Setup};
 use clearbeam::program::dialect::{Goal, Read, ReadError, ReadLine, Reading, WriteError};
 use clearbeam::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way};
@@ -77,6 +78,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<Line> {
         pace: Pace::Percent(10.0),
         lit: false,
         target: None,
+        work: Work::default(),
     })));
     let way_in = Seed::Joint([1.0, -2.0, 3.0, -4.0, 5.0, -6.0], 10);
     for seed in std::iter::once(&way_in).chain(seeds) {
@@ -94,6 +96,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<Line> {
                 pace: pace(mm, deg),
                 lit,
                 target: None,
+                work: Work::default(),
             }))
         };
         out.push(match seed {

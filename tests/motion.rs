@@ -39,7 +39,7 @@ fn the_chain_is_as_cheap_as_over_all_pairs() {
         let arm = Arm::new(&setup, spin).expect("a robot");
         for pass in p.plan.passes.iter().filter(|p| p.targets.iter().all(|t| t.state != State::Blocked)).take(3) {
             let pass = first(pass, 14);
-            let choice = choose(&arm, std::slice::from_ref(&pass), 20.0, 3.0, &Watch::default()).expect("goes on");
+            let choice = choose(&arm, std::slice::from_ref(&pass), &Watch::default()).expect("goes on");
             let seconds = all_pairs::seconds(&pass, 3.0);
             let chosen = all_pairs::cost_of(&arm, &choice, 0, &seconds);
             let least = all_pairs::cheapest(&arm, &pass, 20.0, 3.0);
@@ -136,7 +136,7 @@ fn the_spot_keeps_to_its_line_where_the_flange_goes_straight() {
                 }
                 at = Some(setup.flange_for(&go.to.frame()));
             }
-            Step::Say(_) | Step::Home => {}
+            Step::Say(_) | Step::Home | Step::Work(_) => {}
         }
     }
     assert!(line.is_some() && between > 0, "{between} targets put in between");
@@ -170,24 +170,18 @@ fn what_touches_is_avoided_or_named() {
     let setup = setup("mz04", Mount::PartInHand);
     let p = planned(part(&sample("workpiece")), on(job("z", 8.0), &[1]));
     let arm = Arm::new(&setup, Spin::Free).expect("a robot");
-    let free = choose(&arm, &p.plan.passes, 20.0, 3.0, &Watch::default()).expect("goes on");
+    let free = choose(&arm, &p.plan.passes, &Watch::default()).expect("goes on");
     // A whole turn of J6 is the same pose, and touches the same.
     let is_left = |joints: &[f64; 6]| (joints[5] - 360.0 * (joints[5] / 360.0).floor()) < 180.0;
     let used: Vec<bool> = free.rows.iter().flatten().flatten().map(|c| is_left(&c.joints_deg)).collect();
     let mostly = used.iter().filter(|left| **left).count() * 2 > used.len();
     let half = move |joints: &[f64; 6]| (is_left(joints) == mostly).then(|| "forearm touches part".to_owned());
-    let avoided =
-        choose(&arm, &p.plan.passes, 20.0, 3.0, &Watch { touches: &half, ..Watch::default() }).expect("goes on");
+    let avoided = choose(&arm, &p.plan.passes, &Watch { touches: &half, ..Watch::default() }).expect("goes on");
     assert!(avoided.rows.iter().flatten().flatten().all(|c| half(&c.joints_deg).is_none()));
     assert!(avoided.rows.iter().flatten().flatten().count() > used.len() / 2);
-    let named = choose(
-        &arm,
-        &p.plan.passes,
-        20.0,
-        3.0,
-        &Watch { touches: &|_| Some("part touches head".into()), ..Watch::default() },
-    )
-    .expect("goes on");
+    let named =
+        choose(&arm, &p.plan.passes, &Watch { touches: &|_| Some("part touches head".into()), ..Watch::default() })
+            .expect("goes on");
     assert!(named.refusals.iter().all(|r| r.cause == Cause::Head && r.detail == "part touches head"));
     assert_eq!(named.rows.iter().flatten().flatten().count(), 0);
 }

@@ -5,7 +5,7 @@ use clearbeam::part::distance::point_triangle;
 use clearbeam::part::surfaces::Surface;
 use clearbeam::part::{Mesh, Surfaces};
 use clearbeam::path::normals::VertexNormals;
-use clearbeam::path::planes::{Direction, planes};
+use clearbeam::path::planes::{Direction, Raster, planes};
 use clearbeam::path::strategy::{Achieved, Layout, SurfaceLines, lines, offset::borders};
 use clearbeam::path::{Strategy, SurfacePlanes};
 use nalgebra::Point3;
@@ -54,11 +54,9 @@ impl Alone {
     }
 
     fn family(&self, direction: Direction, spacing: f64) -> SurfacePlanes {
-        planes(&self.mesh, &self.surfaces, &[1], direction, spacing, None).pop().unwrap_or(SurfacePlanes {
-            surface: 1,
-            normal: nalgebra::Vector3::z(),
-            heights_mm: Vec::new(),
-        })
+        planes(&self.mesh, &self.surfaces, &[Raster { surface: 1, direction, spacing_mm: spacing, offset_mm: None }])
+            .pop()
+            .unwrap_or(SurfacePlanes { surface: 1, normal: nalgebra::Vector3::z(), heights_mm: Vec::new() })
     }
 
     fn laid(&self, rule: &Layout, direction: Direction) -> SurfaceLines {

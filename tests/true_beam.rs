@@ -327,7 +327,7 @@ fn what_stands_in_the_cell_is_in_the_way_of_a_carried_head() {
         // In the part's frame: (10, 25, 30) in the base, turned back by a quarter.
         for c in &setup.tool.clamps {
             assert!((c.at().translation.vector - Vector3::new(25.0, -10.0, 30.0)).norm() < 1e-9);
-            let body = clearbeam::job::plan::body(&job, &setup);
+            let body = clearbeam::job::surface_plan::body(&job, &setup);
             let plate = floor_and(&[]);
             let hit = Beam::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());
             assert_eq!(hit.map(|b| b.theirs), Some(Theirs::Clamp(0)));
@@ -479,5 +479,87 @@ proptest! {
         }
         // A hit that is well inside is found; a proof allows of the margin what it says.
         prop_assert!(!proven || worst >= -b.short_mm - 1e-5, "proven, {worst}");
+    }
+}
+
+#[test]
+fn what_stands_in_a_beam_that_stands_still_is_refused() {
+    let dir = tempfile::tempdir().expect("a folder");
+    std::fs::write(dir.path().join("post.stl"), clearbeam::sample::stl_bytes(&block([-2.0; 3], [2.0; 3])))
+        .expect("written");
+    let job = Job::default();
+    let stands = |up_mm: f64, beside_mm: f64, tool: Tool| {
+        let mut cell = Cell::shipped("mz04").expect("shipped");
+        let laser = cell.base_from_laser.isometry();
+        let mut post = Obstacle::named("post.stl".into());
+        post.position_mm = (laser * Point3::new(beside_mm, 0.0, up_mm)).coords.into();
+        post.load(Some(dir.path())).expect("an STL");
+        cell.bodies.obstacles.push(post);
+        set_up(&job, None, cell, tool).map(|_| ()).map_err(|e| e.to_string())
+    };
+    let said = stands(50.0, 0.0, Tool::default()).expect_err("in the ray");
+    assert!(said.contains("post.stl") && said.contains("the beam"), "{said}");
+    assert_eq!(stands(50.0, 12.0, Tool::default()), Ok(()));
+    // The head's radius and margin reach to 10.5 mm, the post from 8.6 mm (its far corner 2√2 nearer).
+    let said = stands(60.0, 12.0, cylinder(10.0)).expect_err("in the head");
+    assert!(said.contains("the head"), "{said}");
+    assert_eq!(stands(60.0, 14.0, cylinder(10.0)), Ok(()));
+    assert_eq!(stands(-60.0, 0.0, cylinder(10.0)), Ok(()), "below the spot nothing counts");
+}
+
+/// A slot 30 mm wide whose walls are 42 mm high: the head's lower edge, 40 mm above the spot and 20 mm wide, is 2 mm
+/// too low.
+#[test]
+fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
+    let walls = [[-30.0, -15.0], [15.0, 30.0]].map(|[x0, x1]| block([x0, -30.0, 0.0], [x1, 30.0, 42.0]));
+    let mut job = Job::default();
+    job.layers.spacing_mm = 4.0;
+    job.layers.direction = "x".parse().expect("an axis");
+    job.path.max_tilt_deg = 5.0;
+    let mut setup = parts::setup();
+    setup.tool = cylinder(20.0);
+    let planned = |standoff_mm: f64| {
+        let part = floor_and(&walls);
+        let surfaces = clearbeam::job::plan::segmented(&part, &job);
+        let floor = parts::surface_at(&part, &surfaces, [0.0, 0.0, 0.0]);
+        let mut job = parts::on(job.clone(), &[floor]);
+        job.path.standoff_mm = standoff_mm;
+        parts::planned_in(part, job, &setup)
+    };
+    // Lines between the walls, and between their ends: those are the ones that the head stands over.
+    let between = |p: &parts::Planned| {
+        let of = |t: &clearbeam::pose::Target| t.p.x.abs() < 14.0 && t.p.y.abs() < 20.0;
+        let lines = p.plan.passes.iter().filter(|l| l.targets.iter().any(of));
+        lines.cloned().collect::<Vec<_>>()
+    };
+    let without = planned(0.0);
+    assert!(between(&without).iter().all(|l| l.work.defocus_mm == DEFOCUS_MM && l.length_mm(|_, to| !to.laser) > 50.0));
+    let with = planned(8.0);
+    let lifted = between(&with);
+    assert!(!lifted.is_empty());
+    for line in &lifted {
+        // Half of the window is enough, and the spot is as wide as the optics make it there.
+        assert_eq!(line.work.defocus_mm, DEFOCUS_MM + 4.0);
+        let optics = Optics::default();
+        let wider = optics.spot_mm(24.0) / optics.spot_mm(20.0);
+        assert!((line.work.spot_mm - wider * SPOT_MM).abs() < 1e-12);
+        assert_eq!(line.length_mm(|_, to| !to.laser), 0.0);
+    }
+    let proof = with.plan.proof.as_ref().expect("swept");
+    assert!(proof.intervals > 0 && proof.refuted.is_empty() && proof.margin_mm > 0.2);
+    let files = clearbeam::job::output::files(&with.job, "part.stl", &with.part, &setup, &with.plan, &with.surfaces)
+        .expect("files")
+        .0;
+    let csv = files.iter().find(|f| f.name == "path.csv").map(|f| String::from_utf8_lossy(&f.bytes).into_owned());
+    for row in csv.expect("written").lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        let number = |i: usize| cells[i].parse::<f64>().expect("a number");
+        let pass = &with.plan.passes[number(0) as usize];
+        let target = &pass.targets[number(1) as usize];
+        let focus = target.focus(pass.work.defocus_mm);
+        for k in 0..3 {
+            assert!((number(17 + k) - focus[k]).abs() < 1e-6);
+        }
+        assert!((number(21) - target.clearance_mm.expect("a head")).abs() < 1e-6, "{row}");
     }
 }

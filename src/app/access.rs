@@ -3,7 +3,7 @@
 
 use super::App;
 use crate::job::Job;
-use crate::job::plan::body;
+use crate::job::surface_plan::body;
 use crate::part::angle;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::pose::{Beam, State, Tilt, TiltRule};

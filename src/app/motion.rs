@@ -92,7 +92,7 @@ impl Motion {
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();
         Motion {
             curves: timeline.as_ref().map(series).unwrap_or_default(),
-            trail: timeline.as_ref().map(|t| Trail::new(t, job.beam.defocus_mm, key)),
+            trail: timeline.as_ref().map(|t| Trail::new(t, &plan.passes, key)),
             timeline,
             move_to,
             marks,

@@ -220,7 +220,7 @@ impl App {
     /// The arm in a proposed set-up: at the target that is stepped to, else at home.
     pub(super) fn proposed_joints_deg(&self, proposal: &Proposal) -> crate::cell::Joints {
         let job = self.document.job();
-        let frame = self.target().map(|t| t.frame(job.beam.defocus_mm));
+        let frame = self.target().map(|t| t.frame(self.work().defocus_mm));
         let states = frame.and_then(|f| Arm::new(&proposal.setup, job.cell.spin)?.states(&f).ok());
         // The one that is furthest from a singular pose.
         let best = states.and_then(|s| s.into_iter().max_by(|a, b| a.singularity.total_cmp(&b.singularity)));

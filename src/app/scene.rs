@@ -4,6 +4,7 @@ use super::App;
 use super::command::Command;
 use super::derived::Derived;
 use super::session::{Session, Show};
+use crate::beam::Work;
 use crate::picture::{PartLook, PathLook, paths, section};
 use crate::pose::{State, Target};
 use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
@@ -13,7 +14,7 @@ use std::sync::Arc;
 
 /// Lines of the paths, and what they were made from: plan, defocus and look.
 pub(super) struct PathLines {
-    of: (u64, f64, PathLook),
+    of: (u64, PathLook),
     lines: Vec<LineItem>,
 }
 
@@ -41,22 +42,21 @@ impl App {
         let d = &self.derived;
         let s = &self.session;
         let (Some(picture), Some(part)) = (&d.picture, &d.part) else { return Arc::new(scene) };
-        let defocus_mm = self.document.job().beam.defocus_mm;
         let look = self.path_look(&s.show);
         if s.show.section
             && let Some((plan, _)) = &d.plan
         {
             // Before and after at once, as P1 Fig. 8 sets them side by side.
-            scene.lines = section::section(part, &d.surfaces, plan, s.at.0, defocus_mm, &look, d.plan_count);
+            scene.lines = section::section(part, &d.surfaces, plan, s.at.0, &look, d.plan_count);
         } else {
             let place = self.scene_from_part();
             let dose = self.dose_picture();
             let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
             scene.meshes.push(MeshItem { scene_from_item: place, ..part });
             if let Some((plan, _)) = &d.plan {
-                let known = (d.plan_count, defocus_mm, look.clone());
+                let known = (d.plan_count, look.clone());
                 if self.path_lines.as_ref().is_none_or(|l| l.of != known) {
-                    let lines = paths::paths(plan, defocus_mm, &look, d.plan_count);
+                    let lines = paths::paths(plan, &look, d.plan_count);
                     self.path_lines = Some(PathLines { of: known, lines });
                 }
                 let lines = self.path_lines.iter().flat_map(|l| &l.lines);
@@ -67,7 +67,7 @@ impl App {
             scene.points.extend(self.proposed_points(place));
         }
         if let Some(t) = self.target() {
-            let (line, point) = paths::marked(t, defocus_mm, &look, self.derived.plan_count);
+            let (line, point) = paths::marked(t, self.work().defocus_mm, &look, self.derived.plan_count);
             let scene_from_item = self.scene_from_part();
             scene.lines.push(LineItem { scene_from_item, ..line });
             scene.points.push(PointItem { scene_from_item, ..point });
@@ -99,9 +99,15 @@ impl App {
         if self.is_in_cell() {
             scene.meshes.extend(self.placed().map_or_else(Vec::new, |p| tool.at(&p.base_from_focus, p.lit)));
         } else if let Some(t) = self.target() {
-            let focus = place * t.frame(self.document.job().beam.defocus_mm);
+            let focus = place * t.frame(self.work().defocus_mm);
             scene.meshes.extend(tool.at(&focus, t.state != State::Blocked));
         }
+    }
+
+    /// What the pass that is stepped to is worked with.
+    pub(super) fn work(&self) -> Work {
+        let pass = self.derived.plan.as_ref().and_then(|(plan, _)| plan.passes.get(self.session.at.0));
+        pass.map_or_else(Work::default, |p| p.work)
     }
 
     /// The target that is stepped to.
@@ -148,7 +154,7 @@ impl App {
             self.advance_time(ctx);
             return;
         }
-        let speed = self.document.job().beam.speed_mm_s;
+        let speed = self.work().speed_mm_s;
         self.session.play_clock_s += f64::from(ctx.input(|i| i.stable_dt).min(0.1) * self.session.play_speed);
         loop {
             let (pass, point) = self.session.at;
@@ -194,7 +200,7 @@ fn angles_onto(m: &Vector3<f64>, camera: &Camera) -> (f64, f64) {
 
 fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
     let missed =
-        d.plan.iter().flat_map(|(plan, _)| &plan.surfaces).flat_map(|p| p.coverage.missed_facets.iter().copied());
+        d.plan.iter().flat_map(|(plan, _)| &plan.surfaces).flat_map(|p| p.laid.coverage.missed_facets.iter().copied());
     PartLook {
         chosen,
         selected: s.selected.clone(),

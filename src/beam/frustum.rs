@@ -29,7 +29,8 @@ impl Frustum {
 
     /// Where it stands with t = 0 in `p` and its axis along the unit vector `a`.
     pub fn placed(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Placed {
-        Placed { origin: *p, axis: *a, shape: *self, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
+        let slope = (self.r1_mm - self.r0_mm) / (self.t1_mm - self.t0_mm);
+        Placed { origin: *p, axis: *a, shape: *self, slope, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
     }
 }
 
@@ -39,6 +40,8 @@ pub struct Placed {
     origin: Point3<f64>,
     axis: Vector3<f64>,
     shape: Frustum,
+    /// By how much its radius grows along the axis.
+    slope: f64,
     inverse: Vector3<f64>,
 }
 
@@ -62,8 +65,7 @@ impl Placed {
             return false;
         }
         // The stretch of the axis beside the box, as wide as the cone gets there.
-        let slope = (s.r1_mm - s.r0_mm) / (s.t1_mm - s.t0_mm);
-        let at = |t: f64| s.r0_mm + slope * (t.clamp(s.t0_mm, s.t1_mm) - s.t0_mm);
+        let at = |t: f64| s.r0_mm + self.slope * (t.clamp(s.t0_mm, s.t1_mm) - s.t0_mm);
         // A point beside the flank may be nearest to a wider place further along.
         let radius = at(from - reach_mm).max(at(to + reach_mm)) + reach_mm + 1e-9;
         let (mut near, mut far) = (from - 1e-9, to + 1e-9);
@@ -116,8 +118,7 @@ impl Placed {
             return true;
         }
         // Seen along the axis: is there a line between it and the triangle?
-        let slope = (s.r1_mm - s.r0_mm) / (s.t1_mm - s.t0_mm);
-        let at = |t: f64| s.r0_mm + slope * (t.clamp(s.t0_mm, s.t1_mm) - s.t0_mm);
+        let at = |t: f64| s.r0_mm + self.slope * (t.clamp(s.t0_mm, s.t1_mm) - s.t0_mm);
         let radius = at(low - reach_mm).max(at(high + reach_mm)) + reach_mm + 1e-9;
         let q = [d[0] - self.axis * t[0], d[1] - self.axis * t[1], d[2] - self.axis * t[2]];
         [(0, 1, 2), (1, 2, 0), (2, 0, 1)].into_iter().any(|(i, j, k)| {

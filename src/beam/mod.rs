@@ -9,12 +9,14 @@ pub mod frustum;
 pub mod head;
 pub mod obstacle;
 pub mod optics;
+pub mod work;
 
 pub use body::Body;
 pub use frustum::Frustum;
 pub use head::{Head, HeadError, HeadPart};
 pub use obstacle::Obstacle;
 pub use optics::Optics;
+pub use work::{Stance, Work};
 
 /// What the files of a job hold of the tool: read once, and kept with the set-up.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,7 +4,7 @@ use super::Failure;
 use crate::cell::{Mount, Spin};
 use crate::job::{Chosen, Job, Offset, Parameter};
 use crate::part::Units;
-use crate::path::{Direction, Order};
+use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
 use std::path::PathBuf;
 
@@ -26,10 +26,22 @@ pub struct PlanOptions {
     /// Distance of the section planes, mm [default: 0.5]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     spacing: Option<f64>,
+    /// Lines: planes, adaptive, offset, spiral or cross [default: planes]
+    #[arg(long, value_parser = strategy)]
+    strategy: Option<Strategy>,
+    /// Overlap of neighbouring spots (of beads, where they are told), per cent, in place of the spacing
+    #[arg(long, value_name = "%", allow_negative_numbers = true, conflicts_with = "spacing")]
+    overlap: Option<f64>,
+    /// What lines keep from the rim of a surface, mm; negative: run over it [default: 0]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    inset: Option<f64>,
+    /// How often a surface is gone over [default: 1]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    passes: Option<f64>,
     /// First plane above the lowest point, mm, or centred [default: centred]
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = offset)]
     offset: Option<Offset>,
-    /// zigzag or one-way [default: zigzag]
+    /// zigzag, one-way or shortest [default: zigzag]
     #[arg(long, value_parser = order)]
     order: Option<Order>,
     /// Focus above the surface, mm [default: 20]
@@ -105,6 +117,8 @@ impl PlanOptions {
             ("spot", self.spot),
             ("max-tilt", self.max_tilt),
             ("margin", self.margin),
+            ("inset", self.inset),
+            ("passes", self.passes),
         ];
         for (option, value) in numbers {
             if let (Some(p), Some(value)) = (Parameter::by_option(option), value) {
@@ -112,6 +126,10 @@ impl PlanOptions {
                 (p.set)(job, value);
             }
         }
+        if let Some(percent) = self.overlap {
+            job.layers.spacing_mm = job.spacing_of_overlap(percent).map_err(Failure::Usage)?;
+        }
+        job.layers.strategy = self.strategy.unwrap_or(job.layers.strategy);
         if let Some(list) = &self.surfaces {
             job.clean.surfaces = list.clone();
         }
@@ -153,7 +171,11 @@ pub(super) fn units(text: &str) -> Result<Units, String> {
 }
 
 fn order(text: &str) -> Result<Order, String> {
-    word(text, Order::from_word(text), "zigzag or one-way")
+    word(text, Order::from_word(text), "zigzag, one-way or shortest")
+}
+
+fn strategy(text: &str) -> Result<Strategy, String> {
+    word(text, Strategy::from_word(text), "planes, adaptive, offset, spiral or cross")
 }
 
 fn correction(text: &str) -> Result<Correction, String> {

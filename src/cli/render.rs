@@ -119,7 +119,7 @@ fn scene(
             only_pass: None,
             frame_mm: 0.02 * part.mesh.diagonal(),
         };
-        scene.lines = paths(&plan, job.beam.defocus_mm, &path_look, 1);
+        scene.lines = paths(&plan, &path_look, 1);
     }
     scene.meshes.push(picture.item(&surfaces, &look));
     Ok((scene, None))

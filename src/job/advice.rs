@@ -2,7 +2,9 @@
 //! and a better set-up.
 
 use super::model::{CellFile, Job};
-use super::plan::{Cache, Plan, PlanError, drive};
+use super::plan::{Plan, PlanError, drive};
+use super::surface_plan::Cache;
+use crate::beam::Work;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
 use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
 use crate::cell::{Mount, Setup};
@@ -23,17 +25,17 @@ fn refusals(plan: &Plan) -> &[Refusal] {
 }
 
 /// A path frame of every target that the robot does, and of every one that it refuses for where it is.
-fn frames(plan: &Plan, defocus_mm: f64) -> [Vec<Isometry3<f64>>; 2] {
+fn frames(plan: &Plan) -> [Vec<Isometry3<f64>>; 2] {
     let done = plan
         .passes
         .iter()
-        .flat_map(|p| &p.targets)
-        .filter(|t| t.state != State::Blocked)
-        .map(|t| t.frame(defocus_mm))
+        .flat_map(|p| p.targets.iter().map(|t| (t, p.work.defocus_mm)))
+        .filter(|(t, _)| t.state != State::Blocked)
+        .map(|(t, defocus_mm)| t.frame(defocus_mm))
         .collect();
     let placed = |r: &&Refusal| matches!(r.cause, Cause::Reach | Cause::Limit | Cause::Singularity);
-    let refused =
-        refusals(plan).iter().filter(placed).map(|r| plan.passes[r.pass].targets[r.point].frame(defocus_mm)).collect();
+    let frame = |r: &Refusal| plan.passes[r.pass].targets[r.point].frame(plan.passes[r.pass].work.defocus_mm);
+    let refused = refusals(plan).iter().filter(placed).map(frame).collect();
     [done, refused]
 }
 
@@ -48,7 +50,7 @@ pub fn advice(
     setup: &Setup,
     progress: &Progress,
 ) -> Result<Vec<String>, Cancelled> {
-    let [done, refused] = frames(plan, job.beam.defocus_mm);
+    let [done, refused] = frames(plan);
     let samples = [&done, &refused].map(|all| sampled(all, SAMPLE));
     let found = advice::changes(setup, part, job.cell.spin, &samples[0], &samples[1], progress)?;
     let all = refused.len().min(SAMPLE);
@@ -84,9 +86,13 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
     let watch = Watch { go_on: &go_on, ..Watch::default() };
     progress.begin("trying lower speeds", SLOWER.len());
     for share in SLOWER {
-        let speed_mm_s = job.beam.speed_mm_s * share;
-        let choice = choose(&arm, &again, job.beam.defocus_mm, speed_mm_s, &watch).ok_or(Cancelled)?;
+        let slower: Vec<Pass> = again
+            .iter()
+            .map(|p| Pass { work: Work { speed_mm_s: share * p.work.speed_mm_s, ..p.work }, ..p.clone() })
+            .collect();
+        let choice = choose(&arm, &slower, &watch).ok_or(Cancelled)?;
         if !choice.refusals.iter().any(|r| r.cause == Cause::Speed) {
+            let speed_mm_s = slower.iter().map(|p| p.work.speed_mm_s).fold(f64::INFINITY, f64::min);
             return Ok(Some(format!("move the spot at {speed_mm_s:.2} mm/s: no joint is too fast then")));
         }
         progress.step()?;
@@ -112,7 +118,7 @@ pub fn better_setup(
     if refusals(plan).is_empty() {
         return Ok(None);
     }
-    let [mut done, refused] = frames(plan, job.beam.defocus_mm);
+    let [mut done, refused] = frames(plan);
     done.extend(refused);
     // The passes as they were before the robot refused anything.
     let passes: Vec<&Pass> = plan.surfaces.iter().flat_map(|s| &s.passes).collect();

@@ -86,9 +86,7 @@ pub fn dose(
         optics: job.optics,
     };
     let times = ends_s(plan);
-    let light = Light::new(&plan.passes, spot, b.power_w, b.speed_mm_s, |pass, point| {
-        times.get(&(pass, point)).copied().unwrap_or(0.0)
-    });
+    let light = Light::new(&plan.passes, &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
     let task = Task {
         part,
         surfaces,

@@ -1,10 +1,12 @@
 //! Job files: reading, atomic writing, and paths relative to where the job stands.
 
 use super::model::Job;
-use crate::beam::{Head, HeadError, Tool};
+use crate::beam::{Body, Head, HeadError, Tool};
 use crate::cell::{Cell, CellError, Mount, Robot, RobotError, Setup};
 use crate::part::{LoadError, Part, load};
+use crate::pose::{Beam, Blocker, Theirs};
 use crate::program::dialects;
+use nalgebra::{Point3, Vector3};
 use std::io::Write as _;
 use std::path::{Component, Path, PathBuf};
 use thiserror::Error;
@@ -188,7 +190,26 @@ pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell, mut tool: Tool) -
     }
     let setup = Setup { cell, robot, mount, tool };
     setup.check()?;
+    if mount == Mount::PartInHand {
+        clear_of_obstacles(job, &setup)?;
+    }
     Ok(setup)
+}
+
+/// A laser that stands still is blocked for good by what stands in its way.
+fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
+    let obstacles = &setup.cell.bodies.obstacles;
+    let tool = Tool { head: setup.tool.head.clone(), clamps: obstacles.clone() };
+    let (b, nothing) = (&job.beam, Part::default());
+    let body = Body::new(&tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm);
+    let laser = setup.cell.base_from_laser.isometry();
+    let a = laser.rotation * Vector3::z();
+    let spot = Point3::from(laser.translation.vector) - a * b.defocus_mm;
+    let blocker = Beam::with(&nothing, body.as_ref()).blocker(&spot, &a);
+    let Some(Blocker { ours, theirs: Theirs::Clamp(i), .. }) = blocker else { return Ok(()) };
+    let file = obstacles.get(i as usize).map_or("", |o| o.file.as_str());
+    let what = format!("bodies.obstacles: {file} stands in the way of {ours}, which stands still; move one of them");
+    Err(CellError::Figure { file: setup.cell.name.clone(), what }.into())
 }
 
 /// A path of a job, seen from the current folder.

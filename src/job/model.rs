@@ -1,9 +1,10 @@
 //! The job: everything an operator decides, as TOML. What can be computed is not in it.
 
+use super::recipe::Recipe;
 use crate::beam::{Obstacle, Optics};
 use crate::cell::{Cell, Frame, Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
-use crate::path::{Direction, Order};
+use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
 use crate::pose::tilt::{Pin, TiltRule};
 use crate::process::DoseParameters;
@@ -35,6 +36,12 @@ pub struct Job {
     /// What stands on the part, in the part frame.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub clamps: Vec<Obstacle>,
+    /// What surfaces can be worked with in place of the job's own values.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub recipes: Vec<Recipe>,
+    /// The recipe of a surface, by its number.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub recipe_of: BTreeMap<String, String>,
     /// Directions that surfaces prefer or forbid.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tilts: Vec<TiltRule>,
@@ -167,19 +174,44 @@ impl<'de> Deserialize<'de> for Chosen {
     }
 }
 
-/// The section planes.
+/// How lines are laid on surfaces.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Layers {
+    /// Planes, lines that follow the surface, or a spiral.
+    pub strategy: Strategy,
     /// Normal of the planes: `x`, `y`, `z`, `auto` or `DX,DY,DZ`.
     #[serde(with = "as_text")]
     pub direction: Direction,
-    /// Distance of the planes.
+    /// Distance of the planes, or of the lines on the surface.
     pub spacing_mm: f64,
     /// Where the first plane lies.
     pub offset_mm: Offset,
-    /// Sense of neighbouring lines.
+    /// Sense and order of the lines.
     pub order: Order,
+    /// How often the surface is gone over.
+    pub passes: f64,
+    /// What lines keep from the rim; negative: how far they run on over it.
+    pub inset_mm: f64,
+    /// Holes narrower than this keep no lines off.
+    pub ignore_holes_mm: f64,
+    /// Pieces of a line with a gap up to this between them are one pass, the laser off over the gap.
+    pub join_mm: f64,
+    /// Shorter pieces are left out.
+    pub shortest_mm: f64,
+    /// How far a closed line begins behind where the one before does.
+    pub seam_shift_mm: f64,
+    /// Between the two rasters of a cross.
+    pub cross_deg: f64,
+    /// For offset lines: the border to start from, 0 the longest; without it the whole outline.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub border: Option<u32>,
+    /// For a spiral: its centre, or the nearest point of the surface to it, in the part frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre_mm: Option<[f64; 3]>,
+    /// For a spiral: from the rim to the centre.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
 }
 
 impl Default for Layers {
@@ -189,6 +221,17 @@ impl Default for Layers {
             spacing_mm: 0.5,
             offset_mm: Offset::Centred,
             order: Order::Zigzag,
+            strategy: Strategy::Planes,
+            passes: 1.0,
+            inset_mm: 0.0,
+            ignore_holes_mm: 0.0,
+            join_mm: 0.0,
+            shortest_mm: 0.0,
+            seam_shift_mm: 0.0,
+            cross_deg: 90.0,
+            border: None,
+            centre_mm: None,
+            inward: false,
         }
     }
 }
@@ -303,6 +346,8 @@ pub struct PathParameters {
     pub tilt_rate_deg_mm: f64,
     /// The same over time, degrees/s.
     pub tilt_rate_deg_s: f64,
+    /// How far the head may be drawn back or pushed forward on a line that is blocked otherwise, mm.
+    pub standoff_mm: f64,
 }
 
 impl Default for PathParameters {
@@ -315,6 +360,7 @@ impl Default for PathParameters {
             max_tilt_deg: 45.0,
             tilt_rate_deg_mm: 5.0,
             tilt_rate_deg_s: 90.0,
+            standoff_mm: 0.0,
         }
     }
 }

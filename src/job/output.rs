@@ -47,7 +47,7 @@ pub fn files(
     let mut out = vec![file("job.toml".into(), files::to_toml(job)?.into_bytes())];
     out.extend(written.into_iter().map(|f| file(f.name, f.text.into_bytes())));
     out.push(file("report.json".into(), json.into_bytes()));
-    out.push(file("path.csv".into(), path_csv(plan, job.beam.defocus_mm).into_bytes()));
+    out.push(file("path.csv".into(), path_csv(plan).into_bytes()));
     if let Some(choice) = &plan.choice {
         out.push(file("joints.csv".into(), joints_csv(plan, choice).into_bytes()));
     }
@@ -153,20 +153,24 @@ fn head(job: &Job, part_name: &str, setup: &Setup, report: &Report) -> Vec<Strin
 }
 
 /// `path.csv`: one row a target.
-fn path_csv(plan: &Plan, defocus_mm: f64) -> String {
+fn path_csv(plan: &Plan) -> String {
     let mut out = String::from(
         "pass,point,surface,laser,state,px,py,pz,nx,ny,nz,ax,ay,az,ox,oy,oz,x,y,z,tilt_deg,clearance_mm\n",
     );
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate() {
             let _ = write!(out, "{number},{point},{},{},{}", pass.surface, u8::from(t.laser), t.state.word());
-            let focus = t.focus(defocus_mm);
+            let focus = t.focus(pass.work.defocus_mm);
             let vectors = [&t.p.coords, &t.n, &t.a, &t.o, &focus.coords];
             for value in vectors.into_iter().flat_map(|v| v.iter()).chain([&t.tilt_deg()]) {
                 out.push(',');
                 push_number(&mut out, *value);
             }
-            out.push_str(",\n");
+            out.push(',');
+            if let Some(mm) = t.clearance_mm {
+                push_number(&mut out, mm);
+            }
+            out.push('\n');
         }
     }
     out

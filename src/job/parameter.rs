@@ -49,7 +49,7 @@ macro_rules! parameter {
 }
 
 /// The table, in the order of the panel. `a .. b`: from a to b; `a < b`: above a, to b.
-pub const PARAMETERS: [Parameter; 27] = [
+pub const PARAMETERS: [Parameter; 35] = [
     parameter!(
         Some("angle"),
         "surfaces.angle_deg",
@@ -89,6 +89,76 @@ pub const PARAMETERS: [Parameter; 27] = [
         "d (P2)",
         "Distance between section planes; on a slope the lines lie further apart",
         layers.spacing_mm
+    ),
+    parameter!(
+        Some("passes"),
+        "layers.passes",
+        "Passes",
+        "",
+        1.0..1000.0,
+        "",
+        "How often a surface is gone over; a whole number",
+        layers.passes
+    ),
+    parameter!(
+        Some("inset"),
+        "layers.inset_mm",
+        "Inset",
+        "mm",
+        -100.0..1000.0,
+        "",
+        "What lines keep from the rim of the surface; negative: how far they run on over it, as long as the part goes on",
+        layers.inset_mm
+    ),
+    parameter!(
+        None,
+        "layers.ignore_holes_mm",
+        "Holes that count",
+        "mm",
+        0.0..10000.0,
+        "",
+        "Narrower holes keep no lines off, whatever the inset",
+        layers.ignore_holes_mm
+    ),
+    parameter!(
+        None,
+        "layers.join_mm",
+        "Bridge gaps up to",
+        "mm",
+        0.0..10000.0,
+        "",
+        "Pieces of a line with no more than this between them are one pass, the laser off over the gap; 0 = off",
+        layers.join_mm
+    ),
+    parameter!(
+        None,
+        "layers.shortest_mm",
+        "Leave out below",
+        "mm",
+        0.0..10000.0,
+        "",
+        "Shorter pieces of lines are left out; 0 = none",
+        layers.shortest_mm
+    ),
+    parameter!(
+        None,
+        "layers.seam_shift_mm",
+        "Shift starts by",
+        "mm",
+        0.0..10000.0,
+        "",
+        "How far each closed line begins behind the start of the one before; 0 = begin where the way is shortest",
+        layers.seam_shift_mm
+    ),
+    parameter!(
+        None,
+        "layers.cross_deg",
+        "Cross angle",
+        "°",
+        1.0..179.0,
+        "",
+        "Angle between the two rasters of the strategy cross",
+        layers.cross_deg
     ),
     parameter!(
         Some("defocus"),
@@ -209,6 +279,16 @@ pub const PARAMETERS: [Parameter; 27] = [
         "",
         "The same over time, at the spot's speed",
         path.tilt_rate_deg_s
+    ),
+    parameter!(
+        None,
+        "path.standoff_mm",
+        "Standoff window",
+        "mm",
+        0.0..100.0,
+        "",
+        "How far the head may be drawn back or pushed forward on lines that are blocked otherwise; 0 = not at all",
+        path.standoff_mm
     ),
     parameter!(
         None,
@@ -360,6 +440,10 @@ impl Parameter {
 /// The first that is out of range.
 pub fn check_all(job: &Job) -> Result<(), String> {
     PARAMETERS.iter().try_for_each(|p| p.check((p.get)(job)))?;
+    job.check_recipes()?;
+    if job.layers.passes.fract() != 0.0 {
+        return Err(format!("passes = {}: give a whole number", job.layers.passes));
+    }
     dialects::known(&job.cell.dialect)?;
     if let Some(offset) = job.layers.offset_mm.mm()
         && !(0.0..=job.layers.spacing_mm).contains(&offset)

@@ -1,44 +1,31 @@
 //! From a job to a plan: planes, lines, poses, program, report. Surfaces whose inputs have not
 //! changed are taken from the cache.
 
+use super::lay::{self, Laid};
 use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
-use crate::beam::{Body, Head, Tool};
+use super::surface_plan::{Cache, SurfacePlan, key_of, plan_surface, raster, rules, rules_of, stances, worked};
+use crate::beam::Stance;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
-use crate::part::{Digest, Hasher, Part, Surfaces};
-use crate::path::chord::ChordLimits;
-use crate::path::coverage::{Coverage, coverage};
-use crate::path::normals::VertexNormals;
-use crate::path::{Order, SurfacePlanes, TransversalLine, dense, order, planes, section};
-use crate::pose::{Correction, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
+use crate::part::{Digest, Part, Surfaces};
+use crate::path::Order;
+use crate::path::planes::{self, Raster};
+use crate::pose::{Pass, State};
 use crate::program::Timeline;
 use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
-use crate::program::steps::{Speeds, Steps, steps};
+use crate::program::steps::{Steps, steps};
 use crate::program::sweep::{Proof, Prover};
 use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 use thiserror::Error;
-
-/// A surface's share of a plan.
-#[derive(Clone, Debug)]
-pub struct SurfacePlan {
-    /// Its planes.
-    pub planes: SurfacePlanes,
-    /// Its passes in working order.
-    pub passes: Vec<Pass>,
-    /// What no line reaches.
-    pub coverage: Coverage,
-    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
-    /// same limits.
-    pub by_section_plane: Option<Vec<Option<Pass>>>,
-}
 
 /// A plan.
 #[derive(Clone, Debug, Default)]
@@ -60,8 +47,6 @@ pub struct Plan {
     pub proof: Option<Proof>,
     /// The frames it was made for.
     pub cell: Option<CellReport>,
-    /// Speeds it was made for.
-    pub speeds: Option<Speeds>,
 }
 
 /// Why there is no plan.
@@ -119,23 +104,6 @@ impl From<Cancelled> for PlanError {
     }
 }
 
-/// Surface plans by the digest of all that they depend on.
-#[derive(Debug, Default)]
-pub struct Cache(Mutex<BTreeMap<Digest, Arc<SurfacePlan>>>);
-
-impl Cache {
-    fn get(&self, key: &Digest) -> Option<Arc<SurfacePlan>> {
-        self.0.lock().ok()?.get(key).cloned()
-    }
-
-    /// Keeps what the newest plan uses, and nothing else.
-    fn keep(&self, used: BTreeMap<Digest, Arc<SurfacePlan>>) {
-        if let Ok(mut map) = self.0.lock() {
-            *map = used;
-        }
-    }
-}
-
 /// The surfaces of a part under a job.
 pub fn segmented(part: &Part, job: &Job) -> Surfaces {
     let s = &job.surfaces;
@@ -176,49 +144,63 @@ pub fn plan(
     dialects::check(&job.cell.dialect, setup, job.beam.power_w).map_err(PlanError::Parameter)?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
-    if job.layers.spacing_mm > size_mm {
-        return Err(PlanError::SpacingTooLarge { spacing_mm: job.layers.spacing_mm, size_mm });
+    let own: BTreeMap<u32, Cow<'_, Job>> = list.iter().map(|&n| (n, job.of_surface(n))).collect();
+    if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
+        return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }
-    bound_size(surfaces, &list, job, size_mm)?;
-    let families = planes::planes(
-        &part.mesh,
-        surfaces,
-        &list,
-        job.layers.direction,
-        job.layers.spacing_mm,
-        job.layers.offset_mm.mm(),
-    );
-    let body = body(job, setup);
-    let rules = rules(job);
-    progress.begin("planning", families.iter().map(|f| f.heights_mm.len()).sum());
-    let planned: Vec<(Digest, Arc<SurfacePlan>)> = families
+    bound_size(surfaces, &own, size_mm)?;
+    let rasters: Vec<Raster> = list.iter().filter_map(|n| Some(raster(*n, own.get(n)?))).collect();
+    let families = planes::planes(&part.mesh, surfaces, &rasters);
+    let mine = |n: u32| own.get(&n).map_or(job, |j| j);
+    progress.begin("laying lines", families.len());
+    let laid: Vec<(Digest, Arc<Laid>)> = families
         .into_par_iter()
         .map(|family| {
-            let rules = LineRules {
-                tilt: job.tilts.iter().find(|t| t.surface == family.surface).cloned().unwrap_or_default(),
-                pins: job.pins.iter().filter(|p| p.surface == family.surface).copied().collect(),
-                ..rules.clone()
+            progress.step()?;
+            Ok(cache.laid(part, surfaces, family, mine))
+        })
+        .collect::<Result<Vec<Option<_>>, Cancelled>>()?
+        .into_iter()
+        .flatten()
+        .collect();
+    // Where a surface begins may depend on where the one before ends.
+    let (mut spot, mut lines) = (None, Vec::with_capacity(laid.len()));
+    for (key, laid) in &laid {
+        let ordered = lay::ordered(laid, &mine(laid.surface).layers, spot.as_ref());
+        let from = spot;
+        spot = lay::end_of(&ordered.lines).or(spot);
+        lines.push((*key, from, laid.clone(), ordered));
+    }
+    progress.begin("planning", lines.iter().map(|l| l.3.lines.len()).sum());
+    let planned: Vec<(Digest, Arc<SurfacePlan>)> = lines
+        .into_par_iter()
+        .map(|(key, from, laid, ordered)| {
+            let job = mine(laid.surface);
+            let rules = rules_of(laid.surface, job);
+            let from = from.filter(|_| job.layers.order == Order::Shortest);
+            let key = key_of(key, from, job, &rules, &setup.tool);
+            let made = match cache.get(&key) {
+                Some(known) => known,
+                None => Arc::new(plan_surface(part, laid, ordered, job, &setup.tool, &rules, progress)?),
             };
-            let key = key(part, surfaces, &family, job, &rules, &setup.tool);
-            if let Some(known) = cache.get(&key) {
-                return Ok((key, known));
-            }
-            let made = plan_surface(part, surfaces, family, job, body.as_ref(), &rules, progress)?;
-            Ok((key, Arc::new(made)))
+            Ok((key, worked(made, job, &setup.tool)))
         })
         .collect::<Result<_, PlanError>>()?;
     let surface_plans: Vec<_> = planned.iter().map(|(_, p)| p.clone()).collect();
-    cache.keep(planned.into_iter().collect());
-    let passes: Vec<Pass> = surface_plans.iter().flat_map(|s| s.passes.iter().cloned()).collect();
-    let speeds = speeds(job);
+    cache.keep(planned.into_iter().collect(), laid.into_iter().collect());
+    let passes: Vec<Pass> = surface_plans
+        .iter()
+        .flat_map(|s| (0..mine(s.laid.surface).layers.passes as usize).flat_map(|_| s.passes.iter().cloned()))
+        .collect();
+    let air_mm_s = job.beam.air_speed_mm_s;
     let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
-    let mut plan = Plan { surfaces: surface_plans, passes, cell, speeds: Some(speeds), ..Plan::default() };
+    let mut plan = Plan { surfaces: surface_plans, passes, cell, ..Plan::default() };
     match &setup.robot {
         Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
             let straight = straight(part, setup, job);
-            settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, &speeds))?;
+            settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, air_mm_s))?;
         }
     }
     plan.proof = Some(prover(part, setup, job).prove(&plan.steps.lit_moves(&setup.mounted())));
@@ -228,16 +210,22 @@ pub fn plan(
 /// What proves the lit moves of a job.
 pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
     let deviation_mm = job.cell.deviation_mm;
-    let (defocus_mm, sag_mm) = (job.beam.defocus_mm, job.path.chord_error_mm);
-    Prover::new(part, body(job, setup).as_ref(), setup.mounted(), defocus_mm, deviation_mm, sag_mm)
+    let mut all: Vec<Stance<'_>> = stances(job, &setup.tool);
+    let mut sag_mm = job.path.chord_error_mm;
+    for recipe in &job.recipes {
+        let own = recipe.applied(job);
+        sag_mm = sag_mm.max(own.path.chord_error_mm);
+        for stance in stances(&own, &setup.tool) {
+            if !all.iter().any(|s| s.work == stance.work) {
+                all.push(stance);
+            }
+        }
+    }
+    Prover::new(part, &all, setup.mounted(), deviation_mm, sag_mm)
 }
 
 fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
     Straight { prover: prover(part, setup, job).with_spare(), deviation_mm: job.cell.deviation_mm }
-}
-
-fn speeds(job: &Job) -> Speeds {
-    Speeds { work_mm_s: job.beam.speed_mm_s, air_mm_s: job.beam.air_speed_mm_s, defocus_mm: job.beam.defocus_mm }
 }
 
 /// Spin, branch and joints of every target, and the program's steps with them. What the robot cannot
@@ -251,7 +239,6 @@ pub(super) fn drive(
     progress: &Progress,
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
-    let speeds = speeds(job);
     progress.begin("choosing spins", 2);
     let collision = Collision::new(setup, part);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
@@ -267,7 +254,7 @@ pub(super) fn drive(
         setup,
         mounted: setup.mounted(),
         robot,
-        speeds,
+        air_mm_s: job.beam.air_speed_mm_s,
         straight: straight(part, setup, job),
         collision: collision.as_ref(),
         go_on: &go_on,
@@ -279,7 +266,7 @@ pub(super) fn drive(
         plan.refuse(&refused);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
         let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
-        let choice = choose_again(&arm, &plan.passes, speeds.defocus_mm, speeds.work_mm_s, &watch, &mut memory);
+        let choice = choose_again(&arm, &plan.passes, &watch, &mut memory);
         let choice = choice.ok_or(PlanError::Cancelled)?;
         plan.refuse(&choice.refusals);
         plan.choice = Some(choice);
@@ -359,16 +346,18 @@ fn block(pass: &mut Pass, point: usize) {
 }
 
 /// Refuses what no machine's memory would hold, before anything is allocated.
-fn bound_size(surfaces: &Surfaces, list: &[u32], job: &Job, size_mm: f64) -> Result<(), PlanError> {
+fn bound_size(surfaces: &Surfaces, own: &BTreeMap<u32, Cow<'_, Job>>, size_mm: f64) -> Result<(), PlanError> {
     // A hundred metres: no robot reaches that, and one flipped bit of a coordinate gives more.
     if size_mm > 1e5 || size_mm.is_nan() {
         return Err(PlanError::PartTooLarge { size_mm });
     }
-    let spacing_mm = job.layers.spacing_mm;
-    let gap_mm = rules(job).max_gap_mm;
-    let area: f64 = list.iter().filter_map(|&n| surfaces.get(n)).map(|s| s.area_mm2).sum();
     // Every plane is cut through every surface at least once.
-    let points = area / (spacing_mm * gap_mm) + size_mm / spacing_mm * list.len() as f64;
+    let points_of = |(&n, job): (&u32, &Cow<'_, Job>)| {
+        let (spacing_mm, gap_mm) = (job.layers.spacing_mm, rules(job).max_gap_mm);
+        surfaces.get(n).map_or(0.0, |s| s.area_mm2) / (spacing_mm * gap_mm) + size_mm / spacing_mm
+    };
+    let points: f64 = own.iter().map(points_of).sum();
+    let spacing_mm = own.values().map(|j| j.layers.spacing_mm).fold(f64::INFINITY, f64::min);
     if points > MOST_POINTS {
         return Err(PlanError::SpacingTooSmall { spacing_mm, points });
     }
@@ -377,96 +366,3 @@ fn bound_size(surfaces: &Surfaces, list: &[u32], job: &Job, size_mm: f64) -> Res
 
 /// Points of dense lines: a square metre at P1's spacing has 8 million, and takes a minute or two.
 const MOST_POINTS: f64 = 5e8;
-
-fn rules(job: &Job) -> LineRules {
-    LineRules {
-        max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm).min(job.path.max_step_mm),
-        max_dense_turn_deg: dense::MAX_TURN_DEG.min(job.path.max_turn_deg),
-        chord: ChordLimits {
-            chord_error_mm: job.path.chord_error_mm,
-            max_step_mm: job.path.max_step_mm,
-            max_turn_deg: job.path.max_turn_deg,
-        },
-        correction: job.path.correction,
-        max_tilt_deg: job.path.max_tilt_deg,
-        tilt_rate_deg_mm: job.path.tilt_rate_deg_mm.min(job.path.tilt_rate_deg_s / job.beam.speed_mm_s),
-        tilt: TiltRule::default(),
-        pins: Vec::new(),
-    }
-}
-
-/// What stands around the beam; `None`: the beam is a ray.
-pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
-    let b = &job.beam;
-    Body::new(&setup.tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm)
-}
-
-fn plan_surface(
-    part: &Part,
-    surfaces: &Surfaces,
-    planes: SurfacePlanes,
-    job: &Job,
-    body: Option<&Body<'_>>,
-    rules: &LineRules,
-    progress: &Progress,
-) -> Result<SurfacePlan, PlanError> {
-    let Some(surface) = surfaces.get(planes.surface) else { return Err(PlanError::Nothing) };
-    let normals = VertexNormals::new(&part.mesh, surfaces, surface);
-    let merge_mm = 1e-6 * part.mesh.diagonal();
-    let lines: Vec<TransversalLine> =
-        section::sections(&part.mesh, surface, &normals, &planes.normal, &planes.heights_mm, merge_mm);
-    let coverage = coverage(&part.mesh, surface, &planes, job.layers.spacing_mm, &lines);
-    let lines = order::ordered(lines, job.layers.order, &planes.normal);
-    let is_searched = rules.correction == Correction::Clearance;
-    let both = lines
-        .par_iter()
-        .enumerate()
-        .map(|(number, line)| {
-            progress.step()?;
-            let name = (surface.number, number as u32);
-            let pass = plan_line(part, body, name, line, &planes.normal, rules);
-            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
-            let other = (is_searched && interferes)
-                .then(|| plan_line_by_section_plane(part, body, name, line, &planes.normal, rules));
-            Ok((pass, other))
-        })
-        .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
-    let (passes, others): (Vec<_>, Vec<_>) = both.into_iter().unzip();
-    Ok(SurfacePlan { planes, passes, coverage, by_section_plane: is_searched.then_some(others) })
-}
-
-/// Of all that the poses of a surface depend on.
-fn key(part: &Part, surfaces: &Surfaces, planes: &SurfacePlanes, job: &Job, rules: &LineRules, tool: &Tool) -> Digest {
-    let facets = surfaces.get(planes.surface).map_or(&[][..], |s| &s.facets);
-    let flipped = job.surfaces.flipped.contains(&planes.surface);
-    let one_way = job.layers.order == Order::OneWay;
-    let mut hasher = Hasher::default()
-        .digest(part.digest)
-        .u32s(facets)
-        .u32s(&[planes.surface, flipped.into(), one_way.into(), rules.correction as u32])
-        .f64s(planes.normal.as_slice())
-        .f64s(&planes.heights_mm)
-        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm, rules.max_dense_turn_deg])
-        .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
-        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm])
-        .f64s(&[rules.tilt.preferred.lead_deg, rules.tilt.preferred.lean_deg, rules.tilt.least_deg])
-        .u32s(&rules.tilt.forbidden.iter().map(|s| *s as u32).collect::<Vec<_>>());
-    for pin in &rules.pins {
-        hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
-    }
-    for p in tool.head.iter().flat_map(Head::stack) {
-        hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
-    }
-    for clamp in &tool.clamps {
-        hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);
-    }
-    if tool.head.is_some() || !tool.clamps.is_empty() {
-        let (b, o) = (&job.beam, &job.optics);
-        hasher = hasher.f64s(&[b.defocus_mm, b.spot_mm, b.margin_mm]).f64s(&[
-            o.lens_to_focus_mm,
-            o.aperture_mm,
-            o.focus_spot_mm,
-        ]);
-    }
-    hasher.finish()
-}

@@ -175,7 +175,7 @@ impl Outcome {
             correction: correction.word(),
             corrected: count(State::Corrected),
             blocked: count(State::Blocked),
-            blocked_mm: passes.clone().map(|p| p.length_mm(|_, to| !to.laser)).fold(0.0, |a, b| a + b),
+            blocked_mm: passes.clone().map(|p| p.length_mm(is_blocked)).fold(0.0, |a, b| a + b),
             max_tilt_deg: targets().filter(|t| t.state != State::Blocked).map(Target::tilt_deg).fold(0.0, f64::max),
             max_tilt_rate_deg_per_mm: passes.map(Pass::max_tilt_rate_deg_mm).fold(0.0, f64::max),
         }
@@ -246,16 +246,16 @@ impl Report {
                 let (passes, others) = rest.split_at(s.passes.len().min(rest.len()));
                 rest = others;
                 SurfaceReport {
-                    surface: s.planes.surface,
-                    area_mm2: surfaces.get(s.planes.surface).map_or(0.0, |x| x.area_mm2),
+                    surface: s.laid.surface,
+                    area_mm2: surfaces.get(s.laid.surface).map_or(0.0, |x| x.area_mm2),
                     passes: passes.len(),
                     points: count(passes, &|_| true),
                     work_mm: length(passes, |_, to| to.laser),
                     corrected_mm: length(passes, is_corrected),
-                    blocked_mm: length(passes, |_, to| !to.laser),
-                    missed_area_mm2: s.coverage.missed_area_mm2,
-                    spacing_min_mm: s.coverage.spacing_min_mm,
-                    spacing_max_mm: s.coverage.spacing_max_mm,
+                    blocked_mm: length(passes, is_blocked),
+                    missed_area_mm2: s.laid.coverage.missed_area_mm2,
+                    spacing_min_mm: s.laid.coverage.spacing_min_mm,
+                    spacing_max_mm: s.laid.coverage.spacing_max_mm,
                 }
             })
             .collect();
@@ -267,7 +267,7 @@ impl Report {
             points: count(all, &|_| true),
             work_mm: length(all, |_, to| to.laser),
             corrected_mm: length(all, is_corrected),
-            blocked_mm: length(all, |_, to| !to.laser),
+            blocked_mm: length(all, is_blocked),
             air_mm: plan.steps.air_mm,
             time_s: plan.timeline.as_ref().map_or(plan.steps.time_s, Timeline::total_s),
             interfering: count(all, &|t| t.normal_hits.is_some()),
@@ -372,6 +372,11 @@ fn length(passes: &[Pass], which: impl Fn(&Target, &Target) -> bool + Copy) -> f
     passes.iter().map(|p| p.length_mm(which)).fold(0.0, |a, b| a + b)
 }
 
+/// The laser is off because something is in the way: over a gap of the line it is off on purpose.
+fn is_blocked(from: &Target, to: &Target) -> bool {
+    !to.laser && !Pass::is_gap(from, to)
+}
+
 fn is_corrected(from: &Target, to: &Target) -> bool {
     to.laser && (from.state == State::Corrected || to.state == State::Corrected)
 }
@@ -408,8 +413,8 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
             });
         }
     }
-    for s in plan.surfaces.iter().filter(|s| s.coverage.missed_area_mm2 > 0.0) {
-        let surface = s.planes.surface;
+    for s in plan.surfaces.iter().filter(|s| s.laid.coverage.missed_area_mm2 > 0.0) {
+        let surface = s.laid.surface;
         out.push(Problem {
             pass: None,
             point: None,

@@ -7,6 +7,7 @@
 
 use super::model::Job;
 use super::plan::{self, Plan};
+use crate::beam::Work;
 use crate::cell::{Joints, Setup};
 use crate::part::{Part, angle};
 use crate::pose::Beam;
@@ -189,8 +190,8 @@ fn acting(lines: &[ReadLine]) -> Vec<Acting<'_>> {
 pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) -> Verdict {
     let mut verdict = Verdict::default();
     let poses = Poses { setup: expected.setup, defocus_mm: expected.defocus_mm };
-    let planned_joints = compare(expected, &poses, read, &mut verdict);
-    let driven = driven(&poses, read, &planned_joints, &mut verdict);
+    let planned = compare(expected, &poses, read, &mut verdict);
+    let driven = driven(&poses, read, &planned, &mut verdict);
     interference(expected, &poses, &driven, with_checker, &mut verdict);
     verdict.findings.sort_by_key(|f| order_of(read, f));
     verdict
@@ -234,26 +235,26 @@ fn finding(at: &ReadLine, kind: Kind, text: String) -> Finding {
     Finding { file: at.file.clone(), line: at.line, kind, text }
 }
 
-/// Line by line, finding the way back after a line that is gone or new. Gives the plan's joints for
+/// Line by line, finding the way back after a line that is gone or new. Gives the plan's move for
 /// each line that is the plan's: a pose alone does not say how the arm stands, its configuration does,
 /// and that is compared as it is written.
-fn compare(
-    expected: &Expected<'_>,
+fn compare<'a>(
+    expected: &Expected<'a>,
     poses: &Poses<'_>,
     read: &[ReadLine],
     verdict: &mut Verdict,
-) -> Vec<Option<Joints>> {
+) -> Vec<Option<&'a Move>> {
     let (want, have) = (acting(expected.written), acting(read));
     let places: Vec<usize> = (0..read.len()).filter(|i| !matches!(read[*i].what, Read::Say(_))).collect();
-    let mut joints = vec![None; read.len()];
+    let mut found_moves = vec![None; read.len()];
     let mut planned = expected.moves.iter();
-    let plans: Vec<Option<&Move>> =
+    let plans: Vec<Option<&'a Move>> =
         want.iter().map(|l| matches!(l.what, Read::Move(_)).then(|| planned.next().copied()).flatten()).collect();
     let (mut i, mut k) = (0, 0);
     while i < want.len() && k < have.len() {
         if is_same(poses, want[i], have[k]) {
             agree(poses, plans[i], want[i], have[k], verdict);
-            joints[places[k]] = plans[i].and_then(|m| m.joints_deg);
+            found_moves[places[k]] = plans[i];
             (i, k) = (i + 1, k + 1);
             continue;
         }
@@ -301,7 +302,7 @@ fn compare(
     for h in have.iter().skip(k) {
         verdict.findings.push(finding(h, Kind::Extra, format!("behind the plan's end: {}", said(h))));
     }
-    joints
+    found_moves
 }
 
 /// A line in a few words.
@@ -346,7 +347,8 @@ fn agree(poses: &Poses<'_>, plan: Option<&Move>, want: &ReadLine, have: &ReadLin
     let (Read::Move(w), Read::Move(h)) = (&want.what, &have.what) else { return };
     // Against the plan itself, not against its text.
     if let (Some(planned), Some(focus)) = (plan.and_then(|p| p.part_from_focus), poses.focus(&h.goal)) {
-        let mm = (poses.spot(&planned) - poses.spot(&focus)).norm();
+        let defocus_mm = plan.map_or(poses.defocus_mm, |p| p.work.defocus_mm);
+        let mm = (lit::foot(&planned, defocus_mm) - lit::foot(&focus, defocus_mm)).norm();
         let deg = turn_deg(&planned, &focus);
         (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
         if mm > MOST_OFF_MM || deg > MOST_TURNED_DEG {
@@ -425,13 +427,16 @@ struct Driven<'a> {
 fn driven<'a>(
     poses: &Poses<'_>,
     read: &'a [ReadLine],
-    planned_joints: &[Option<Joints>],
+    planned: &[Option<&Move>],
     verdict: &mut Verdict,
 ) -> Vec<Driven<'a>> {
     let laser = poses.setup.cell.outputs.laser.number;
     let (mut lit, mut joints, mut at) = (false, None::<Joints>, None::<Isometry3<f64>>);
+    let mut work = planned.iter().flatten().next().map_or_else(Work::default, |m| m.work);
     let mut out = Vec::new();
-    for (line, planned) in read.iter().zip(planned_joints) {
+    for (line, planned) in read.iter().zip(planned) {
+        work = planned.map_or(work, |m| m.work);
+        let planned = planned.and_then(|m| m.joints_deg);
         let m = match &line.what {
             Read::Output { number, on } if *number == laser => {
                 lit = *on;
@@ -477,7 +482,7 @@ fn driven<'a>(
             match (m.way, at, here) {
                 (Way::Linear, Some(from), Some(to)) => {
                     let by_focus = matches!(m.goal, Goal::Focus(_));
-                    out.push(Driven { at: line, lit: LitMove { from, to, by_focus } });
+                    out.push(Driven { at: line, lit: LitMove { from, to, by_focus, work } });
                 }
                 _ => {
                     let text = "a move by joints with the laser on".into();
@@ -531,7 +536,7 @@ fn interference(
         .step_by(every)
         .filter_map(|d| {
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
-            let (p, a) = expected.prover.spot(&Beam::on(part), &end);
+            let (p, a) = expected.prover.spot(&Beam::on(part), &end, &d.lit.work);
             let facet = checker.hit(&p, &a, lit::FROM_MM)?;
             let text = format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
             Some(finding(d.at, Kind::Interference, text))

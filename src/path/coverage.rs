@@ -26,26 +26,31 @@ pub struct Coverage {
     pub spacing_max_mm: Option<f64>,
 }
 
-/// Looks for missed facets: parallel within 10° to the planes, or crossed by no line of the surface
-/// and further than one spacing from any.
+/// Looks for missed facets: parallel within 10° to the planes (of two families: to both), or crossed by no line
+/// of the surface and further than one spacing from any. Lines that no planes cut are looked at alone.
+///
+/// The spacing is that of planes at equal distances; lines laid otherwise are measured.
 pub fn coverage(
     mesh: &Mesh,
     surface: &Surface,
-    planes: &SurfacePlanes,
+    planes: &[SurfacePlanes],
     spacing_mm: f64,
     lines: &[TransversalLine],
 ) -> Coverage {
-    let m = &planes.normal;
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let mut grid: Option<PointGrid> = None;
     let mut out = Coverage::default();
     for &f in surface.facets.iter().filter(|&&f| mesh.dead[f as usize] == Dead::No) {
-        let sine = mesh.normals[f as usize].cross(m).norm();
-        let heights = mesh.corners(f as usize).map(|p| p.coords.dot(m));
-        let (lo, hi) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
-        let from = planes.heights_mm.partition_point(|&c| c <= lo);
-        let crossed = planes.heights_mm.get(from).is_some_and(|&c| c <= hi);
-        let missed = sine < parallel_sine
+        let sine = |planes: &SurfacePlanes| mesh.normals[f as usize].cross(&planes.normal).norm();
+        let crosses = |planes: &SurfacePlanes| {
+            let heights = mesh.corners(f as usize).map(|p| p.coords.dot(&planes.normal));
+            let (lo, hi) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
+            let from = planes.heights_mm.partition_point(|&c| c <= lo);
+            planes.heights_mm.get(from).is_some_and(|&c| c <= hi)
+        };
+        let steepest = planes.iter().map(sine).reduce(f64::max);
+        let crossed = planes.iter().any(|p| sine(p) >= parallel_sine && crosses(p));
+        let missed = steepest.is_some_and(|sine| sine < parallel_sine)
             || (!crossed && {
                 let grid = grid.get_or_insert_with(|| PointGrid::new(lines, spacing_mm));
                 !grid.has_within(&mesh.corners(f as usize), spacing_mm)
@@ -54,7 +59,7 @@ pub fn coverage(
             out.missed_area_mm2 += mesh.areas[f as usize];
             out.missed_facets.push(f);
         } else {
-            let on_surface = spacing_mm / sine;
+            let on_surface = spacing_mm / steepest.unwrap_or(1.0);
             out.spacing_min_mm = Some(out.spacing_min_mm.map_or(on_surface, |s| s.min(on_surface)));
             out.spacing_max_mm = Some(out.spacing_max_mm.map_or(on_surface, |s| s.max(on_surface)));
         }
@@ -76,12 +81,10 @@ impl PointGrid {
     fn new(lines: &[TransversalLine], cell_mm: f64) -> PointGrid {
         let mut cells: BTreeMap<[i64; 3], Vec<Piece>> = BTreeMap::new();
         for line in lines {
-            let closing = if line.closed { line.points.first() } else { None };
-            let ring: Vec<_> = line.points.iter().chain(closing).map(|q| q.p).collect();
-            for w in ring.windows(2) {
-                let pieces = ((w[1] - w[0]).norm() / cell_mm).ceil().max(1.0);
+            for (from, to) in line.sides() {
+                let pieces = ((to.p - from.p).norm() / cell_mm).ceil().max(1.0);
                 for i in 0..pieces as usize {
-                    let at = |k: usize| w[0] + (w[1] - w[0]) * (k as f64 / pieces);
+                    let at = |k: usize| from.p + (to.p - from.p) * (k as f64 / pieces);
                     cells.entry(key(&at(i), cell_mm)).or_default().push((at(i), at(i + 1)));
                 }
             }

@@ -24,7 +24,7 @@ pub fn max_gap_mm(spacing_mm: f64) -> f64 {
     (0.5 * spacing_mm).min(0.5)
 }
 
-/// The dense line of a transversal line; a closed one ends with its first point again.
+/// The dense line of a transversal line without dark gaps; a closed one ends with its first point again.
 pub fn dense(line: &TransversalLine, max_gap_mm: f64, max_turn_deg: f64) -> Vec<DensePoint> {
     // A hair of tolerance: four gaps that a turned part makes a little longer stay four.
     let pieces = |whole: f64, most: f64| (whole / most - 1e-9).ceil().max(1.0);

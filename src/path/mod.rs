@@ -6,11 +6,13 @@
 pub mod chord;
 pub mod coverage;
 pub mod dense;
+pub mod ends;
 pub mod normals;
 pub mod order;
 pub mod planes;
 pub mod section;
 pub mod strategy;
+pub mod tour;
 
 pub use dense::DensePoint;
 pub use order::Order;

@@ -40,6 +40,36 @@ impl VertexNormals {
         VertexNormals { vertices, normals }
     }
 
+    /// Those of a surface and of facets around it, on the same side of the part.
+    ///
+    /// The surface's own vertices keep their normals, so lines on it stay as they were. Each of the others has
+    /// the normal it has within the surface that it belongs to (of several that of the first facet), so a beam
+    /// that runs on over the rim turns over the first facet beyond it.
+    pub fn grown(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface, beyond: &[u32]) -> VertexNormals {
+        let VertexNormals { vertices, normals } = VertexNormals::new(mesh, surfaces, surface);
+        let mut all: Vec<(u32, Vector3<f64>)> = vertices.iter().copied().zip(normals).collect();
+        let is_live = |f: usize| mesh.dead.get(f) == Some(&Dead::No);
+        let turned = surface.facets.iter().map(|&f| f as usize).find(|&f| is_live(f));
+        let side = if turned.is_some_and(|f| surfaces.normals[f] != mesh.normals[f]) { -1.0 } else { 1.0 };
+        for &f in beyond.iter().filter(|&&f| is_live(f as usize)) {
+            for v in mesh.facets[f as usize].into_iter().filter(|v| vertices.binary_search(v).is_err()) {
+                let mut sum = Vector3::zeros();
+                let same = |g: &usize| is_live(*g) && surfaces.of_facet[*g] == surfaces.of_facet[f as usize];
+                for g in mesh.vertex_facets(v).iter().map(|&g| g as usize).filter(same) {
+                    let Some(k) = mesh.facets[g].iter().position(|&c| c == v) else { continue };
+                    let p = [0, 1, 2].map(|i| mesh.vertices[mesh.facets[g][(k + i) % 3] as usize]);
+                    sum += mesh.normals[g] * angle::between_deg(&(p[1] - p[0]), &(p[2] - p[0]));
+                }
+                all.push((v, angle::unit(sum).unwrap_or(mesh.normals[f as usize]) * side));
+            }
+        }
+        // Stable: of several normals of a vertex the first stays.
+        all.sort_by_key(|a| a.0);
+        all.dedup_by_key(|a| a.0);
+        let (vertices, normals) = all.into_iter().unzip();
+        VertexNormals { vertices, normals }
+    }
+
     /// Normal at a vertex of the mesh; zero if it is not on the surface.
     pub fn at(&self, vertex: u32) -> Vector3<f64> {
         self.vertices.binary_search(&vertex).map_or(Vector3::zeros(), |i| self.normals[i])

@@ -15,20 +15,26 @@ pub enum Order {
     Zigzag,
     /// All lines run in the same sense.
     OneWay,
+    /// The order with the shortest ways between the lines; see [`super::tour`].
+    Shortest,
 }
 
 impl Order {
+    /// All of them, in the order of lists.
+    pub const ALL: [Order; 3] = [Order::Zigzag, Order::OneWay, Order::Shortest];
+
     /// The word used on the command line and in jobs.
     pub fn word(self) -> &'static str {
         match self {
             Order::Zigzag => "zigzag",
             Order::OneWay => "one-way",
+            Order::Shortest => "shortest",
         }
     }
 
     /// The order of that word.
     pub fn from_word(word: &str) -> Option<Order> {
-        [Order::Zigzag, Order::OneWay].into_iter().find(|o| o.word() == word)
+        Order::ALL.into_iter().find(|o| o.word() == word)
     }
 }
 
@@ -41,7 +47,7 @@ pub fn ordered(lines: Vec<TransversalLine>, order: Order, normal: &Vector3<f64>)
     while let Some(plane) = rest.peek().map(|l| l.plane) {
         let mut here: Vec<TransversalLine> = Vec::new();
         while let Some(line) = rest.next_if(|l| l.plane == plane) {
-            here.push(if backwards { reversed(line) } else { line });
+            here.push(if backwards { line.reversed() } else { line });
         }
         while !here.is_empty() {
             let (index, start) = nearest_start(&here, spot, normal);
@@ -54,11 +60,6 @@ pub fn ordered(lines: Vec<TransversalLine>, order: Order, normal: &Vector3<f64>)
         backwards = order == Order::Zigzag && !backwards;
     }
     done
-}
-
-fn reversed(mut line: TransversalLine) -> TransversalLine {
-    line.points.reverse();
-    line
 }
 
 /// Index of a line and of the point to start it at.

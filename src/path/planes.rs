@@ -72,38 +72,50 @@ pub struct SurfacePlanes {
     pub heights_mm: Vec<f64>,
 }
 
-/// The planes of the chosen surfaces, in their order.
-///
-/// `offset_mm` is the first plane's height above the lowest point of a family's extent; `None`
-/// centres the family. Surfaces without any proper facet get no planes.
-pub fn planes(
-    mesh: &Mesh,
-    surfaces: &Surfaces,
-    chosen: &[u32],
-    direction: Direction,
-    spacing_mm: f64,
-    offset_mm: Option<f64>,
-) -> Vec<SurfacePlanes> {
-    let mut all: Vec<(SurfacePlanes, (f64, f64))> = chosen
+/// What planes a surface is to get.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Raster {
+    /// Surface number.
+    pub surface: u32,
+    /// Normal of the planes.
+    pub direction: Direction,
+    /// Their distance.
+    pub spacing_mm: f64,
+    /// The first plane's height above the lowest point of its family's extent; `None` centres the family.
+    pub offset_mm: Option<f64>,
+}
+
+/// The planes of surfaces, in their order. Surfaces without any proper facet get none.
+pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Raster]) -> Vec<SurfacePlanes> {
+    let mut all: Vec<(SurfacePlanes, (f64, f64), &Raster)> = layouts
         .iter()
-        .filter_map(|&number| surfaces.get(number))
-        .filter_map(|s| {
-            let normal = match direction {
+        .filter_map(|layout| Some((surfaces.get(layout.surface)?, layout)))
+        .filter_map(|(s, layout)| {
+            let normal = match layout.direction {
                 Direction::Along(v) => angle::unit(Vector3::from(v))?,
                 Direction::Auto => truest_direction(mesh, s)?,
             };
             let extent = extent(mesh, s, &normal)?;
-            Some((SurfacePlanes { surface: s.number, normal, heights_mm: Vec::new() }, extent))
+            Some((SurfacePlanes { surface: s.number, normal, heights_mm: Vec::new() }, extent, layout))
         })
         .collect();
     for i in 0..all.len() {
-        let (normal, own) = (all[i].0.normal, all[i].1);
-        let joint = all.iter().filter(|(p, _)| p.normal == normal).fold(own, |j, (_, e)| (j.0.min(e.0), j.1.max(e.1)));
-        let family = family(joint, spacing_mm, offset_mm);
+        let (normal, own, layout) = (all[i].0.normal, all[i].1, *all[i].2);
+        let is_same =
+            |(p, _, l): &&(SurfacePlanes, (f64, f64), &Raster)| p.normal == normal && l.family() == layout.family();
+        let joint = all.iter().filter(is_same).fold(own, |j, (_, e, _)| (j.0.min(e.0), j.1.max(e.1)));
+        let family = family(joint, layout.spacing_mm, layout.offset_mm);
         let touched = family.partition_point(|&h| h <= own.0)..family.partition_point(|&h| h <= own.1);
         all[i].0.heights_mm = if touched.is_empty() { vec![0.5 * (own.0 + own.1)] } else { family[touched].to_vec() };
     }
-    all.into_iter().map(|(p, _)| p).collect()
+    all.into_iter().map(|(p, ..)| p).collect()
+}
+
+impl Raster {
+    /// Surfaces of one family agree in this, and in their planes' normal.
+    fn family(&self) -> (f64, Option<f64>) {
+        (self.spacing_mm, self.offset_mm)
+    }
 }
 
 /// Heights of a family over an extent.

@@ -28,6 +28,39 @@ pub struct TransversalLine {
     pub points: Vec<SectionPoint>,
     /// Whether the last point joins the first.
     pub closed: bool,
+    /// Indices of the points that are reached with the laser off, ascending and above 0: pieces of one line
+    /// with a hole between them that the spot passes over. Closed lines have none.
+    pub dark: Vec<usize>,
+}
+
+impl TransversalLine {
+    /// The same line run the other way.
+    pub fn reversed(mut self) -> TransversalLine {
+        self.points.reverse();
+        let count = self.points.len();
+        self.dark = self.dark.iter().rev().map(|&i| count.saturating_sub(i)).collect();
+        self
+    }
+
+    /// Its lit pieces in order; a closed line is one, without its first point again.
+    pub fn pieces(&self) -> impl Iterator<Item = &[SectionPoint]> {
+        let last = self.points.len();
+        let from = std::iter::once(0).chain(self.dark.iter().copied());
+        let to = self.dark.iter().copied().chain([last]);
+        from.zip(to).filter_map(|(from, to)| self.points.get(from..to))
+    }
+
+    /// The sides of its lit pieces, the closing one with them.
+    pub fn sides(&self) -> impl Iterator<Item = (SectionPoint, SectionPoint)> {
+        let closing = self.points.last().zip(self.points.first()).filter(|_| self.closed);
+        let along = self.pieces().flat_map(|piece| piece.windows(2).map(|w| (w[0], w[1])));
+        along.chain(closing.map(|(last, first)| (*last, *first)))
+    }
+
+    /// Its lit length, mm.
+    pub fn length_mm(&self) -> f64 {
+        self.sides().map(|(a, b)| (b.p - a.p).norm()).fold(0.0, |a, b| a + b)
+    }
 }
 
 /// Cuts a surface by planes `normal · p = height` (heights ascending): all lines, plane by plane.
@@ -60,7 +93,8 @@ pub fn sections(
         .flat_map_iter(|(plane, facets)| {
             let lines = cut.lines(facets, heights_mm[plane]);
             lines.into_iter().filter_map(move |(points, closed)| {
-                merged(points, closed, merge_mm).map(|(points, closed)| TransversalLine { plane, points, closed })
+                let (points, closed) = merged(points, closed, merge_mm)?;
+                Some(TransversalLine { plane, points, closed, dark: Vec::new() })
             })
         })
         .collect()

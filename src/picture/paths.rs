@@ -1,6 +1,7 @@
 //! Path lines, frames and beams (P1 Figs 7, 9, 13), and the moves between.
 
 use super::palette::{Rgb, state};
+use crate::beam::Work;
 use crate::job::Plan;
 use crate::part::Hasher;
 use crate::pose::{Pass, State, Target};
@@ -33,11 +34,10 @@ const MOST_FRAMES: usize = 500;
 const MOST_BEAMS: usize = 4000;
 
 /// Draws a plan. `key` changes with the plan.
-pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> Vec<LineItem> {
+pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     let item = |part: u32, segments: Vec<LineSegment>, width_px: f32| {
         let flags = [u32::from(look.before), look.only_pass.map_or(0, |p| p as u32 + 1), part];
-        let key =
-            Hasher::default().u32s(&[key as u32, (key >> 32) as u32]).u32s(&flags).f64s(&[look.frame_mm, defocus_mm]);
+        let key = Hasher::default().u32s(&[key as u32, (key >> 32) as u32]).u32s(&flags).f64s(&[look.frame_mm]);
         let (key, scene_from_item) = (key.finish().0 as u64, Isometry3::identity());
         LineItem { key, segments: Arc::new(segments), width_px, depth: Depth::Tested, scene_from_item }
     };
@@ -49,11 +49,11 @@ pub fn paths(plan: &Plan, defocus_mm: f64, look: &PathLook, key: u64) -> Vec<Lin
     }
     if look.beams {
         let targets = thinned(shown(), count, MOST_BEAMS, look.before);
-        items.push(item(2, targets.map(|t| beam(t, defocus_mm, look.before)).collect(), 1.2));
+        items.push(item(2, targets.map(|(t, work)| beam(t, work.defocus_mm, look.before)).collect(), 1.2));
     }
     if look.frames {
         let targets = thinned(shown(), count, MOST_FRAMES, look.before);
-        items.push(item(3, targets.flat_map(|t| frame(t, defocus_mm, look)).collect(), 1.6));
+        items.push(item(3, targets.flat_map(|(t, work)| frame(t, work.defocus_mm, look)).collect(), 1.6));
     }
     if look.air && look.only_pass.is_none() {
         items.push(item(4, air(plan), 1.0));
@@ -67,12 +67,12 @@ fn thinned<'a>(
     count: usize,
     most: usize,
     before: bool,
-) -> impl Iterator<Item = &'a Target> {
+) -> impl Iterator<Item = (&'a Target, &'a Work)> {
     let every = count.div_ceil(most).max(1);
     passes
-        .flat_map(|p| &p.targets)
+        .flat_map(|p| p.targets.iter().map(|t| (t, &p.work)))
         .enumerate()
-        .filter(move |(i, t)| i % every == 0 || (every < 8 && before && t.normal_hits.is_some() && i % 2 == 0))
+        .filter(move |(i, (t, _))| i % every == 0 || (every < 8 && before && t.normal_hits.is_some() && i % 2 == 0))
         .map(|(_, t)| t)
 }
 
@@ -137,7 +137,7 @@ fn air(plan: &Plan) -> Vec<LineSegment> {
                 }
                 at = Some(go.to.x);
             }
-            Step::Say(_) | Step::Home => {}
+            Step::Say(_) | Step::Home | Step::Work(_) => {}
         }
     }
     out

@@ -9,15 +9,7 @@ use crate::view::{Depth, LineItem, LineSegment};
 use std::sync::Arc;
 
 /// Lines of the plane of one pass.
-pub fn section(
-    part: &Part,
-    surfaces: &Surfaces,
-    plan: &Plan,
-    pass: usize,
-    defocus_mm: f64,
-    look: &PathLook,
-    key: u64,
-) -> Vec<LineItem> {
+pub fn section(part: &Part, surfaces: &Surfaces, plan: &Plan, pass: usize, look: &PathLook, key: u64) -> Vec<LineItem> {
     let Some(p) = plan.passes.get(pass) else { return Vec::new() };
     let Some(first) = p.targets.first() else { return Vec::new() };
     let height = first.p.coords.dot(&p.plane_normal);
@@ -49,7 +41,7 @@ pub fn section(
             && other.targets.first().is_some_and(|t| (t.p.coords.dot(&p.plane_normal) - height).abs() < 1e-6);
         if same {
             let look = PathLook { lines: true, beams: true, frames: false, only_pass: Some(i), ..look.clone() };
-            items.extend(paths(plan, defocus_mm, &look, key));
+            items.extend(paths(plan, &look, key));
         }
     }
     items

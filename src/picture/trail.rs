@@ -1,5 +1,6 @@
 //! What the beam has done so far: the way of the spot with the laser on, up to a moment.
 
+use crate::pose::Pass;
 use crate::program::{Moment, Timeline};
 use crate::view::{Depth, LineItem, LineSegment};
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -14,7 +15,8 @@ const COLOR: [u8; 4] = [88, 208, 166, 255];
 #[derive(Clone, Debug)]
 pub struct Trail {
     key: u64,
-    defocus_mm: f64,
+    /// D on the ways, mm.
+    defocus_mm: Vec<f64>,
     /// Ways with the laser on, in order, and the stop that each ends at.
     segments: Vec<LineSegment>,
     stops: Vec<usize>,
@@ -23,20 +25,23 @@ pub struct Trail {
 
 impl Trail {
     /// The whole way of a program. `key` changes with it.
-    pub fn new(timeline: &Timeline, defocus_mm: f64, key: u64) -> Trail {
-        let (mut segments, mut stops) = (Vec::new(), Vec::new());
-        let mut before = None;
+    pub fn new(timeline: &Timeline, passes: &[Pass], key: u64) -> Trail {
+        let (mut segments, mut stops, mut all_mm) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut before, mut defocus_mm) = (None, 0.0);
         for (i, stop) in timeline.stops().iter().enumerate() {
+            // Stops between targets are on the way to one of the same pass, behind one of it.
+            defocus_mm = stop.target.and_then(|(pass, _)| passes.get(pass)).map_or(defocus_mm, |p| p.work.defocus_mm);
             let flange = timeline.robot().forward(&stop.joints_deg);
             let spot = spot(&timeline.setup().focus_for(&flange), defocus_mm);
             if let (true, Some(before)) = (stop.lit, before) {
                 segments.push(segment(&before, &spot));
                 stops.push(i);
+                all_mm.push(defocus_mm);
             }
             before = Some(spot);
         }
         let pieces = segments.chunks_exact(PIECE).map(|c| Arc::new(c.to_vec())).collect();
-        Trail { key, defocus_mm, segments, stops, pieces }
+        Trail { key, defocus_mm: all_mm, segments, stops, pieces }
     }
 
     /// The trail at a moment.
@@ -53,8 +58,8 @@ impl Trail {
         let mut items: Vec<LineItem> =
             self.pieces.iter().take(whole).enumerate().map(|(i, piece)| item(i, 0, piece.clone())).collect();
         let mut last = self.segments.get(whole * PIECE..done).unwrap_or_default().to_vec();
-        if let (true, Some(way)) = (moment.lit, self.segments.get(done)) {
-            let here = spot(&moment.part_from_focus, self.defocus_mm);
+        if let (true, Some(way), Some(&defocus_mm)) = (moment.lit, self.segments.get(done), self.defocus_mm.get(done)) {
+            let here = spot(&moment.part_from_focus, defocus_mm);
             last.push(LineSegment { b: f32s(&here), ..*way });
         }
         if !last.is_empty() {

@@ -7,9 +7,11 @@
 use super::interference::{Beam, Blocker, FAR_MM, Ours, Theirs};
 use super::motion::Pose;
 use crate::beam::body::OWN_SINE;
+use crate::beam::frustum::Placed;
 use crate::beam::{Body, Frustum};
 use crate::part::{Bvh, angle};
 use nalgebra::{Isometry3, Point3, Vector3};
+use std::cell::RefCell;
 
 /// What is known of a motion, beside the ray's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,16 +49,46 @@ impl<'a> Beam<'a> {
     /// Whether cone and head keep their margin.
     pub(super) fn is_body_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         let Some(body) = self.body else { return true };
-        if let Some((corners, of_part)) = self.last_of_body.get() {
-            let hit = Self::limbs(body).any(|limb| {
-                (limb.ours == Ours::Head || !of_part || !leaves(p, a, &corners))
-                    && limb.shape.placed(p, a).is_near(&corners, limb.keeps_mm)
-            });
-            if hit {
+        let limbs: Vec<Limb<'_>> = Self::limbs(body).collect();
+        limbs.chunks(32).all(|limbs| self.are_free(limbs, p, a))
+    }
+
+    /// Whether up to 32 of the tool's bodies keep their margin: looked for together.
+    fn are_free(&self, limbs: &[Limb<'_>], p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        let all = (1u64 << limbs.len()) - 1;
+        self.things().all(|(clamp, bvh, at)| {
+            let (p, a) = moved(at.as_ref(), p, a);
+            let placed: Vec<Placed> = limbs.iter().map(|limb| limb.shape.placed(&p, &a)).collect();
+            let among = |of: u32| (0..limbs.len()).filter(move |i| of >> i & 1 == 1);
+            let hits = |corners: &[Point3<f64>; 3], of: u32| {
+                let own = clamp.is_none() && leaves(&p, &a, corners);
+                among(of)
+                    .any(|i| (!own || limbs[i].ours == Ours::Head) && placed[i].is_near(corners, limbs[i].keeps_mm))
+            };
+            // What stopped one last is likely to stop the next as well.
+            if self.last_of_body.get().is_some_and(|corners| clamp.is_none() && hits(&corners, all as u32)) {
                 return false;
             }
-        }
-        Self::limbs(body).all(|limb| self.hit_of(&limb, p, a).is_none())
+            let mut free = true;
+            bvh.visit_near_boxes_of(
+                all as u32,
+                |lo, hi, of| {
+                    let near =
+                        |near: u32, i: usize| near | u32::from(placed[i].near_box(lo, hi, limbs[i].keeps_mm)) << i;
+                    among(of).fold(0, near)
+                },
+                |corners, of| {
+                    if hits(corners, of) {
+                        free = false;
+                        if clamp.is_none() {
+                            self.last_of_body.set(Some(*corners));
+                        }
+                    }
+                    free
+                },
+            );
+            free
+        })
     }
 
     /// The first of the tool's bodies that does not keep its margin, and from what.
@@ -76,9 +108,6 @@ impl<'a> Beam<'a> {
                     let counts = limb.ours == Ours::Head || clamp.is_some() || !leaves(&p, &a, corners);
                     if counts && placed.is_near(corners, limb.keeps_mm) {
                         hit = Some(clamp.map_or(Theirs::Facet(facet), Theirs::Clamp));
-                        if at.is_none() {
-                            self.last_of_body.set(Some((*corners, true)));
-                        }
                     }
                     hit.is_none()
                 },
@@ -113,23 +142,38 @@ impl<'a> Beam<'a> {
                 least = nearest.get();
             }
         }
-        let free = |margin_mm: f64| {
-            body.beam_with(margin_mm)
-                .iter()
-                .all(|shape| self.hit_of(&Limb { ours: Ours::Beam, shape, keeps_mm: 0.0 }, p, a).is_none())
-        };
-        if least <= 0.0 || free(least) {
-            return Some(least.max(0.0));
+        Some(self.widest_mm(body, p, a, least.max(0.0)))
+    }
+
+    /// The widest margin below `most_mm` with which the beam would still be free, to within
+    /// [`MARGIN_STEP_MM`]; 0 if it would be free with none.
+    fn widest_mm(&self, body: &Body<'_>, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> f64 {
+        let mut widest = most_mm;
+        for (clamp, bvh, at) in self.things() {
+            let (p, a) = moved(at.as_ref(), p, a);
+            let beam_with = |mm: f64| body.beam_with(mm).into_iter().map(move |f| f.placed(&p, &a));
+            let beam: RefCell<Vec<Placed>> = RefCell::new(beam_with(widest).collect());
+            let mut hit = |corners: &[Point3<f64>; 3]| {
+                let counts = clamp.is_some() || !leaves(&p, &a, corners);
+                if !counts || !beam.borrow().iter().any(|f| f.is_near(corners, 0.0)) {
+                    return true;
+                }
+                // This facet alone tells how wide it may be; the others are asked about that.
+                let mut low = 0.0;
+                while widest - low > MARGIN_STEP_MM {
+                    let middle = 0.5 * (low + widest);
+                    if beam_with(middle).any(|f| f.is_near(corners, 0.0)) { widest = middle } else { low = middle }
+                }
+                widest = low;
+                beam.replace(beam_with(widest).collect());
+                widest > 0.0
+            };
+            bvh.visit_near_boxes(
+                |lo, hi| beam.borrow().iter().any(|f| f.near_box(lo, hi, 0.0)),
+                |_, corners| hit(corners),
+            );
         }
-        let Some(mut low) = [body.margin_mm, 0.0].into_iter().find(|mm| *mm < least && free(*mm)) else {
-            return Some(0.0);
-        };
-        let mut high = least;
-        while high - low > 0.002 {
-            let middle = 0.5 * (low + high);
-            if free(middle) { low = middle } else { high = middle }
-        }
-        Some(low)
+        widest
     }
 
     /// Whether cone or head may touch anything on the motion between two poses; see
@@ -197,6 +241,9 @@ fn leaves(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> bool
 fn rises(q: &Pose, corners: &[Point3<f64>; 3], sag_mm: f64) -> bool {
     corners.iter().any(|c| (c - q.p).dot(&q.a) > RISE_MM + 2.0 * sag_mm)
 }
+
+/// Margins are told apart to this, mm.
+const MARGIN_STEP_MM: f64 = 0.002;
 
 /// What rises less than this above the spot is below the start of the beam's first piece.
 const RISE_MM: f64 = 0.01;

@@ -70,12 +70,18 @@ pub struct Blocker {
     pub t_mm: f64,
 }
 
-impl std::fmt::Display for Blocker {
+impl std::fmt::Display for Ours {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let ours = match self.ours {
+        f.write_str(match self {
             Ours::Beam => "the beam",
             Ours::Head => "the head",
-        };
+        })
+    }
+}
+
+impl std::fmt::Display for Blocker {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ours = self.ours;
         match self.theirs {
             Theirs::Facet(facet) => write!(f, "{ours} hits facet {facet}"),
             Theirs::Clamp(clamp) => write!(f, "{ours} hits clamp {}", clamp + 1),
@@ -91,8 +97,8 @@ pub struct Beam<'a> {
     size_mm: f64,
     /// What stands around the ray.
     pub(super) body: Option<&'a Body<'a>>,
-    /// The facet that stopped cone or head last, and whether it is one of the part.
-    pub(super) last_of_body: Cell<Option<([Point3<f64>; 3], bool)>>,
+    /// The facet of the part that stopped cone or head last.
+    pub(super) last_of_body: Cell<Option<[Point3<f64>; 3]>>,
     /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
     last: Cell<Option<[Point3<f64>; 3]>>,
 }

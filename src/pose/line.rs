@@ -8,11 +8,11 @@ use super::motion::{self, Pose};
 use super::section_plane;
 use super::target::{Pass, Split, State, Target, against_normal_deg, travel};
 use super::tilt::{Pin, TiltRule};
-use crate::beam::Body;
+use crate::beam::{Stance, Work};
 use crate::part::{Part, angle};
-use crate::path::TransversalLine;
 use crate::path::chord::{self, ChordLimits, Place};
 use crate::path::dense::{self, DensePoint};
+use crate::path::{SectionPoint, TransversalLine};
 use nalgebra::Vector3;
 
 /// What a line is planned by.
@@ -49,45 +49,105 @@ const CORRECTED_TURN_DEG: f64 = 2.5;
 /// The wall that a beam would run into behind a split is looked for this far, mm.
 const WALL_MM: f64 = 20.0;
 
-/// Plans one line of one surface; `m` is its section plane's normal, `number` its place in the working
-/// order of the surface.
-pub fn plan_line(
-    part: &Part,
-    body: Option<&Body<'_>>,
-    (surface, number): (u32, u32),
-    line: &TransversalLine,
-    m: &Vector3<f64>,
-    rules: &LineRules,
-) -> Pass {
-    // Without a head the section plane keeps limits of its own.
-    let limit_deg = body.map(|_| rules.max_tilt_deg);
-    planned(part, body, (surface, number), line, m, rules, (rules.correction, limit_deg))
+/// A line to be planned.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<'a> {
+    /// Its points.
+    pub line: &'a TransversalLine,
+    /// Surface number.
+    pub surface: u32,
+    /// Its place in the working order of the surface.
+    pub number: u32,
+    /// Normal of its section plane; `None`: it lies in no plane.
+    pub m: Option<Vector3<f64>>,
+}
+
+/// Plans one line of one surface. Of several stances the first is what is wanted; another one is taken
+/// where it leaves less of the line blocked. Over the line's dark gaps the laser is off.
+pub fn plan_line(part: &Part, stances: &[Stance<'_>], line: &Line<'_>, rules: &LineRules) -> Pass {
+    let mut best: Option<(f64, Pass)> = None;
+    for stance in stances {
+        // Without a head the section plane keeps limits of its own.
+        let limit_deg = stance.body.as_ref().map(|_| rules.max_tilt_deg);
+        let pass = planned(part, stance, line, rules, (rules.correction, limit_deg));
+        let blocked_mm = pass.length_mm(|from, to| !to.laser && !Pass::is_gap(from, to));
+        if best.as_ref().is_none_or(|(least_mm, _)| blocked_mm < least_mm - 1e-6) {
+            best = Some((blocked_mm, pass));
+        }
+        if blocked_mm == 0.0 {
+            break;
+        }
+    }
+    best.map_or_else(|| planned(part, &Stance::ray(Work::default()), line, rules, (Correction::None, None)), |b| b.1)
 }
 
 /// The same line by the section plane within the greatest tilt of `rules`: what the search is compared
 /// with.
-pub fn plan_line_by_section_plane(
-    part: &Part,
-    body: Option<&Body<'_>>,
-    (surface, number): (u32, u32),
-    line: &TransversalLine,
-    m: &Vector3<f64>,
-    rules: &LineRules,
-) -> Pass {
-    let correction = (Correction::SectionPlane, Some(rules.max_tilt_deg));
-    planned(part, body, (surface, number), line, m, rules, correction)
+pub fn plan_line_by_section_plane(part: &Part, stance: &Stance<'_>, line: &Line<'_>, rules: &LineRules) -> Pass {
+    planned(part, stance, line, rules, (Correction::SectionPlane, Some(rules.max_tilt_deg)))
 }
 
 fn planned(
     part: &Part,
-    body: Option<&Body<'_>>,
-    (surface, number): (u32, u32),
-    line: &TransversalLine,
-    m: &Vector3<f64>,
+    stance: &Stance<'_>,
+    whole_line: &Line<'_>,
+    rules: &LineRules,
+    correction: (Correction, Option<f64>),
+) -> Pass {
+    if whole_line.line.dark.is_empty() {
+        return planned_piece(part, stance, whole_line, rules, correction);
+    }
+    let Line { line, surface, m, .. } = whole_line;
+    // What a beam keeps clear of on one side of a gap says nothing of the other side: each piece is planned
+    // by itself, and its first target is reached with the laser off, as any pass's.
+    let mut whole = Pass {
+        surface: *surface,
+        work: stance.work,
+        plane_normal: plane_normal(line, *m),
+        closed: false,
+        targets: Vec::new(),
+        chord_error_mm: 0.0,
+        splits: Vec::new(),
+    };
+    let (mut start_mm, mut last) = (0.0, None);
+    for points in line.pieces().filter(|p| p.len() > 1) {
+        let way_mm = |w: &[SectionPoint]| (w[1].p - w[0].p).norm();
+        start_mm += last.map_or(0.0, |last: SectionPoint| (points[0].p - last.p).norm());
+        last = points.last().copied();
+        // Pins are told by their place on the whole line.
+        let moved = |pin: &Pin| Pin { at_mm: pin.at_mm - start_mm, ..*pin };
+        let rules = LineRules { pins: rules.pins.iter().map(moved).collect(), ..rules.clone() };
+        start_mm += points.windows(2).map(way_mm).fold(0.0, |a, b| a + b);
+        let piece = TransversalLine { plane: line.plane, points: points.to_vec(), closed: false, dark: Vec::new() };
+        let pass = planned_piece(part, stance, &Line { line: &piece, ..*whole_line }, &rules, correction);
+        let before = whole.targets.len();
+        whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
+        whole.targets.extend(pass.targets);
+        whole.chord_error_mm = whole.chord_error_mm.max(pass.chord_error_mm);
+    }
+    whole
+}
+
+/// A line's own plane, or that of travel and normal in its middle.
+fn plane_normal(line: &TransversalLine, m: Option<Vector3<f64>>) -> Vector3<f64> {
+    let middle = line.points.len() / 2;
+    let at = |i: usize| line.points.get(i).or(line.points.last()).map(|q| DensePoint { p: q.p, n: q.n });
+    let local = || {
+        let (before, behind) = (at(middle.saturating_sub(1))?, at(middle + 1)?);
+        Some(section_plane::local_plane(&before, &at(middle)?, &behind))
+    };
+    m.or_else(local).unwrap_or_else(Vector3::z)
+}
+
+/// The same for a line without gaps.
+fn planned_piece(
+    part: &Part,
+    stance: &Stance<'_>,
+    Line { line, surface, number, m }: &Line<'_>,
     rules: &LineRules,
     (correction, limit_deg): (Correction, Option<f64>),
 ) -> Pass {
-    let beam = Beam::with(part, body);
+    let beam = Beam::with(part, stance.body.as_ref());
     let (points, free) = detected(&beam, dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg));
     let mut planned = match correction {
         Correction::None => {
@@ -95,17 +155,26 @@ fn planned(
             Planned::along_normals(points, axes)
         }
         Correction::SectionPlane => {
-            let axes = section_plane::correct(part, &beam, &points, &free, line.closed, m, limit_deg);
+            let axes = section_plane::correct(part, &beam, &points, &free, line.closed, *m, limit_deg);
             Planned::along_normals(points, axes)
         }
         Correction::Clearance => {
-            let rows = clearance::correct(part, &beam, &points, &free, line.closed, number, rules);
+            let rows = clearance::correct(part, &beam, &points, &free, line.closed, *number, rules);
             Planned::of_rows(&rows, rules.tilt_rate_deg_mm)
         }
     };
     planned.test_motion(&beam, rules.chord.max_turn_deg.min(CORRECTED_TURN_DEG));
     let kept = planned.reduce(&beam, &rules.chord);
-    planned.pass(&beam, surface, m, line.closed, &kept)
+    let pass = Pass {
+        surface: *surface,
+        work: stance.work,
+        plane_normal: plane_normal(line, *m),
+        closed: line.closed,
+        targets: Vec::new(),
+        chord_error_mm: 0.0,
+        splits: Vec::new(),
+    };
+    planned.fill(&beam, pass, &kept)
 }
 
 /// Finds out which points are free, and adds those at which that changes.
@@ -278,8 +347,8 @@ impl Planned {
             && motion::is_free(beam, &from, &to, sag)
     }
 
-    fn pass(&self, beam: &Beam<'_>, surface: u32, m: &Vector3<f64>, closed: bool, kept: &[Place]) -> Pass {
-        let tangents = dense::tangents(&self.points, closed);
+    fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[Place]) -> Pass {
+        let tangents = dense::tangents(&self.points, pass.closed);
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
         let mut splits = Vec::new();
         for &place in kept {
@@ -311,7 +380,7 @@ impl Planned {
         }
         let chord_error_mm =
             kept.windows(2).map(|w| chord::chord_error_mm(&self.points, w[0], w[1])).fold(0.0, f64::max);
-        Pass { surface, plane_normal: *m, closed, targets, chord_error_mm, splits }
+        Pass { targets, chord_error_mm, splits, ..pass }
     }
 
     /// What keeps the beam from turning at the split `i`: on the way from one beam to the other, or where

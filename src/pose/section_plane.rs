@@ -24,7 +24,8 @@ const IN_PLANE: f64 = 0.1;
 const MAX_GROWTH: usize = 24;
 
 /// Corrects one line. `free[i]`: the beam along the normal is free. Returns the axis of each point;
-/// `None` where there is no free one. `closed`: the last point is the first again. `limit_deg`: the greatest
+/// `None` where there is no free one. `m`: the normal of the line's plane; a line in no plane is taken in that of
+/// travel and normal in the middle of each run. `closed`: the last point is the first again. `limit_deg`: the greatest
 /// tilt of all, in place of this method's own two.
 pub fn correct(
     part: &Part,
@@ -32,7 +33,7 @@ pub fn correct(
     points: &[DensePoint],
     free: &[bool],
     closed: bool,
-    m: &Vector3<f64>,
+    m: Option<Vector3<f64>>,
     limit_deg: Option<f64>,
 ) -> Vec<Option<Vector3<f64>>> {
     let limits_deg = limit_deg.map_or((MAX_TILT_DEG, MAX_TILT_TO_O_DEG), |limit| (limit, limit));
@@ -40,7 +41,7 @@ pub fn correct(
         return points.iter().map(|q| Some(q.n)).collect();
     }
     if !closed {
-        return Line { part, beam, points, free, m, limits_deg }.corrected();
+        return Line { part, beam, points, free, m: Vector3::zeros(), limits_deg }.corrected(m);
     }
     // A closed line is opened in the middle of its longest free stretch, so that every run has two
     // free ends.
@@ -51,10 +52,16 @@ pub fn correct(
     let turned: Vec<usize> = (0..=count).map(|i| (i + seam) % count).collect();
     let opened: Vec<DensePoint> = turned.iter().map(|&i| points[i]).collect();
     let opened_free: Vec<bool> = turned.iter().map(|&i| free[i]).collect();
-    let axes = Line { part, beam, points: &opened, free: &opened_free, m, limits_deg }.corrected();
+    let line = Line { part, beam, points: &opened, free: &opened_free, m: Vector3::zeros(), limits_deg };
+    let axes = line.corrected(m);
     let mut out: Vec<Option<Vector3<f64>>> = (0..count).map(|i| axes[(i + count - seam) % count]).collect();
     out.push(out[0]);
     out
+}
+
+/// Normal of the plane of travel and surface normal at a point, unit.
+pub fn local_plane(before: &DensePoint, at: &DensePoint, behind: &DensePoint) -> Vector3<f64> {
+    angle::unit((behind.p - before.p).cross(&at.n)).unwrap_or_else(|| angle::any_square_to(&at.n))
 }
 
 fn middle_of_longest_free(free: &[bool]) -> Option<usize> {
@@ -76,12 +83,14 @@ fn in_plane(v: &Vector3<f64>, m: &Vector3<f64>) -> Vector3<f64> {
     v - m * v.dot(m)
 }
 
+#[derive(Clone, Copy)]
 struct Line<'a> {
     part: &'a Part,
     beam: &'a Beam<'a>,
     points: &'a [DensePoint],
     free: &'a [bool],
-    m: &'a Vector3<f64>,
+    /// Normal of the plane of the run that is worked on.
+    m: Vector3<f64>,
     /// Greatest tilt of a beam that is turned by itself, and of one towards O, degrees.
     limits_deg: (f64, f64),
 }
@@ -96,12 +105,13 @@ struct Attempt {
 }
 
 impl Line<'_> {
-    fn corrected(&self) -> Vec<Option<Vector3<f64>>> {
+    fn corrected(&self, m: Option<Vector3<f64>>) -> Vec<Option<Vector3<f64>>> {
         let mut out: Vec<Option<Vector3<f64>>> =
             self.points.iter().zip(self.free).map(|(q, f)| f.then_some(q.n)).collect();
         let mut at = 0;
         while let Some(first) = (at..self.points.len()).find(|&i| !self.free[i]) {
-            let attempt = self.run_from(first);
+            let line = Line { m: m.unwrap_or_else(|| self.local_plane(first)), ..*self };
+            let attempt = line.run_from(first);
             at = attempt.first + attempt.axes.len();
             let place = attempt.first;
             for (k, axis) in attempt.axes.into_iter().enumerate() {
@@ -110,6 +120,13 @@ impl Line<'_> {
             }
         }
         out
+    }
+
+    /// Normal of the plane of travel and surface normal in the middle of the run that begins at `first`.
+    fn local_plane(&self, first: usize) -> Vector3<f64> {
+        let middle = (first + self.stretch_end(first)) / 2;
+        let last = self.points.len() - 1;
+        local_plane(&self.points[middle.saturating_sub(1)], &self.points[middle], &self.points[(middle + 1).min(last)])
     }
 
     /// Last point of the stretch of interfering points that begins at `i`.
@@ -194,8 +211,8 @@ impl Line<'_> {
     /// Whether a point can be the end p0 or pn of a run: free, with its projected axis too.
     fn is_end(&self, i: usize) -> bool {
         self.free[i]
-            && angle::unit(in_plane(&self.points[i].n, self.m)).is_some_and(|projected| {
-                in_plane(&self.points[i].n, self.m).norm() < IN_PLANE
+            && angle::unit(in_plane(&self.points[i].n, &self.m)).is_some_and(|projected| {
+                in_plane(&self.points[i].n, &self.m).norm() < IN_PLANE
                     || self.beam.is_free(&self.points[i].p, &projected)
             })
     }
@@ -212,14 +229,14 @@ impl Line<'_> {
         let whole = arc.last().copied().unwrap_or(1.0).max(1e-12);
         let share = move |i: usize| arc[i - start - 1] / whole;
         let (q0, qn) = (self.points[start], self.points[end]);
-        let Some(o) = common_point(&q0, &qn, self.m) else {
+        let Some(o) = common_point(&q0, &qn, &self.m) else {
             return Box::new(move |i| angle::slerp(&q0.n, &qn.n, share(i)));
         };
-        let out_of_plane = |q: &DensePoint| libm::asin(q.n.dot(self.m).clamp(-1.0, 1.0));
+        let out_of_plane = |q: &DensePoint| libm::asin(q.n.dot(&self.m).clamp(-1.0, 1.0));
         let (lean0, lean_n) = (out_of_plane(&q0), out_of_plane(&qn));
         Box::new(move |i| {
             let q = &self.points[i];
-            let Some(d) = angle::unit(in_plane(&(o - q.p), self.m)) else { return q.n };
+            let Some(d) = angle::unit(in_plane(&(o - q.p), &self.m)) else { return q.n };
             let lean = lean0 + (lean_n - lean0) * share(i);
             d * libm::cos(lean) + self.m * libm::sin(lean)
         })
@@ -242,7 +259,7 @@ impl Line<'_> {
     }
 
     fn least_turn(&self, q: &DensePoint, start: &Vector3<f64>, side: f64) -> Option<Vector3<f64>> {
-        let axis = |by: f64| angle::turned(start, self.m, side * by);
+        let axis = |by: f64| angle::turned(start, &self.m, side * by);
         let good = |by: f64| {
             let a = axis(by);
             angle::between_deg(&a, &q.n) <= self.limits_deg.0

@@ -2,6 +2,7 @@
 
 use super::interference::Blocker;
 use super::tilt::Tilt;
+use crate::beam::Work;
 use crate::part::angle;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
@@ -99,6 +100,8 @@ pub fn travel(tangent: &Vector3<f64>, a: &Vector3<f64>) -> Vector3<f64> {
 pub struct Pass {
     /// Surface number.
     pub surface: u32,
+    /// What it is worked with.
+    pub work: Work,
     /// Unit normal of its section plane (m).
     pub plane_normal: Vector3<f64>,
     /// Whether it ends where it began.
@@ -128,6 +131,12 @@ impl Pass {
             .filter(|w| which(&w[0], &w[1]))
             .map(|w| (w[1].p - w[0].p).norm())
             .fold(0.0, |a, b| a + b)
+    }
+
+    /// Whether the laser is off between two neighbouring targets though nothing blocks the beam: a gap that the
+    /// line passes over, or a split.
+    pub fn is_gap(from: &Target, to: &Target) -> bool {
+        !to.laser && from.state != State::Blocked && to.state != State::Blocked
     }
 
     /// Fastest turn of the beam against the normal on lit moves that touch a corrected target, degrees/mm.

@@ -144,7 +144,7 @@ fn landed(
         unshaded_j_mm2,
         j_mm2: unshaded_j_mm2 * share,
         angle_deg: libm::atan2(axis.cross(normal).norm(), cosine).to_degrees(),
-        covered: light.spot.covers(passing.seen.at(when), passing.seen.z_mm),
+        covered: light.spot(piece).covers(passing.seen.at(when), passing.seen.z_mm),
         by,
     })
 }
@@ -197,7 +197,7 @@ fn near_facets(
 ) -> Option<Vec<Vec<Near>>> {
     let lit: Vec<Vec<(u32, bool)>> = (0..light.runs.len())
         .into_par_iter()
-        .map(|i| step().then(|| lit_facets(task.part, task.surfaces, shade, &light.spot, light.run(i).1)))
+        .map(|i| step().then(|| lit_of_run(task, light, shade, i)))
         .collect::<Option<_>>()?;
     let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); task.part.mesh.facets.len()];
     for (i, facets) in lit.into_iter().enumerate() {
@@ -209,6 +209,13 @@ fn near_facets(
     Some(of_facet)
 }
 
+/// The facets that a run lights; all of it is one pass's.
+fn lit_of_run(task: &Task<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
+    let run = light.run(index).1;
+    let Some(piece) = run.first() else { return Vec::new() };
+    lit_facets(task.part, task.surfaces, shade, light.spot(piece), run)
+}
+
 /// All live facets as plots, large ones cut; with the pitch at which they can be sampled, and whether
 /// that is more than it should be.
 fn plots(
@@ -217,7 +224,7 @@ fn plots(
     near: Vec<Vec<Near>>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<(f64, bool, Vec<Plot>)> {
-    let spot_mm = light.spot.spot_mm;
+    let spot_mm = light.least_spot_mm();
     let mut pitch_mm = SAMPLE_SPOTS * spot_mm / 2f64.sqrt();
     let mesh = &task.part.mesh;
     let size_mm = task.part.bvh.diagonal_mm();

@@ -5,6 +5,7 @@
 //! by in a straight line, at every height above and below the spot, and neighbouring pieces join.
 
 use super::spot::Spot;
+use crate::beam::Work;
 use crate::part::angle;
 use crate::pose::{Pass, target};
 use nalgebra::{Point3, Vector3};
@@ -57,6 +58,8 @@ impl Stand {
 pub struct Piece {
     /// Number of its pass.
     pub pass: u32,
+    /// What it shines with, among [`Light::lamps`].
+    pub lamp: u32,
     /// Where it begins.
     pub from: Stand,
     /// Where it ends.
@@ -126,27 +129,41 @@ pub struct Light {
     pub pieces: Vec<Piece>,
     /// Pieces that follow one another and lie near together: where each such run ends in `pieces`.
     pub runs: Vec<u32>,
+    /// What the passes shine with.
+    pub lamps: Vec<Lamp>,
+}
+
+/// A spot and its power.
+#[derive(Clone, Debug)]
+pub struct Lamp {
+    work: Work,
     /// The spot.
     pub spot: Spot,
-    /// Power, W.
-    pub power_w: f64,
     /// Below this, J/mm², a piece is neglected at a point.
-    pub negligible_j_mm2: f64,
+    negligible_j_mm2: f64,
+}
+
+impl Lamp {
+    fn new(work: Work, spot: &Spot) -> Lamp {
+        let spot = Spot { spot_mm: work.spot_mm, defocus_mm: work.defocus_mm, ..spot.clone() };
+        Lamp { work, negligible_j_mm2: NEGLIGIBLE * work.power_w / (work.speed_mm_s * work.spot_mm), spot }
+    }
 }
 
 impl Light {
-    /// The light of these passes, at a speed of the spot. `ends_s` tells when the move to a target
-    /// (pass, point) ends.
-    pub fn new(
-        passes: &[Pass],
-        spot: Spot,
-        power_w: f64,
-        speed_mm_s: f64,
-        ends_s: impl Fn(usize, usize) -> f64,
-    ) -> Light {
+    /// The light of these passes. `spot` tells profile and optics, each pass its width, power and speed;
+    /// `ends_s` when the move to a target (pass, point) ends.
+    pub fn new(passes: &[Pass], spot: &Spot, ends_s: impl Fn(usize, usize) -> f64) -> Light {
         let mut pieces = Vec::new();
-        let longest_mm = (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
+        let mut lamps: Vec<Lamp> = Vec::new();
+        let longest = |spot: &Spot| (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
         for (number, pass) in passes.iter().enumerate() {
+            let lamp = lamps.iter().position(|l| l.work == pass.work).unwrap_or_else(|| {
+                lamps.push(Lamp::new(pass.work, spot));
+                lamps.len() - 1
+            });
+            let (spot, speed_mm_s) = (&lamps[lamp].spot, pass.work.speed_mm_s);
+            let longest_mm = longest(spot);
             for (start, end) in pass.lit_pieces() {
                 let Some(lit) = pass.targets.get(start..=end) else { continue };
                 let stands: Vec<Stand> = lit.iter().map(|t| Stand::new(t.p, t.a, t.o)).collect();
@@ -164,6 +181,7 @@ impl Light {
                             if k < count { Stand::between(&stands[at], &stands[last], share) } else { stands[last] };
                         pieces.push(Piece {
                             pass: number as u32,
+                            lamp: lamp as u32,
                             from,
                             to,
                             seconds: whole_s / f64::from(count),
@@ -175,14 +193,30 @@ impl Light {
                 }
             }
         }
-        let negligible_j_mm2 = NEGLIGIBLE * power_w / (speed_mm_s * spot.spot_mm);
-        let runs = runs(&pieces, longest_mm);
-        Light { pieces, runs, spot, power_w, negligible_j_mm2 }
+        let runs = runs(&pieces, |piece| lamps.get(piece.lamp as usize).map_or(LENGTH_MM, |l| longest(&l.spot)));
+        Light { pieces, runs, lamps }
     }
 
-    /// About what the middle of one line gets, J/mm².
-    pub fn line_j_mm2(&self) -> f64 {
-        self.negligible_j_mm2 / NEGLIGIBLE
+    /// What a piece shines with.
+    #[inline]
+    pub fn lamp(&self, piece: &Piece) -> &Lamp {
+        &self.lamps[piece.lamp as usize]
+    }
+
+    /// Its spot.
+    #[inline]
+    pub fn spot(&self, piece: &Piece) -> &Spot {
+        &self.lamp(piece).spot
+    }
+
+    /// The least spot of all passes, mm; 1 where there are none.
+    pub fn least_spot_mm(&self) -> f64 {
+        self.lamps.iter().map(|l| l.spot.spot_mm).reduce(f64::min).unwrap_or(1.0)
+    }
+
+    /// About what the middle of a line gets, J/mm².
+    pub fn line_j_mm2(&self, piece: &Piece) -> f64 {
+        self.lamp(piece).negligible_j_mm2 / NEGLIGIBLE
     }
 
     /// The pieces of a run: number of the first, and all of them.
@@ -195,8 +229,9 @@ impl Light {
     /// Whether any light of a piece may come within `radius_mm` of a point.
     #[inline]
     pub fn reaches(&self, piece: &Piece, centre: &Point3<f64>, radius_mm: f64) -> bool {
-        let seen = piece.sees(centre, self.spot.defocus_mm);
-        let reach = self.spot.reach_mm(seen.z_mm.abs() + radius_mm);
+        let spot = self.spot(piece);
+        let seen = piece.sees(centre, spot.defocus_mm);
+        let reach = spot.reach_mm(seen.z_mm.abs() + radius_mm);
         (0..2).all(|k| {
             let (x, y, r) = (seen.from[k], seen.to[k], reach[k] + radius_mm);
             x.min(y) <= r && x.max(y) >= -r
@@ -206,18 +241,20 @@ impl Light {
     /// What comes by a point from a piece, if it is worth a look.
     #[inline]
     pub fn passing(&self, piece: &Piece, q: &Point3<f64>) -> Option<Passing> {
-        let seen = piece.sees(q, self.spot.defocus_mm);
-        if seen.z_mm + self.spot.optics.lens_to_focus_mm <= 0.0 {
+        let lamp = self.lamp(piece);
+        let seen = piece.sees(q, lamp.spot.defocus_mm);
+        if seen.z_mm + lamp.spot.optics.lens_to_focus_mm <= 0.0 {
             return None; // behind the lens
         }
-        let window = self.spot.window(seen.from, seen.to, seen.z_mm)?;
+        let window = lamp.spot.window(seen.from, seen.to, seen.z_mm)?;
         let j_mm2 = self.energy(piece, &seen, window);
-        (j_mm2 > self.negligible_j_mm2).then_some(Passing { seen, window, j_mm2 })
+        (j_mm2 > lamp.negligible_j_mm2).then_some(Passing { seen, window, j_mm2 })
     }
 
     /// Energy per area square to the beam within a window, J/mm².
     pub fn energy(&self, piece: &Piece, seen: &Seen, window: [f64; 2]) -> f64 {
-        self.power_w * piece.seconds * self.spot.passed(seen.from, seen.to, seen.z_mm, window)
+        let lamp = self.lamp(piece);
+        lamp.work.power_w * piece.seconds * lamp.spot.passed(seen.from, seen.to, seen.z_mm, window)
     }
 }
 
@@ -248,7 +285,7 @@ fn joined(stands: &[Stand], longest_mm: f64, off_mm: f64) -> usize {
     count
 }
 
-fn runs(pieces: &[Piece], longest_mm: f64) -> Vec<u32> {
+fn runs(pieces: &[Piece], longest_mm: impl Fn(&Piece) -> f64) -> Vec<u32> {
     let mut ends = Vec::new();
     let mut first: Option<&Piece> = None;
     let mut length_mm = 0.0;
@@ -257,7 +294,7 @@ fn runs(pieces: &[Piece], longest_mm: f64) -> Vec<u32> {
         let goes_on = first.is_some_and(|f| {
             let follows = i > 0 && pieces[i - 1].to.p == piece.from.p && f.pass == piece.pass;
             follows
-                && length_mm + own_mm <= longest_mm * (1.0 + 1e-9)
+                && length_mm + own_mm <= longest_mm(piece) * (1.0 + 1e-9)
                 && angle::between_deg(&f.from.a, &piece.to.a) <= RUN_TURN_DEG
         });
         if !goes_on {

@@ -4,6 +4,7 @@
 //! Part frame, mm; energy per area J/mm² inside, J/cm² in what is handed out. The laser runs evenly:
 //! pulses, heat and reflected light are not looked at.
 
+pub mod bead;
 mod cell;
 pub mod dose;
 mod floor;

@@ -72,8 +72,9 @@ impl DoseMap {
         for pass in passes {
             stretches.entry(pass.surface).or_default().extend(of_pass(pass));
         }
-        let spot_mm2 = 0.25 * std::f64::consts::PI * self.light.spot.spot_mm * self.light.spot.spot_mm;
-        let reach_mm = spacing_mm.max(0.5 * self.light.spot.spot_mm);
+        let spot_mm = self.light.least_spot_mm();
+        let spot_mm2 = 0.25 * std::f64::consts::PI * spot_mm * spot_mm;
+        let reach_mm = spacing_mm.max(0.5 * spot_mm);
         let mut patches: Vec<Patch> = self
             .connected(&low)
             .into_iter()
@@ -194,7 +195,7 @@ fn same(a: &Option<Blocker>, b: &Option<Blocker>) -> bool {
 }
 
 fn of_pass(pass: &Pass) -> impl Iterator<Item = Stretch> {
-    pass.targets.windows(2).map(|w| {
+    pass.targets.windows(2).filter(|w| !Pass::is_gap(&w[0], &w[1])).map(|w| {
         let blocked = w.iter().find(|t| t.state == State::Blocked).filter(|_| !w[1].laser);
         Stretch { from: w[0].p, to: w[1].p, blocked: blocked.map(|t| t.normal_hits) }
     })

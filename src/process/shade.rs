@@ -78,12 +78,12 @@ impl<'a> Shade<'a> {
     ) -> Landing {
         let [t0, t1] = passing.window;
         let way = [0, 1].map(|k| (passing.seen.to[k] - passing.seen.from[k]) * (t1 - t0));
-        let apart = LOOK_RADII * light.spot.radius_mm(passing.seen.z_mm);
+        let apart = LOOK_RADII * light.spot(piece).radius_mm(passing.seen.z_mm);
         let stretches = (libm::hypot(way[0], way[1]) / apart).min((MOST_LOOKS - 1) as f64) as usize;
         let middle = passing.seen.at(0.5 * (t0 + t1));
         if let Some((_, place, wall)) = last.look.filter(|l| l.0 == piece.pass) {
             let is_near = stretches == 0 && libm::hypot(middle[0] - place[0], middle[1] - place[1]) <= 0.5 * apart;
-            if is_near || passing.j_mm2 < FAINT * light.line_j_mm2() {
+            if is_near || passing.j_mm2 < FAINT * light.line_j_mm2(piece) {
                 return Landing { share: if wall.is_none() { 1.0 } else { 0.0 }, by: wall };
             }
         }
@@ -137,14 +137,14 @@ impl<'a> Shade<'a> {
         last: &mut Last,
     ) -> Option<Theirs> {
         let z_mm = passing.seen.z_mm;
-        let [along, across] = light.spot.slope(passing.seen.at(t), z_mm);
+        let [along, across] = light.spot(piece).slope(passing.seen.at(t), z_mm);
         let mix = |u: &Vector3<f64>, v: &Vector3<f64>| u * (1.0 - t) + v * t;
         let ray = mix(&piece.from.a, &piece.to.a)
             + mix(&piece.from.o, &piece.to.o) * along
             + mix(&piece.from.n, &piece.to.n) * across;
         let length = ray.norm();
         let dir = ray / length;
-        let until = (z_mm + light.spot.optics.lens_to_focus_mm) * length;
+        let until = (z_mm + light.spot(piece).optics.lens_to_focus_mm) * length;
         let stops = |corners: &[Point3<f64>; 3]| meet(corners, q, &dir).is_some_and(|s| s > START_MM && s < until);
         if let Some((facet, corners)) = last.facet
             && facet != own

@@ -8,7 +8,8 @@
 use super::air::Space;
 use super::lit::Straight;
 use super::round;
-use super::steps::{Go, Pace, Speeds, Station, Step, Steps, Way};
+use super::steps::{Go, Pace, Station, Step, Steps, Way, farthest_focus_mm};
+use crate::beam::Work;
 use crate::cell::collision::Collision;
 use crate::cell::motion::choice::NO_WAY;
 use crate::cell::motion::{Cause, Choice, Refusal};
@@ -30,8 +31,8 @@ pub struct Drive<'a> {
     pub mounted: Mounted,
     /// The robot of the setup.
     pub robot: &'a Robot,
-    /// Speeds of the spot.
-    pub speeds: Speeds,
+    /// Speed of the focus in the air, mm/s.
+    pub air_mm_s: f64,
     /// What keeps the spot to its line, and clear.
     pub straight: Straight<'a>,
     /// What the arm and all it carries may touch; `None`: nothing.
@@ -164,7 +165,7 @@ impl Drive<'_> {
         if !refused.is_empty() {
             return Err(Undriven { refused, ..Undriven::default() });
         }
-        let space = Space::new(self.part, &self.setup.cell.air, self.speeds.defocus_mm);
+        let space = Space::new(self.part, &self.setup.cell.air, farthest_focus_mm(passes));
         let end = |i: usize| whole[i].1.last().map_or(whole[i].0, |lit| lit.to);
         let ways: Vec<Option<Vec<Go>>> = (0..=whole.len())
             .into_par_iter()
@@ -211,6 +212,7 @@ impl Drive<'_> {
                 said = Some(number);
             }
             out.driven(&down, at.as_ref());
+            out.with(&passes[number].work);
             out.list.push(Step::Laser(true));
             for l in &whole[i].1 {
                 out.time_s += l.seconds;
@@ -269,7 +271,7 @@ impl Drive<'_> {
             let chosen = choice.rows[number][point].as_ref();
             chosen
                 .map(|c| Stand {
-                    at: Station::spun(&pass.targets[point], self.speeds.defocus_mm, c.spin_deg),
+                    at: Station::spun(&pass.targets[point], &pass.work, c.spin_deg),
                     joints_deg: c.joints_deg,
                 })
                 .ok_or_else(|| refuse(point, Cause::Reach, "was not chosen"))
@@ -279,9 +281,10 @@ impl Drive<'_> {
         let mut lit = Vec::new();
         for point in first + 1..=last {
             let to = stand(point)?;
-            let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / self.speeds.work_mm_s;
+            let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.work.speed_mm_s;
             let before = lit.len();
-            self.between(&here, &to, seconds, &mut lit).map_err(|(cause, detail)| refuse(point, cause, &detail))?;
+            self.between(&here, &to, (&pass.work, seconds), &mut lit)
+                .map_err(|(cause, detail)| refuse(point, cause, &detail))?;
             if let Some(l) = lit[before..].last_mut() {
                 l.target = Some((number, point));
             }
@@ -291,9 +294,15 @@ impl Drive<'_> {
     }
 
     /// Lit moves from one stand to the next, with stations in between where the spot needs them.
-    fn between(&self, from: &Stand, to: &Stand, seconds: f64, out: &mut Vec<Lit>) -> Result<(), (Cause, String)> {
+    fn between(
+        &self,
+        from: &Stand,
+        to: &Stand,
+        (work, seconds): (&Work, f64),
+        out: &mut Vec<Lit>,
+    ) -> Result<(), (Cause, String)> {
         let (mut here, mut done) = (*from, 0.0);
-        for (share, at) in self.straight.between(&from.at, &to.at)? {
+        for (share, at) in self.straight.between(&from.at, &to.at, work)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
             let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
                 return Err((Cause::Limit, "between two targets a joint would leave its range".into()));

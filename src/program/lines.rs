@@ -2,6 +2,7 @@
 //! dialect only has to find the words.
 
 use super::steps::{Pace, Step, Steps, Way};
+use crate::beam::Work;
 use crate::cell::Setup;
 use crate::cell::outputs::{During, Outputs, PowerForm, PowerOutput, Switch};
 use nalgebra::Isometry3;
@@ -23,6 +24,8 @@ pub struct Move {
     pub lit: bool,
     /// Pass and point, for a target.
     pub target: Option<(usize, usize)>,
+    /// What it is worked with, or the work before it.
+    pub work: Work,
 }
 
 /// A line of a program.
@@ -59,9 +62,11 @@ pub fn lines(steps: &Steps, setup: &Setup, power_w: f64) -> Vec<Line> {
     let outputs = &cell.outputs;
     let off = Line::Output { number: outputs.laser.number, on: false };
     let (whole, piece) = supplies(outputs);
+    let first = steps.list.iter().find_map(|s| if let Step::Work(work) = s { Some(*work) } else { None });
+    let mut work = first.unwrap_or(Work { power_w, ..Work::default() });
     let mut lit = false;
     let mut out = vec![off.clone()];
-    out.extend(level(outputs, power_w));
+    out.extend(level(outputs, work.power_w));
     for switch in &whole {
         turn(&mut out, switch, true);
     }
@@ -69,6 +74,12 @@ pub fn lines(steps: &Steps, setup: &Setup, power_w: f64) -> Vec<Line> {
     for step in &steps.list {
         match step {
             Step::Say(text) => out.push(Line::Say(text.clone())),
+            Step::Work(with) => {
+                if with.power_w != work.power_w {
+                    out.extend(level(outputs, with.power_w));
+                }
+                work = *with;
+            }
             Step::Laser(on) => {
                 lit = *on;
                 if lit {
@@ -90,6 +101,7 @@ pub fn lines(steps: &Steps, setup: &Setup, power_w: f64) -> Vec<Line> {
                     pace: Pace::Percent(cell.air.home_percent),
                     lit: false,
                     target: None,
+                    work,
                 })));
             }
             Step::Go(go) => {
@@ -102,6 +114,7 @@ pub fn lines(steps: &Steps, setup: &Setup, power_w: f64) -> Vec<Line> {
                     pace: go.pace,
                     lit,
                     target: go.target,
+                    work,
                 })));
             }
         }

@@ -3,6 +3,7 @@
 
 use super::steps::Station;
 use super::sweep::{LitMove, Prover};
+use crate::beam::Work;
 use crate::cell::motion::Cause;
 use crate::pose::Beam;
 use crate::pose::motion::Swept;
@@ -32,7 +33,7 @@ pub fn spot(
 /// What keeps a lit move of the flange to the planned line of the spot.
 #[derive(Clone, Debug)]
 pub struct Straight<'a> {
-    /// Part, frames and D, and what sweeps a move that keeps to its line.
+    /// Part and frames, and what sweeps a move that keeps to its line.
     pub prover: Prover<'a>,
     /// How far the spot may leave its line, mm.
     pub deviation_mm: f64,
@@ -47,9 +48,9 @@ impl Straight<'_> {
     ///
     /// # Errors
     /// Even the shortest pieces leave the line, or hit something.
-    pub fn between(&self, from: &Station, to: &Station) -> Result<Vec<(f64, Station)>, (Cause, String)> {
+    pub fn between(&self, from: &Station, to: &Station, work: &Work) -> Result<Vec<(f64, Station)>, (Cause, String)> {
         let mut out = Vec::new();
-        self.halved((from, 0.0), (to, 1.0), MOST_HALVINGS, &mut out)?;
+        self.halved((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
         Ok(out)
     }
 
@@ -57,12 +58,12 @@ impl Straight<'_> {
         &self,
         from: (&Station, f64),
         to: (&Station, f64),
-        halvings: usize,
+        (work, halvings): (&Work, usize),
         out: &mut Vec<(f64, Station)>,
     ) -> Result<(), (Cause, String)> {
-        let off_mm = self.deviation(from.0, to.0);
+        let off_mm = self.deviation(from.0, to.0, work);
         let keeps = off_mm <= self.deviation_mm;
-        let met = if keeps { self.beam_hits(from.0, to.0) } else { None };
+        let met = if keeps { self.beam_hits(from.0, to.0, work) } else { None };
         if keeps && met.is_none() {
             return Ok(());
         }
@@ -77,41 +78,37 @@ impl Straight<'_> {
                 None => (Cause::Singularity, format!("the spot would leave its line by {off_mm:.2} mm")),
             });
         }
-        let (middle, t) = (self.midway(from.0, to.0), 0.5 * (from.1 + to.1));
-        self.halved(from, (&middle, t), halvings - 1, out)?;
+        let (middle, t) = (self.midway(from.0, to.0, work), 0.5 * (from.1 + to.1));
+        self.halved(from, (&middle, t), (work, halvings - 1), out)?;
         out.push((t, middle));
-        self.halved((&middle, t), to, halvings - 1, out)
+        self.halved((&middle, t), to, (work, halvings - 1), out)
     }
 
     /// What beam or head hits on a lit move, as the flange goes.
-    fn beam_hits(&self, from: &Station, to: &Station) -> Option<Swept> {
+    fn beam_hits(&self, from: &Station, to: &Station, work: &Work) -> Option<Swept> {
         let [from, to] = [from, to].map(|s| self.prover.mounted.flange_for(&s.frame()));
-        self.prover.hit(&LitMove { from, to, by_focus: false })
-    }
-
-    fn foot(&self, frame: &Isometry3<f64>) -> Point3<f64> {
-        foot(frame, self.prover.defocus_mm)
+        self.prover.hit(&LitMove { from, to, by_focus: false, work: *work })
     }
 
     /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
-    fn midway(&self, from: &Station, to: &Station) -> Station {
+    fn midway(&self, from: &Station, to: &Station, work: &Work) -> Station {
         let (a, b) = (from.frame(), to.frame());
-        let foot = nalgebra::center(&self.foot(&a), &self.foot(&b));
+        let foot = nalgebra::center(&foot(&a, work.defocus_mm), &foot(&b, work.defocus_mm));
         let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
-        middle.x = foot + middle.a * self.prover.defocus_mm;
+        middle.x = foot + middle.a * work.defocus_mm;
         middle
     }
 
     /// How far the spot leaves the straight line where the flange goes straight, mm.
-    fn deviation(&self, from: &Station, to: &Station) -> f64 {
+    fn deviation(&self, from: &Station, to: &Station, work: &Work) -> f64 {
         let (a, b) = (self.prover.mounted.flange_for(&from.frame()), self.prover.mounted.flange_for(&to.frame()));
-        let (start, end) = (self.foot(&from.frame()), self.foot(&to.frame()));
+        let (start, end) = (foot(&from.frame(), work.defocus_mm), foot(&to.frame(), work.defocus_mm));
         let line = end - start;
         let length2 = line.norm_squared();
         [0.25, 0.5, 0.75]
             .into_iter()
             .map(|t| {
-                let foot = self.foot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)));
+                let foot = foot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)), work.defocus_mm);
                 let along = if length2 > 0.0 { ((foot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
                 (foot - (start + line * along)).norm()
             })

@@ -271,7 +271,7 @@ impl Round<'_> {
         let joints = (0..6)
             .map(|j| (to.joints_deg[j] - from.joints_deg[j]).abs() / self.robot.speeds_deg_s[j])
             .fold(0.0, f64::max);
-        let seconds = self.space.seconds(&from.at, &to.at, self.drive.speeds.air_mm_s).max(2.0 * joints);
+        let seconds = self.space.seconds(&from.at, &to.at, self.drive.air_mm_s).max(2.0 * joints);
         let pace = Pace::Seconds(seconds);
         Go { to: to.at, way: Way::Linear, joints_deg: Some(to.joints_deg), pace, target: None }
     }

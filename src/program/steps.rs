@@ -4,6 +4,7 @@
 use super::air::Space;
 use super::lit::Straight;
 use super::sweep::LitMove;
+use crate::beam::Work;
 use crate::cell::Cell;
 use crate::cell::motion::Refusal;
 use crate::cell::mounting::Mounted;
@@ -25,13 +26,13 @@ pub struct Station {
 }
 
 impl Station {
-    fn of(t: &Target, defocus_mm: f64) -> Station {
-        Station { x: t.focus(defocus_mm), a: t.a, o: t.o }
+    fn of(t: &Target, work: &Work) -> Station {
+        Station { x: t.focus(work.defocus_mm), a: t.a, o: t.o }
     }
 
     /// The station of a target, turned about the beam by a spin.
-    pub fn spun(t: &Target, defocus_mm: f64, spin_deg: f64) -> Station {
-        Station { x: t.focus(defocus_mm), a: t.a, o: angle::turned(&t.o, &t.a, spin_deg) }
+    pub fn spun(t: &Target, work: &Work, spin_deg: f64) -> Station {
+        Station { x: t.focus(work.defocus_mm), a: t.a, o: angle::turned(&t.o, &t.a, spin_deg) }
     }
 
     /// The station of a path frame.
@@ -64,6 +65,8 @@ impl Station {
 pub enum Step {
     /// A comment.
     Say(String),
+    /// What follows is worked with this.
+    Work(Work),
     /// The laser is switched.
     Laser(bool),
     /// Home, all joints in proportion.
@@ -116,25 +119,19 @@ pub struct Steps {
     pub time_s: f64,
 }
 
-/// Speeds of the spot on the part and in the air, mm/s, and where the focus stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Speeds {
-    /// On the part.
-    pub work_mm_s: f64,
-    /// In the air.
-    pub air_mm_s: f64,
-    /// D, mm.
-    pub defocus_mm: f64,
+/// The farthest that the focus stands from the part on any pass, mm.
+pub fn farthest_focus_mm(passes: &[Pass]) -> f64 {
+    passes.iter().map(|p| p.work.defocus_mm).fold(0.0, f64::max)
 }
 
-/// Turns passes into steps. Blocked targets are not gone to.
+/// Turns passes into steps. Blocked targets are not gone to. `air_mm_s`: speed of the focus in the air.
 ///
 /// # Errors
 /// Targets to which the beam does not keep its line as the flange goes straight; the rest has to be
 /// tried again without them.
-pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Speeds) -> Result<Steps, Vec<Refusal>> {
+pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], air_mm_s: f64) -> Result<Steps, Vec<Refusal>> {
     let mut refused = Vec::new();
-    let space = Space::new(straight.prover.part, &cell.air, speeds.defocus_mm);
+    let space = Space::new(straight.prover.part, &cell.air, farthest_focus_mm(passes));
     let mut out = Steps::default();
     let mut at: Option<Station> = None;
     let mut said = None;
@@ -148,13 +145,13 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Spe
     let hops: Vec<bool> = pieces
         .par_windows(2)
         .map(|w| {
-            let station = |pass: usize, point: usize| Station::of(&passes[pass].targets[point], speeds.defocus_mm);
+            let station = |pass: usize, point: usize| Station::of(&passes[pass].targets[point], &passes[pass].work);
             space.is_hop(&station(w[0].0, w[0].2), &station(w[1].0, w[1].1))
         })
         .collect();
     for (index, &(number, first, last)) in pieces.iter().enumerate() {
         let pass = &passes[number];
-        let mut start = Station::of(&pass.targets[first], speeds.defocus_mm);
+        let mut start = Station::of(&pass.targets[first], &pass.work);
         match at {
             None => {
                 let entry = space.outside(&start);
@@ -173,7 +170,7 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Spe
                 let mut before = from;
                 for via in space.between(&from, &start, hops[index - 1]) {
                     let via = via.nearest_to(&before);
-                    out.air(&space, before, via, speeds);
+                    out.air(&space, before, via, air_mm_s);
                     before = via;
                 }
                 at = Some(before);
@@ -185,16 +182,17 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Spe
             out.list.push(Step::Say(format!("pass {number}, surface {}", pass.surface)));
             said = Some(number);
         }
-        out.go(start, space.seconds(&before, &start, speeds.air_mm_s), Some((number, first)));
+        out.go(start, space.seconds(&before, &start, air_mm_s), Some((number, first)));
         out.air_mm += (start.x - before.x).norm();
+        out.with(&pass.work);
         out.list.push(Step::Laser(true));
         let mut here = start;
         for i in first + 1..=last {
-            let next = Station::of(&pass.targets[i], speeds.defocus_mm).nearest_to(&here);
+            let next = Station::of(&pass.targets[i], &pass.work).nearest_to(&here);
             let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
-            let seconds = spot_mm / speeds.work_mm_s;
+            let seconds = spot_mm / pass.work.speed_mm_s;
             let mut done = 0.0;
-            match straight.between(&here, &next) {
+            match straight.between(&here, &next, &pass.work) {
                 Ok(between) => {
                     for (share, station) in between {
                         out.go(station, seconds * (share - done), None);
@@ -211,7 +209,7 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Spe
     }
     if let Some(end) = at {
         let exit = space.outside(&end);
-        out.air(&space, end, exit, speeds);
+        out.air(&space, end, exit, air_mm_s);
     }
     out.list.push(Step::Home);
     if refused.is_empty() { Ok(out) } else { Err(refused) }
@@ -220,14 +218,15 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], speeds: &Spe
 impl Steps {
     /// The moves with the laser on, as the flange makes them.
     pub fn lit_moves(&self, mounted: &Mounted) -> Vec<LitMove> {
-        let (mut lit, mut at) = (false, None);
+        let (mut lit, mut at, mut work) = (false, None, Work::default());
         let mut out = Vec::new();
         for step in &self.list {
             match step {
                 Step::Laser(on) => lit = *on,
+                Step::Work(with) => work = *with,
                 Step::Go(go) => {
                     let to = mounted.flange_for(&go.to.frame());
-                    out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false }));
+                    out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false, work }));
                     at = Some(to);
                 }
                 Step::Say(_) | Step::Home => {}
@@ -236,14 +235,22 @@ impl Steps {
         out
     }
 
+    /// Says what the next piece is worked with, where that changes.
+    pub(super) fn with(&mut self, work: &Work) {
+        let before = self.list.iter().rev().find_map(|s| if let Step::Work(work) = s { Some(work) } else { None });
+        if before != Some(work) {
+            self.list.push(Step::Work(*work));
+        }
+    }
+
     pub(super) fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (way, pace) = (Way::Linear, Pace::Seconds(seconds));
         self.list.push(Step::Go(Go { to, way, joints_deg: None, pace, target }));
         self.time_s += seconds;
     }
 
-    fn air(&mut self, space: &Space<'_>, from: Station, to: Station, speeds: &Speeds) {
+    fn air(&mut self, space: &Space<'_>, from: Station, to: Station, air_mm_s: f64) {
         self.air_mm += (to.x - from.x).norm();
-        self.go(to, space.seconds(&from, &to, speeds.air_mm_s), None);
+        self.go(to, space.seconds(&from, &to, air_mm_s), None);
     }
 }

@@ -7,7 +7,7 @@
 //! pieces are told by their middle.
 
 use super::lit::{FROM_MM, spot};
-use crate::beam::Body;
+use crate::beam::{Body, Stance, Work};
 use crate::cell::mounting::Mounted;
 use crate::part::{Part, angle};
 use crate::pose::motion::{Motion, Pose, Swept, swept};
@@ -25,6 +25,8 @@ pub struct LitMove {
     pub to: Isometry3<f64>,
     /// Whether it is the path frame that goes straight.
     pub by_focus: bool,
+    /// What it is worked with.
+    pub work: Work,
 }
 
 /// What was proven of lit moves.
@@ -50,13 +52,13 @@ fn count<S: Serializer>(list: &[(usize, Blocker)], s: S) -> Result<S::Ok, S::Err
 #[derive(Clone, Debug)]
 pub struct Prover<'a> {
     pub(super) part: &'a Part,
-    body: Option<Body<'a>>,
+    /// What stands around the beam, for all that is worked with.
+    bodies: Vec<(Work, Option<Body<'a>>)>,
     pub(super) mounted: Mounted,
-    pub(super) defocus_mm: f64,
     sag_mm: f64,
     window_mm: f64,
-    /// The body that a plan is held to.
-    spare: Option<Body<'a>>,
+    /// The bodies that a plan is held to.
+    spare: Vec<(Work, Option<Body<'a>>)>,
     /// The share of what a ray keeps at a target that it has to keep here.
     ray_share: f64,
 }
@@ -66,25 +68,17 @@ pub struct Prover<'a> {
 pub const SPARE_MM: f64 = 0.01;
 
 impl<'a> Prover<'a> {
-    /// A prover for a part and what stands around the beam. `deviation_mm`: how far the spot may leave its
-    /// line; `sag_mm`: how far the part may lie from a chord.
-    pub fn new(
-        part: &'a Part,
-        body: Option<&Body<'a>>,
-        mounted: Mounted,
-        defocus_mm: f64,
-        deviation_mm: f64,
-        sag_mm: f64,
-    ) -> Prover<'a> {
+    /// A prover for a part and the stances that its lit moves are made in. `deviation_mm`: how far the spot may
+    /// leave its line; `sag_mm`: how far the part may lie from a chord.
+    pub fn new(part: &'a Part, stances: &[Stance<'a>], mounted: Mounted, deviation_mm: f64, sag_mm: f64) -> Prover<'a> {
         // A plan may lose the length of a short piece, and what is read back is not held to that again.
-        let eased = body.map(|b| b.eased(deviation_mm + b.short_mm + SPARE_MM, 2));
-        let spare = body.map(|b| b.eased(deviation_mm, 1));
+        let eased = |b: &Body<'a>| b.eased(deviation_mm + b.short_mm + SPARE_MM, 2);
+        let spare = |b: &Body<'a>| b.eased(deviation_mm, 1);
         Prover {
             part,
-            body: eased,
-            spare,
+            bodies: stances.iter().map(|s| (s.work, s.body.as_ref().map(eased))).collect(),
+            spare: stances.iter().map(|s| (s.work, s.body.as_ref().map(spare))).collect(),
             mounted,
-            defocus_mm,
             sag_mm,
             window_mm: deviation_mm + 2.0 * sag_mm,
             ray_share: 0.0,
@@ -93,23 +87,29 @@ impl<'a> Prover<'a> {
 
     /// Where the beam of a path frame stands on the part, and its axis: no farther from where it should be
     /// than it may deviate, and than the part may lie from a chord.
-    pub fn spot(&self, beam: &Beam<'_>, part_from_focus: &Isometry3<f64>) -> (Point3<f64>, Vector3<f64>) {
-        spot(beam, part_from_focus, self.defocus_mm, self.window_mm)
+    pub fn spot(&self, beam: &Beam<'_>, part_from_focus: &Isometry3<f64>, work: &Work) -> (Point3<f64>, Vector3<f64>) {
+        spot(beam, part_from_focus, work.defocus_mm, self.window_mm)
     }
 
     /// The same, held to a little more: for a plan.
     pub fn with_spare(&self) -> Prover<'a> {
-        Prover { body: self.spare.clone(), ray_share: 0.5, ..self.clone() }
+        Prover { bodies: self.spare.clone(), ray_share: 0.5, ..self.clone() }
+    }
+
+    /// What stands around the beam of a move. Of what nobody planned with, the nearest is taken.
+    fn body(&self, work: &Work) -> Option<&Body<'a>> {
+        let off = |w: &Work| (w.defocus_mm - work.defocus_mm).abs() + (w.spot_mm - work.spot_mm).abs();
+        self.bodies.iter().min_by(|a, b| off(&a.0).total_cmp(&off(&b.0)))?.1.as_ref()
     }
 
     /// What is in the way of a move, if anything is.
     pub fn hit(&self, m: &LitMove) -> Option<Swept> {
-        let beam = Beam::with(self.part, self.body.as_ref());
+        let beam = Beam::with(self.part, self.body(&m.work));
         let lever_mm = |pose: &Isometry3<f64>| {
             if m.by_focus {
-                return self.defocus_mm.abs();
+                return m.work.defocus_mm.abs();
             }
-            (self.mounted.focus_at(pose).translation.vector - pose.translation.vector).norm() + self.defocus_mm.abs()
+            (self.mounted.focus_at(pose).translation.vector - pose.translation.vector).norm() + m.work.defocus_mm.abs()
         };
         let turn_deg = angle::turned_deg(&m.from.rotation.rotation_to(&m.to.rotation).to_rotation_matrix());
         let going = Going {
@@ -126,7 +126,9 @@ impl<'a> Prover<'a> {
     pub fn prove(&self, moves: &[LitMove]) -> Proof {
         let found: Vec<Option<Blocker>> = moves.par_iter().map(|m| self.hit(m).map(|h| h.blocker)).collect();
         let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
-        let margin_mm = self.body.as_ref().filter(|b| b.has_head).map_or(0.0, |b| b.margin_mm - b.short_mm);
+        let bodies = self.bodies.iter().filter_map(|b| b.1.as_ref());
+        let margin_mm = bodies.filter(|b| b.has_head).map(|b| b.margin_mm - b.short_mm).fold(f64::INFINITY, f64::min);
+        let margin_mm = if margin_mm.is_finite() { margin_mm } else { 0.0 };
         Proof { intervals: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm: margin_mm.max(0.0) }
     }
 }
@@ -147,7 +149,7 @@ impl Going<'_> {
     fn at(&self, t: f64) -> Pose {
         let pose = self.m.from.lerp_slerp(&self.m.to, t);
         let focus = if self.m.by_focus { pose } else { self.prover.mounted.focus_for(&pose) };
-        let (p, a) = self.prover.spot(self.beam, &focus);
+        let (p, a) = self.prover.spot(self.beam, &focus, &self.m.work);
         Pose { p, a }
     }
 }

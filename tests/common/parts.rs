@@ -94,7 +94,10 @@ pub fn cut(
     let surfaces = segmented(&part, &job);
     let number = surface_at(&part, &surfaces, at);
     let surface = surfaces.get(number).expect("there");
-    let family = planes::planes(&part.mesh, &surfaces, &[number], job.layers.direction, spacing_mm, None).remove(0);
+    let family = {
+        let layout = planes::Raster { surface: number, direction: job.layers.direction, spacing_mm, offset_mm: None };
+        planes::planes(&part.mesh, &surfaces, &[layout]).remove(0)
+    };
     let normals = VertexNormals::new(&part.mesh, &surfaces, surface);
     let merge_mm = 1e-6 * part.mesh.diagonal();
     let lines = sections(&part.mesh, surface, &normals, &family.normal, &family.heights_mm, merge_mm);

@@ -1,6 +1,7 @@
 //! Programs that no planner made, and whether what was read is what was written.
 #![allow(dead_code, reason = "each test file uses its own share")]
 
+use clearbeam::beam::Work;
 use clearbeam::cell::{Robot, Setup};
 use clearbeam::program::dialect::{Goal, Read, ReadError, ReadLine, Reading};
 use clearbeam::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way};
@@ -74,6 +75,7 @@ pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<Line> {
                 pace: *pace,
                 lit,
                 target: None,
+                work: Work::default(),
             }))
         }
     };

@@ -118,10 +118,9 @@ impl App {
             ui.monospace(format!("x {:.3}  y {:.3}  z {:.3}", t.p.x, t.p.y, t.p.z));
             if let Some((_, Ok(setup))) = &self.derived.setup {
                 // Where the arm is; without one, where the flange would have to be.
-                let flange = self.moment().map_or_else(
-                    || setup.flange_for(&t.frame(self.document.job().beam.defocus_mm)),
-                    |m| m.base_from_flange,
-                );
+                let flange = self
+                    .moment()
+                    .map_or_else(|| setup.flange_for(&t.frame(self.work().defocus_mm)), |m| m.base_from_flange);
                 // Rounded, and + 0 so that no −0.00 is shown.
                 let [rz, ry, rx] = rpy::from_rotation(&flange.rotation.to_rotation_matrix())
                     .map(|a| (a * 100.0).round() / 100.0 + 0.0);

@@ -106,22 +106,15 @@ impl Default for Watch<'_> {
 ///
 /// What is touched is asked for the chosen states first, and for all states of a pass where one of
 /// them does. `None`: the search was stopped.
-pub fn choose(arm: &Arm<'_>, passes: &[Pass], defocus_mm: f64, speed_mm_s: f64, watch: &Watch<'_>) -> Option<Choice> {
-    choose_again(arm, passes, defocus_mm, speed_mm_s, watch, &mut Memory::default())
+pub fn choose(arm: &Arm<'_>, passes: &[Pass], watch: &Watch<'_>) -> Option<Choice> {
+    choose_again(arm, passes, watch, &mut Memory::default())
 }
 
 /// The same for targets some of which were looked at before: they may be blocked by now, and branches
 /// closed, but they stand where they stood.
-pub fn choose_again(
-    arm: &Arm<'_>,
-    passes: &[Pass],
-    defocus_mm: f64,
-    speed_mm_s: f64,
-    watch: &Watch<'_>,
-    memory: &mut Memory,
-) -> Option<Choice> {
+pub fn choose_again(arm: &Arm<'_>, passes: &[Pass], watch: &Watch<'_>, memory: &mut Memory) -> Option<Choice> {
     let Watch { touches, go_on, is_open } = watch;
-    let stops = stops(passes, defocus_mm, speed_mm_s);
+    let stops = stops(passes);
     loop {
         let known = &*memory;
         let chain = chain(arm, &stops, go_on, |stop: &Stop| {
@@ -159,12 +152,12 @@ pub fn choose_again(
     }
 }
 
-fn stops(passes: &[Pass], defocus_mm: f64, speed_mm_s: f64) -> Vec<Stop> {
+fn stops(passes: &[Pass]) -> Vec<Stop> {
     let mut out = Vec::new();
     for (pass, p) in passes.iter().enumerate() {
         for (point, t) in p.targets.iter().enumerate().filter(|(_, t)| t.state != pose::State::Blocked) {
-            let lit_s = t.laser.then(|| (t.p - p.targets[point - 1].p).norm() / speed_mm_s);
-            out.push(Stop { pass, point, part_from_focus: t.frame(defocus_mm), lit_s });
+            let lit_s = t.laser.then(|| (t.p - p.targets[point - 1].p).norm() / p.work.speed_mm_s);
+            out.push(Stop { pass, point, part_from_focus: t.frame(p.work.defocus_mm), lit_s });
         }
     }
     out

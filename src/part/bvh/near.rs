@@ -68,6 +68,36 @@ impl Bvh {
         }
     }
 
+    /// The same for several bodies at once, one bit each: of those that a box was not ruled out for, `near`
+    /// tells which a box within it is not ruled out for, and `visit` gets them with the facet.
+    pub fn visit_near_boxes_of(
+        &self,
+        all: u32,
+        near: impl Fn(&[f64; 3], &[f64; 3], u32) -> u32,
+        mut visit: impl FnMut(&[Point3<f64>; 3], u32) -> bool,
+    ) {
+        let mut stack = [(0u32, all); 96];
+        let mut depth = usize::from(!self.nodes.is_empty());
+        while depth > 0 {
+            depth -= 1;
+            let (at, of) = stack[depth];
+            let node = &self.nodes[at as usize];
+            let of = near(&node.bounds.lo, &node.bounds.hi, of);
+            if of == 0 {
+                continue;
+            }
+            if node.count > 0 {
+                if !self.leaf(node).iter().all(|corners| visit(corners, of)) {
+                    return;
+                }
+            } else {
+                stack[depth] = (node.at, of);
+                stack[depth + 1] = (node.at + 1, of);
+                depth += 2;
+            }
+        }
+    }
+
     /// Whether a facet of this mesh is within `reach_mm` of one of the other.
     pub fn near_mesh(&self, other: &Bvh, self_from_other: &Isometry3<f64>, reach_mm: f64) -> bool {
         if self.nodes.is_empty() || other.nodes.is_empty() {

@@ -158,7 +158,7 @@ impl Levels {
                 chained(&gates).into_iter().filter_map(move |(edges, closed)| {
                     let points = edges.iter().map(|&e| self.point(e, *level)).collect();
                     let (points, closed) = merged(points, closed, merge_mm)?;
-                    Some(TransversalLine { plane: *rank, points, closed })
+                    Some(TransversalLine { plane: *rank, points, closed, dark: Vec::new() })
                 })
             })
             .collect()

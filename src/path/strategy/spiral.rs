@@ -241,7 +241,7 @@ impl Winding<'_> {
                 // Merging leaves some of the points, in their order.
                 let mut rest = all.iter();
                 let turns = points.iter().filter_map(|q| rest.find(|x| x.0 == *q)).map(|x| x.1).collect();
-                Some((TransversalLine { plane: 0, points, closed }, turns))
+                Some((TransversalLine { plane: 0, points, closed, dark: Vec::new() }, turns))
             })
             .collect();
         let begin = |turns: &[f64]| turns.first().copied().unwrap_or(0.0);

@@ -9,6 +9,11 @@ use crate::pose::{Beam, motion};
 const STEP_DEG: f64 = 1.0;
 /// To this the last free tilt is found.
 const EXACT_DEG: f64 = 0.05;
+/// A millimetre of clearance costs as much as so many degrees of tilt, half a millimetre twice as much: a beam
+/// that clears a wall 20 mm above the spot by half a millimetre turns away by another degree or two.
+const NEARNESS_DEG_MM: f64 = 1.0;
+/// So far beyond the best found a better one is looked for, degrees.
+const FARTHER_DEG: f64 = 1.0;
 /// So often points are laid between their neighbours.
 const SWEEPS: usize = 6;
 
@@ -137,11 +142,28 @@ impl Piece<'_> {
                     let middle = 0.5 * (low + blocked);
                     if good(middle) { low = middle } else { blocked = middle }
                 }
-                // Where tilt and nearness together are least.
-                return (low + NEARNESS_DEG2.sqrt()).min(whole);
+                return self.spared(k, low, whole, at);
             }
             low = next;
         }
+    }
+
+    /// From the least free size on, where tilt and nearness together are least: 1/clearance where beam and head
+    /// have one, and for a ray that of what is blocked beside it.
+    fn spared(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+        let site = &self.track.sites[self.from + k];
+        let cost = |size: f64| {
+            let clearance_mm = self.beam.clearance_mm(&site.q.p, &site.axis(&at(k, size)))?;
+            Some(size + NEARNESS_DEG_MM / clearance_mm.max(1e-3))
+        };
+        let Some(first) = cost(low) else { return (low + NEARNESS_DEG2.sqrt()).min(whole) };
+        let mut best = (first, low);
+        let mut size = low;
+        while size < whole && size < best.1 + FARTHER_DEG {
+            size = (size + 0.5 * STEP_DEG).min(whole);
+            best = cost(size).map_or(best, |c| if c < best.0 { (c, size) } else { best });
+        }
+        best.1
     }
 
     /// Points laid between their neighbours where they stay free, with a step to spare.

@@ -1,0 +1,56 @@
+//! What a pass is worked with: where the focus stands, how wide, how fast and how strong the spot is.
+//!
+//! Values alone; which surface has which is told by the job.
+
+use super::{Body, Optics, Tool};
+
+/// What a pass is worked with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Work {
+    /// D: the focus stands at `p + D·a`, mm.
+    pub defocus_mm: f64,
+    /// Diameter of the spot on the part, mm.
+    pub spot_mm: f64,
+    /// Speed of the spot on the part, mm/s.
+    pub speed_mm_s: f64,
+    /// Power, W.
+    pub power_w: f64,
+}
+
+impl Default for Work {
+    /// P1 Table 1.
+    fn default() -> Self {
+        Work { defocus_mm: 20.0, spot_mm: 1.0, speed_mm_s: 3.0, power_w: 500.0 }
+    }
+}
+
+impl Work {
+    /// The same with the head drawn back along the beam by so much (pushed forward where negative): the
+    /// spot gets as wide as the optics make it, in proportion.
+    pub fn lifted(&self, optics: &Optics, lift_mm: f64) -> Work {
+        let defocus_mm = self.defocus_mm + lift_mm;
+        let wider = optics.spot_mm(defocus_mm) / optics.spot_mm(self.defocus_mm);
+        Work { defocus_mm, spot_mm: self.spot_mm * wider, ..*self }
+    }
+}
+
+/// A way to hold the head over a line: what it is worked with, and the space that takes.
+#[derive(Clone, Debug)]
+pub struct Stance<'a> {
+    /// What the line is worked with.
+    pub work: Work,
+    /// What stands around the ray; `None`: nothing.
+    pub body: Option<Body<'a>>,
+}
+
+impl<'a> Stance<'a> {
+    /// The stance of a tool. `margin_mm`: what cone and head keep from everything.
+    pub fn new(tool: &'a Tool, optics: &Optics, work: Work, margin_mm: f64) -> Stance<'a> {
+        Stance { work, body: Body::new(tool, optics, work.spot_mm, work.defocus_mm, margin_mm) }
+    }
+
+    /// The beam as a ray.
+    pub fn ray(work: Work) -> Stance<'a> {
+        Stance { work, body: None }
+    }
+}

@@ -1,0 +1,151 @@
+//! From a job to the lines of its surfaces: strategy, rim, joins, and the order of work.
+//!
+//! Geometry alone: whether a beam gets there is asked afterwards.
+
+use super::model::{Job, Layers};
+use crate::part::surfaces::Surface;
+use crate::part::{Part, Surfaces};
+use crate::path::coverage::{Coverage, coverage};
+use crate::path::ends::{self, Short};
+use crate::path::normals::VertexNormals;
+use crate::path::strategy::{self, Achieved, Layout, Strategy};
+use crate::path::tour::{Sense, shift_seams, toured, way_mm};
+use crate::path::{Order, SurfacePlanes, TransversalLine, order};
+use nalgebra::{Point3, Vector3};
+
+/// The lines of one surface, not yet in order.
+#[derive(Clone, Debug)]
+pub struct Laid {
+    /// Surface number.
+    pub surface: u32,
+    /// Normal of its planes, by which the first corner is found.
+    pub normal: Vector3<f64>,
+    /// The planes that cut them: none for lines that no plane cuts.
+    pub planes: Vec<SurfacePlanes>,
+    /// By rank.
+    pub lines: Vec<TransversalLine>,
+    /// The spacing that they really have, where it was measured.
+    pub achieved: Option<Achieved>,
+    /// What they miss.
+    pub coverage: Coverage,
+    /// What is not as it was wanted.
+    pub remarks: Vec<String>,
+}
+
+/// Lays the lines of a surface as its job wants them; `family`: its planes.
+pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: SurfacePlanes, job: &Job) -> Laid {
+    let (mesh, l) = (&part.mesh, &job.layers);
+    let merge_mm = 1e-6 * mesh.diagonal();
+    let over_mm = (-l.inset_mm).max(0.0);
+    let rule = Layout {
+        strategy: l.strategy,
+        spacing_mm: l.spacing_mm,
+        border: l.border.map(|b| b as usize),
+        centre: l.centre_mm.map(Point3::from),
+        inward: l.inward,
+        cross_deg: l.cross_deg,
+    };
+    let mut remarks = Vec::new();
+    let mut found;
+    if over_mm > 0.0 {
+        let grown = ends::grown(mesh, surface, over_mm);
+        let normals = VertexNormals::grown(mesh, surfaces, surface, &grown.beyond);
+        let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
+        found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
+        let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
+        found.lines = lines;
+        if stopped > 0 {
+            remarks.push(format!(
+                "{stopped} line ends stop at the rim: a sharp edge or the part's end is there, and the spot must stay on the part"
+            ));
+        }
+    } else {
+        let normals = VertexNormals::new(mesh, surfaces, surface);
+        found = strategy::lines(mesh, surface, &normals, &rule, &family, merge_mm);
+        if l.inset_mm > 0.0 {
+            found.lines = ends::inset(mesh, surface, found.lines, l.inset_mm, l.ignore_holes_mm);
+        }
+    }
+    let lines = if l.join_mm > 0.0 { ends::joined(found.lines, l.join_mm) } else { found.lines };
+    let (lines, Short { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
+    if count > 0 {
+        remarks.push(format!("{count} pieces of {length_mm:.1} mm together are shorter than {} mm", l.shortest_mm));
+    }
+    remarks.extend(found.reason);
+    let mut coverage = coverage(mesh, surface, &found.planes, l.spacing_mm, &lines);
+    if l.strategy != Strategy::Planes {
+        coverage.spacing_min_mm = found.achieved.as_ref().map(|a| a.min_mm);
+        coverage.spacing_max_mm = found.achieved.as_ref().map(|a| a.max_mm);
+    }
+    Laid {
+        surface: surface.number,
+        normal: family.normal,
+        planes: found.planes,
+        lines,
+        achieved: found.achieved,
+        coverage,
+        remarks,
+    }
+}
+
+/// A family with more planes of the same distance, as far as a grown surface goes.
+fn widened(mesh: &crate::part::Mesh, surface: &Surface, mut family: SurfacePlanes, spacing_mm: f64) -> SurfacePlanes {
+    let corners = surface.facets.iter().flat_map(|&f| mesh.corners(f as usize));
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for h in corners.map(|p| p.coords.dot(&family.normal)) {
+        (low, high) = (low.min(h), high.max(h));
+    }
+    let (Some(&first), Some(&last)) = (family.heights_mm.first(), family.heights_mm.last()) else { return family };
+    let below = (1..).map(|i| first - f64::from(i) * spacing_mm).take_while(|h| *h > low);
+    let above = (1..).map(|i| last + f64::from(i) * spacing_mm).take_while(|h| *h < high);
+    family.heights_mm = below.chain(family.heights_mm.iter().copied()).chain(above).collect();
+    family.heights_mm.sort_by(f64::total_cmp);
+    family
+}
+
+impl Laid {
+    /// Normal of the plane that a line lies in, if it lies in one.
+    pub fn plane_of(&self, line: &TransversalLine) -> Option<Vector3<f64>> {
+        let mut rank = line.plane;
+        for planes in &self.planes {
+            if rank < planes.heights_mm.len() {
+                return Some(planes.normal);
+            }
+            rank -= planes.heights_mm.len();
+        }
+        None
+    }
+}
+
+/// The lines of one surface in the order of work.
+#[derive(Clone, Debug)]
+pub struct Ordered {
+    /// In order, turned as they will be run.
+    pub lines: Vec<TransversalLine>,
+    /// Length of the way between them, and from the surface before, mm.
+    pub way_mm: f64,
+    /// The same in a plain zigzag.
+    pub zigzag_way_mm: f64,
+}
+
+/// Puts lines in order; `spot`: where the surface before ends.
+pub fn ordered(laid: &Laid, layers: &Layers, spot: Option<&Point3<f64>>) -> Ordered {
+    let zigzag = order::ordered(laid.lines.clone(), Order::Zigzag, &laid.normal);
+    let zigzag_way_mm = way_mm(&zigzag, spot);
+    let mut lines = match layers.order {
+        Order::Zigzag => zigzag,
+        Order::OneWay => order::ordered(laid.lines.clone(), Order::OneWay, &laid.normal),
+        Order::Shortest => toured(laid.lines.clone(), spot, Sense::Either, &laid.normal),
+    };
+    if layers.seam_shift_mm > 0.0 {
+        shift_seams(&mut lines, layers.seam_shift_mm, 0.0);
+    }
+    Ordered { way_mm: way_mm(&lines, spot), zigzag_way_mm, lines }
+}
+
+/// Where the spot is behind some lines.
+pub fn end_of(lines: &[TransversalLine]) -> Option<Point3<f64>> {
+    let last = lines.last()?;
+    let end = if last.closed { last.points.first() } else { last.points.last() };
+    end.map(|q| q.p)
+}

@@ -1,0 +1,139 @@
+//! Recipes: named sets of values that surfaces are worked with in place of the job's own.
+//!
+//! A recipe names parameters by their keys, so whatever the table of parameters knows of layers, beam,
+//! path and bead can differ from surface to surface. What a recipe does not name is the job's.
+
+use super::model::Job;
+use super::parameter::Parameter;
+use crate::path::{Direction, Order, Strategy};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Tables of the job file whose numbers a recipe may hold.
+const TABLES: [&str; 3] = ["layers.", "beam.", "path."];
+/// What of them is the same for the whole program.
+const WHOLE: [&str; 3] = ["beam.air_speed_mm_s", "beam.margin_mm", "path.tilt_rate_deg_s"];
+
+/// A named set of values.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Recipe {
+    /// What it is called.
+    pub name: String,
+    /// How lines are laid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strategy: Option<Strategy>,
+    /// Normal of the section planes.
+    #[serde(with = "as_text", skip_serializing_if = "Option::is_none")]
+    pub direction: Option<Direction>,
+    /// Sense of neighbouring lines.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<Order>,
+    /// Numbers by their keys in the job file.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub values: BTreeMap<String, f64>,
+}
+
+mod as_text {
+    use crate::path::Direction;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error as _};
+
+    pub fn serialize<S: Serializer>(d: &Option<Direction>, s: S) -> Result<S::Ok, S::Error> {
+        match d {
+            Some(d) => s.collect_str(d),
+            None => s.serialize_none(),
+        }
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Option<Direction>, D::Error> {
+        String::deserialize(d)?.parse().map(Some).map_err(D::Error::custom)
+    }
+}
+
+impl Recipe {
+    /// Whether recipes may hold a parameter.
+    pub fn may_hold(key: &str) -> bool {
+        TABLES.iter().any(|t| key.starts_with(t)) && !WHOLE.contains(&key)
+    }
+
+    /// The job with the recipe's values in place of its own.
+    pub fn applied(&self, job: &Job) -> Job {
+        let mut own = job.clone();
+        own.layers.strategy = self.strategy.unwrap_or(own.layers.strategy);
+        own.layers.direction = self.direction.unwrap_or(own.layers.direction);
+        own.layers.order = self.order.unwrap_or(own.layers.order);
+        for (key, value) in &self.values {
+            if let Some(p) = Parameter::by_key(key) {
+                (p.set)(&mut own, *value);
+            }
+        }
+        own
+    }
+
+    /// What is wrong with it, as a sentence.
+    ///
+    /// # Errors
+    /// A key that recipes do not hold, or a number out of range.
+    pub fn check(&self) -> Result<(), String> {
+        self.values.iter().try_for_each(|(key, value)| match Parameter::by_key(key) {
+            Some(p) if Recipe::may_hold(key) => p.check(*value).map_err(|e| format!("recipe {:?}: {e}", self.name)),
+            _ => Err(format!(
+                "recipe {:?}: {key:?} is nothing that a recipe can hold; see the keys in the README",
+                self.name
+            )),
+        })
+    }
+}
+
+impl Job {
+    /// The recipe that a surface is worked with; `None`: the job's own values.
+    pub fn recipe_of(&self, surface: u32) -> Option<&Recipe> {
+        let name = self.recipe_of.get(&surface.to_string())?;
+        self.recipes.iter().find(|r| r.name == *name)
+    }
+
+    /// The job as it is for one surface.
+    pub fn of_surface(&self, surface: u32) -> Cow<'_, Job> {
+        self.recipe_of(surface).map_or(Cow::Borrowed(self), |r| Cow::Owned(r.applied(self)))
+    }
+
+    /// The spacing at which neighbouring spots overlap by so many per cent of their width, mm.
+    ///
+    /// # Errors
+    /// There is none for that.
+    pub fn spacing_of_overlap(&self, percent: f64) -> Result<f64, String> {
+        if !(0.0..=95.0).contains(&percent) {
+            return Err(format!("overlap = {percent}: give a number from 0 to 95 %"));
+        }
+        Ok(self.beam.spot_mm * (1.0 - 0.01 * percent))
+    }
+
+    /// The overlap of neighbouring spots as a share of their width, per cent; negative where they do not meet.
+    pub fn overlap_percent(&self) -> f64 {
+        100.0 * (1.0 - self.layers.spacing_mm / self.beam.spot_mm)
+    }
+
+    /// What is wrong with its recipes, as a sentence.
+    ///
+    /// # Errors
+    /// Two of one name, one that is not there, a key or number that cannot be.
+    pub fn check_recipes(&self) -> Result<(), String> {
+        for (i, r) in self.recipes.iter().enumerate() {
+            r.check()?;
+            if self.recipes[..i].iter().any(|other| other.name == r.name) {
+                return Err(format!("there are two recipes {:?}; give one another name", r.name));
+            }
+        }
+        for (surface, name) in &self.recipe_of {
+            if !self.recipes.iter().any(|r| r.name == *name) {
+                let known: Vec<&str> = self.recipes.iter().map(|r| r.name.as_str()).collect();
+                return Err(format!(
+                    "surface {surface} has the recipe {name:?}, which the job does not have (it has: {})",
+                    known.join(", ")
+                ));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,223 @@
+//! One surface's share of a plan: its lines become passes. What has not changed is taken from the cache.
+
+use super::lay::{self, Laid, Ordered};
+use super::model::Job;
+use super::plan::PlanError;
+use crate::beam::{Body, Head, Stance, Tool, Work};
+use crate::cell::Setup;
+use crate::part::surfaces::Surface;
+use crate::part::{Digest, Hasher, Part, Surfaces};
+use crate::path::chord::ChordLimits;
+use crate::path::planes::Raster;
+use crate::path::{SurfacePlanes, dense};
+use crate::pose::{Correction, Line, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
+use crate::progress::{Cancelled, Progress};
+use nalgebra::Point3;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
+/// A surface's share of a plan.
+#[derive(Clone, Debug)]
+pub struct SurfacePlan {
+    /// How its lines lie.
+    pub laid: Arc<Laid>,
+    /// Length of the way between its lines, mm, and from the surface before.
+    pub way_mm: f64,
+    /// The same in a plain zigzag, mm.
+    pub zigzag_way_mm: f64,
+    /// Its passes in working order, once each.
+    pub passes: Vec<Pass>,
+    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
+    /// same limits.
+    pub by_section_plane: Option<Vec<Option<Pass>>>,
+}
+
+/// Surface plans and laid lines by the digest of all that they depend on.
+#[derive(Debug, Default)]
+pub struct Cache(Mutex<Kept>);
+
+#[derive(Debug, Default)]
+struct Kept {
+    plans: BTreeMap<Digest, Arc<SurfacePlan>>,
+    laid: BTreeMap<Digest, Arc<Laid>>,
+}
+
+impl Cache {
+    pub(super) fn get(&self, key: &Digest) -> Option<Arc<SurfacePlan>> {
+        self.0.lock().ok()?.plans.get(key).cloned()
+    }
+
+    /// The lines of the surface of a family, laid by the job of that surface.
+    pub(super) fn laid<'a>(
+        &self,
+        part: &Part,
+        surfaces: &Surfaces,
+        family: SurfacePlanes,
+        job_of: impl Fn(u32) -> &'a Job,
+    ) -> Option<(Digest, Arc<Laid>)> {
+        let surface = surfaces.get(family.surface)?;
+        let job = job_of(surface.number);
+        let key = laid_key(part, surface, &family, job);
+        let known = self.0.lock().ok().and_then(|kept| kept.laid.get(&key).cloned());
+        let laid = known.unwrap_or_else(|| Arc::new(lay::laid(part, surfaces, surface, family, job)));
+        Some((key, laid))
+    }
+
+    /// Keeps what the newest plan uses, and nothing else.
+    pub(super) fn keep(&self, plans: BTreeMap<Digest, Arc<SurfacePlan>>, laid: BTreeMap<Digest, Arc<Laid>>) {
+        if let Ok(mut kept) = self.0.lock() {
+            *kept = Kept { plans, laid };
+        }
+    }
+}
+
+/// Of all that the lines of a surface depend on.
+fn laid_key(part: &Part, surface: &Surface, planes: &SurfacePlanes, job: &Job) -> Digest {
+    let flipped = job.surfaces.flipped.contains(&planes.surface);
+    // Numbers are printed so that they read back as they are.
+    let layers = format!("{:?}", job.layers);
+    Hasher::default()
+        .digest(part.digest)
+        .u32s(&surface.facets)
+        .u32s(&[planes.surface, flipped.into()])
+        .u32s(&layers.bytes().map(u32::from).collect::<Vec<_>>())
+        .f64s(planes.normal.as_slice())
+        .f64s(&planes.heights_mm)
+        .finish()
+}
+
+/// The planes that a surface's job wants.
+pub(super) fn raster(surface: u32, job: &Job) -> Raster {
+    let l = &job.layers;
+    Raster { surface, direction: l.direction, spacing_mm: l.spacing_mm, offset_mm: l.offset_mm.mm() }
+}
+
+/// What the lines of a surface are planned by.
+pub(super) fn rules_of(surface: u32, job: &Job) -> LineRules {
+    LineRules {
+        tilt: job.tilts.iter().find(|t| t.surface == surface).cloned().unwrap_or_default(),
+        pins: job.pins.iter().filter(|p| p.surface == surface).copied().collect(),
+        ..rules(job)
+    }
+}
+
+/// The same without what single surfaces ask for.
+pub(super) fn rules(job: &Job) -> LineRules {
+    LineRules {
+        max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm).min(job.path.max_step_mm),
+        max_dense_turn_deg: dense::MAX_TURN_DEG.min(job.path.max_turn_deg),
+        chord: ChordLimits {
+            chord_error_mm: job.path.chord_error_mm,
+            max_step_mm: job.path.max_step_mm,
+            max_turn_deg: job.path.max_turn_deg,
+        },
+        correction: job.path.correction,
+        max_tilt_deg: job.path.max_tilt_deg,
+        tilt_rate_deg_mm: job.path.tilt_rate_deg_mm.min(job.path.tilt_rate_deg_s / job.beam.speed_mm_s),
+        tilt: TiltRule::default(),
+        pins: Vec::new(),
+    }
+}
+
+/// A surface's plan with the work of its job: power and speed change no pose, and without a head where the
+/// focus stands does not either.
+pub(super) fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
+    let wanted = work(job);
+    let own = |w: &Work| match tool.head {
+        None => wanted,
+        Some(_) => Work { speed_mm_s: wanted.speed_mm_s, power_w: wanted.power_w, ..*w },
+    };
+    if made.passes.iter().any(|p| p.work != own(&p.work)) {
+        Arc::make_mut(&mut made).passes.iter_mut().for_each(|p| p.work = own(&p.work));
+    }
+    made
+}
+
+/// What stands around the beam; `None`: the beam is a ray.
+pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
+    stances(job, &setup.tool).swap_remove(0).body
+}
+
+/// How the head may be held over lines, as wanted first: then drawn back and pushed forward by half of the
+/// standoff window and all of it.
+pub(super) fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>> {
+    let wanted = work(job);
+    let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
+    let lifted = |share: &f64| wanted.lifted(&job.optics, share * job.path.standoff_mm);
+    lifts.iter().map(|s| Stance::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
+}
+
+/// What a job works with.
+fn work(job: &Job) -> Work {
+    let b = &job.beam;
+    Work { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, speed_mm_s: b.speed_mm_s, power_w: b.power_w }
+}
+
+/// Makes the passes of a surface.
+pub(super) fn plan_surface(
+    part: &Part,
+    laid: Arc<Laid>,
+    ordered: Ordered,
+    job: &Job,
+    tool: &Tool,
+    rules: &LineRules,
+    progress: &Progress,
+) -> Result<SurfacePlan, PlanError> {
+    let is_searched = rules.correction == Correction::Clearance;
+    let stances = stances(job, tool);
+    let both = ordered
+        .lines
+        .par_iter()
+        .enumerate()
+        .map(|(number, line)| {
+            progress.step()?;
+            let line = Line { line, surface: laid.surface, number: number as u32, m: laid.plane_of(line) };
+            let pass = plan_line(part, &stances, &line, rules);
+            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
+            let other =
+                (is_searched && interferes).then(|| plan_line_by_section_plane(part, &stances[0], &line, rules));
+            Ok((pass, other))
+        })
+        .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
+    let (passes, others): (Vec<_>, Vec<_>) = both.into_iter().unzip();
+    Ok(SurfacePlan {
+        laid,
+        way_mm: ordered.way_mm,
+        zigzag_way_mm: ordered.zigzag_way_mm,
+        passes,
+        by_section_plane: is_searched.then_some(others),
+    })
+}
+
+/// Of all that the poses of a surface depend on: its lines, where they begin, and by what they are planned.
+pub(super) fn key_of(laid: Digest, spot: Option<Point3<f64>>, job: &Job, rules: &LineRules, tool: &Tool) -> Digest {
+    let mut hasher = Hasher::default()
+        .digest(laid)
+        .f64s(&spot.map_or([f64::NAN; 3], |p| p.coords.into()))
+        .u32s(&[rules.correction as u32])
+        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm, rules.max_dense_turn_deg])
+        .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
+        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm, job.path.standoff_mm])
+        .f64s(&[rules.tilt.preferred.lead_deg, rules.tilt.preferred.lean_deg, rules.tilt.least_deg])
+        .u32s(&rules.tilt.forbidden.iter().map(|s| *s as u32).collect::<Vec<_>>());
+    for pin in &rules.pins {
+        hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
+    }
+    for p in tool.head.iter().flat_map(Head::stack) {
+        hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
+    }
+    for clamp in &tool.clamps {
+        hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);
+    }
+    if tool.head.is_some() || !tool.clamps.is_empty() {
+        let (b, o) = (&job.beam, &job.optics);
+        hasher = hasher.f64s(&[b.defocus_mm, b.spot_mm, b.margin_mm]).f64s(&[
+            o.lens_to_focus_mm,
+            o.aperture_mm,
+            o.focus_spot_mm,
+            o.rayleigh_mm,
+        ]);
+    }
+    hasher.finish()
+}
