@@ -130,11 +130,18 @@ pub struct Ordered {
 
 /// Puts lines in order; `spot`: where the surface before ends.
 pub fn ordered(laid: &Laid, layers: &Layers, spot: Option<&Point3<f64>>) -> Ordered {
-    let zigzag = order::ordered(laid.lines.clone(), Order::Zigzag, &laid.normal);
+    // The pieces of a spiral come in order, and run as it does.
+    let is_spiral = layers.strategy == Strategy::Spiral;
+    let by = |order| match is_spiral {
+        true => laid.lines.clone(),
+        false => order::ordered(laid.lines.clone(), order, &laid.normal),
+    };
+    let zigzag = by(Order::Zigzag);
     let zigzag_way_mm = way_mm(&zigzag, spot);
     let mut lines = match layers.order {
         Order::Zigzag => zigzag,
-        Order::OneWay => order::ordered(laid.lines.clone(), Order::OneWay, &laid.normal),
+        Order::OneWay => by(Order::OneWay),
+        Order::Shortest if is_spiral => toured(laid.lines.clone(), spot, Sense::Kept, &laid.normal),
         Order::Shortest => toured(laid.lines.clone(), spot, Sense::Either, &laid.normal),
     };
     if layers.seam_shift_mm > 0.0 {
