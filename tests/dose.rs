@@ -51,6 +51,8 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
         closed: false,
         targets: vec![target(p, false), target(q, true)],
         splits: Vec::new(),
+        line_points: 2,
+        dense_points: 2,
         chord_error_mm: 0.0,
     }
 }

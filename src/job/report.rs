@@ -19,6 +19,10 @@ pub struct Report {
     pub passes: usize,
     /// Rows of `path.csv`.
     pub points: usize,
+    /// Points of the lines as they were laid, before anything was put between or dropped.
+    pub line_points: usize,
+    /// Points of the dense lines, of which the rows were chosen.
+    pub dense_points: usize,
     /// See above.
     pub work_mm: f64,
     /// See above.
@@ -265,6 +269,8 @@ impl Report {
         Report {
             passes: all.len(),
             points: count(all, &|_| true),
+            line_points: all.iter().map(|p| p.line_points).sum(),
+            dense_points: all.iter().map(|p| p.dense_points).sum(),
             work_mm: length(all, |_, to| to.laser),
             corrected_mm: length(all, is_corrected),
             blocked_mm: length(all, is_blocked),
