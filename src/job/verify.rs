@@ -126,7 +126,7 @@ pub fn check(
     let Some(main) = files.first() else { return Err("the plan has no program".into()) };
     let written =
         dialect.read(main, &Reading { setup, open: &own }).map_err(|e| format!("the plan's own program: {e}"))?;
-    let prover = plan::prover(part, setup, job);
+    let prover = plan::prover(part, setup, job).on_layers(&planned.grown);
     let expected =
         Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
     let verdict = match dialect.read(first, &Reading { setup, open }) {
@@ -159,7 +159,7 @@ pub fn check_own(
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let read = dialect_of(first)?.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
     let lines = lines(&plan.steps, setup, job.beam.power_w);
-    let prover = plan::prover(part, setup, job);
+    let prover = plan::prover(part, setup, job).on_layers(&plan.grown);
     let defocus_mm = job.beam.defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };
     Ok(verify(&expected, &read, false))
@@ -527,17 +527,22 @@ fn interference(
     if !with_checker {
         return;
     }
-    let part = expected.part;
-    let facets = part.mesh.facets.len().max(1);
-    let checker = Checker::new((0..part.mesh.facets.len()).map(|f| part.mesh.corners(f)));
+    let facets = expected.part.mesh.facets.len().max(1);
+    let layers = driven.iter().map(|d| d.lit.work.layer).max().unwrap_or(0);
+    let on = |layer: u32| {
+        let mesh = &expected.prover.part_of(layer).mesh;
+        Checker::new((0..mesh.facets.len()).map(|f| mesh.corners(f)))
+    };
+    let checkers: Vec<Checker> = (0..=layers).map(on).collect();
     let every = (driven.len() * facets).div_ceil(CHECKER_BUDGET).max(1);
     let hits: Vec<Finding> = driven
         .par_iter()
         .step_by(every)
         .filter_map(|d| {
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
-            let (p, a) = expected.prover.spot(&Beam::on(part), &end, &d.lit.work);
-            let facet = checker.hit(&p, &a, lit::FROM_MM)?;
+            let layer = d.lit.work.layer;
+            let (p, a) = expected.prover.spot(&Beam::on(expected.prover.part_of(layer)), &end, &d.lit.work);
+            let facet = checkers.get(layer as usize)?.hit(&p, &a, lit::FROM_MM)?;
             let text = format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
             Some(finding(d.at, Kind::Interference, text))
         })
