@@ -200,3 +200,15 @@ fn a_least_tilt_lets_nothing_return_into_the_head() {
     assert!(tilts.iter().all(|deg| (deg - 5.0).abs() < 1e-6), "{tilts:?}");
     assert_eq!(case.verified(&plan).findings, []);
 }
+
+#[test]
+fn the_readme_tells_a_job_that_can_be_planned() {
+    let readme = include_str!("../README.md");
+    let (_, rest) = readme.split_once("## Cladding").expect("a section");
+    let text = rest.split_once("```toml\n").and_then(|(_, t)| t.split_once("```")).expect("a job").0;
+    let job: Job = toml::from_str(text).expect("reads");
+    job::parameter::check_all(&job).expect("sound");
+    assert_eq!(job.layer_count(), 3);
+    let spacing_mm = job.bead_spacing_mm().expect("a bead");
+    assert!((spacing_mm - job.layers.spacing_mm).abs() < 1e-3, "{spacing_mm}");
+}
