@@ -25,13 +25,14 @@ pub(super) fn count(own: &Own<'_>) -> u32 {
     own.values().map(|j| j.layer_count()).max().unwrap_or(1)
 }
 
-/// The part and its surfaces when a layer begins, for each layer but the first: every surface has all the
-/// layers before, as far as it gets so many.
+/// The part and its surfaces behind each layer, for which the next begins: every surface has all the layers so
+/// far, as far as it gets so many. None where nothing is laid.
 ///
 /// # Errors
 /// A surface that is too hollow for its build-up.
 pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<Vec<Arc<Grown>>, PlanError> {
-    (1..count(own))
+    let last = if own.values().any(|j| j.section_of_bead().is_some()) { count(own) } else { 0 };
+    let made: Vec<_> = (1..=last)
         .into_par_iter()
         .map(|layer| {
             let height_mm = |j: &Job| j.bead.height_mm * f64::from(layer.min(j.layer_count()));
@@ -39,7 +40,9 @@ pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<V
             let folds = |surface| PlanError::Folds { surface, layers: layer };
             grown(part, surfaces, &heights_mm).map(Arc::new).map_err(folds)
         })
-        .collect()
+        .collect();
+    // The lowest layer that folds is the one to tell, whichever thread was first.
+    made.into_iter().collect()
 }
 
 /// Plans one layer of the surfaces in `list`, in the order of work. What it is made of is kept in `kept`.

@@ -31,7 +31,7 @@ pub struct Plan {
     pub surfaces: Vec<Arc<SurfacePlan>>,
     /// All passes in program order.
     pub passes: Vec<Pass>,
-    /// The part as it has grown when a layer begins, for each layer but the first.
+    /// The part as it has grown behind each layer; none where nothing is laid.
     pub grown: Vec<Arc<Grown>>,
     /// The program, step by step.
     pub steps: Steps,
@@ -161,7 +161,7 @@ pub fn plan(
     let grown = layer::parts(part, surfaces, &own)?;
     let mut kept = Kept::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
-    for number in 0..=grown.len() as u32 {
+    for number in 0..layer::count(&own) {
         let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
         let on = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
         let with = (&setup.tool, cache);

@@ -271,7 +271,7 @@ impl Report {
             all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked).filter_map(|t| t.clearance_mm);
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
         Report {
-            layers: plan.grown.len() + 1,
+            layers: plan.grown.len().max(1),
             passes: all.len(),
             points: count(all, &|_| true),
             line_points: all.iter().map(|p| p.line_points).sum(),

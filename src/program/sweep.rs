@@ -53,7 +53,7 @@ fn count<S: Serializer>(list: &[(usize, Blocker)], s: S) -> Result<S::Ok, S::Err
 #[derive(Clone, Debug)]
 pub struct Prover<'a> {
     part: &'a Part,
-    /// The part as it has grown when a layer begins, for each layer but the first.
+    /// The part as it has grown behind each layer.
     grown: &'a [Arc<Grown>],
     /// What stands around the beam, for all that is worked with.
     bodies: Vec<(Work, Option<Body<'a>>)>,
@@ -89,8 +89,8 @@ impl<'a> Prover<'a> {
         }
     }
 
-    /// With the part as it has grown when a layer begins, for each layer but the first: a move is proven on
-    /// the part of its own layer.
+    /// With the part as it has grown behind each layer: a move is proven on the part for which its own layer
+    /// begins.
     pub fn on_layers(self, grown: &'a [Arc<Grown>]) -> Prover<'a> {
         Prover { grown, ..self }
     }
@@ -101,7 +101,7 @@ impl<'a> Prover<'a> {
         before.and_then(|n| self.grown.get(n)).map_or(self.part, |g| &g.part)
     }
 
-    /// The part with all layers but the last.
+    /// The part with all its layers.
     pub(super) fn whole(&self) -> &'a Part {
         self.grown.last().map_or(self.part, |g| &g.part)
     }
