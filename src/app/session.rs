@@ -170,6 +170,8 @@ pub struct RecutAnchor {
     pub rank: Vec<Option<u32>>,
     /// Whether its surface was flipped.
     pub flipped: Vec<bool>,
+    /// Recipe of its surface.
+    pub recipe: Vec<Option<String>>,
 }
 
 impl Default for Session {
