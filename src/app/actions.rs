@@ -49,7 +49,8 @@ impl App {
             | C::Last
             | C::Section
             | C::Access
-            | C::Dose => self.derived.plan.is_some(),
+            | C::Dose
+            | C::Spacing => self.derived.plan.is_some(),
             C::Cell => self.derived.cell.is_some(),
             C::BetterSetup => self.has_refusals() && !self.is_proposing(),
             C::Plots => self.timeline().is_some(),
@@ -166,6 +167,7 @@ impl App {
             C::ToolBodies => show.tool = !show.tool,
             C::Access => show.access = !show.access,
             C::Dose => self.toggle_dose(),
+            C::Spacing => show.spacing = !show.spacing,
             _ => {}
         }
     }

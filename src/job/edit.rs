@@ -37,8 +37,8 @@ pub enum Edit {
     RemoveRecipe(String),
     /// Another name for a recipe: from, to.
     RenameRecipe(String, String),
-    /// Surfaces are worked with a recipe of the job, or with the job's own values.
-    GiveRecipe(Vec<u32>, Option<String>),
+    /// Surfaces are worked with a recipe, which the job has from then on, or with the job's own values.
+    GiveRecipe(Vec<u32>, Option<Box<Recipe>>),
     /// Correction.
     Correction(Correction),
     /// Surfaces to the end of *To clean*.
@@ -129,7 +129,7 @@ impl Edit {
             Edit::Recipe(recipe, _) => format!("change recipe {}", recipe.name),
             Edit::RemoveRecipe(name) => format!("remove recipe {name}"),
             Edit::RenameRecipe(from, _) => format!("rename recipe {from}"),
-            Edit::GiveRecipe(list, Some(name)) => format!("give {} recipe {name}", some(list)),
+            Edit::GiveRecipe(list, Some(recipe)) => format!("give {} recipe {}", some(list), recipe.name),
             Edit::GiveRecipe(list, None) => format!("take recipe of {} away", some(list)),
             Edit::Correction(_) => "change correction".into(),
             Edit::Clean(list) => format!("move {} to clean", some(list)),
@@ -196,10 +196,12 @@ impl Edit {
             Edit::Border(b) => job.layers.border = *b,
             Edit::Centre(c) => job.layers.centre_mm = *c,
             Edit::Inward(inward) => job.layers.inward = *inward,
-            Edit::Recipe(recipe, surfaces) => job.put_recipe(recipe, surfaces),
+            Edit::Recipe(recipe, surfaces) | Edit::GiveRecipe(surfaces, Some(recipe)) => {
+                job.put_recipe(recipe, surfaces);
+            }
+            Edit::GiveRecipe(surfaces, None) => job.take_recipe(surfaces),
             Edit::RemoveRecipe(name) => job.remove_recipe(name),
             Edit::RenameRecipe(from, to) => job.rename_recipe(from, to),
-            Edit::GiveRecipe(surfaces, name) => job.give_recipe(surfaces, name.as_deref()),
             Edit::Correction(c) => job.path.correction = *c,
             Edit::Clean(list) => {
                 change_list(job, all, |clean| {

@@ -10,7 +10,7 @@ impl Job {
             Some(known) => known.clone_from(recipe),
             None => self.recipes.push(recipe.clone()),
         }
-        self.give_recipe(surfaces, Some(&recipe.name));
+        self.recipe_of.extend(surfaces.iter().map(|n| (n.to_string(), recipe.name.clone())));
     }
 
     pub(super) fn remove_recipe(&mut self, name: &str) {
@@ -28,13 +28,9 @@ impl Job {
         self.recipe_of.values_mut().filter(|of| *of == from).for_each(|of| *of = to.into());
     }
 
-    /// Gives surfaces a recipe that the job has, or takes theirs away.
-    pub(super) fn give_recipe(&mut self, surfaces: &[u32], name: Option<&str>) {
-        match name.filter(|name| self.recipes.iter().any(|r| r.name == *name)) {
-            Some(name) => self.recipe_of.extend(surfaces.iter().map(|n| (n.to_string(), name.to_owned()))),
-            None if name.is_none() => surfaces.iter().for_each(|n| drop(self.recipe_of.remove(&n.to_string()))),
-            None => {}
-        }
+    /// Surfaces are worked with the job's own values.
+    pub(super) fn take_recipe(&mut self, surfaces: &[u32]) {
+        surfaces.iter().for_each(|n| drop(self.recipe_of.remove(&n.to_string())));
     }
 
     /// The surfaces that are worked with a recipe, ascending.
@@ -99,7 +95,8 @@ mod tests {
         apply(Edit::GiveRecipe(vec![3], None), "take recipe of surface 3 away");
         let job = apply(Edit::RenameRecipe("Fine".into(), " Finish ".into()), "rename recipe Fine");
         assert_eq!(job.recipe_of(2).map(|r| r.name.as_str()), Some("Finish"));
-        apply(Edit::GiveRecipe(vec![1, 3], Some("Finish".into())), "give 2 surfaces recipe Finish");
+        let finish = Box::new(named("Finish", 0.3));
+        apply(Edit::GiveRecipe(vec![1, 3], Some(finish)), "give 2 surfaces recipe Finish");
         let job = apply(Edit::RemoveRecipe("Finish".into()), "remove recipe Finish");
         assert!(job.recipes.is_empty() && job.recipe_of.is_empty());
         apply(Edit::Strategy(Strategy::Spiral), "change strategy");
@@ -114,9 +111,8 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_there_is_neither_given_nor_renamed_onto_another() {
+    fn no_recipe_is_renamed_onto_another() {
         let mut doc = Document::default();
-        assert!(!doc.apply(&Edit::GiveRecipe(vec![1], Some("Gone".into())), &[1], None));
         doc.apply(&Edit::Recipe(Box::new(named("A", 1.0)), vec![1]), &[1], None);
         doc.apply(&Edit::Recipe(Box::new(named("B", 2.0)), vec![]), &[1], None);
         assert!(!doc.apply(&Edit::RenameRecipe("A".into(), "B".into()), &[1], None), "two of one name");
