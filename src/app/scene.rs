@@ -23,7 +23,8 @@ impl App {
     pub(super) fn path_look(&self, show: &Show) -> PathLook {
         let size = self.derived.part.as_ref().map_or(100.0, |p| p.mesh.diagonal());
         PathLook {
-            lines: show.lines,
+            // Where the spacing is shown its dots stand for the lines.
+            lines: show.lines && !show.spacing,
             frames: show.frames,
             beams: show.beams,
             air: show.air,
@@ -209,7 +210,7 @@ fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
         hovered: s.hovered,
         hidden: s.hidden.clone(),
         hide_chosen: s.show.hide_chosen,
-        plain: s.show.plain,
+        plain: s.show.plain || s.show.spacing,
         missed: Arc::new(missed.collect()),
     }
 }

@@ -93,7 +93,7 @@ pub fn items(plan: &Plan, job: &Job, scale: &SpacingScale, key: u64) -> Vec<Poin
     };
     let marked = [scale.least, scale.greatest];
     vec![
-        item(1, places(plan, job).map(|p| (p, color(&p))).collect(), 5.0, Depth::Tested),
+        item(1, places(plan, job).map(|p| (p, color(&p))).collect(), 6.0, Depth::Tested),
         item(2, marked.map(|p| (p, [20, 22, 26])).to_vec(), 19.0, Depth::OnTop),
         item(3, marked.map(|p| (p, [255; 3])).to_vec(), 16.0, Depth::OnTop),
         item(4, marked.map(|p| (p, color(&p))).to_vec(), 11.0, Depth::OnTop),

@@ -2,8 +2,7 @@
 
 use super::super::{quantity, theme};
 use crate::job::{Job, Parameter};
-use crate::path::{Direction, Order, Strategy};
-use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo, vec2};
+use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo, vec2};
 
 /// What is wanted of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +40,7 @@ pub(super) fn name(ui: &mut egui::Ui, text: &str, is_changed: bool) -> egui::Res
 }
 
 /// A way back; whether it was taken.
-fn back(ui: &mut egui::Ui, owner: Owner, what: &str, to: &str) -> bool {
+pub(super) fn back(ui: &mut egui::Ui, owner: Owner, what: &str, to: &str) -> bool {
     let reset = ui.small_button("↺").on_hover_text(format!("{} {to}", owner.back));
     reset.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{}reset {what}", owner.prefix)));
     reset.clicked()
@@ -124,120 +123,4 @@ pub(super) fn overlap(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<f64>
     // Six digits: what is typed as 30 % is 0.7 mm, not 0.7 and a bit.
     let rounded = |mm: f64| (mm * 1e6).round() * 1e-6;
     if changed { job.spacing_of_overlap(percent).ok().map(rounded) } else { None }
-}
-
-/// What a strategy is for, in a few words.
-fn hint(strategy: Strategy) -> &'static str {
-    match strategy {
-        Strategy::Planes => "parallel planes, equally far apart",
-        Strategy::Adaptive => "planes, closer together on slopes",
-        Strategy::Offset => "lines that follow the border",
-        Strategy::Spiral => "one line, the laser stays on",
-        Strategy::Cross => "two rasters across each other",
-    }
-}
-
-/// How lines are laid.
-pub(super) fn strategy(
-    ui: &mut egui::Ui,
-    owner: Owner,
-    now: Strategy,
-    to: Option<Strategy>,
-) -> Option<Change<Strategy>> {
-    let mut wanted = None;
-    ui.horizontal(|ui| {
-        name(ui, "Strategy", to.is_some_and(|to| to != now)).on_hover_text("How lines are laid on a surface");
-        let combo = ComboBox::from_id_salt(format!("{}strategy", owner.prefix)).width(96.0).selected_text(now.word());
-        let shown = combo.show_ui(ui, |ui| {
-            for s in Strategy::ALL {
-                if ui.selectable_label(s == now, format!("{} – {}", s.word(), hint(s))).clicked() && s != now {
-                    wanted = Some(Change::To(s));
-                }
-            }
-        });
-        let told = format!("{}strategy", owner.prefix);
-        shown.response.on_hover_text(hint(now)).widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, told.clone()));
-        if let Some(to) = to
-            && back(ui, owner, "strategy", to.word())
-        {
-            wanted = Some(Change::Back);
-        }
-    });
-    wanted
-}
-
-/// Normal of the section planes.
-pub(super) fn direction(
-    ui: &mut egui::Ui,
-    owner: Owner,
-    now: Direction,
-    to: Option<Direction>,
-) -> Option<Change<Direction>> {
-    let mut wanted = None;
-    ui.horizontal(|ui| {
-        name(ui, "Direction", to.is_some_and(|to| to != now)).on_hover_text("Normal of the section planes");
-        for (word, direction) in Direction::AXES.into_iter().chain([("auto", Direction::Auto)]) {
-            let button = ui.selectable_label(now == direction, word);
-            let told = format!("{}direction {word}", owner.prefix);
-            button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, now == direction, told.clone()));
-            if button.clicked() && now != direction {
-                wanted = Some(Change::To(direction));
-            }
-        }
-        if let Some(to) = to
-            && back(ui, owner, "direction", &to.to_string())
-        {
-            wanted = Some(Change::Back);
-        }
-    });
-    let Direction::Along(mut v) = now else { return wanted };
-    ui.horizontal(|ui| {
-        theme::name(ui, "Vector", NAMES);
-        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            let field = DragValue::new(&mut v[k]).speed(0.01).range(-1.0..=1.0).max_decimals(3);
-            let response = ui.add(field);
-            let told = format!("{}direction vector {axis}", owner.prefix);
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
-            if response.changed() && v.iter().any(|c| c.abs() > 1e-6) {
-                wanted = Some(Change::To(Direction::Along(v)));
-            }
-        }
-    });
-    wanted
-}
-
-/// Sense and order of the lines.
-pub(super) fn order(
-    ui: &mut egui::Ui,
-    owner: Owner,
-    strategy: Strategy,
-    now: Order,
-    to: Option<Order>,
-) -> Option<Change<Order>> {
-    // The pieces of a spiral have a sense of their own.
-    let turns: &[(Order, &str)] = match strategy {
-        Strategy::Spiral => &[(Order::Zigzag, "in turn"), (Order::Shortest, "shortest")],
-        _ => &[(Order::Zigzag, "zigzag"), (Order::OneWay, "one-way"), (Order::Shortest, "shortest")],
-    };
-    let mut wanted = None;
-    ui.horizontal(|ui| {
-        name(ui, "Lines", to.is_some_and(|to| to != now)).on_hover_text("In which order and sense lines are run");
-        for &(order, word) in turns {
-            let on = now == order || strategy == Strategy::Spiral && order == Order::Zigzag && now == Order::OneWay;
-            let button = ui.selectable_label(on, word);
-            if !owner.prefix.is_empty() {
-                let told = format!("{}order {word}", owner.prefix);
-                button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, on, told.clone()));
-            }
-            if button.clicked() && !on {
-                wanted = Some(Change::To(order));
-            }
-        }
-        if let Some(to) = to
-            && back(ui, owner, "order", to.word())
-        {
-            wanted = Some(Change::Back);
-        }
-    });
-    wanted
 }

@@ -2,26 +2,37 @@
 
 use super::super::{App, quantity, theme};
 use super::fields::{self, Change, JOB};
-use crate::job::recipe_table::place;
+use super::laying;
 use crate::job::{Edit, Offset};
 use crate::path::Strategy;
-use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo};
+use eframe::egui::{self, DragValue, Role, WidgetInfo};
 
 impl App {
     pub(super) fn layers(&mut self, ui: &mut egui::Ui) {
         theme::heading(ui, "Layers");
         let l = self.document.job().layers.clone();
-        if let Some(Change::To(s)) = fields::strategy(ui, JOB, l.strategy, None) {
+        if let Some(Change::To(s)) = laying::strategy(ui, JOB, l.strategy, None) {
             self.edit(Edit::Strategy(s));
         }
         let by_planes = matches!(l.strategy, Strategy::Planes | Strategy::Adaptive | Strategy::Cross);
-        if by_planes && let Some(Change::To(d)) = fields::direction(ui, JOB, l.direction, None) {
+        if by_planes && let Some(Change::To(d)) = laying::direction(ui, JOB, l.direction, None) {
             self.edit_dragging(&Edit::Direction(d), "direction");
         }
         match l.strategy {
             Strategy::Cross => self.numbers(ui, &["layers.cross_deg"]),
-            Strategy::Offset => self.border(ui, l.border),
-            Strategy::Spiral => self.spiral(ui, l.inward, l.centre_mm),
+            Strategy::Offset => {
+                if let Some(border) = laying::border(ui, JOB, l.border, false) {
+                    self.edit_dragging(&Edit::Border(border), "border");
+                }
+            }
+            Strategy::Spiral => {
+                if let Some(Change::To(inward)) = laying::inward(ui, JOB, l.inward, None) {
+                    self.edit(Edit::Inward(inward));
+                }
+                if laying::centre(ui, JOB, l.centre_mm, l.centre_mm.is_some()) {
+                    self.edit(Edit::Centre(None));
+                }
+            }
             Strategy::Planes | Strategy::Adaptive => {}
         }
         self.numbers(ui, &["layers.spacing_mm"]);
@@ -31,56 +42,13 @@ impl App {
         if matches!(l.strategy, Strategy::Planes | Strategy::Cross) {
             self.offset(ui);
         }
-        if let Some(Change::To(order)) = fields::order(ui, JOB, l.strategy, l.order, None) {
+        if let Some(Change::To(order)) = laying::order(ui, JOB, l.strategy, l.order, None) {
             self.edit(Edit::Order(order));
         }
         egui::CollapsingHeader::new("Rim, joins, passes").show(ui, |ui| {
             self.numbers(ui, &["layers.inset_mm", "layers.ignore_holes_mm", "layers.join_mm", "layers.shortest_mm"]);
             self.numbers(ui, &["layers.seam_shift_mm", "layers.passes"]);
         });
-    }
-
-    fn border(&mut self, ui: &mut egui::Ui, now: Option<u32>) {
-        ui.horizontal(|ui| {
-            theme::name(ui, "Start from", fields::NAMES)
-                .on_hover_text("The loops of the outline are counted from the longest, which is 0");
-            let mut whole = now.is_none();
-            if ui.checkbox(&mut whole, "whole outline").changed() {
-                self.edit(Edit::Border((!whole).then_some(0)));
-            }
-            if let Some(mut number) = now {
-                let response = ui.add(DragValue::new(&mut number).speed(0.05).range(0..=999).prefix("border "));
-                response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "border"));
-                if response.changed() {
-                    self.edit_dragging(&Edit::Border(Some(number)), "border");
-                }
-            }
-        });
-    }
-
-    fn spiral(&mut self, ui: &mut egui::Ui, inward: bool, centre_mm: Option<[f64; 3]>) {
-        ui.horizontal(|ui| {
-            theme::name(ui, "Spiral runs", fields::NAMES);
-            for (word, sense) in [("outwards", false), ("inwards", true)] {
-                if ui.selectable_label(inward == sense, word).clicked() {
-                    self.edit(Edit::Inward(sense));
-                }
-            }
-        });
-        ui.horizontal(|ui| {
-            theme::name(ui, "Centre", fields::NAMES).on_hover_text("Right click on the part: Spiral centre here");
-            ui.label(centre_mm.map_or_else(|| "middle of the surface".into(), place));
-            if centre_mm.is_some() {
-                let reset = ui.small_button("↺").on_hover_text("Back to the middle of the surface");
-                reset.widget_info(|| WidgetInfo::labeled(Role::Button, true, "reset centre"));
-                if reset.clicked() {
-                    self.edit(Edit::Centre(None));
-                }
-            }
-        });
-        if centre_mm.is_none() {
-            ui.label(RichText::new("Right click on the part to set it").small().weak());
-        }
     }
 
     fn offset(&mut self, ui: &mut egui::Ui) {

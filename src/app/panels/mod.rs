@@ -9,6 +9,7 @@ mod dose;
 mod fields;
 mod frames;
 mod layers;
+mod laying;
 mod library;
 mod lists;
 mod menu;

@@ -3,6 +3,7 @@
 
 use super::super::{App, theme};
 use super::fields::{self, Change, RECIPE};
+use super::laying;
 use crate::job::{Edit, Job, PARAMETERS, Parameter, Recipe};
 use crate::path::Strategy;
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
@@ -195,34 +196,36 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
     let own = recipe.applied(job);
     let (l, jobs) = (&own.layers, &job.layers);
     let mut what = None;
-    if let Some(change) = fields::strategy(ui, RECIPE, l.strategy, recipe.strategy.map(|_| jobs.strategy)) {
+    if let Some(change) = laying::strategy(ui, RECIPE, l.strategy, recipe.strategy.map(|_| jobs.strategy)) {
         take(&mut recipe.strategy, change);
         what = Some("recipe strategy");
     }
     let by_planes = matches!(l.strategy, Strategy::Planes | Strategy::Adaptive | Strategy::Cross);
     if by_planes
-        && let Some(change) = fields::direction(ui, RECIPE, l.direction, recipe.direction.map(|_| jobs.direction))
+        && let Some(change) = laying::direction(ui, RECIPE, l.direction, recipe.direction.map(|_| jobs.direction))
     {
         take(&mut recipe.direction, change);
         what = Some("recipe direction");
     }
-    if let Some(change) = fields::order(ui, RECIPE, l.strategy, l.order, recipe.order.map(|_| jobs.order)) {
+    if let Some(change) = laying::order(ui, RECIPE, l.strategy, l.order, recipe.order.map(|_| jobs.order)) {
         take(&mut recipe.order, change);
         what = Some("recipe order");
     }
     if l.strategy == Strategy::Spiral {
-        ui.horizontal(|ui| {
-            fields::name(ui, "Spiral runs", l.inward != jobs.inward);
-            for (word, sense) in [("outwards", false), ("inwards", true)] {
-                let button = ui.selectable_label(l.inward == sense, word);
-                let told = format!("recipe spiral {word}");
-                button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, l.inward == sense, told.clone()));
-                if button.clicked() {
-                    recipe.inward = Some(sense);
-                    what = Some("recipe spiral");
-                }
-            }
-        });
+        if let Some(change) = laying::inward(ui, RECIPE, l.inward, recipe.inward.map(|_| jobs.inward)) {
+            take(&mut recipe.inward, change);
+            what = Some("recipe spiral");
+        }
+        if laying::centre(ui, RECIPE, l.centre_mm, recipe.centre_mm.is_some()) {
+            recipe.centre_mm = None;
+            what = Some("recipe centre");
+        }
+    }
+    if l.strategy == Strategy::Offset
+        && let Some(border) = laying::border(ui, RECIPE, l.border, recipe.border.is_some())
+    {
+        recipe.border = border;
+        what = Some("recipe border");
     }
     let may =
         |p: &&Parameter| Recipe::may_hold(p.key) && (p.key != "layers.cross_deg" || l.strategy == Strategy::Cross);

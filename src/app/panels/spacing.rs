@@ -4,7 +4,7 @@ use super::super::App;
 use super::dose::bar;
 use crate::picture::spacing::Place;
 use crate::view::Bounds;
-use eframe::egui::{self, Align, Area, Id, Layout, Rect, RichText, vec2};
+use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
 use nalgebra::Vector3;
 
 const WIDTH: f32 = 200.0;
@@ -25,20 +25,8 @@ impl App {
                     return;
                 };
                 bar(ui, WIDTH, "scale of the spacing", |share| share);
-                let [low, wanted, high] = scale.labels();
-                ui.horizontal(|ui| {
-                    let third = |ui: &mut egui::Ui, layout: Layout, text: &str| {
-                        let size = vec2(WIDTH / 3.0 - 5.0, 14.0);
-                        ui.allocate_ui_with_layout(size, layout, |ui| {
-                            ui.set_min_width(size.x);
-                            ui.label(RichText::new(text).small());
-                        });
-                    };
-                    third(ui, Layout::left_to_right(Align::Center), &low);
-                    third(ui, Layout::top_down(Align::Center), &wanted);
-                    third(ui, Layout::right_to_left(Align::Center), &high);
-                });
-                ui.label(RichText::new("closer · as wanted · farther apart").small().weak());
+                thirds(ui, scale.labels().each_ref().map(String::as_str));
+                thirds(ui, ["closer", "as wanted", "farther"]);
                 for (word, place) in [("least", scale.least), ("greatest", scale.greatest)] {
                     let text = format!("{word} {:.2} mm on surface {}", place.mm, place.surface);
                     if ui.link(text).on_hover_text("Go there").clicked() {
@@ -46,7 +34,7 @@ impl App {
                     }
                 }
                 if scale.wanted_mm.is_none() {
-                    ui.label(RichText::new("per cent of what each surface wants").small().weak());
+                    ui.label(RichText::new("% of what each surface wants").weak());
                 }
             });
         });
@@ -57,5 +45,18 @@ impl App {
         self.session.scroll_to = Some(place.surface);
         let (at, out) = (self.scene_from_part() * place.at, Vector3::repeat((10.0 * place.mm).max(3.0)));
         self.viewport.fit(Bounds { min: at - out, max: at + out });
+    }
+}
+
+/// Words under the ends and the middle of the scale.
+fn thirds(ui: &mut egui::Ui, words: [&str; 3]) {
+    let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, 16.0), Sense::hover());
+    let layouts = [
+        Layout::left_to_right(Align::Center),
+        Layout::centered_and_justified(Direction::LeftToRight),
+        Layout::right_to_left(Align::Center),
+    ];
+    for (word, layout) in words.into_iter().zip(layouts) {
+        ui.scope_builder(UiBuilder::new().max_rect(rect).layout(layout), |ui| ui.label(word));
     }
 }
