@@ -32,7 +32,9 @@ impl App {
     pub(in super::super) fn compare_window(&mut self, ctx: &egui::Context) {
         let Some(mut compare) = self.session.compare.take() else { return };
         let mut open = true;
-        let window = egui::Window::new("Compare recipes").open(&mut open).collapsible(false).default_width(460.0);
+        // Over the view, so that the lists stay in sight.
+        let window = egui::Window::new("Compare recipes").open(&mut open).collapsible(false);
+        let window = window.default_width(460.0).default_pos(egui::pos2(350.0, 110.0));
         window.show(ctx, |ui| {
             self.choose_compared(ui, &mut compare);
             ui.separator();

@@ -53,7 +53,7 @@ impl App {
 
     pub(super) fn library_panel(&mut self, ui: &mut egui::Ui) {
         egui::CollapsingHeader::new("Recipe library").show(ui, |ui| {
-            ui.label(RichText::new("Drag a recipe onto a surface's row, or apply it to the selected ones").small());
+            ui.label(RichText::new("Drag a recipe onto a surface's row, or apply it to the selected ones").weak());
             for (shelf, recipes) in self.shelves() {
                 if recipes.is_empty() && shelf != Shelf::Job {
                     continue;

@@ -249,11 +249,13 @@ impl App {
             let surfaces = rows.iter().copied().filter(|r| self.session.selected.contains(r)).collect();
             response.dnd_set_drag_payload(Dragged { surfaces, from_clean: is_clean });
         }
+        // Asked first: taking a payload of another type would lose it.
         if response.dnd_hover_payload::<DraggedRecipe>().is_some() {
             self.session.hovered = Some(n);
-        }
-        if let Some(dragged) = response.dnd_release_payload::<DraggedRecipe>() {
-            self.apply_recipe(&dragged.0, vec![n]);
+            if let Some(dragged) = response.dnd_release_payload::<DraggedRecipe>() {
+                self.apply_recipe(&dragged.0, vec![n]);
+            }
+            return;
         }
         if is_clean && let Some(dragged) = response.dnd_release_payload::<Dragged>() {
             self.drop_before(&dragged, n);
