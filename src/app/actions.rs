@@ -9,6 +9,7 @@ use crate::part::{Placement, Shape, SurfaceEdit, angle};
 use crate::view::{Bounds, Projection, StandardView};
 use eframe::egui;
 use nalgebra::Vector3;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl App {
     /// Applies an edit as a step of its own.
@@ -48,7 +49,8 @@ impl App {
             | C::Last
             | C::Section
             | C::Access
-            | C::Dose => self.derived.plan.is_some(),
+            | C::Dose
+            | C::Spacing => self.derived.plan.is_some(),
             C::Cell => self.derived.cell.is_some(),
             C::BetterSetup => self.has_refusals() && !self.is_proposing(),
             C::Plots => self.timeline().is_some(),
@@ -165,6 +167,7 @@ impl App {
             C::ToolBodies => show.tool = !show.tool,
             C::Access => show.access = !show.access,
             C::Dose => self.toggle_dose(),
+            C::Spacing => show.spacing = !show.spacing,
             _ => {}
         }
     }
@@ -261,7 +264,11 @@ impl App {
             let flipped = &self.document.job().surfaces.flipped;
             let rank = |n: &u32| clean.iter().position(|c| c == n).map(|i| i as u32);
             let of_facet = &self.derived.surfaces.of_facet;
+            let job = self.document.job();
+            let recipes: BTreeMap<u32, &String> =
+                job.recipe_of.iter().filter_map(|(n, name)| Some((n.parse().ok()?, name))).collect();
             RecutAnchor {
+                recipe: of_facet.iter().map(|n| recipes.get(n).map(|name| (*name).clone())).collect(),
                 rank: of_facet.iter().map(rank).collect(),
                 flipped: of_facet.iter().map(|n| flipped.contains(n)).collect(),
             }
@@ -271,7 +278,7 @@ impl App {
         job.surfaces.edits.clear();
         job.surfaces.flipped.clear();
         let surfaces = crate::job::plan::segmented(&part, &job);
-        let (mut clean, mut flipped) = (Vec::new(), Vec::new());
+        let (mut clean, mut flipped, mut recipe_of) = (Vec::new(), Vec::new(), BTreeMap::new());
         for s in &surfaces.list {
             let area = |which: &dyn Fn(usize) -> bool| -> f64 {
                 s.facets.iter().map(|&f| f as usize).filter(|&f| which(f)).map(|f| part.mesh.areas[f]).sum()
@@ -283,10 +290,15 @@ impl App {
             if 2.0 * area(&|f| anchor.flipped[f]) > s.area_mm2 {
                 flipped.push(s.number);
             }
+            let names: BTreeSet<&String> =
+                s.facets.iter().filter_map(|&f| anchor.recipe[f as usize].as_ref()).collect();
+            let most =
+                names.into_iter().find(|name| 2.0 * area(&|f| anchor.recipe[f].as_ref() == Some(*name)) > s.area_mm2);
+            recipe_of.extend(most.map(|name| (s.number.to_string(), name.clone())));
         }
         clean.sort_unstable();
         let clean = clean.into_iter().map(|(_, n)| n).collect();
-        self.edit_dragging(&Edit::Recut { key: p.key, value, clean, flipped }, p.key);
+        self.edit_dragging(&Edit::Recut { key: p.key, value, clean, flipped, recipe_of }, p.key);
     }
 
     /// Runs the commands whose keys were pressed, unless a text is being typed.

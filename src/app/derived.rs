@@ -119,6 +119,7 @@ impl App {
         self.sync_tool(&job);
         self.sync_plan(part, job);
         self.sync_dose();
+        self.sync_spacing();
         self.sync_advice();
         self.sync_clearance();
     }

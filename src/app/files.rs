@@ -238,6 +238,7 @@ fn read(path: &Path) -> Result<Opened, String> {
         job.surfaces.edits.clear();
         job.surfaces.flipped.clear();
         job.surfaces.names.clear();
+        job.recipe_of.clear();
         job.part.sha256 = sha256;
     }
     Ok(Opened { job, file, raw: Arc::new(raw), part: Arc::new(part) })

@@ -20,13 +20,14 @@ mod remedy;
 mod scene;
 mod session;
 mod simulation;
+mod spacing;
 mod theme;
 mod worker;
 
 pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
-use crate::job::Document;
+use crate::job::{Document, Library, library};
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;
@@ -51,6 +52,10 @@ pub struct App {
     /// Lines of the paths, kept while nothing about them changes.
     path_lines: Option<scene::PathLines>,
     recent: Vec<PathBuf>,
+    /// Recipes beside those of the job.
+    recipes: Library,
+    /// Dots of the achieved spacing, kept while the plan stays.
+    spacing: Option<spacing::SpacingView>,
 }
 
 const RECENT_KEY: &str = "recent";
@@ -76,11 +81,18 @@ impl App {
             strip: None,
             path_lines: None,
             recent,
+            recipes: Library::open(None),
+            spacing: None,
         };
         if let Some(path) = open {
             app.open(path);
         }
         app
+    }
+
+    /// The window with recipes of the user's from a folder; without it there are none.
+    pub fn with_recipes(self, folder: Option<PathBuf>) -> App {
+        App { recipes: Library::open(folder), ..self }
     }
 
     /// Whether nothing is being computed or waited for: what is shown is current.
@@ -136,6 +148,8 @@ impl eframe::App for App {
         self.help(ui.ctx());
         self.guard_dialog(ui.ctx());
         self.message_dialog(ui.ctx());
+        self.compare_window(ui.ctx());
+        self.dragged_recipe(ui.ctx());
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
@@ -163,10 +177,12 @@ pub fn run(open: Option<PathBuf>) -> anyhow::Result<()> {
             .with_drag_and_drop(true),
         ..Default::default()
     };
-    eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(App::new(cc, Box::new(NativeDialogs), open)))))
-        .map_err(|e| {
-            anyhow::anyhow!(
-                "the window cannot be opened: {e}; without a screen use `clearbeam plan`, or run under xvfb-run"
-            )
-        })
+    let app = |cc: &eframe::CreationContext<'_>| {
+        App::new(cc, Box::new(NativeDialogs), open).with_recipes(library::users_folder())
+    };
+    eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(app(cc))))).map_err(|e| {
+        anyhow::anyhow!(
+            "the window cannot be opened: {e}; without a screen use `clearbeam plan`, or run under xvfb-run"
+        )
+    })
 }

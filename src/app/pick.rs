@@ -27,6 +27,7 @@ impl App {
             Some(origin + dir * hit.t_mm)
         };
         let response = self.viewport.show_with_pick(ui, &scene, &pick);
+        self.spacing_legend(ui, response.response.rect);
         if let Some(why) = &response.failure {
             ui.painter().text(
                 response.response.rect.center(),
@@ -98,6 +99,7 @@ impl App {
             Command::ToolBodies => s.tool,
             Command::Access => s.access,
             Command::Dose => s.dose,
+            Command::Spacing => s.spacing,
             _ => false,
         }
     }
@@ -180,6 +182,9 @@ impl App {
                 None => self.session.fit_pending = true,
             }
         }
+        if let Some(px) = r.secondary_clicked_px {
+            self.session.menu_place = self.picked_at(px, r);
+        }
         if let Some(px) = r.secondary_clicked_px
             && let Some(n) = self.surface_at(Some(px), r)
             && !self.session.selected.contains(&n)
@@ -236,17 +241,17 @@ impl App {
         let Some(surface) = self.hovered_surface() else { return };
         let Some(pointer) = ui.ctx().pointer_hover_pos() else { return };
         let label = self.derived.label(self.document.job(), surface);
-        let text = format!("{surface}  {label}");
-        let at = pointer + egui::vec2(16.0, 10.0);
-        let painter = ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Tooltip, egui::Id::unique("cursor")));
-        let galley = painter.layout_no_wrap(text, egui::FontId::proportional(13.0), Color32::WHITE);
-        let rect = egui::Rect::from_min_size(at, galley.size()).expand2(egui::vec2(5.0, 3.0));
-        painter.rect_filled(rect, 4, Color32::from_black_alpha(190));
-        painter.galley(at, galley, Color32::WHITE);
+        text_at(ui.ctx(), pointer, format!("{surface}  {label}"));
     }
 
     fn view_menu(&mut self, ui: &mut egui::Ui) {
         use Command as C;
+        let place = self.spiral_place();
+        let button = ui.add_enabled(place.is_some(), egui::Button::new("Spiral centre here"));
+        if button.on_disabled_hover_text("For surfaces with the strategy spiral").clicked() {
+            self.put_spiral_centre();
+            ui.close();
+        }
         for command in [
             C::Clean,
             C::Unclean,
@@ -266,6 +271,16 @@ impl App {
             }
         }
     }
+}
+
+/// A text beside the cursor.
+pub(super) fn text_at(ctx: &egui::Context, pointer: egui::Pos2, text: String) {
+    let at = pointer + egui::vec2(16.0, 10.0);
+    let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Tooltip, egui::Id::unique("cursor")));
+    let galley = painter.layout_no_wrap(text, egui::FontId::proportional(13.0), Color32::WHITE);
+    let rect = egui::Rect::from_min_size(at, galley.size()).expand2(egui::vec2(5.0, 3.0));
+    painter.rect_filled(rect, 4, Color32::from_black_alpha(190));
+    painter.galley(at, galley, Color32::WHITE);
 }
 
 /// Where the origin goes for a picked place: the middle of a hole or sphere, a corner or an edge's

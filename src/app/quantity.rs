@@ -69,7 +69,7 @@ impl Parser<'_> {
     }
 
     fn unit(&mut self) -> f64 {
-        const UNITS: [(&str, f64); 15] = [
+        const UNITS: [(&str, f64); 16] = [
             ("mm/s", 1.0),
             ("mm²", 1.0),
             ("mm2", 1.0),
@@ -83,6 +83,7 @@ impl Parser<'_> {
             ("m", 1000.0),
             ("deg", 1.0),
             ("°", 1.0),
+            ("%", 1.0),
             ("kW", 1000.0),
             ("W", 1.0),
         ];
@@ -106,6 +107,7 @@ mod tests {
             ("1/4*1 in", 6.35),
             ("3 mm/s", 3.0),
             ("0.5 kW", 500.0),
+            ("30 %", 30.0),
         ];
         for (text, value) in cases {
             let found = read(text).expect(text);

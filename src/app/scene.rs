@@ -23,7 +23,8 @@ impl App {
     pub(super) fn path_look(&self, show: &Show) -> PathLook {
         let size = self.derived.part.as_ref().map_or(100.0, |p| p.mesh.diagonal());
         PathLook {
-            lines: show.lines,
+            // Where the spacing is shown its dots stand for the lines.
+            lines: show.lines && !show.spacing,
             frames: show.frames,
             beams: show.beams,
             air: show.air,
@@ -62,6 +63,8 @@ impl App {
                 let lines = self.path_lines.iter().flat_map(|l| &l.lines);
                 scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
+            let dots = self.spacing_points().iter();
+            scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
             self.add_simulation(&mut scene, place);
             self.add_tool(&mut scene, place);
             scene.points.extend(self.proposed_points(place));
@@ -207,7 +210,7 @@ fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
         hovered: s.hovered,
         hidden: s.hidden.clone(),
         hide_chosen: s.show.hide_chosen,
-        plain: s.show.plain,
+        plain: s.show.plain || s.show.spacing,
         missed: Arc::new(missed.collect()),
     }
 }

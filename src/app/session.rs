@@ -1,6 +1,7 @@
 //! What is selected, shown and open: neither saved nor undone.
 
 use super::dose::Clicked;
+use super::panels::{Compare, Draft};
 use crate::pose::access::Over;
 use crate::view::Camera;
 use nalgebra::Point3;
@@ -80,6 +81,12 @@ pub struct Session {
     pub clicked: Option<Clicked>,
     /// What a click in the view does, other than select.
     pub tool: Tool,
+    /// Facet and point that were right clicked.
+    pub menu_place: Option<(u32, Point3<f64>)>,
+    /// Name or note of a recipe that is being typed.
+    pub draft: Option<Draft>,
+    /// Recipes side by side.
+    pub compare: Option<Compare>,
     /// Camera must be fitted once the part is there.
     pub fit_pending: bool,
 }
@@ -139,6 +146,8 @@ pub struct Show {
     pub access: bool,
     /// The dose, and what stays unclean.
     pub dose: bool,
+    /// The spacing that lines really have.
+    pub spacing: bool,
 }
 
 /// Columns of the lists.
@@ -170,6 +179,8 @@ pub struct RecutAnchor {
     pub rank: Vec<Option<u32>>,
     /// Whether its surface was flipped.
     pub flipped: Vec<bool>,
+    /// Recipe of its surface.
+    pub recipe: Vec<Option<String>>,
 }
 
 impl Default for Session {
@@ -196,6 +207,7 @@ impl Default for Session {
                 tool: true,
                 access: false,
                 dose: false,
+                spacing: false,
             },
             filter: Default::default(),
             sort: (Column::Number, false),
@@ -225,6 +237,9 @@ impl Default for Session {
             coloring: Coloring::Surface,
             clicked: None,
             tool: Tool::Select,
+            menu_place: None,
+            draft: None,
+            compare: None,
             fit_pending: false,
         }
     }

@@ -2,10 +2,11 @@
 
 use super::model::{CellFile, Chosen, Job, Offset};
 use super::parameter::Parameter;
+use super::recipe::Recipe;
 use crate::beam::Obstacle;
 use crate::cell::{Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, Surfaces, Units};
-use crate::path::{Direction, Order};
+use crate::path::{Direction, Order, Strategy};
 use crate::pose::{Correction, Pin, TiltRule};
 use crate::process::{Patch, Profile};
 use std::collections::BTreeMap;
@@ -19,8 +20,25 @@ pub enum Edit {
     Direction(Direction),
     /// First plane.
     Offset(Offset),
-    /// Zigzag or one-way.
+    /// Sense and order of lines.
     Order(Order),
+    /// How lines are laid.
+    Strategy(Strategy),
+    /// Border that offset lines start from; `None`: the whole outline.
+    Border(Option<u32>),
+    /// Centre of a spiral, mm, part frame; `None`: the middle of the surface.
+    Centre(Option<[f64; 3]>),
+    /// Whether a spiral runs from the rim to its centre.
+    Inward(bool),
+    /// A recipe, in place of the one of its name if there is one, and surfaces that are worked with it
+    /// from now on.
+    Recipe(Box<Recipe>, Vec<u32>),
+    /// A recipe goes; its surfaces are worked with the job's own values again.
+    RemoveRecipe(String),
+    /// Another name for a recipe: from, to.
+    RenameRecipe(String, String),
+    /// Surfaces are worked with a recipe, which the job has from then on, or with the job's own values.
+    GiveRecipe(Vec<u32>, Option<Box<Recipe>>),
     /// Correction.
     Correction(Correction),
     /// Surfaces to the end of *To clean*.
@@ -52,6 +70,8 @@ pub enum Edit {
         clean: Vec<u32>,
         /// The flipped ones.
         flipped: Vec<u32>,
+        /// Their recipes.
+        recipe_of: BTreeMap<String, String>,
     },
     /// A name for a surface; empty takes it away.
     Rename(u32, String),
@@ -102,6 +122,15 @@ impl Edit {
             Edit::Direction(_) => "change direction".into(),
             Edit::Offset(_) => "change first offset".into(),
             Edit::Order(_) => "change order".into(),
+            Edit::Strategy(_) => "change strategy".into(),
+            Edit::Border(_) => "change border".into(),
+            Edit::Centre(_) => "change spiral centre".into(),
+            Edit::Inward(_) => "turn spiral".into(),
+            Edit::Recipe(recipe, _) => format!("change recipe {}", recipe.name),
+            Edit::RemoveRecipe(name) => format!("remove recipe {name}"),
+            Edit::RenameRecipe(from, _) => format!("rename recipe {from}"),
+            Edit::GiveRecipe(list, Some(recipe)) => format!("give {} recipe {}", some(list), recipe.name),
+            Edit::GiveRecipe(list, None) => format!("take recipe of {} away", some(list)),
             Edit::Correction(_) => "change correction".into(),
             Edit::Clean(list) => format!("move {} to clean", some(list)),
             Edit::Unclean(list) => format!("move {} back", some(list)),
@@ -163,6 +192,16 @@ impl Edit {
             Edit::Direction(d) => job.layers.direction = *d,
             Edit::Offset(o) => job.layers.offset_mm = *o,
             Edit::Order(o) => job.layers.order = *o,
+            Edit::Strategy(s) => job.layers.strategy = *s,
+            Edit::Border(b) => job.layers.border = *b,
+            Edit::Centre(c) => job.layers.centre_mm = *c,
+            Edit::Inward(inward) => job.layers.inward = *inward,
+            Edit::Recipe(recipe, surfaces) | Edit::GiveRecipe(surfaces, Some(recipe)) => {
+                job.put_recipe(recipe, surfaces);
+            }
+            Edit::GiveRecipe(surfaces, None) => job.take_recipe(surfaces),
+            Edit::RemoveRecipe(name) => job.remove_recipe(name),
+            Edit::RenameRecipe(from, to) => job.rename_recipe(from, to),
             Edit::Correction(c) => job.path.correction = *c,
             Edit::Clean(list) => {
                 change_list(job, all, |clean| {
@@ -187,12 +226,13 @@ impl Edit {
                     list.retain(|n| !surfaces.contains(n));
                 }
             }
-            Edit::Recut { key, value, clean, flipped } => {
+            Edit::Recut { key, value, clean, flipped, recipe_of } => {
                 Edit::Set(key, *value).apply(job, all);
                 job.surfaces.edits.clear();
                 job.surfaces.names.clear();
                 job.clean.later.clear();
                 job.surfaces.flipped = flipped.clone();
+                job.recipe_of.clone_from(recipe_of);
                 if job.clean.surfaces != Chosen::All {
                     job.clean.surfaces = Chosen::These(clean.clone());
                 }
@@ -265,6 +305,7 @@ fn shift(list: &mut [u32], marked: &[u32], by: i32) {
 fn merged(job: &mut Job, all: &[u32], merge: &[u32]) {
     let Some(&keep) = merge.iter().min() else { return };
     job.clean.later.retain(|n| !merge.contains(n));
+    merge.iter().filter(|n| **n != keep).for_each(|n| drop(job.recipe_of.remove(&n.to_string())));
     if job.clean.surfaces == Chosen::All {
         return;
     }

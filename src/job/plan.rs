@@ -6,9 +6,10 @@ use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
 use super::surface_plan::{Cache, Kept, SurfacePlan, rules, stances};
+use super::verify;
 use crate::beam::Stance;
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
+use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::{Grown, Part, Surfaces};
 use crate::pose::{Pass, State};
@@ -173,20 +174,49 @@ pub fn plan(
         surface_plans.extend(made);
     }
     cache.keep(kept);
-    let air_mm_s = job.beam.air_speed_mm_s;
     let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
     let mut plan = Plan { surfaces: surface_plans, passes, grown, cell, ..Plan::default() };
+    for round in 0.. {
+        connect(&mut plan, part, setup, job, progress)?;
+        let lit = || plan.steps.lit_moves(&setup.mounted());
+        // What cannot be written is said when it is; the moves themselves can still be proven.
+        let (proof, refuted) = verify::proven_as_written(part, &plan, setup, job)
+            .unwrap_or_else(|_| (prover(part, setup, job).on_layers(&plan.grown).prove(&lit()), Vec::new()));
+        plan.proof = Some(proof);
+        if refuted.is_empty() || round == MOST_WRITTEN {
+            break;
+        }
+        let refusals: Vec<Refusal> = refuted.iter().map(as_written).collect();
+        plan.refuse(&refusals);
+    }
+    Ok(plan)
+}
+
+/// So often targets are refused whose moves hit something only as they are written.
+const MOST_WRITTEN: usize = 6;
+
+fn as_written(r: &verify::Refuted) -> Refusal {
+    let ((pass, point), blocker) = (r.target, r.blocker);
+    let detail = format!("as the program is written, {blocker}");
+    Refusal { pass, point, cause: Cause::of_blocker(&blocker), detail }
+}
+
+/// Makes the steps between and over the passes; what was refused before stays so.
+fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Progress) -> Result<(), PlanError> {
+    let before = std::mem::take(&mut plan.refusals);
     match &setup.robot {
-        Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
+        Some(robot) => drive(plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
             let grown = plan.grown.clone();
             let straight = straight(part, &grown, setup, job);
-            settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, air_mm_s))?;
+            let air_mm_s = job.beam.air_speed_mm_s;
+            settle(plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, air_mm_s))?;
         }
     }
-    plan.proof = Some(prover(part, setup, job).on_layers(&plan.grown).prove(&plan.steps.lit_moves(&setup.mounted())));
-    Ok(plan)
+    plan.refusals.extend(before);
+    plan.refusals.sort_by_key(|r| (r.pass, r.point));
+    Ok(())
 }
 
 /// What proves the lit moves of a job.

@@ -21,6 +21,9 @@ const WHOLE: [&str; 3] = ["beam.air_speed_mm_s", "beam.margin_mm", "path.tilt_ra
 pub struct Recipe {
     /// What it is called.
     pub name: String,
+    /// What it is good for, in one line; it changes nothing.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub note: String,
     /// How lines are laid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strategy: Option<Strategy>,
@@ -30,6 +33,15 @@ pub struct Recipe {
     /// Sense of neighbouring lines.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<Order>,
+    /// For offset lines: the border to start from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub border: Option<u32>,
+    /// For a spiral: its centre, part frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre_mm: Option<[f64; 3]>,
+    /// For a spiral: from the rim to the centre.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inward: Option<bool>,
     /// Numbers by their keys in the job file.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub values: BTreeMap<String, f64>,
@@ -57,12 +69,20 @@ impl Recipe {
         TABLES.iter().any(|t| key.starts_with(t)) && !WHOLE.contains(&key)
     }
 
+    /// The same for other parts: without the places of this one.
+    pub fn without_places(&self) -> Recipe {
+        Recipe { border: None, centre_mm: None, ..self.clone() }
+    }
+
     /// The job with the recipe's values in place of its own.
     pub fn applied(&self, job: &Job) -> Job {
         let mut own = job.clone();
         own.layers.strategy = self.strategy.unwrap_or(own.layers.strategy);
         own.layers.direction = self.direction.unwrap_or(own.layers.direction);
         own.layers.order = self.order.unwrap_or(own.layers.order);
+        own.layers.border = self.border.or(own.layers.border);
+        own.layers.centre_mm = self.centre_mm.or(own.layers.centre_mm);
+        own.layers.inward = self.inward.unwrap_or(own.layers.inward);
         for (key, value) in &self.values {
             if let Some(p) = Parameter::by_key(key) {
                 (p.set)(&mut own, *value);

@@ -10,6 +10,7 @@ pub mod part;
 pub mod paths;
 pub mod section;
 pub mod solid;
+pub mod spacing;
 mod tool;
 pub mod trail;
 

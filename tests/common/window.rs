@@ -25,13 +25,22 @@ pub fn sample(name: &str) -> PathBuf {
 }
 
 pub fn window(open: Option<PathBuf>, answers: &Answers) -> Harness<'static, App> {
+    window_with_recipes(open, answers, None)
+}
+
+/// The same with a folder for the user's recipes.
+pub fn window_with_recipes(
+    open: Option<PathBuf>,
+    answers: &Answers,
+    recipes: Option<PathBuf>,
+) -> Harness<'static, App> {
     let answers = answers.clone();
     let mut harness = Harness::builder()
         .with_size(egui::vec2(1280.0, 800.0))
         .with_render_cursor(false)
         .with_step_dt(1.0 / 60.0)
         .renderer(GlowTestRenderer::new())
-        .build_eframe(move |cc| App::new(cc, Box::new(answers), open));
+        .build_eframe(move |cc| App::new(cc, Box::new(answers), open).with_recipes(recipes));
     settle(&mut harness);
     harness
 }

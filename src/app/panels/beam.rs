@@ -49,7 +49,7 @@ impl App {
         if file.is_empty() {
             return;
         }
-        self.numbers(ui, &["beam.margin_mm"]);
+        self.numbers(ui, &["beam.margin_mm", "path.standoff_mm"]);
         let Some((_, Ok(setup))) = &self.derived.setup else { return };
         if let Some(Head::Solid(..)) = &setup.tool.head {
             ui.label(RichText::new("An STL counts as what it sweeps about the beam").small());

@@ -133,19 +133,23 @@ impl App {
     }
 }
 
-fn scale(ui: &mut egui::Ui, legend: &Legend) {
-    let width = ui.available_width().min(260.0);
+/// The colours from end to end; `way`: share of their way at a share of the bar.
+pub(super) fn bar(ui: &mut egui::Ui, width: f32, told: &str, way: impl Fn(f64) -> f64) {
     let (rect, response) = ui.allocate_exact_size(vec2(width, 14.0), Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "colour scale"));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, told));
     let steps = 48;
     for k in 0..steps {
         let left = rect.left() + rect.width() * k as f32 / steps as f32;
         let size = vec2(rect.width() / steps as f32 + 0.5, rect.height());
-        let share = (f64::from(k) + 0.5) / f64::from(steps);
-        // Incidence is lightest where the light stands upright.
-        let share = if legend.unit == "deg" { 1.0 - share } else { share };
+        let share = way((f64::from(k) + 0.5) / f64::from(steps));
         ui.painter().rect_filled(Rect::from_min_size(pos2(left, rect.top()), size), 0, rgb(viridis(share)));
     }
+}
+
+fn scale(ui: &mut egui::Ui, legend: &Legend) {
+    let width = ui.available_width().min(260.0);
+    // Incidence is lightest where the light stands upright.
+    bar(ui, width, "colour scale", |share| if legend.unit == "deg" { 1.0 - share } else { share });
     ui.horizontal(|ui| {
         let [low, high] = legend.range;
         let said = |v: f64| if legend.unit == "deg" { format!("{v:.0}°") } else { j_cm2(v) };

@@ -4,10 +4,14 @@ use super::super::App;
 use super::super::command::Command;
 use super::super::session::Column;
 use super::super::theme;
-use crate::job::Edit;
+use super::library::DraggedRecipe;
+use crate::job::{Edit, Recipe};
 use eframe::egui::{self, Align, Key, Layout, RichText, Role, Sense, WidgetInfo};
 use egui_extras::{Column as Width, TableBuilder};
 use std::sync::Arc;
+
+/// Letters of a recipe's name that are shown in a row.
+const CHIP: usize = 9;
 
 /// Surfaces on the way from one list to the other.
 struct Dragged {
@@ -172,11 +176,31 @@ impl App {
             return;
         }
         let state = if is_clean { self.state_of(n) } else { None };
-        ui.add(egui::Label::new(label).selectable(false).truncate());
-        if let Some((word, color)) = state {
-            // Not selectable: a text that takes the mouse would take the row's clicks.
-            ui.add(egui::Label::new(RichText::new(word).small().color(color)).selectable(false));
-        }
+        let recipe = self.document.job().recipe_of(n).cloned();
+        // From the right, so that a long name gives way to what is beside it.
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if let Some((word, color)) = state {
+                // Not selectable: a text that takes the mouse would take the row's clicks.
+                ui.add(egui::Label::new(RichText::new(word).small().color(color)).selectable(false));
+            }
+            if let Some(recipe) = recipe {
+                self.recipe_chip(ui, n, &recipe);
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.add(egui::Label::new(label).selectable(false).truncate());
+            });
+        });
+    }
+
+    /// A surface's recipe, to be dragged onto another row.
+    fn recipe_chip(&self, ui: &mut egui::Ui, n: u32, recipe: &Recipe) {
+        let short: String = recipe.name.chars().take(CHIP).collect();
+        let short = if short == recipe.name { short } else { format!("{short}…") };
+        let fill = ui.visuals().widgets.inactive.bg_fill;
+        let text = RichText::new(format!(" {short} ")).small().background_color(fill);
+        let told = format!("surface {n} has recipe {}", recipe.name);
+        let chip = self.draggable(ui, recipe, egui::Label::new(text)).on_hover_text(&told);
+        chip.widget_info(|| WidgetInfo::labeled(Role::Label, true, told.clone()));
     }
 
     /// What the plan says of a surface.
@@ -224,6 +248,14 @@ impl App {
             }
             let surfaces = rows.iter().copied().filter(|r| self.session.selected.contains(r)).collect();
             response.dnd_set_drag_payload(Dragged { surfaces, from_clean: is_clean });
+        }
+        // Asked first: taking a payload of another type would lose it.
+        if response.dnd_hover_payload::<DraggedRecipe>().is_some() {
+            self.session.hovered = Some(n);
+            if let Some(dragged) = response.dnd_release_payload::<DraggedRecipe>() {
+                self.apply_recipe(&dragged.0, vec![n]);
+            }
+            return;
         }
         if is_clean && let Some(dragged) = response.dnd_release_payload::<Dragged>() {
             self.drop_before(&dragged, n);

@@ -3,9 +3,14 @@
 mod access;
 mod beam;
 mod cell;
+mod compare;
 mod dialogs;
 mod dose;
+mod fields;
 mod frames;
+mod layers;
+mod laying;
+mod library;
 mod lists;
 mod menu;
 mod parameters;
@@ -13,10 +18,15 @@ mod plots;
 mod problems;
 mod program_text;
 mod proposal;
+mod recipe;
 mod scrub;
+mod spacing;
 mod start;
 mod status;
 mod timeline;
+
+pub(super) use compare::Compare;
+pub(super) use recipe::Draft;
 
 use super::command::{COMMANDS, Command};
 use eframe::egui;

@@ -3,9 +3,9 @@
 
 use super::super::App;
 use super::super::{Command, quantity, theme};
-use crate::job::{Edit, Offset, PARAMETERS, Parameter};
+use super::fields::{self, Change};
+use crate::job::{Edit, PARAMETERS, Parameter};
 use crate::part::Units;
-use crate::path::{Direction, Order};
 use crate::pose::Correction;
 use eframe::egui::{self, DragValue, RichText};
 
@@ -21,11 +21,7 @@ impl App {
             self.export_button(ui);
         });
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            theme::heading(ui, "Layers");
-            self.direction(ui);
-            self.numbers(ui, &["layers.spacing_mm"]);
-            self.offset(ui);
-            self.order(ui);
+            self.layers(ui);
             theme::heading(ui, "Beam");
             self.numbers(
                 ui,
@@ -33,6 +29,8 @@ impl App {
             );
             self.correction(ui);
             self.tool(ui);
+            self.recipe_panel(ui);
+            self.library_panel(ui);
             egui::CollapsingHeader::new("Targets").show(ui, |ui| {
                 self.numbers(ui, &["path.chord_error_mm", "path.max_step_mm", "path.max_turn_deg"]);
             });
@@ -65,114 +63,13 @@ impl App {
     }
 
     fn number(&mut self, ui: &mut egui::Ui, p: &'static Parameter) {
-        let before = (p.get)(self.document.job());
-        let mut value = before;
-        let (low, high) = p.range;
-        let low = if p.least_allowed { low } else { low + 1e-6 * (high - low).min(1000.0) };
-        ui.horizontal(|ui| {
-            let label = theme::name(ui, p.label, 130.0);
-            let speed = (before.abs() * 0.01).clamp(0.001, 1.0);
-            let suffix = if p.unit == "°" { "°".into() } else { format!(" {}", p.unit) };
-            let field = DragValue::new(&mut value)
-                .speed(speed)
-                .range(low..=high)
-                .max_decimals(4)
-                .suffix(suffix)
-                .update_while_editing(false)
-                .custom_parser(quantity::read);
-            let mut tip = format!("{}\n{low:.4} to {high} {}", p.meaning, p.unit);
-            if !p.symbol.is_empty() {
-                tip.push_str(&format!("\n{}", p.symbol));
-            }
-            let response = ui.add_sized([96.0, 20.0], field).labelled_by(label.id).on_hover_text(&tip);
-            label.on_hover_text(tip);
-            if response.changed() && value != before && value.is_finite() {
-                self.set_parameter(p, value);
-            }
-            if (before - p.default()).abs() > 1e-12 {
-                let tip = format!("Back to {} {}", p.default(), p.unit);
-                let reset = ui.small_button("↺").on_hover_text(tip);
-                reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("reset {}", p.label)));
-                if reset.clicked() {
-                    self.set_parameter(p, p.default());
-                }
-            }
-        });
-        if let Err(why) = p.check(before) {
-            ui.label(RichText::new(why).small().color(theme::WRONG));
+        let now = (p.get)(self.document.job());
+        let to = Some(p.default()).filter(|to| (now - to).abs() > 1e-12);
+        match fields::number(ui, fields::JOB, p, now, to) {
+            Some(Change::To(value)) => self.set_parameter(p, value),
+            Some(Change::Back) => self.set_parameter(p, p.default()),
+            None => {}
         }
-    }
-
-    fn direction(&mut self, ui: &mut egui::Ui) {
-        let now = self.document.job().layers.direction;
-        ui.horizontal(|ui| {
-            theme::name(ui, "Direction", 130.0).on_hover_text("Normal of the section planes");
-            for (name, direction) in Direction::AXES.into_iter().chain([("auto", Direction::Auto)]) {
-                let button = ui.selectable_label(now == direction, name);
-                button.widget_info(|| {
-                    egui::WidgetInfo::selected(
-                        egui::Role::RadioButton,
-                        true,
-                        now == direction,
-                        format!("direction {name}"),
-                    )
-                });
-                if button.clicked() {
-                    self.edit(Edit::Direction(direction));
-                }
-            }
-        });
-        let Direction::Along(mut v) = now else { return };
-        ui.horizontal(|ui| {
-            theme::name(ui, "Vector", 130.0);
-            for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
-                let field = DragValue::new(&mut v[k]).speed(0.01).range(-1.0..=1.0).max_decimals(3);
-                let response = ui.add(field);
-                response.widget_info(|| {
-                    egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("direction vector {name}"))
-                });
-                if response.changed() && v.iter().any(|c| c.abs() > 1e-6) {
-                    self.edit_dragging(&Edit::Direction(Direction::Along(v)), "direction");
-                }
-            }
-        });
-    }
-
-    fn offset(&mut self, ui: &mut egui::Ui) {
-        let now = self.document.job().layers.offset_mm;
-        let spacing = self.document.job().layers.spacing_mm;
-        ui.horizontal(|ui| {
-            theme::name(ui, "First plane", 130.0);
-            let mut centred = now == Offset::Centred;
-            if ui.checkbox(&mut centred, "centred").changed() {
-                self.edit(Edit::Offset(if centred { Offset::Centred } else { Offset::FromLowest(0.5 * spacing) }));
-            }
-            if let Offset::FromLowest(mut mm) = now {
-                let field = DragValue::new(&mut mm)
-                    .speed(0.01)
-                    .range(0.0..=spacing)
-                    .suffix(" mm")
-                    .custom_parser(quantity::read);
-                let response =
-                    ui.add(field).on_hover_text("Above the lowest point of the surfaces, at most one spacing");
-                response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, "first offset"));
-                if response.changed() {
-                    self.edit_dragging(&Edit::Offset(Offset::FromLowest(mm)), "offset");
-                }
-            }
-        });
-    }
-
-    fn order(&mut self, ui: &mut egui::Ui) {
-        let now = self.document.job().layers.order;
-        ui.horizontal(|ui| {
-            theme::name(ui, "Lines", 130.0);
-            for order in [Order::Zigzag, Order::OneWay] {
-                if ui.selectable_label(now == order, order.word()).clicked() {
-                    self.edit(Edit::Order(order));
-                }
-            }
-        });
     }
 
     fn correction(&mut self, ui: &mut egui::Ui) {

@@ -51,7 +51,12 @@ impl App {
         for p in &report.problems {
             groups.entry((p.surface, p.cause, p.by_surface)).or_default().push(p);
         }
-        let title = if groups.is_empty() { "Problems: none".into() } else { format!("Problems ({})", groups.len()) };
+        let remarks: Vec<(u32, &String)> =
+            plan.surfaces.iter().flat_map(|s| s.laid.remarks.iter().map(|r| (s.laid.surface, r))).collect();
+        let title = match groups.len() + remarks.len() {
+            0 => "Problems: none".into(),
+            count => format!("Problems ({count})"),
+        };
         theme::heading(ui, &title);
         for ((surface, _, by), list) in &groups {
             let row = report.surfaces.iter().find(|s| s.surface == *surface);
@@ -73,6 +78,14 @@ impl App {
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
             if link.on_hover_text(format!("{why}Go there")).clicked() {
                 self.go_to(list[0], &plan);
+            }
+        }
+        for (surface, remark) in remarks {
+            let text = RichText::new(format!("surface {surface}: {remark}")).color(theme::ATTENTION);
+            if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text("Show it").clicked() {
+                self.session.selected = [surface].into();
+                self.session.scroll_to = Some(surface);
+                self.focus_surface(surface);
             }
         }
         self.what_would_help(ui);

@@ -1,0 +1,126 @@
+//! Fields that the job's panel and that of a recipe share: what they show, and what the operator wants.
+
+use super::super::{quantity, theme};
+use crate::job::{Job, Parameter};
+use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo, vec2};
+
+/// What is wanted of a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Change<T> {
+    /// Another one.
+    To(T),
+    /// What it goes back to.
+    Back,
+}
+
+/// Whose value a field shows.
+#[derive(Clone, Copy)]
+pub(super) struct Owner {
+    /// Put before its name where names are read out, so that fields of one name can be told apart.
+    pub prefix: &'static str,
+    /// What a value goes back to, in words.
+    pub back: &'static str,
+}
+
+/// The job's own values.
+pub(super) const JOB: Owner = Owner { prefix: "", back: "Back to" };
+/// Those of a recipe.
+pub(super) const RECIPE: Owner = Owner { prefix: "recipe ", back: "Back to the job's" };
+
+/// Width of the names.
+pub(super) const NAMES: f32 = 130.0;
+
+/// The name of a field, with a dot where its value is another than the one it goes back to.
+pub(super) fn name(ui: &mut egui::Ui, text: &str, is_changed: bool) -> egui::Response {
+    let label = theme::name(ui, text, NAMES);
+    if is_changed {
+        ui.painter().circle_filled(label.rect.left_center() - vec2(5.0, 0.0), 2.5, theme::ACCENT);
+    }
+    label
+}
+
+/// A way back; whether it was taken.
+pub(super) fn back(ui: &mut egui::Ui, owner: Owner, what: &str, to: &str) -> bool {
+    let reset = ui.small_button("↺").on_hover_text(format!("{} {to}", owner.back));
+    reset.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{}reset {what}", owner.prefix)));
+    reset.clicked()
+}
+
+/// A number of the table; `to`: what it can go back to.
+pub(super) fn number(
+    ui: &mut egui::Ui,
+    owner: Owner,
+    p: &'static Parameter,
+    now: f64,
+    to: Option<f64>,
+) -> Option<Change<f64>> {
+    let (mut value, mut wanted) = (now, None);
+    let (low, high) = p.range;
+    let low = if p.least_allowed { low } else { low + 1e-6 * (high - low).min(1000.0) };
+    let far = |to: f64| (now - to).abs() > 1e-12;
+    ui.horizontal(|ui| {
+        let label = name(ui, p.label, to.is_some_and(far));
+        let suffix = if p.unit == "°" { "°".into() } else { format!(" {}", p.unit) };
+        let field = DragValue::new(&mut value)
+            .speed((now.abs() * 0.01).clamp(0.001, 1.0))
+            .range(low..=high)
+            .max_decimals(4)
+            .suffix(suffix)
+            .update_while_editing(false)
+            .custom_parser(quantity::read);
+        let mut tip = format!("{}\n{low:.4} to {high} {}", p.meaning, p.unit);
+        if !p.symbol.is_empty() {
+            tip.push_str(&format!("\n{}", p.symbol));
+        }
+        let response = ui.add_sized([96.0, 20.0], field).on_hover_text(&tip);
+        if owner.prefix.is_empty() {
+            response.clone().labelled_by(label.id);
+        } else {
+            let told = format!("{}{}", owner.prefix, p.label);
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
+        }
+        label.on_hover_text(tip);
+        if response.changed() && value != now && value.is_finite() {
+            wanted = Some(Change::To(value));
+        }
+        if let Some(to) = to
+            && back(ui, owner, p.label, &format!("{to} {}", p.unit))
+        {
+            wanted = Some(Change::Back);
+        }
+    });
+    if let Err(why) = p.check(now) {
+        ui.label(RichText::new(why).small().color(theme::WRONG));
+    }
+    wanted
+}
+
+/// The overlap of neighbouring spots; the spacing that is wanted by it, mm.
+pub(super) fn overlap(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<f64> {
+    let now = job.overlap_percent();
+    let mut percent = now;
+    let response = ui.horizontal(|ui| {
+        let tip = "How much neighbouring spots overlap, as a share of their diameter; it sets the spacing.\n\
+                   Negative: the spots do not meet";
+        let label = name(ui, "Overlap", false).on_hover_text(tip);
+        let field = DragValue::new(&mut percent)
+            .speed(0.5)
+            .range(0.0..=95.0)
+            .clamp_existing_to_range(false)
+            .max_decimals(1)
+            .suffix(" %")
+            .update_while_editing(false)
+            .custom_parser(quantity::read);
+        let response = ui.add_sized([96.0, 20.0], field).on_hover_text(tip);
+        if owner.prefix.is_empty() {
+            response.clone().labelled_by(label.id);
+        } else {
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "recipe Overlap"));
+        }
+        response
+    });
+    let changed = response.inner.changed() && percent != now;
+    // Six digits: what is typed as 30 % is 0.7 mm, not 0.7 and a bit.
+    let rounded = |mm: f64| (mm * 1e6).round() * 1e-6;
+    if changed { job.spacing_of_overlap(percent).ok().map(rounded) } else { None }
+}

@@ -1,0 +1,98 @@
+//! How the job lays lines: the strategy, and what concerns it; rim, joins and passes.
+
+use super::super::{App, quantity, theme};
+use super::fields::{self, Change, JOB};
+use super::laying;
+use crate::job::{Edit, Offset};
+use crate::path::Strategy;
+use eframe::egui::{self, DragValue, Role, WidgetInfo};
+
+impl App {
+    pub(super) fn layers(&mut self, ui: &mut egui::Ui) {
+        theme::heading(ui, "Layers");
+        let l = self.document.job().layers.clone();
+        if let Some(Change::To(s)) = laying::strategy(ui, JOB, l.strategy, None) {
+            self.edit(Edit::Strategy(s));
+        }
+        let by_planes = matches!(l.strategy, Strategy::Planes | Strategy::Adaptive | Strategy::Cross);
+        if by_planes && let Some(Change::To(d)) = laying::direction(ui, JOB, l.direction, None) {
+            self.edit_dragging(&Edit::Direction(d), "direction");
+        }
+        match l.strategy {
+            Strategy::Cross => self.numbers(ui, &["layers.cross_deg"]),
+            Strategy::Offset => {
+                if let Some(border) = laying::border(ui, JOB, l.border, false) {
+                    self.edit_dragging(&Edit::Border(border), "border");
+                }
+            }
+            Strategy::Spiral => {
+                if let Some(Change::To(inward)) = laying::inward(ui, JOB, l.inward, None) {
+                    self.edit(Edit::Inward(inward));
+                }
+                if laying::centre(ui, JOB, l.centre_mm, l.centre_mm.is_some()) {
+                    self.edit(Edit::Centre(None));
+                }
+            }
+            Strategy::Planes | Strategy::Adaptive => {}
+        }
+        self.numbers(ui, &["layers.spacing_mm"]);
+        if let Some(mm) = fields::overlap(ui, JOB, self.document.job()) {
+            self.edit_dragging(&Edit::Set("layers.spacing_mm", mm), "overlap");
+        }
+        if matches!(l.strategy, Strategy::Planes | Strategy::Cross) {
+            self.offset(ui);
+        }
+        if let Some(Change::To(order)) = laying::order(ui, JOB, l.strategy, l.order, None) {
+            self.edit(Edit::Order(order));
+        }
+        egui::CollapsingHeader::new("Rim, joins, passes").show(ui, |ui| {
+            self.numbers(ui, &["layers.inset_mm", "layers.ignore_holes_mm", "layers.join_mm", "layers.shortest_mm"]);
+            self.numbers(ui, &["layers.seam_shift_mm", "layers.passes"]);
+        });
+    }
+
+    fn offset(&mut self, ui: &mut egui::Ui) {
+        let now = self.document.job().layers.offset_mm;
+        let spacing = self.document.job().layers.spacing_mm;
+        ui.horizontal(|ui| {
+            theme::name(ui, "First plane", fields::NAMES);
+            let mut centred = now == Offset::Centred;
+            if ui.checkbox(&mut centred, "centred").changed() {
+                self.edit(Edit::Offset(if centred { Offset::Centred } else { Offset::FromLowest(0.5 * spacing) }));
+            }
+            if let Offset::FromLowest(mut mm) = now {
+                let field = DragValue::new(&mut mm)
+                    .speed(0.01)
+                    .range(0.0..=spacing)
+                    .suffix(" mm")
+                    .custom_parser(quantity::read);
+                let response =
+                    ui.add(field).on_hover_text("Above the lowest point of the surfaces, at most one spacing");
+                response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "first offset"));
+                if response.changed() {
+                    self.edit_dragging(&Edit::Offset(Offset::FromLowest(mm)), "offset");
+                }
+            }
+        });
+    }
+
+    /// The spiral's centre goes to the place that was right clicked.
+    pub(in super::super) fn put_spiral_centre(&mut self) {
+        let Some((surface, at)) = self.spiral_place() else { return };
+        match self.document.job().recipe_of(surface).cloned() {
+            Some(mut recipe) => {
+                recipe.centre_mm = Some(at);
+                self.edit(Edit::Recipe(Box::new(recipe), Vec::new()));
+            }
+            None => self.edit(Edit::Centre(Some(at))),
+        }
+    }
+
+    /// The place that was right clicked, if the surface there is worked in a spiral.
+    pub(in super::super) fn spiral_place(&self) -> Option<(u32, [f64; 3])> {
+        let (facet, at) = self.session.menu_place?;
+        let surface = *self.derived.surfaces.of_facet.get(facet as usize)?;
+        let is_spiral = self.document.job().of_surface(surface).layers.strategy == Strategy::Spiral;
+        is_spiral.then(|| (surface, at.coords.into()))
+    }
+}

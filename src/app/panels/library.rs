@@ -1,0 +1,135 @@
+//! The recipes at hand: of the job, the user's own, and shipped ones. They are given by a button, or
+//! dragged onto a row of the lists.
+
+use super::super::{App, theme};
+use crate::job::{Edit, Recipe};
+use eframe::egui::{self, DragAndDrop, RichText, Role, Sense, WidgetInfo};
+
+/// Where a recipe stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Shelf {
+    /// In the job.
+    Job,
+    /// In the user's folder.
+    Mine,
+    /// In the program.
+    Shipped,
+}
+
+impl Shelf {
+    /// Heading of its recipes.
+    fn title(self) -> &'static str {
+        match self {
+            Shelf::Job => "In this job",
+            Shelf::Mine => "My recipes",
+            Shelf::Shipped => "Shipped",
+        }
+    }
+
+    /// In a few letters, where recipes of all shelves stand in a row.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Shelf::Job => "job",
+            Shelf::Mine => "mine",
+            Shelf::Shipped => "shipped",
+        }
+    }
+}
+
+/// A recipe on its way onto a surface.
+#[derive(Clone)]
+pub(super) struct DraggedRecipe(pub Recipe);
+
+impl App {
+    /// All recipes at hand.
+    pub(super) fn shelves(&self) -> [(Shelf, Vec<Recipe>); 3] {
+        let mine = self.recipes.own.iter().map(|(_, r)| r.clone()).collect();
+        [
+            (Shelf::Job, self.document.job().recipes.clone()),
+            (Shelf::Mine, mine),
+            (Shelf::Shipped, self.recipes.shipped.clone()),
+        ]
+    }
+
+    pub(super) fn library_panel(&mut self, ui: &mut egui::Ui) {
+        egui::CollapsingHeader::new("Recipe library").show(ui, |ui| {
+            ui.label(RichText::new("Drag a recipe onto a surface's row, or apply it to the selected ones").weak());
+            for (shelf, recipes) in self.shelves() {
+                if recipes.is_empty() && shelf != Shelf::Job {
+                    continue;
+                }
+                ui.label(RichText::new(shelf.title()).strong());
+                if recipes.is_empty() {
+                    ui.label(RichText::new("none yet").small().weak());
+                }
+                for recipe in recipes {
+                    self.library_row(ui, shelf, &recipe);
+                }
+            }
+            for why in &self.recipes.broken {
+                ui.label(RichText::new(why).small().color(theme::WRONG));
+            }
+            if ui.button("Compare…").on_hover_text("Recipes side by side").clicked() {
+                self.open_compare();
+            }
+        });
+    }
+
+    fn library_row(&mut self, ui: &mut egui::Ui, shelf: Shelf, recipe: &Recipe) {
+        let name = &recipe.name;
+        ui.horizontal(|ui| {
+            let apply = ui.add_enabled(!self.session.selected.is_empty(), egui::Button::new("Apply").small());
+            let told = format!("apply {} recipe {name}", shelf.word());
+            apply.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
+            if apply.on_hover_text("To the selected surfaces").clicked() {
+                let selected = self.session.selected.iter().copied().collect();
+                self.apply_recipe(recipe, selected);
+            }
+            if shelf != Shelf::Shipped {
+                let gone = ui.small_button("×").on_hover_text(match shelf {
+                    Shelf::Job => "Remove it from the job; its surfaces take the job's values",
+                    _ => "Remove it from my recipes",
+                });
+                let told = format!("remove {} recipe {name}", shelf.word());
+                gone.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
+                if gone.clicked() && shelf == Shelf::Job {
+                    self.edit(Edit::RemoveRecipe(name.clone()));
+                } else if gone.clicked()
+                    && let Err(why) = self.recipes.forget(name)
+                {
+                    self.session.error = Some(why);
+                }
+            }
+            self.draggable(ui, recipe, egui::Label::new(name.as_str()).truncate());
+        });
+    }
+
+    /// A label that carries a recipe onto a surface.
+    pub(super) fn draggable(&self, ui: &mut egui::Ui, recipe: &Recipe, label: egui::Label) -> egui::Response {
+        let response = ui.add(label.selectable(false).sense(Sense::drag()));
+        response.dnd_set_drag_payload(DraggedRecipe(recipe.clone()));
+        if recipe.note.is_empty() { response } else { response.on_hover_text(&recipe.note) }
+    }
+
+    /// Gives surfaces a recipe from any shelf.
+    pub(super) fn apply_recipe(&mut self, recipe: &Recipe, surfaces: Vec<u32>) {
+        let guest = self.document.job().welcomed(recipe);
+        self.edit(Edit::GiveRecipe(surfaces, Some(Box::new(guest))));
+    }
+
+    /// Keeps a recipe in the user's folder.
+    pub(super) fn keep_recipe(&mut self, recipe: &Recipe) {
+        match self.recipes.keep(recipe) {
+            Ok(file) => self.session.said = format!("saved {}", file.display()),
+            Err(why) => self.session.error = Some(why),
+        }
+    }
+
+    /// The name of a recipe that is being dragged, at the cursor.
+    pub(in super::super) fn dragged_recipe(&self, ctx: &egui::Context) {
+        let Some(dragged) = DragAndDrop::payload::<DraggedRecipe>(ctx) else { return };
+        let Some(pointer) = ctx.pointer_interact_pos() else { return };
+        let text = format!("recipe {}", dragged.0.name);
+        super::super::pick::text_at(ctx, pointer, text);
+    }
+}

@@ -1,0 +1,267 @@
+//! *Recipe of surface N*: what the selected surfaces are worked with, where that differs from the job's
+//! own values, and the spacing that came of it.
+
+use super::super::{App, theme};
+use super::fields::{self, Change, RECIPE};
+use super::laying;
+use crate::job::{Edit, Job, PARAMETERS, Parameter, Recipe};
+use crate::path::Strategy;
+use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
+use std::collections::BTreeSet;
+
+/// Numbers that are always shown.
+const CHIEF: [&str; 5] = ["layers.spacing_mm", "beam.defocus_mm", "beam.spot_mm", "beam.power_w", "beam.speed_mm_s"];
+/// Surfaces whose spacing is told, at most.
+const TOLD: usize = 4;
+
+/// A name or note that is being typed, and the recipe it belongs to.
+#[derive(Clone, Debug)]
+pub struct Draft {
+    recipe: String,
+    is_note: bool,
+    text: String,
+}
+
+impl App {
+    pub(super) fn recipe_panel(&mut self, ui: &mut egui::Ui) {
+        let selected: Vec<u32> = self.session.selected.iter().copied().collect();
+        let job = self.document.job();
+        let names: BTreeSet<Option<String>> =
+            selected.iter().map(|&n| job.recipe_of(n).map(|r| r.name.clone())).collect();
+        let whose = match selected[..] {
+            [] => "Recipe of a surface".into(),
+            [one] => format!("Recipe of surface {one}"),
+            _ => format!("Recipe of {} surfaces", selected.len()),
+        };
+        let common = names.first().cloned().filter(|_| names.len() == 1);
+        let title = match &common {
+            Some(Some(name)) => format!("{whose}: {name}"),
+            None if names.len() > 1 => format!("{whose}: several"),
+            _ => whose,
+        };
+        egui::CollapsingHeader::new(title).id_salt("recipe of surface").show(ui, |ui| {
+            if selected.is_empty() {
+                ui.label(RichText::new("Select surfaces to work them with values of their own").small());
+                return;
+            }
+            self.choose_recipe(ui, &selected, common.as_ref());
+            match &common {
+                Some(name) => self.recipe_values(ui, &selected, name.as_deref()),
+                None => {
+                    let text = "They have different recipes: give them one here, or compare them";
+                    ui.label(RichText::new(text).small());
+                }
+            }
+            self.achieved_spacing(ui, &selected);
+        });
+    }
+
+    /// Which recipe the surfaces have; `common`: the one they share, if they do.
+    fn choose_recipe(&mut self, ui: &mut egui::Ui, selected: &[u32], common: Option<&Option<String>>) {
+        const OWN: &str = "none: the job's values";
+        let recipes = self.document.job().recipes.clone();
+        let shown = common.map_or("several", |name| name.as_deref().unwrap_or(OWN));
+        let mut wanted: Option<Option<Recipe>> = None;
+        ui.horizontal(|ui| {
+            theme::name(ui, "Recipe", 60.0);
+            let combo = ComboBox::from_id_salt("recipe").width(170.0).selected_text(shown).show_ui(ui, |ui| {
+                if ui.selectable_label(common == Some(&None), OWN).clicked() {
+                    wanted = Some(None);
+                }
+                for r in &recipes {
+                    let on = common.and_then(Option::as_ref).is_some_and(|name| *name == r.name);
+                    if ui.selectable_label(on, &r.name).on_hover_text(&r.note).clicked() {
+                        wanted = Some(Some(r.clone()));
+                    }
+                }
+                if ui.selectable_label(false, "a new one").clicked() {
+                    wanted = Some(Some(self.document.job().new_recipe()));
+                }
+            });
+            combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "recipe"));
+        });
+        let others: Vec<(u32, Recipe)> = self
+            .document
+            .job()
+            .recipe_of
+            .keys()
+            .filter_map(|n| n.parse().ok())
+            .filter(|n| !selected.contains(n))
+            .filter_map(|n| Some((n, self.document.job().recipe_of(n)?.clone())))
+            .collect();
+        if !others.is_empty() {
+            ui.menu_button("Copy from surface…", |ui| {
+                for (n, r) in others {
+                    if ui.button(format!("surface {n}: {}", r.name)).clicked() {
+                        wanted = Some(Some(r));
+                        ui.close();
+                    }
+                }
+            });
+        }
+        if let Some(recipe) = wanted {
+            self.edit(Edit::GiveRecipe(selected.to_vec(), recipe.map(Box::new)));
+        }
+    }
+
+    /// The values of the recipe; without one, the job's, and the first that is changed makes one.
+    fn recipe_values(&mut self, ui: &mut egui::Ui, selected: &[u32], name: Option<&str>) {
+        let job = self.document.job().clone();
+        let known = name.and_then(|name| job.recipes.iter().find(|r| r.name == name));
+        self.name_and_note(ui, known);
+        if let Some(r) = known {
+            let others: Vec<String> =
+                job.surfaces_of_recipe(&r.name).iter().filter(|n| !selected.contains(n)).map(u32::to_string).collect();
+            if !others.is_empty() {
+                let text = format!("Changes apply to surfaces {} too", others.join(", "));
+                ui.label(RichText::new(text).small().color(theme::ATTENTION));
+            }
+        }
+        let mut recipe = known.cloned().unwrap_or_else(|| job.new_recipe());
+        if let Some(what) = values(ui, &job, &mut recipe) {
+            self.edit_dragging(&Edit::Recipe(Box::new(recipe), selected.to_vec()), what);
+        }
+        let Some(known) = known else {
+            ui.label(RichText::new("Changing a value here makes a recipe of its own").small().weak());
+            return;
+        };
+        ui.horizontal_wrapped(|ui| {
+            let folder = self.recipes.folder().map(|f| f.display().to_string());
+            let keep = ui.add_enabled(folder.is_some(), egui::Button::new("Save to my recipes"));
+            if keep.on_hover_text(folder.unwrap_or_default()).clicked() {
+                self.keep_recipe(known);
+            }
+            if ui.button("Remove from the job").on_hover_text("Its surfaces take the job's values").clicked() {
+                self.edit(Edit::RemoveRecipe(known.name.clone()));
+            }
+        });
+    }
+
+    fn name_and_note(&mut self, ui: &mut egui::Ui, recipe: Option<&Recipe>) {
+        // What was typed for a recipe that is no longer shown is not lost.
+        if let Some(draft) = self.session.draft.take_if(|d| recipe.is_none_or(|r| r.name != d.recipe)) {
+            self.take_draft(&draft);
+        }
+        let Some(recipe) = recipe else { return };
+        let rows = [("Name", "recipe name", false, &recipe.name), ("Note", "recipe note", true, &recipe.note)];
+        for (label, told, is_note, now) in rows {
+            ui.horizontal(|ui| {
+                theme::name(ui, label, 60.0);
+                let draft = self.session.draft.as_ref().filter(|d| d.is_note == is_note);
+                let mut text = draft.map_or_else(|| now.clone(), |d| d.text.clone());
+                let field = ui.add(TextEdit::singleline(&mut text).desired_width(170.0));
+                field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, told));
+                if field.changed() {
+                    self.session.draft = Some(Draft { recipe: recipe.name.clone(), is_note, text });
+                }
+                if field.lost_focus()
+                    && let Some(draft) = self.session.draft.take_if(|d| d.is_note == is_note)
+                    && !ui.input(|i| i.key_pressed(egui::Key::Escape))
+                {
+                    self.take_draft(&draft);
+                }
+            });
+        }
+    }
+
+    fn take_draft(&mut self, draft: &Draft) {
+        let Some(known) = self.document.job().recipes.iter().find(|r| r.name == draft.recipe).cloned() else { return };
+        let text = draft.text.trim().to_owned();
+        if draft.is_note {
+            self.edit(Edit::Recipe(Box::new(Recipe { note: text, ..known }), Vec::new()));
+        } else {
+            self.edit(Edit::RenameRecipe(known.name, text));
+        }
+    }
+
+    /// What came of the wanted spacing, and what else is to be said of how lines lie.
+    fn achieved_spacing(&self, ui: &mut egui::Ui, selected: &[u32]) {
+        let (Some((plan, _)), Some(job)) = (&self.derived.plan, &self.derived.plan_of) else { return };
+        for s in plan.surfaces.iter().filter(|s| selected.contains(&s.laid.surface)).take(TOLD) {
+            let n = s.laid.surface;
+            let whose = if selected.len() > 1 { format!("surface {n}: ") } else { String::new() };
+            if let Some(a) = &s.laid.achieved {
+                let wanted = job.of_surface(n).layers.spacing_mm;
+                ui.label(format!("{whose}spacing {:.2} to {:.2} mm (wanted {wanted:.2})", a.min_mm, a.max_mm));
+            }
+            for remark in &s.laid.remarks {
+                ui.label(RichText::new(format!("{whose}{remark}")).small().color(theme::ATTENTION));
+            }
+        }
+    }
+}
+
+/// Fields of all that a recipe can hold; changes it, and says what was changed.
+fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static str> {
+    let own = recipe.applied(job);
+    let (l, jobs) = (&own.layers, &job.layers);
+    let mut what = None;
+    if let Some(change) = laying::strategy(ui, RECIPE, l.strategy, recipe.strategy.map(|_| jobs.strategy)) {
+        take(&mut recipe.strategy, change);
+        what = Some("recipe strategy");
+    }
+    let by_planes = matches!(l.strategy, Strategy::Planes | Strategy::Adaptive | Strategy::Cross);
+    if by_planes
+        && let Some(change) = laying::direction(ui, RECIPE, l.direction, recipe.direction.map(|_| jobs.direction))
+    {
+        take(&mut recipe.direction, change);
+        what = Some("recipe direction");
+    }
+    if let Some(change) = laying::order(ui, RECIPE, l.strategy, l.order, recipe.order.map(|_| jobs.order)) {
+        take(&mut recipe.order, change);
+        what = Some("recipe order");
+    }
+    if l.strategy == Strategy::Spiral {
+        if let Some(change) = laying::inward(ui, RECIPE, l.inward, recipe.inward.map(|_| jobs.inward)) {
+            take(&mut recipe.inward, change);
+            what = Some("recipe spiral");
+        }
+        if laying::centre(ui, RECIPE, l.centre_mm, recipe.centre_mm.is_some()) {
+            recipe.centre_mm = None;
+            what = Some("recipe centre");
+        }
+    }
+    if l.strategy == Strategy::Offset
+        && let Some(border) = laying::border(ui, RECIPE, l.border, recipe.border.is_some())
+    {
+        recipe.border = border;
+        what = Some("recipe border");
+    }
+    let may =
+        |p: &&Parameter| Recipe::may_hold(p.key) && (p.key != "layers.cross_deg" || l.strategy == Strategy::Cross);
+    let chief = |p: &&Parameter| CHIEF.contains(&p.key) || p.key == "layers.cross_deg";
+    for p in PARAMETERS.iter().filter(may).filter(chief) {
+        what = number(ui, job, &own, recipe, p).or(what);
+        if p.key == "layers.spacing_mm"
+            && let Some(mm) = fields::overlap(ui, RECIPE, &own)
+        {
+            recipe.values.insert(p.key.into(), mm);
+            what = Some("recipe overlap");
+        }
+    }
+    let more = PARAMETERS.iter().filter(may).filter(|p| !chief(p));
+    let held = more.clone().filter(|p| recipe.values.contains_key(p.key)).count();
+    let title = if held > 0 { format!("More values ({held} of its own)") } else { "More values".into() };
+    egui::CollapsingHeader::new(title).id_salt("more of a recipe").show(ui, |ui| {
+        for p in more {
+            what = number(ui, job, &own, recipe, p).or(what);
+        }
+    });
+    what
+}
+
+fn number(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Recipe, p: &'static Parameter) -> Option<&'static str> {
+    let to = recipe.values.contains_key(p.key).then(|| (p.get)(job));
+    match fields::number(ui, RECIPE, p, (p.get)(own), to)? {
+        Change::To(value) => recipe.values.insert(p.key.into(), value),
+        Change::Back => recipe.values.remove(p.key),
+    };
+    Some(p.key)
+}
+
+fn take<T>(value: &mut Option<T>, change: Change<T>) {
+    *value = match change {
+        Change::To(to) => Some(to),
+        Change::Back => None,
+    };
+}

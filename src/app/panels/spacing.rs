@@ -1,0 +1,62 @@
+//! The legend of the achieved spacing, in a corner of the view: scale, and the two places to go to.
+
+use super::super::App;
+use super::dose::bar;
+use crate::picture::spacing::Place;
+use crate::view::Bounds;
+use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
+use nalgebra::Vector3;
+
+const WIDTH: f32 = 200.0;
+
+impl App {
+    pub(in super::super) fn spacing_legend(&mut self, ui: &egui::Ui, view: Rect) {
+        if !self.session.show.spacing || self.session.show.section || self.derived.plan.is_none() {
+            return;
+        }
+        let scale = self.spacing_scale().cloned();
+        let at = view.left_top() + vec2(10.0, 10.0);
+        Area::new(Id::unique("achieved spacing")).fixed_pos(at).show(ui.ctx(), |ui| {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.set_width(WIDTH);
+                ui.label(RichText::new("Achieved spacing").strong());
+                let Some(scale) = scale else {
+                    ui.label("no two lines lie side by side");
+                    return;
+                };
+                bar(ui, WIDTH, "scale of the spacing", |share| share);
+                thirds(ui, scale.labels().each_ref().map(String::as_str));
+                thirds(ui, ["closer", "as wanted", "farther"]);
+                for (word, place) in [("least", scale.least), ("greatest", scale.greatest)] {
+                    let text = format!("{word} {:.2} mm on surface {}", place.mm, place.surface);
+                    if ui.link(text).on_hover_text("Go there").clicked() {
+                        self.look_at_place(&place);
+                    }
+                }
+                if scale.wanted_mm.is_none() {
+                    ui.label(RichText::new("% of what each surface wants").weak());
+                }
+            });
+        });
+    }
+
+    fn look_at_place(&mut self, place: &Place) {
+        self.session.selected = [place.surface].into();
+        self.session.scroll_to = Some(place.surface);
+        let (at, out) = (self.scene_from_part() * place.at, Vector3::repeat((10.0 * place.mm).max(3.0)));
+        self.viewport.fit(Bounds { min: at - out, max: at + out });
+    }
+}
+
+/// Words under the ends and the middle of the scale.
+fn thirds(ui: &mut egui::Ui, words: [&str; 3]) {
+    let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, 16.0), Sense::hover());
+    let layouts = [
+        Layout::left_to_right(Align::Center),
+        Layout::centered_and_justified(Direction::LeftToRight),
+        Layout::right_to_left(Align::Center),
+    ];
+    for (word, layout) in words.into_iter().zip(layouts) {
+        ui.scope_builder(UiBuilder::new().max_rect(rect).layout(layout), |ui| ui.label(word));
+    }
+}

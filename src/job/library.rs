@@ -1,0 +1,224 @@
+//! Recipes that outlive a job: shipped ones, and those that the user keeps in a folder, a file each.
+
+use super::files::write_atomic;
+use super::recipe::Recipe;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// The shipped recipes.
+const SHIPPED: [&str; 4] = [
+    include_str!("../../assets/recipes/cleaning.toml"),
+    include_str!("../../assets/recipes/layers.toml"),
+    include_str!("../../assets/recipes/remanufacturing.toml"),
+    include_str!("../../assets/recipes/grinding.toml"),
+];
+
+/// Files longer than this are no recipes, bytes.
+const LONGEST: u64 = 100_000;
+
+/// The recipes at hand beside those of a job.
+#[derive(Clone, Debug, Default)]
+pub struct Library {
+    /// Where the user's are kept; `None`: nowhere.
+    folder: Option<PathBuf>,
+    /// Shipped ones.
+    pub shipped: Vec<Recipe>,
+    /// The user's, by file name.
+    pub own: Vec<(PathBuf, Recipe)>,
+    /// Files of the folder that are no recipes: which, why, what to do.
+    pub broken: Vec<String>,
+}
+
+impl Library {
+    /// Reads shipped recipes and those of a folder, which need not be there yet.
+    pub fn open(folder: Option<PathBuf>) -> Library {
+        let shipped = SHIPPED.iter().filter_map(|text| toml::from_str(text).ok()).collect();
+        let mut library = Library { folder, shipped, ..Library::default() };
+        library.read_folder();
+        library
+    }
+
+    /// Where the user's recipes are kept.
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// Keeps a recipe in the user's folder, in place of the one of its name.
+    ///
+    /// # Errors
+    /// What is wrong with it, or why its file cannot be written.
+    pub fn keep(&mut self, recipe: &Recipe) -> Result<PathBuf, String> {
+        let recipe = recipe.without_places();
+        checked(&recipe)?;
+        let folder = self.folder.clone().ok_or("no folder for recipes is known: set HOME")?;
+        std::fs::create_dir_all(&folder)
+            .map_err(|e| format!("{}: cannot be made: {e}; choose another HOME", folder.display()))?;
+        let known = self.own.iter().find(|(_, r)| r.name == recipe.name).map(|(file, _)| file.clone());
+        let file = known.unwrap_or_else(|| free_file(&folder, &recipe.name));
+        let text = toml::to_string(&recipe).map_err(|e| format!("recipe {:?}: cannot be written: {e}", recipe.name))?;
+        write_atomic(&file, text.as_bytes()).map_err(|e| e.to_string())?;
+        self.read_folder();
+        Ok(file)
+    }
+
+    /// Takes a recipe out of the user's folder.
+    ///
+    /// # Errors
+    /// Why its file cannot be removed.
+    pub fn forget(&mut self, name: &str) -> Result<(), String> {
+        let files: Vec<PathBuf> = self.own.iter().filter(|(_, r)| r.name == name).map(|(f, _)| f.clone()).collect();
+        for file in files {
+            std::fs::remove_file(&file).map_err(|e| format!("{}: cannot be removed: {e}", file.display()))?;
+        }
+        self.read_folder();
+        Ok(())
+    }
+
+    fn read_folder(&mut self) {
+        (self.own, self.broken) = (Vec::new(), Vec::new());
+        let entries = self.folder.iter().filter_map(|f| std::fs::read_dir(f).ok()).flatten().filter_map(Result::ok);
+        let is_toml = |p: &PathBuf| p.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+        let mut files: Vec<PathBuf> = entries.map(|e| e.path()).filter(is_toml).collect();
+        files.sort();
+        for file in files {
+            let taken = |recipe: Recipe| match self.own.iter().find(|(_, r)| r.name == recipe.name) {
+                Some((other, _)) => Err(format!("its name {:?} is that of {} too", recipe.name, other.display())),
+                None => Ok(recipe),
+            };
+            match read(&file).and_then(taken) {
+                Ok(recipe) => self.own.push((file, recipe)),
+                Err(why) => self.broken.push(format!("{}: {why}; mend or remove the file", file.display())),
+            }
+        }
+    }
+}
+
+/// Reads one file.
+fn read(file: &Path) -> Result<Recipe, String> {
+    let length = std::fs::metadata(file).map_err(|e| format!("cannot be read: {e}"))?.len();
+    if length > LONGEST {
+        return Err(format!("{length} bytes are more than a recipe can have"));
+    }
+    let text = std::fs::read_to_string(file).map_err(|e| format!("cannot be read: {e}"))?;
+    let recipe: Recipe = toml::from_str(&text).map_err(|e| e.to_string().trim_end().replace('\n', " "))?;
+    checked(&recipe)?;
+    Ok(recipe)
+}
+
+fn checked(recipe: &Recipe) -> Result<(), String> {
+    if recipe.name.trim().is_empty() {
+        return Err("the recipe has no name".into());
+    }
+    recipe.check()
+}
+
+/// A file that is not there yet, named after a recipe.
+fn free_file(folder: &Path, name: &str) -> PathBuf {
+    let plain = |c: char| if c.is_alphanumeric() { c } else { '-' };
+    let stem: String = name.trim().to_lowercase().chars().map(plain).take(60).collect();
+    let named = |k: u32| match k {
+        // Never alone: `con` and `nul` are no file names on every system.
+        1 => folder.join(format!("recipe-{stem}.toml")),
+        _ => folder.join(format!("recipe-{stem}-{k}.toml")),
+    };
+    (1..).map(named).find(|f| !f.exists()).unwrap_or_else(|| named(1))
+}
+
+/// Where a user's recipes are kept on this system.
+pub fn users_folder() -> Option<PathBuf> {
+    folder_under(cfg!(windows), &|name| std::env::var_os(name))
+}
+
+fn folder_under(windows: bool, variable: &dyn Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
+    // Relative paths in these variables are to be ignored, says their specification.
+    let whole = |name: &str| variable(name).map(PathBuf::from).filter(|p| p.has_root());
+    let config = match windows {
+        true => whole("APPDATA"),
+        false => whole("XDG_CONFIG_HOME").or_else(|| Some(whole("HOME")?.join(".config"))),
+    };
+    Some(config?.join("clearbeam").join("recipes"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::{Direction, Order, Strategy};
+
+    fn full() -> Recipe {
+        Recipe {
+            name: "Dichtfläche / fein".into(),
+            note: "slow".into(),
+            strategy: Some(Strategy::Spiral),
+            direction: Some(Direction::Auto),
+            order: Some(Order::Shortest),
+            border: Some(1),
+            centre_mm: Some([1.0, 2.0, 3.0]),
+            inward: Some(true),
+            values: [("layers.spacing_mm".to_owned(), 0.25), ("beam.power_w".to_owned(), 300.0)].into(),
+        }
+    }
+
+    #[test]
+    fn shipped_recipes_are_sound_and_change_a_job() {
+        let library = Library::open(None);
+        assert_eq!(library.shipped.len(), SHIPPED.len());
+        for r in &library.shipped {
+            assert_eq!(checked(r), Ok(()));
+            assert!(!r.note.is_empty() && !r.values.is_empty(), "{}", r.name);
+        }
+        let p2 = library.shipped[1].applied(&crate::job::Job::default());
+        assert_eq!((p2.layers.spacing_mm, p2.beam.defocus_mm, p2.path.chord_error_mm), (6.0, 15.0, 0.5));
+    }
+
+    #[test]
+    fn what_is_kept_comes_back_without_the_places_of_a_part() {
+        let home = tempfile::tempdir().expect("a folder");
+        let folder = home.path().join("clearbeam/recipes");
+        let mut library = Library::open(Some(folder.clone()));
+        assert!(library.own.is_empty() && library.broken.is_empty(), "no folder is no fault");
+        let file = library.keep(&full()).expect("keeps");
+        let again = Library::open(Some(folder.clone()));
+        assert_eq!(again.own, [(file.clone(), full().without_places())]);
+        // The same name is the same file; another that is spelt alike is not.
+        library.keep(&Recipe { note: "slower".into(), ..full() }).expect("keeps");
+        assert_eq!(library.own.len(), 1);
+        let alike = Recipe { name: "Dichtfläche - fein".into(), ..full() };
+        assert_ne!(library.keep(&alike).expect("keeps"), file);
+        assert_eq!(library.own.len(), 2);
+        library.forget("Dichtfläche / fein").expect("removes");
+        assert_eq!(Library::open(Some(folder)).own[0].1.name, alike.name);
+    }
+
+    #[test]
+    fn broken_files_are_said_and_skipped() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("writes");
+        write("a.toml", "name = \"Good\"\n[values]\n\"beam.power_w\" = 300.0\n");
+        write("b.toml", "name = ");
+        write("c.toml", "name = \"Key\"\n[values]\n\"cell.deviation_mm\" = 1.0\n");
+        write("d.toml", "name = \"Range\"\n[values]\n\"layers.spacing_mm\" = -1.0\n");
+        write("e.toml", "name = \"Good\"\n");
+        write("f.toml", "[values]\n");
+        write("notes.txt", "no recipe");
+        let library = Library::open(Some(folder.path().to_path_buf()));
+        assert_eq!(library.own.len(), 1);
+        let said = ["b.toml: ", "a recipe can hold", "above 0", "is that of", "no name"];
+        assert_eq!(library.broken.len(), said.len());
+        for (line, part) in library.broken.iter().zip(said) {
+            assert!(line.contains(part) && line.ends_with("mend or remove the file"), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_folder_is_where_each_system_has_it() {
+        let with = |pairs: &'static [(&str, &str)]| {
+            move |name: &str| pairs.iter().find(|(n, _)| *n == name).map(|(_, v)| OsString::from(v))
+        };
+        let found = |windows, pairs| folder_under(windows, &with(pairs));
+        assert_eq!(found(false, &[("HOME", "/h")]), Some("/h/.config/clearbeam/recipes".into()));
+        assert_eq!(found(false, &[("HOME", "/h"), ("XDG_CONFIG_HOME", "/x")]), Some("/x/clearbeam/recipes".into()));
+        assert_eq!(found(false, &[("HOME", "/h"), ("XDG_CONFIG_HOME", "x")]), found(false, &[("HOME", "/h")]));
+        assert_eq!(found(true, &[("HOME", "/h"), ("APPDATA", "/a")]), Some("/a/clearbeam/recipes".into()));
+        assert_eq!(found(true, &[("HOME", "/h")]), None);
+    }
+}

@@ -1,0 +1,142 @@
+//! What edits do to the recipes of a job, so that every surface's recipe is one that is there.
+
+use super::model::Job;
+use super::recipe::Recipe;
+
+impl Job {
+    /// Puts a recipe in place of the one of its name, or adds it, and gives it to surfaces.
+    pub(super) fn put_recipe(&mut self, recipe: &Recipe, surfaces: &[u32]) {
+        match self.recipes.iter_mut().find(|r| r.name == recipe.name) {
+            Some(known) => known.clone_from(recipe),
+            None => self.recipes.push(recipe.clone()),
+        }
+        self.recipe_of.extend(surfaces.iter().map(|n| (n.to_string(), recipe.name.clone())));
+    }
+
+    pub(super) fn remove_recipe(&mut self, name: &str) {
+        self.recipes.retain(|r| r.name != name);
+        self.recipe_of.retain(|_, of| of != name);
+    }
+
+    /// Renames a recipe, unless the new name is empty or taken.
+    pub(super) fn rename_recipe(&mut self, from: &str, to: &str) {
+        let to = to.trim();
+        if to.is_empty() || self.recipes.iter().any(|r| r.name == to) {
+            return;
+        }
+        self.recipes.iter_mut().filter(|r| r.name == from).for_each(|r| r.name = to.into());
+        self.recipe_of.values_mut().filter(|of| *of == from).for_each(|of| *of = to.into());
+    }
+
+    /// Surfaces are worked with the job's own values.
+    pub(super) fn take_recipe(&mut self, surfaces: &[u32]) {
+        surfaces.iter().for_each(|n| drop(self.recipe_of.remove(&n.to_string())));
+    }
+
+    /// The surfaces that are worked with a recipe, ascending.
+    pub fn surfaces_of_recipe(&self, name: &str) -> Vec<u32> {
+        let mut list: Vec<u32> =
+            self.recipe_of.iter().filter(|(_, of)| *of == name).filter_map(|(n, _)| n.parse().ok()).collect();
+        list.sort_unstable();
+        list
+    }
+
+    /// A new recipe without values: `Recipe 1`, or the first number that is free.
+    pub fn new_recipe(&self) -> Recipe {
+        let mut name = String::from("Recipe 1");
+        for k in 2.. {
+            if !self.recipes.iter().any(|r| r.name == name) {
+                break;
+            }
+            name = format!("Recipe {k}");
+        }
+        Recipe { name, ..Recipe::default() }
+    }
+
+    /// A recipe from elsewhere under a name that is free here, or that of an equal one of the job.
+    pub fn welcomed(&self, recipe: &Recipe) -> Recipe {
+        let mut guest = recipe.clone();
+        for k in 2.. {
+            match self.recipes.iter().find(|r| r.name == guest.name) {
+                Some(known) if *known != guest => guest.name = format!("{} {k}", recipe.name),
+                _ => break,
+            }
+        }
+        guest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Document, Edit};
+    use crate::path::Strategy;
+
+    fn named(name: &str, spacing_mm: f64) -> Recipe {
+        let values = [("layers.spacing_mm".to_owned(), spacing_mm)].into();
+        Recipe { name: name.into(), values, ..Recipe::default() }
+    }
+
+    #[test]
+    fn recipes_are_given_renamed_and_removed_with_a_name_for_undo() {
+        let mut doc = Document::default();
+        let mut apply = |edit: Edit, undo: &str| {
+            assert!(doc.apply(&edit, &[1, 2, 3], None));
+            assert_eq!(doc.undo_name(), Some(undo));
+            assert_eq!(doc.job().check_recipes(), Ok(()), "{undo}");
+            doc.job().clone()
+        };
+        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.2)), vec![2, 3]), "change recipe Fine");
+        assert_eq!(job.surfaces_of_recipe("Fine"), [2, 3]);
+        assert_eq!(job.of_surface(2).layers.spacing_mm, 0.2);
+        assert_eq!(job.of_surface(1).layers.spacing_mm, 0.5);
+        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.3)), vec![]), "change recipe Fine");
+        assert_eq!((job.recipes.len(), job.of_surface(3).layers.spacing_mm), (1, 0.3));
+        apply(Edit::GiveRecipe(vec![3], None), "take recipe of surface 3 away");
+        let job = apply(Edit::RenameRecipe("Fine".into(), " Finish ".into()), "rename recipe Fine");
+        assert_eq!(job.recipe_of(2).map(|r| r.name.as_str()), Some("Finish"));
+        let finish = Box::new(named("Finish", 0.3));
+        apply(Edit::GiveRecipe(vec![1, 3], Some(finish)), "give 2 surfaces recipe Finish");
+        let job = apply(Edit::RemoveRecipe("Finish".into()), "remove recipe Finish");
+        assert!(job.recipes.is_empty() && job.recipe_of.is_empty());
+        apply(Edit::Strategy(Strategy::Spiral), "change strategy");
+        apply(Edit::Centre(Some([1.0, 2.0, 3.0])), "change spiral centre");
+        apply(Edit::Inward(true), "turn spiral");
+        let job = apply(Edit::Border(Some(1)), "change border");
+        assert_eq!((job.layers.border, job.layers.inward), (Some(1), true));
+        for _ in 0..10 {
+            doc.undo();
+        }
+        assert_eq!(*doc.job(), Job::default());
+    }
+
+    #[test]
+    fn no_recipe_is_renamed_onto_another() {
+        let mut doc = Document::default();
+        doc.apply(&Edit::Recipe(Box::new(named("A", 1.0)), vec![1]), &[1], None);
+        doc.apply(&Edit::Recipe(Box::new(named("B", 2.0)), vec![]), &[1], None);
+        assert!(!doc.apply(&Edit::RenameRecipe("A".into(), "B".into()), &[1], None), "two of one name");
+        assert!(!doc.apply(&Edit::RenameRecipe("A".into(), "  ".into()), &[1], None));
+    }
+
+    #[test]
+    fn a_guest_takes_a_free_name_unless_it_is_known() {
+        let mut job = Job::default();
+        job.put_recipe(&named("A", 1.0), &[]);
+        assert_eq!(job.welcomed(&named("A", 1.0)).name, "A");
+        assert_eq!(job.welcomed(&named("A", 2.0)).name, "A 2");
+        job.put_recipe(&named("A 2", 3.0), &[]);
+        assert_eq!(job.welcomed(&named("A", 2.0)).name, "A 3");
+        job.put_recipe(&named("Recipe 1", 1.0), &[]);
+        assert_eq!(job.new_recipe().name, "Recipe 2");
+    }
+
+    #[test]
+    fn merged_surfaces_leave_no_recipe_of_gone_numbers() {
+        let mut doc = Document::default();
+        doc.apply(&Edit::Recipe(Box::new(named("A", 1.0)), vec![2, 5]), &[2, 5], None);
+        let merge = crate::part::SurfaceEdit::Merge { merge: vec![2, 5] };
+        doc.apply(&Edit::Surfaces(merge), &[2, 5], None);
+        assert_eq!(doc.job().surfaces_of_recipe("A"), [2]);
+    }
+}
