@@ -215,8 +215,6 @@ fn remarks_stand_among_the_problems() {
     let folder = tempfile::tempdir().expect("a folder");
     let more = "[layers]\nspacing_mm = 2.0\nstrategy = \"offset\"\nborder = 9\n";
     let mut h = window(Some(job(&folder, more)), &Answers::default());
-    click(&mut h, row(3));
-    reveal(&mut h, "Recipe of surface 3");
     assert!(says(&h, "surface 2 has no border 10").ends_with("whole outline"));
     click(&mut h, "strategy");
     click(&mut h, "planes – parallel planes, equally far apart");
