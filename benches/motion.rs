@@ -44,6 +44,8 @@ fn passes(count: usize) -> Vec<Pass> {
         plane_normal: Vector3::z(),
         closed: false,
         targets: (k * 100..(k + 1) * 100).map(target).collect(),
+        line_points: 100,
+        dense_points: 100,
         chord_error_mm: 0.0,
         splits: Vec::new(),
     };

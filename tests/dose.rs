@@ -46,11 +46,13 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
     };
     Pass {
         surface: 1,
-        work: Work { defocus_mm: 20.0, spot_mm: 1.2, speed_mm_s: SPEED, power_w: POWER_W },
+        work: Work { defocus_mm: 20.0, spot_mm: 1.2, speed_mm_s: SPEED, power_w: POWER_W, layer: 0 },
         plane_normal: Vector3::z(),
         closed: false,
         targets: vec![target(p, false), target(q, true)],
         splits: Vec::new(),
+        line_points: 2,
+        dense_points: 2,
         chord_error_mm: 0.0,
     }
 }

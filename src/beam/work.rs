@@ -15,12 +15,14 @@ pub struct Work {
     pub speed_mm_s: f64,
     /// Power, W.
     pub power_w: f64,
+    /// Layer of a build-up, from 0: the part has grown by those before.
+    pub layer: u32,
 }
 
 impl Default for Work {
     /// P1 Table 1.
     fn default() -> Self {
-        Work { defocus_mm: 20.0, spot_mm: 1.0, speed_mm_s: 3.0, power_w: 500.0 }
+        Work { defocus_mm: 20.0, spot_mm: 1.0, speed_mm_s: 3.0, power_w: 500.0, layer: 0 }
     }
 }
 

@@ -135,7 +135,7 @@ pub fn better_setup(
     for better in found {
         let (job, setup) = changed(&better);
         if let (Some(robot), Ok(())) = (&setup.robot, setup.check()) {
-            let mut trial = Plan { passes: passes.clone(), ..Plan::default() };
+            let mut trial = Plan { passes: passes.clone(), grown: plan.grown.clone(), ..Plan::default() };
             // What cannot be planned is no better.
             match drive(&mut trial, part, &setup, robot, &job, &progress.within()) {
                 Ok(()) => tried.push((trial.refusals.len(), better)),

@@ -6,7 +6,7 @@ use super::model::Job;
 use super::plan::{Plan, PlanError};
 use crate::cell::Setup;
 use crate::part::{Part, Surfaces};
-use crate::pose::Theirs;
+use crate::pose::{Pass, Theirs};
 use crate::process::{DoseMap, Light, Patch, Spot, Task, dose as computed};
 use crate::program::Timeline;
 use crate::program::steps::{Pace, Step};
@@ -65,7 +65,13 @@ pub struct CollateralReport {
     pub greatest_j_cm2: f64,
 }
 
-/// Computes the dose of a plan.
+/// The passes of a plan that run on the bare part: the first layer's.
+fn on_the_part(plan: &Plan) -> &[Pass] {
+    let first = plan.passes.iter().take_while(|p| p.work.layer == 0).count();
+    plan.passes.get(..first).unwrap_or_default()
+}
+
+/// Computes the dose of a plan; of a build-up that of its first layer, on the bare part.
 ///
 /// # Errors
 /// [`PlanError::Cancelled`] when `progress` says so.
@@ -86,7 +92,7 @@ pub fn dose(
         optics: job.optics,
     };
     let times = ends_s(plan);
-    let light = Light::new(&plan.passes, &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
+    let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
     let task = Task {
         part,
         surfaces,
@@ -163,7 +169,7 @@ impl PatchReport {
 
 /// What a plan leaves unclean, by its dose.
 pub fn not_cleanable(part: &Part, surfaces: &Surfaces, plan: &Plan, job: &Job, map: &DoseMap) -> Vec<Patch> {
-    map.not_cleanable(&part.mesh, surfaces, &plan.passes, job.layers.spacing_mm)
+    map.not_cleanable(&part.mesh, surfaces, on_the_part(plan), job.layers.spacing_mm)
 }
 
 impl DoseReport {

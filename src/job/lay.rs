@@ -10,6 +10,7 @@ use crate::path::ends::{self, Short};
 use crate::path::normals::VertexNormals;
 use crate::path::strategy::{self, Achieved, Layout, Strategy};
 use crate::path::tour::{Sense, shift_seams, toured, way_mm};
+use crate::path::{Axis, neighbour_axes::neighbour_axes};
 use crate::path::{Order, SurfacePlanes, TransversalLine, order};
 use nalgebra::{Point3, Vector3};
 
@@ -30,10 +31,15 @@ pub struct Laid {
     pub coverage: Coverage,
     /// What is not as it was wanted.
     pub remarks: Vec<String>,
+    /// Layer of a build-up, from 0.
+    pub layer: u32,
+    /// How far closed lines begin behind their start, so that layers do not all begin at one place, mm.
+    pub start_shift_mm: f64,
 }
 
-/// Lays the lines of a surface as its job wants them; `family`: its planes.
-pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: SurfacePlanes, job: &Job) -> Laid {
+/// Lays the lines of a surface as its job wants them; `family`: its planes. Part and surfaces are as they
+/// have grown when the layer begins.
+pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: SurfacePlanes, job: &Job, layer: u32) -> Laid {
     let (mesh, l) = (&part.mesh, &job.layers);
     let merge_mm = 1e-6 * mesh.diagonal();
     let over_mm = (-l.inset_mm).max(0.0);
@@ -46,12 +52,22 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
         cross_deg: l.cross_deg,
     };
     let mut remarks = Vec::new();
+    let is_across = layer % 2 == 1 && job.bead.alternate;
+    let family = match strategy::across(mesh, surface, &family, l.spacing_mm, 90.0).filter(|_| is_across) {
+        Some(turned) => turned,
+        None if is_across => {
+            remarks.push("the planes' direction is the mean normal, or there is none: all layers run alike".into());
+            family
+        }
+        None => family,
+    };
     let mut found;
     if over_mm > 0.0 {
         let grown = ends::grown(mesh, surface, over_mm);
         let normals = VertexNormals::grown(mesh, surfaces, surface, &grown.beyond);
         let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
         found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
+        stand(&mut found.lines, job);
         let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
         found.lines = lines;
         if stopped > 0 {
@@ -62,6 +78,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
     } else {
         let normals = VertexNormals::new(mesh, surfaces, surface);
         found = strategy::lines(mesh, surface, &normals, &rule, &family, merge_mm);
+        stand(&mut found.lines, job);
         if l.inset_mm > 0.0 {
             found.lines = ends::inset(mesh, surface, found.lines, l.inset_mm, l.ignore_holes_mm);
         }
@@ -85,6 +102,15 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
         achieved: found.achieved,
         coverage,
         remarks,
+        layer,
+        start_shift_mm: f64::from(layer) * job.bead.start_shift_mm,
+    }
+}
+
+/// Gives lines the axes that the job wants in place of the mesh's normals.
+fn stand(lines: &mut [TransversalLine], job: &Job) {
+    if job.path.axis == Axis::Neighbours {
+        neighbour_axes(lines, job.layers.spacing_mm);
     }
 }
 
@@ -145,7 +171,13 @@ pub fn ordered(laid: &Laid, layers: &Layers, spot: Option<&Point3<f64>>) -> Orde
         Order::Shortest => toured(laid.lines.clone(), spot, Sense::Either, &laid.normal),
     };
     if layers.seam_shift_mm > 0.0 {
-        shift_seams(&mut lines, layers.seam_shift_mm, 0.0);
+        let first_mm = lines.iter().find(|l| l.closed).map_or(1.0, TransversalLine::length_mm);
+        shift_seams(&mut lines, layers.seam_shift_mm, laid.start_shift_mm / first_mm);
+    } else if laid.start_shift_mm > 0.0 {
+        for line in &mut lines {
+            let share = laid.start_shift_mm / line.length_mm();
+            shift_seams(std::slice::from_mut(line), 0.0, share);
+        }
     }
     Ordered { way_mm: way_mm(&lines, spot), zigzag_way_mm, lines }
 }

@@ -4,11 +4,13 @@
 //! needs. [`plan()`] computes everything else; [`output`] writes it.
 
 pub mod advice;
+pub mod bead;
 pub mod document;
 pub mod dose;
 pub mod edit;
 pub mod files;
 pub mod lay;
+pub mod layer;
 pub mod library;
 pub mod model;
 pub mod output;

@@ -4,7 +4,7 @@ use super::recipe::Recipe;
 use crate::beam::{Obstacle, Optics};
 use crate::cell::{Cell, Frame, Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
-use crate::path::{Direction, Order, Strategy};
+use crate::path::{Axis, Direction, Order, Strategy};
 use crate::pose::Correction;
 use crate::pose::tilt::{Pin, TiltRule};
 use crate::process::DoseParameters;
@@ -29,6 +29,8 @@ pub struct Job {
     pub optics: Optics,
     /// Which points of a line become targets, and what is done about interference.
     pub path: PathParameters,
+    /// What the beam lays on the part.
+    pub bead: BeadParameters,
     /// Energy on the surface.
     pub dose: DoseParameters,
     /// The robot cell.
@@ -338,6 +340,8 @@ pub struct PathParameters {
     pub max_step_mm: f64,
     /// Largest turn of the normal between two targets.
     pub max_turn_deg: f64,
+    /// What the beam stands along where nothing is in its way.
+    pub axis: Axis,
     /// What is done about interference.
     pub correction: Correction,
     /// Greatest angle between beam and normal, degrees.
@@ -356,12 +360,35 @@ impl Default for PathParameters {
             chord_error_mm: 0.02,
             max_step_mm: 5.0,
             max_turn_deg: 5.0,
+            axis: Axis::Mesh,
             correction: Correction::SectionPlane,
             max_tilt_deg: 45.0,
             tilt_rate_deg_mm: 5.0,
             tilt_rate_deg_s: 90.0,
             standoff_mm: 0.0,
         }
+    }
+}
+
+/// The bead that is clad, and its layers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct BeadParameters {
+    /// Width at its foot (ω of P3), mm; 0: nothing is laid.
+    pub width_mm: f64,
+    /// Height (h of P3), mm; 0: nothing is laid. Each layer stands so high.
+    pub height_mm: f64,
+    /// Layers on top of each other.
+    pub layers: f64,
+    /// How far closed lines begin behind where they begin in the layer before, mm.
+    pub start_shift_mm: f64,
+    /// Every second layer runs across the others.
+    pub alternate: bool,
+}
+
+impl Default for BeadParameters {
+    fn default() -> Self {
+        BeadParameters { width_mm: 0.0, height_mm: 0.0, layers: 1.0, start_shift_mm: 0.0, alternate: false }
     }
 }
 

@@ -49,7 +49,7 @@ macro_rules! parameter {
 }
 
 /// The table, in the order of the panel. `a .. b`: from a to b; `a < b`: above a, to b.
-pub const PARAMETERS: [Parameter; 35] = [
+pub const PARAMETERS: [Parameter; 39] = [
     parameter!(
         Some("angle"),
         "surfaces.angle_deg",
@@ -342,6 +342,46 @@ pub const PARAMETERS: [Parameter; 35] = [
     ),
     parameter!(
         None,
+        "bead.width_mm",
+        "Bead width",
+        "mm",
+        0.0..100.0,
+        "ω (P3)",
+        "Width of a clad bead at its foot; 0 = nothing is laid",
+        bead.width_mm
+    ),
+    parameter!(
+        None,
+        "bead.height_mm",
+        "Bead height",
+        "mm",
+        0.0..100.0,
+        "h (P3)",
+        "Height of a clad bead, and of a layer; 0 = nothing is laid",
+        bead.height_mm
+    ),
+    parameter!(
+        None,
+        "bead.layers",
+        "Layers",
+        "",
+        1.0..1000.0,
+        "",
+        "Layers on top of each other, each planned on the part as it has grown; a whole number",
+        bead.layers
+    ),
+    parameter!(
+        None,
+        "bead.start_shift_mm",
+        "Shift layers by",
+        "mm",
+        0.0..10000.0,
+        "",
+        "How far closed lines begin behind their start in the layer before",
+        bead.start_shift_mm
+    ),
+    parameter!(
+        None,
         "dose.line_mm",
         "Scanned width",
         "mm",
@@ -441,6 +481,7 @@ impl Parameter {
 pub fn check_all(job: &Job) -> Result<(), String> {
     PARAMETERS.iter().try_for_each(|p| p.check((p.get)(job)))?;
     job.check_recipes()?;
+    super::bead::check(job)?;
     if job.layers.passes.fract() != 0.0 {
         return Err(format!("passes = {}: give a whole number", job.layers.passes));
     }

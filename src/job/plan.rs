@@ -1,18 +1,17 @@
 //! From a job to a plan: planes, lines, poses, program, report. Surfaces whose inputs have not
 //! changed are taken from the cache.
 
-use super::lay::{self, Laid};
+use super::layer;
 use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
-use super::surface_plan::{Cache, SurfacePlan, key_of, plan_surface, raster, rules, rules_of, stances, worked};
+use super::surface_plan::{Cache, Kept, SurfacePlan, rules, stances};
+use super::verify;
 use crate::beam::Stance;
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Choice, Memory, Refusal, Watch, choose_again};
+use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
-use crate::part::{Digest, Part, Surfaces};
-use crate::path::Order;
-use crate::path::planes::{self, Raster};
+use crate::part::{Grown, Part, Surfaces};
 use crate::pose::{Pass, State};
 use crate::program::Timeline;
 use crate::program::dialects;
@@ -21,7 +20,6 @@ use crate::program::lit::Straight;
 use crate::program::steps::{Steps, steps};
 use crate::program::sweep::{Proof, Prover};
 use crate::progress::{Cancelled, Progress};
-use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -30,10 +28,12 @@ use thiserror::Error;
 /// A plan.
 #[derive(Clone, Debug, Default)]
 pub struct Plan {
-    /// By surface, in the order of work.
+    /// By surface, in the order of work, layer after layer.
     pub surfaces: Vec<Arc<SurfacePlan>>,
     /// All passes in program order.
     pub passes: Vec<Pass>,
+    /// The part as it has grown when a layer begins, for each layer but the first.
+    pub grown: Vec<Arc<Grown>>,
     /// The program, step by step.
     pub steps: Steps,
     /// Joints and spin of every target that the robot does, and what it does not; without a robot
@@ -93,6 +93,16 @@ pub enum PlanError {
         /// Diagonal of the part.
         size_mm: f64,
     },
+    /// A build-up that closes a hollow.
+    #[error(
+        "surface {surface} is too hollow for {layers} layers and more: its facets fold over; give fewer layers, or less bead.height_mm"
+    )]
+    Folds {
+        /// The surface.
+        surface: u32,
+        /// Layers that it has no room for.
+        layers: u32,
+    },
     /// The user ended it.
     #[error("cancelled")]
     Cancelled,
@@ -149,62 +159,64 @@ pub fn plan(
         return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }
     bound_size(surfaces, &own, size_mm)?;
-    let rasters: Vec<Raster> = list.iter().filter_map(|n| Some(raster(*n, own.get(n)?))).collect();
-    let families = planes::planes(&part.mesh, surfaces, &rasters);
-    let mine = |n: u32| own.get(&n).map_or(job, |j| j);
-    progress.begin("laying lines", families.len());
-    let laid: Vec<(Digest, Arc<Laid>)> = families
-        .into_par_iter()
-        .map(|family| {
-            progress.step()?;
-            Ok(cache.laid(part, surfaces, family, mine))
-        })
-        .collect::<Result<Vec<Option<_>>, Cancelled>>()?
-        .into_iter()
-        .flatten()
-        .collect();
-    // Where a surface begins may depend on where the one before ends.
-    let (mut spot, mut lines) = (None, Vec::with_capacity(laid.len()));
-    for (key, laid) in &laid {
-        let ordered = lay::ordered(laid, &mine(laid.surface).layers, spot.as_ref());
-        let from = spot;
-        spot = lay::end_of(&ordered.lines).or(spot);
-        lines.push((*key, from, laid.clone(), ordered));
+    let grown = layer::parts(part, surfaces, &own)?;
+    let mut kept = Kept::default();
+    let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
+    for number in 0..=grown.len() as u32 {
+        let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
+        let on = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
+        let with = (&setup.tool, cache);
+        let made = layer::planned(on, &list, &own, with, number, &mut kept, progress)?;
+        passes.extend(made.iter().flat_map(|s| {
+            let times = own.get(&s.laid.surface).map_or(1, |j| j.layers.passes as usize);
+            (0..times).flat_map(|_| s.passes.iter().cloned())
+        }));
+        surface_plans.extend(made);
     }
-    progress.begin("planning", lines.iter().map(|l| l.3.lines.len()).sum());
-    let planned: Vec<(Digest, Arc<SurfacePlan>)> = lines
-        .into_par_iter()
-        .map(|(key, from, laid, ordered)| {
-            let job = mine(laid.surface);
-            let rules = rules_of(laid.surface, job);
-            let from = from.filter(|_| job.layers.order == Order::Shortest);
-            let key = key_of(key, from, job, &rules, &setup.tool);
-            let made = match cache.get(&key) {
-                Some(known) => known,
-                None => Arc::new(plan_surface(part, laid, ordered, job, &setup.tool, &rules, progress)?),
-            };
-            Ok((key, worked(made, job, &setup.tool)))
-        })
-        .collect::<Result<_, PlanError>>()?;
-    let surface_plans: Vec<_> = planned.iter().map(|(_, p)| p.clone()).collect();
-    cache.keep(planned.into_iter().collect(), laid.into_iter().collect());
-    let passes: Vec<Pass> = surface_plans
-        .iter()
-        .flat_map(|s| (0..mine(s.laid.surface).layers.passes as usize).flat_map(|_| s.passes.iter().cloned()))
-        .collect();
-    let air_mm_s = job.beam.air_speed_mm_s;
+    cache.keep(kept);
     let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
-    let mut plan = Plan { surfaces: surface_plans, passes, cell, ..Plan::default() };
+    let mut plan = Plan { surfaces: surface_plans, passes, grown, cell, ..Plan::default() };
+    for round in 0.. {
+        connect(&mut plan, part, setup, job, progress)?;
+        let lit = || plan.steps.lit_moves(&setup.mounted());
+        // What cannot be written is said when it is; the moves themselves can still be proven.
+        let (proof, refuted) = verify::proven_as_written(part, &plan, setup, job)
+            .unwrap_or_else(|_| (prover(part, setup, job).on_layers(&plan.grown).prove(&lit()), Vec::new()));
+        plan.proof = Some(proof);
+        if refuted.is_empty() || round == MOST_WRITTEN {
+            break;
+        }
+        let refusals: Vec<Refusal> = refuted.iter().map(as_written).collect();
+        plan.refuse(&refusals);
+    }
+    Ok(plan)
+}
+
+/// So often targets are refused whose moves hit something only as they are written.
+const MOST_WRITTEN: usize = 6;
+
+fn as_written(r: &verify::Refuted) -> Refusal {
+    let ((pass, point), blocker) = (r.target, r.blocker);
+    let detail = format!("as the program is written, {blocker}");
+    Refusal { pass, point, cause: Cause::of_blocker(&blocker), detail }
+}
+
+/// Makes the steps between and over the passes; what was refused before stays so.
+fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Progress) -> Result<(), PlanError> {
+    let before = std::mem::take(&mut plan.refusals);
     match &setup.robot {
-        Some(robot) => drive(&mut plan, part, setup, robot, job, progress)?,
+        Some(robot) => drive(plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin("connecting moves", 1);
-            let straight = straight(part, setup, job);
-            settle(&mut plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, air_mm_s))?;
+            let grown = plan.grown.clone();
+            let straight = straight(part, &grown, setup, job);
+            let air_mm_s = job.beam.air_speed_mm_s;
+            settle(plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, air_mm_s))?;
         }
     }
-    plan.proof = Some(prover(part, setup, job).prove(&plan.steps.lit_moves(&setup.mounted())));
-    Ok(plan)
+    plan.refusals.extend(before);
+    plan.refusals.sort_by_key(|r| (r.pass, r.point));
+    Ok(())
 }
 
 /// What proves the lit moves of a job.
@@ -224,8 +236,9 @@ pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
     Prover::new(part, &all, setup.mounted(), deviation_mm, sag_mm)
 }
 
-fn straight<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Straight<'a> {
-    Straight { prover: prover(part, setup, job).with_spare(), deviation_mm: job.cell.deviation_mm }
+fn straight<'a>(part: &'a Part, grown: &'a [Arc<Grown>], setup: &'a Setup, job: &Job) -> Straight<'a> {
+    let prover = prover(part, setup, job).on_layers(grown);
+    Straight { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
 }
 
 /// Spin, branch and joints of every target, and the program's steps with them. What the robot cannot
@@ -240,7 +253,10 @@ pub(super) fn drive(
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
     progress.begin("choosing spins", 2);
-    let collision = Collision::new(setup, part);
+    let grown = plan.grown.clone();
+    // Arm and head keep clear of all that will be there, from the first layer on.
+    let whole = grown.last().map_or(part, |g| &g.part);
+    let collision = Collision::new(setup, whole);
     let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
@@ -250,12 +266,12 @@ pub(super) fn drive(
     let mut refused: Vec<Refusal> = Vec::new();
     let mut best: Option<Plan> = None;
     let drive = Drive {
-        part,
+        part: whole,
         setup,
         mounted: setup.mounted(),
         robot,
         air_mm_s: job.beam.air_speed_mm_s,
-        straight: straight(part, setup, job),
+        straight: straight(part, &grown, setup, job),
         collision: collision.as_ref(),
         go_on: &go_on,
         known: Known::default(),
@@ -354,7 +370,8 @@ fn bound_size(surfaces: &Surfaces, own: &BTreeMap<u32, Cow<'_, Job>>, size_mm: f
     // Every plane is cut through every surface at least once.
     let points_of = |(&n, job): (&u32, &Cow<'_, Job>)| {
         let (spacing_mm, gap_mm) = (job.layers.spacing_mm, rules(job).max_gap_mm);
-        surfaces.get(n).map_or(0.0, |s| s.area_mm2) / (spacing_mm * gap_mm) + size_mm / spacing_mm
+        (surfaces.get(n).map_or(0.0, |s| s.area_mm2) / (spacing_mm * gap_mm) + size_mm / spacing_mm)
+            * f64::from(job.layer_count())
     };
     let points: f64 = own.iter().map(points_of).sum();
     let spacing_mm = own.values().map(|j| j.layers.spacing_mm).fold(f64::INFINITY, f64::min);

@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Tables of the job file whose numbers a recipe may hold.
-const TABLES: [&str; 3] = ["layers.", "beam.", "path."];
+const TABLES: [&str; 4] = ["layers.", "beam.", "path.", "bead."];
 /// What of them is the same for the whole program.
 const WHOLE: [&str; 3] = ["beam.air_speed_mm_s", "beam.margin_mm", "path.tilt_rate_deg_s"];
 
@@ -118,7 +118,8 @@ impl Job {
         self.recipe_of(surface).map_or(Cow::Borrowed(self), |r| Cow::Owned(r.applied(self)))
     }
 
-    /// The spacing at which neighbouring spots overlap by so many per cent of their width, mm.
+    /// The spacing at which neighbouring spots, or beads where one is told, overlap by so many per cent of
+    /// their width, mm.
     ///
     /// # Errors
     /// There is none for that.
@@ -126,12 +127,13 @@ impl Job {
         if !(0.0..=95.0).contains(&percent) {
             return Err(format!("overlap = {percent}: give a number from 0 to 95 %"));
         }
-        Ok(self.beam.spot_mm * (1.0 - 0.01 * percent))
+        Ok(self.track_mm() * (1.0 - 0.01 * percent))
     }
 
-    /// The overlap of neighbouring spots as a share of their width, per cent; negative where they do not meet.
+    /// The overlap of neighbouring spots, or beads where one is told, as a share of their width, per cent;
+    /// negative where they do not meet.
     pub fn overlap_percent(&self) -> f64 {
-        100.0 * (1.0 - self.layers.spacing_mm / self.beam.spot_mm)
+        100.0 * (1.0 - self.layers.spacing_mm / self.track_mm())
     }
 
     /// What is wrong with its recipes, as a sentence.

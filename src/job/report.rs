@@ -2,12 +2,15 @@
 
 use super::dose::DoseReport;
 use super::plan::Plan;
+use super::surface_plan::SurfacePlan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
 use crate::pose::{Blocker, Correction, Ours, Pass, Split, State, Target, Theirs};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
 use serde::Serialize;
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
 ///
@@ -15,10 +18,16 @@ use serde::Serialize;
 /// begins or ends at a corrected target, `blocked_mm` the length of passes with the laser off.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
+    /// Layers of the thickest build-up; 1 where nothing is built up.
+    pub layers: usize,
     /// Lines.
     pub passes: usize,
     /// Rows of `path.csv`.
     pub points: usize,
+    /// Points of the lines as they were laid, before anything was put between or dropped.
+    pub line_points: usize,
+    /// Points of the dense lines, of which the rows were chosen.
+    pub dense_points: usize,
     /// See above.
     pub work_mm: f64,
     /// See above.
@@ -237,25 +246,24 @@ impl Report {
             passes.iter().flat_map(|p| &p.targets).filter(|t| which(t)).count()
         };
         let all = &plan.passes;
-        let mut rest = all.as_slice();
-        let rows: Vec<SurfaceReport> = plan
-            .surfaces
-            .iter()
+        // The first layer has every surface; those above it add to its row.
+        let first = plan.surfaces.iter().filter(|s| s.laid.layer == 0);
+        let rows: Vec<SurfaceReport> = first
             .map(|s| {
-                // The passes of a surface follow one another, in the order of the surfaces.
-                let (passes, others) = rest.split_at(s.passes.len().min(rest.len()));
-                rest = others;
+                let surface = s.laid.surface;
+                let passes: Vec<&Pass> = all.iter().filter(|p| p.surface == surface).collect();
+                let layers = || plan.surfaces.iter().map(|s| &s.laid).filter(|l| l.surface == surface);
                 SurfaceReport {
-                    surface: s.laid.surface,
-                    area_mm2: surfaces.get(s.laid.surface).map_or(0.0, |x| x.area_mm2),
+                    surface,
+                    area_mm2: surfaces.get(surface).map_or(0.0, |x| x.area_mm2),
                     passes: passes.len(),
-                    points: count(passes, &|_| true),
-                    work_mm: length(passes, |_, to| to.laser),
-                    corrected_mm: length(passes, is_corrected),
-                    blocked_mm: length(passes, is_blocked),
-                    missed_area_mm2: s.laid.coverage.missed_area_mm2,
-                    spacing_min_mm: s.laid.coverage.spacing_min_mm,
-                    spacing_max_mm: s.laid.coverage.spacing_max_mm,
+                    points: passes.iter().map(|p| p.targets.len()).sum(),
+                    work_mm: length(passes.iter().copied(), |_, to| to.laser),
+                    corrected_mm: length(passes.iter().copied(), is_corrected),
+                    blocked_mm: length(passes.iter().copied(), is_blocked),
+                    missed_area_mm2: layers().map(|l| l.coverage.missed_area_mm2).fold(0.0, f64::max),
+                    spacing_min_mm: layers().filter_map(|l| l.coverage.spacing_min_mm).reduce(f64::min),
+                    spacing_max_mm: layers().filter_map(|l| l.coverage.spacing_max_mm).reduce(f64::max),
                 }
             })
             .collect();
@@ -263,8 +271,11 @@ impl Report {
             all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked).filter_map(|t| t.clearance_mm);
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
         Report {
+            layers: plan.grown.len() + 1,
             passes: all.len(),
             points: count(all, &|_| true),
+            line_points: all.iter().map(|p| p.line_points).sum(),
+            dense_points: all.iter().map(|p| p.dense_points).sum(),
             work_mm: length(all, |_, to| to.laser),
             corrected_mm: length(all, is_corrected),
             blocked_mm: length(all, is_blocked),
@@ -334,6 +345,10 @@ impl Report {
             "largest tilt {:.1}°, chord error {:.4} mm, spacing on the surface up to {:.3} mm",
             self.max_tilt_deg, self.max_chord_error_mm, self.max_surface_spacing_mm
         );
+        if self.layers > 1 {
+            let _ =
+                writeln!(out, "{} layers, each planned and proven on the part as those before make it", self.layers);
+        }
         if !self.splits.is_empty() {
             let _ = writeln!(out, "{} splits: laser off while the beam turns, a wall between", self.splits.len());
         }
@@ -368,8 +383,8 @@ pub fn hours(s: f64) -> String {
     format!("{}:{:02}:{:02}", s as u64 / 3600, s as u64 / 60 % 60, s as u64 % 60)
 }
 
-fn length(passes: &[Pass], which: impl Fn(&Target, &Target) -> bool + Copy) -> f64 {
-    passes.iter().map(|p| p.length_mm(which)).fold(0.0, |a, b| a + b)
+fn length<'a>(passes: impl IntoIterator<Item = &'a Pass>, which: impl Fn(&Target, &Target) -> bool + Copy) -> f64 {
+    passes.into_iter().map(|p| p.length_mm(which)).fold(0.0, |a, b| a + b)
 }
 
 /// The laser is off because something is in the way: over a gap of the line it is off on purpose.
@@ -413,8 +428,10 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
             });
         }
     }
-    for s in plan.surfaces.iter().filter(|s| s.laid.coverage.missed_area_mm2 > 0.0) {
-        let surface = s.laid.surface;
+    let is_missed = |s: &&Arc<SurfacePlan>| s.laid.coverage.missed_area_mm2 > 0.0;
+    let missed: BTreeSet<u32> = plan.surfaces.iter().filter(is_missed).map(|s| s.laid.surface).collect();
+    let first = plan.surfaces.iter().filter(|s| s.laid.layer == 0).map(|s| s.laid.surface);
+    for surface in first.filter(|n| missed.contains(n)) {
         out.push(Problem {
             pass: None,
             point: None,

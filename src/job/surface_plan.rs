@@ -37,10 +37,11 @@ pub struct SurfacePlan {
 #[derive(Debug, Default)]
 pub struct Cache(Mutex<Kept>);
 
+/// What one plan was made of.
 #[derive(Debug, Default)]
-struct Kept {
-    plans: BTreeMap<Digest, Arc<SurfacePlan>>,
-    laid: BTreeMap<Digest, Arc<Laid>>,
+pub(super) struct Kept {
+    pub(super) plans: BTreeMap<Digest, Arc<SurfacePlan>>,
+    pub(super) laid: BTreeMap<Digest, Arc<Laid>>,
 }
 
 impl Cache {
@@ -48,39 +49,41 @@ impl Cache {
         self.0.lock().ok()?.plans.get(key).cloned()
     }
 
-    /// The lines of the surface of a family, laid by the job of that surface.
+    /// The lines of the surface of a family in a layer, laid by the job of that surface.
     pub(super) fn laid<'a>(
         &self,
         part: &Part,
         surfaces: &Surfaces,
         family: SurfacePlanes,
         job_of: impl Fn(u32) -> &'a Job,
+        layer: u32,
     ) -> Option<(Digest, Arc<Laid>)> {
         let surface = surfaces.get(family.surface)?;
         let job = job_of(surface.number);
-        let key = laid_key(part, surface, &family, job);
+        let key = laid_key(part, surface, &family, job, layer);
         let known = self.0.lock().ok().and_then(|kept| kept.laid.get(&key).cloned());
-        let laid = known.unwrap_or_else(|| Arc::new(lay::laid(part, surfaces, surface, family, job)));
+        let laid = known.unwrap_or_else(|| Arc::new(lay::laid(part, surfaces, surface, family, job, layer)));
         Some((key, laid))
     }
 
     /// Keeps what the newest plan uses, and nothing else.
-    pub(super) fn keep(&self, plans: BTreeMap<Digest, Arc<SurfacePlan>>, laid: BTreeMap<Digest, Arc<Laid>>) {
+    pub(super) fn keep(&self, used: Kept) {
         if let Ok(mut kept) = self.0.lock() {
-            *kept = Kept { plans, laid };
+            *kept = used;
         }
     }
 }
 
 /// Of all that the lines of a surface depend on.
-fn laid_key(part: &Part, surface: &Surface, planes: &SurfacePlanes, job: &Job) -> Digest {
+fn laid_key(part: &Part, surface: &Surface, planes: &SurfacePlanes, job: &Job, layer: u32) -> Digest {
     let flipped = job.surfaces.flipped.contains(&planes.surface);
     // Numbers are printed so that they read back as they are.
-    let layers = format!("{:?}", job.layers);
+    let layers = format!("{:?} {:?}", job.layers, job.path.axis);
     Hasher::default()
         .digest(part.digest)
         .u32s(&surface.facets)
-        .u32s(&[planes.surface, flipped.into()])
+        .u32s(&[planes.surface, flipped.into(), layer, job.bead.alternate.into()])
+        .f64s(&[job.bead.start_shift_mm])
         .u32s(&layers.bytes().map(u32::from).collect::<Vec<_>>())
         .f64s(planes.normal.as_slice())
         .f64s(&planes.heights_mm)
@@ -125,7 +128,7 @@ pub(super) fn rules(job: &Job) -> LineRules {
 pub(super) fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
     let wanted = work(job);
     let own = |w: &Work| match tool.head {
-        None => wanted,
+        None => Work { layer: w.layer, ..wanted },
         Some(_) => Work { speed_mm_s: wanted.speed_mm_s, power_w: wanted.power_w, ..*w },
     };
     if made.passes.iter().any(|p| p.work != own(&p.work)) {
@@ -151,7 +154,7 @@ pub(super) fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>> {
 /// What a job works with.
 fn work(job: &Job) -> Work {
     let b = &job.beam;
-    Work { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, speed_mm_s: b.speed_mm_s, power_w: b.power_w }
+    Work { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, speed_mm_s: b.speed_mm_s, power_w: b.power_w, layer: 0 }
 }
 
 /// Makes the passes of a surface.
@@ -173,7 +176,8 @@ pub(super) fn plan_surface(
         .map(|(number, line)| {
             progress.step()?;
             let line = Line { line, surface: laid.surface, number: number as u32, m: laid.plane_of(line) };
-            let pass = plan_line(part, &stances, &line, rules);
+            let mut pass = plan_line(part, &stances, &line, rules);
+            pass.work.layer = laid.layer;
             let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
             let other =
                 (is_searched && interferes).then(|| plan_line_by_section_plane(part, &stances[0], &line, rules));

@@ -10,8 +10,8 @@ use super::plan::{self, Plan};
 use crate::beam::Work;
 use crate::cell::{Joints, Setup};
 use crate::part::{Part, angle};
-use crate::pose::Beam;
 use crate::pose::checker::Checker;
+use crate::pose::{Beam, Blocker};
 
 use crate::program::dialect::{Goal, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::sweep::{LitMove, Proof, Prover};
@@ -126,7 +126,7 @@ pub fn check(
     let Some(main) = files.first() else { return Err("the plan has no program".into()) };
     let written =
         dialect.read(main, &Reading { setup, open: &own }).map_err(|e| format!("the plan's own program: {e}"))?;
-    let prover = plan::prover(part, setup, job);
+    let prover = plan::prover(part, setup, job).on_layers(&planned.grown);
     let expected =
         Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
     let verdict = match dialect.read(first, &Reading { setup, open }) {
@@ -159,10 +159,54 @@ pub fn check_own(
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let read = dialect_of(first)?.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
     let lines = lines(&plan.steps, setup, job.beam.power_w);
-    let prover = plan::prover(part, setup, job);
+    let prover = plan::prover(part, setup, job).on_layers(&plan.grown);
     let defocus_mm = job.beam.defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };
     Ok(verify(&expected, &read, false))
+}
+
+/// A lit move that its own program would make into something.
+pub struct Refuted {
+    /// The target that it leads to: pass and point.
+    pub target: (usize, usize),
+    /// What is in the way.
+    pub blocker: Blocker,
+}
+
+/// Proves the lit moves of a plan as its program is written: with few digits, what just passes a facet may just
+/// hit it.
+///
+/// # Errors
+/// The program cannot be written, or read back.
+pub fn proven_as_written(part: &Part, plan: &Plan, setup: &Setup, job: &Job) -> Result<(Proof, Vec<Refuted>), String> {
+    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let dialect = dialects::known(&job.cell.dialect)?;
+    let planned = moves(&lines);
+    let files = dialect
+        .write(&Program { head: Vec::new(), lines: lines.clone(), setup })
+        .map_err(|e| format!("the program cannot be written: {e}"))?;
+    let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
+    let Some(first) = files.first() else { return Err("the plan has no program".into()) };
+    let read = dialect.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
+    let mut numbers = 0..planned.len();
+    let of_line = |l: &ReadLine| matches!(l.what, Read::Move(_)).then(|| numbers.next()).flatten();
+    let number: Vec<Option<usize>> = read.iter().map(of_line).collect();
+    let of_plan: Vec<Option<&Move>> = number.iter().map(|n| n.and_then(|n| planned.get(n).copied())).collect();
+    let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
+    let driven = driven(&poses, &read, &of_plan, &mut Verdict::default());
+    let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
+    let proof = plan::prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
+    let target = |at: usize| {
+        let from = number.get(at).copied().flatten()?;
+        // A move between two targets belongs to the one that it leads to.
+        planned.get(from..)?.iter().find_map(|m| m.target)
+    };
+    let refuted = proof
+        .refuted
+        .iter()
+        .filter_map(|(n, blocker)| Some(Refuted { target: target(driven.get(*n)?.place)?, blocker: *blocker }))
+        .collect();
+    Ok((proof, refuted))
 }
 
 fn dialect_of(first: &ProgramFile) -> Result<&'static dyn Dialect, String> {
@@ -420,6 +464,8 @@ fn differ(poses: &Poses<'_>, plan: Option<&Move>, want: &ReadLine, have: &ReadLi
 /// A move as it is driven.
 struct Driven<'a> {
     at: &'a ReadLine,
+    /// Its place among all lines.
+    place: usize,
     lit: LitMove,
 }
 
@@ -434,7 +480,7 @@ fn driven<'a>(
     let (mut lit, mut joints, mut at) = (false, None::<Joints>, None::<Isometry3<f64>>);
     let mut work = planned.iter().flatten().next().map_or_else(Work::default, |m| m.work);
     let mut out = Vec::new();
-    for (line, planned) in read.iter().zip(planned) {
+    for (place, (line, planned)) in read.iter().zip(planned).enumerate() {
         work = planned.map_or(work, |m| m.work);
         let planned = planned.and_then(|m| m.joints_deg);
         let m = match &line.what {
@@ -482,7 +528,7 @@ fn driven<'a>(
             match (m.way, at, here) {
                 (Way::Linear, Some(from), Some(to)) => {
                     let by_focus = matches!(m.goal, Goal::Focus(_));
-                    out.push(Driven { at: line, lit: LitMove { from, to, by_focus, work } });
+                    out.push(Driven { at: line, place, lit: LitMove { from, to, by_focus, work } });
                 }
                 _ => {
                     let text = "a move by joints with the laser on".into();
@@ -527,17 +573,22 @@ fn interference(
     if !with_checker {
         return;
     }
-    let part = expected.part;
-    let facets = part.mesh.facets.len().max(1);
-    let checker = Checker::new((0..part.mesh.facets.len()).map(|f| part.mesh.corners(f)));
+    let facets = expected.part.mesh.facets.len().max(1);
+    let layers = driven.iter().map(|d| d.lit.work.layer).max().unwrap_or(0);
+    let on = |layer: u32| {
+        let mesh = &expected.prover.part_of(layer).mesh;
+        Checker::new((0..mesh.facets.len()).map(|f| mesh.corners(f)))
+    };
+    let checkers: Vec<Checker> = (0..=layers).map(on).collect();
     let every = (driven.len() * facets).div_ceil(CHECKER_BUDGET).max(1);
     let hits: Vec<Finding> = driven
         .par_iter()
         .step_by(every)
         .filter_map(|d| {
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
-            let (p, a) = expected.prover.spot(&Beam::on(part), &end, &d.lit.work);
-            let facet = checker.hit(&p, &a, lit::FROM_MM)?;
+            let layer = d.lit.work.layer;
+            let (p, a) = expected.prover.spot(&Beam::on(expected.prover.part_of(layer)), &end, &d.lit.work);
+            let facet = checkers.get(layer as usize)?.hit(&p, &a, lit::FROM_MM)?;
             let text = format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
             Some(finding(d.at, Kind::Interference, text))
         })

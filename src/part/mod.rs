@@ -7,6 +7,7 @@ pub mod angle;
 pub mod bvh;
 mod digest;
 pub mod distance;
+pub mod growth;
 pub mod inspect;
 pub mod load;
 pub mod merge_tree;
@@ -22,6 +23,7 @@ pub mod units;
 
 pub use bvh::Bvh;
 pub use digest::{Digest, Hasher, file_sha256 as digest_of};
+pub use growth::{Grown, grown};
 pub use load::{LoadError, Part, load};
 pub use merge_tree::MergeTree;
 pub use placement::Placement;

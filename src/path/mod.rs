@@ -7,6 +7,7 @@ pub mod chord;
 pub mod coverage;
 pub mod dense;
 pub mod ends;
+pub mod neighbour_axes;
 pub mod normals;
 pub mod order;
 pub mod planes;
@@ -15,6 +16,7 @@ pub mod strategy;
 pub mod tour;
 
 pub use dense::DensePoint;
+pub use neighbour_axes::Axis;
 pub use order::Order;
 pub use planes::{Direction, SurfacePlanes};
 pub use section::{SectionPoint, TransversalLine};

@@ -2,6 +2,7 @@
 //! surface colours, path lines, frames, beams, air moves, the robot cell. The window and `render` share it.
 
 pub mod arm;
+pub mod beads;
 mod colormap;
 pub mod dose;
 pub mod palette;

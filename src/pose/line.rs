@@ -106,6 +106,8 @@ fn planned(
         plane_normal: plane_normal(line, *m),
         closed: false,
         targets: Vec::new(),
+        line_points: line.points.len(),
+        dense_points: 0,
         chord_error_mm: 0.0,
         splits: Vec::new(),
     };
@@ -123,6 +125,7 @@ fn planned(
         let before = whole.targets.len();
         whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
         whole.targets.extend(pass.targets);
+        whole.dense_points += pass.dense_points;
         whole.chord_error_mm = whole.chord_error_mm.max(pass.chord_error_mm);
     }
     whole
@@ -148,7 +151,9 @@ fn planned_piece(
     (correction, limit_deg): (Correction, Option<f64>),
 ) -> Pass {
     let beam = Beam::with(part, stance.body.as_ref());
-    let (points, free) = detected(&beam, dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg));
+    let dense = dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg);
+    let dense_points = dense.len();
+    let (points, free) = detected(&beam, dense);
     let mut planned = match correction {
         Correction::None => {
             let axes = points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect();
@@ -171,6 +176,8 @@ fn planned_piece(
         plane_normal: plane_normal(line, *m),
         closed: line.closed,
         targets: Vec::new(),
+        line_points: line.points.len(),
+        dense_points,
         chord_error_mm: 0.0,
         splits: Vec::new(),
     };

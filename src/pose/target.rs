@@ -108,6 +108,10 @@ pub struct Pass {
     pub closed: bool,
     /// Its targets in order.
     pub targets: Vec<Target>,
+    /// Points of its line as it was laid: those of a section are where the plane crosses edges of the part.
+    pub line_points: usize,
+    /// Points of its dense line, of which the targets were chosen; a closed one ends with its first again.
+    pub dense_points: usize,
     /// Largest distance of a dropped point from its chord, mm.
     pub chord_error_mm: f64,
     /// Where the laser is off while the beam turns, because nothing free leads from one side to the other.
@@ -124,6 +128,14 @@ pub struct Split {
 }
 
 impl Pass {
+    /// How programs call it, by its number.
+    pub fn title(&self, number: usize) -> String {
+        match self.work.layer {
+            0 => format!("pass {number}, surface {}", self.surface),
+            layer => format!("pass {number}, surface {}, layer {}", self.surface, layer + 1),
+        }
+    }
+
     /// Length of the moves that `which` picks by the target they end at, mm.
     pub fn length_mm(&self, which: impl Fn(&Target, &Target) -> bool) -> f64 {
         self.targets

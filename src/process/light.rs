@@ -145,7 +145,7 @@ pub struct Lamp {
 
 impl Lamp {
     fn new(work: Work, spot: &Spot) -> Lamp {
-        let spot = Spot { spot_mm: work.spot_mm, defocus_mm: work.defocus_mm, ..spot.clone() };
+        let spot = Spot { spot_mm: work.spot_mm, defocus_mm: work.defocus_mm, ..*spot };
         Lamp { work, negligible_j_mm2: NEGLIGIBLE * work.power_w / (work.speed_mm_s * work.spot_mm), spot }
     }
 }

@@ -208,7 +208,7 @@ impl Drive<'_> {
                 at = Some(go.to);
             }
             if said != Some(number) {
-                out.list.push(Step::Say(format!("pass {number}, surface {}", passes[number].surface)));
+                out.list.push(Step::Say(passes[number].title(number)));
                 said = Some(number);
             }
             out.driven(&down, at.as_ref());

@@ -131,7 +131,7 @@ pub fn farthest_focus_mm(passes: &[Pass]) -> f64 {
 /// tried again without them.
 pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], air_mm_s: f64) -> Result<Steps, Vec<Refusal>> {
     let mut refused = Vec::new();
-    let space = Space::new(straight.prover.part, &cell.air, farthest_focus_mm(passes));
+    let space = Space::new(straight.prover.whole(), &cell.air, farthest_focus_mm(passes));
     let mut out = Steps::default();
     let mut at: Option<Station> = None;
     let mut said = None;
@@ -179,7 +179,7 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], air_mm_s: f6
         let before = at.unwrap_or(start);
         let start = start.nearest_to(&before);
         if said != Some(number) {
-            out.list.push(Step::Say(format!("pass {number}, surface {}", pass.surface)));
+            out.list.push(Step::Say(pass.title(number)));
             said = Some(number);
         }
         out.go(start, space.seconds(&before, &start, air_mm_s), Some((number, first)));

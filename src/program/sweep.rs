@@ -9,12 +9,13 @@
 use super::lit::{FROM_MM, spot};
 use crate::beam::{Body, Stance, Work};
 use crate::cell::mounting::Mounted;
-use crate::part::{Part, angle};
+use crate::part::{Grown, Part, angle};
 use crate::pose::motion::{Motion, Pose, Swept, swept};
 use crate::pose::{Beam, Blocker, Ours, Theirs};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
+use std::sync::Arc;
 
 /// A move with the laser on.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +52,9 @@ fn count<S: Serializer>(list: &[(usize, Blocker)], s: S) -> Result<S::Ok, S::Err
 /// Sweeps lit moves.
 #[derive(Clone, Debug)]
 pub struct Prover<'a> {
-    pub(super) part: &'a Part,
+    part: &'a Part,
+    /// The part as it has grown when a layer begins, for each layer but the first.
+    grown: &'a [Arc<Grown>],
     /// What stands around the beam, for all that is worked with.
     bodies: Vec<(Work, Option<Body<'a>>)>,
     pub(super) mounted: Mounted,
@@ -76,6 +79,7 @@ impl<'a> Prover<'a> {
         let spare = |b: &Body<'a>| b.eased(deviation_mm, 1);
         Prover {
             part,
+            grown: &[],
             bodies: stances.iter().map(|s| (s.work, s.body.as_ref().map(eased))).collect(),
             spare: stances.iter().map(|s| (s.work, s.body.as_ref().map(spare))).collect(),
             mounted,
@@ -83,6 +87,23 @@ impl<'a> Prover<'a> {
             window_mm: deviation_mm + 2.0 * sag_mm,
             ray_share: 0.0,
         }
+    }
+
+    /// With the part as it has grown when a layer begins, for each layer but the first: a move is proven on
+    /// the part of its own layer.
+    pub fn on_layers(self, grown: &'a [Arc<Grown>]) -> Prover<'a> {
+        Prover { grown, ..self }
+    }
+
+    /// The part when a layer begins.
+    pub fn part_of(&self, layer: u32) -> &'a Part {
+        let before = (layer as usize).checked_sub(1);
+        before.and_then(|n| self.grown.get(n)).map_or(self.part, |g| &g.part)
+    }
+
+    /// The part with all layers but the last.
+    pub(super) fn whole(&self) -> &'a Part {
+        self.grown.last().map_or(self.part, |g| &g.part)
     }
 
     /// Where the beam of a path frame stands on the part, and its axis: no farther from where it should be
@@ -104,7 +125,7 @@ impl<'a> Prover<'a> {
 
     /// What is in the way of a move, if anything is.
     pub fn hit(&self, m: &LitMove) -> Option<Swept> {
-        let beam = Beam::with(self.part, self.body(&m.work));
+        let beam = Beam::with(self.part_of(m.work.layer), self.body(&m.work));
         let lever_mm = |pose: &Isometry3<f64>| {
             if m.by_focus {
                 return m.work.defocus_mm.abs();

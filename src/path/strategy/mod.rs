@@ -135,7 +135,7 @@ pub fn lines(
         Strategy::Offset => offset::lines(mesh, surface, normals, rule, merge_mm),
         Strategy::Spiral => spiral::lines(mesh, surface, normals, rule, merge_mm),
         Strategy::Cross => {
-            let Some(second) = across(mesh, surface, rule, family) else {
+            let Some(second) = across(mesh, surface, family, rule.spacing_mm, rule.cross_deg) else {
                 return SurfaceLines {
                     reason: Some(format!(
                         "surface {} has no mean normal to turn the second raster about: choose another strategy",
@@ -149,12 +149,18 @@ pub fn lines(
     }
 }
 
-/// Planes turned about the surface's mean normal, at equal heights.
-fn across(mesh: &Mesh, surface: &Surface, rule: &Layout, family: &SurfacePlanes) -> Option<SurfacePlanes> {
+/// Planes turned by an angle about the surface's mean normal, at equal heights; `None` where it has none.
+pub fn across(
+    mesh: &Mesh,
+    surface: &Surface,
+    family: &SurfacePlanes,
+    spacing_mm: f64,
+    turn_deg: f64,
+) -> Option<SurfacePlanes> {
     let axis = mean_normal(mesh, surface)?;
-    let normal = angle::unit(angle::turned(&family.normal, &axis, rule.cross_deg))?;
+    let normal = angle::unit(angle::turned(&family.normal, &axis, turn_deg))?;
     let extent = planes::extent(mesh, surface, &normal)?;
-    Some(SurfacePlanes { surface: surface.number, normal, heights_mm: planes::family(extent, rule.spacing_mm, None) })
+    Some(SurfacePlanes { surface: surface.number, normal, heights_mm: planes::family(extent, spacing_mm, None) })
 }
 
 /// One raster and another across it, whose ranks count on.

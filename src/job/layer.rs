@@ -1,0 +1,98 @@
+//! Layers of a build-up: each is planned on the part as those before have made it.
+//!
+//! While a layer is laid its own beads are not there yet: what the beam of a later line does to them, and
+//! whether it passes one beside it, is not looked at.
+
+use super::lay;
+use super::model::Job;
+use super::plan::PlanError;
+use super::surface_plan::{Cache, Kept, SurfacePlan, key_of, plan_surface, raster, rules_of, worked};
+use crate::beam::Tool;
+use crate::part::{Digest, Grown, Part, Surfaces, grown};
+use crate::path::Order;
+use crate::path::planes::{self, Raster};
+use crate::progress::{Cancelled, Progress};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The jobs of surfaces, by their numbers.
+pub(super) type Own<'a> = BTreeMap<u32, Cow<'a, Job>>;
+
+/// How many layers the thickest build-up has.
+pub(super) fn count(own: &Own<'_>) -> u32 {
+    own.values().map(|j| j.layer_count()).max().unwrap_or(1)
+}
+
+/// The part and its surfaces when a layer begins, for each layer but the first: every surface has all the
+/// layers before, as far as it gets so many.
+///
+/// # Errors
+/// A surface that is too hollow for its build-up.
+pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<Vec<Arc<Grown>>, PlanError> {
+    (1..count(own))
+        .into_par_iter()
+        .map(|layer| {
+            let height_mm = |j: &Job| j.bead.height_mm * f64::from(layer.min(j.layer_count()));
+            let heights_mm = own.iter().map(|(n, j)| (*n, height_mm(j))).collect();
+            let folds = |surface| PlanError::Folds { surface, layers: layer };
+            grown(part, surfaces, &heights_mm).map(Arc::new).map_err(folds)
+        })
+        .collect()
+}
+
+/// Plans one layer of the surfaces in `list`, in the order of work. What it is made of is kept in `kept`.
+pub(super) fn planned(
+    (part, surfaces): (&Part, &Surfaces),
+    list: &[u32],
+    own: &Own<'_>,
+    (tool, cache): (&Tool, &Cache),
+    layer: u32,
+    kept: &mut Kept,
+    progress: &Progress,
+) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
+    let default = Job::default();
+    let mine = |n: u32| own.get(&n).map_or(&default, |j| j);
+    let list = list.iter().filter(|n| layer < mine(**n).layer_count());
+    let rasters: Vec<Raster> = list.map(|n| raster(*n, mine(*n))).collect();
+    let families = planes::planes(&part.mesh, surfaces, &rasters);
+    progress.begin("laying lines", families.len());
+    let laid: Vec<(Digest, Arc<lay::Laid>)> = families
+        .into_par_iter()
+        .map(|family| {
+            progress.step()?;
+            Ok(cache.laid(part, surfaces, family, mine, layer))
+        })
+        .collect::<Result<Vec<Option<_>>, Cancelled>>()?
+        .into_iter()
+        .flatten()
+        .collect();
+    // Where a surface begins may depend on where the one before ends.
+    let (mut spot, mut lines) = (None, Vec::with_capacity(laid.len()));
+    for (key, laid) in &laid {
+        let ordered = lay::ordered(laid, &mine(laid.surface).layers, spot.as_ref());
+        let from = spot;
+        spot = lay::end_of(&ordered.lines).or(spot);
+        lines.push((*key, from, laid.clone(), ordered));
+    }
+    progress.begin("planning", lines.iter().map(|l| l.3.lines.len()).sum());
+    let planned: Vec<(Digest, Arc<SurfacePlan>)> = lines
+        .into_par_iter()
+        .map(|(key, from, laid, ordered)| {
+            let job = mine(laid.surface);
+            let rules = rules_of(laid.surface, job);
+            let from = from.filter(|_| job.layers.order == Order::Shortest);
+            let key = key_of(key, from, job, &rules, tool);
+            let made = match cache.get(&key) {
+                Some(known) => known,
+                None => Arc::new(plan_surface(part, laid, ordered, job, tool, &rules, progress)?),
+            };
+            Ok((key, worked(made, job, tool)))
+        })
+        .collect::<Result<_, PlanError>>()?;
+    let surface_plans = planned.iter().map(|(_, p)| p.clone()).collect();
+    kept.plans.extend(planned);
+    kept.laid.extend(laid);
+    Ok(surface_plans)
+}

@@ -1,0 +1,190 @@
+//! A part with metal laid on some of its surfaces: their vertices move outwards so that each facet's plane
+//! moves by the height laid on it; other facets follow at vertices that they share.
+//!
+//! Facets, edges and numbers stay, so surfaces stay. Where a surface is hollow with a radius less than the
+//! height its facets fold over; such a growth is refused, and so nothing is planned on it.
+
+use super::surfaces::Surfaces;
+use super::topology::{Dead, Mesh};
+use super::{Bvh, Hasher, Part, angle};
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+use std::collections::BTreeMap;
+
+/// A part and its surfaces with metal on them.
+#[derive(Clone, Debug, Default)]
+pub struct Grown {
+    /// The part; what is known of its file and its merge tree are those of the bare part.
+    pub part: Part,
+    /// The same surfaces on it.
+    pub surfaces: Surfaces,
+}
+
+/// Below this share of the greatest eigenvalue facets that differ in direction count as one rounded face,
+/// and its vertex moves along their mean: creases from some 25° on are met exactly.
+const ROUND: f64 = 0.05;
+
+/// Lays metal on surfaces: their numbers and heights, mm.
+///
+/// # Errors
+/// The surface that folds.
+pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) -> Result<Grown, u32> {
+    let height = |f: u32| heights_mm.get(&surfaces.of_facet[f as usize]).copied().filter(|h| *h > 0.0);
+    let is_grown: Vec<bool> = (0..part.mesh.facets.len() as u32).map(|f| height(f).is_some()).collect();
+    let mut mesh = part.mesh.clone();
+    for (v, at) in mesh.vertices.iter_mut().enumerate() {
+        let (mut spread, mut wanted) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
+        let facets = part.mesh.vertex_facets(v as u32).iter().copied();
+        for f in facets.filter(|&f| part.mesh.dead[f as usize] == Dead::No) {
+            let Some(height_mm) = height(f) else { continue };
+            let (n, weight) = (surfaces.normals[f as usize], corner_deg(&part.mesh, f, v as u32));
+            spread += n * n.transpose() * weight;
+            wanted += n * (weight * height_mm);
+        }
+        *at += shift(spread, &wanted);
+    }
+    mesh.update_geometry();
+    if let Some(surface) = folded(&part.mesh, &mesh, |f| is_grown[f as usize].then(|| surfaces.of_facet[f as usize])) {
+        return Err(surface);
+    }
+    let mut normals = mesh.normals.clone();
+    for (f, n) in normals.iter_mut().enumerate() {
+        // A surface that is worked on from its other side stays so.
+        if surfaces.normals[f] != part.mesh.normals[f] {
+            *n = -*n;
+        }
+    }
+    let list = surfaces.list.iter().map(|s| {
+        let area_mm2 = s.facets.iter().map(|&f| mesh.areas[f as usize]).fold(0.0, |a, b| a + b);
+        super::surfaces::Surface { area_mm2, ..s.clone() }
+    });
+    let surfaces = Surfaces {
+        of_facet: surfaces.of_facet.clone(),
+        list: list.collect(),
+        normals,
+        last_number: surfaces.last_number,
+    };
+    let mut hasher = Hasher::default().digest(part.digest);
+    for f in 0..is_grown.len() {
+        if let Some(h) = height(f as u32) {
+            hasher = hasher.u32s(&[f as u32]).f64s(&[h]);
+        }
+    }
+    let dihedral_deg = super::merge_tree::dihedral_angles(&mesh);
+    let part = Part { bvh: Bvh::new(&mesh), dihedral_deg, digest: hasher.finish(), mesh, ..part.clone() };
+    Ok(Grown { part, surfaces })
+}
+
+/// The grown surface at whose vertices an edge has come to run backwards, or a facet to look elsewhere: a bore
+/// that closed, a floor that rose above its rim.
+fn folded(before: &Mesh, mesh: &Mesh, grown: impl Fn(u32) -> Option<u32>) -> Option<u32> {
+    let at = |v: u32| before.vertex_facets(v).iter().find_map(|&f| grown(f));
+    let way = |m: &Mesh, [a, b]: [u32; 2]| m.vertices[b as usize] - m.vertices[a as usize];
+    let backwards = |ends: &&[u32; 2]| way(mesh, **ends).dot(&way(before, **ends)) <= 0.0;
+    let edge = mesh.edges.iter().find(backwards).and_then(|[a, b]| at(*a).or(at(*b)));
+    let turned = |f: &u32| {
+        let f = *f as usize;
+        before.dead[f] == Dead::No && (mesh.dead[f] != Dead::No || mesh.normals[f].dot(&before.normals[f]) < 0.5)
+    };
+    edge.or_else(|| (0..mesh.facets.len() as u32).filter(turned).find_map(grown))
+}
+
+/// The angle of a facet at one of its vertices.
+fn corner_deg(mesh: &Mesh, facet: u32, vertex: u32) -> f64 {
+    let corners = mesh.corners(facet as usize);
+    let Some(k) = mesh.facets[facet as usize].iter().position(|&v| v == vertex) else { return 0.0 };
+    angle::between_deg(&(corners[(k + 1) % 3] - corners[k]), &(corners[(k + 2) % 3] - corners[k]))
+}
+
+/// The shortest way that moves all facets' planes by their heights as nearly as can be.
+fn shift(spread: Matrix3<f64>, wanted: &Vector3<f64>) -> Vector3<f64> {
+    let eigen = SymmetricEigen::new(spread);
+    let most = eigen.eigenvalues.max();
+    if most <= 0.0 {
+        return Vector3::zeros();
+    }
+    (0..3)
+        .filter(|&k| eigen.eigenvalues[k] > ROUND * most)
+        .map(|k| {
+            let v = eigen.eigenvectors.column(k);
+            v * (v.dot(wanted) / eigen.eigenvalues[k])
+        })
+        .fold(Vector3::zeros(), |a, b| a + b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::{Placement, Units};
+    use crate::sample::{solids, stl_bytes};
+
+    fn made(triangles: &crate::sample::Triangles) -> (Part, Surfaces) {
+        let part = Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part");
+        let surfaces = crate::job::plan::segmented(&part, &crate::job::Job::default());
+        (part, surfaces)
+    }
+
+    fn on(numbers: &[u32], height_mm: f64) -> BTreeMap<u32, f64> {
+        numbers.iter().map(|n| (*n, height_mm)).collect()
+    }
+
+    #[test]
+    fn a_cube_grows_by_faces_edges_and_corners() {
+        let (part, surfaces) = made(&solids::cube(10.0));
+        let facing = |n: Vector3<f64>| {
+            surfaces.list.iter().find(|s| part.mesh.normals[s.facets[0] as usize] == n).expect("a face").number
+        };
+        let (top, side) = (facing(Vector3::z()), facing(Vector3::x()));
+        let bounds = |numbers: &[u32]| {
+            let grown = grown(&part, &surfaces, &on(numbers, 1.5)).expect("grows").part;
+            let (low, high) = grown.mesh.bounds();
+            assert!(grown.mesh.normals.iter().zip(&part.mesh.normals).all(|(a, b)| (a - b).norm() < 1e-12));
+            (low.coords, high.coords)
+        };
+        let near = |a: (Vector3<f64>, Vector3<f64>), low: [f64; 3], high: [f64; 3]| {
+            assert!((a.0 - Vector3::from(low)).norm() + (a.1 - Vector3::from(high)).norm() < 1e-9, "{a:?}");
+        };
+        near(bounds(&[top]), [0.0; 3], [10.0, 10.0, 11.5]);
+        near(bounds(&[top, side]), [0.0; 3], [11.5, 10.0, 11.5]);
+        near(bounds(&[1, 2, 3, 4, 5, 6]), [-1.5; 3], [11.5; 3]);
+        near(bounds(&[]), [0.0; 3], [10.0; 3]);
+    }
+
+    #[test]
+    fn round_faces_grow_by_the_height_everywhere() {
+        let (part, surfaces) = made(&solids::cylinder(20.0, 30.0, 72));
+        let round = surfaces.list.iter().max_by(|a, b| a.facets.len().cmp(&b.facets.len())).expect("one").number;
+        let made_of = grown(&part, &surfaces, &on(&[round], 2.0)).expect("grows");
+        for &f in &made_of.surfaces.get(round).expect("there").facets {
+            let n = made_of.surfaces.normals[f as usize];
+            let moved = n.dot(&(made_of.part.mesh.centroid(f as usize) - part.mesh.centroid(f as usize)));
+            assert!((moved - 2.0).abs() < 1e-6, "{moved}");
+        }
+        assert_ne!(made_of.part.digest, part.digest);
+        let (part, surfaces) = made(&solids::sphere(25.0, 90, 60));
+        let ball = grown(&part, &surfaces, &on(&[1], 3.0)).expect("grows");
+        for v in &ball.part.mesh.vertices {
+            let radius = v.coords.norm();
+            assert!((radius - 28.0).abs() < 0.01, "{radius}");
+        }
+    }
+
+    #[test]
+    fn what_is_hollow_closes_until_it_folds() {
+        let (part, mut surfaces) = made(&solids::sphere(5.0, 60, 40));
+        // Worked on from within.
+        surfaces.normals.iter_mut().for_each(|n| *n = -*n);
+        let within = grown(&part, &surfaces, &on(&[1], 3.0)).expect("grows");
+        assert!(within.part.mesh.vertices.iter().all(|v| (v.coords.norm() - 2.0).abs() < 0.01));
+        assert!(within.surfaces.normals.iter().zip(&within.part.mesh.normals).all(|(a, b)| *a == -*b));
+        assert_eq!(grown(&part, &surfaces, &on(&[1], 6.0)).err(), Some(1));
+        // A pocket is full when its floor comes to the rim.
+        let (part, surfaces) = made(&solids::blind_hole(20.0, 4.0, 6.0, 40));
+        let up = |s: &&crate::part::surfaces::Surface| {
+            let f = s.facets[0] as usize;
+            part.mesh.normals[f].z > 0.99 && part.mesh.centroid(f).z < part.mesh.bounds().1.z - 1.0
+        };
+        let floor = surfaces.list.iter().find(up).expect("a floor").number;
+        assert!(grown(&part, &surfaces, &on(&[floor], 5.9)).is_ok());
+        assert_eq!(grown(&part, &surfaces, &on(&[floor], 6.1)).err(), Some(floor));
+    }
+}

@@ -1,0 +1,214 @@
+//! Beads in layers: each on the part as those before have made it, proven on that part, and read back.
+
+use clearbeam::cell::Setup;
+use clearbeam::job::plan::{prover, segmented};
+use clearbeam::job::report::Report;
+use clearbeam::job::{self, Cache, Chosen, Job, Plan, PlanError, Progress, files, output, verify};
+use clearbeam::part::{Part, Placement, Surfaces, Units, angle};
+use clearbeam::path::Axis;
+use clearbeam::pose::{Correction, TiltRule};
+use clearbeam::program::{Line, lines};
+use clearbeam::sample::{Triangles, solids, stl_bytes};
+use nalgebra::Vector3;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+struct Case {
+    part: Part,
+    surfaces: Surfaces,
+    job: Job,
+    setup: Setup,
+}
+
+impl Case {
+    /// A solid of which the surface that looks along `n` is clad with beads of 2 × 0.5 mm.
+    fn new(solid: &Triangles, n: [f64; 3], layers: f64) -> Case {
+        let part = Part::from_bytes(&stl_bytes(solid), Units::Mm, &Placement::default(), &[]).expect("a part");
+        let mut job = Job::default();
+        let surfaces = segmented(&part, &job);
+        let off = |f: u32| (part.mesh.normals[f as usize] - Vector3::from(n)).norm();
+        let chosen = surfaces.list.iter().find(|s| s.facets.iter().any(|&f| off(f) < 0.1)).expect("a surface").number;
+        job.clean.surfaces = Chosen::These(vec![chosen]);
+        job.layers.direction = "x".parse().expect("a direction");
+        (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 0.5, layers);
+        job.layers.spacing_mm = job.bead_spacing_mm().expect("a bead");
+        Case { part, surfaces, job, setup: Setup::shipped().expect("a cell") }
+    }
+
+    fn plan_with(&self, cache: &Cache) -> Result<Plan, PlanError> {
+        job::plan(&self.part, &self.surfaces, &self.job, &self.setup, cache, &Progress::default())
+    }
+
+    fn plan(&self) -> Plan {
+        self.plan_with(&Cache::default()).expect("plans")
+    }
+
+    /// The program, written and verified by the reader with the second opinion.
+    fn verified(&self, plan: &Plan) -> verify::Verdict {
+        let report = Report::new(plan, &self.surfaces);
+        let files = output::program(&self.job, "part.stl", &self.setup, plan, &report).expect("writes");
+        let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
+        verify::check(&self.part, plan, &self.setup, &self.job, &files[0], &open, true).expect("reads").1
+    }
+}
+
+#[test]
+fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
+    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3.0);
+    case.job.bead.alternate = true;
+    let plan = case.plan();
+    let report = Report::new(&plan, &case.surfaces);
+    assert_eq!((report.layers, plan.grown.len(), plan.surfaces.len(), report.surfaces.len()), (3, 2, 3, 1));
+    assert_eq!(report.surfaces[0].passes, plan.passes.len());
+    assert!((report.surfaces[0].work_mm - report.work_mm).abs() < 1e-9);
+    let layers: Vec<u32> = plan.passes.iter().map(|p| p.work.layer).collect();
+    assert!(layers.is_sorted() && layers.contains(&2));
+    for pass in &plan.passes {
+        let z = 10.0 + 0.5 * f64::from(pass.work.layer);
+        assert!(pass.targets.iter().all(|t| (t.p.z - z).abs() < 1e-9), "each on top of the one before");
+        // Every second layer runs across.
+        let m = if pass.work.layer == 1 { pass.plane_normal.y } else { pass.plane_normal.x };
+        assert!((m.abs() - 1.0).abs() < 1e-9);
+    }
+    let proof = plan.proof.as_ref().expect("a proof");
+    assert!(proof.intervals > 10 && proof.proven == proof.intervals, "{proof:?}");
+    let verdict = case.verified(&plan);
+    assert_eq!(verdict.findings, []);
+    assert_eq!(verdict.proof.proven, verdict.lit_moves);
+    let said = |text: &str| {
+        lines(&plan.steps, &case.setup, 0.0).iter().any(|l| matches!(l, Line::Say(s) if s.ends_with(text)))
+    };
+    assert!(said("layer 2") && said("layer 3") && !said("layer 1"));
+}
+
+#[test]
+fn a_move_below_the_metal_of_its_layer_is_refuted() {
+    let case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3.0);
+    let plan = case.plan();
+    let moves = plan.steps.lit_moves(&case.setup.mounted());
+    let prover = prover(&case.part, &case.setup, &case.job).on_layers(&plan.grown);
+    let first = *moves.iter().find(|m| m.work.layer == 0).expect("the first layer");
+    assert!(prover.hit(&first).is_none());
+    let mut buried = first;
+    buried.work.layer = 2;
+    assert!(prover.hit(&buried).is_some(), "1 mm of metal lies on that line by then");
+}
+
+#[test]
+fn closed_lines_begin_elsewhere_in_each_layer() {
+    let mut case = Case::new(&solids::cylinder(15.0, 12.0, 120), [1.0, 0.0, 0.0], 3.0);
+    case.job.layers.direction = "z".parse().expect("a direction");
+    let start = |plan: &Plan, layer: u32| {
+        let lowest = plan
+            .passes
+            .iter()
+            .filter(|p| p.work.layer == layer)
+            .min_by(|a, b| a.targets[0].p.z.total_cmp(&b.targets[0].p.z));
+        lowest.expect("a pass").targets[0].p
+    };
+    let turned_deg = |plan: &Plan| {
+        let flat = |layer| Vector3::new(start(plan, layer).x, start(plan, layer).y, 0.0);
+        [angle::between_deg(&flat(0), &flat(1)), angle::between_deg(&flat(0), &flat(2))]
+    };
+    let [one, two] = turned_deg(&case.plan());
+    assert!(one < 1e-6 && two < 1e-6, "at one place without a shift: {one} {two}");
+    case.job.bead.start_shift_mm = 4.0;
+    let [one, two] = turned_deg(&case.plan());
+    // Radii 15.5 and 16 mm; on a prism of 120 sides arc and side hardly differ.
+    for (found, exact) in [(one, (4.0f64 / 15.5).to_degrees()), (two, (8.0f64 / 16.0).to_degrees())] {
+        assert!((found - exact).abs() < 0.05, "{found} instead of {exact}");
+    }
+}
+
+#[test]
+fn a_bore_that_would_close_is_refused() {
+    let mut case = Case::new(&solids::cylinder(3.0, 12.0, 60), [1.0, 0.0, 0.0], 4.0);
+    let flipped = case.job.clean.numbers(std::iter::empty());
+    case.job.surfaces.flipped = flipped.clone();
+    case.surfaces = segmented(&case.part, &case.job);
+    case.job.path.correction = Correction::None;
+    assert!(case.plan_with(&Cache::default()).is_ok(), "1.5 of 3 mm");
+    case.job.bead.layers = 9.0;
+    let refused = case.plan_with(&Cache::default()).expect_err("4 of 3 mm");
+    let PlanError::Folds { surface, layers } = refused else { panic!("{refused}") };
+    assert!(surface == flipped[0] && layers >= 6, "{layers}");
+}
+
+#[test]
+fn another_layer_leaves_those_below_as_they_are() {
+    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2.0);
+    let cache = Cache::default();
+    let two = case.plan_with(&cache).expect("plans");
+    case.job.bead.layers = 3.0;
+    let three = case.plan_with(&cache).expect("plans");
+    assert_eq!((two.surfaces.len(), three.surfaces.len()), (2, 3));
+    assert!(two.surfaces.iter().zip(&three.surfaces).all(|(a, b)| Arc::ptr_eq(a, b)));
+    let fresh = case.plan();
+    assert!(fresh.passes == three.passes && fresh.steps == three.steps, "and nothing depends on the cache");
+    case.job.bead = Default::default();
+    let bare = case.plan_with(&cache).expect("plans");
+    assert!(bare.grown.is_empty() && bare.passes.iter().all(|p| p.work.layer == 0));
+}
+
+#[test]
+fn a_robot_lays_layers_too() {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/samples/workpiece.toml");
+    let mut job = files::read(&file).expect("reads");
+    job.clean.surfaces = Chosen::These(vec![3]);
+    job.cell.robot = "mz04".into();
+    (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (3.0, 0.6, 2.0);
+    job.layers.spacing_mm = job.bead_spacing_mm().expect("a bead");
+    let part = files::load_part(&job, Some(&file)).expect("loads");
+    let setup = files::load_setup(&job, Some(&file)).expect("a cell");
+    let surfaces = segmented(&part, &job);
+    let case = Case { part, surfaces, job, setup };
+    let plan = case.plan();
+    let report = Report::new(&plan, &case.surfaces);
+    assert_eq!((report.layers, report.proven), (2, true), "{}", report.text());
+    assert!(plan.passes.iter().filter(|p| p.work.layer == 1).any(|p| p.targets.iter().any(|t| t.laser)));
+    assert_eq!(case.verified(&plan).findings, []);
+}
+
+#[test]
+fn axes_from_neighbours_stand_on_the_cup_as_its_radii_do() {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/samples/acetabular_cup.toml");
+    let mut job = files::read(&file).expect("reads");
+    (job.layers.spacing_mm, job.path.axis) = (1.0, Axis::Neighbours);
+    (job.path.chord_error_mm, job.path.max_turn_deg) = (0.02, 5.0);
+    let part = files::load_part(&job, Some(&file)).expect("loads");
+    let setup = files::load_setup(&job, Some(&file)).expect("a cell");
+    let surfaces = segmented(&part, &job);
+    let case = Case { part, surfaces, job, setup };
+    let plan = case.plan();
+    let centre = Vector3::new(0.0, 0.0, 5.0);
+    // On the sphere, away from skirt, pole and the ends' single neighbours.
+    let on_sphere = plan.passes.iter().flat_map(|p| &p.targets).filter(|t| (7.0..24.0).contains(&t.p.z));
+    let worst = on_sphere.map(|t| angle::between_deg(&t.n, &(t.p.coords - centre))).fold(0.0, f64::max);
+    // Facets of 4.7 by 4.2 degrees are what the lines know of the sphere.
+    assert!(worst < 2.5, "{worst}");
+    assert_eq!(case.verified(&plan).findings, []);
+}
+
+#[test]
+fn a_least_tilt_lets_nothing_return_into_the_head() {
+    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2.0);
+    case.job.path.correction = Correction::Clearance;
+    let surface = case.job.clean.numbers(std::iter::empty())[0];
+    case.job.tilts = vec![TiltRule { surface, least_deg: 5.0, ..TiltRule::default() }];
+    let plan = case.plan();
+    let tilts: Vec<f64> = plan.passes.iter().flat_map(|p| &p.targets).map(|t| t.tilt_deg()).collect();
+    assert!(tilts.iter().all(|deg| (deg - 5.0).abs() < 1e-6), "{tilts:?}");
+    assert_eq!(case.verified(&plan).findings, []);
+}
+
+#[test]
+fn the_readme_tells_a_job_that_can_be_planned() {
+    let readme = include_str!("../README.md");
+    let (_, rest) = readme.split_once("## Cladding").expect("a section");
+    let text = rest.split_once("```toml\n").and_then(|(_, t)| t.split_once("```")).expect("a job").0;
+    let job: Job = toml::from_str(text).expect("reads");
+    job::parameter::check_all(&job).expect("sound");
+    assert_eq!(job.layer_count(), 3);
+    let spacing_mm = job.bead_spacing_mm().expect("a bead");
+    assert!((spacing_mm - job.layers.spacing_mm).abs() < 1e-3, "{spacing_mm}");
+}
