@@ -4,8 +4,7 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::beam::Work;
-use clearbeam::beam::{Obstacle, Optics};
+use clearbeam::beam::{Obstacle, Optics, Work};
 use clearbeam::job::plan::segmented;
 use clearbeam::job::{self, Document, Edit, Job, Progress};
 use clearbeam::part::{Part, Placement, Surfaces};
@@ -15,6 +14,7 @@ use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Ta
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{block, near, part, placed, planned_at, sheet};
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 const POWER_W: f64 = 300.0;
@@ -66,7 +66,7 @@ fn light(passes: &[Pass], spot: Spot) -> Light {
 fn map_on(part: &Part, passes: &[Pass], spot: Spot, clamps: &[Obstacle]) -> (DoseMap, Surfaces) {
     let surfaces = segmented(part, &Job::default());
     let chosen = surfaces.list.iter().map(|s| s.number).collect();
-    let task = Task { part, surfaces: &surfaces, clamps, chosen, thresholds: LOW };
+    let task = Task { part, surfaces: &surfaces, clamps, chosen, thresholds: LOW, own: BTreeMap::new() };
     let map = dose(&task, light(passes, spot), &|| true).expect("nobody cancels");
     (map, surfaces)
 }
@@ -447,7 +447,8 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
     let passes: Vec<Pass> = [9.6, 10.0, 14.0].map(|y| line([-5.0, y, 0.0], [5.0, y, 0.0], [0.0, 0.0, 1.0])).to_vec();
     let body = part(&plate());
     let surfaces = segmented(&body, &Job::default());
-    let task = Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![1], thresholds: LOW };
+    let task =
+        Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![1], thresholds: LOW, own: BTreeMap::new() };
     let ends = [2.5, 10.0, 20.0];
     let light = Light::new(&passes, &spot(Profile::Gaussian), |pass, _| ends[pass]);
     let map = dose(&task, light, &|| true).expect("a map");
@@ -531,7 +532,8 @@ fn what_stays_unclean_has_its_cause() {
         .collect();
     let surfaces = segmented(&body, &Job::default());
     let thresholds = Thresholds { low_j_cm2: 5000.0, high_j_cm2: 1e6, collateral_j_cm2: 1.0 };
-    let task = Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![plate], thresholds };
+    let task =
+        Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![plate], thresholds, own: BTreeMap::new() };
     let map = dose(&task, light(&passes, spot(Profile::Gaussian)), &|| true).expect("a map");
     let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6)[0];
     assert_eq!(patch.cause, Cause::Shaded);

@@ -6,8 +6,9 @@ use super::model::Job;
 use super::plan::{Plan, PlanError};
 use crate::cell::Setup;
 use crate::part::{Part, Surfaces};
+use crate::path::Strategy;
 use crate::pose::{Pass, Theirs};
-use crate::process::{DoseMap, Light, Patch, Spot, Task, dose as computed};
+use crate::process::{DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
 use crate::program::Timeline;
 use crate::program::steps::{Pace, Step};
 use crate::progress::Progress;
@@ -84,6 +85,9 @@ pub fn dose(
     progress: &Progress,
 ) -> Result<DoseMap, PlanError> {
     let (b, d) = (&job.beam, &job.dose);
+    let chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
+    let with_recipe = chosen.iter().filter(|n| job.recipe_of(**n).is_some());
+    let own = with_recipe.map(|n| (*n, thresholds(&job.of_surface(*n)))).collect();
     let spot = Spot {
         profile: d.profile,
         line_mm: d.line_mm,
@@ -93,15 +97,17 @@ pub fn dose(
     };
     let times = ends_s(plan);
     let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
-    let task = Task {
-        part,
-        surfaces,
-        clamps: &setup.tool.clamps,
-        chosen: job.clean.numbers(surfaces.list.iter().map(|s| s.number)),
-        thresholds: d.thresholds(b.power_w, b.speed_mm_s, job.layers.spacing_mm),
-    };
+    let task = Task { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
     progress.begin("dose", 2 * light.runs.len());
     computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
+}
+
+/// What is little and what is much where a job says nothing: against what all its passes together land on a
+/// plate; a cross goes over it twice.
+fn thresholds(job: &Job) -> Thresholds {
+    let (b, l) = (&job.beam, &job.layers);
+    let times = l.passes * if l.strategy == Strategy::Cross { 2.0 } else { 1.0 };
+    job.dose.thresholds(b.power_w * times, b.speed_mm_s, l.spacing_mm)
 }
 
 /// When the moves to the targets end, s from the program's start. Without a robot nothing is known of

@@ -14,6 +14,7 @@ use crate::part::{Part, Surfaces, topology::Dead};
 use crate::pose::Theirs;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Samples are no wider than this share of the spot, corner to corner.
 const SAMPLE_SPOTS: f64 = 0.25;
@@ -37,6 +38,8 @@ pub struct Task<'a> {
     pub chosen: Vec<u32>,
     /// What is little and what is much.
     pub thresholds: Thresholds,
+    /// The same for surfaces that are worked on otherwise, by their numbers.
+    pub own: BTreeMap<u32, Thresholds>,
 }
 
 /// The dose on all samples.
@@ -54,6 +57,8 @@ pub struct DoseMap {
     pub coarsened: bool,
     /// What is little and what is much.
     pub thresholds: Thresholds,
+    /// The same for facets of surfaces that are worked on otherwise.
+    pub(super) own: BTreeMap<u32, Thresholds>,
     /// The surfaces that are to be cleaned.
     pub chosen: Vec<u32>,
     /// The light that it was made by.
@@ -183,9 +188,18 @@ pub fn dose(task: &Task<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> 
         sample_mm: pitch_mm * 2f64.sqrt(),
         coarsened,
         thresholds: task.thresholds,
+        own: own_of_facets(task),
         chosen: task.chosen.clone(),
         light,
     })
+}
+
+fn own_of_facets(task: &Task<'_>) -> BTreeMap<u32, Thresholds> {
+    let facets = |(n, t): (&u32, &Thresholds)| {
+        let (facets, t) = (task.surfaces.get(*n).map_or(&[][..], |s| &s.facets), *t);
+        facets.iter().map(move |f| (*f, t)).collect::<Vec<_>>()
+    };
+    task.own.iter().flat_map(facets).collect()
 }
 
 /// The light near each facet, in the order of the program.

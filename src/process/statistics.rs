@@ -45,7 +45,7 @@ pub struct Collateral {
 impl DoseMap {
     /// What became of a sample, if its surface is chosen.
     pub fn verdict(&self, sample: &Sample) -> Verdict {
-        let t = &self.thresholds;
+        let t = self.own.get(&sample.facet).unwrap_or(&self.thresholds);
         let (dose, unshaded) = (f64::from(sample.fluence_j_cm2), f64::from(sample.unshaded_j_cm2));
         if dose > t.high_j_cm2 {
             Verdict::Over
