@@ -27,3 +27,13 @@ fn the_readme_holds_the_parameter_table() {
     let readme = include_str!("../README.md");
     assert!(readme.contains(&table), "README.md should hold this table:\n{table}");
 }
+
+#[test]
+fn the_readme_s_recipe_is_one() {
+    let readme = include_str!("../README.md");
+    let section = readme.split("## Recipes and strategies").nth(1).expect("the section");
+    let block = section.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("its example");
+    let job: clearbeam::job::Job = toml::from_str(block).expect("a job");
+    assert_eq!(job.check_recipes(), Ok(()));
+    assert_eq!(job.of_surface(4).layers.spacing_mm, 0.3);
+}

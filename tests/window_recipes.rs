@@ -175,12 +175,56 @@ fn recipes_are_dragged_kept_and_removed() {
     assert!(!shows(&h, "surface 3 has recipe Slow"));
 }
 
+const STRONG: &str = "[recipe_of]\n2 = \"Strong\"\n[[recipes]]\nname = \"Strong\"\nstrategy = \"spiral\"\n\
+                      [recipes.values]\n\"beam.power_w\" = 900.0\n";
+
+#[test]
+fn recipes_follow_their_surfaces_when_those_are_cut_anew() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut h = window(Some(job(&folder, STRONG)), &Answers::default());
+    let number = |h: &Harness<'_, App>| says(h, "has recipe Strong");
+    let before = number(&h);
+    type_into(&mut h, "Crease angle", "8");
+    let after = number(&h);
+    let of: u32 = after.split(' ').nth(1).and_then(|n| n.parse().ok()).expect("a number");
+    assert!(shows(&h, &format!("surface {of} sphere Ø17.51")), "{after}: still the crater");
+    press(&mut h, Modifiers::COMMAND, Key::Z);
+    assert_eq!(number(&h), before);
+}
+
+#[test]
+fn the_centre_of_a_spiral_goes_into_the_recipe_of_its_surface() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut h = window(Some(job(&folder, STRONG)), &Answers::default());
+    click(&mut h, row(2));
+    open(&mut h, "Recipe of surface 2: Strong");
+    press(&mut h, Modifiers::NONE, Key::F);
+    let view = h.get_by_label("3D view").rect().center();
+    h.hover_at(view);
+    h.step();
+    h.get_by_label("3D view").click_secondary();
+    settle(&mut h);
+    click(&mut h, "Spiral centre here");
+    assert!(shows(&h, "recipe reset centre"));
+    click(&mut h, "recipe reset centre");
+    assert!(!shows(&h, "recipe reset centre"));
+}
+
+#[test]
+fn remarks_stand_among_the_problems() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let more = "[layers]\nspacing_mm = 2.0\nstrategy = \"offset\"\nborder = 9\n";
+    let mut h = window(Some(job(&folder, more)), &Answers::default());
+    assert!(says(&h, "surface 2 has no border 10").ends_with("whole outline"));
+    click(&mut h, "strategy");
+    click(&mut h, "planes – parallel planes, equally far apart");
+    assert!(h.query_by_label_contains("has no border 10").is_none());
+}
+
 #[test]
 fn recipes_stand_side_by_side() {
     let folder = tempfile::tempdir().expect("a folder");
-    let recipes = "[recipe_of]\n2 = \"Strong\"\n[[recipes]]\nname = \"Strong\"\nstrategy = \"spiral\"\n\
-                   [recipes.values]\n\"beam.power_w\" = 900.0\n";
-    let mut h = window(Some(job(&folder, recipes)), &Answers::default());
+    let mut h = window(Some(job(&folder, STRONG)), &Answers::default());
     open(&mut h, "Recipe library");
     reveal(&mut h, "Compare…");
     click(&mut h, "Compare…");

@@ -127,7 +127,7 @@ pub(super) fn border(ui: &mut egui::Ui, owner: Owner, now: Option<u32>, is_chang
     let mut wanted = None;
     ui.horizontal(|ui| {
         name(ui, "Start from", is_changed)
-            .on_hover_text("The loops of the outline are counted from the longest, which is 0");
+            .on_hover_text("The loops of the outline are counted from the longest, which is 1");
         let mut whole = now.is_none();
         let check = ui.checkbox(&mut whole, "whole outline");
         let told = format!("{}whole outline", owner.prefix);
@@ -135,12 +135,13 @@ pub(super) fn border(ui: &mut egui::Ui, owner: Owner, now: Option<u32>, is_chang
         if check.changed() {
             wanted = Some((!whole).then_some(0));
         }
-        if let Some(mut number) = now {
-            let response = ui.add(DragValue::new(&mut number).speed(0.05).range(0..=999).prefix("border "));
+        if let Some(index) = now {
+            let mut number = index.saturating_add(1);
+            let response = ui.add(DragValue::new(&mut number).speed(0.05).range(1..=1000).prefix("border "));
             let told = format!("{}border", owner.prefix);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
             if response.changed() {
-                wanted = Some(Some(number));
+                wanted = Some(Some(number - 1));
             }
         }
     });

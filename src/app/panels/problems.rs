@@ -2,6 +2,7 @@
 
 use super::super::{App, theme};
 use crate::job::report::Problem;
+use crate::path::Strategy;
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -30,6 +31,12 @@ fn refused(cause: &str) -> &str {
         "singularity" => "refused: the arm would be singular",
         _ => "blocked",
     }
+}
+
+/// A remark on how lines lie, with the surface unless it names that itself.
+fn remark_on(surface: u32, remark: &str) -> String {
+    let names_it = remark.contains(&format!("surface {surface} "));
+    if names_it { remark.into() } else { format!("surface {surface}: {remark}") }
 }
 
 /// As a sentence begins.
@@ -62,10 +69,8 @@ impl App {
             let row = report.surfaces.iter().find(|s| s.surface == *surface);
             let text = match (list[0].pass, by, row) {
                 (None, _, Some(row)) => {
-                    format!(
-                        "surface {surface}: {:.1} mm² missed by the planes; try direction auto",
-                        row.missed_area_mm2
-                    )
+                    let why = if self.is_by_planes(*surface) { "planes; try direction auto" } else { "lines" };
+                    format!("surface {surface}: {:.1} mm² missed by the {why}", row.missed_area_mm2)
                 }
                 (_, Some(by), _) => {
                     let ours = if list[0].cause == "head" { ", which the head would hit" } else { "" };
@@ -81,7 +86,7 @@ impl App {
             }
         }
         for (surface, remark) in remarks {
-            let text = RichText::new(format!("surface {surface}: {remark}")).color(theme::ATTENTION);
+            let text = RichText::new(remark_on(surface, remark)).color(theme::ATTENTION);
             if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text("Show it").clicked() {
                 self.session.selected = [surface].into();
                 self.session.scroll_to = Some(surface);
@@ -89,6 +94,12 @@ impl App {
             }
         }
         self.what_would_help(ui);
+    }
+
+    /// Whether a surface's lines are cut by planes, which can be turned.
+    fn is_by_planes(&self, surface: u32) -> bool {
+        let strategy = self.document.job().of_surface(surface).layers.strategy;
+        !matches!(strategy, Strategy::Offset | Strategy::Spiral)
     }
 
     /// Changes that were tried and make refused targets possible.
