@@ -119,8 +119,13 @@ impl<'a> Beam<'a> {
     /// What beam and head keep from everything, mm, at most [`FAR_MM`]: the head's distance, or the widest
     /// margin with which the beam would still be free, whichever is less; `None` without a head.
     pub fn clearance_mm(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<f64> {
+        self.clearance_within_mm(p, a, FAR_MM)
+    }
+
+    /// The same, at most `most_mm`: the less that is, the fewer facets are looked at.
+    pub(super) fn clearance_within_mm(&self, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> Option<f64> {
         let body = self.body.filter(|b| b.has_head)?;
-        let mut least = FAR_MM;
+        let mut least = most_mm;
         for shape in &body.head {
             for (_, bvh, at) in self.things() {
                 let (p, a) = moved(at.as_ref(), p, a);

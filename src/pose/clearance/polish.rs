@@ -12,6 +12,8 @@ const EXACT_DEG: f64 = 0.05;
 /// A millimetre of clearance costs as much as so many degrees of tilt, half a millimetre twice as much: a beam
 /// that clears a wall 20 mm above the spot by half a millimetre turns away by another degree or two.
 const NEARNESS_DEG_MM: f64 = 1.0;
+/// More clearance than this is worth no tilt, mm.
+const FAR_MM: f64 = 4.0;
 /// So far beyond the best found a better one is looked for, degrees.
 const FARTHER_DEG: f64 = 1.0;
 /// So often points are laid between their neighbours.
@@ -153,7 +155,7 @@ impl Piece<'_> {
     fn spared(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
         let site = &self.track.sites[self.from + k];
         let cost = |size: f64| {
-            let clearance_mm = self.beam.clearance_mm(&site.q.p, &site.axis(&at(k, size)))?;
+            let clearance_mm = self.beam.clearance_within_mm(&site.q.p, &site.axis(&at(k, size)), FAR_MM)?;
             Some(size + NEARNESS_DEG_MM / clearance_mm.max(1e-3))
         };
         let Some(first) = cost(low) else { return (low + NEARNESS_DEG2.sqrt()).min(whole) };
