@@ -69,7 +69,7 @@ fn plan_writes_its_files_and_the_job_plans_the_same_again() {
     let report = json(&output);
     let keys: Vec<&str> = report.as_object().expect("object").keys().map(String::as_str).collect();
     let expected = "layers passes points line_points dense_points work_mm corrected_mm blocked_mm air_mm time_s \
-                    interfering corrected blocked \
+                    order interfering corrected blocked \
                     max_tilt_deg max_tilt_rate_deg_per_mm max_chord_error_mm max_surface_spacing_mm \
                     missed_area_mm2 surfaces problems \
                     splits proof proven min_clearance_mm dose";

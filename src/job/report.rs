@@ -38,6 +38,8 @@ pub struct Report {
     pub air_mm: f64,
     /// Work and connecting moves.
     pub time_s: f64,
+    /// The way between lines, straight from end to start, before and after they were put in order.
+    pub order: OrderReport,
     /// Rows whose beam along the normal hits the part.
     pub interfering: usize,
     /// Rows that were corrected.
@@ -75,6 +77,22 @@ pub struct Report {
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<CellReport>,
+}
+
+/// What the order of the lines comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OrderReport {
+    /// In a plain zigzag, mm.
+    pub zigzag_way_mm: f64,
+    /// As they are run, mm.
+    pub way_mm: f64,
+}
+
+impl OrderReport {
+    fn new(plan: &Plan) -> OrderReport {
+        let sum = |way: fn(&SurfacePlan) -> f64| plan.surfaces.iter().map(|s| way(s)).fold(0.0, |a, b| a + b);
+        OrderReport { zigzag_way_mm: sum(|s| s.zigzag_way_mm), way_mm: sum(|s| s.way_mm) }
+    }
 }
 
 /// The frames of a plan, row by row, mm; those of its mount.
@@ -142,6 +160,9 @@ pub struct SurfaceReport {
     pub spacing_min_mm: Option<f64>,
     /// Greatest.
     pub spacing_max_mm: Option<f64>,
+    /// What of its lines is not as it was wanted.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
 }
 
 /// A pass that is split at a point, with two targets there.
@@ -264,6 +285,7 @@ impl Report {
                     missed_area_mm2: layers().map(|l| l.coverage.missed_area_mm2).fold(0.0, f64::max),
                     spacing_min_mm: layers().filter_map(|l| l.coverage.spacing_min_mm).reduce(f64::min),
                     spacing_max_mm: layers().filter_map(|l| l.coverage.spacing_max_mm).reduce(f64::max),
+                    remarks: layers().flat_map(|l| l.remarks.iter().cloned()).collect(),
                 }
             })
             .collect();
@@ -281,6 +303,7 @@ impl Report {
             blocked_mm: length(all, is_blocked),
             air_mm: plan.steps.air_mm,
             time_s: plan.timeline.as_ref().map_or(plan.steps.time_s, Timeline::total_s),
+            order: OrderReport::new(plan),
             interfering: count(all, &|t| t.normal_hits.is_some()),
             corrected: count(all, &|t| t.state == State::Corrected),
             blocked: count(all, &|t| t.state == State::Blocked),
@@ -351,6 +374,13 @@ impl Report {
         }
         if !self.splits.is_empty() {
             let _ = writeln!(out, "{} splits: laser off while the beam turns, a wall between", self.splits.len());
+        }
+        if self.order.way_mm < self.order.zigzag_way_mm {
+            let OrderReport { zigzag_way_mm, way_mm } = self.order;
+            let _ = writeln!(out, "{way_mm:.1} mm of way between the lines, {zigzag_way_mm:.1} mm in a zigzag");
+        }
+        for (s, remark) in self.surfaces.iter().flat_map(|s| s.remarks.iter().map(move |r| (s, r))) {
+            let _ = writeln!(out, "surface {}: {remark}", s.surface);
         }
         for s in self.surfaces.iter().filter(|s| s.missed_area_mm2 > 0.0) {
             let _ = writeln!(
