@@ -22,6 +22,7 @@ pub mod recipe_table;
 pub mod report;
 pub mod surface_plan;
 pub mod verify;
+mod written;
 
 pub use crate::progress::Progress;
 pub use document::Document;

@@ -6,7 +6,7 @@ use super::model::Job;
 use super::parameter;
 use super::report::CellReport;
 use super::surface_plan::{Cache, Kept, SurfacePlan, rules, stances};
-use super::verify;
+use super::written;
 use crate::beam::Stance;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
@@ -180,7 +180,7 @@ pub fn plan(
         connect(&mut plan, part, setup, job, progress)?;
         let lit = || plan.steps.lit_moves(&setup.mounted());
         // What cannot be written is said when it is; the moves themselves can still be proven.
-        let (proof, refuted) = verify::proven_as_written(part, &plan, setup, job)
+        let (proof, refuted) = written::proven_as_written(part, &plan, setup, job)
             .unwrap_or_else(|_| (prover(part, setup, job).on_layers(&plan.grown).prove(&lit()), Vec::new()));
         plan.proof = Some(proof);
         if refuted.is_empty() || round == MOST_WRITTEN {
@@ -195,7 +195,7 @@ pub fn plan(
 /// So often targets are refused whose moves hit something only as they are written.
 const MOST_WRITTEN: usize = 6;
 
-fn as_written(r: &verify::Refuted) -> Refusal {
+fn as_written(r: &written::Refuted) -> Refusal {
     let ((pass, point), blocker) = (r.target, r.blocker);
     let detail = format!("as the program is written, {blocker}");
     Refusal { pass, point, cause: Cause::of_blocker(&blocker), detail }

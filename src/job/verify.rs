@@ -10,8 +10,8 @@ use super::plan::{self, Plan};
 use crate::beam::Work;
 use crate::cell::{Joints, Setup};
 use crate::part::{Part, angle};
+use crate::pose::Beam;
 use crate::pose::checker::Checker;
-use crate::pose::{Beam, Blocker};
 
 use crate::program::dialect::{Goal, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::sweep::{LitMove, Proof, Prover};
@@ -165,50 +165,6 @@ pub fn check_own(
     Ok(verify(&expected, &read, false))
 }
 
-/// A lit move that its own program would make into something.
-pub struct Refuted {
-    /// The target that it leads to: pass and point.
-    pub target: (usize, usize),
-    /// What is in the way.
-    pub blocker: Blocker,
-}
-
-/// Proves the lit moves of a plan as its program is written: with few digits, what just passes a facet may just
-/// hit it.
-///
-/// # Errors
-/// The program cannot be written, or read back.
-pub fn proven_as_written(part: &Part, plan: &Plan, setup: &Setup, job: &Job) -> Result<(Proof, Vec<Refuted>), String> {
-    let lines = lines(&plan.steps, setup, job.beam.power_w);
-    let dialect = dialects::known(&job.cell.dialect)?;
-    let planned = moves(&lines);
-    let files = dialect
-        .write(&Program { head: Vec::new(), lines: lines.clone(), setup })
-        .map_err(|e| format!("the program cannot be written: {e}"))?;
-    let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let Some(first) = files.first() else { return Err("the plan has no program".into()) };
-    let read = dialect.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
-    let mut numbers = 0..planned.len();
-    let of_line = |l: &ReadLine| matches!(l.what, Read::Move(_)).then(|| numbers.next()).flatten();
-    let number: Vec<Option<usize>> = read.iter().map(of_line).collect();
-    let of_plan: Vec<Option<&Move>> = number.iter().map(|n| n.and_then(|n| planned.get(n).copied())).collect();
-    let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
-    let driven = driven(&poses, &read, &of_plan, &mut Verdict::default());
-    let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
-    let proof = plan::prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
-    let target = |at: usize| {
-        let from = number.get(at).copied().flatten()?;
-        // A move between two targets belongs to the one that it leads to.
-        planned.get(from..)?.iter().find_map(|m| m.target)
-    };
-    let refuted = proof
-        .refuted
-        .iter()
-        .filter_map(|(n, blocker)| Some(Refuted { target: target(driven.get(*n)?.place)?, blocker: *blocker }))
-        .collect();
-    Ok((proof, refuted))
-}
-
 fn dialect_of(first: &ProgramFile) -> Result<&'static dyn Dialect, String> {
     dialects::of_text(&first.text).ok_or_else(|| {
         format!(
@@ -219,7 +175,7 @@ fn dialect_of(first: &ProgramFile) -> Result<&'static dyn Dialect, String> {
     })
 }
 
-fn moves(lines: &[Line]) -> Vec<&Move> {
+pub(super) fn moves(lines: &[Line]) -> Vec<&Move> {
     lines.iter().filter_map(|l| if let Line::Move(m) = l { Some(m.as_ref()) } else { None }).collect()
 }
 
@@ -247,9 +203,9 @@ fn order_of(read: &[ReadLine], f: &Finding) -> (usize, usize) {
 }
 
 /// Poses of what was read.
-struct Poses<'a> {
-    setup: &'a Setup,
-    defocus_mm: f64,
+pub(super) struct Poses<'a> {
+    pub(super) setup: &'a Setup,
+    pub(super) defocus_mm: f64,
 }
 
 impl Poses<'_> {
@@ -462,15 +418,15 @@ fn differ(poses: &Poses<'_>, plan: Option<&Move>, want: &ReadLine, have: &ReadLi
 }
 
 /// A move as it is driven.
-struct Driven<'a> {
+pub(super) struct Driven<'a> {
     at: &'a ReadLine,
     /// Its place among all lines.
-    place: usize,
-    lit: LitMove,
+    pub(super) place: usize,
+    pub(super) lit: LitMove,
 }
 
 /// Follows the program with the robot: ranges, speeds, and where the laser is on. Gives the lit moves.
-fn driven<'a>(
+pub(super) fn driven<'a>(
     poses: &Poses<'_>,
     read: &'a [ReadLine],
     planned: &[Option<&Move>],

@@ -1,3 +1,5 @@
+//! Rims, insets and run-overs in closed form and against brute force. No timing: that is for benches.
+
 use super::*;
 use crate::part::distance::point_segment;
 use crate::part::merge_tree::{MergeTree, dihedral_angles};
@@ -345,30 +347,4 @@ fn a_turned_surface_is_run_over_on_its_own_side() {
     let (lines, _) = house.over(flat, 2.0, Vector3::y(), &[4.0]);
     near(&lengths(&lines), &[12.0]);
     assert!(lines[0].points.iter().all(|q| q.n.z < 0.0));
-}
-
-#[test]
-#[ignore = "tells times, tests nothing"]
-fn figures() {
-    let rings: Vec<Triangles> =
-        (0..125).map(|i| ring(20.0 + 0.64 * f64::from(i), 20.64 + 0.64 * f64::from(i), 400)).collect();
-    let ball = Cutting::new(&rings.concat());
-    let surface = &ball.surfaces.list[0];
-    let heights: Vec<f64> = (0..500).map(|i| -99.7 + 199.4 * f64::from(i) / 499.0).collect();
-    let lines = ball.lines(surface, Vector3::y(), &heights);
-    println!("{} points", lines.iter().map(|l| l.points.len()).sum::<usize>());
-    let begun = std::time::Instant::now();
-    let outline = rim(&ball.mesh, surface);
-    println!("{} facets, rim of {} in {:?}", surface.facets.len(), outline.segments(0.0).count(), begun.elapsed());
-    let begun = std::time::Instant::now();
-    let kept = inset(&ball.mesh, surface, lines.clone(), 1.5, 0.0);
-    println!("inset: {} lines to {} in {:?}", lines.len(), kept.len(), begun.elapsed());
-    let begun = std::time::Instant::now();
-    let found = grown(&ball.mesh, surface, 1.5);
-    println!("grown: {} facets in {:?}", found.beyond.len(), begun.elapsed());
-    let begun = std::time::Instant::now();
-    let (kept, stopped) = run_over(&ball.mesh, surface, &found, lines);
-    println!("run over: {} lines, {stopped} stopped, in {:?}", kept.len(), begun.elapsed());
-    let begun = std::time::Instant::now();
-    println!("joined: {} in {:?}", joined(kept, 45.0).len(), begun.elapsed());
 }

@@ -1,3 +1,5 @@
+//! Orders against brute force, the zigzag, and what must stay of a line. No timing: that is for benches.
+
 use super::*;
 use crate::path::section::SectionPoint;
 use proptest::prelude::*;
@@ -153,30 +155,4 @@ fn a_reversed_line_keeps_its_gaps() {
     let turned = with_gap.clone().reversed();
     assert_eq!((lengths(&turned), turned.length_mm()), (vec![2, 3], 3.0));
     assert_eq!(turned.reversed(), with_gap);
-}
-
-#[test]
-#[ignore = "tells times and lengths, tests nothing"]
-fn figures() {
-    let mut random = 7u64;
-    let mut below = |n: f64| {
-        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (random >> 33) as f64 / f64::from(1u32 << 31) * n
-    };
-    for (count, rings) in [(100, 0), (500, 0), (500, 250), (2000, 0)] {
-        let mut lines: Vec<_> = (0..count - rings)
-            .map(|i| {
-                let (x, y) = (below(300.0), i as f64);
-                let end = x + below(60.0);
-                line(i / 4, &[[x, y], [end, y]], false)
-            })
-            .collect();
-        lines.extend((0..rings).map(|i| circle(i, [below(300.0), below(300.0)], 1.0 + below(20.0), 200)));
-        lines.sort_by_key(|l| l.plane);
-        let before = zigzag_mm(&lines, Sense::Either, None);
-        let begun = std::time::Instant::now();
-        let tour = toured(lines, None, Sense::Either, &Vector3::y());
-        let took = begun.elapsed();
-        println!("{count} lines, {rings} closed: {before:.0} -> {:.0} mm in {took:?}", way_mm(&tour, None));
-    }
 }

@@ -1,0 +1,56 @@
+//! The proof of a plan's lit moves as its program is written, while the plan can still be changed. What is read
+//! from a file on disk is `verify`'s.
+
+use super::model::Job;
+use super::plan::{self, Plan};
+use super::verify::{Poses, Verdict, driven, moves};
+use crate::cell::Setup;
+use crate::part::Part;
+use crate::pose::Blocker;
+use crate::program::dialect::{Read, ReadLine, Reading};
+use crate::program::sweep::{LitMove, Proof};
+use crate::program::{Move, Program, dialects, lines};
+
+/// A lit move that its own program would make into something.
+pub struct Refuted {
+    /// The target that it leads to: pass and point.
+    pub target: (usize, usize),
+    /// What is in the way.
+    pub blocker: Blocker,
+}
+
+/// Proves the lit moves of a plan as its program is written: with few digits, what just passes a facet may just
+/// hit it.
+///
+/// # Errors
+/// The program cannot be written, or read back.
+pub fn proven_as_written(part: &Part, plan: &Plan, setup: &Setup, job: &Job) -> Result<(Proof, Vec<Refuted>), String> {
+    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let dialect = dialects::known(&job.cell.dialect)?;
+    let planned = moves(&lines);
+    let files = dialect
+        .write(&Program { head: Vec::new(), lines: lines.clone(), setup })
+        .map_err(|e| format!("the program cannot be written: {e}"))?;
+    let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
+    let Some(first) = files.first() else { return Err("the plan has no program".into()) };
+    let read = dialect.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
+    let mut numbers = 0..planned.len();
+    let of_line = |l: &ReadLine| matches!(l.what, Read::Move(_)).then(|| numbers.next()).flatten();
+    let number: Vec<Option<usize>> = read.iter().map(of_line).collect();
+    let of_plan: Vec<Option<&Move>> = number.iter().map(|n| n.and_then(|n| planned.get(n).copied())).collect();
+    let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
+    let driven = driven(&poses, &read, &of_plan, &mut Verdict::default());
+    let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
+    let proof = plan::prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
+    let target = |at: usize| {
+        let from = number.get(at).copied().flatten()?;
+        // A move between two targets belongs to the one that it leads to.
+        planned.get(from..)?.iter().find_map(|m| m.target)
+    };
+    let refuted = proof
+        .refuted
+        .iter()
+        .filter_map(|(n, blocker)| Some(Refuted { target: target(driven.get(*n)?.place)?, blocker: *blocker }))
+        .collect();
+    Ok((proof, refuted))
+}
