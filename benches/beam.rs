@@ -101,6 +101,8 @@ fn proven(c: &mut Criterion) {
         job.path.correction = correction;
         let planned = || job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default());
         let Ok(plan) = planned() else { return };
+        let shown = || job::preview(&part, &surfaces, &job, &Cache::default(), &Progress::default()).map(|l| l.len());
+        group.bench_function(format!("preview before {}/100k", correction.word()), |b| b.iter(shown));
         let rows: usize = plan.passes.iter().map(|p| p.targets.len()).sum();
         group.bench_function(format!("plan with {}, {rows} rows/100k", correction.word()), |b| b.iter(planned));
     }

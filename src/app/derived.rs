@@ -15,8 +15,8 @@ use crate::job::report::Report;
 use crate::job::surface_plan::body;
 use crate::job::{self, Cache, Chosen, Job, Plan, files};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
-use crate::picture::ToolPicture;
-use crate::picture::{CellPicture, PartPicture};
+use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
+use crate::view::LineItem;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -53,6 +53,8 @@ pub struct Derived {
     pub setup: Option<(CellFile, Result<Setup, String>)>,
     /// Arm, head and floor, where the setup has a robot.
     pub cell: Option<CellPicture>,
+    /// The lines of the job whose plan is being made.
+    pub laid: Option<(Job, LineItem)>,
     /// The last plan with its report.
     pub plan: Option<(Arc<Plan>, Arc<Report>)>,
     /// The job that it was made for.
@@ -74,6 +76,11 @@ impl Derived {
     /// Whether all that is shown belongs to this job.
     pub fn is_current(&self, job: &Job) -> bool {
         self.part.is_none() || self.rebuilding.is_none() && (self.is_planned(job) || is_empty(job))
+    }
+
+    /// The lines of this job, where its plan is not there yet.
+    pub(super) fn laid(&self, job: &Job) -> Option<&LineItem> {
+        self.laid.as_ref().filter(|(of, _)| of == job && !self.is_planned(job)).map(|(_, lines)| lines)
     }
 
     fn is_planned(&self, job: &Job) -> bool {
@@ -211,7 +218,11 @@ impl App {
         };
         d.planning = Some(job.clone());
         let (surfaces, cache) = (d.surfaces.clone(), d.cache.clone());
-        self.worker.plan(move |progress| {
+        self.worker.plan(move |progress, meanwhile| {
+            // A plan takes a while: where its lines lie is shown at once.
+            if let Ok(laid) = job::preview(&part, &surfaces, &job, &cache, progress) {
+                meanwhile(Outcome::Laid(Box::new(job.clone()), paths::laid(&laid)));
+            }
             let plan = job::plan(&part, &surfaces, &job, &setup, &cache, progress);
             let result = plan.map(|plan| {
                 let report = Report::new(&plan, &surfaces);
@@ -233,6 +244,7 @@ impl App {
                     }
                 }
                 Outcome::Dosed(of, view) => self.dosed(of, view),
+                Outcome::Laid(job, lines) => self.derived.laid = Some((*job, lines)),
                 Outcome::Planned(job, result) => self.planned(*job, result),
                 Outcome::Moving(of, motion) => self.moving(of, motion),
                 Outcome::Cleared(of, curve) => self.cleared(of, curve),
@@ -264,6 +276,7 @@ impl App {
         if job != *self.document.job() {
             return; // made for a job that is no more
         }
+        d.laid = None;
         match result {
             Ok(plan) => {
                 d.plan = Some(plan);

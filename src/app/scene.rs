@@ -54,7 +54,11 @@ impl App {
             let dose = self.dose_picture();
             let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
             scene.meshes.push(MeshItem { scene_from_item: place, ..part });
-            if let Some((plan, _)) = &d.plan {
+            let laid = d.laid(self.document.job());
+            if let Some(lines) = laid.filter(|_| look.lines) {
+                scene.lines.push(LineItem { scene_from_item: place, ..lines.clone() });
+            }
+            if let Some((plan, _)) = d.plan.as_ref().filter(|_| laid.is_none()) {
                 let known = (d.plan_count, look.clone());
                 if self.path_lines.as_ref().is_none_or(|l| l.of != known) {
                     let lines = paths::paths(plan, &look, d.plan_count);
@@ -69,7 +73,7 @@ impl App {
             self.add_tool(&mut scene, place);
             scene.points.extend(self.proposed_points(place));
         }
-        if let Some(t) = self.target() {
+        if let Some(t) = self.target().filter(|_| self.derived.laid(self.document.job()).is_none()) {
             let (line, point) = paths::marked(t, self.work().defocus_mm, &look, self.derived.plan_count);
             let scene_from_item = self.scene_from_part();
             scene.lines.push(LineItem { scene_from_item, ..line });

@@ -10,6 +10,7 @@ use crate::job::report::Report;
 use crate::job::{Job, Plan, PlanError, Progress};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
 use crate::progress::Cancelled;
+use crate::view::LineItem;
 use eframe::egui;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -24,6 +25,8 @@ pub enum Outcome {
     Rebuilt(Result<Arc<Part>, String>),
     /// Shapes of surfaces.
     Shaped(Arc<Surfaces>, BTreeMap<u32, Shape>),
+    /// The lines of this job, while its plan is being made.
+    Laid(Box<Job>, LineItem),
     /// A plan for this job.
     Planned(Box<Job>, Result<(Arc<Plan>, Arc<Report>), PlanError>),
     /// The motion of the plan of that number.
@@ -85,12 +88,16 @@ impl Worker {
         self.progress.cancel();
     }
 
-    /// Starts planning; one that runs is cancelled.
-    pub fn plan(&mut self, work: impl FnOnce(&Progress) -> Outcome + Send + 'static) {
+    /// Starts planning; one that runs is cancelled. What is told meanwhile does not end the work.
+    pub fn plan(&mut self, work: impl FnOnce(&Progress, &dyn Fn(Outcome)) -> Outcome + Send + 'static) {
         self.progress.cancel();
         self.progress = Arc::default();
-        let progress = self.progress.clone();
-        self.spawn(move || work(&progress));
+        let (progress, sender, ctx) = (self.progress.clone(), self.sender.clone(), self.ctx.clone());
+        let meanwhile = move |outcome| {
+            let _ = sender.send(outcome);
+            ctx.request_repaint();
+        };
+        self.spawn(move || work(&progress, &meanwhile));
     }
 
     /// Starts other work.
@@ -113,7 +120,7 @@ impl Worker {
     /// The next result.
     pub fn take(&mut self) -> Option<Outcome> {
         let outcome = self.receiver.try_recv().ok()?;
-        self.running -= 1;
+        self.running -= usize::from(!matches!(outcome, Outcome::Laid(..)));
         Some(outcome)
     }
 }

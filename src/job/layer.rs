@@ -45,6 +45,28 @@ pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<V
     made.into_iter().collect()
 }
 
+/// Lays the lines of one layer of the surfaces in `list`, with the digest of what they depend on.
+pub(super) fn laid(
+    (part, surfaces): (&Part, &Surfaces),
+    list: &[u32],
+    own: &Own<'_>,
+    cache: &Cache,
+    layer: u32,
+    progress: &Progress,
+) -> Result<Vec<(Digest, Arc<lay::Laid>)>, Cancelled> {
+    let default = Job::default();
+    let mine = |n: u32| own.get(&n).map_or(&default, |j| j);
+    let list = list.iter().filter(|n| layer < mine(**n).layer_count());
+    let rasters: Vec<Raster> = list.map(|n| raster(*n, mine(*n))).collect();
+    let families = planes::planes(&part.mesh, surfaces, &rasters);
+    progress.begin("laying lines", families.len());
+    let laid = families.into_par_iter().map(|family| {
+        progress.step()?;
+        Ok(cache.laid(part, surfaces, family, mine, layer))
+    });
+    Ok(laid.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
+}
+
 /// Plans one layer of the surfaces in `list`, in the order of work. What it is made of is kept in `kept`.
 pub(super) fn planned(
     (part, surfaces): (&Part, &Surfaces),
@@ -57,20 +79,7 @@ pub(super) fn planned(
 ) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
     let default = Job::default();
     let mine = |n: u32| own.get(&n).map_or(&default, |j| j);
-    let list = list.iter().filter(|n| layer < mine(**n).layer_count());
-    let rasters: Vec<Raster> = list.map(|n| raster(*n, mine(*n))).collect();
-    let families = planes::planes(&part.mesh, surfaces, &rasters);
-    progress.begin("laying lines", families.len());
-    let laid: Vec<(Digest, Arc<lay::Laid>)> = families
-        .into_par_iter()
-        .map(|family| {
-            progress.step()?;
-            Ok(cache.laid(part, surfaces, family, mine, layer))
-        })
-        .collect::<Result<Vec<Option<_>>, Cancelled>>()?
-        .into_iter()
-        .flatten()
-        .collect();
+    let laid = laid((part, surfaces), list, own, cache, layer, progress)?;
     // Where a surface begins may depend on where the one before ends.
     let (mut spot, mut lines) = (None, Vec::with_capacity(laid.len()));
     for (key, laid) in &laid {

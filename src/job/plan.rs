@@ -138,6 +138,23 @@ fn chosen(surfaces: &Surfaces, job: &Job) -> Result<Vec<u32>, PlanError> {
     Ok(list)
 }
 
+/// The surfaces to clean and the job of each, checked.
+pub(super) fn prepared<'a>(
+    part: &Part,
+    surfaces: &Surfaces,
+    job: &'a Job,
+) -> Result<(Vec<u32>, layer::Own<'a>), PlanError> {
+    parameter::check_all(job).map_err(PlanError::Parameter)?;
+    let list = chosen(surfaces, job)?;
+    let size_mm = part.mesh.diagonal();
+    let own: layer::Own<'_> = list.iter().map(|&n| (n, job.of_surface(n))).collect();
+    if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
+        return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
+    }
+    bound_size(surfaces, &own, size_mm)?;
+    Ok((list, own))
+}
+
 /// Computes the plan of a job.
 ///
 /// # Errors
@@ -150,15 +167,8 @@ pub fn plan(
     cache: &Cache,
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
-    parameter::check_all(job).map_err(PlanError::Parameter)?;
+    let (list, own) = prepared(part, surfaces, job)?;
     dialects::check(&job.cell.dialect, setup).map_err(PlanError::Parameter)?;
-    let list = chosen(surfaces, job)?;
-    let size_mm = part.mesh.diagonal();
-    let own: BTreeMap<u32, Cow<'_, Job>> = list.iter().map(|&n| (n, job.of_surface(n))).collect();
-    if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
-        return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
-    }
-    bound_size(surfaces, &own, size_mm)?;
     let grown = layer::parts(part, surfaces, &own)?;
     let mut kept = Kept::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());

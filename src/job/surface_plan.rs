@@ -66,6 +66,13 @@ impl Cache {
         Some((key, laid))
     }
 
+    /// Keeps lines that were laid, for the plan to come.
+    pub(super) fn add(&self, laid: &[(Digest, Arc<Laid>)]) {
+        if let Ok(mut kept) = self.0.lock() {
+            kept.laid.extend(laid.iter().cloned());
+        }
+    }
+
     /// Keeps what the newest plan uses, and nothing else.
     pub(super) fn keep(&self, used: Kept) {
         if let Ok(mut kept) = self.0.lock() {

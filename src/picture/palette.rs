@@ -29,6 +29,8 @@ pub mod state {
     pub const CORRECTED: Rgb = [236, 132, 0];
     /// Laser off.
     pub const BLOCKED: Rgb = [222, 22, 34];
+    /// Lines of which only their place is known.
+    pub const LAID: Rgb = [70, 76, 88];
     /// Connecting moves.
     pub const AIR: Rgb = [130, 136, 146];
     /// Facets that no line reaches.

@@ -3,6 +3,7 @@
 use super::palette::{Rgb, state};
 use crate::beam::Work;
 use crate::job::Plan;
+use crate::job::lay::Laid;
 use crate::part::Hasher;
 use crate::pose::{Pass, State, Target};
 use crate::program::Step;
@@ -59,6 +60,23 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
         items.push(item(4, air(plan), 1.0));
     }
     items
+}
+
+/// Draws lines of which nothing is known yet but where they lie.
+pub fn laid(lines: &[Arc<Laid>]) -> LineItem {
+    let points = lines.iter().flat_map(|l| &l.lines);
+    let segments: Vec<LineSegment> = points
+        .flat_map(|line| {
+            let closing = line.points.last().zip(line.points.first()).filter(|_| line.closed);
+            line.points.windows(2).map(|w| (&w[0], &w[1])).chain(closing)
+        })
+        .map(|(a, b)| segment(a.p, b.p, state::LAID))
+        .collect();
+    let ends = |s: &LineSegment| s.a.into_iter().chain(s.b).map(f64::from);
+    let all: Vec<f64> = segments.iter().flat_map(ends).collect();
+    let key = Hasher::default().f64s(&all).finish().0 as u64;
+    let (depth, scene_from_item) = (Depth::Tested, Isometry3::identity());
+    LineItem { key, segments: Arc::new(segments), width_px: 1.4, depth, scene_from_item }
 }
 
 /// Evenly every k-th target, but all that interfere up to the limit.

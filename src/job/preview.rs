@@ -1,0 +1,61 @@
+//! The lines of a job before anything is asked of the beam: what is shown while a plan is being made.
+
+use super::lay::Laid;
+use super::layer;
+use super::model::Job;
+use super::plan::{PlanError, prepared};
+use super::surface_plan::Cache;
+use crate::part::{Part, Surfaces};
+use crate::progress::Progress;
+use std::sync::Arc;
+
+/// Lays the lines of the lowest layer, as the plan of the same job will have them; it takes them from the cache.
+///
+/// # Errors
+/// As [`super::plan()`].
+pub fn preview(
+    part: &Part,
+    surfaces: &Surfaces,
+    job: &Job,
+    cache: &Cache,
+    progress: &Progress,
+) -> Result<Vec<Arc<Laid>>, PlanError> {
+    let (list, own) = prepared(part, surfaces, job)?;
+    let laid = layer::laid((part, surfaces), &list, &own, cache, 0, progress)?;
+    cache.add(&laid);
+    Ok(laid.into_iter().map(|l| l.1).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::plan::{plan, segmented};
+    use super::*;
+    use crate::cell::Setup;
+    use crate::job::{Chosen, Recipe};
+    use crate::part::{Placement, Units};
+    use crate::sample::{solids, stl_bytes};
+
+    #[test]
+    fn the_plan_takes_the_lines_that_were_shown() {
+        let part =
+            Part::from_bytes(&stl_bytes(&solids::cube(20.0)), Units::Mm, &Placement::default(), &[]).expect("ok");
+        let mut job = Job::default();
+        job.clean.surfaces = Chosen::These(vec![5, 2]);
+        (job.layers.spacing_mm, job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 3.0, 0.9, 2.0);
+        let strategy = Some(crate::path::Strategy::Offset);
+        job.recipes.push(Recipe { name: "Around".into(), strategy, ..Recipe::default() });
+        job.recipe_of.insert("2".into(), "Around".into());
+        let (surfaces, setup, cache) = (segmented(&part, &job), Setup::shipped().expect("shipped"), Cache::default());
+        let shown = preview(&part, &surfaces, &job, &cache, &Progress::default()).expect("lines");
+        assert_eq!(shown.iter().map(|l| l.surface).collect::<Vec<_>>(), [5, 2]);
+        assert!(shown.iter().all(|l| !l.lines.is_empty()) && shown[1].planes.is_empty());
+        let plan = plan(&part, &surfaces, &job, &setup, &cache, &Progress::default()).expect("a plan");
+        assert_eq!(plan.surfaces.len(), 4, "two layers");
+        for (shown, made) in shown.iter().zip(&plan.surfaces) {
+            assert!(Arc::ptr_eq(shown, &made.laid));
+        }
+        job.layers.spacing_mm = 200.0;
+        let too_large = preview(&part, &surfaces, &job, &cache, &Progress::default());
+        assert!(matches!(too_large, Err(PlanError::SpacingTooLarge { .. })));
+    }
+}
