@@ -41,7 +41,7 @@ impl App {
         if self.borders.chosen != chosen {
             let known = &self.borders.known;
             let border = |(n, index): &(u32, u32)| known.get(n)?.get(*index as usize);
-            self.borders.lines = chosen.iter().filter_map(border).flat_map(border::items).collect();
+            self.borders.lines = chosen.iter().filter_map(border).map(border::item).collect();
             self.borders.chosen = chosen;
         }
     }

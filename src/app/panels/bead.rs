@@ -151,7 +151,7 @@ fn fill(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<(&'static str, f64
         "The metal is enough for {mean_mm:.2} mm, the layer is planned as {:.2} mm; it is filled with:",
         bead.height_mm()
     );
-    ui.label(RichText::new(text).small().color(theme::ATTENTION));
+    ui.label(RichText::new(text).color(theme::ATTENTION));
     let ways = [
         ("Spacing", "layers.spacing_mm", Some(own_mm), "Centres so far apart, with the bead as it is"),
         (

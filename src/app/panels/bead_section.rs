@@ -17,7 +17,7 @@ const MOST_LAYERS: u32 = 4;
 /// The beads fill so much at most, in points.
 const MOST: egui::Vec2 = vec2(250.0, 130.0);
 /// Room above the beads, of the ground beneath them, for a row of measures, and beside them, in points.
-const ABOVE: f32 = 8.0;
+const ABOVE: f32 = 16.0;
 const GROUND: f32 = 7.0;
 const ROW: f32 = 15.0;
 const BESIDE: f32 = 24.0;
@@ -32,7 +32,7 @@ pub(super) fn bead_section(ui: &mut egui::Ui, owner: Owner, job: &Job) {
         ("Width ω", format!("{:.2} mm", bead.width_mm())),
         ("Height h", format!("{:.2} mm", bead.height_mm())),
         ("Centres c", format!("{spacing_mm:.2} mm")),
-        ("Overlap", format!("{:.1} %", (job.overlap_percent() * 10.0).round() * 0.1 + 0.0)),
+        ("Overlap η", format!("{:.1} %", (job.overlap_percent() * 10.0).round() * 0.1 + 0.0)),
         ("Ripple r", format!("{:.2} mm", drawn.ripple_mm)),
         ("Build-up", format!("{:.2} mm", bead.height_mm() * f64::from(job.layer_count()))),
     ];
@@ -46,21 +46,25 @@ pub(super) fn bead_section(ui: &mut egui::Ui, owner: Owner, job: &Job) {
     let said: Vec<String> = measures.iter().map(|(what, value)| format!("{} {value}", what.to_lowercase())).collect();
     let told = format!("{}section of the beads: {}", owner.prefix, said.join(", "));
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, told.clone()));
-    response
-        .on_hover_text("To scale. The outline is that of the arcs: metal that runs into the valleys is not counted");
+    response.on_hover_text(
+        "To scale, across the lines.\nThe outline is that of the arcs: metal that runs into the valleys is not counted",
+    );
     let foot = pos2(rect.center().x - 0.5 * scale * wide_mm as f32, rect.bottom() - GROUND - 2.0 * ROW);
     let sheet = Sheet { foot, scale, left_mm: drawn.ground.first().map_or(0.0, |p| p[0]) };
     paint(ui, &ui.painter_at(rect), &sheet, &drawn);
     measure(ui, &ui.painter_at(rect), &sheet, &bead, &drawn, spacing_mm);
-    Grid::new((owner.prefix, "measures of the bead")).num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
-        for pair in measures.chunks(2) {
-            for (what, value) in pair {
-                ui.label(RichText::new(*what).small());
-                ui.label(RichText::new(value).small().monospace());
+    Grid::new((owner.prefix, "measures of the bead")).num_columns(4).striped(false).spacing([10.0, 2.0]).show(
+        ui,
+        |ui| {
+            for pair in measures.chunks(2) {
+                for (what, value) in pair {
+                    ui.label(*what);
+                    ui.label(RichText::new(value).monospace());
+                }
+                ui.end_row();
             }
-            ui.end_row();
-        }
-    });
+        },
+    );
     let remarks = [
         (layers < job.layer_count()).then(|| format!("{layers} of {} layers are drawn", job.layer_count())),
         job.bead.alternate.then(|| "layers that run across are drawn as if they did not".into()),
@@ -109,6 +113,12 @@ fn paint(ui: &egui::Ui, painter: &Painter, sheet: &Sheet, drawn: &BeadSection) {
         painter.add(Shape::convex_polygon(points.clone(), theme::ACCENT.gamma_multiply(strength), Stroke::NONE));
         painter.add(Shape::line(points, thin));
     }
+    // Each layer on ground of its own.
+    for arc in drawn.arcs.chunks(BEADS).skip(1).filter_map(|layer| layer.first()) {
+        let z_mm = arc.first().map_or(0.0, |p| p[1]);
+        let line = drawn.ground.iter().map(|p| sheet.at([p[0], z_mm])).collect();
+        painter.add(Shape::line(line, Stroke::new(0.7, ui.visuals().weak_text_color())));
+    }
     painter.add(Shape::line(sheet.line(&drawn.outline), Stroke::new(2.0, ink)));
 }
 
@@ -136,7 +146,9 @@ fn measure(ui: &egui::Ui, painter: &Painter, sheet: &Sheet, bead: &Bead, drawn: 
     if valley[0].y - valley[1].y > 4.0 {
         let stroke = Stroke::new(1.4, theme::ATTENTION);
         painter.line_segment(valley, stroke);
-        painter.text(valley[1] + vec2(4.0, 1.0), Align2::LEFT_CENTER, "r", FontId::proportional(11.0), stroke.color);
+        let tops = [sheet.at([0.0, top_mm]), sheet.at([spacing_mm, top_mm])];
+        painter.line_segment(tops, Stroke::new(0.7, stroke.color));
+        painter.text(valley[1], Align2::CENTER_BOTTOM, "r", FontId::proportional(11.0), stroke.color);
     }
 }
 
