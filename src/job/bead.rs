@@ -37,7 +37,7 @@ impl BeadParameters {
         if self.width_mm > 0.0 && self.height_mm > 0.0 {
             return self.clone();
         }
-        let height_mm = (FLAT * width_mm * 1e3).round() * 1e-3;
+        let height_mm = (FLAT * width_mm * 1e3).round() / 1e3;
         BeadParameters { width_mm, height_mm, ..self.clone() }
     }
 }

@@ -171,7 +171,7 @@ fn fill(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<(&'static str, f64
     ui.horizontal_wrapped(|ui| {
         for (word, key, mm, tip) in ways {
             // A micrometre is more than anybody can set.
-            let mm = mm.map(|mm| (mm * 1e3).round() * 1e-3);
+            let mm = mm.map(|mm| (mm * 1e3).round() / 1e3);
             let may = |mm: &f64| *mm >= LEAST_MM && Parameter::by_key(key).is_some_and(|p| p.check(*mm).is_ok());
             let Some(mm) = mm.filter(may) else { continue };
             let button = ui.button(format!("{word} {mm:.2} mm")).on_hover_text(format!("{tip} (P3 4.1)"));
