@@ -77,7 +77,10 @@ pub(super) fn number_from(
     let far = |to: f64| (now - to).abs() > 1e-12;
     ui.horizontal(|ui| {
         let label = name(ui, p.label, to.is_some_and(far));
-        let suffix = if p.unit == "°" { "°".into() } else { format!(" {}", p.unit) };
+        let suffix = match p.unit {
+            "°" | "" => p.unit.into(),
+            unit => format!(" {unit}"),
+        };
         let field = DragValue::new(&mut value)
             .speed(if is_whole { 0.05 } else { (now.abs() * 0.01).clamp(0.001, 1.0) })
             .range(low..=high)
