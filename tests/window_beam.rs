@@ -4,33 +4,18 @@
 
 mod common;
 
-use clearbeam::app::{App, Purpose};
-use common::window::{Answers, click, drag, press, sample, settle, snapshot, window};
+use clearbeam::app::Purpose;
+use common::window::{Answers, click, drag, job_on, press, reveal, says, snapshot, window};
 use eframe::egui::{Key, Modifiers};
-use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
 use std::path::PathBuf;
 
 /// The crater beside the lug, its lines 1.5 mm apart.
 fn job(folder: &tempfile::TempDir, more: &str) -> PathBuf {
-    std::fs::copy(sample("workpiece.stl"), folder.path().join("workpiece.stl")).expect("copies");
     let head = "[[part]]\nfrom_mm = 60\nto_mm = 90\nr0_mm = 6\nr1_mm = 14\n[[part]]\nfrom_mm = 90\nto_mm = 200\nr0_mm = 18\nr1_mm = 18\n";
     std::fs::write(folder.path().join("head.toml"), head).expect("writes");
-    let text = "[part]\nfile = \"workpiece.stl\"\n[clean]\nsurfaces = [2]\n[layers]\nspacing_mm = 1.5\n\
-                [path]\ncorrection = \"clearance\"\n";
-    let file = folder.path().join("job.toml");
-    std::fs::write(&file, format!("{text}{more}")).expect("writes");
-    file
-}
-
-fn reveal(h: &mut Harness<'_, App>, label: &str) {
-    h.get_by_label(label).scroll_to_me();
-    settle(h);
-}
-
-fn says(h: &Harness<'_, App>, part: &str) -> String {
-    let node = h.get_by_label_contains(part).accesskit_node();
-    node.label().or_else(|| node.value()).unwrap_or_default()
+    let text = "[clean]\nsurfaces = [2]\n[layers]\nspacing_mm = 1.5\n[path]\ncorrection = \"clearance\"\n";
+    job_on(folder, "workpiece", &format!("{text}{more}"))
 }
 
 #[test]

@@ -6,7 +6,10 @@
 mod common;
 
 use clearbeam::app::App;
-use common::window::{Answers, click, drag, press, sample, settle, snapshot, window, window_with_recipes};
+use common::window::{
+    Answers, click, drag, job_on, menu_in_the_middle, press, reveal, sample, says, snapshot, type_into, window,
+    window_with_recipes,
+};
 use eframe::egui::{Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -14,21 +17,7 @@ use std::path::PathBuf;
 
 /// The crater beside the lug, and the top.
 fn job(folder: &tempfile::TempDir, more: &str) -> PathBuf {
-    std::fs::copy(sample("workpiece.stl"), folder.path().join("workpiece.stl")).expect("copies");
-    let text = "[part]\nfile = \"workpiece.stl\"\n[clean]\nsurfaces = [2, 3]\n";
-    let file = folder.path().join("job.toml");
-    std::fs::write(&file, format!("{text}{more}")).expect("writes");
-    file
-}
-
-fn reveal(h: &mut Harness<'_, App>, label: &str) {
-    h.get_by_label(label).scroll_to_me();
-    settle(h);
-}
-
-fn says(h: &Harness<'_, App>, part: &str) -> String {
-    let node = h.get_by_label_contains(part).accesskit_node();
-    node.label().or_else(|| node.value()).unwrap_or_default()
+    job_on(folder, "workpiece", &format!("[clean]\nsurfaces = [2, 3]\n{more}"))
 }
 
 fn shows(h: &Harness<'_, App>, label: &str) -> bool {
@@ -38,14 +27,6 @@ fn shows(h: &Harness<'_, App>, label: &str) -> bool {
 fn open(h: &mut Harness<'_, App>, header: &str) {
     reveal(h, header);
     click(h, header);
-}
-
-fn type_into(h: &mut Harness<'_, App>, label: &str, text: &str) {
-    reveal(h, label);
-    click(h, label);
-    press(h, Modifiers::COMMAND, Key::A);
-    h.get_by_label(label).type_text(text);
-    press(h, Modifiers::NONE, Key::Enter);
 }
 
 /// The job's power, beside which a recipe's may be shown.
@@ -73,11 +54,7 @@ fn a_strategy_is_chosen_and_shows_what_concerns_it() {
     assert!(!shows(&h, "direction x") && !shows(&h, "First plane") && shows(&h, "Spiral runs"));
     click(&mut h, "inwards");
     // A place of the part becomes the centre.
-    let view = h.get_by_label("3D view").rect().center();
-    h.hover_at(view);
-    h.step();
-    h.get_by_label("3D view").click_secondary();
-    settle(&mut h);
+    menu_in_the_middle(&mut h);
     click(&mut h, "Spiral centre here");
     assert!(shows(&h, "reset centre"));
     press(&mut h, Modifiers::COMMAND, Key::Z);
@@ -199,11 +176,7 @@ fn the_centre_of_a_spiral_goes_into_the_recipe_of_its_surface() {
     click(&mut h, row(2));
     open(&mut h, "Recipe of surface 2: Strong");
     press(&mut h, Modifiers::NONE, Key::F);
-    let view = h.get_by_label("3D view").rect().center();
-    h.hover_at(view);
-    h.step();
-    h.get_by_label("3D view").click_secondary();
-    settle(&mut h);
+    menu_in_the_middle(&mut h);
     click(&mut h, "Spiral centre here");
     assert!(shows(&h, "recipe reset centre"));
     click(&mut h, "recipe reset centre");

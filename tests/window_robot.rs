@@ -5,7 +5,7 @@
 mod common;
 
 use clearbeam::app::App;
-use common::window::{Answers, click, press, sample, settle, snapshot, window};
+use common::window::{Answers, click, job_on, press, sample, settle, snapshot, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, Node};
@@ -13,11 +13,7 @@ use std::path::PathBuf;
 
 /// A job on a sample with the MZ04.
 fn job(folder: &tempfile::TempDir, name: &str, rest: &str) -> PathBuf {
-    std::fs::copy(sample(&format!("{name}.stl")), folder.path().join(format!("{name}.stl"))).expect("copies");
-    let file = folder.path().join("job.toml");
-    let text = format!("[part]\nfile = \"{name}.stl\"\n{rest}\n[cell]\nrobot = \"mz04\"\n");
-    std::fs::write(&file, text).expect("writes");
-    file
+    job_on(folder, name, &format!("{rest}\n[cell]\nrobot = \"mz04\"\n"))
 }
 
 fn cup(folder: &tempfile::TempDir) -> Harness<'static, App> {

@@ -5,7 +5,7 @@
 mod common;
 
 use clearbeam::app::App;
-use common::window::{Answers, click, drag, press, sample, settle, snapshot, window};
+use common::window::{Answers, click, drag, job_on, press, reveal, settle, snapshot, type_into, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -14,12 +14,9 @@ use std::time::{Duration, Instant};
 
 /// The cup in the hand of an MZ04.
 fn job(folder: &tempfile::TempDir, cell: &str) -> PathBuf {
-    std::fs::copy(sample("acetabular_cup.stl"), folder.path().join("cup.stl")).expect("copies");
-    let text = "[part]\nfile = \"cup.stl\"\n[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 4.0\n\
-                [beam]\nspeed_mm_s = 20.0\n[cell]\nrobot = \"mz04\"\n";
-    let file = folder.path().join("job.toml");
-    std::fs::write(&file, format!("{text}{cell}")).expect("writes");
-    file
+    let text = "[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 4.0\n[beam]\nspeed_mm_s = 20.0\n\
+                [cell]\nrobot = \"mz04\"\n";
+    job_on(folder, "acetabular_cup", &format!("{text}{cell}"))
 }
 
 /// A laser so far out that part of the cup is beyond the arm.
@@ -34,21 +31,6 @@ fn left_out(h: &Harness<'_, App>) -> u32 {
     let node = node.accesskit_node();
     let text = node.label().or_else(|| node.value()).expect("words");
     text.split(' ').next().and_then(|n| n.parse().ok()).expect("a number")
-}
-
-/// Brings a widget of the panel into sight.
-fn reveal(h: &mut Harness<'_, App>, label: &str) {
-    h.get_by_label(label).scroll_to_me();
-    settle(h);
-}
-
-fn type_into(h: &mut Harness<'_, App>, label: &str, text: &str) {
-    reveal(h, label);
-    h.get_by_label(label).click();
-    settle(h);
-    press(h, Modifiers::COMMAND, Key::A);
-    h.get_by_label(label).type_text(text);
-    press(h, Modifiers::NONE, Key::Enter);
 }
 
 fn field(h: &Harness<'_, App>, label: &str) -> String {

@@ -183,7 +183,6 @@ pub struct Layers {
     /// Planes, lines that follow the surface, or a spiral.
     pub strategy: Strategy,
     /// Normal of the planes: `x`, `y`, `z`, `auto` or `DX,DY,DZ`.
-    #[serde(with = "as_text")]
     pub direction: Direction,
     /// Distance of the planes, or of the lines on the surface.
     pub spacing_mm: f64,
@@ -235,19 +234,6 @@ impl Default for Layers {
             centre_mm: None,
             inward: false,
         }
-    }
-}
-
-mod as_text {
-    use super::Direction;
-    use serde::{Deserialize, Deserializer, Serializer, de::Error as _};
-
-    pub fn serialize<S: Serializer>(d: &Direction, s: S) -> Result<S::Ok, S::Error> {
-        s.collect_str(d)
-    }
-
-    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Direction, D::Error> {
-        String::deserialize(d)?.parse().map_err(D::Error::custom)
     }
 }
 

@@ -29,7 +29,7 @@ pub struct Recipe {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strategy: Option<Strategy>,
     /// Normal of the section planes.
-    #[serde(with = "as_text", skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<Direction>,
     /// Sense of neighbouring lines.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -46,22 +46,6 @@ pub struct Recipe {
     /// Numbers by their keys in the job file.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub values: BTreeMap<String, f64>,
-}
-
-mod as_text {
-    use crate::path::Direction;
-    use serde::{Deserialize, Deserializer, Serializer, de::Error as _};
-
-    pub fn serialize<S: Serializer>(d: &Option<Direction>, s: S) -> Result<S::Ok, S::Error> {
-        match d {
-            Some(d) => s.collect_str(d),
-            None => s.serialize_none(),
-        }
-    }
-
-    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Option<Direction>, D::Error> {
-        String::deserialize(d)?.parse().map(Some).map_err(D::Error::custom)
-    }
 }
 
 impl Recipe {

@@ -6,6 +6,7 @@
 
 use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::Dead};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::fmt;
 use std::str::FromStr;
 
@@ -58,6 +59,19 @@ impl FromStr for Direction {
             return Err(format!("the direction {text} has no length: give three numbers that are not all zero"));
         }
         Ok(Direction::Along(v))
+    }
+}
+
+/// In files a direction is its text.
+impl Serialize for Direction {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Direction {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Direction, D::Error> {
+        String::deserialize(from)?.parse().map_err(D::Error::custom)
     }
 }
 

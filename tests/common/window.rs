@@ -4,7 +4,7 @@
 use super::glow_renderer::GlowTestRenderer;
 use clearbeam::app::{App, FileDialogs, Purpose};
 use eframe::egui::{self, Key, Modifiers};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, SnapshotOptions};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -63,6 +63,45 @@ pub fn settle(harness: &mut Harness<'_, App>) {
 pub fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.get_by_label(label).click();
     settle(harness);
+}
+
+/// Brings a widget of a panel into sight.
+pub fn reveal(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_label(label).scroll_to_me();
+    settle(harness);
+}
+
+/// The words of the one widget whose label holds these.
+pub fn says(harness: &Harness<'_, App>, part: &str) -> String {
+    let node = harness.get_by_label_contains(part).accesskit_node();
+    node.label().or_else(|| node.value()).unwrap_or_default()
+}
+
+/// Replaces the text of a field.
+pub fn type_into(harness: &mut Harness<'_, App>, label: &str, text: &str) {
+    reveal(harness, label);
+    click(harness, label);
+    press(harness, Modifiers::COMMAND, Key::A);
+    harness.get_by_label(label).type_text(text);
+    press(harness, Modifiers::NONE, Key::Enter);
+}
+
+/// Opens the menu of the place in the middle of the 3D view.
+pub fn menu_in_the_middle(harness: &mut Harness<'_, App>) {
+    let middle = harness.get_by_label("3D view").rect().center();
+    harness.hover_at(middle);
+    harness.step();
+    harness.get_by_label("3D view").click_secondary();
+    settle(harness);
+}
+
+/// A job file beside a copy of a sample.
+pub fn job_on(folder: &tempfile::TempDir, name: &str, text: &str) -> PathBuf {
+    let stl = format!("{name}.stl");
+    std::fs::copy(sample(&stl), folder.path().join(&stl)).expect("copies");
+    let file = folder.path().join("job.toml");
+    std::fs::write(&file, format!("[part]\nfile = \"{stl}\"\n{text}")).expect("writes");
+    file
 }
 
 pub fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
