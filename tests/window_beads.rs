@@ -6,7 +6,9 @@
 mod common;
 
 use clearbeam::app::App;
-use common::window::{Answers, click, press, sample, settle, snapshot, window};
+use common::window::{
+    Answers, click, job_on, menu_in_the_middle, press, reveal, says, settle, snapshot, type_into, window,
+};
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Role, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -14,21 +16,7 @@ use std::path::PathBuf;
 
 /// The workpiece with some surfaces to work.
 fn job(folder: &tempfile::TempDir, surfaces: &str, more: &str) -> PathBuf {
-    std::fs::copy(sample("workpiece.stl"), folder.path().join("workpiece.stl")).expect("copies");
-    let file = folder.path().join("job.toml");
-    let text = format!("[part]\nfile = \"workpiece.stl\"\n[clean]\nsurfaces = {surfaces}\n{more}");
-    std::fs::write(&file, text).expect("writes");
-    file
-}
-
-fn reveal(h: &mut Harness<'_, App>, label: &str) {
-    h.get_by_label(label).scroll_to_me();
-    settle(h);
-}
-
-fn says(h: &Harness<'_, App>, part: &str) -> String {
-    let node = h.get_by_label_contains(part).accesskit_node();
-    node.label().or_else(|| node.value()).unwrap_or_default()
+    job_on(folder, "workpiece", &format!("[clean]\nsurfaces = {surfaces}\n{more}"))
 }
 
 fn value(h: &Harness<'_, App>, label: &str) -> Option<String> {
@@ -42,14 +30,6 @@ fn shows(h: &Harness<'_, App>, label: &str) -> bool {
 fn open(h: &mut Harness<'_, App>, header: &str) {
     reveal(h, header);
     click(h, header);
-}
-
-fn type_into(h: &mut Harness<'_, App>, label: &str, text: &str) {
-    reveal(h, label);
-    click(h, label);
-    press(h, Modifiers::COMMAND, Key::A);
-    h.get_by_label(label).type_text(text);
-    press(h, Modifiers::NONE, Key::Enter);
 }
 
 fn undo(h: &mut Harness<'_, App>) {
@@ -201,20 +181,20 @@ fn a_recipe_has_a_bead_of_its_own() {
     assert!(says(&h, "recipe section of the beads").contains("overlap η 40.0 %"));
 }
 
-/// The plate's front has four borders and more: the outline, and those of what stands on it.
 const OFFSET: &str = "[layers]\nspacing_mm = 2.0\nstrategy = \"offset\"\n";
 
 #[test]
 fn offset_lines_start_from_the_border_that_was_right_clicked() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut h = window(Some(job(&folder, "[2]", OFFSET)), &Answers::default());
-    click(&mut h, CRATER);
-    press(&mut h, Modifiers::NONE, Key::F);
+    let mut h = window(Some(job(&folder, "[1]", OFFSET)), &Answers::default());
     let before = says(&h, " passes · ");
     assert!(!shows(&h, "border"), "the whole outline");
-    right_click(&mut h, [0.5, 0.5]);
+    // On the plate's front, beside the rim of the bore Ø10.
+    right_click(&mut h, [0.70, 0.49]);
     click(&mut h, "Offset from this border");
-    assert_eq!(value(&h, "border").as_deref(), Some("border 1"));
+    assert_eq!(value(&h, "border").as_deref(), Some("border 5"));
+    assert_ne!(says(&h, " passes · "), before, "other lines");
+    snapshot(&mut h, "border");
     undo(&mut h);
     assert!(!shows(&h, "border") && says(&h, " passes · ") == before, "undone");
 }
@@ -225,7 +205,7 @@ fn a_border_is_for_offset_lines_alone() {
     let mut h = window(Some(job(&folder, "[2]", "[layers]\nspacing_mm = 2.0\n")), &Answers::default());
     click(&mut h, CRATER);
     press(&mut h, Modifiers::NONE, Key::F);
-    right_click(&mut h, [0.5, 0.5]);
+    menu_in_the_middle(&mut h);
     assert!(h.get_by_label("Offset from this border").accesskit_node().is_disabled());
 }
 
@@ -243,7 +223,7 @@ fn a_recipe_goes_back_to_the_whole_outline() {
     click(&mut h, "recipe reset border");
     assert_eq!(value(&h, "recipe border").as_deref(), Some("border 1"));
     press(&mut h, Modifiers::NONE, Key::F);
-    right_click(&mut h, [0.5, 0.5]);
+    menu_in_the_middle(&mut h);
     click(&mut h, "Offset from this border");
     assert!(shows(&h, "recipe reset border"), "the surface's recipe takes it");
 }
