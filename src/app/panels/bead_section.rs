@@ -108,7 +108,7 @@ fn paint(ui: &egui::Ui, painter: &Painter, sheet: &Sheet, drawn: &BeadSection) {
     let thin = Stroke::new(1.0, theme::ACCENT);
     for (k, arc) in drawn.arcs.iter().enumerate() {
         // What two beads share is darker; layers are told apart by it too.
-        let strength = if k / BEADS % 2 == 0 { 0.34 } else { 0.5 };
+        let strength = if (k / BEADS).is_multiple_of(2) { 0.34 } else { 0.5 };
         let points = sheet.line(arc);
         painter.add(Shape::convex_polygon(points.clone(), theme::ACCENT.gamma_multiply(strength), Stroke::NONE));
         painter.add(Shape::line(points, thin));
