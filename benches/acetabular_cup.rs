@@ -111,7 +111,7 @@ fn times([program_s, all_s]: [f64; 2], program: &[ProgramFile]) {
 /// Pose angles as P2's Eqs 4 to 9 have them: of `[n o a]` transposed, the part's rotation under a laser that
 /// points down, at every twentieth of a pass's length as the program goes.
 fn angles(plan: &Plan, setup: &Setup, defocus_mm: f64) {
-    let lines = lines(&plan.steps, setup, 0.0);
+    let lines = lines(&plan.steps, setup);
     println!("pass,share,alpha_deg,beta_deg,gamma_deg");
     let mut pass = None;
     let mut runs: Vec<(usize, Vec<Isometry3<f64>>)> = Vec::new();

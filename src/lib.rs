@@ -53,7 +53,7 @@
 //! assert_eq!(plan.passes.len(), 20);
 //! let report = Report::new(&plan, &surfaces);
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
-//! let lines = lines(&plan.steps, &setup, job.beam.power_w);
+//! let lines = lines(&plan.steps, &setup);
 //! let program = Program { head: vec!["a cube's side".into()], lines, setup: &setup };
 //! assert!(Nachi.write(&program)?[0].text.ends_with("END\n"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

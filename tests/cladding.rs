@@ -76,9 +76,8 @@ fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
     let verdict = case.verified(&plan);
     assert_eq!(verdict.findings, []);
     assert_eq!(verdict.proof.proven, verdict.lit_moves);
-    let said = |text: &str| {
-        lines(&plan.steps, &case.setup, 0.0).iter().any(|l| matches!(l, Line::Say(s) if s.ends_with(text)))
-    };
+    let said =
+        |text: &str| lines(&plan.steps, &case.setup).iter().any(|l| matches!(l, Line::Say(s) if s.ends_with(text)));
     assert!(said("layer 2") && said("layer 3") && !said("layer 1"));
 }
 

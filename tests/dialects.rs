@@ -151,7 +151,7 @@ fn a_planned_program_is_read_as_it_was_meant() {
     for robot in [None, Some("mz04")] {
         let setup = setup(robot);
         let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
-        let lines = program::lines(&plan.steps, &setup, job.beam.power_w);
+        let lines = program::lines(&plan.steps, &setup);
         let lit = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.lit)).count();
         let known = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.joints_deg.is_some())).count();
         assert!(lit > 5 && (robot.is_none() || known > lit), "{lit} lit moves, {known} with joints");

@@ -46,7 +46,7 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
     };
     Pass {
         surface: 1,
-        work: Work { defocus_mm: 20.0, spot_mm: 1.2, speed_mm_s: SPEED, power_w: POWER_W, layer: 0 },
+        work: Work { defocus_mm: 20.0, spot_mm: 1.2, speed_mm_s: SPEED, power_w: POWER_W, ..Work::default() },
         plane_normal: Vector3::z(),
         closed: false,
         targets: vec![target(p, false), target(q, true)],

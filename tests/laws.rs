@@ -54,8 +54,10 @@ fn same(
     }
 }
 
-/// Plans a part as it is and moved, planes moved with it.
+/// Plans a part as it is and moved, planes moved with it. Moves are proven as their program is written, and what is
+/// rounded there belongs to a frame: here it is written with all its digits.
 fn moved_alike(triangles: &Triangles, on_surfaces: &[[f64; 3]], mut job: Job, rotation_deg: [f64; 3], shift: [f64; 3]) {
+    job.cell.dialect = "csv".into();
     let still = planned_at(triangles, on_surfaces, job.clone());
     let placement = Placement { scale: 1.0, rotation_deg, translation_mm: shift };
     let motion = placement.isometry();

@@ -1,14 +1,14 @@
 //! Strategies in closed form: spacing on cone, sphere, torus and saddle, nested squares, spirals, and
 //! surfaces on which little or nothing can be laid.
 
-use clearbeam::part::distance::point_triangle;
+use clearbeam::part::distance::{point_segment, point_triangle};
 use clearbeam::part::surfaces::Surface;
 use clearbeam::part::{Mesh, Surfaces};
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::planes::{Direction, Raster, planes};
-use clearbeam::path::strategy::{Achieved, Layout, SurfaceLines, lines, offset::borders};
-use clearbeam::path::{Strategy, SurfacePlanes};
-use nalgebra::Point3;
+use clearbeam::path::strategy::{Achieved, Layout, SurfaceLines, lines, offset::borders, spacing};
+use clearbeam::path::{SectionPoint, Strategy, SurfacePlanes, TransversalLine};
+use nalgebra::{Point3, Vector3};
 use std::f64::consts::TAU;
 
 /// A surface by itself, all facets under number 1.
@@ -173,7 +173,7 @@ fn offset_lines_keep_the_spacing_from_a_border() {
             // The last line may be one that closes what is left: it is nearer than the others.
             let last = made.lines.last().map_or(0, |l| l.plane);
             let regular: Vec<_> = made.lines.iter().filter(|l| l.plane < last).cloned().collect();
-            let regular = clearbeam::path::strategy::spacing::achieved(&regular, None, spacing).expect("neighbours");
+            let regular = spacing::achieved(&regular, None, spacing).expect("neighbours");
             println!("{name} {spacing}: {}..{}", regular.min_mm, a.max_mm);
             assert!(a.max_mm < 1.01 * spacing, "{name}: {} for {spacing} at {}", a.max_mm, a.max_at);
             assert!(regular.min_mm > 0.99 * spacing, "{name}: {} for {spacing} at {}", regular.min_mm, regular.min_at);
@@ -195,6 +195,37 @@ fn two_triangles_give_nested_squares() {
         let near = line.points.iter().map(|q| (q.p - corner).norm()).fold(f64::INFINITY, f64::min);
         assert!(near < 1e-6, "square {k} has no corner: {near}");
     }
+}
+
+#[test]
+fn a_sloping_ridge_is_left_nowhere_too_wide() {
+    // 100 long, to both sides of its middle 1.45 wide at one end and 1 at the other: the last lines from the sides,
+    // half a spacing off, stand up to 1.9 spacings apart, and less and less.
+    let wedge = Alone::grid(100, 6, false, |u, v| [100.0 * u, (2.0 * v - 1.0) * (1.45 - 0.45 * u), 0.0]);
+    let made = wedge.laid(&layout(Strategy::Offset, 1.0), Direction::Auto);
+    for x in (5..=95).map(|x| Point3::new(f64::from(x), 0.0, 0.0)) {
+        let sides = made.lines.iter().flat_map(|l| l.sides());
+        let off = sides.map(|(a, b)| point_segment(&x, &a.p, &b.p)).fold(f64::INFINITY, f64::min);
+        assert!(off < 0.505, "{x} is {off} mm from a line");
+    }
+}
+
+#[test]
+fn spacing_is_measured_between_the_points_of_a_line_too() {
+    // Straight, 100 long; the line before bulges to half the distance in the middle.
+    let line = |plane: usize, points: &[[f64; 2]]| TransversalLine {
+        plane,
+        points: points.iter().map(|p| SectionPoint { p: Point3::new(p[0], p[1], 0.0), n: Vector3::z() }).collect(),
+        closed: false,
+        dark: Vec::new(),
+    };
+    let lines = [line(0, &[[0.0, 0.0], [50.0, 0.5], [100.0, 0.0]]), line(1, &[[0.0, 1.0], [100.0, 1.0]])];
+    let found = spacing::achieved(&lines, None, 1.0).expect("neighbours");
+    assert!((found.min_mm - 0.5).abs() < 1e-3 && (found.min_at.x - 50.0).abs() < 0.5, "{found:?}");
+    assert!((found.max_mm - 1.0).abs() < 1e-3);
+    let along: Vec<f64> = found.samples.iter().map(|s| s.0.x).collect();
+    assert_eq!(along.len(), 101);
+    assert!(along.windows(2).all(|w| w[1] - w[0] < 1.0 + 1e-9), "no farther apart than the lines");
 }
 
 /// A cap of 70° of a sphere of radius 25 with its pole.
@@ -374,7 +405,7 @@ fn offset_lines_of_a_pierced_plate_keep_their_distance() {
     assert!((rim[0].length_mm - 340.0).abs() < 1e-9, "the longest first");
     let off = |p: &Point3<f64>| {
         let edges = rim.iter().flat_map(|b| &b.edges);
-        edges.map(|[a, b]| clearbeam::part::distance::point_segment(p, a, b)).fold(f64::INFINITY, f64::min)
+        edges.map(|[a, b]| point_segment(p, a, b)).fold(f64::INFINITY, f64::min)
     };
     let wrong: Vec<f64> = made
         .lines

@@ -15,18 +15,12 @@ use clearbeam::pose::motion::{self, Pose};
 use clearbeam::pose::{Beam, Ours, Theirs, Tilt};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
-use parts::part;
+use parts::{block, cylinder, part};
 use proptest::prelude::*;
 
 const SPOT_MM: f64 = 1.0;
 const DEFOCUS_MM: f64 = 20.0;
 const MARGIN_MM: f64 = 0.5;
-
-/// A cylinder of this radius from 40 mm above the spot on.
-fn cylinder(radius: f64) -> Tool {
-    let text = format!("[[part]]\nfrom_mm = 20\nto_mm = 120\nr0_mm = {radius}\nr1_mm = {radius}\n");
-    Tool { head: Some(Head::from_toml(&text).expect("a stack")), clamps: Vec::new() }
-}
 
 /// A head that is never in the way: what counts is the beam.
 fn needle() -> Tool {
@@ -36,13 +30,6 @@ fn needle() -> Tool {
 
 fn body(tool: &Tool) -> Body<'_> {
     Body::new(tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a head")
-}
-
-/// A box with its facets outwards.
-fn block(lo: [f64; 3], hi: [f64; 3]) -> Triangles {
-    let stored = |x: f64| f64::from(x as f32);
-    let at = |p: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| stored(lo[k] + (hi[k] - lo[k]) * p[k])) };
-    solids::cube(1.0).into_iter().map(|t| t.map(at)).collect()
 }
 
 fn floor_and(more: &[Triangles]) -> Part {

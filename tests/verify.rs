@@ -24,7 +24,7 @@ fn case(robot: &str, dialect: &str, mount: Mount) -> Option<Case> {
         setup.mount = mount;
     }
     let planned = planned_in(part(&sample("workpiece")), on(job("z", 9.0), &[1, 2]), &setup);
-    let lines = lines(&planned.plan.steps, &setup, 500.0);
+    let lines = lines(&planned.plan.steps, &setup);
     let program = Program { head: vec!["a test".into()], lines, setup: &setup };
     let files = dialects::by_name(dialect).expect("a dialect").write(&program).ok()?;
     Some(Case { planned, setup, files })

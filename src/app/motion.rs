@@ -73,7 +73,7 @@ impl Motion {
     /// Everything of a plan; `key` changes with it.
     pub fn new(job: &Job, part_name: &str, setup: &Setup, plan: &Plan, report: &Report, key: u64) -> Motion {
         let timeline = plan.timeline.clone();
-        let moves = lines(&plan.steps, setup, job.beam.power_w).into_iter().filter_map(|l| match l {
+        let moves = lines(&plan.steps, setup).into_iter().filter_map(|l| match l {
             Line::Move(m) => Some(m.target),
             _ => None,
         });

@@ -95,6 +95,13 @@ impl<'a> Body<'a> {
         })
     }
 
+    /// The head of a tool alone, told from its focus: what moves with the laser off. `None` without a head.
+    pub fn head_alone(tool: &'a Tool, margin_mm: f64) -> Option<Body<'a>> {
+        tool.head.as_ref()?;
+        let body = Body::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
+        Some(Body { beam: Vec::new(), ..body })
+    }
+
     /// The same, that keeps a little less: by so much of its margin, and by so many steps of half a degree of
     /// the cone of its own neighbourhood. What just passes with the one must not just hit with the other.
     pub fn eased(&self, less_mm: f64, steps: u8) -> Body<'a> {

@@ -15,6 +15,12 @@ pub struct Work {
     pub speed_mm_s: f64,
     /// Power, W.
     pub power_w: f64,
+    /// Frequency of its pulses, kHz; 0: without pulses, or as it is set at the laser.
+    pub frequency_khz: f64,
+    /// The spot comes so far along the line at that speed before the laser goes on, mm.
+    pub lead_in_mm: f64,
+    /// And goes on so far behind its end, mm.
+    pub lead_out_mm: f64,
     /// Layer of a build-up, from 0: the part has grown by those before.
     pub layer: u32,
 }
@@ -22,7 +28,16 @@ pub struct Work {
 impl Default for Work {
     /// P1 Table 1.
     fn default() -> Self {
-        Work { defocus_mm: 20.0, spot_mm: 1.0, speed_mm_s: 3.0, power_w: 500.0, layer: 0 }
+        Work {
+            defocus_mm: 20.0,
+            spot_mm: 1.0,
+            speed_mm_s: 3.0,
+            power_w: 500.0,
+            frequency_khz: 0.0,
+            lead_in_mm: 0.0,
+            lead_out_mm: 0.0,
+            layer: 0,
+        }
     }
 }
 

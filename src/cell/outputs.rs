@@ -18,16 +18,20 @@ pub struct Outputs {
     /// Cooling, before all others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cooling: Option<Supply>,
-    /// How the laser's power is set.
+    /// How the laser's power is set, W.
     #[serde(default)]
-    pub power: PowerOutput,
+    pub power: LevelOutput,
+    /// How the frequency of its pulses is set, kHz.
+    #[serde(default)]
+    pub frequency: LevelOutput,
 }
 
 impl Default for Outputs {
     /// The laser at the first output, and its power set by hand.
     fn default() -> Self {
         let laser = Switch { number: 1, on_wait_s: 0.0, off_wait_s: 0.0 };
-        Outputs { laser, powder: None, shielding_gas: None, cooling: None, power: PowerOutput::default() }
+        let level = LevelOutput::default();
+        Outputs { laser, powder: None, shielding_gas: None, cooling: None, power: level, frequency: level }
     }
 }
 
@@ -80,29 +84,29 @@ pub enum During {
     Piece,
 }
 
-/// How the laser's power is set.
+/// How a figure of the laser is set.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct PowerOutput {
+pub struct LevelOutput {
     /// By hand, or by an output.
     #[serde(rename = "as")]
-    pub form: PowerForm,
+    pub form: LevelForm,
     /// Number of the analogue output or of the group.
     pub number: u32,
-    /// Units of the output for one watt.
+    /// Units of the output for one watt, or one kilohertz.
     pub scale: f64,
 }
 
-impl Default for PowerOutput {
+impl Default for LevelOutput {
     fn default() -> Self {
-        PowerOutput { form: PowerForm::Comment, number: 1, scale: 1.0 }
+        LevelOutput { form: LevelForm::Comment, number: 1, scale: 1.0 }
     }
 }
 
 /// By hand, or by an output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum PowerForm {
+pub enum LevelForm {
     /// The program's head states it, and it is set at the laser.
     #[default]
     Comment,
@@ -143,12 +147,18 @@ impl Outputs {
                 }
             }
         }
-        let power = &self.power;
-        if power.number > 9999 {
-            return Err(format!("outputs.power.number = {}: give 0 to 9999", power.number));
+        for (name, unit, level) in [("power", "W", &self.power), ("frequency", "kHz", &self.frequency)] {
+            if level.number > 9999 {
+                return Err(format!("outputs.{name}.number = {}: give 0 to 9999", level.number));
+            }
+            if !(1e-6..=1e6).contains(&level.scale) {
+                let scale = level.scale;
+                return Err(format!("outputs.{name}.scale = {scale}: give 0.000001 to 1000000 units per {unit}"));
+            }
         }
-        if !(1e-6..=1e6).contains(&power.scale) {
-            return Err(format!("outputs.power.scale = {}: give 0.000001 to 1000000 units per W", power.scale));
+        let (power, frequency) = (&self.power, &self.frequency);
+        if power.form != LevelForm::Comment && (power.form, power.number) == (frequency.form, frequency.number) {
+            return Err(format!("outputs.frequency.number = {}: power has it already; give another", frequency.number));
         }
         Ok(())
     }
@@ -171,6 +181,9 @@ mod tests {
         assert!(wait.contains("outputs.laser.on_wait_s = -1"), "{wait}");
         let scale = checked("laser = { number = 3 }\npower = { as = \"group\", scale = 0.0 }").expect_err("refused");
         assert!(scale.contains("outputs.power.scale"), "{scale}");
+        let both = "power = { as = \"group\", number = 2 }\nfrequency = { as = \"group\", number = 2 }";
+        let both = checked(&format!("laser = {{ number = 3 }}\n{both}")).expect_err("refused");
+        assert!(both.contains("outputs.frequency.number = 2: power has it"), "{both}");
         assert!(checked("powder = { number = 3 }").is_err(), "a cell without a laser");
         assert!(checked("laser = { number = 3, during = \"program\" }").is_err(), "the laser is no supply");
     }

@@ -294,6 +294,8 @@ pub struct BeamParameters {
     pub spot_mm: f64,
     /// Speed of the spot on the part.
     pub speed_mm_s: f64,
+    /// Frequency of the laser's pulses, kHz; 0: none, or as it is set at the laser.
+    pub frequency_khz: f64,
     /// Speed of the focus with the laser off.
     pub air_speed_mm_s: f64,
     /// Head: a TOML stack or an STL, relative to the job file; empty: the beam is a ray.
@@ -309,6 +311,7 @@ impl Default for BeamParameters {
             power_w: 500.0,
             spot_mm: 1.0,
             speed_mm_s: 3.0,
+            frequency_khz: 0.0,
             air_speed_mm_s: 100.0,
             head: String::new(),
             margin_mm: 0.5,
@@ -338,6 +341,10 @@ pub struct PathParameters {
     pub tilt_rate_deg_s: f64,
     /// How far the head may be drawn back or pushed forward on a line that is blocked otherwise, mm.
     pub standoff_mm: f64,
+    /// The spot comes so far along the line with the laser off, at the speed of the work, mm.
+    pub lead_in_mm: f64,
+    /// And goes on so far behind its end, mm.
+    pub lead_out_mm: f64,
 }
 
 impl Default for PathParameters {
@@ -352,6 +359,8 @@ impl Default for PathParameters {
             tilt_rate_deg_mm: 5.0,
             tilt_rate_deg_s: 90.0,
             standoff_mm: 0.0,
+            lead_in_mm: 0.0,
+            lead_out_mm: 0.0,
         }
     }
 }

@@ -10,7 +10,7 @@ use super::verify;
 use crate::cell::Setup;
 use crate::cell::motion::Choice;
 use crate::part::{Part, Surfaces};
-use crate::program::{Program, ProgramFile, Timeline, dialects, lines};
+use crate::program::{Program, ProgramFile, Step, Steps, Timeline, dialects, lines};
 use crate::progress::Progress;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -66,8 +66,8 @@ pub fn program(
     plan: &Plan,
     report: &Report,
 ) -> Result<Vec<ProgramFile>, JobError> {
-    let lines = lines(&plan.steps, setup, job.beam.power_w);
-    let program = Program { head: head(job, part_name, setup, report), lines, setup };
+    let lines = lines(&plan.steps, setup);
+    let program = Program { head: head(job, part_name, setup, (&plan.steps, report)), lines, setup };
     let refused = |what: String| JobError::Write { what: format!("the program cannot be written: {what}") };
     let dialect = dialects::known(&job.cell.dialect).map_err(refused)?;
     dialect.write(&program).map_err(|e| refused(e.to_string()))
@@ -119,18 +119,14 @@ pub fn write(
 }
 
 /// Comments at the head of a program.
-fn head(job: &Job, part_name: &str, setup: &Setup, report: &Report) -> Vec<String> {
-    let b = &job.beam;
+fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Report)) -> Vec<String> {
     let list: Vec<String> = report.surfaces.iter().map(|s| s.surface.to_string()).collect();
     let shown =
         if list.len() > 20 { format!("{} and {} more", list[..20].join(" "), list.len() - 20) } else { list.join(" ") };
-    let mut out = vec![
-        format!("clearbeam {}, part {part_name}", env!("CARGO_PKG_VERSION")),
-        format!("surfaces {shown}"),
-        format!(
-            "power {} W, spot {} mm, defocus {} mm, speed {} mm/s",
-            b.power_w, b.spot_mm, b.defocus_mm, b.speed_mm_s
-        ),
+    let mut out =
+        vec![format!("clearbeam {}, part {part_name}", env!("CARGO_PKG_VERSION")), format!("surfaces {shown}")];
+    out.extend(worked_with(steps));
+    out.extend([
         format!(
             "direction {}, spacing {} mm, {}",
             job.layers.direction,
@@ -138,7 +134,7 @@ fn head(job: &Job, part_name: &str, setup: &Setup, report: &Report) -> Vec<Strin
             job.layers.order.word()
         ),
         format!("{} targets, {} corrected, {} blocked and left out", report.points, report.corrected, report.blocked),
-    ];
+    ]);
     match &setup.robot {
         None => out.push(format!("Flange poses, {}; reach and limits are NOT checked", setup.mount.word())),
         Some(robot) => {
@@ -149,6 +145,28 @@ fn head(job: &Job, part_name: &str, setup: &Setup, report: &Report) -> Vec<Strin
         }
     }
     out.push(format!("Not verified on a {} controller: run it with the laser off first", job.cell.dialect));
+    out
+}
+
+/// What the lit pieces are worked with, each once, in the order of work.
+fn worked_with(steps: &Steps) -> Vec<String> {
+    // A head that is drawn back widens the spot by any number of digits.
+    let short = |mm: f64| (mm * 1e4).round() / 1e4;
+    let mut out: Vec<String> = Vec::new();
+    for step in &steps.list {
+        let Step::Work(w) = step else { continue };
+        let pulses = if w.frequency_khz > 0.0 { format!(" at {} kHz", w.frequency_khz) } else { String::new() };
+        let said = format!(
+            "power {} W{pulses}, spot {} mm, defocus {} mm, speed {} mm/s",
+            w.power_w,
+            short(w.spot_mm),
+            short(w.defocus_mm),
+            w.speed_mm_s
+        );
+        if !out.contains(&said) {
+            out.push(said);
+        }
+    }
     out
 }
 

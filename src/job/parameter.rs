@@ -49,7 +49,7 @@ macro_rules! parameter {
 }
 
 /// The table, in the order of the panel. `a .. b`: from a to b; `a < b`: above a, to b.
-pub const PARAMETERS: [Parameter; 39] = [
+pub const PARAMETERS: [Parameter; 42] = [
     parameter!(
         Some("angle"),
         "surfaces.angle_deg",
@@ -231,6 +231,16 @@ pub const PARAMETERS: [Parameter; 39] = [
         beam.power_w
     ),
     parameter!(
+        None,
+        "beam.frequency_khz",
+        "Pulse frequency",
+        "kHz",
+        0.0..100000.0,
+        "",
+        "Frequency of the laser's pulses, stated and set as the power is; 0 = none, or as it is set at the laser",
+        beam.frequency_khz
+    ),
+    parameter!(
         Some("spot"),
         "beam.spot_mm",
         "Spot diameter",
@@ -289,6 +299,26 @@ pub const PARAMETERS: [Parameter; 39] = [
         "",
         "How far the head may be drawn back or pushed forward on lines that are blocked otherwise; 0 = not at all",
         path.standoff_mm
+    ),
+    parameter!(
+        None,
+        "path.lead_in_mm",
+        "Lead-in",
+        "mm",
+        0.0..1000.0,
+        "",
+        "The spot comes so far along the line with the laser off, so that it has its speed when the laser goes on",
+        path.lead_in_mm
+    ),
+    parameter!(
+        None,
+        "path.lead_out_mm",
+        "Lead-out",
+        "mm",
+        0.0..1000.0,
+        "",
+        "The spot goes on so far behind the end with the laser off, at the speed of the work",
+        path.lead_out_mm
     ),
     parameter!(
         None,

@@ -151,7 +151,7 @@ pub fn plan(
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
     parameter::check_all(job).map_err(PlanError::Parameter)?;
-    dialects::check(&job.cell.dialect, setup, job.beam.power_w).map_err(PlanError::Parameter)?;
+    dialects::check(&job.cell.dialect, setup).map_err(PlanError::Parameter)?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
     let own: BTreeMap<u32, Cow<'_, Job>> = list.iter().map(|&n| (n, job.of_surface(n))).collect();
@@ -211,7 +211,7 @@ fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Pr
             let grown = plan.grown.clone();
             let straight = straight(part, &grown, setup, job);
             let air_mm_s = job.beam.air_speed_mm_s;
-            settle(plan, progress, |plan| steps(&straight, &setup.cell, &plan.passes, air_mm_s))?;
+            settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, air_mm_s))?;
         }
     }
     plan.refusals.extend(before);
@@ -338,6 +338,12 @@ fn settle(
 }
 
 impl Plan {
+    /// What of lines and program is not as it was wanted, by surface: a layer's after those below it.
+    pub fn remarks(&self) -> impl Iterator<Item = (u32, &str)> {
+        let laid = self.surfaces.iter().flat_map(|s| s.laid.remarks.iter().map(|r| (s.laid.surface, r.as_str())));
+        laid.chain(self.steps.remarks.iter().map(|(surface, r)| (*surface, r.as_str())))
+    }
+
     /// Blocks what was refused.
     fn refuse(&mut self, refused: &[Refusal]) {
         for r in refused {

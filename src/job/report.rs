@@ -285,7 +285,7 @@ impl Report {
                     missed_area_mm2: layers().map(|l| l.coverage.missed_area_mm2).fold(0.0, f64::max),
                     spacing_min_mm: layers().filter_map(|l| l.coverage.spacing_min_mm).reduce(f64::min),
                     spacing_max_mm: layers().filter_map(|l| l.coverage.spacing_max_mm).reduce(f64::max),
-                    remarks: layers().flat_map(|l| l.remarks.iter().cloned()).collect(),
+                    remarks: plan.remarks().filter(|r| r.0 == surface).map(|r| r.1.to_owned()).collect(),
                 }
             })
             .collect();

@@ -129,7 +129,7 @@ pub(super) fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<
     let wanted = work(job);
     let own = |w: &Work| match tool.head {
         None => Work { layer: w.layer, ..wanted },
-        Some(_) => Work { speed_mm_s: wanted.speed_mm_s, power_w: wanted.power_w, ..*w },
+        Some(_) => Work { defocus_mm: w.defocus_mm, spot_mm: w.spot_mm, layer: w.layer, ..wanted },
     };
     if made.passes.iter().any(|p| p.work != own(&p.work)) {
         Arc::make_mut(&mut made).passes.iter_mut().for_each(|p| p.work = own(&p.work));
@@ -154,7 +154,16 @@ pub(super) fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>> {
 /// What a job works with.
 fn work(job: &Job) -> Work {
     let b = &job.beam;
-    Work { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, speed_mm_s: b.speed_mm_s, power_w: b.power_w, layer: 0 }
+    Work {
+        defocus_mm: b.defocus_mm,
+        spot_mm: b.spot_mm,
+        speed_mm_s: b.speed_mm_s,
+        power_w: b.power_w,
+        frequency_khz: b.frequency_khz,
+        lead_in_mm: job.path.lead_in_mm,
+        lead_out_mm: job.path.lead_out_mm,
+        layer: 0,
+    }
 }
 
 /// Makes the passes of a surface.

@@ -120,7 +120,7 @@ pub fn check(
     with_checker: bool,
 ) -> Result<(&'static str, Verdict), String> {
     let dialect = dialect_of(first)?;
-    let lines = lines(&planned.steps, setup, job.beam.power_w);
+    let lines = lines(&planned.steps, setup);
     let files = dialect.write(&Program { head: Vec::new(), lines: lines.clone(), setup }).map_err(|e| e.to_string())?;
     let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let Some(main) = files.first() else { return Err("the plan has no program".into()) };
@@ -158,7 +158,7 @@ pub fn check_own(
     let Some(first) = written.first() else { return Ok(Verdict::default()) };
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let read = dialect_of(first)?.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
-    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let lines = lines(&plan.steps, setup);
     let prover = plan::prover(part, setup, job).on_layers(&plan.grown);
     let defocus_mm = job.beam.defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };

@@ -25,7 +25,7 @@ pub struct Refuted {
 /// # Errors
 /// The program cannot be written, or read back.
 pub fn proven_as_written(part: &Part, plan: &Plan, setup: &Setup, job: &Job) -> Result<(Proof, Vec<Refuted>), String> {
-    let lines = lines(&plan.steps, setup, job.beam.power_w);
+    let lines = lines(&plan.steps, setup);
     let dialect = dialects::known(&job.cell.dialect)?;
     let planned = moves(&lines);
     let files = dialect

@@ -147,9 +147,9 @@ impl Cut<'_> {
 /// in order, and whether they close.
 pub(super) fn chained(gates: &[(u32, u32)]) -> Vec<(Vec<u32>, bool)> {
     let mut by_entry: Vec<(u32, u32)> = gates.iter().enumerate().map(|(i, g)| (g.0, i as u32)).collect();
-    by_entry.sort_unstable();
+    by_entry.par_sort_unstable();
     let mut exits: Vec<u32> = gates.iter().map(|g| g.1).collect();
-    exits.sort_unstable();
+    exits.par_sort_unstable();
     let once = |sorted: &[u32], e: u32| {
         let at = sorted.partition_point(|&x| x < e);
         sorted.get(at) == Some(&e) && sorted.get(at + 1) != Some(&e)
@@ -161,7 +161,7 @@ pub(super) fn chained(gates: &[(u32, u32)]) -> Vec<(Vec<u32>, bool)> {
         let unique = by_entry.get(at)?.0 == e && by_entry.get(at + 1).is_none_or(|x| x.0 != e);
         (unique && once(&exits, e)).then(|| by_entry[at].1 as usize)
     };
-    let successor: Vec<Option<usize>> = (0..gates.len()).map(next).collect();
+    let successor: Vec<Option<usize>> = (0..gates.len()).into_par_iter().with_min_len(4096).map(next).collect();
     let mut has_predecessor = vec![false; gates.len()];
     for s in successor.iter().flatten() {
         has_predecessor[*s] = true;

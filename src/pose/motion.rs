@@ -113,5 +113,19 @@ pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Po
     swept(beam, motion, from, (&middle, t)).or_else(|| swept(beam, motion, (&middle, t), to))
 }
 
+/// What the head hits on a motion of the focus, told by a body without a beam (`Body::head_alone`): `None` is a
+/// proof that it keeps its margin.
+pub fn head_hit(head: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Blocker> {
+    let (middle, share) = (motion.between(from, to), to.1 - from.1);
+    match head.body_conflict([from.0, &middle, to.0], 0.0, |reach_mm| motion.stray_mm(share, reach_mm)) {
+        Conflict::None => None,
+        Conflict::Wide if share >= LEAST_SHARE => {
+            let t = 0.5 * (from.1 + to.1);
+            head_hit(head, motion, from, (&middle, t)).or_else(|| head_hit(head, motion, (&middle, t), to))
+        }
+        _ => head.body_blocker(&middle.p, &middle.a),
+    }
+}
+
 /// A motion is not cut further than into so small pieces: a metre into less than a micrometre.
 const LEAST_SHARE: f64 = 1e-6;

@@ -2,11 +2,17 @@
 //!
 //! The focus is drawn back along the beam. Short hops go straight, if every pose on the way keeps
 //! clear of the part. All others go out to a sphere around the part, along the great circle over
-//! it, and back in along the next beam, which is free to infinity.
+//! it, and back in along the next beam, which is free to infinity. Where the head is known it is swept on
+//! all of these but those outside the sphere, which is wider by it.
 
+use super::lit::FROM_MM;
 use super::steps::Station;
-use crate::cell::mounting::Air;
+use super::sweep::stray_mm;
+use crate::beam::Body;
+use crate::cell::mounting::{Air, Mounted};
 use crate::part::{Part, angle, distance};
+use crate::pose::motion::{Motion, Pose, head_hit, is_free};
+use crate::pose::{Beam, Blocker};
 use nalgebra::{Isometry3, Point3, Vector3};
 
 /// Farther apart than this the way round is taken without looking at the straight one, mm.
@@ -18,9 +24,13 @@ const LOOK_DEG: f64 = 2.0;
 const ARC_DEG: f64 = 30.0;
 
 /// The space around a part.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Space<'a> {
     part: &'a Part,
+    /// The head alone, where it is known.
+    head: Option<Body<'a>>,
+    /// How the flange carries the focus.
+    mounted: Mounted,
     air: &'a Air,
     defocus_mm: f64,
     centre: Point3<f64>,
@@ -28,17 +38,58 @@ pub struct Space<'a> {
 }
 
 impl<'a> Space<'a> {
-    /// The sphere lies `air.clearance_mm` outside everything that the focus reaches.
-    pub fn new(part: &'a Part, air: &'a Air, defocus_mm: f64) -> Space<'a> {
-        let (lo, hi) = part.mesh.bounds();
-        let radius_mm = 0.5 * (hi - lo).norm() + defocus_mm.max(0.0) + air.retreat_mm + air.clearance_mm;
-        Space { part, air, defocus_mm, centre: lo + (hi - lo) * 0.5, radius_mm }
+    /// The sphere lies `air.clearance_mm` outside everything that the focus reaches, and the head beside it.
+    /// `head`: without its beam.
+    pub fn new(
+        part: &'a Part,
+        (head, mounted): (Option<Body<'a>>, Mounted),
+        air: &'a Air,
+        defocus_mm: f64,
+    ) -> Space<'a> {
+        let (mut lo, mut hi) = part.mesh.bounds();
+        for clamp in head.iter().flat_map(|h| h.clamps) {
+            for p in &clamp.solid().mesh.vertices {
+                let p = clamp.at() * p;
+                (lo, hi) = (lo.inf(&p), hi.sup(&p));
+            }
+        }
+        let head_mm = head.iter().flat_map(|h| &h.head).map(|f| f.r0_mm.max(f.r1_mm)).fold(0.0, f64::max);
+        let radius_mm = 0.5 * (hi - lo).norm() + defocus_mm.max(0.0) + air.retreat_mm + air.clearance_mm + head_mm;
+        Space { part, head, mounted, air, defocus_mm, centre: lo + (hi - lo) * 0.5, radius_mm }
+    }
+
+    /// The same space around the part as it was at another time.
+    pub fn with_part(&self, part: &'a Part) -> Space<'a> {
+        Space { part, ..self.clone() }
+    }
+
+    /// Whether the head is known.
+    pub fn knows_head(&self) -> bool {
+        self.head.is_some()
+    }
+
+    /// What the head hits on a straight move of the flange, if anything.
+    pub fn head_hit(&self, from: &Station, to: &Station) -> Option<Blocker> {
+        let head = Beam::with(self.part, Some(self.head.as_ref()?));
+        let carried = Carried::new(&self.mounted, from, to);
+        head_hit(&head, &carried, (&carried.at(0.0), 0.0), (&carried.at(1.0), 1.0))
+    }
+
+    /// Whether the spot may go on straight with the laser off: the beam from focus or surface outwards, and the
+    /// head.
+    pub fn is_lead_free(&self, from: &Station, to: &Station, defocus_mm: f64) -> bool {
+        // From the surface on the beam would lie in it wherever it is bent.
+        let up_mm = (FROM_MM - defocus_mm).max(0.0);
+        let pose = |s: &Station| Pose { p: s.x + s.a * up_mm, a: s.a };
+        is_free(&Beam::on(self.part), &pose(from), &pose(to), 0.0) && self.head_hit(from, to).is_none()
     }
 
     /// Whether the way from the end of one piece to the start of the next may go straight.
     pub fn is_hop(&self, from: &Station, to: &Station) -> bool {
         let (up, down) = (self.drawn_back(from), self.drawn_back(to));
-        (up.x - down.x).norm() <= HOP_MM && self.is_clear(&up, &down)
+        (up.x - down.x).norm() <= HOP_MM
+            && self.is_clear(&up, &down)
+            && [(from, &up), (&up, &down), (&down, to)].iter().all(|(a, b)| self.head_hit(a, b).is_none())
     }
 
     /// Stations between the end of one piece and the start of the next, both excluded.
@@ -85,10 +136,16 @@ impl<'a> Space<'a> {
         Station { x: s.x + s.a * self.air.retreat_mm, ..*s }
     }
 
-    /// Whether focus and beam keep clear of the part at a path frame.
+    /// Whether focus, beam and head keep clear of the part at a path frame.
     pub fn is_clear_at(&self, part_from_focus: &Isometry3<f64>) -> bool {
-        let x = Point3::from(part_from_focus.translation.vector);
-        self.clears(&x, &(part_from_focus.rotation * Vector3::z()))
+        let at = Station::at(part_from_focus);
+        self.clears(&at.x, &at.a) && self.is_head_clear_at(part_from_focus)
+    }
+
+    /// Whether the head alone does.
+    pub fn is_head_clear_at(&self, part_from_focus: &Isometry3<f64>) -> bool {
+        let at = Station::at(part_from_focus);
+        self.head_hit(&at, &at).is_none()
     }
 
     fn clear_mm(&self) -> f64 {
@@ -136,5 +193,50 @@ impl<'a> Space<'a> {
     pub fn seconds(&self, from: &Station, to: &Station, air_speed_mm_s: f64) -> f64 {
         let turn = from.turn_deg(to);
         ((to.x - from.x).norm() / air_speed_mm_s).max(turn / self.air.turn_deg_s)
+    }
+}
+
+/// The focus as the flange carries it on a straight move with the laser off.
+struct Carried<'a> {
+    mounted: &'a Mounted,
+    from: Isometry3<f64>,
+    to: Isometry3<f64>,
+    /// Angle that the flange turns by, radians.
+    turn: f64,
+    /// From flange to focus, mm.
+    lever_mm: f64,
+}
+
+impl<'a> Carried<'a> {
+    fn new(mounted: &'a Mounted, from: &Station, to: &Station) -> Carried<'a> {
+        let [from, to] = [from, to].map(|s| mounted.flange_for(&s.frame()));
+        let turn_deg = angle::turned_deg(&from.rotation.rotation_to(&to.rotation).to_rotation_matrix());
+        let lever_mm =
+            |flange: &Isometry3<f64>| (mounted.focus_at(flange).translation.vector - flange.translation.vector).norm();
+        let lever_mm = lever_mm(&from).max(lever_mm(&to));
+        Carried { mounted, from, to, turn: turn_deg.to_radians(), lever_mm }
+    }
+
+    fn at(&self, t: f64) -> Pose {
+        let focus = Station::at(&self.mounted.focus_for(&self.from.lerp_slerp(&self.to, t)));
+        Pose { p: focus.x, a: focus.a }
+    }
+}
+
+impl Motion for Carried<'_> {
+    fn between(&self, from: (&Pose, f64), to: (&Pose, f64)) -> Pose {
+        self.at(0.5 * (from.1 + to.1))
+    }
+
+    fn sag_mm(&self) -> f64 {
+        0.0
+    }
+
+    fn stray_mm(&self, share: f64, reach_mm: f64) -> f64 {
+        stray_mm(self.turn * share, self.lever_mm + reach_mm)
+    }
+
+    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
+        beam.body_blocker(&middle.p, &middle.a)
     }
 }

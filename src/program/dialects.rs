@@ -11,6 +11,7 @@ use super::nachi::Nachi;
 use super::steps::{Step, Steps};
 use super::ur::Ur;
 use super::yaskawa::Jbi;
+use crate::beam::Work;
 use crate::cell::Setup;
 
 /// Every dialect that is written and read, the default first.
@@ -44,32 +45,33 @@ pub fn known(name: &str) -> Result<&'static dyn Dialect, String> {
 ///
 /// # Errors
 /// What the controller could not take.
-pub fn check(name: &str, setup: &Setup, power_w: f64) -> Result<(), String> {
-    let home = Steps { list: vec![Step::Home, Step::Home], ..Steps::default() };
-    let lines = lines(&home, setup, power_w);
+pub fn check(name: &str, setup: &Setup) -> Result<(), String> {
+    let pulsed = Work { frequency_khz: 1.0, ..Work::default() };
+    let home = Steps { list: vec![Step::Work(pulsed), Step::Home, Step::Home], ..Steps::default() };
+    let lines = lines(&home, setup);
     known(name)?.write(&Program { head: Vec::new(), lines, setup }).map(drop).map_err(|e| e.to_string())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::outputs::PowerForm;
+    use crate::cell::outputs::LevelForm;
 
     #[test]
     fn bad_names_and_templates_are_told_before_planning() {
         let mut setup = Setup::shipped().expect("shipped");
-        let said = check("yaskawa", &setup, 500.0).expect_err("home is known by its joints only");
+        let said = check("yaskawa", &setup).expect_err("home is known by its joints only");
         assert!(said.contains("robot"), "{said}");
         setup.robot = Some(crate::cell::Robot::load("mz04", None).expect("shipped"));
         for dialect in DIALECTS {
-            assert_eq!(check(dialect.name(), &setup, 500.0), Ok(()));
+            assert_eq!(check(dialect.name(), &setup), Ok(()));
         }
-        let said = check("karel", &setup, 500.0).expect_err("none");
+        let said = check("karel", &setup).expect_err("none");
         assert!(said.contains("karel") && said.contains("nachi") && said.contains("csv"), "{said}");
-        setup.cell.outputs.power.form = PowerForm::Analogue;
-        let said = check("nachi", &setup, 500.0).expect_err("no source for it");
+        setup.cell.outputs.power.form = LevelForm::Analogue;
+        let said = check("nachi", &setup).expect_err("no source for it");
         assert!(said.contains("nachi.analogue"), "{said}");
         setup.cell.nachi.analogue = "AOUT {n},{v}".into();
-        assert_eq!(check("nachi", &setup, 500.0), Ok(()));
+        assert_eq!(check("nachi", &setup), Ok(()));
     }
 }

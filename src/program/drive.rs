@@ -6,10 +6,11 @@
 //! be driven is refused with its reason; spins and branches are not chosen here.
 
 use super::air::Space;
+use super::driven::{Driven, DrivenPiece};
 use super::lit::Straight;
-use super::round;
-use super::steps::{Go, Pace, Station, Step, Steps, Way, farthest_focus_mm};
-use crate::beam::Work;
+use super::remarks::remarks;
+use super::steps::{Go, Pace, Station, Step, Steps, Way, space};
+use super::{pieces, round};
 use crate::cell::collision::Collision;
 use crate::cell::motion::choice::NO_WAY;
 use crate::cell::motion::{Cause, Choice, Refusal};
@@ -48,7 +49,7 @@ pub struct Drive<'a> {
 #[derive(Default)]
 pub struct Known {
     ways: Mutex<BTreeMap<Ends, Option<Vec<Go>>>>,
-    pieces: Mutex<BTreeMap<(Piece, Vec<Bits>), DrivenPiece>>,
+    pieces: Mutex<BTreeMap<(Piece, Vec<Bits>), Driven>>,
     /// Ways in from home or a gate.
     ways_in: Mutex<BTreeMap<[Bits; 2], Option<WayIn>>>,
     /// Whether a move by joints is clear.
@@ -80,11 +81,8 @@ fn bits(joints_deg: &Joints) -> Bits {
 /// The end of a piece (or home) and the start of the next (or home).
 type Ends = [Option<Bits>; 2];
 
-/// Where a piece begins and its lit moves.
-type DrivenPiece = Result<(Stand, Vec<Lit>), Refusal>;
-
 /// Pass, first and last point of a lit piece.
-type Piece = (usize, usize, usize);
+pub(super) type Piece = (usize, usize, usize);
 
 /// A value that was worked out before, or is now.
 fn known<K: Ord, V: Clone>(all: &Mutex<BTreeMap<K, V>>, key: K, make: impl FnOnce() -> V) -> V {
@@ -116,25 +114,13 @@ pub struct Undriven {
     pub closed: Vec<(usize, u8)>,
 }
 
-/// A lit move.
-#[derive(Clone, Copy)]
-struct Lit {
-    to: Stand,
-    seconds: f64,
-    target: Option<(usize, usize)>,
-}
-
 impl Drive<'_> {
     /// The steps of what was chosen.
     ///
     /// # Errors
     /// What cannot be driven after all; the rest has to be tried again without it.
     pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
-        let pieces: Vec<Piece> = passes
-            .iter()
-            .enumerate()
-            .flat_map(|(number, pass)| pass.lit_pieces().into_iter().map(move |(a, b)| (number, a, b)))
-            .collect();
+        let pieces: Vec<Piece> = pieces::lit(passes);
         if let Some(contact) = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg())) {
             let detail = format!("{contact} already at home: hold the part elsewhere, or change air.home_joints_deg");
             let refuse = |(pass, point)| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
@@ -146,10 +132,11 @@ impl Drive<'_> {
                 Err(Undriven { refused, ..Undriven::default() })
             };
         }
-        let driven: Vec<DrivenPiece> = pieces
+        let space = space(&self.straight, self.setup, passes);
+        let driven: Vec<Driven> = pieces
             .par_iter()
             .take_any_while(|_| (self.go_on)())
-            .map(|&piece| self.known_piece(passes, choice, piece))
+            .map(|&piece| self.known_piece(&space, passes, choice, piece))
             .collect();
         if !(self.go_on)() {
             return Err(Undriven::default());
@@ -165,25 +152,23 @@ impl Drive<'_> {
         if !refused.is_empty() {
             return Err(Undriven { refused, ..Undriven::default() });
         }
-        let space = Space::new(self.part, &self.setup.cell.air, farthest_focus_mm(passes));
-        let end = |i: usize| whole[i].1.last().map_or(whole[i].0, |lit| lit.to);
-        let ways: Vec<Option<Vec<Go>>> = (0..=whole.len())
-            .into_par_iter()
-            .map(|i| {
-                if !(self.go_on)() {
-                    return None;
-                }
-                let from = (i > 0).then(|| end(i - 1));
-                let to = whole.get(i).map(|piece| piece.0);
-                self.known_way(&space, from.as_ref(), to.as_ref())
-            })
-            .collect();
+        let ways = loop {
+            let ways = self.ways(&space, &whole);
+            // Where nothing leads to the far end of a lead, the piece does without.
+            let closed = (0..ways.len()).filter(|&i| ways[i].is_none());
+            let beside: Vec<usize> = closed.flat_map(|i| [i.checked_sub(1), Some(i)]).flatten().collect();
+            let led = whole.iter_mut().enumerate().filter(|(i, p)| beside.contains(i) && p.leads.any());
+            if led.map(|(_, piece)| piece.leads.leave_out()).count() == 0 {
+                break ways;
+            }
+        };
+        let end = |i: usize| whole[i].exit();
         if !(self.go_on)() {
             return Err(Undriven::default());
         }
         if let (Some(None), false) = (ways.first(), whole.is_empty()) {
             // Nothing begins here: refuse all pieces up to the first that can be gone to.
-            let reachable = |i: &usize| self.known_way(&space, None, Some(&whole[*i].0)).is_some();
+            let reachable = |i: &usize| self.known_way(&space, None, Some(&whole[*i].entry())).is_some();
             let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
             return Err(self.unreached(&pieces[..begin], choice));
         }
@@ -199,10 +184,8 @@ impl Drive<'_> {
                 closed.push(if stuck { pieces[i - 1] } else { (number, first, last) });
                 continue;
             };
-            let (down, way) = match way.split_last() {
-                Some((down, way)) => (Go { target: Some((number, first)), ..*down }, way),
-                None => continue,
-            };
+            let Some((down, way)) = way.split_last() else { continue };
+            let (piece, begin) = (&whole[i], Some((number, first)));
             for go in way {
                 out.driven(go, at.as_ref());
                 at = Some(go.to);
@@ -211,10 +194,14 @@ impl Drive<'_> {
                 out.list.push(Step::Say(passes[number].title(number)));
                 said = Some(number);
             }
-            out.driven(&down, at.as_ref());
+            let target = begin.filter(|_| piece.leads.before.is_none());
+            out.driven(&Go { target, ..*down }, at.as_ref());
+            if let Some(lead) = &piece.leads.before {
+                out.led(&piece.start, lead.seconds, (&lead.to.at, begin));
+            }
             out.with(&passes[number].work);
             out.list.push(Step::Laser(true));
-            for l in &whole[i].1 {
+            for l in &piece.lit {
                 out.time_s += l.seconds;
                 out.list.push(Step::Go(Go {
                     to: l.to.at,
@@ -225,7 +212,10 @@ impl Drive<'_> {
                 }));
             }
             out.list.push(Step::Laser(false));
-            at = Some(end(i).at);
+            if let Some(lead) = &piece.leads.behind {
+                out.led(&lead.to, lead.seconds, (&piece.last().at, None));
+            }
+            at = Some(piece.exit().at);
         }
         if let (Some(Some(way)), true) = (ways.last(), !whole.is_empty()) {
             for go in way {
@@ -237,7 +227,24 @@ impl Drive<'_> {
             closed.push((number, first, last));
         }
         out.list.push(Step::Home);
+        let left_out = pieces.iter().zip(&whole).map(|(p, w)| (&passes[p.0], w.leads.left_out));
+        out.remarks = remarks(left_out, &self.setup.cell.outputs);
         if closed.is_empty() { Ok(out) } else { Err(self.unreached(&closed, choice)) }
+    }
+
+    /// The way to each piece from the one before or home, and from the last one home.
+    fn ways(&self, space: &Space<'_>, whole: &[DrivenPiece]) -> Vec<Option<Vec<Go>>> {
+        (0..=whole.len())
+            .into_par_iter()
+            .map(|i| {
+                if !(self.go_on)() {
+                    return None;
+                }
+                let from = i.checked_sub(1).map(|i| whole[i].exit());
+                let to = whole.get(i).map(DrivenPiece::entry);
+                self.known_way(space, from.as_ref(), to.as_ref())
+            })
+            .collect()
     }
 
     /// Pieces that nothing leads to: their branches are closed, and if they stay so, all their targets
@@ -258,85 +265,21 @@ impl Drive<'_> {
         known(&self.known.ways, ends, || round::way(self, space, from, to))
     }
 
-    fn known_piece(&self, passes: &[Pass], choice: &Choice, piece: Piece) -> DrivenPiece {
+    fn known_piece(&self, space: &Space<'_>, passes: &[Pass], choice: &Choice, piece: Piece) -> Driven {
         let (number, first, last) = piece;
         let chosen = choice.rows[number][first..=last].iter().flatten().map(|c| bits(&c.joints_deg)).collect();
-        known(&self.known.pieces, (piece, chosen), || self.piece(passes, choice, piece))
-    }
-
-    fn piece(&self, passes: &[Pass], choice: &Choice, (number, first, last): Piece) -> DrivenPiece {
-        let pass = &passes[number];
-        let refuse = |point, cause, detail: &str| Refusal { pass: number, point, cause, detail: detail.into() };
-        let stand = |point: usize| {
-            let chosen = choice.rows[number][point].as_ref();
-            chosen
-                .map(|c| Stand {
-                    at: Station::spun(&pass.targets[point], &pass.work, c.spin_deg),
-                    joints_deg: c.joints_deg,
-                })
-                .ok_or_else(|| refuse(point, Cause::Reach, "was not chosen"))
-        };
-        let start = stand(first)?;
-        let mut here = start;
-        let mut lit = Vec::new();
-        for point in first + 1..=last {
-            let to = stand(point)?;
-            let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.work.speed_mm_s;
-            let before = lit.len();
-            self.between(&here, &to, (&pass.work, seconds), &mut lit)
-                .map_err(|(cause, detail)| refuse(point, cause, &detail))?;
-            if let Some(l) = lit[before..].last_mut() {
-                l.target = Some((number, point));
-            }
-            here = to;
-        }
-        Ok((start, lit))
-    }
-
-    /// Lit moves from one stand to the next, with stations in between where the spot needs them.
-    fn between(
-        &self,
-        from: &Stand,
-        to: &Stand,
-        (work, seconds): (&Work, f64),
-        out: &mut Vec<Lit>,
-    ) -> Result<(), (Cause, String)> {
-        let (mut here, mut done) = (*from, 0.0);
-        for (share, at) in self.straight.between(&from.at, &to.at, work)? {
-            let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
-            let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
-                return Err((Cause::Limit, "between two targets a joint would leave its range".into()));
-            };
-            let next = Stand { at, joints_deg };
-            self.lit(&here, &next, seconds * (share - done), out)?;
-            (here, done) = (next, share);
-        }
-        self.lit(&here, to, seconds * (1.0 - done), out)
-    }
-
-    /// One lit move, if arm and part keep clear and no joint is too fast.
-    fn lit(&self, from: &Stand, to: &Stand, seconds: f64, out: &mut Vec<Lit>) -> Result<(), (Cause, String)> {
-        let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
-        if let Some((_, contact)) = touched {
-            let contact = contact.to_string();
-            return Err((Cause::of_contact(&contact), contact));
-        }
-        for j in 0..6 {
-            let moved = (to.joints_deg[j] - from.joints_deg[j]).abs();
-            let can = self.robot.speeds_deg_s[j];
-            // The ends were chosen by the mean speed; between them a joint may go faster.
-            if moved > can * seconds + 1e-6 {
-                let deg_s = moved / seconds.max(1e-9);
-                let detail = format!("J{} would turn at {deg_s:.0}\u{b0}/s, it can {can:.0}\u{b0}/s", j + 1);
-                return Err((Cause::Speed, detail));
-            }
-        }
-        out.push(Lit { to: *to, seconds, target: None });
-        Ok(())
+        known(&self.known.pieces, (piece, chosen), || self.piece(space, passes, choice, piece))
     }
 }
 
 impl Steps {
+    /// A move along a lead, from a station.
+    fn led(&mut self, to: &Stand, seconds: f64, (from, target): (&Station, Option<(usize, usize)>)) {
+        let pace = Pace::Seconds(seconds);
+        let go = Go { to: to.at, way: Way::Linear, joints_deg: Some(to.joints_deg), pace, target };
+        self.driven(&go, Some(from));
+    }
+
     /// A connecting move.
     fn driven(&mut self, go: &Go, from: Option<&Station>) {
         if let Some(from) = from {

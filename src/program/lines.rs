@@ -4,7 +4,7 @@
 use super::steps::{Pace, Step, Steps, Way};
 use crate::beam::Work;
 use crate::cell::Setup;
-use crate::cell::outputs::{During, Outputs, PowerForm, PowerOutput, Switch};
+use crate::cell::outputs::{During, LevelForm, LevelOutput, Outputs, Switch};
 use nalgebra::Isometry3;
 
 /// A move.
@@ -57,16 +57,16 @@ pub enum Line {
 
 /// The lines of a program's steps, with every output in a safe order: cooling, gas, powder, laser
 /// on, and off in reverse. The laser is switched off at the start, before each way home and at the end.
-pub fn lines(steps: &Steps, setup: &Setup, power_w: f64) -> Vec<Line> {
+pub fn lines(steps: &Steps, setup: &Setup) -> Vec<Line> {
     let cell = &setup.cell;
     let outputs = &cell.outputs;
     let off = Line::Output { number: outputs.laser.number, on: false };
     let (whole, piece) = supplies(outputs);
     let first = steps.list.iter().find_map(|s| if let Step::Work(work) = s { Some(*work) } else { None });
-    let mut work = first.unwrap_or(Work { power_w, ..Work::default() });
+    let mut work = first.unwrap_or_default();
     let mut lit = false;
     let mut out = vec![off.clone()];
-    out.extend(level(outputs, work.power_w));
+    out.extend(first.iter().flat_map(|first| levels(outputs, None, first)));
     for switch in &whole {
         turn(&mut out, switch, true);
     }
@@ -75,9 +75,7 @@ pub fn lines(steps: &Steps, setup: &Setup, power_w: f64) -> Vec<Line> {
         match step {
             Step::Say(text) => out.push(Line::Say(text.clone())),
             Step::Work(with) => {
-                if with.power_w != work.power_w {
-                    out.extend(level(outputs, with.power_w));
-                }
+                out.extend(levels(outputs, Some(&work), with));
                 work = *with;
             }
             Step::Laser(on) => {
@@ -148,15 +146,23 @@ fn turn(out: &mut Vec<Line>, switch: &Switch, on: bool) {
     }
 }
 
-/// The power as an output's level; `None` where it is set by hand.
-fn level(outputs: &Outputs, power_w: f64) -> Option<Line> {
-    let PowerOutput { form, number, scale } = outputs.power;
-    let value = power_w * scale;
-    match form {
-        PowerForm::Comment => None,
-        PowerForm::Analogue => Some(Line::Level { number, value, group: false }),
-        PowerForm::Group => Some(Line::Level { number, value: value.round(), group: true }),
-    }
+/// Power and frequency, where they change: by their outputs, or said where they are set by hand. What the first
+/// piece is worked with stands in the program's head.
+fn levels(outputs: &Outputs, before: Option<&Work>, with: &Work) -> Vec<Line> {
+    let level = |output: &LevelOutput, name: &str, unit: &str, value: f64, before: Option<f64>| {
+        let scaled = value * output.scale;
+        match output.form {
+            _ if before.is_some_and(|b| b == value) => None,
+            LevelForm::Comment => before.map(|_| Line::Say(format!("set {name} to {value} {unit} by hand"))),
+            LevelForm::Analogue => Some(Line::Level { number: output.number, value: scaled, group: false }),
+            LevelForm::Group => Some(Line::Level { number: output.number, value: scaled.round(), group: true }),
+        }
+    };
+    let power = level(&outputs.power, "power", "W", with.power_w, before.map(|b| b.power_w));
+    // Nobody asks for the frequency of a laser without pulses.
+    let khz = before.map(|b| b.frequency_khz).or((with.frequency_khz == 0.0).then_some(0.0));
+    let frequency = level(&outputs.frequency, "frequency", "kHz", with.frequency_khz, khz);
+    power.into_iter().chain(frequency).collect()
 }
 
 #[cfg(test)]
@@ -171,11 +177,14 @@ mod tests {
              shielding_gas = { number = 5, off_wait_s = 1.0, during = \"piece\" }\n\
              powder = { number = 4, on_wait_s = 0.5 }\n\
              laser = { number = 3 }\n\
-             power = { as = \"group\", number = 2, scale = 0.255 }",
+             power = { as = \"group\", number = 2, scale = 0.255 }\n\
+             frequency = { as = \"group\", number = 8 }",
         )
         .expect("outputs");
-        let list = vec![Step::Home, Step::Laser(true), Step::Laser(false), Step::Home];
-        let lines = lines(&Steps { list, ..Steps::default() }, &setup, 500.0);
+        let work = Work { power_w: 500.0, ..Work::default() };
+        let pulsed = Work { frequency_khz: 20.0, ..work };
+        let list = vec![Step::Home, Step::Work(work), Step::Laser(true), Step::Laser(false), Step::Home];
+        let lines = lines(&Steps { list, ..Steps::default() }, &setup);
         let words: Vec<String> = lines
             .iter()
             .map(|l| match l {
@@ -188,5 +197,20 @@ mod tests {
             .collect();
         let expected = "3- 2=128 6+ 2s home 5+ 4+ 0.5s 3+ 3- 4- 5- 1s 3- home 3- 6-";
         assert_eq!(words.join(" "), expected);
+        let said = |outputs: &Outputs, before, with| {
+            let of = |l: &Line| match l {
+                Line::Level { number, value, .. } => format!("{number}={value}"),
+                other => format!("{other:?}"),
+            };
+            levels(outputs, before, with).iter().map(of).collect::<Vec<_>>().join(" ")
+        };
+        let outputs = &setup.cell.outputs;
+        assert_eq!(said(outputs, None, &pulsed), "2=128 8=20");
+        assert_eq!(said(outputs, Some(&work), &pulsed), "8=20");
+        assert_eq!(said(outputs, Some(&pulsed), &work), "8=0");
+        let by_hand = Outputs::default();
+        assert_eq!(said(&by_hand, None, &pulsed), "");
+        assert_eq!(said(&by_hand, Some(&work), &pulsed), "Say(\"set frequency to 20 kHz by hand\")");
+        assert_eq!(said(&by_hand, Some(&pulsed), &pulsed), "");
     }
 }

@@ -101,6 +101,7 @@ impl Round<'_> {
             let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
             let touches = |c: &Collision<'_>| c.first_between(&here.joints_deg, &next.joints_deg).is_some();
             if self.drive.collision.is_some_and(touches)
+                || self.space.head_hit(&here.at, &next.at).is_some()
                 || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG
             {
                 return None;
@@ -282,12 +283,13 @@ impl Round<'_> {
         let setup = self.drive.setup;
         let head_known = setup.mount == Mount::PartInHand && !setup.cell.bodies.head.is_empty();
         let steps = (farthest(from, to) / LOOK_DEG).ceil().max(1.0);
-        let beam_clear = |k: usize| {
+        let is_clear = |k: usize| {
             let t = k as f64 / steps;
             let joints: Joints = std::array::from_fn(|j| from[j] + (to[j] - from[j]) * t);
-            self.space.is_clear_at(&self.drive.mounted.focus_for(&self.robot.forward(&joints)))
+            let focus = self.drive.mounted.focus_for(&self.robot.forward(&joints));
+            if head_known { self.space.is_head_clear_at(&focus) } else { self.space.is_clear_at(&focus) }
         };
-        (head_known || (0..=steps as usize).all(beam_clear))
+        (head_known && !self.space.knows_head() || (0..=steps as usize).all(is_clear))
             && self.drive.collision.is_none_or(|c| c.first_between(from, to).is_none())
     }
 

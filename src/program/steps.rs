@@ -3,16 +3,17 @@
 
 use super::air::Space;
 use super::lit::Straight;
+use super::pieces::{self, Spaces};
+use super::remarks::remarks;
 use super::sweep::LitMove;
-use crate::beam::Work;
-use crate::cell::Cell;
+use crate::beam::{Body, Work};
+use crate::cell::Setup;
 use crate::cell::motion::Refusal;
 use crate::cell::mounting::Mounted;
 use crate::part::angle;
 use crate::pose::target::frame;
 use crate::pose::{Pass, Target};
 use nalgebra::{Isometry3, Point3, Vector3};
-use rayon::prelude::*;
 
 /// Where the focus stands and how: path frame in the part frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +27,8 @@ pub struct Station {
 }
 
 impl Station {
-    fn of(t: &Target, work: &Work) -> Station {
+    /// The station of a target.
+    pub fn of(t: &Target, work: &Work) -> Station {
         Station { x: t.focus(work.defocus_mm), a: t.a, o: t.o }
     }
 
@@ -117,6 +119,8 @@ pub struct Steps {
     pub air_mm: f64,
     /// Duration of all moves but those from and to home, s.
     pub time_s: f64,
+    /// What is not as it was wanted, by surface.
+    pub remarks: Vec<(u32, String)>,
 }
 
 /// The farthest that the focus stands from the part on any pass, mm.
@@ -124,70 +128,72 @@ pub fn farthest_focus_mm(passes: &[Pass]) -> f64 {
     passes.iter().map(|p| p.work.defocus_mm).fold(0.0, f64::max)
 }
 
+/// The space around a part, for what is carried in the air: `straight` knows part and margin.
+pub(super) fn space<'a>(straight: &Straight<'a>, setup: &'a Setup, passes: &[Pass]) -> Space<'a> {
+    let head = Body::head_alone(&setup.tool, straight.prover.margin_mm());
+    Space::new(straight.prover.whole(), (head, straight.prover.mounted), &setup.cell.air, farthest_focus_mm(passes))
+}
+
 /// Turns passes into steps. Blocked targets are not gone to. `air_mm_s`: speed of the focus in the air.
 ///
 /// # Errors
-/// Targets to which the beam does not keep its line as the flange goes straight; the rest has to be
-/// tried again without them.
-pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], air_mm_s: f64) -> Result<Steps, Vec<Refusal>> {
-    let mut refused = Vec::new();
-    let space = Space::new(straight.prover.whole(), &cell.air, farthest_focus_mm(passes));
+/// Targets to which the beam does not keep its line as the flange goes straight, and pieces from which the head
+/// cannot be drawn back; the rest has to be tried again without them.
+pub fn steps(straight: &Straight<'_>, setup: &Setup, passes: &[Pass], air_mm_s: f64) -> Result<Steps, Vec<Refusal>> {
+    let space = space(straight, setup, passes);
+    let spaces = Spaces::new(&space, &straight.prover, passes);
+    let pieces = pieces::pieces(&spaces, passes);
+    let hops = pieces::hops(&spaces, passes, &pieces);
+    let mut refused = pieces::stuck(&spaces, passes, &pieces, &hops);
     let mut out = Steps::default();
     let mut at: Option<Station> = None;
     let mut said = None;
     out.list.push(Step::Home);
-    let pieces: Vec<(usize, usize, usize)> = passes
-        .iter()
-        .enumerate()
-        .flat_map(|(number, pass)| pass.lit_pieces().into_iter().map(move |(first, last)| (number, first, last)))
-        .collect();
-    // Which ways may go straight depends on their two ends alone.
-    let hops: Vec<bool> = pieces
-        .par_windows(2)
-        .map(|w| {
-            let station = |pass: usize, point: usize| Station::of(&passes[pass].targets[point], &passes[pass].work);
-            space.is_hop(&station(w[0].0, w[0].2), &station(w[1].0, w[1].1))
-        })
-        .collect();
-    for (index, &(number, first, last)) in pieces.iter().enumerate() {
-        let pass = &passes[number];
-        let mut start = Station::of(&pass.targets[first], &pass.work);
-        match at {
+    for (index, piece) in pieces.iter().enumerate() {
+        let (number, pass) = (piece.pass, &passes[piece.pass]);
+        let mut here = match at {
             None => {
-                let entry = space.outside(&start);
+                let entry = space.outside(&piece.entry);
                 // From home the arm goes by joints: how far is not known without a robot.
                 out.list.push(Step::Go(Go {
                     to: entry,
                     way: Way::Joint,
                     joints_deg: None,
-                    pace: Pace::Percent(cell.air.home_percent),
+                    pace: Pace::Percent(setup.cell.air.home_percent),
                     target: None,
                 }));
-                at = Some(entry);
+                entry
             }
             Some(from) => {
-                start = start.nearest_to(&from);
+                let to = piece.entry.nearest_to(&from);
                 let mut before = from;
-                for via in space.between(&from, &start, hops[index - 1]) {
+                for via in space.between(&from, &to, hops[index - 1]) {
                     let via = via.nearest_to(&before);
                     out.air(&space, before, via, air_mm_s);
                     before = via;
                 }
-                at = Some(before);
+                before
             }
-        }
-        let before = at.unwrap_or(start);
-        let start = start.nearest_to(&before);
+        };
         if said != Some(number) {
             out.list.push(Step::Say(pass.title(number)));
             said = Some(number);
         }
-        out.go(start, space.seconds(&before, &start, air_mm_s), Some((number, first)));
-        out.air_mm += (start.x - before.x).norm();
+        let first = Some((number, piece.first));
+        let start = Station::of(&pass.targets[piece.first], &pass.work).nearest_to(&here);
+        match piece.leads.before {
+            None => out.down(&space, here, start, air_mm_s, first),
+            Some(l) => {
+                let to = Station { o: start.o, ..l.at };
+                out.down(&space, here, to, air_mm_s, None);
+                out.air_mm += (start.x - to.x).norm();
+                out.go(start, l.seconds, first);
+            }
+        }
+        here = start;
         out.with(&pass.work);
         out.list.push(Step::Laser(true));
-        let mut here = start;
-        for i in first + 1..=last {
+        for i in piece.first + 1..=piece.last {
             let next = Station::of(&pass.targets[i], &pass.work).nearest_to(&here);
             let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
             let seconds = spot_mm / pass.work.speed_mm_s;
@@ -205,6 +211,12 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], air_mm_s: f6
             here = next;
         }
         out.list.push(Step::Laser(false));
+        if let Some(l) = piece.leads.behind {
+            let to = Station { o: here.o, ..l.at };
+            out.air_mm += (to.x - here.x).norm();
+            out.go(to, l.seconds, None);
+            here = to;
+        }
         at = Some(here);
     }
     if let Some(end) = at {
@@ -212,6 +224,7 @@ pub fn steps(straight: &Straight<'_>, cell: &Cell, passes: &[Pass], air_mm_s: f6
         out.air(&space, end, exit, air_mm_s);
     }
     out.list.push(Step::Home);
+    out.remarks = remarks(pieces.iter().map(|p| (&passes[p.pass], p.leads.left_out)), &setup.cell.outputs);
     if refused.is_empty() { Ok(out) } else { Err(refused) }
 }
 
@@ -250,7 +263,12 @@ impl Steps {
     }
 
     fn air(&mut self, space: &Space<'_>, from: Station, to: Station, air_mm_s: f64) {
+        self.down(space, from, to, air_mm_s, None);
+    }
+
+    /// A move in the air, to a target.
+    fn down(&mut self, space: &Space<'_>, from: Station, to: Station, air_mm_s: f64, target: Option<(usize, usize)>) {
         self.air_mm += (to.x - from.x).norm();
-        self.go(to, space.seconds(&from, &to, air_mm_s), None);
+        self.go(to, space.seconds(&from, &to, air_mm_s), target);
     }
 }

@@ -147,11 +147,23 @@ impl<'a> Prover<'a> {
     pub fn prove(&self, moves: &[LitMove]) -> Proof {
         let found: Vec<Option<Blocker>> = moves.par_iter().map(|m| self.hit(m).map(|h| h.blocker)).collect();
         let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
-        let bodies = self.bodies.iter().filter_map(|b| b.1.as_ref());
-        let margin_mm = bodies.filter(|b| b.has_head).map(|b| b.margin_mm - b.short_mm).fold(f64::INFINITY, f64::min);
-        let margin_mm = if margin_mm.is_finite() { margin_mm } else { 0.0 };
-        Proof { intervals: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm: margin_mm.max(0.0) }
+        let margin_mm = self.margin_mm();
+        Proof { intervals: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm }
     }
+
+    /// What cone and head are proven to keep from everything, mm; 0 for a ray.
+    pub(super) fn margin_mm(&self) -> f64 {
+        let bodies = self.bodies.iter().filter_map(|b| b.1.as_ref());
+        let margins = bodies.filter(|b| b.has_head).map(|b| b.margin_mm - b.short_mm);
+        margins.reduce(f64::min).unwrap_or(0.0).max(0.0)
+    }
+}
+
+/// How far a point that turns about a straight line, so far from it, may lie from where a straight way puts it:
+/// it lies off its chord by `(1 − cos(θ/2))·r ≤ θ²r/8`; twice that, for the point and for the line that it is
+/// compared with. `turn` in radians.
+pub(super) fn stray_mm(turn: f64, radius_mm: f64) -> f64 {
+    0.25 * turn * turn * radius_mm
 }
 
 /// A lit move on its way.
@@ -184,11 +196,8 @@ impl Motion for Going<'_> {
         self.prover.sag_mm
     }
 
-    /// A point that turns about a straight line lies off its chord by `(1 − cos(θ/2))·r ≤ θ²r/8`; twice
-    /// that, for the point and for the line that it is compared with.
     fn stray_mm(&self, share: f64, reach_mm: f64) -> f64 {
-        let turn = self.turn * share;
-        0.25 * turn * turn * (self.lever_mm + reach_mm)
+        stray_mm(self.turn * share, self.lever_mm + reach_mm)
     }
 
     /// Beside its planned point the ray may start a little inside a rounding: it is looked at from

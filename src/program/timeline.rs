@@ -73,7 +73,7 @@ impl Timeline {
         let timing = &setup.cell.timing;
         let mut stops: Vec<Stop> = Vec::new();
         let (mut waiting_s, mut light) = (0.0, false);
-        for line in lines(steps, setup, 0.0) {
+        for line in lines(steps, setup) {
             match line {
                 Line::Say(_) | Line::Level { .. } => {}
                 Line::Wait(s) => waiting_s += s,

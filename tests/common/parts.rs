@@ -1,6 +1,7 @@
 //! Parts and plans for the tests that need no window. Nothing here touches OpenGL.
 #![allow(dead_code, reason = "each test file uses its own share")]
 
+use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::{Cell, Setup};
 use clearbeam::job::output::{self, OutputFile};
 use clearbeam::job::plan::segmented;
@@ -175,6 +176,12 @@ pub fn block(low: [f64; 3], high: [f64; 3]) -> Triangles {
     let size: [f64; 3] = std::array::from_fn(|k| high[k] - low[k]);
     let unit = clearbeam::sample::solids::cube(1.0);
     unit.into_iter().map(|t| t.map(|p| std::array::from_fn(|k| low[k] + size[k] * p[k]))).collect()
+}
+
+/// A head: a cylinder of this radius, from 20 to 120 mm behind the focus.
+pub fn cylinder(radius: f64) -> Tool {
+    let text = format!("[[part]]\nfrom_mm = 20\nto_mm = 120\nr0_mm = {radius}\nr1_mm = {radius}\n");
+    Tool { head: Some(Head::from_toml(&text).expect("a stack")), clamps: Vec::new() }
 }
 
 /// Perimeter and area of a regular polygon inscribed in a circle.

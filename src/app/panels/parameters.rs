@@ -25,14 +25,22 @@ impl App {
             theme::heading(ui, "Beam");
             self.numbers(
                 ui,
-                &["beam.defocus_mm", "beam.spot_mm", "beam.power_w", "beam.speed_mm_s", "beam.air_speed_mm_s"],
+                &[
+                    "beam.defocus_mm",
+                    "beam.spot_mm",
+                    "beam.power_w",
+                    "beam.frequency_khz",
+                    "beam.speed_mm_s",
+                    "beam.air_speed_mm_s",
+                ],
             );
             self.correction(ui);
             self.tool(ui);
             self.recipe_panel(ui);
             self.library_panel(ui);
-            egui::CollapsingHeader::new("Targets").show(ui, |ui| {
+            egui::CollapsingHeader::new("Targets, leads").show(ui, |ui| {
                 self.numbers(ui, &["path.chord_error_mm", "path.max_step_mm", "path.max_turn_deg"]);
+                self.numbers(ui, &["path.lead_in_mm", "path.lead_out_mm"]);
             });
             theme::heading(ui, "Feature surfaces");
             self.numbers(ui, &["surfaces.angle_deg"]);

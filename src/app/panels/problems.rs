@@ -58,8 +58,7 @@ impl App {
         for p in &report.problems {
             groups.entry((p.surface, p.cause, p.by_surface)).or_default().push(p);
         }
-        let remarks: Vec<(u32, &String)> =
-            plan.surfaces.iter().flat_map(|s| s.laid.remarks.iter().map(|r| (s.laid.surface, r))).collect();
+        let remarks: Vec<(u32, &str)> = plan.remarks().collect();
         let title = match groups.len() + remarks.len() {
             0 => "Problems: none".into(),
             count => format!("Problems ({count})"),

@@ -184,7 +184,7 @@ impl App {
                 let wanted = job.of_surface(n).layers.spacing_mm;
                 ui.label(format!("{whose}spacing {:.2} to {:.2} mm (wanted {wanted:.2})", a.min_mm, a.max_mm));
             }
-            for remark in &s.laid.remarks {
+            for (_, remark) in plan.remarks().filter(|r| r.0 == n) {
                 ui.label(RichText::new(format!("{whose}{remark}")).small().color(theme::ATTENTION));
             }
         }

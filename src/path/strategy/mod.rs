@@ -8,8 +8,10 @@ mod march;
 mod net;
 pub mod offset;
 mod radial;
+mod refine;
 pub mod spacing;
 mod spiral;
+mod winding;
 
 use super::normals::VertexNormals;
 use super::planes::{self, SurfacePlanes};

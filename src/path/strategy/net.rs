@@ -1,4 +1,4 @@
-//! A surface's facets by themselves, cut finer where asked. Every piece lies in the facet it was cut
+//! A surface's facets by themselves, cut where asked. Every piece lies in the facet it was cut
 //! from, so what is found on the net is on the part, with the normals of the whole surface.
 
 use super::super::normals::{VertexNormals, between};
@@ -17,9 +17,6 @@ pub(super) struct Net {
     pub normals: Vec<Vector3<f64>>,
 }
 
-/// Pieces that a surface is cut into at most, or a fifth more than it has facets.
-const MOST_PIECES: f64 = 150_000.0;
-
 impl Net {
     /// The surface as it is.
     pub fn new(mesh: &Mesh, surface: &Surface, normals: &VertexNormals) -> Net {
@@ -33,78 +30,6 @@ impl Net {
         let facets = live(mesh, surface).map(|f| mesh.facets[f].map(|v| local[v as usize])).collect();
         let points = vertices.iter().map(|&v| mesh.vertices[v as usize]).collect();
         Net { mesh: Mesh::from_indexed(points, facets), normals: vertices.iter().map(|&v| normals.at(v)).collect() }
-    }
-
-    /// Cuts facets until no edge is longer than `size_mm` at its middle. Where that takes more pieces
-    /// than there is time for, all sizes grow alike. `even`: slivers in one plane are turned into better
-    /// facets on the way.
-    pub fn refined(self, even: bool, size_mm: impl Fn(&Point3<f64>) -> f64) -> Net {
-        let most = MOST_PIECES.max(1.2 * self.mesh.facets.len() as f64);
-        let mut scale = 1.0;
-        while self.pieces(&size_mm, scale) > most {
-            scale *= 1.2;
-        }
-        let mut net = self;
-        // Slivers between coplanar facets first: what they are cut into would be slivers too.
-        for _ in 0..60 {
-            let Some(turned) = net.flipped().filter(|_| even) else { break };
-            net = turned;
-        }
-        // Every pass halves what is too long: 40 of them are more than any f64 length needs.
-        for _ in 0..40 {
-            let long: Vec<u32> = (0..net.mesh.edges.len() as u32)
-                .filter(|&e| net.length_mm(e) > scale * size_mm(&net.on_edge(e, 0.5).p))
-                .collect();
-            if long.is_empty() || net.mesh.facets.len() as f64 > 4.0 * most {
-                break;
-            }
-            net = net.cut(&long.iter().map(|&e| (e, 0.5)).collect::<Vec<_>>()).0;
-            if even {
-                net = net.flipped().unwrap_or(net);
-            }
-        }
-        net
-    }
-
-    /// The other diagonal for pairs of facets in one plane, where it makes their angles wider (Delaunay);
-    /// no facet twice. `None` where there is nothing to turn.
-    fn flipped(&self) -> Option<Net> {
-        let mesh = &self.mesh;
-        let mut facets = mesh.facets.clone();
-        let mut touched = vec![false; facets.len()];
-        let mut any = false;
-        for e in 0..mesh.edges.len() as u32 {
-            let Some([f, g]) = mesh.smooth_pair(e).map(|p| p.map(|f| f as usize)) else { continue };
-            if touched[f] || touched[g] || mesh.normals[f].dot(&mesh.normals[g]) < 1.0 - 1e-9 {
-                continue;
-            }
-            let side = |h: usize| mesh.facet_edges[h].iter().position(|&x| x == e);
-            let (Some(i), Some(j)) = (side(f), side(g)) else { continue };
-            let [a, b, c] = [0, 1, 2].map(|k| mesh.facets[f][(i + k) % 3]);
-            let d = mesh.facets[g][(j + 2) % 3];
-            let at = |v: u32| mesh.vertices[v as usize];
-            let n = &mesh.normals[f];
-            let angle = |p: u32, q: u32, r: u32| {
-                let (u, v) = (at(p) - at(q), at(r) - at(q));
-                libm::atan2(u.cross(&v).norm(), u.dot(&v))
-            };
-            let turns = |p: u32, q: u32, r: u32| (at(q) - at(p)).cross(&(at(r) - at(p))).dot(n);
-            // Points of the new diagonal stay on the part: within what coordinates can tell.
-            let flat = (at(d) - at(a)).dot(n).abs() < 3e-7;
-            let wide = angle(a, c, b) + angle(b, d, a) > std::f64::consts::PI + 1e-6;
-            if flat && wide && turns(d, b, c) > 0.0 && turns(c, a, d) > 0.0 {
-                (facets[f], facets[g]) = ([d, b, c], [c, a, d]);
-                (touched[f], touched[g]) = (true, true);
-                any = true;
-            }
-        }
-        any.then(|| Net { mesh: Mesh::from_indexed(mesh.vertices.clone(), facets), normals: self.normals.clone() })
-    }
-
-    /// About how many pieces that takes.
-    fn pieces(&self, size_mm: &impl Fn(&Point3<f64>) -> f64, scale: f64) -> f64 {
-        let size = |p: &Point3<f64>| scale * size_mm(p);
-        (0..self.mesh.facets.len()).map(|f| pieces(&self.mesh.corners(f), &size, 8)).sum()
     }
 
     /// Cuts edges, each at a share of the way from its lower vertex, and the facets beside them. Also
@@ -121,22 +46,8 @@ impl Net {
         }
         let mut facets: Vec<[u32; 3]> = Vec::with_capacity(self.mesh.facets.len() + 3 * cuts.len());
         for (corners, edges) in self.mesh.facets.iter().zip(&self.mesh.facet_edges) {
-            let m = edges.map(|e| middle.get(e as usize).copied().filter(|&v| v != u32::MAX));
-            // Turned so that its first cut follows an edge that is whole, if there is one.
-            let turn = (0..3).find(|&k| m[k].is_some() && m[(k + 2) % 3].is_none()).unwrap_or(0);
-            let at = |k: usize| (corners[(turn + k) % 3], m[(turn + k) % 3]);
-            let [(a, ab), (b, bc), (c, ca)] = [at(0), at(1), at(2)];
-            match (ab, bc, ca) {
-                (Some(p), None, None) => facets.extend([[a, p, c], [p, b, c]]),
-                (Some(p), Some(q), None) => {
-                    facets.push([p, b, q]);
-                    let far = |u: u32, v: u32| (vertices[u as usize] - vertices[v as usize]).norm_squared();
-                    let across = if far(a, q) <= far(p, c) { [[a, p, q], [a, q, c]] } else { [[a, p, c], [p, q, c]] };
-                    facets.extend(across);
-                }
-                (Some(p), Some(q), Some(r)) => facets.extend([[a, p, r], [p, b, q], [r, q, c], [p, q, r]]),
-                _ => facets.push(*corners),
-            }
+            let cut = edges.map(|e| middle.get(e as usize).copied().filter(|&v| v != u32::MAX));
+            split(corners, cut, &vertices, &mut facets);
         }
         (Net { mesh: Mesh::from_indexed(vertices, facets), normals }, first)
     }
@@ -210,20 +121,20 @@ impl Net {
     }
 }
 
-/// About how many pieces a facet is cut into; looked at in quarters while sizes differ much in it.
-fn pieces(corners: &[Point3<f64>; 3], size_mm: &impl Fn(&Point3<f64>) -> f64, depth: usize) -> f64 {
-    let [a, b, c] = *corners;
-    let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
-    let sizes = [size_mm(&a), size_mm(&b), size_mm(&c), size_mm(&(a + ((b - a) + (c - a)) / 3.0))];
-    let (least, most) = sizes.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &s| (l.min(s), m.max(s)));
-    if longest <= least {
-        return 1.0;
+/// The pieces of a facet, some of whose edges are cut by a vertex: the edge from each corner to the next.
+pub(super) fn split(corners: &[u32; 3], cut: [Option<u32>; 3], vertices: &[Point3<f64>], out: &mut Vec<[u32; 3]>) {
+    // Turned so that its first cut follows an edge that is whole, if there is one.
+    let turn = (0..3).find(|&k| cut[k].is_some() && cut[(k + 2) % 3].is_none()).unwrap_or(0);
+    let at = |k: usize| (corners[(turn + k) % 3], cut[(turn + k) % 3]);
+    let [(a, ab), (b, bc), (c, ca)] = [at(0), at(1), at(2)];
+    match (ab, bc, ca) {
+        (Some(p), None, None) => out.extend([[a, p, c], [p, b, c]]),
+        (Some(p), Some(q), None) => {
+            out.push([p, b, q]);
+            let far = |u: u32, v: u32| (vertices[u as usize] - vertices[v as usize]).norm_squared();
+            out.extend(if far(a, q) <= far(p, c) { [[a, p, q], [a, q, c]] } else { [[a, p, c], [p, q, c]] });
+        }
+        (Some(p), Some(q), Some(r)) => out.extend([[a, p, r], [p, b, q], [r, q, c], [p, q, r]]),
+        _ => out.push(*corners),
     }
-    if most > 1.5 * least && depth > 0 {
-        let (p, q, r) = (nalgebra::center(&a, &b), nalgebra::center(&b, &c), nalgebra::center(&c, &a));
-        return [[a, p, r], [p, b, q], [r, q, c], [p, q, r]].iter().map(|t| pieces(t, size_mm, depth - 1)).sum();
-    }
-    let mean = sizes.iter().sum::<f64>() / 4.0;
-    let area = 0.5 * (b - a).cross(&(c - a)).norm();
-    (5.0 * area / (mean * mean)).max(2.0 * longest / mean).max(1.0)
 }

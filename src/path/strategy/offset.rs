@@ -3,7 +3,9 @@
 //! The first lies half a spacing from the border, the others one spacing apart. Where fronts from two
 //! sides meet, the net is cut along their ridge, so that lines turn there as sharply as they do.
 //! What is left around a greatest distance, and is wider than half a spacing from the last line, gets
-//! one more at two thirds of the way: two of them facing each other lie as far apart as from the last.
+//! one more at two thirds of the way: two of them facing each other lie as far apart as from the last. But no
+//! more than half a spacing on: where a ridge slopes, lines on either side of what it leaves out below stand no
+//! farther apart than one spacing.
 
 use super::super::normals::VertexNormals;
 use super::super::section::{SectionPoint, TransversalLine, chained, merged};
@@ -188,7 +190,8 @@ impl Levels {
             let last = ((bands[root] + 0.5) * spacing_mm).max(0.0);
             let wide = most[root] - last;
             if wide > 0.51 * spacing_mm || (bands[root] < 0.0 && wide > 0.0) {
-                found.push((root as u32, ((bands[root] + 1.0) as usize, last + wide * 2.0 / 3.0, Vec::new())));
+                let level = last + (wide * 2.0 / 3.0).min(0.5 * spacing_mm);
+                found.push((root as u32, ((bands[root] + 1.0) as usize, level, Vec::new())));
             }
         }
         for (f, corners) in self.net.mesh.facets.iter().enumerate() {

@@ -6,7 +6,7 @@
 //! the centre, or at the innermost rim where the centre is a hole.
 
 use super::net::Net;
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, Vector2, Vector3};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -24,17 +24,21 @@ pub(super) struct Axis {
 }
 
 impl Axis {
+    /// Where a point stands across the axis, mm.
+    pub fn across(&self, p: &Point3<f64>) -> Vector2<f64> {
+        Vector2::new((p - self.at).dot(&self.u), (p - self.at).dot(&self.v))
+    }
+
     /// Distance from the axis, mm, and angle about it, 0 to 2π.
     pub fn polar(&self, p: &Point3<f64>) -> (f64, f64) {
-        let (x, y) = ((p - self.at).dot(&self.u), (p - self.at).dot(&self.v));
-        let angle = libm::atan2(y, x);
+        let across = self.across(p);
+        let angle = libm::atan2(across.y, across.x);
         (self.off(p), if angle < 0.0 { (angle + TAU).min(TAU * (1.0 - f64::EPSILON)) } else { angle })
     }
 
     /// Distance from the axis, mm.
     pub fn off(&self, p: &Point3<f64>) -> f64 {
-        let (x, y) = ((p - self.at).dot(&self.u), (p - self.at).dot(&self.v));
-        libm::sqrt(x * x + y * y)
+        libm::sqrt(self.across(p).norm_squared())
     }
 }
 
@@ -46,12 +50,13 @@ const GROUPS: usize = 16;
 
 /// Lengths at the vertices less their distance from the axis, mm: on a plane 0. NaN where no radial curve
 /// tells it: on the axis, but for the centre.
-pub(super) fn excess(net: &Net, axis: &Axis) -> Vec<f64> {
-    let polar: Vec<(f64, f64)> = net.mesh.vertices.par_iter().map(|p| axis.polar(p)).collect();
-    let walk = Walk { net, axis, polar: &polar, rims: rims(net, &polar) };
+///
+/// `polar`: distance from the axis and angle of every vertex.
+pub(super) fn excess(net: &Net, axis: &Axis, polar: &[(f64, f64)]) -> Vec<f64> {
+    let walk = Walk { net, axis, polar, rims: rims(net, polar) };
     let count = polar.len();
     let mut order: Vec<u32> = (0..count as u32).collect();
-    order.sort_by(|&a, &b| polar[a as usize].0.total_cmp(&polar[b as usize].0).then(a.cmp(&b)));
+    order.par_sort_by(|&a, &b| polar[a as usize].0.total_cmp(&polar[b as usize].0).then(a.cmp(&b)));
     let mut excess = vec![f64::NAN; count];
     let mut known = vec![false; count];
     for group in order.chunks(count.div_ceil(GROUPS).max(1)) {

@@ -1,11 +1,13 @@
 //! The spacing that lines really have: from points of each line straight to the neighbouring line.
 //!
+//! Points stand no farther apart than lines do: on large facets a line has few points of its own.
 //! Straight distance falls short of that over a surface of radius R by `s³/24R²`. Points that look past a
 //! neighbour's end (at rims and holes) tell nothing and are passed over, as are those without a
 //! neighbour within 6 spacings, more than planes leave where they are counted to reach.
 
 use super::super::coverage::PARALLEL_DEG;
-use super::super::section::TransversalLine;
+use super::super::normals::between;
+use super::super::section::{SectionPoint, TransversalLine};
 use crate::part::distance::point_segment;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -69,16 +71,17 @@ pub(super) fn measured(
     let (segments, blocks) = blocks(lines, ranks);
     // Blocks by their rank: the widest tells how far back one that reaches here may stand.
     let widest = blocks.iter().map(|b| b.ranks.1 - b.ranks.0).fold(0.0, f64::max);
-    let step = (lines.iter().map(|l| l.points.len()).sum::<usize>() / SAMPLES).max(1);
-    let all: Vec<(Point3<f64>, Vector3<f64>, f64)> = lines
-        .iter()
-        .zip(ranks)
-        .flat_map(|(l, r)| l.points.iter().zip(r))
+    let sides = || lines.iter().zip(ranks).flat_map(|(line, ranks)| sides(line, ranks));
+    let length_mm: f64 = sides().map(|s| s.length_mm()).sum();
+    let gap_mm = spacing_mm.max(length_mm / SAMPLES as f64);
+    let step = (sides().map(|s| s.places(gap_mm)).sum::<usize>() / SAMPLES).max(1);
+    let chosen: Vec<(Point3<f64>, Vector3<f64>, f64)> = sides()
+        .flat_map(|s| (0..s.places(gap_mm)).map(move |i| (s, i)))
         .step_by(step)
-        .map(|(q, &rank)| (q.p, q.n, rank))
+        .map(|(s, i)| s.at(i as f64 / s.places(gap_mm) as f64))
         .filter(|x| counts(&x.0))
         .collect();
-    let samples = all
+    let samples = chosen
         .par_iter()
         .filter_map(|(p, n, rank)| {
             let (low, high) = (rank - 1.5, rank - 0.5);
@@ -101,6 +104,44 @@ pub(super) fn measured(
         })
         .collect();
     Achieved::of(samples)
+}
+
+/// A side of a line as it is measured from: its first point up to its second, that one excluded.
+#[derive(Clone, Copy)]
+struct Side {
+    ends: [SectionPoint; 2],
+    ranks: [f64; 2],
+}
+
+/// The sides of a line; behind the last point of an open one a side without length.
+fn sides<'a>(line: &'a TransversalLine, ranks: &'a [f64]) -> impl Iterator<Item = Side> + 'a {
+    line.points.iter().zip(ranks).enumerate().map(|(i, (from, rank))| {
+        let next = line.points.get(i + 1).zip(ranks.get(i + 1));
+        // The closing side has one rank, as all closed lines do.
+        let closing = line.points.first().filter(|_| line.closed).map(|first| (first, rank));
+        let (to, other) = next.or(closing).unwrap_or((from, rank));
+        Side { ends: [*from, *to], ranks: [*rank, *other] }
+    })
+}
+
+impl Side {
+    fn length_mm(&self) -> f64 {
+        (self.ends[1].p - self.ends[0].p).norm()
+    }
+
+    /// How many places it has, no farther apart than that.
+    fn places(&self, gap_mm: f64) -> usize {
+        // A hair of tolerance: rounding adds no place.
+        (self.length_mm() / gap_mm - 1e-9).ceil().max(1.0) as usize
+    }
+
+    fn at(&self, t: f64) -> (Point3<f64>, Vector3<f64>, f64) {
+        let ([from, to], [rank, other]) = (self.ends, self.ranks);
+        if t == 0.0 {
+            return (from.p, from.n, rank);
+        }
+        (from.p + (to.p - from.p) * t, between(&from.n, &to.n, t), rank + (other - rank) * t)
+    }
 }
 
 struct Segment {
