@@ -72,13 +72,16 @@ pub(super) fn measured(
     // Blocks by their rank: the widest tells how far back one that reaches here may stand.
     let widest = blocks.iter().map(|b| b.ranks.1 - b.ranks.0).fold(0.0, f64::max);
     let sides = || lines.iter().zip(ranks).flat_map(|(line, ranks)| sides(line, ranks));
-    let length_mm: f64 = sides().map(|s| s.length_mm()).sum();
-    let gap_mm = spacing_mm.max(length_mm / SAMPLES as f64);
-    let step = (sides().map(|s| s.places(gap_mm)).sum::<usize>() / SAMPLES).max(1);
+    let lengths_mm: Vec<f64> = sides().map(|s| s.length_mm()).collect();
+    let gap_mm = spacing_mm.max(lengths_mm.iter().sum::<f64>() / SAMPLES as f64);
+    // A hair of tolerance: rounding adds no place.
+    let places = |length_mm: f64| (length_mm / gap_mm - 1e-9).ceil().max(1.0) as usize;
+    let step = (lengths_mm.iter().map(|&l| places(l)).sum::<usize>() / SAMPLES).max(1);
     let chosen: Vec<(Point3<f64>, Vector3<f64>, f64)> = sides()
-        .flat_map(|s| (0..s.places(gap_mm)).map(move |i| (s, i)))
+        .zip(&lengths_mm)
+        .flat_map(|(s, &l)| (0..places(l)).map(move |i| (s, i, l)))
         .step_by(step)
-        .map(|(s, i)| s.at(i as f64 / s.places(gap_mm) as f64))
+        .map(|(s, i, l)| s.at(i as f64 / places(l) as f64))
         .filter(|x| counts(&x.0))
         .collect();
     let samples = chosen
@@ -108,31 +111,25 @@ pub(super) fn measured(
 
 /// A side of a line as it is measured from: its first point up to its second, that one excluded.
 #[derive(Clone, Copy)]
-struct Side {
-    ends: [SectionPoint; 2],
+struct Side<'a> {
+    ends: [&'a SectionPoint; 2],
     ranks: [f64; 2],
 }
 
 /// The sides of a line; behind the last point of an open one a side without length.
-fn sides<'a>(line: &'a TransversalLine, ranks: &'a [f64]) -> impl Iterator<Item = Side> + 'a {
+fn sides<'a>(line: &'a TransversalLine, ranks: &'a [f64]) -> impl Iterator<Item = Side<'a>> + 'a {
     line.points.iter().zip(ranks).enumerate().map(|(i, (from, rank))| {
         let next = line.points.get(i + 1).zip(ranks.get(i + 1));
         // The closing side has one rank, as all closed lines do.
         let closing = line.points.first().filter(|_| line.closed).map(|first| (first, rank));
         let (to, other) = next.or(closing).unwrap_or((from, rank));
-        Side { ends: [*from, *to], ranks: [*rank, *other] }
+        Side { ends: [from, to], ranks: [*rank, *other] }
     })
 }
 
-impl Side {
+impl Side<'_> {
     fn length_mm(&self) -> f64 {
         (self.ends[1].p - self.ends[0].p).norm()
-    }
-
-    /// How many places it has, no farther apart than that.
-    fn places(&self, gap_mm: f64) -> usize {
-        // A hair of tolerance: rounding adds no place.
-        (self.length_mm() / gap_mm - 1e-9).ceil().max(1.0) as usize
     }
 
     fn at(&self, t: f64) -> (Point3<f64>, Vector3<f64>, f64) {
