@@ -6,7 +6,7 @@
 mod common;
 
 use clearbeam::app::{App, COMMANDS, Purpose};
-use common::window::{Answers, click, drag, press, sample, settle, snapshot, window};
+use common::window::{Answers, click, drag, press, sample, settle, snapshot, type_into, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -89,11 +89,7 @@ fn the_angle_recuts_and_keeps_what_was_chosen() {
     assert!(h.query_by_label("61 of 61").is_some());
     click(&mut h, "surface 3 freeform");
     press(&mut h, Modifiers::NONE, Key::Enter);
-    h.get_by_label("Crease angle").click();
-    settle(&mut h);
-    press(&mut h, Modifiers::COMMAND, Key::A);
-    h.get_by_label("Crease angle").type_text("60");
-    press(&mut h, Modifiers::NONE, Key::Enter);
+    type_into(&mut h, "Crease angle", "60");
     assert!(h.query_by_label("61 of 61").is_none(), "other surfaces now");
     press(&mut h, Modifiers::COMMAND, Key::Z);
     assert!(h.query_by_label("60 of 60").is_some() && h.query_by_label("1 of 1").is_some(), "undo brings them back");

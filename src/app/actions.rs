@@ -89,9 +89,9 @@ impl App {
                 self.edit(Edit::Surfaces(SurfaceEdit::Merge { merge: list }));
             }
             C::Split => {
-                let angle_deg = self.session.split_angle_deg;
-                for n in self.selected() {
-                    self.edit(Edit::Surfaces(SurfaceEdit::Split { split: n, angle_deg }));
+                let (part, angle_deg) = (self.derived.part.clone(), self.session.split_angle_deg);
+                if let (Some(part), Some(&n)) = (part, self.selected().first()) {
+                    self.edit(Edit::split(&part, &self.derived.surfaces, self.document.job(), n, angle_deg));
                 }
             }
             C::Rename => {

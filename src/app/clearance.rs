@@ -40,11 +40,14 @@ impl App {
             return;
         }
         let (Some(motion), Some(part)) = (self.derived.motion.clone(), self.derived.part.clone()) else { return };
+        let Some((plan, _)) = self.derived.plan.clone() else { return };
         let of = self.derived.plan_count;
         self.derived.clearances.is_looking = true;
         self.worker.spawn(move || {
             let timeline = motion.timeline.as_ref();
-            let collision = timeline.and_then(|t| Collision::new(t.setup(), &part));
+            // As the plan asks for arm and head: with all that will be laid, from the first layer on.
+            let whole = plan.grown.last().map_or(&*part, |g| &g.part);
+            let collision = timeline.and_then(|t| Collision::new(t.setup(), whole));
             let curve =
                 collision.map(|c| ClearanceCurve { samples: clearances(&motion.curves, &c), margin_mm: c.margin_mm() });
             Outcome::Cleared(of, Arc::new(curve.unwrap_or_default()))

@@ -122,6 +122,7 @@ impl App {
         }
         let Some(part) = self.derived.part.clone() else { return };
         self.sync_surfaces(&part, &job);
+        self.sync_borders(&part);
         self.sync_cell(&job);
         self.sync_tool(&job);
         self.sync_plan(part, job);

@@ -6,6 +6,7 @@
 
 mod access;
 mod actions;
+mod border;
 mod clearance;
 mod command;
 mod derived;
@@ -56,6 +57,8 @@ pub struct App {
     recipes: Library,
     /// Dots of the achieved spacing, kept while the plan stays.
     spacing: Option<spacing::SpacingView>,
+    /// Borders that offset lines may start from, kept while the surfaces stay.
+    borders: border::Borders,
 }
 
 const RECENT_KEY: &str = "recent";
@@ -83,6 +86,7 @@ impl App {
             recent,
             recipes: Library::open(None),
             spacing: None,
+            borders: border::Borders::default(),
         };
         if let Some(path) = open {
             app.open(path);

@@ -252,6 +252,16 @@ impl App {
             self.put_spiral_centre();
             ui.close();
         }
+        let border = self.border_place();
+        let button = ui.add_enabled(border.is_some(), egui::Button::new("Offset from this border"));
+        let button = match border.and_then(|(surface, index)| self.border_words(surface, index)) {
+            Some(words) => button.on_hover_text(words),
+            None => button,
+        };
+        if button.on_disabled_hover_text("For surfaces with the strategy offset that have a border").clicked() {
+            self.start_from_border();
+            ui.close();
+        }
         for command in [
             C::Clean,
             C::Unclean,

@@ -67,6 +67,7 @@ impl App {
                 let lines = self.path_lines.iter().flat_map(|l| &l.lines);
                 scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
+            scene.lines.extend(self.border_lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             let dots = self.spacing_points().iter();
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
             self.add_simulation(&mut scene, place);

@@ -1,6 +1,6 @@
 //! What a job says of the bead: its section, the spacing that follows from it, its layers.
 
-use super::model::Job;
+use super::model::{BeadParameters, Job};
 use crate::process::bead::Bead;
 
 impl Job {
@@ -22,6 +22,23 @@ impl Job {
     /// How many layers are laid on top of each other.
     pub fn layer_count(&self) -> u32 {
         if self.section_of_bead().is_some() { self.bead.layers as u32 } else { 1 }
+    }
+}
+
+/// A bead to begin with is so high, as a share of its width.
+const FLAT: f64 = 0.3;
+
+impl BeadParameters {
+    /// The same with no bead, and then no layers; or where there is none with a flat one of a width, mm.
+    pub fn laid(&self, is_laid: bool, width_mm: f64) -> BeadParameters {
+        if !is_laid {
+            return BeadParameters { width_mm: 0.0, height_mm: 0.0, layers: 1.0, ..self.clone() };
+        }
+        if self.width_mm > 0.0 && self.height_mm > 0.0 {
+            return self.clone();
+        }
+        let height_mm = (FLAT * width_mm * 1e3).round() / 1e3;
+        BeadParameters { width_mm, height_mm, ..self.clone() }
     }
 }
 
@@ -72,6 +89,19 @@ mod tests {
         assert!((overlap - 100.0 * (1.0 - std::f64::consts::PI / 4.0)).abs() < 1e-9);
         assert!((job.spacing_of_overlap(overlap).expect("a spacing") - spacing).abs() < 1e-12);
         assert_eq!(job.layer_count(), 3);
+    }
+
+    #[test]
+    fn a_bead_comes_whole_and_goes_with_its_layers() {
+        let mut job = Job::default();
+        job.bead.start_shift_mm = 5.0;
+        let none = job.bead.clone();
+        job.bead = none.laid(true, 3.0);
+        assert_eq!((job.bead.width_mm, job.bead.height_mm, check(&job)), (3.0, 0.9, Ok(())));
+        job.bead.layers = 4.0;
+        assert_eq!(job.bead.laid(true, 1.0), job.bead, "there is one");
+        job.bead = job.bead.laid(false, 3.0);
+        assert_eq!((job.bead.clone(), check(&job)), (none, Ok(())));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Every change of a job is an [`Edit`]; buttons, keys, menus, drag and drop and tests send the same.
 
-use super::model::{CellFile, Chosen, Job, Offset};
+use super::model::{BeadParameters, CellFile, Chosen, Job, Offset};
 use super::parameter::Parameter;
 use super::recipe::Recipe;
 use crate::beam::Obstacle;
@@ -35,6 +35,8 @@ pub enum Edit {
     Recipe(Box<Recipe>, Vec<u32>),
     /// A recipe goes; its surfaces are worked with the job's own values again.
     RemoveRecipe(String),
+    /// A copy of a recipe under a free name, behind it; no surface has it yet.
+    DuplicateRecipe(String),
     /// Another name for a recipe: from, to.
     RenameRecipe(String, String),
     /// Surfaces are worked with a recipe, which the job has from then on, or with the job's own values.
@@ -49,8 +51,17 @@ pub enum Edit {
     Shift(Vec<u32>, i32),
     /// The whole list, in this order.
     Reorder(Vec<u32>),
-    /// A merge, a split or a cut of surfaces.
+    /// A merge, a split or a cut of surfaces. After a split its pieces have no recipe: see [`Edit::split`].
     Surfaces(SurfaceEdit),
+    /// A surface is cut again at a lower angle, and what is cut off it keeps its recipe. See [`Edit::split`].
+    Split {
+        /// The surface.
+        surface: u32,
+        /// The local angle, degrees.
+        angle_deg: f64,
+        /// Numbers of what is cut off.
+        made: Vec<u32>,
+    },
     /// Surfaces are put aside for another job, after some of their facets were cut off for that; back
     /// they come by [`Edit::Clean`]. See [`Edit::aside`].
     Later {
@@ -93,6 +104,8 @@ pub enum Edit {
     Frames(Box<CellFile>),
     /// Dialect of the program.
     Dialect(String),
+    /// The bead that is laid, or that none is.
+    Bead(BeadParameters),
     /// Rotation about the beam axis.
     Spin(Spin),
     /// A head file, as written in the job; empty takes it away.
@@ -128,6 +141,7 @@ impl Edit {
             Edit::Inward(_) => "turn spiral".into(),
             Edit::Recipe(recipe, _) => format!("change recipe {}", recipe.name),
             Edit::RemoveRecipe(name) => format!("remove recipe {name}"),
+            Edit::DuplicateRecipe(name) => format!("duplicate recipe {name}"),
             Edit::RenameRecipe(from, _) => format!("rename recipe {from}"),
             Edit::GiveRecipe(list, Some(recipe)) => format!("give {} recipe {}", some(list), recipe.name),
             Edit::GiveRecipe(list, None) => format!("take recipe of {} away", some(list)),
@@ -137,7 +151,9 @@ impl Edit {
             Edit::Shift(list, _) => format!("move {} in the order", some(list)),
             Edit::Reorder(_) => "change order of work".into(),
             Edit::Surfaces(SurfaceEdit::Merge { merge }) => format!("merge {}", some(merge)),
-            Edit::Surfaces(SurfaceEdit::Split { split, .. }) => format!("split surface {split}"),
+            Edit::Surfaces(SurfaceEdit::Split { split: n, .. }) | Edit::Split { surface: n, .. } => {
+                format!("split surface {n}")
+            }
             Edit::Surfaces(SurfaceEdit::Cut { cut, facets }) => {
                 format!("cut {} facets off surface {cut}", facets.len())
             }
@@ -152,6 +168,7 @@ impl Edit {
             Edit::Mount(_) => "change mounting".into(),
             Edit::Frames(_) => "change set-up".into(),
             Edit::Dialect(_) => "change dialect".into(),
+            Edit::Bead(_) => "change bead".into(),
             Edit::Spin(_) => "change spin".into(),
             Edit::Head(file) if file.is_empty() => "take the head away".into(),
             Edit::Head(_) => "change head".into(),
@@ -201,6 +218,7 @@ impl Edit {
             }
             Edit::GiveRecipe(surfaces, None) => job.take_recipe(surfaces),
             Edit::RemoveRecipe(name) => job.remove_recipe(name),
+            Edit::DuplicateRecipe(name) => job.duplicate_recipe(name),
             Edit::RenameRecipe(from, to) => job.rename_recipe(from, to),
             Edit::Correction(c) => job.path.correction = *c,
             Edit::Clean(list) => {
@@ -219,8 +237,13 @@ impl Edit {
                     merged(job, all, merge);
                 }
             }
+            Edit::Split { surface, angle_deg, made } => {
+                job.surfaces.edits.push(SurfaceEdit::Split { split: *surface, angle_deg: *angle_deg });
+                job.keep_recipe(*surface, made);
+            }
             Edit::Later { cuts, surfaces } => {
                 job.surfaces.edits.extend(cuts.iter().cloned());
+                job.keep_recipes_of_cuts(cuts, surfaces);
                 job.clean.later.extend(surfaces.iter().filter(|n| !job.clean.later.contains(n)).collect::<Vec<_>>());
                 if let Chosen::These(list) = &mut job.clean.surfaces {
                     list.retain(|n| !surfaces.contains(n));
@@ -260,6 +283,7 @@ impl Edit {
                 job.cell.base_from_part.clone_from(&cell.base_from_part);
             }
             Edit::Dialect(dialect) => job.cell.dialect = dialect.clone(),
+            Edit::Bead(bead) => job.bead.clone_from(bead),
             Edit::Spin(spin) => job.cell.spin = *spin,
             Edit::Head(file) => job.beam.head.clone_from(file),
             Edit::Clamps(clamps) => job.clamps.clone_from(clamps),

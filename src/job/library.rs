@@ -142,6 +142,7 @@ fn folder_under(windows: bool, variable: &dyn Fn(&str) -> Option<OsString>) -> O
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::StartFrom;
     use crate::path::{Direction, Order, Strategy};
 
     fn full() -> Recipe {
@@ -151,7 +152,7 @@ mod tests {
             strategy: Some(Strategy::Spiral),
             direction: Some(Direction::Auto),
             order: Some(Order::Shortest),
-            border: Some(1),
+            border: Some(StartFrom::Border(1)),
             centre_mm: Some([1.0, 2.0, 3.0]),
             inward: Some(true),
             values: [("layers.spacing_mm".to_owned(), 0.25), ("beam.power_w".to_owned(), 300.0)].into(),

@@ -5,6 +5,7 @@
 
 use super::model::Job;
 use super::parameter::Parameter;
+use super::start_from::StartFrom;
 use crate::path::{Direction, Order, Strategy};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -33,9 +34,9 @@ pub struct Recipe {
     /// Sense of neighbouring lines.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<Order>,
-    /// For offset lines: the border to start from.
+    /// For offset lines: the border to start from, or the whole outline.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub border: Option<u32>,
+    pub border: Option<StartFrom>,
     /// For a spiral: its centre, part frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub centre_mm: Option<[f64; 3]>,
@@ -55,7 +56,8 @@ impl Recipe {
 
     /// The same for other parts: without the places of this one.
     pub fn without_places(&self) -> Recipe {
-        Recipe { border: None, centre_mm: None, ..self.clone() }
+        let border = self.border.filter(|b| *b == StartFrom::Whole);
+        Recipe { border, centre_mm: None, ..self.clone() }
     }
 
     /// The job with the recipe's values in place of its own.
@@ -64,7 +66,7 @@ impl Recipe {
         own.layers.strategy = self.strategy.unwrap_or(own.layers.strategy);
         own.layers.direction = self.direction.unwrap_or(own.layers.direction);
         own.layers.order = self.order.unwrap_or(own.layers.order);
-        own.layers.border = self.border.or(own.layers.border);
+        own.layers.border = self.border.map_or(own.layers.border, StartFrom::border);
         own.layers.centre_mm = self.centre_mm.or(own.layers.centre_mm);
         own.layers.inward = self.inward.unwrap_or(own.layers.inward);
         for (key, value) in &self.values {

@@ -28,6 +28,15 @@ impl Job {
         self.recipe_of.values_mut().filter(|of| *of == from).for_each(|of| *of = to.into());
     }
 
+    /// Puts a copy of a recipe behind it, under the first name that is free.
+    pub(super) fn duplicate_recipe(&mut self, name: &str) {
+        let Some(at) = self.recipes.iter().position(|r| r.name == name) else { return };
+        let is_taken = |name: &str| self.recipes.iter().any(|r| r.name == name);
+        let Some(free) = (2..).map(|k: u32| format!("{name} {k}")).find(|n| !is_taken(n)) else { return };
+        let copy = Recipe { name: free, ..self.recipes[at].clone() };
+        self.recipes.insert(at + 1, copy);
+    }
+
     /// Surfaces are worked with the job's own values.
     pub(super) fn take_recipe(&mut self, surfaces: &[u32]) {
         surfaces.iter().for_each(|n| drop(self.recipe_of.remove(&n.to_string())));
@@ -108,6 +117,23 @@ mod tests {
             doc.undo();
         }
         assert_eq!(*doc.job(), Job::default());
+    }
+
+    #[test]
+    fn a_copy_stands_behind_its_recipe_under_a_free_name() {
+        let mut doc = Document::default();
+        for name in ["A", "B", "A 2"] {
+            doc.apply(&Edit::Recipe(Box::new(named(name, 1.0)), vec![1]), &[1], None);
+        }
+        assert!(doc.apply(&Edit::DuplicateRecipe("A".into()), &[1], None));
+        assert_eq!(doc.undo_name(), Some("duplicate recipe A"));
+        let names = |doc: &Document| doc.job().recipes.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
+        assert_eq!(names(&doc), ["A", "A 3", "B", "A 2"]);
+        assert_eq!(doc.job().recipes[1], named("A 3", 1.0));
+        assert!(doc.job().surfaces_of_recipe("A 3").is_empty());
+        doc.undo();
+        assert_eq!(names(&doc), ["A", "B", "A 2"]);
+        assert!(!doc.apply(&Edit::DuplicateRecipe("C".into()), &[1], None), "there is none of that name");
     }
 
     #[test]

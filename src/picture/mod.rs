@@ -3,6 +3,7 @@
 
 pub mod arm;
 pub mod beads;
+pub mod border;
 mod colormap;
 pub mod dose;
 pub mod palette;

@@ -27,6 +27,9 @@ pub(super) const JOB: Owner = Owner { prefix: "", back: "Back to" };
 /// Those of a recipe.
 pub(super) const RECIPE: Owner = Owner { prefix: "recipe ", back: "Back to the job's" };
 
+/// Numbers that are whole.
+const WHOLE: [&str; 2] = ["layers.passes", "bead.layers"];
+
 /// Width of the names.
 pub(super) const NAMES: f32 = 130.0;
 
@@ -54,17 +57,34 @@ pub(super) fn number(
     now: f64,
     to: Option<f64>,
 ) -> Option<Change<f64>> {
-    let (mut value, mut wanted) = (now, None);
     let (low, high) = p.range;
     let low = if p.least_allowed { low } else { low + 1e-6 * (high - low).min(1000.0) };
+    number_from(ui, owner, p, low, now, to)
+}
+
+/// The same from another least value on.
+pub(super) fn number_from(
+    ui: &mut egui::Ui,
+    owner: Owner,
+    p: &'static Parameter,
+    low: f64,
+    now: f64,
+    to: Option<f64>,
+) -> Option<Change<f64>> {
+    let (mut value, mut wanted) = (now, None);
+    let high = p.range.1;
+    let is_whole = WHOLE.contains(&p.key);
     let far = |to: f64| (now - to).abs() > 1e-12;
     ui.horizontal(|ui| {
         let label = name(ui, p.label, to.is_some_and(far));
-        let suffix = if p.unit == "°" { "°".into() } else { format!(" {}", p.unit) };
+        let suffix = match p.unit {
+            "°" | "" => p.unit.into(),
+            unit => format!(" {unit}"),
+        };
         let field = DragValue::new(&mut value)
-            .speed((now.abs() * 0.01).clamp(0.001, 1.0))
+            .speed(if is_whole { 0.05 } else { (now.abs() * 0.01).clamp(0.001, 1.0) })
             .range(low..=high)
-            .max_decimals(4)
+            .max_decimals(if is_whole { 0 } else { 4 })
             .suffix(suffix)
             .update_while_editing(false)
             .custom_parser(quantity::read);
@@ -100,8 +120,16 @@ pub(super) fn overlap(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<f64>
     let now = job.overlap_percent();
     let mut percent = now;
     let response = ui.horizontal(|ui| {
-        let tip = "How much neighbouring spots overlap, as a share of their diameter; it sets the spacing.\n\
-                   Negative: the spots do not meet";
+        let tip = match job.section_of_bead() {
+            Some(_) => {
+                "How much neighbouring beads overlap, as a share of their width; it sets the spacing.\n\
+                 Negative: the beads do not meet"
+            }
+            None => {
+                "How much neighbouring spots overlap, as a share of their diameter; it sets the spacing.\n\
+                 Negative: the spots do not meet"
+            }
+        };
         let label = name(ui, "Overlap", false).on_hover_text(tip);
         let field = DragValue::new(&mut percent)
             .speed(0.5)

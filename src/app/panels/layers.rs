@@ -3,7 +3,7 @@
 use super::super::{App, quantity, theme};
 use super::fields::{self, Change, JOB};
 use super::laying;
-use crate::job::{Edit, Offset};
+use crate::job::{Edit, Offset, StartFrom};
 use crate::path::Strategy;
 use eframe::egui::{self, DragValue, Role, WidgetInfo};
 
@@ -21,8 +21,8 @@ impl App {
         match l.strategy {
             Strategy::Cross => self.numbers(ui, &["layers.cross_deg"]),
             Strategy::Offset => {
-                if let Some(border) = laying::border(ui, JOB, l.border, false) {
-                    self.edit_dragging(&Edit::Border(border), "border");
+                if let Some(Change::To(start)) = laying::border(ui, JOB, l.border.into(), None) {
+                    self.edit_dragging(&Edit::Border(start.border()), "border");
                 }
             }
             Strategy::Spiral => {
@@ -49,6 +49,7 @@ impl App {
             self.numbers(ui, &["layers.inset_mm", "layers.ignore_holes_mm", "layers.join_mm", "layers.shortest_mm"]);
             self.numbers(ui, &["layers.seam_shift_mm", "layers.passes"]);
         });
+        self.bead(ui);
     }
 
     fn offset(&mut self, ui: &mut egui::Ui) {
@@ -85,6 +86,18 @@ impl App {
                 self.edit(Edit::Recipe(Box::new(recipe), Vec::new()));
             }
             None => self.edit(Edit::Centre(Some(at))),
+        }
+    }
+
+    /// Offset lines start from the border nearest to the place that was right clicked.
+    pub(in super::super) fn start_from_border(&mut self) {
+        let Some((surface, index)) = self.border_place() else { return };
+        match self.document.job().recipe_of(surface).cloned() {
+            Some(mut recipe) => {
+                recipe.border = Some(StartFrom::Border(index));
+                self.edit(Edit::Recipe(Box::new(recipe), Vec::new()));
+            }
+            None => self.edit(Edit::Border(Some(index))),
         }
     }
 

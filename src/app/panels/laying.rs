@@ -2,6 +2,7 @@
 
 use super::super::theme;
 use super::fields::{Change, NAMES, Owner, back, name};
+use crate::job::StartFrom;
 use crate::job::recipe_table::place;
 use crate::path::{Direction, Order, Strategy};
 use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo};
@@ -122,27 +123,39 @@ pub(super) fn order(
     wanted
 }
 
-/// The border that offset lines start from, if another is wanted; `None` in it: the whole outline.
-pub(super) fn border(ui: &mut egui::Ui, owner: Owner, now: Option<u32>, is_changed: bool) -> Option<Option<u32>> {
+/// The border that offset lines start from, or the whole outline; `to`: what it can go back to.
+pub(super) fn border(
+    ui: &mut egui::Ui,
+    owner: Owner,
+    now: StartFrom,
+    to: Option<StartFrom>,
+) -> Option<Change<StartFrom>> {
     let mut wanted = None;
     ui.horizontal(|ui| {
-        name(ui, "Start from", is_changed)
-            .on_hover_text("The loops of the outline are counted from the longest, which is 1");
-        let mut whole = now.is_none();
+        name(ui, "Start from", to.is_some_and(|to| to != now)).on_hover_text(
+            "The loops of the outline are counted from the longest, which is 1.\n\
+             Right click near one on the part: Offset from this border",
+        );
+        let mut whole = now == StartFrom::Whole;
         let check = ui.checkbox(&mut whole, "whole outline");
         let told = format!("{}whole outline", owner.prefix);
         check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, whole, told.clone()));
         if check.changed() {
-            wanted = Some((!whole).then_some(0));
+            wanted = Some(Change::To(if whole { StartFrom::Whole } else { StartFrom::Border(0) }));
         }
-        if let Some(index) = now {
+        if let StartFrom::Border(index) = now {
             let mut number = index.saturating_add(1);
             let response = ui.add(DragValue::new(&mut number).speed(0.05).range(1..=1000).prefix("border "));
             let told = format!("{}border", owner.prefix);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
             if response.changed() {
-                wanted = Some(Some(number - 1));
+                wanted = Some(Change::To(StartFrom::Border(number.saturating_sub(1))));
             }
+        }
+        if let Some(to) = to
+            && back(ui, owner, "border", &to.to_string())
+        {
+            wanted = Some(Change::Back);
         }
     });
     wanted

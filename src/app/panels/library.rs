@@ -85,6 +85,13 @@ impl App {
                 let selected = self.session.selected.iter().copied().collect();
                 self.apply_recipe(recipe, selected);
             }
+            if shelf == Shelf::Job {
+                let copy = ui.small_button("Duplicate").on_hover_text("A copy under a name of its own");
+                copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("duplicate recipe {name}")));
+                if copy.clicked() {
+                    self.edit(Edit::DuplicateRecipe(name.clone()));
+                }
+            }
             if shelf != Shelf::Shipped {
                 let gone = ui.small_button("×").on_hover_text(match shelf {
                     Shelf::Job => "Remove it from the job; its surfaces take the job's values",

@@ -1,6 +1,8 @@
 //! The panels: each shows a part of the state and sends commands and edits.
 
 mod access;
+mod bead;
+mod bead_section;
 mod beam;
 mod cell;
 mod compare;

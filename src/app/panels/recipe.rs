@@ -3,7 +3,7 @@
 
 use super::super::{App, theme};
 use super::fields::{self, Change, RECIPE};
-use super::laying;
+use super::{bead, laying};
 use crate::job::{Edit, Job, PARAMETERS, Parameter, Recipe};
 use crate::path::Strategy;
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
@@ -222,9 +222,9 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
         }
     }
     if l.strategy == Strategy::Offset
-        && let Some(border) = laying::border(ui, RECIPE, l.border, recipe.border.is_some())
+        && let Some(change) = laying::border(ui, RECIPE, l.border.into(), recipe.border.map(|_| jobs.border.into()))
     {
-        recipe.border = border;
+        take(&mut recipe.border, change);
         what = Some("recipe border");
     }
     let may =
@@ -239,7 +239,7 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
             what = Some("recipe overlap");
         }
     }
-    let more = PARAMETERS.iter().filter(may).filter(|p| !chief(p));
+    let more = PARAMETERS.iter().filter(may).filter(|p| !chief(p) && !p.key.starts_with("bead."));
     let held = more.clone().filter(|p| recipe.values.contains_key(p.key)).count();
     let title = if held > 0 { format!("More values ({held} of its own)") } else { "More values".into() };
     egui::CollapsingHeader::new(title).id_salt("more of a recipe").show(ui, |ui| {
@@ -247,10 +247,17 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
             what = number(ui, job, &own, recipe, p).or(what);
         }
     });
-    what
+    bead::of_recipe(ui, job, &own, recipe).or(what)
 }
 
-fn number(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Recipe, p: &'static Parameter) -> Option<&'static str> {
+/// A number of a recipe; changes it, and says what was changed.
+pub(super) fn number(
+    ui: &mut egui::Ui,
+    job: &Job,
+    own: &Job,
+    recipe: &mut Recipe,
+    p: &'static Parameter,
+) -> Option<&'static str> {
     let to = recipe.values.contains_key(p.key).then(|| (p.get)(job));
     match fields::number(ui, RECIPE, p, (p.get)(own), to)? {
         Change::To(value) => recipe.values.insert(p.key.into(), value),
