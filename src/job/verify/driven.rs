@@ -1,0 +1,156 @@
+//! A program as the robot drives it: ranges, speeds, and what its beam meets on the way.
+
+use super::{Expected, Finding, Kind, Poses, Verdict, finding};
+use crate::beam::Work;
+use crate::cell::Joints;
+use crate::pose::Beam;
+use crate::pose::checker::Checker;
+use crate::program::dialect::{Goal, Read, ReadLine};
+use crate::program::sweep::LitMove;
+use crate::program::{Move, Pace, Way, lit};
+use nalgebra::Isometry3;
+use rayon::prelude::*;
+
+/// A joint may be faster than its full speed by this share: joints are written with few digits.
+const SPEED_SHARE: f64 = 0.02;
+/// Facets that the slow second opinion may look at.
+const CHECKER_BUDGET: usize = 400_000_000;
+
+/// A move as it is driven.
+pub(in super::super) struct Driven<'a> {
+    at: &'a ReadLine,
+    /// Its place among all lines.
+    pub(in super::super) place: usize,
+    pub(in super::super) lit: LitMove,
+}
+
+/// Follows the program with the robot: ranges, speeds, and where the laser is on. Gives the lit moves.
+pub(in super::super) fn driven<'a>(
+    poses: &Poses<'_>,
+    read: &'a [ReadLine],
+    planned: &[Option<&Move>],
+    verdict: &mut Verdict,
+) -> Vec<Driven<'a>> {
+    let laser = poses.setup.cell.outputs.laser.number;
+    let (mut lit, mut joints, mut at) = (false, None::<Joints>, None::<Isometry3<f64>>);
+    let mut work = planned.iter().flatten().next().map_or_else(Work::default, |m| m.work);
+    let mut out = Vec::new();
+    for (place, (line, planned)) in read.iter().zip(planned).enumerate() {
+        work = planned.map_or(work, |m| m.work);
+        let planned = planned.and_then(|m| m.joints_deg);
+        let m = match &line.what {
+            Read::Output { number, on } if *number == laser => {
+                lit = *on;
+                continue;
+            }
+            Read::Move(m) => m,
+            _ => continue,
+        };
+        verdict.moves += 1;
+        let flange = poses.flange(&m.goal);
+        if let Some(robot) = &poses.setup.robot {
+            let next = match (&m.goal, planned.as_ref().or(joints.as_ref()), &flange) {
+                (Goal::Joints(j), ..) => Some(*j),
+                (_, Some(before), Some(flange)) => robot.near(flange, before),
+                (_, None, Some(flange)) => robot.near(flange, &poses.setup.home_joints_deg()),
+                _ => None,
+            };
+            match &next {
+                None => {
+                    let text = format!("the {} cannot go there", robot.name);
+                    verdict.findings.push(finding(line, Kind::Limit, text));
+                }
+                Some(j) => {
+                    if let Some(i) = robot.beyond(j) {
+                        let [low, high] = robot.limits_deg[i];
+                        let text =
+                            format!("J{} = {:.2}\u{b0} is beyond its range, {low:.0} to {high:.0}\u{b0}", i + 1, j[i]);
+                        verdict.findings.push(finding(line, Kind::Limit, text));
+                    }
+                    if let (Pace::Seconds(s), Some(before)) = (&m.pace, &joints) {
+                        speed(poses, line, before, j, *s, verdict);
+                    }
+                }
+            }
+            joints = next.or(joints);
+        }
+        let here = match m.goal {
+            Goal::Focus(focus) => Some(focus),
+            _ => flange,
+        };
+        if lit {
+            verdict.lit_moves += 1;
+            match (m.way, at, here) {
+                (Way::Linear, Some(from), Some(to)) => {
+                    let by_focus = matches!(m.goal, Goal::Focus(_));
+                    out.push(Driven { at: line, place, lit: LitMove { from, to, by_focus, work } });
+                }
+                _ => {
+                    let text = "a move by joints with the laser on".into();
+                    verdict.findings.push(finding(line, Kind::Interference, text));
+                }
+            }
+        }
+        at = here;
+    }
+    if lit && let Some(last) = read.last() {
+        verdict.findings.push(finding(last, Kind::Setting, "the program ends with the laser on".into()));
+    }
+    out
+}
+
+fn speed(poses: &Poses<'_>, line: &ReadLine, from: &Joints, to: &Joints, seconds: f64, verdict: &mut Verdict) {
+    let Some(robot) = &poses.setup.robot else { return };
+    // Joints written with four decimals may be off by 0.0001 degrees at both ends.
+    let fast = (0..6)
+        .find(|&j| (to[j] - from[j]).abs() > robot.speeds_deg_s[j] * (1.0 + SPEED_SHARE) * seconds.max(0.001) + 2e-4);
+    if let Some(j) = fast {
+        let (deg_s, can) = ((to[j] - from[j]).abs() / seconds.max(0.001), robot.speeds_deg_s[j]);
+        let text = format!("J{} turns at {deg_s:.0}\u{b0}/s, it can {can:.0}\u{b0}/s", j + 1);
+        verdict.findings.push(finding(line, Kind::Speed, text));
+    }
+}
+
+/// Proves the lit moves as the controller makes them; what cannot be proven is a finding.
+pub(super) fn interference(
+    expected: &Expected<'_>,
+    poses: &Poses<'_>,
+    driven: &[Driven<'_>],
+    with_checker: bool,
+    verdict: &mut Verdict,
+) {
+    let moves: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
+    verdict.proof = expected.prover.prove(&moves);
+    for (n, blocker) in &verdict.proof.refuted {
+        let text = format!("{blocker} with the laser on");
+        verdict.findings.push(finding(driven[*n].at, Kind::Interference, text));
+    }
+    if !with_checker {
+        return;
+    }
+    let facets = expected.part.mesh.facets.len().max(1);
+    let layers = driven.iter().map(|d| d.lit.work.layer).max().unwrap_or(0);
+    let on = |layer: u32| {
+        let mesh = &expected.prover.part_of(layer).mesh;
+        Checker::new((0..mesh.facets.len()).map(|f| mesh.corners(f)))
+    };
+    let checkers: Vec<Checker> = (0..=layers).map(on).collect();
+    let every = (driven.len() * facets).div_ceil(CHECKER_BUDGET).max(1);
+    let hits: Vec<Finding> = driven
+        .par_iter()
+        .step_by(every)
+        .filter_map(|d| {
+            let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
+            let layer = d.lit.work.layer;
+            let (p, a) = expected.prover.spot(&Beam::on(expected.prover.part_of(layer)), &end, &d.lit.work);
+            let facet = checkers.get(layer as usize)?.hit(&p, &a, lit::FROM_MM)?;
+            let text = format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
+            Some(finding(d.at, Kind::Interference, text))
+        })
+        .collect();
+    for hit in hits {
+        if !verdict.findings.iter().any(|f| (&f.file, f.line, f.kind) == (&hit.file, hit.line, hit.kind)) {
+            verdict.findings.push(hit);
+        }
+    }
+}
