@@ -1,16 +1,19 @@
 //! `report.json`: what was planned, in numbers that scripts rely on.
 
+mod problems;
+mod text;
+
 use super::dose::DoseReport;
 use super::plan::Plan;
 use super::surface_plan::SurfacePlan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
-use crate::pose::{Blocker, Correction, Ours, Pass, Split, State, Target, Theirs};
+use crate::pose::{Correction, Pass, Split, State, Target, Theirs};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
+pub use problems::{Problem, problems};
 use serde::Serialize;
-use std::collections::BTreeSet;
-use std::sync::Arc;
+pub use text::hours;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
 ///
@@ -240,26 +243,6 @@ fn splits(passes: &[Pass], surfaces: &Surfaces) -> Vec<SplitReport> {
     passes.iter().enumerate().flat_map(of_pass).collect()
 }
 
-/// One thing that is not done.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Problem {
-    /// Pass; null for what is missed.
-    pub pass: Option<usize>,
-    /// Point of the pass.
-    pub point: Option<usize>,
-    /// Surface.
-    pub surface: u32,
-    /// `beam`, `missed`, or what the robot cannot do: `robot head obstacle reach limit speed singularity`.
-    pub cause: &'static str,
-    /// The facet in the way.
-    pub by_facet: Option<u32>,
-    /// Its surface.
-    pub by_surface: Option<u32>,
-    /// What of the robot stands against it, in words.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub detail: Option<String>,
-}
-
 impl Report {
     /// The report of a plan.
     pub fn new(plan: &Plan, surfaces: &Surfaces) -> Report {
@@ -328,89 +311,6 @@ impl Report {
     pub fn is_complete(&self) -> bool {
         self.problems.is_empty()
     }
-
-    /// What the robot refuses: cause, how many targets, and the first of them in words.
-    pub fn refused(&self) -> Vec<(&'static str, usize, String)> {
-        let mut out: Vec<(&'static str, usize, String)> = Vec::new();
-        for p in &self.problems {
-            let (Some(detail), Some(pass), Some(point)) = (&p.detail, p.pass, p.point) else { continue };
-            match out.iter_mut().find(|(cause, ..)| *cause == p.cause) {
-                Some((_, count, _)) => *count += 1,
-                None => out.push((p.cause, 1, format!("pass {pass}, point {point}: {detail}"))),
-            }
-        }
-        out
-    }
-
-    /// A few lines for people.
-    pub fn text(&self) -> String {
-        use std::fmt::Write as _;
-        let mut out = String::new();
-        let _ = writeln!(
-            out,
-            "{} passes, {} targets: {} free, {} corrected, {} blocked",
-            self.passes,
-            self.points,
-            self.points - self.corrected - self.blocked,
-            self.corrected,
-            self.blocked
-        );
-        let _ = writeln!(
-            out,
-            "{:.1} mm with the laser on, {:.1} mm blocked, {:.1} mm in the air, {}",
-            self.work_mm,
-            self.blocked_mm,
-            self.air_mm,
-            hours(self.time_s)
-        );
-        let _ = writeln!(
-            out,
-            "largest tilt {:.1}°, chord error {:.4} mm, spacing on the surface up to {:.3} mm",
-            self.max_tilt_deg, self.max_chord_error_mm, self.max_surface_spacing_mm
-        );
-        if self.layers > 1 {
-            let _ =
-                writeln!(out, "{} layers, each planned and proven on the part as those before make it", self.layers);
-        }
-        if !self.splits.is_empty() {
-            let _ = writeln!(out, "{} splits: laser off while the beam turns, a wall between", self.splits.len());
-        }
-        if self.order.way_mm < self.order.zigzag_way_mm {
-            let OrderReport { zigzag_way_mm, way_mm } = self.order;
-            let _ = writeln!(out, "{way_mm:.1} mm of way between the lines, {zigzag_way_mm:.1} mm in a zigzag");
-        }
-        for (s, remark) in self.surfaces.iter().flat_map(|s| s.remarks.iter().map(move |r| (s, r))) {
-            let _ = writeln!(out, "surface {}: {remark}", s.surface);
-        }
-        for s in self.surfaces.iter().filter(|s| s.missed_area_mm2 > 0.0) {
-            let _ = writeln!(
-                out,
-                "surface {}: {:.2} of {:.2} mm² missed by the planes; another direction would reach it",
-                s.surface, s.missed_area_mm2, s.area_mm2
-            );
-        }
-        for (cause, count, example) in self.refused() {
-            let _ = writeln!(out, "{count} targets refused ({cause}), such as {example}");
-        }
-        if let Some(dose) = &self.dose {
-            out.push_str(&dose.text());
-        }
-        for s in self.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
-            let _ = writeln!(
-                out,
-                "surface {}: {:.1} mm of {:.1} mm blocked",
-                s.surface,
-                s.blocked_mm,
-                s.blocked_mm + s.work_mm
-            );
-        }
-        out
-    }
-}
-
-/// A time as hours, minutes and seconds.
-pub fn hours(s: f64) -> String {
-    format!("{}:{:02}:{:02}", s as u64 / 3600, s as u64 / 60 % 60, s as u64 % 60)
 }
 
 fn length<'a>(passes: impl IntoIterator<Item = &'a Pass>, which: impl Fn(&Target, &Target) -> bool + Copy) -> f64 {
@@ -424,53 +324,4 @@ fn is_blocked(from: &Target, to: &Target) -> bool {
 
 fn is_corrected(from: &Target, to: &Target) -> bool {
     to.laser && (from.state == State::Corrected || to.state == State::Corrected)
-}
-
-/// The word for what is in a beam's way.
-fn cause(b: Blocker) -> &'static str {
-    match (b.ours, b.theirs) {
-        (_, Theirs::Clamp(_)) => "obstacle",
-        (Ours::Head, _) => "head",
-        (Ours::Beam, _) => "beam",
-    }
-}
-
-/// Blocked targets in program order, then missed surfaces.
-pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
-    let mut out = Vec::new();
-    let mut refusals = plan.refusals.iter().peekable();
-    for (number, pass) in plan.passes.iter().enumerate() {
-        for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
-            let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
-            let wall = if refused.is_some() { None } else { t.normal_hits };
-            let by_facet = wall.and_then(|b| match b.theirs {
-                Theirs::Facet(f) => Some(f),
-                Theirs::Clamp(_) => None,
-            });
-            out.push(Problem {
-                pass: Some(number),
-                point: Some(point),
-                surface: pass.surface,
-                cause: refused.map_or_else(|| wall.map_or("beam", cause), |r| r.cause.word()),
-                by_facet,
-                by_surface: by_facet.map(|f| surfaces.of_facet[f as usize]),
-                detail: refused.map(|r| r.detail.clone()),
-            });
-        }
-    }
-    let is_missed = |s: &&Arc<SurfacePlan>| s.laid.coverage.missed_area_mm2 > 0.0;
-    let missed: BTreeSet<u32> = plan.surfaces.iter().filter(is_missed).map(|s| s.laid.surface).collect();
-    let first = plan.surfaces.iter().filter(|s| s.laid.layer == 0).map(|s| s.laid.surface);
-    for surface in first.filter(|n| missed.contains(n)) {
-        out.push(Problem {
-            pass: None,
-            point: None,
-            surface,
-            cause: "missed",
-            by_facet: None,
-            by_surface: None,
-            detail: None,
-        });
-    }
-    out
 }
