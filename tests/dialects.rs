@@ -13,7 +13,7 @@ use clearbeam::program::dialect::{Read, ReadError};
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};
 use clearbeam::program::{Dialect, Line, Pace};
 use clearbeam::sample::{solids, stl_bytes};
-use programs::{Seed, difference, lines, read, said, seeds, setup, written};
+use programs::{Seed, damaged, difference, lines, read, said, seeds, setup, written};
 use proptest::prelude::*;
 
 /// Those that take any program; `more_dialects.rs` has the others.
@@ -115,16 +115,7 @@ proptest! {
         for dialect in dialects() {
             let setup = setup(Some(robot_of(dialect.name())));
             let mut files = written(*dialect, &[], &lines(&seeds, &setup), &setup);
-            let mut bytes = std::mem::take(&mut files[0].text).into_bytes();
-            for (at, byte, kind) in &edits {
-                let at = at.index(bytes.len());
-                match kind {
-                    0 => bytes[at] = *byte,
-                    1 => bytes.insert(at, *byte),
-                    _ => { bytes.remove(at); }
-                }
-            }
-            files[0].text = String::from_utf8(bytes).expect("ASCII");
+            files[0].text = damaged(&files[0].text, &edits);
             let _ = (read(*dialect, &files, &setup), of_text(&files[0].text));
             let _ = read(**reader.get(&dialects()), &files, &setup);
         }

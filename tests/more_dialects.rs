@@ -1,12 +1,16 @@
 //! KUKA, ABB, Yaskawa and ESTUN: what is written is read back to where it was planned, as fast; what
 //! was cut or changed is refused or differs; and one small program of each is exactly this.
 
+#[path = "common/programs.rs"]
+mod programs;
+
 use clearbeam::beam::Work;
 use clearbeam::cell::{Mount, Robot, Setup};
 use clearbeam::program::dialect::{Goal, Read, ReadError, ReadLine, Reading, WriteError};
 use clearbeam::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way};
 use clearbeam::program::{abb::Rapid, estun::Erp, kuka::Krl, yaskawa::Jbi};
 use nalgebra::Isometry3;
+use programs::damaged;
 use proptest::prelude::*;
 
 const DIALECTS: [(&dyn Dialect, &str); 4] = [(&Krl, "kr6-r900"), (&Rapid, "irb120"), (&Jbi, "gp7"), (&Erp, "mz04")];
@@ -286,16 +290,7 @@ proptest! {
             let setup = setup(robot, true, Mount::PartInHand);
             let mut files = written(dialect, &lines(&seeds, robot, &setup), &setup);
             let which = usize::from(second).min(files.len() - 1);
-            let mut bytes = std::mem::take(&mut files[which].text).into_bytes();
-            for (at, byte, kind) in &edits {
-                let at = at.index(bytes.len());
-                match kind {
-                    0 => bytes[at] = *byte,
-                    1 => bytes.insert(at, *byte),
-                    _ => { bytes.remove(at); }
-                }
-            }
-            files[which].text = String::from_utf8(bytes).expect("ASCII");
+            files[which].text = damaged(&files[which].text, &edits);
             let _ = read(dialect, &files, &setup);
             for (other, _) in DIALECTS {
                 let _ = read(other, &files, &setup);

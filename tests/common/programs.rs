@@ -175,3 +175,21 @@ pub fn said(found: &[ReadLine]) -> String {
     let texts = found.iter().filter_map(|l| if let Read::Say(t) = &l.what { Some(t.as_str()) } else { None });
     texts.flat_map(|t| t.chars()).filter(|c| !c.is_whitespace()).collect()
 }
+
+/// A text with bytes changed (0), put in (1) or taken out: its place, the byte, and which of these. The shortest
+/// program has no more bytes than there are edits.
+pub fn damaged(text: &str, edits: &[(prop::sample::Index, u8, u8)]) -> String {
+    let mut bytes = text.as_bytes().to_vec();
+    for (at, byte, kind) in edits {
+        let place = (!bytes.is_empty()).then(|| at.index(bytes.len()));
+        match (kind, place) {
+            (0, Some(at)) => bytes[at] = *byte,
+            (1, at) => bytes.insert(at.unwrap_or(0), *byte),
+            (_, Some(at)) => {
+                bytes.remove(at);
+            }
+            (_, None) => {}
+        }
+    }
+    String::from_utf8(bytes).expect("ASCII")
+}
