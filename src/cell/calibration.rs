@@ -4,7 +4,9 @@
 //! again. Where the figures come from and what frame they become is the cell file's business.
 
 use crate::part::rpy;
-use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{
+    Isometry3, Matrix3, Point3, Quaternion, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector3,
+};
 use serde::{Deserialize, Serialize};
 
 /// Points nearer than this to each other, or to a line, tell no direction, mm.
@@ -207,10 +209,30 @@ pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, String> {
     let least = svd.singular_values.imin();
     let signs = Vector3::from_fn(|k, _| if k == least { sign } else { 1.0 });
     let rotation = Rotation3::from_matrix_unchecked(v * Matrix3::from_diagonal(&signs) * u.transpose());
-    let rotation = UnitQuaternion::from_rotation_matrix(&rotation);
+    let mut rotation = UnitQuaternion::from_rotation_matrix(&rotation);
+    // Where the points are nearly on a line the decomposition loses digits: least squares win them back.
+    for _ in 0..2 {
+        rotation = sharpened(pairs.iter().map(from_middle), &rotation);
+    }
     let frame = Isometry3::from_parts(Translation3::from(measured - rotation * model), rotation);
     let off = |p: &PointPair| (frame * Point3::from(p.model) - Point3::from(p.measured)).norm();
     Ok(Fit { frame, residuals_mm: pairs.iter().map(off).collect() })
+}
+
+/// A rotation with the small turn that brings it nearer to the best one (Gauss and Newton): of places of the model
+/// and where they were measured, both from their middles.
+fn sharpened(
+    places: impl Iterator<Item = (Vector3<f64>, Vector3<f64>)>,
+    rotation: &UnitQuaternion<f64>,
+) -> UnitQuaternion<f64> {
+    let (mut inertia, mut moment) = (Matrix3::zeros(), Vector3::zeros());
+    for (model, measured) in places {
+        let q = rotation * model;
+        inertia += Matrix3::from_diagonal_element(q.norm_squared()) - q * q.transpose();
+        moment += q.cross(&(measured - q));
+    }
+    let turn = inertia.try_inverse().map_or_else(Vector3::zeros, |inverse| inverse * moment);
+    UnitQuaternion::new_normalize(Quaternion::from_parts(1.0, 0.5 * turn)) * rotation
 }
 
 fn finite<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> Result<(), String> {
