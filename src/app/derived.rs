@@ -8,6 +8,7 @@ use super::remedy::Remedy;
 use super::worker::Outcome;
 use crate::beam::{Obstacle, Optics, Tool};
 use crate::cell::{Cell, Setup};
+use crate::job::lay::Laid;
 use crate::job::model::BeamParameters;
 use crate::job::model::{CellFile, PartFile, SurfaceParameters};
 use crate::job::plan::segmented;
@@ -219,9 +220,15 @@ impl App {
         };
         d.planning = Some(job.clone());
         let (surfaces, cache) = (d.surfaces.clone(), d.cache.clone());
+        let shown = d.plan.as_ref().map(|(plan, _)| plan.clone());
         self.worker.plan(move |progress, meanwhile| {
-            // A plan takes a while: where its lines lie is shown at once.
-            if let Ok(laid) = job::preview(&part, &surfaces, &job, &cache, progress) {
+            // A plan takes a while: where its lines lie is shown at once, unless they are those that are shown.
+            let is_shown = |laid: &[Arc<Laid>]| {
+                let of_plan = shown.iter().flat_map(|plan| &plan.surfaces).filter(|s| s.laid.layer == 0);
+                of_plan.map(|s| Arc::as_ptr(&s.laid)).eq(laid.iter().map(Arc::as_ptr))
+            };
+            let laid = job::preview(&part, &surfaces, &job, &cache, progress);
+            if let Some(laid) = laid.ok().filter(|laid| !is_shown(laid)) {
                 meanwhile(Outcome::Laid(Box::new(job.clone()), paths::laid(&laid)));
             }
             let plan = job::plan(&part, &surfaces, &job, &setup, &cache, progress);
