@@ -4,11 +4,17 @@
 //! `cargo bench --bench acetabular_cup` prints the tables; nothing is compared or asserted here.
 
 use clearbeam::cell::Setup;
-use clearbeam::job::plan::segmented;
-use clearbeam::job::report::Report;
-use clearbeam::job::{self, Cache, Job, Plan, Progress, files, output};
+use clearbeam::document::Job;
+use clearbeam::document::files;
+use clearbeam::document::segmented;
 use clearbeam::part::{Mesh, Part, rpy};
+use clearbeam::planning;
+use clearbeam::planning::Cache;
+use clearbeam::planning::Plan;
+use clearbeam::planning::output;
+use clearbeam::planning::report::Report;
 use clearbeam::program::{Line, ProgramFile, lines, lit};
+use clearbeam::progress::Progress;
 use nalgebra::Isometry3;
 use std::path::Path;
 use std::time::Instant;
@@ -31,7 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let begun = Instant::now();
         let part = files::load_part(&job, Some(file))?;
         let surfaces = segmented(&part, &job);
-        let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
+        let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
         let report = Report::new(&plan, &surfaces);
         let program = output::program(&job, &job.part.file, &setup, &plan, &report)?;
         quickest[0] = quickest[0].min(begun.elapsed().as_secs_f64());

@@ -4,12 +4,17 @@
 
 use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::Setup;
-use clearbeam::job::plan::{prover, segmented};
-use clearbeam::job::surface_plan::body;
-use clearbeam::job::{self, Cache, Chosen, Job, Progress};
+use clearbeam::document::Chosen;
+use clearbeam::document::Job;
+use clearbeam::document::segmented;
 use clearbeam::part::{Part, Placement, Units};
+use clearbeam::planning;
+use clearbeam::planning::Cache;
+use clearbeam::planning::plan::prover;
+use clearbeam::planning::surface_plan::body;
 use clearbeam::pose::access::AccessMap;
 use clearbeam::pose::{Beam, Correction, Tilt, TiltRule};
+use clearbeam::progress::Progress;
 use clearbeam::sample::{solids::helical_gear, stl_bytes};
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Vector3};
@@ -27,8 +32,10 @@ fn dose(c: &mut Criterion) {
     let mut job = Job::default();
     job.clean.surfaces = Chosen::These((1..=SURFACES).collect());
     let surfaces = segmented(&part, &job);
-    let Ok(plan) = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else { return };
-    let run = || job::dose(&part, &surfaces, &plan, &job, &setup, &Progress::default());
+    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
+        return;
+    };
+    let run = || planning::dose(&part, &surfaces, &plan, &job, &setup, &Progress::default());
     let Ok(map) = run() else { return };
     let lit = map.samples.iter().filter(|s| s.fluence_j_cm2 > 0.0).count();
     let name = format!("dose, {lit} samples in the light of {} pieces/100k", map.light.pieces.len());
@@ -56,7 +63,9 @@ fn proven(c: &mut Criterion) {
     job.path.correction = Correction::SectionPlane;
     let surfaces = segmented(&part, &job);
     job.clean.surfaces = Chosen::These(surfaces.list.iter().map(|s| s.number).take(12).collect());
-    let Ok(plan) = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else { return };
+    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
+        return;
+    };
     let body = body(&job, &setup);
     let beam = || Beam::with(&part, body.as_ref());
     type Place = (Point3<f64>, Vector3<f64>, Vector3<f64>);
@@ -99,9 +108,10 @@ fn proven(c: &mut Criterion) {
     for correction in [Correction::SectionPlane, Correction::Clearance] {
         let mut job = few(&job);
         job.path.correction = correction;
-        let planned = || job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default());
+        let planned = || planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default());
         let Ok(plan) = planned() else { return };
-        let shown = || job::preview(&part, &surfaces, &job, &Cache::default(), &Progress::default()).map(|l| l.len());
+        let shown =
+            || planning::preview(&part, &surfaces, &job, &Cache::default(), &Progress::default()).map(|l| l.len());
         group.bench_function(format!("preview before {}/100k", correction.word()), |b| b.iter(shown));
         let rows: usize = plan.passes.iter().map(|p| p.targets.len()).sum();
         group.bench_function(format!("plan with {}, {rows} rows/100k", correction.word()), |b| b.iter(planned));

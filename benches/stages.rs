@@ -6,7 +6,9 @@
 
 use clearbeam::beam::{Head, Optics, Stance, Tool, Work};
 use clearbeam::cell::Setup;
-use clearbeam::job::{Cache, Chosen, Job, Progress, plan, plan::segmented};
+use clearbeam::document::Chosen;
+use clearbeam::document::Job;
+use clearbeam::document::segmented;
 use clearbeam::part::merge_tree::dihedral_angles;
 use clearbeam::part::orient::orient;
 use clearbeam::part::surfaces::Surface;
@@ -15,8 +17,11 @@ use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, Surfac
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
+use clearbeam::planning::Cache;
+use clearbeam::planning::plan;
 use clearbeam::pose::clearance::free_set;
 use clearbeam::pose::{Beam, Correction, Line, LineRules, Pass, TiltRule, plan_line};
+use clearbeam::progress::Progress;
 use clearbeam::sample::{solids::helical_gear, stl_bytes};
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, criterion_group, criterion_main};

@@ -21,8 +21,8 @@
 //! - [`program`]: lit pieces joined by connecting moves ([`program::Steps`]), over time
 //!   ([`program::Timeline`]), and as neutral lines ([`program::lines()`]). A [`program::Dialect`] writes
 //!   them in the words of a controller and reads its text back.
-//! - [`job`]: what is saved ([`job::Job`]), edited ([`job::Edit`], [`job::Document`]), planned
-//!   ([`job::plan()`]), written ([`job::output`]) and compared with what was read ([`job::verify`]).
+//! - [`job`]: what is saved ([`document::Job`]), edited ([`document::Edit`], [`document::Document`]), planned
+//!   ([`planning::plan()`]), written ([`planning::output`]) and compared with what was read ([`planning::verify`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
 //! - [`progress`] is the one thing that all who work long share with who waits for them.
@@ -35,7 +35,9 @@
 //!
 //! ```
 //! use clearbeam::cell::Setup;
-//! use clearbeam::job::{self, Cache, Chosen, Job, Progress, plan::segmented, report::Report};
+//! use clearbeam::document::{Chosen, Job, segmented};
+//! use clearbeam::planning::{self, Cache, report::Report};
+//! use clearbeam::progress::Progress;
 //! use clearbeam::part::{Part, Placement, Units};
 //! use clearbeam::program::{Dialect, Program, lines, nachi::Nachi};
 //! use clearbeam::sample::{solids, stl_bytes};
@@ -49,7 +51,7 @@
 //! job.clean.surfaces = Chosen::These(vec![upright.number]);
 //! job.layers.spacing_mm = 1.0;
 //! let setup = Setup::shipped()?;
-//! let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
+//! let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
 //! assert_eq!(plan.passes.len(), 20);
 //! let report = Report::new(&plan, &surfaces);
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
@@ -63,10 +65,11 @@ pub mod app;
 pub mod beam;
 pub mod cell;
 pub mod cli;
-pub mod job;
+pub mod document;
 pub mod part;
 pub mod path;
 pub mod picture;
+pub mod planning;
 pub mod pose;
 pub mod process;
 pub mod program;

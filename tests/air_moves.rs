@@ -5,8 +5,9 @@
 mod parts;
 
 use clearbeam::beam::Tool;
-use clearbeam::job::report::Report;
-use clearbeam::job::{Job, plan::segmented};
+use clearbeam::document::Job;
+use clearbeam::document::segmented;
+use clearbeam::planning::report::Report;
 use clearbeam::pose::checker::CutCone;
 use clearbeam::program::steps::Station;
 use clearbeam::program::{Go, Pace, Step};

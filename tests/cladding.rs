@@ -1,13 +1,24 @@
 //! Beads in layers: each on the part as those before have made it, proven on that part, and read back.
 
 use clearbeam::cell::Setup;
-use clearbeam::job::plan::{prover, segmented};
-use clearbeam::job::report::Report;
-use clearbeam::job::{self, Cache, Chosen, Job, Plan, PlanError, Progress, files, output, verify};
+use clearbeam::document;
+use clearbeam::document::Chosen;
+use clearbeam::document::Job;
+use clearbeam::document::files;
+use clearbeam::document::segmented;
 use clearbeam::part::{Part, Placement, Surfaces, Units, angle};
 use clearbeam::path::Axis;
+use clearbeam::planning;
+use clearbeam::planning::Cache;
+use clearbeam::planning::Plan;
+use clearbeam::planning::PlanError;
+use clearbeam::planning::output;
+use clearbeam::planning::plan::prover;
+use clearbeam::planning::report::Report;
+use clearbeam::planning::verify;
 use clearbeam::pose::{Correction, TiltRule};
 use clearbeam::program::{Line, lines};
+use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids, stl_bytes};
 use nalgebra::Vector3;
 use std::path::PathBuf;
@@ -36,7 +47,7 @@ impl Case {
     }
 
     fn plan_with(&self, cache: &Cache) -> Result<Plan, PlanError> {
-        job::plan(&self.part, &self.surfaces, &self.job, &self.setup, cache, &Progress::default())
+        planning::plan(&self.part, &self.surfaces, &self.job, &self.setup, cache, &Progress::default())
     }
 
     fn plan(&self) -> Plan {
@@ -207,7 +218,7 @@ fn the_readme_tells_a_job_that_can_be_planned() {
     let (_, rest) = readme.split_once("## Cladding").expect("a section");
     let text = rest.split_once("```toml\n").and_then(|(_, t)| t.split_once("```")).expect("a job").0;
     let job: Job = toml::from_str(text).expect("reads");
-    job::parameter::check_all(&job).expect("sound");
+    document::parameter::check_all(&job).expect("sound");
     assert_eq!(job.layer_count(), 3);
     let spacing_mm = job.bead_spacing_mm().expect("a bead");
     assert!((spacing_mm - job.layers.spacing_mm).abs() < 1e-3, "{spacing_mm}");

@@ -4,9 +4,9 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::job::Job;
-use clearbeam::job::report::Report;
+use clearbeam::document::Job;
 use clearbeam::path::Order;
+use clearbeam::planning::report::Report;
 use clearbeam::pose::clearance::free_set;
 use clearbeam::pose::tilt::{Pin, Side, Tilt, TiltRule};
 use clearbeam::pose::{Beam, Correction, State, Target};

@@ -8,7 +8,7 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::job::plan::segmented;
+use clearbeam::document::segmented;
 use clearbeam::part::{Shape, orient};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};

@@ -4,7 +4,7 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::job::Offset;
+use clearbeam::document::Offset;
 use clearbeam::path::DensePoint;
 use clearbeam::pose::interference::GRAZE_MM;
 use clearbeam::pose::section_plane::correct;

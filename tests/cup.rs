@@ -1,24 +1,29 @@
 //! P2's acetabular cup: its topology, the five transversals, and what the arch height reduction promises.
 
-use clearbeam::job::lay::ordered;
-use clearbeam::job::plan::segmented;
-use clearbeam::job::report::Report;
-use clearbeam::job::{self, Cache, Plan, Progress, files};
+use clearbeam::document;
+use clearbeam::document::files;
+use clearbeam::document::segmented;
 use clearbeam::part::distance::point_segment;
 use clearbeam::part::{Part, angle};
 use clearbeam::path::chord::{ChordLimits, simplify};
 use clearbeam::path::dense::{self, dense};
 use clearbeam::path::{SectionPoint, TransversalLine};
+use clearbeam::planning;
+use clearbeam::planning::Cache;
+use clearbeam::planning::Plan;
+use clearbeam::planning::lay::ordered;
+use clearbeam::planning::report::Report;
+use clearbeam::progress::Progress;
 use nalgebra::{Point3, Vector3};
 use std::path::PathBuf;
 
-fn planned() -> (Part, job::Job, Plan, Report) {
+fn planned() -> (Part, document::Job, Plan, Report) {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/samples/acetabular_cup.toml");
     let job = files::read(&file).expect("reads");
     let part = files::load_part(&job, Some(&file)).expect("loads");
     let setup = files::load_setup(&job, Some(&file)).expect("a cell");
     let surfaces = segmented(&part, &job);
-    let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("plans");
+    let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("plans");
     let report = Report::new(&plan, &surfaces);
     (part, job, plan, report)
 }

@@ -5,13 +5,17 @@
 mod programs;
 
 use clearbeam::cell::Setup;
-use clearbeam::job::plan::segmented;
-use clearbeam::job::{self, Cache, Chosen, Job, Progress};
+use clearbeam::document::Chosen;
+use clearbeam::document::Job;
+use clearbeam::document::segmented;
 use clearbeam::part::{Part, Placement, Units};
+use clearbeam::planning;
+use clearbeam::planning::Cache;
 use clearbeam::program;
 use clearbeam::program::dialect::{Read, ReadError};
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};
 use clearbeam::program::{Dialect, Line, Pace};
+use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
 use programs::{Seed, damaged, difference, lines, read, said, seeds, setup, written};
 use proptest::prelude::*;
@@ -141,7 +145,8 @@ fn a_planned_program_is_read_as_it_was_meant() {
     job.layers.direction = "auto".parse().expect("a direction");
     for robot in [None, Some("mz04")] {
         let setup = setup(robot);
-        let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
+        let plan =
+            planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
         let lines = program::lines(&plan.steps, &setup);
         let lit = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.lit)).count();
         let known = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.joints_deg.is_some())).count();

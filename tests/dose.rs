@@ -5,12 +5,16 @@
 mod parts;
 
 use clearbeam::beam::{Obstacle, Optics, Work};
-use clearbeam::job::plan::segmented;
-use clearbeam::job::{self, Document, Edit, Job, Progress};
+use clearbeam::document::Document;
+use clearbeam::document::Edit;
+use clearbeam::document::Job;
+use clearbeam::document::segmented;
 use clearbeam::part::{Part, Placement, Surfaces};
+use clearbeam::planning;
 use clearbeam::pose::target::travel;
 use clearbeam::pose::{Correction, Pass, State, Target, Theirs};
 use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
+use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{block, near, part, placed, planned_at, sheet};
@@ -383,9 +387,15 @@ fn groove(placement: &Placement) -> (DoseMap, parts::Planned) {
     let mut job = parts::job("z", 1.0);
     job.layers.direction = clearbeam::path::Direction::Auto;
     let planned = parts::planned(body, job);
-    let map =
-        job::dose(&planned.part, &planned.surfaces, &planned.plan, &planned.job, &parts::setup(), &Progress::default())
-            .expect("a dose");
+    let map = planning::dose(
+        &planned.part,
+        &planned.surfaces,
+        &planned.plan,
+        &planned.job,
+        &parts::setup(),
+        &Progress::default(),
+    )
+    .expect("a dose");
     (map, planned)
 }
 
@@ -466,9 +476,15 @@ fn what_is_not_chosen_and_lit_is_named() {
     // A step: the lower face is cleaned right up to the wall, whose foot is lit as well.
     let body = block([0.0, 0.0, 0.0], [20.0, 20.0, 6.0]);
     let planned = planned_at(&body, &[[10.0, 10.0, 6.0]], parts::job("y", 0.5));
-    let map =
-        job::dose(&planned.part, &planned.surfaces, &planned.plan, &planned.job, &parts::setup(), &Progress::default())
-            .expect("a dose");
+    let map = planning::dose(
+        &planned.part,
+        &planned.surfaces,
+        &planned.plan,
+        &planned.job,
+        &parts::setup(),
+        &Progress::default(),
+    )
+    .expect("a dose");
     let shares = map.shares(&planned.surfaces);
     assert!(shares.within > 0.93 && shares.over == 0.0 && shares.shaded == 0.0, "{shares:?}");
     assert_eq!(map.collateral(&planned.surfaces), [], "the sides stand along the beam");
@@ -491,8 +507,8 @@ fn roofed() -> Triangles {
 
 fn patches_of(planned: &parts::Planned) -> Vec<Patch> {
     let (p, setup) = (planned, parts::setup());
-    let map = job::dose(&p.part, &p.surfaces, &p.plan, &p.job, &setup, &Progress::default()).expect("a dose");
-    job::dose::not_cleanable(&p.part, &p.surfaces, &p.plan, &p.job, &map)
+    let map = planning::dose(&p.part, &p.surfaces, &p.plan, &p.job, &setup, &Progress::default()).expect("a dose");
+    planning::dose::not_cleanable(&p.part, &p.surfaces, &p.plan, &p.job, &map)
 }
 
 #[test]
@@ -570,7 +586,7 @@ fn what_stays_unclean_can_be_put_aside() {
     assert_eq!(again.list.iter().map(|s| s.number).collect::<Vec<_>>(), [&all[..], &[new]].concat());
     assert_eq!(again.get(new).map(|s| s.facets.clone()), Some(patches[0].facets.clone()));
     let mut everything = job.clone();
-    everything.clean.surfaces = clearbeam::job::Chosen::All;
+    everything.clean.surfaces = clearbeam::document::Chosen::All;
     assert!(!everything.clean.numbers(again.list.iter().map(|s| s.number)).contains(&new));
     let text = toml::to_string(&job).expect("writes");
     assert_eq!(toml::from_str::<Job>(&text).expect("reads"), job);

@@ -13,7 +13,7 @@ use clearbeam::sample::{Triangles, solids};
 use nalgebra::Point3;
 use parts::{Planned, job, near, planned_at};
 
-fn uncorrected(direction: &str, spacing_mm: f64) -> clearbeam::job::Job {
+fn uncorrected(direction: &str, spacing_mm: f64) -> clearbeam::document::Job {
     let mut job = job(direction, spacing_mm);
     job.path.correction = Correction::None;
     job

@@ -8,11 +8,13 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::job::plan::segmented;
-use clearbeam::job::{Cache, Job, Progress};
+use clearbeam::document::Job;
+use clearbeam::document::segmented;
 use clearbeam::part::Placement;
 use clearbeam::path::Direction;
+use clearbeam::planning::Cache;
 use clearbeam::pose::{Correction, State};
+use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{Planned, angle_deg, job, near, on, part, placed, planned, planned_at, sample, sheet};
@@ -123,7 +125,7 @@ proptest! {
 fn various() -> Vec<Planned> {
     let workpiece = || part(&sample("workpiece"));
     let none = Job {
-        path: clearbeam::job::model::PathParameters { correction: Correction::None, ..Default::default() },
+        path: clearbeam::document::model::PathParameters { correction: Correction::None, ..Default::default() },
         ..job("z", 2.6)
     };
     vec![
@@ -147,7 +149,7 @@ fn the_report_adds_up() {
         let whole: f64 = p.plan.passes.iter().map(|l| l.length_mm(|_, _| true)).sum();
         near("work and blocked", r.work_mm + r.blocked_mm, whole, 1e-12);
         assert!(r.corrected_mm <= r.work_mm);
-        let sum = |f: fn(&clearbeam::job::report::SurfaceReport) -> f64| r.surfaces.iter().map(f).sum::<f64>();
+        let sum = |f: fn(&clearbeam::planning::report::SurfaceReport) -> f64| r.surfaces.iter().map(f).sum::<f64>();
         near("points", sum(|s| s.points as f64), r.points as f64, 0.0);
         near("passes", sum(|s| s.passes as f64), r.passes as f64, 0.0);
         near("work", sum(|s| s.work_mm), r.work_mm, 1e-12);
@@ -179,7 +181,7 @@ fn a_plan_from_the_cache_is_the_plan() {
     let job = on(job("z", 2.6), &[2, 4]);
     let surfaces = segmented(&part, &job);
     let (cache, progress, setup) = (Cache::default(), Progress::default(), parts::setup());
-    let plan = |job: &Job| clearbeam::job::plan(&part, &surfaces, job, &setup, &cache, &progress).expect("a plan");
+    let plan = |job: &Job| clearbeam::planning::plan(&part, &surfaces, job, &setup, &cache, &progress).expect("a plan");
     let first = plan(&job);
     let mut finer = job.clone();
     finer.path.max_step_mm = 1.0;
@@ -187,7 +189,8 @@ fn a_plan_from_the_cache_is_the_plan() {
     finer.beam.defocus_mm = 3.0;
     finer.path.max_step_mm = job.path.max_step_mm;
     let nearer = plan(&finer);
-    let targets = |plan: &clearbeam::job::Plan| plan.passes.iter().flat_map(|p| p.targets.clone()).collect::<Vec<_>>();
+    let targets =
+        |plan: &clearbeam::planning::Plan| plan.passes.iter().flat_map(|p| p.targets.clone()).collect::<Vec<_>>();
     assert!(targets(&nearer) == targets(&first) && nearer.steps != first.steps, "D moves the focus alone");
     assert!(nearer.passes.iter().all(|p| p.work.defocus_mm == 3.0));
 }

@@ -8,10 +8,12 @@ mod parts;
 
 use clearbeam::cell::motion::{Arm, Cause, Watch, choose};
 use clearbeam::cell::{Mount, Robot, Setup, Spin};
-use clearbeam::job::{Cache, Progress, advice};
 use clearbeam::part::angle;
+use clearbeam::planning::Cache;
+use clearbeam::planning::advice;
 use clearbeam::pose::{Pass, State};
 use clearbeam::program::{Step, Way};
+use clearbeam::progress::Progress;
 use nalgebra::Vector3;
 use parts::{job, on, part, planned, planned_in, sample};
 

@@ -1,6 +1,6 @@
 //! The README's table of parameters is made from the table in the program.
 
-use clearbeam::job::PARAMETERS;
+use clearbeam::document::PARAMETERS;
 use std::fmt::Write as _;
 
 #[test]
@@ -33,7 +33,7 @@ fn the_readme_s_recipe_is_one() {
     let readme = include_str!("../README.md");
     let section = readme.split("## Recipes and strategies").nth(1).expect("the section");
     let block = section.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("its example");
-    let job: clearbeam::job::Job = toml::from_str(block).expect("a job");
+    let job: clearbeam::document::Job = toml::from_str(block).expect("a job");
     assert_eq!(job.check_recipes(), Ok(()));
     assert_eq!(job.of_surface(4).layers.spacing_mm, 0.3);
 }

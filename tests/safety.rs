@@ -7,7 +7,7 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::job::Job;
+use clearbeam::document::Job;
 use clearbeam::part::Part;
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::interference::GRAZE_MM;

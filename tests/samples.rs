@@ -3,10 +3,15 @@
 //!
 //! `CLEARBEAM_BLESS=1 cargo test --test samples` writes them anew.
 
-use clearbeam::job::plan::segmented;
-use clearbeam::job::report::Report;
-use clearbeam::job::{self, Cache, Chosen, Job, Progress, files};
+use clearbeam::document::Chosen;
+use clearbeam::document::Job;
+use clearbeam::document::files;
+use clearbeam::document::segmented;
 use clearbeam::part::digest_of;
+use clearbeam::planning;
+use clearbeam::planning::Cache;
+use clearbeam::planning::report::Report;
+use clearbeam::progress::Progress;
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use std::path::PathBuf;
 
@@ -76,7 +81,8 @@ fn every_job_plans_and_shows_what_it_is_there_for() {
         let part = files::load_part(&job, Some(&file)).expect("loads");
         let setup = files::load_setup(&job, Some(&file)).expect("a cell");
         let surfaces = segmented(&part, &job);
-        let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect(s.name);
+        let plan =
+            planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect(s.name);
         let report = Report::new(&plan, &surfaces);
         assert_eq!(report.blocked, 0, "{}: nothing that the papers clean stays blocked", s.name);
         let corrected = ["workpiece", "worm_gear"].contains(&s.name);

@@ -6,8 +6,8 @@ mod parts;
 
 use clearbeam::beam::{Body, Frustum, Head, Obstacle, Optics, Tool};
 use clearbeam::cell::{Cell, Frame, Mount};
-use clearbeam::job::Job;
-use clearbeam::job::files::set_up;
+use clearbeam::document::Job;
+use clearbeam::document::files::set_up;
 use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
 use clearbeam::pose::checker::{Checker, CutCone};
@@ -314,7 +314,7 @@ fn what_stands_in_the_cell_is_in_the_way_of_a_carried_head() {
         // In the part's frame: (10, 25, 30) in the base, turned back by a quarter.
         for c in &setup.tool.clamps {
             assert!((c.at().translation.vector - Vector3::new(25.0, -10.0, 30.0)).norm() < 1e-9);
-            let body = clearbeam::job::surface_plan::body(&job, &setup);
+            let body = clearbeam::planning::surface_plan::body(&job, &setup);
             let plate = floor_and(&[]);
             let hit = Beam::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());
             assert_eq!(hit.map(|b| b.theirs), Some(Theirs::Clamp(0)));
@@ -507,7 +507,7 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
     setup.tool = cylinder(20.0);
     let planned = |standoff_mm: f64| {
         let part = floor_and(&walls);
-        let surfaces = clearbeam::job::plan::segmented(&part, &job);
+        let surfaces = clearbeam::document::segmented(&part, &job);
         let floor = parts::surface_at(&part, &surfaces, [0.0, 0.0, 0.0]);
         let mut job = parts::on(job.clone(), &[floor]);
         job.path.standoff_mm = standoff_mm;
@@ -534,9 +534,10 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
     }
     let proof = with.plan.proof.as_ref().expect("swept");
     assert!(proof.intervals > 0 && proof.refuted.is_empty() && proof.margin_mm > 0.2);
-    let files = clearbeam::job::output::files(&with.job, "part.stl", &with.part, &setup, &with.plan, &with.surfaces)
-        .expect("files")
-        .0;
+    let files =
+        clearbeam::planning::output::files(&with.job, "part.stl", &with.part, &setup, &with.plan, &with.surfaces)
+            .expect("files")
+            .0;
     let csv = files.iter().find(|f| f.name == "path.csv").map(|f| String::from_utf8_lossy(&f.bytes).into_owned());
     for row in csv.expect("written").lines().skip(1) {
         let cells: Vec<&str> = row.split(',').collect();

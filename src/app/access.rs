@@ -2,9 +2,9 @@
 //! while neither place nor job changes.
 
 use super::App;
-use crate::job::Job;
-use crate::job::surface_plan::body;
+use crate::document::Job;
 use crate::part::angle;
+use crate::planning::surface_plan::body;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::pose::{Beam, State, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};

@@ -4,7 +4,8 @@ use super::App;
 use super::command::{COMMANDS, Command};
 use super::dialogs::Purpose;
 use super::session::{AfterGuard, RecutAnchor, Tool};
-use crate::job::{Edit, Parameter};
+use crate::document::Edit;
+use crate::document::Parameter;
 use crate::part::{Placement, Shape, SurfaceEdit, angle};
 use crate::view::{Bounds, Projection, StandardView};
 use eframe::egui;
@@ -277,7 +278,7 @@ impl App {
         (p.set)(&mut job, value);
         job.surfaces.edits.clear();
         job.surfaces.flipped.clear();
-        let surfaces = crate::job::plan::segmented(&part, &job);
+        let surfaces = crate::document::segmented(&part, &job);
         let (mut clean, mut flipped, mut recipe_of) = (Vec::new(), Vec::new(), BTreeMap::new());
         for s in &surfaces.list {
             let area = |which: &dyn Fn(usize) -> bool| -> f64 {

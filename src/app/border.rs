@@ -2,7 +2,7 @@
 //! to the place that was right clicked.
 
 use super::App;
-use crate::job::StartFrom;
+use crate::document::StartFrom;
 use crate::part::{Part, Surfaces};
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;

@@ -8,15 +8,22 @@ use super::remedy::Remedy;
 use super::worker::Outcome;
 use crate::beam::{Obstacle, Optics, Tool};
 use crate::cell::{Cell, Setup};
-use crate::job::lay::Laid;
-use crate::job::model::BeamParameters;
-use crate::job::model::{CellFile, PartFile, SurfaceParameters};
-use crate::job::plan::segmented;
-use crate::job::report::Report;
-use crate::job::surface_plan::body;
-use crate::job::{self, Cache, Chosen, Job, Plan, files};
+use crate::document::Chosen;
+use crate::document::Job;
+use crate::document::files;
+use crate::document::model::BeamParameters;
+use crate::document::model::CellFile;
+use crate::document::model::PartFile;
+use crate::document::model::SurfaceParameters;
+use crate::document::segmented;
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
+use crate::planning;
+use crate::planning::Cache;
+use crate::planning::Plan;
+use crate::planning::lay::Laid;
+use crate::planning::report::Report;
+use crate::planning::surface_plan::body;
 use crate::view::LineItem;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -227,11 +234,11 @@ impl App {
                 let of_plan = shown.iter().flat_map(|plan| &plan.surfaces).filter(|s| s.laid.layer == 0);
                 of_plan.map(|s| Arc::as_ptr(&s.laid)).eq(laid.iter().map(Arc::as_ptr))
             };
-            let laid = job::preview(&part, &surfaces, &job, &cache, progress);
+            let laid = planning::preview(&part, &surfaces, &job, &cache, progress);
             if let Some(laid) = laid.ok().filter(|laid| !is_shown(laid)) {
                 meanwhile(Outcome::Laid(Box::new(job.clone()), paths::laid(&laid)));
             }
-            let plan = job::plan(&part, &surfaces, &job, &setup, &cache, progress);
+            let plan = planning::plan(&part, &surfaces, &job, &setup, &cache, progress);
             let result = plan.map(|plan| {
                 let report = Report::new(&plan, &surfaces);
                 (Arc::new(plan), Arc::new(report))
@@ -276,7 +283,7 @@ impl App {
         }
     }
 
-    fn planned(&mut self, job: Job, result: Result<(Arc<Plan>, Arc<Report>), job::PlanError>) {
+    fn planned(&mut self, job: Job, result: Result<(Arc<Plan>, Arc<Report>), planning::PlanError>) {
         let d = &mut self.derived;
         if d.planning.as_ref() == Some(&job) {
             d.planning = None;
@@ -294,7 +301,7 @@ impl App {
                 d.motion = None;
                 self.start_motion();
             }
-            Err(job::PlanError::Cancelled) => {
+            Err(planning::PlanError::Cancelled) => {
                 d.plan_error = Some((job, "planning was cancelled; Ctrl+R plans again".into()))
             }
             Err(e) => d.plan_error = Some((job, e.to_string())),

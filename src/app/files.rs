@@ -5,8 +5,11 @@ use super::dialogs::Purpose;
 use super::session::AfterGuard;
 use super::worker::{Opened, Outcome};
 use crate::beam::Obstacle;
-use crate::job::{Document, Job, files, output};
+use crate::document::Document;
+use crate::document::Job;
+use crate::document::files;
 use crate::part::{Part, digest_of, stl};
+use crate::planning::output;
 use eframe::egui;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -78,17 +81,17 @@ impl App {
             Purpose::Cell => {
                 let beside = self.document.file.clone();
                 let named = files::relative_to(&path, beside.as_deref());
-                self.edit(crate::job::Edit::Cell(named));
+                self.edit(crate::document::Edit::Cell(named));
             }
             Purpose::Head => {
                 let named = files::relative_to(&path, self.document.file.as_deref());
-                self.edit(crate::job::Edit::Head(named));
+                self.edit(crate::document::Edit::Head(named));
             }
             Purpose::Clamp => {
                 let named = files::relative_to(&path, self.document.file.as_deref());
                 let mut clamps = self.document.job().clamps.clone();
                 clamps.push(Obstacle::named(named));
-                self.edit(crate::job::Edit::Clamps(clamps));
+                self.edit(crate::document::Edit::Clamps(clamps));
             }
             Purpose::Robot => {
                 let named = files::relative_to(&path, self.document.file.as_deref());

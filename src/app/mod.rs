@@ -28,7 +28,9 @@ mod worker;
 pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
-use crate::job::{Document, Library, library};
+use crate::document::Document;
+use crate::document::Library;
+use crate::document::library;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;

@@ -2,9 +2,11 @@
 //! part, and the program's text with the line of each move. Made on a thread, once for a plan.
 
 use crate::cell::Setup;
-use crate::job::report::Report;
-use crate::job::{Job, Plan, output};
+use crate::document::Job;
 use crate::picture::Trail;
+use crate::planning::Plan;
+use crate::planning::output;
+use crate::planning::report::Report;
 use crate::pose::State;
 use crate::program::dialect::{Read, Reading};
 use crate::program::{Line, ProgramFile, Sample, Timeline, dialects, lines, series};

@@ -3,7 +3,7 @@
 use super::App;
 use super::command::Command;
 use super::session::Tool;
-use crate::job::Edit;
+use crate::document::Edit;
 use crate::part::Shape;
 use crate::view::{Bounds, ViewportResponse};
 use eframe::egui::{self, Color32, RichText};

@@ -1,8 +1,9 @@
 //! `clearbeam inspect`.
 
 use super::{Failure, Outcome, print};
-use crate::job::plan::segmented;
-use crate::job::{Job, Parameter};
+use crate::document::Job;
+use crate::document::Parameter;
+use crate::document::segmented;
 use crate::part::{Placement, Units, inspect::InspectReport, load};
 use std::path::PathBuf;
 

@@ -2,7 +2,10 @@
 
 use super::Failure;
 use crate::cell::{Mount, Spin};
-use crate::job::{Chosen, Job, Offset, Parameter};
+use crate::document::Chosen;
+use crate::document::Job;
+use crate::document::Offset;
+use crate::document::Parameter;
 use crate::part::Units;
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
@@ -143,7 +146,7 @@ impl PlanOptions {
         if let Some(dialect) = &self.dialect {
             job.cell.dialect.clone_from(dialect);
         }
-        crate::job::parameter::check_all(job).map_err(Failure::Usage)
+        crate::document::parameter::check_all(job).map_err(Failure::Usage)
     }
 
     /// Key of a shipped robot, or a robot file as seen from the current folder.

@@ -2,10 +2,17 @@
 
 use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
-use crate::job::advice;
-use crate::job::plan::segmented;
-use crate::job::report::hours;
-use crate::job::{self, Cache, Chosen, Job, PlanError, Progress, files, output};
+use crate::document::Chosen;
+use crate::document::Job;
+use crate::document::files;
+use crate::document::segmented;
+use crate::planning;
+use crate::planning::Cache;
+use crate::planning::PlanError;
+use crate::planning::advice;
+use crate::planning::output;
+use crate::planning::report::hours;
+use crate::progress::Progress;
 use std::path::{Path, PathBuf};
 
 /// Options of `plan`.
@@ -59,7 +66,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let surfaces = segmented(&part, &job);
     // Nobody cancels it: a key that ends the program ends all.
     let (cache, progress) = (Cache::default(), Progress::default());
-    let plan = job::plan(&part, &surfaces, &job, &setup, &cache, &progress).map_err(|e| match e {
+    let plan = planning::plan(&part, &surfaces, &job, &setup, &cache, &progress).map_err(|e| match e {
         PlanError::Parameter(_)
         | PlanError::NoSurface { .. }
         | PlanError::Twice(_)

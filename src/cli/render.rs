@@ -1,11 +1,16 @@
 //! `clearbeam render`: a picture without a screen.
 
 use super::{Failure, Outcome, print};
-use crate::job::plan::segmented;
-use crate::job::{self, Cache, Chosen, Job, Progress, files};
+use crate::document::Chosen;
+use crate::document::Job;
+use crate::document::files;
+use crate::document::segmented;
 use crate::part::Part;
 use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
+use crate::planning;
+use crate::planning::Cache;
+use crate::progress::Progress;
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use anyhow::{Context as _, anyhow};
 use std::io::Cursor;
@@ -99,11 +104,11 @@ fn scene(
     let mut scene = Scene::default();
     if planned && job.clean.surfaces != Chosen::These(Vec::new()) {
         let setup = files::load_setup(job, job_file).map_err(anyhow::Error::from)?;
-        let plan = job::plan(part, &surfaces, job, &setup, &Cache::default(), &Progress::default())
+        let plan = planning::plan(part, &surfaces, job, &setup, &Cache::default(), &Progress::default())
             .map_err(anyhow::Error::from)?;
         if let Color::Dose(look) = color {
-            let map =
-                job::dose(part, &surfaces, &plan, job, &setup, &Progress::default()).map_err(anyhow::Error::from)?;
+            let map = planning::dose(part, &surfaces, &plan, job, &setup, &Progress::default())
+                .map_err(anyhow::Error::from)?;
             let edges = picture.item(&surfaces, &PartLook::default()).edges;
             let item = dose_item(&map, &surfaces, look);
             scene.meshes.push(MeshItem { edges, ..item });

@@ -1,10 +1,15 @@
 //! `clearbeam verify`: a program on disk against the plan of its job.
 
 use super::{Failure, Outcome, print};
-use crate::job::plan::segmented;
-use crate::job::verify::{self, Kind, Verdict};
-use crate::job::{self, Cache, Progress, files};
+use crate::document::files;
+use crate::document::segmented;
+use crate::planning;
+use crate::planning::Cache;
+use crate::planning::verify;
+use crate::planning::verify::Kind;
+use crate::planning::verify::Verdict;
 use crate::program::ProgramFile;
+use crate::progress::Progress;
 use anyhow::{Context as _, anyhow};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -46,7 +51,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let part = files::load_part(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
     let setup = files::load_setup(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
     let surfaces = segmented(&part, &job);
-    let plan = job::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())
+    let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())
         .with_context(|| format!("{}: cannot be planned", a.job.display()))?;
     let (dialect, verdict) = verify::check(&part, &plan, &setup, &job, &first, &open, true).map_err(|e| anyhow!(e))?;
     if a.json {

@@ -119,7 +119,7 @@ mod tests {
 
     fn made(triangles: &crate::sample::Triangles) -> (Part, Surfaces) {
         let part = Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part");
-        let surfaces = crate::job::plan::segmented(&part, &crate::job::Job::default());
+        let surfaces = crate::document::segmented(&part, &crate::document::Job::default());
         (part, surfaces)
     }
 

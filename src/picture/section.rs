@@ -2,9 +2,9 @@
 //! its passes before and after (P1 Fig. 8).
 
 use super::paths::{PathLook, paths};
-use crate::job::Plan;
 use crate::part::{Hasher, Part, Surfaces, surfaces::Surface};
 use crate::path::{normals::VertexNormals, section::sections};
+use crate::planning::Plan;
 use crate::view::{Depth, LineItem, LineSegment};
 use std::sync::Arc;
 

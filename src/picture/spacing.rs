@@ -2,8 +2,9 @@
 
 use super::colormap::viridis;
 use super::palette::Rgb;
-use crate::job::{Job, Plan};
+use crate::document::Job;
 use crate::part::Hasher;
+use crate::planning::Plan;
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
 use std::sync::Arc;

@@ -3,17 +3,23 @@
 
 use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::{Cell, Setup};
-use clearbeam::job::output::{self, OutputFile};
-use clearbeam::job::plan::segmented;
-use clearbeam::job::report::Report;
-use clearbeam::job::{self, Cache, Chosen, Job, Plan, Progress};
+use clearbeam::document::Chosen;
+use clearbeam::document::Job;
+use clearbeam::document::segmented;
 use clearbeam::part::distance::point_triangle;
 use clearbeam::part::{Part, Placement, Surfaces, Units};
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::section::sections;
 use clearbeam::path::{SurfacePlanes, TransversalLine, planes};
+use clearbeam::planning;
+use clearbeam::planning::Cache;
+use clearbeam::planning::Plan;
+use clearbeam::planning::output;
+use clearbeam::planning::output::OutputFile;
+use clearbeam::planning::report::Report;
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::{Pass, Target};
+use clearbeam::progress::Progress;
 use clearbeam::sample::{SAMPLES, Triangles, stl_bytes};
 use nalgebra::{Point3, Vector3};
 
@@ -63,7 +69,7 @@ pub fn planned(part: Part, job: Job) -> Planned {
 /// Plans a job in a cell.
 pub fn planned_in(part: Part, job: Job, setup: &Setup) -> Planned {
     let surfaces = segmented(&part, &job);
-    let plan = job::plan(&part, &surfaces, &job, setup, &Cache::default(), &Progress::default()).expect("a plan");
+    let plan = planning::plan(&part, &surfaces, &job, setup, &Cache::default(), &Progress::default()).expect("a plan");
     Planned { part, surfaces, job, plan }
 }
 

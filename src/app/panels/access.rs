@@ -2,7 +2,7 @@
 //! along a line with what is blocked, to be bent by hand.
 
 use super::super::{App, access::Place, theme};
-use crate::job::Edit;
+use crate::document::Edit;
 use crate::pose::access::{Access, AccessMap, AccessStrip, Over};
 use crate::pose::{Correction, Ours, Pin, Theirs, Tilt};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, pos2, vec2};

@@ -5,7 +5,10 @@ use super::super::{App, theme};
 use super::bead_section::bead_section;
 use super::fields::{self, Change, JOB, Owner, RECIPE, back, name};
 use super::recipe;
-use crate::job::{Edit, Job, Parameter, Recipe};
+use crate::document::Edit;
+use crate::document::Job;
+use crate::document::Parameter;
+use crate::document::Recipe;
 use crate::process::bead::Bead;
 use eframe::egui::{self, CollapsingHeader, RichText, Role, WidgetInfo};
 
@@ -40,7 +43,7 @@ impl App {
                 let mut alternate = job.bead.alternate;
                 let tip = "Its planes are turned by 90°; offset lines and spirals run alike in all layers";
                 if ui.checkbox(&mut alternate, "across the others").on_hover_text(tip).changed() {
-                    self.edit(Edit::Bead(crate::job::model::BeadParameters { alternate, ..job.bead.clone() }));
+                    self.edit(Edit::Bead(crate::document::model::BeadParameters { alternate, ..job.bead.clone() }));
                 }
             });
             bead_section(ui, JOB, &job);

@@ -2,7 +2,7 @@
 
 use super::super::theme;
 use super::fields::Owner;
-use crate::job::Job;
+use crate::document::Job;
 use crate::picture::beads::{BeadSection, section};
 use crate::process::bead::Bead;
 use eframe::egui::{

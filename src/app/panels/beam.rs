@@ -4,7 +4,7 @@
 use super::super::dialogs::Purpose;
 use super::super::{App, quantity, theme};
 use crate::beam::{Head, Obstacle};
-use crate::job::Edit;
+use crate::document::Edit;
 use crate::pose::tilt::Side;
 use crate::pose::{Correction, TiltRule};
 use crate::process::Profile;

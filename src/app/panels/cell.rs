@@ -3,7 +3,7 @@
 use super::super::dialogs::Purpose;
 use super::super::{App, Command, theme};
 use crate::cell::{Mount, Robot, Spin};
-use crate::job::Edit;
+use crate::document::Edit;
 use crate::program::dialects::DIALECTS;
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;

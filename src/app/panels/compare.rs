@@ -2,8 +2,9 @@
 
 use super::super::App;
 use super::library::Shelf;
-use crate::job::Recipe;
-use crate::job::recipe_table::{Row, rows};
+use crate::document::Recipe;
+use crate::document::recipe_table::Row;
+use crate::document::recipe_table::rows;
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use std::collections::BTreeSet;
 

@@ -4,10 +4,10 @@
 use super::super::dose::DoseView;
 use super::super::session::Coloring;
 use super::super::{App, theme};
-use crate::job::Edit;
-use crate::job::report::hours;
+use crate::document::Edit;
 use crate::picture::dose::{DoseLook, Legend, OVER, SHADED, UNDER, legend};
 use crate::picture::viridis;
+use crate::planning::report::hours;
 use crate::process::{Patch, Thresholds};
 use eframe::egui::{self, Color32, Rect, RichText, Sense, Stroke, pos2, vec2};
 use std::sync::Arc;

@@ -2,8 +2,8 @@
 
 use super::super::theme;
 use super::fields::{Change, NAMES, Owner, back, name};
-use crate::job::StartFrom;
-use crate::job::recipe_table::place;
+use crate::document::StartFrom;
+use crate::document::recipe_table::place;
 use crate::path::{Direction, Order, Strategy};
 use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo};
 

@@ -2,7 +2,8 @@
 //! dragged onto a row of the lists.
 
 use super::super::{App, theme};
-use crate::job::{Edit, Recipe};
+use crate::document::Edit;
+use crate::document::Recipe;
 use eframe::egui::{self, DragAndDrop, RichText, Role, Sense, WidgetInfo};
 
 /// Where a recipe stands.

@@ -4,7 +4,9 @@
 use super::super::App;
 use super::super::{Command, quantity, theme};
 use super::fields::{self, Change};
-use crate::job::{Edit, PARAMETERS, Parameter};
+use crate::document::Edit;
+use crate::document::PARAMETERS;
+use crate::document::Parameter;
 use crate::part::Units;
 use crate::pose::Correction;
 use eframe::egui::{self, DragValue, RichText};

@@ -1,8 +1,8 @@
 //! What is blocked or missed, grouped by surface and by what is in the way; a click goes there.
 
 use super::super::{App, theme};
-use crate::job::report::Problem;
 use crate::path::Strategy;
+use crate::planning::report::Problem;
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -139,7 +139,7 @@ impl App {
     }
 
     /// Shows a problem: its target with the beam, or the surface that is missed.
-    fn go_to(&mut self, problem: &Problem, plan: &crate::job::Plan) {
+    fn go_to(&mut self, problem: &Problem, plan: &crate::planning::Plan) {
         self.session.selected = [problem.surface].into();
         self.session.scroll_to = Some(problem.surface);
         let target = problem.pass.zip(problem.point);

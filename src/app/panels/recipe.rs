@@ -4,7 +4,11 @@
 use super::super::{App, theme};
 use super::fields::{self, Change, RECIPE};
 use super::{bead, laying};
-use crate::job::{Edit, Job, PARAMETERS, Parameter, Recipe};
+use crate::document::Edit;
+use crate::document::Job;
+use crate::document::PARAMETERS;
+use crate::document::Parameter;
+use crate::document::Recipe;
 use crate::path::Strategy;
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
 use std::collections::BTreeSet;

@@ -59,7 +59,7 @@ impl App {
         let bytes = crate::sample::stl_bytes(&(sample.triangles)());
         let written = std::fs::create_dir_all(&folder)
             .map_err(|e| format!("{}: cannot be made: {e}", folder.display()))
-            .and_then(|()| crate::job::files::write_atomic(&file, &bytes).map_err(|e| e.to_string()));
+            .and_then(|()| crate::document::files::write_atomic(&file, &bytes).map_err(|e| e.to_string()));
         match written {
             Ok(()) => self.open(file),
             Err(why) => self.session.error = Some(why),

@@ -3,9 +3,9 @@
 
 use super::super::command::Command;
 use super::super::{App, theme};
-use crate::job::Plan;
 use crate::part::rpy;
 use crate::picture::palette::state;
+use crate::planning::Plan;
 use crate::pose::State;
 use crate::program::Timeline;
 use eframe::egui::{self, Color32, RichText, Slider};

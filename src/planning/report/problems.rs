@@ -1,9 +1,9 @@
 //! What is blocked or missed, and why.
 
 use crate::cell::motion::Cause;
-use crate::job::plan::Plan;
-use crate::job::surface_plan::SurfacePlan;
 use crate::part::Surfaces;
+use crate::planning::plan::Plan;
+use crate::planning::surface_plan::SurfacePlan;
 use crate::pose::{State, Theirs};
 use serde::Serialize;
 use std::collections::BTreeSet;

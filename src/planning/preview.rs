@@ -2,9 +2,9 @@
 
 use super::lay::Laid;
 use super::layer;
-use super::model::Job;
 use super::plan::{PlanError, prepared};
 use super::surface_plan::Cache;
+use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
 use crate::progress::Progress;
 use std::sync::Arc;
@@ -28,10 +28,12 @@ pub fn preview(
 
 #[cfg(test)]
 mod tests {
-    use super::super::plan::{plan, segmented};
+    use super::super::plan::plan;
     use super::*;
     use crate::cell::Setup;
-    use crate::job::{Chosen, Recipe};
+    use crate::document::Chosen;
+    use crate::document::Recipe;
+    use crate::document::segmented;
     use crate::part::{Placement, Units};
     use crate::sample::{solids, stl_bytes};
 

@@ -1,13 +1,13 @@
 //! What would help where the robot refuses targets of a plan: changes that were tried, a slower spot,
 //! and a better set-up.
 
-use super::model::{CellFile, Job};
 use super::plan::{Plan, PlanError, drive};
 use super::surface_plan::Cache;
 use crate::beam::Work;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
 use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
 use crate::cell::{Mount, Setup};
+use crate::document::model::{CellFile, Job};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, State};
 use crate::progress::{Cancelled, Progress};

@@ -2,13 +2,13 @@
 //! and the same job gives the same bytes.
 
 use super::dose::{self, DoseReport, dose};
-use super::files::{self, JobError};
-use super::model::Job;
 use super::plan::Plan;
 use super::report::Report;
 use super::verify;
 use crate::cell::Setup;
 use crate::cell::motion::Choice;
+use crate::document::files::{self, JobError};
+use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
 use crate::program::{Program, ProgramFile, Step, Steps, Timeline, dialects, lines};
 use crate::progress::Progress;

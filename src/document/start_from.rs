@@ -93,7 +93,7 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Recipe;
+    use crate::document::Recipe;
 
     fn read(text: &str) -> Result<Recipe, String> {
         toml::from_str(&format!("name = \"R\"\nborder = {text}\n")).map_err(|e| e.to_string())

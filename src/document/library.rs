@@ -142,7 +142,7 @@ fn folder_under(windows: bool, variable: &dyn Fn(&str) -> Option<OsString>) -> O
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::StartFrom;
+    use crate::document::StartFrom;
     use crate::path::{Direction, Order, Strategy};
 
     fn full() -> Recipe {
@@ -167,7 +167,7 @@ mod tests {
             assert_eq!(checked(r), Ok(()));
             assert!(!r.note.is_empty() && !r.values.is_empty(), "{}", r.name);
         }
-        let p2 = library.shipped[1].applied(&crate::job::Job::default());
+        let p2 = library.shipped[1].applied(&crate::document::Job::default());
         assert_eq!((p2.layers.spacing_mm, p2.beam.defocus_mm, p2.path.chord_error_mm), (6.0, 15.0, 0.5));
     }
 

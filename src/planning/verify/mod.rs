@@ -8,9 +8,9 @@
 mod compare;
 mod driven;
 
-use super::model::Job;
 use super::plan::{self, Plan};
 use crate::cell::Setup;
+use crate::document::model::Job;
 use crate::part::Part;
 use crate::program::dialect::{Goal, ReadError, ReadLine, Reading};
 use crate::program::sweep::{Proof, Prover};

@@ -2,8 +2,6 @@
 //! changed are taken from the cache.
 
 use super::layer;
-use super::model::Job;
-use super::parameter;
 use super::report::CellReport;
 use super::surface_plan::{Cache, Kept, SurfacePlan, rules, stances};
 use super::written;
@@ -11,6 +9,8 @@ use crate::beam::Stance;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
+use crate::document::model::Job;
+use crate::document::parameter;
 use crate::part::{Grown, Part, Surfaces};
 use crate::pose::{Pass, State};
 use crate::program::Timeline;
@@ -112,12 +112,6 @@ impl From<Cancelled> for PlanError {
     fn from(_: Cancelled) -> Self {
         PlanError::Cancelled
     }
-}
-
-/// The surfaces of a part under a job.
-pub fn segmented(part: &Part, job: &Job) -> Surfaces {
-    let s = &job.surfaces;
-    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &s.rule(), &s.edits, &s.flipped)
 }
 
 /// Numbers of the surfaces to clean, checked.

@@ -2,9 +2,9 @@
 //!
 //! It is computed apart from the plan, so that planning stays quick.
 
-use super::model::Job;
 use super::plan::{Plan, PlanError};
 use crate::cell::Setup;
+use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
 use crate::path::Strategy;
 use crate::pose::{Pass, Theirs};

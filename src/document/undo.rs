@@ -95,7 +95,7 @@ impl Document {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Chosen;
+    use crate::document::Chosen;
     use crate::path::Order;
     use proptest::prelude::*;
 

@@ -78,7 +78,8 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::{Document, Edit};
+    use crate::document::Document;
+    use crate::document::Edit;
     use crate::path::Strategy;
 
     fn named(name: &str, spacing_mm: f64) -> Recipe {

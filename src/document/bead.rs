@@ -73,7 +73,7 @@ fn one(job: &Job) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Recipe;
+    use crate::document::Recipe;
 
     #[test]
     fn spacing_and_overlap_follow_the_bead() {

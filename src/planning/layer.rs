@@ -4,10 +4,10 @@
 //! whether it passes one beside it, is not looked at.
 
 use super::lay;
-use super::model::Job;
 use super::plan::PlanError;
 use super::surface_plan::{Cache, Kept, SurfacePlan, key_of, plan_surface, raster, rules_of, worked};
 use crate::beam::Tool;
+use crate::document::model::Job;
 use crate::part::{Digest, Grown, Part, Surfaces, grown};
 use crate::path::Order;
 use crate::path::planes::{self, Raster};

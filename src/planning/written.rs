@@ -1,10 +1,10 @@
 //! The proof of a plan's lit moves as its program is written, while the plan can still be changed. What is read
 //! from a file on disk is `verify`'s.
 
-use super::model::Job;
 use super::plan::{self, Plan};
 use super::verify::{Poses, Verdict, driven, moves};
 use crate::cell::Setup;
+use crate::document::model::Job;
 use crate::part::Part;
 use crate::pose::Blocker;
 use crate::program::dialect::{Read, ReadLine, Reading};

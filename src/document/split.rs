@@ -2,7 +2,7 @@
 
 use super::edit::Edit;
 use super::model::Job;
-use super::plan::segmented;
+use super::model::segmented;
 use crate::part::{Part, SurfaceEdit, Surfaces};
 
 impl Edit {
@@ -41,7 +41,11 @@ impl Job {
 
 #[cfg(test)]
 mod tests {
-    use crate::job::{Document, Edit, Job, Recipe, plan::segmented};
+    use crate::document::Document;
+    use crate::document::Edit;
+    use crate::document::Job;
+    use crate::document::Recipe;
+    use crate::document::segmented;
     use crate::part::{Part, Placement, SurfaceEdit, Units};
     use crate::sample::{solids, stl_bytes};
 

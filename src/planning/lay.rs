@@ -2,7 +2,7 @@
 //!
 //! Geometry alone: whether a beam gets there is asked afterwards.
 
-use super::model::{Job, Layers};
+use crate::document::model::{Job, Layers};
 use crate::part::surfaces::Surface;
 use crate::part::{Part, Surfaces};
 use crate::path::coverage::{Coverage, coverage};

@@ -3,7 +3,7 @@
 use super::recipe::Recipe;
 use crate::beam::{Obstacle, Optics};
 use crate::cell::{Cell, Frame, Mount, Spin};
-use crate::part::{Placement, SurfaceEdit, SurfaceRule, Units};
+use crate::part::{Part, Placement, SurfaceEdit, SurfaceRule, Surfaces, Units};
 use crate::path::{Axis, Direction, Order, Strategy};
 use crate::pose::Correction;
 use crate::pose::tilt::{Pin, TiltRule};
@@ -444,6 +444,12 @@ impl Default for CellFile {
             deviation_mm: 0.1,
         }
     }
+}
+
+/// The surfaces of a part under a job.
+pub fn segmented(part: &Part, job: &Job) -> Surfaces {
+    let s = &job.surfaces;
+    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &s.rule(), &s.edits, &s.flipped)
 }
 
 #[cfg(test)]

@@ -66,7 +66,7 @@ pub enum JobError {
 }
 
 impl JobError {
-    pub(super) fn write(path: &Path, error: &std::io::Error) -> JobError {
+    pub(crate) fn write(path: &Path, error: &std::io::Error) -> JobError {
         JobError::Write { what: format!("{}: cannot be written: {error}; choose another folder", path.display()) }
     }
 }
@@ -307,7 +307,7 @@ mod tests {
     #[test]
     fn paths_follow_the_job() {
         let job = Job {
-            part: crate::job::model::PartFile { file: "../parts/a.stl".into(), ..Default::default() },
+            part: crate::document::model::PartFile { file: "../parts/a.stl".into(), ..Default::default() },
             ..Job::default()
         };
         let moved = rebased(&job, Some(Path::new("/x/jobs/a.toml")), Path::new("/x/out/b/job.toml")).expect("rebases");

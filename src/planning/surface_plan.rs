@@ -1,10 +1,10 @@
 //! One surface's share of a plan: its lines become passes. What has not changed is taken from the cache.
 
 use super::lay::{self, Laid, Ordered};
-use super::model::Job;
 use super::plan::PlanError;
 use crate::beam::{Body, Head, Stance, Tool, Work};
 use crate::cell::Setup;
+use crate::document::model::Job;
 use crate::part::surfaces::Surface;
 use crate::part::{Digest, Hasher, Part, Surfaces};
 use crate::path::chord::ChordLimits;
