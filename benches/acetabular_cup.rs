@@ -4,15 +4,9 @@
 //! `cargo bench --bench acetabular_cup` prints the tables; nothing is compared or asserted here.
 
 use clearbeam::cell::Setup;
-use clearbeam::document::Job;
-use clearbeam::document::files;
-use clearbeam::document::segmented;
+use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::{Mesh, Part, rpy};
-use clearbeam::planning;
-use clearbeam::planning::Cache;
-use clearbeam::planning::Plan;
-use clearbeam::planning::output;
-use clearbeam::planning::report::Report;
+use clearbeam::planning::{self, Cache, Plan, output, report::Report};
 use clearbeam::program::{Line, ProgramFile, lines, lit};
 use clearbeam::progress::Progress;
 use nalgebra::Isometry3;

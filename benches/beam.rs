@@ -4,14 +4,9 @@
 
 use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::Setup;
-use clearbeam::document::Chosen;
-use clearbeam::document::Job;
-use clearbeam::document::segmented;
+use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
-use clearbeam::planning;
-use clearbeam::planning::Cache;
-use clearbeam::planning::plan::prover;
-use clearbeam::planning::surface_plan::body;
+use clearbeam::planning::{self, Cache, plan::prover, surface_plan::body};
 use clearbeam::pose::access::AccessMap;
 use clearbeam::pose::{Beam, Correction, Tilt, TiltRule};
 use clearbeam::progress::Progress;

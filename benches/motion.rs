@@ -112,11 +112,8 @@ fn motion(c: &mut Criterion) {
 
 /// The worm gear sample from its passes to the driven program.
 fn whole(c: &mut Criterion, setup: &Setup) {
-    use clearbeam::document::Chosen;
-    use clearbeam::document::Job;
-    use clearbeam::document::segmented;
-    use clearbeam::planning::Cache;
-    use clearbeam::planning::plan;
+    use clearbeam::document::{Chosen, Job, segmented};
+    use clearbeam::planning::{Cache, plan};
     use clearbeam::progress::Progress;
     let Some(gear) = SAMPLES.iter().find(|s| s.name == "worm_gear") else { return };
     let bytes = stl_bytes(&(gear.triangles)());

@@ -6,9 +6,7 @@
 
 use clearbeam::beam::{Head, Optics, Stance, Tool, Work};
 use clearbeam::cell::Setup;
-use clearbeam::document::Chosen;
-use clearbeam::document::Job;
-use clearbeam::document::segmented;
+use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::merge_tree::dihedral_angles;
 use clearbeam::part::orient::orient;
 use clearbeam::part::surfaces::Surface;
@@ -17,8 +15,7 @@ use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, Surfac
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
-use clearbeam::planning::Cache;
-use clearbeam::planning::plan;
+use clearbeam::planning::{Cache, plan};
 use clearbeam::pose::clearance::free_set;
 use clearbeam::pose::{Beam, Correction, Line, LineRules, Pass, TiltRule, plan_line};
 use clearbeam::progress::Progress;

@@ -5,8 +5,7 @@
 mod parts;
 
 use clearbeam::beam::Tool;
-use clearbeam::document::Job;
-use clearbeam::document::segmented;
+use clearbeam::document::{Job, segmented};
 use clearbeam::planning::report::Report;
 use clearbeam::pose::checker::CutCone;
 use clearbeam::program::steps::Station;

@@ -1,21 +1,10 @@
 //! Beads in layers: each on the part as those before have made it, proven on that part, and read back.
 
 use clearbeam::cell::Setup;
-use clearbeam::document;
-use clearbeam::document::Chosen;
-use clearbeam::document::Job;
-use clearbeam::document::files;
-use clearbeam::document::segmented;
+use clearbeam::document::{self, Chosen, Job, files, segmented};
 use clearbeam::part::{Part, Placement, Surfaces, Units, angle};
 use clearbeam::path::Axis;
-use clearbeam::planning;
-use clearbeam::planning::Cache;
-use clearbeam::planning::Plan;
-use clearbeam::planning::PlanError;
-use clearbeam::planning::output;
-use clearbeam::planning::plan::prover;
-use clearbeam::planning::report::Report;
-use clearbeam::planning::verify;
+use clearbeam::planning::{self, Cache, Plan, PlanError, output, plan::prover, report::Report, verify};
 use clearbeam::pose::{Correction, TiltRule};
 use clearbeam::program::{Line, lines};
 use clearbeam::progress::Progress;

@@ -1,18 +1,12 @@
 //! P2's acetabular cup: its topology, the five transversals, and what the arch height reduction promises.
 
-use clearbeam::document;
-use clearbeam::document::files;
-use clearbeam::document::segmented;
+use clearbeam::document::{self, files, segmented};
 use clearbeam::part::distance::point_segment;
 use clearbeam::part::{Part, angle};
 use clearbeam::path::chord::{ChordLimits, simplify};
 use clearbeam::path::dense::{self, dense};
 use clearbeam::path::{SectionPoint, TransversalLine};
-use clearbeam::planning;
-use clearbeam::planning::Cache;
-use clearbeam::planning::Plan;
-use clearbeam::planning::lay::ordered;
-use clearbeam::planning::report::Report;
+use clearbeam::planning::{self, Cache, Plan, lay::ordered, report::Report};
 use clearbeam::progress::Progress;
 use nalgebra::{Point3, Vector3};
 use std::path::PathBuf;

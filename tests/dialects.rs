@@ -5,12 +5,9 @@
 mod programs;
 
 use clearbeam::cell::Setup;
-use clearbeam::document::Chosen;
-use clearbeam::document::Job;
-use clearbeam::document::segmented;
+use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
-use clearbeam::planning;
-use clearbeam::planning::Cache;
+use clearbeam::planning::{self, Cache};
 use clearbeam::program;
 use clearbeam::program::dialect::{Read, ReadError};
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};

@@ -5,10 +5,7 @@
 mod parts;
 
 use clearbeam::beam::{Obstacle, Optics, Work};
-use clearbeam::document::Document;
-use clearbeam::document::Edit;
-use clearbeam::document::Job;
-use clearbeam::document::segmented;
+use clearbeam::document::{Document, Edit, Job, segmented};
 use clearbeam::part::{Part, Placement, Surfaces};
 use clearbeam::planning;
 use clearbeam::pose::target::travel;

@@ -8,8 +8,7 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::document::Job;
-use clearbeam::document::segmented;
+use clearbeam::document::{Job, segmented};
 use clearbeam::part::Placement;
 use clearbeam::path::Direction;
 use clearbeam::planning::Cache;

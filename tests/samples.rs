@@ -3,14 +3,9 @@
 //!
 //! `CLEARBEAM_BLESS=1 cargo test --test samples` writes them anew.
 
-use clearbeam::document::Chosen;
-use clearbeam::document::Job;
-use clearbeam::document::files;
-use clearbeam::document::segmented;
+use clearbeam::document::{Chosen, Job, files, segmented};
 use clearbeam::part::digest_of;
-use clearbeam::planning;
-use clearbeam::planning::Cache;
-use clearbeam::planning::report::Report;
+use clearbeam::planning::{self, Cache, report::Report};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use std::path::PathBuf;

@@ -4,10 +4,7 @@
 mod parts;
 
 use clearbeam::cell::{Mount, Robot, Setup};
-use clearbeam::planning::verify::Kind;
-use clearbeam::planning::verify::MOST_OFF_MM;
-use clearbeam::planning::verify::Verdict;
-use clearbeam::planning::verify::check;
+use clearbeam::planning::verify::{Kind, MOST_OFF_MM, Verdict, check};
 use clearbeam::program::{Program, ProgramFile, dialects, lines};
 use parts::{Planned, job, on, part, planned_in, sample};
 use proptest::prelude::*;

@@ -47,8 +47,7 @@ impl App {
     pub(super) fn access_place(&self) -> Option<Place> {
         self.hovered_place().or_else(|| {
             let t = self.target()?;
-            let (plan, _) = self.derived.plan.as_ref()?;
-            let surface = plan.passes.get(self.session.at.0)?.surface;
+            let surface = self.derived.plan()?.plan.passes.get(self.session.at.0)?.surface;
             let chosen = (t.state != State::Blocked).then(|| t.tilt());
             Some(Place { p: t.p, n: t.n, tangent: t.tangent(), surface, chosen, hovered: false })
         })
@@ -59,7 +58,8 @@ impl App {
         let d = &self.derived;
         let surface = *d.surfaces.of_facet.get(facet as usize)?;
         let flat = *d.surfaces.normals.get(facet as usize)?;
-        let targets = d.plan.iter().flat_map(|(plan, _)| &plan.passes).filter(|pass| pass.surface == surface);
+        let targets =
+            d.plan_on_part().into_iter().flat_map(|of| &of.plan.passes).filter(|pass| pass.surface == surface);
         let nearest = targets
             .flat_map(|pass| &pass.targets)
             .map(|t| ((t.p - p).norm_squared(), t))
@@ -73,13 +73,17 @@ impl App {
         Some(Place { p, n, tangent, surface, chosen: on_it.map(|t| t.tilt()), hovered: true })
     }
 
+    fn plan_key(&self) -> u64 {
+        self.derived.plan().map_or(0, |of| of.picture_key())
+    }
+
     /// The map of that place.
     pub(super) fn access_map(&mut self) -> Option<(Place, &AccessMap)> {
         let place = self.access_place()?;
-        let of = (place.clone(), self.document.job().clone(), self.derived.plan_count);
+        let of = (place.clone(), self.document.job().clone(), self.plan_key());
         if self.access.as_ref().is_none_or(|a| a.of != of) {
             let (part, job) = (self.derived.part.clone()?, self.document.job());
-            let Some((_, Ok(setup))) = &self.derived.setup else { return None };
+            let setup = self.derived.pipeline.setup()?.ok()?;
             let body = body(job, setup);
             let beam = Beam::with(&part, body.as_ref());
             let (rule, most) = (rule_of(job, place.surface), job.path.max_tilt_deg);
@@ -91,12 +95,11 @@ impl App {
 
     /// The strip of the current pass.
     pub(super) fn access_strip(&mut self, over: Over) -> Option<&AccessStrip> {
-        let of = ((over, self.session.at.0), self.document.job().clone(), self.derived.plan_count);
+        let of = ((over, self.session.at.0), self.document.job().clone(), self.plan_key());
         if self.strip.as_ref().is_none_or(|s| s.of != of) {
-            let (part, job) = (self.derived.part.clone()?, self.document.job());
-            let (plan, _) = self.derived.plan.as_ref()?;
-            let pass = plan.passes.get(self.session.at.0)?;
-            let Some((_, Ok(setup))) = &self.derived.setup else { return None };
+            let (planned, job) = (self.derived.plan()?, self.document.job());
+            let (part, pass) = (&planned.part, planned.plan.passes.get(self.session.at.0)?);
+            let setup = self.derived.pipeline.setup()?.ok()?;
             let body = body(job, setup);
             let beam = Beam::with(&part, body.as_ref());
             let (rule, most) = (rule_of(job, pass.surface), job.path.max_tilt_deg);
@@ -108,7 +111,7 @@ impl App {
 
     /// Surface of the current pass, and its number among the lines of that surface.
     pub(super) fn current_line(&self) -> Option<(u32, u32)> {
-        let (plan, _) = self.derived.plan.as_ref()?;
+        let plan = &self.derived.plan()?.plan;
         let surface = plan.passes.get(self.session.at.0)?.surface;
         let before = plan.passes.iter().take(self.session.at.0).filter(|p| p.surface == surface).count();
         Some((surface, before as u32))

@@ -4,8 +4,7 @@ use super::App;
 use super::command::{COMMANDS, Command};
 use super::dialogs::Purpose;
 use super::session::{AfterGuard, RecutAnchor, Tool};
-use crate::document::Edit;
-use crate::document::Parameter;
+use crate::document::{Edit, Parameter};
 use crate::part::{Placement, Shape, SurfaceEdit, angle};
 use crate::view::{Bounds, Projection, StandardView};
 use eframe::egui;
@@ -40,8 +39,8 @@ impl App {
             C::Undo => self.document.undo_name().is_some(),
             C::Redo => self.document.redo_name().is_some(),
             C::Cancel => self.progress().is_some(),
-            C::Export
-            | C::Play
+            C::Export => self.plan().is_some(),
+            C::Play
             | C::NextPoint
             | C::LastPoint
             | C::NextPass
@@ -51,11 +50,11 @@ impl App {
             | C::Section
             | C::Access
             | C::Dose
-            | C::Spacing => self.derived.plan.is_some(),
+            | C::Spacing => self.derived.plan().is_some(),
             C::Cell => self.derived.cell.is_some(),
             C::BetterSetup => self.has_refusals() && !self.is_proposing(),
             C::Plots => self.timeline().is_some(),
-            C::Text => self.derived.motion.is_some(),
+            C::Text => self.derived.motion().is_some(),
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
             C::Unclean | C::Earlier | C::Later => selected.iter().any(|n| clean().contains(n)),
             C::Merge => selected.len() > 1,
@@ -194,11 +193,11 @@ impl App {
     fn select_more(&mut self, command: Command) {
         let d = &self.derived;
         let selected = self.session.selected.clone();
-        let normal = |n: u32| match d.shapes.get(&n) {
+        let normal = |n: u32| match d.shape(n) {
             Some(Shape::Plane { normal }) => Some(*normal),
             _ => None,
         };
-        let same_shape = |a: u32, b: u32| match (d.shapes.get(&a), d.shapes.get(&b)) {
+        let same_shape = |a: u32, b: u32| match (d.shape(a), d.shape(b)) {
             (Some(x), Some(y)) => x.label() == y.label(),
             _ => false,
         };

@@ -3,7 +3,7 @@
 
 use super::App;
 use crate::document::StartFrom;
-use crate::part::{Part, Surfaces};
+use crate::part::Surfaces;
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;
 use crate::view::LineItem;
@@ -24,7 +24,8 @@ pub(super) struct Borders {
 
 impl App {
     /// Finds the borders that are chosen, and those of the surface that was right clicked.
-    pub(super) fn sync_borders(&mut self, part: &Part) {
+    pub(super) fn sync_borders(&mut self) {
+        let Some(part) = self.derived.part.clone() else { return };
         let surfaces = self.derived.surfaces.clone();
         if self.borders.of.as_ref().is_none_or(|of| !Arc::ptr_eq(of, &surfaces)) {
             self.borders = Borders { of: Some(surfaces.clone()), ..Borders::default() };

@@ -1,6 +1,8 @@
 //! File dialogs, off the UI thread and behind a trait, so that tests inject the answer.
 
+use eframe::egui;
 use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What a file is wanted for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +30,45 @@ pub type Answer = Box<dyn FnOnce(Option<PathBuf>) + Send>;
 pub trait FileDialogs {
     /// Asks, without waiting; `name` is suggested.
     fn ask(&self, purpose: Purpose, name: &str, answer: Answer);
+}
+
+/// Answers that are waited for.
+pub(super) struct Answers {
+    sender: Sender<(Purpose, Option<PathBuf>)>,
+    receiver: Receiver<(Purpose, Option<PathBuf>)>,
+    waiting: usize,
+}
+
+impl Default for Answers {
+    fn default() -> Self {
+        let (sender, receiver) = channel();
+        Answers { sender, receiver, waiting: 0 }
+    }
+}
+
+impl Answers {
+    /// Waits for one more, and wakes the window with it.
+    pub(super) fn expect(&mut self, purpose: Purpose, ctx: &egui::Context) -> Answer {
+        self.waiting += 1;
+        let (sender, ctx) = (self.sender.clone(), ctx.clone());
+        Box::new(move |path| {
+            // The window may be gone by now.
+            let _ = sender.send((purpose, path));
+            ctx.request_repaint();
+        })
+    }
+
+    /// The next answer.
+    pub(super) fn take(&mut self) -> Option<(Purpose, Option<PathBuf>)> {
+        let answer = self.receiver.try_recv().ok()?;
+        self.waiting -= 1;
+        Some(answer)
+    }
+
+    /// Whether none is waited for.
+    pub(super) fn is_empty(&self) -> bool {
+        self.waiting == 0
+    }
 }
 
 /// The system's dialogs.

@@ -2,16 +2,15 @@
 //! cancel, and kept for one plan. And what of it stands at a clicked place.
 
 use super::App;
-use super::remedy::Search;
 use super::session::Coloring;
-use super::worker::Outcome;
 use crate::part::Surfaces;
 use crate::picture::dose::{DoseLook, dose_item};
-use crate::planning::PlanError;
-use crate::planning::dose::DoseReport;
-use crate::planning::dose::dose;
-use crate::planning::dose::not_cleanable;
+use crate::planning::{
+    Failure, PlanError, PlannedJob,
+    dose::{DoseReport, dose, not_cleanable},
+};
 use crate::process::{DoseMap, Patch, SpotHit};
+use crate::progress::Progress;
 use crate::view::MeshItem;
 use nalgebra::Point3;
 use std::sync::Arc;
@@ -30,14 +29,6 @@ pub struct DoseView {
     items: [MeshItem; 2],
 }
 
-/// What is known of the dose, and the number of the plan that it is for.
-#[derive(Default)]
-pub struct Doses {
-    /// `None` in it: it was cancelled.
-    known: Option<(u64, Option<Arc<DoseView>>)>,
-    computing: Option<Search>,
-}
-
 /// What lands at a place that was clicked.
 #[derive(Clone, Debug)]
 pub struct Clicked {
@@ -52,18 +43,13 @@ pub struct Clicked {
 impl App {
     /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
     pub(super) fn dose(&self) -> Option<&Arc<DoseView>> {
-        let known = self.derived.doses.known.as_ref().filter(|(of, _)| *of == self.derived.plan_count);
-        known.and_then(|(_, view)| view.as_ref())
+        self.derived.current_plan(&self.document)?;
+        self.derived.dose.of(self.derived.pipeline.dose_key()?)
     }
 
-    /// Stage and share of the computation that runs.
-    pub(super) fn dose_progress(&self) -> Option<(&'static str, f32)> {
-        self.derived.doses.computing.as_ref().map(|s| s.progress.now()).filter(|p| !p.0.is_empty())
-    }
-
-    /// Ends the computation that runs.
-    pub(super) fn end_dose(&self) {
-        self.derived.doses.computing.iter().for_each(|s| s.progress.cancel());
+    /// How far the computation is that is going on.
+    pub(super) fn dose_progress(&self) -> Option<&Progress> {
+        self.derived.dose.progress()
     }
 
     /// Shows the dose on the part, or the surfaces again.
@@ -72,44 +58,39 @@ impl App {
         self.session.show.dose = show;
         self.session.coloring = if show { Coloring::Dose } else { Coloring::Surface };
         // A computation that was cancelled is asked for again.
-        if show && self.derived.doses.known.as_ref().is_some_and(|(_, view)| view.is_none()) {
-            self.derived.doses.known = None;
+        if show {
+            self.derived.dose.try_again();
         }
     }
 
     /// Computes what is asked for, one plan at a time.
     pub(super) fn sync_dose(&mut self) {
-        let of = self.derived.plan_count;
-        if let Some(s) = self.derived.doses.computing.as_ref().filter(|s| s.of != of || !self.has_current_plan()) {
-            s.progress.cancel();
-        }
-        let known = self.derived.doses.known.as_ref().is_some_and(|(known, _)| *known == of);
-        if !self.session.show.dose || known || self.derived.doses.computing.is_some() || !self.has_current_plan() {
-            return;
-        }
-        let d = &self.derived;
-        let (Some((plan, _)), Some(part), Some((_, Ok(setup)))) = (d.plan.clone(), d.part.clone(), &d.setup) else {
+        self.derived.dose.poll();
+        let planned = self.derived.current_plan(&self.document).cloned();
+        let (Some(planned), Some(key)) = (planned, self.derived.pipeline.dose_key()) else {
+            // Nobody waits for the dose of what is out of date.
+            if self.derived.dose.is_running() {
+                self.derived.dose.clear();
+            }
             return;
         };
-        let (setup, surfaces, job) = (setup.clone(), d.surfaces.clone(), self.document.job().clone());
-        let (search, progress) = Search::new(of);
-        self.derived.doses.computing = Some(search);
-        self.worker.spawn(move || {
-            let view = dose(&part, &surfaces, &plan, &job, &setup, &progress).map(|map| {
-                let patches = not_cleanable(&part, &surfaces, &plan, &job, &map);
-                let report = DoseReport::new(&map, &patches, &surfaces);
-                let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, &surfaces, look));
-                Arc::new(DoseView { map, patches, report, surfaces, items })
-            });
-            Outcome::Dosed(of, view)
-        });
-    }
-
-    pub(super) fn dosed(&mut self, of: u64, view: Result<Arc<DoseView>, PlanError>) {
-        self.derived.doses.computing = None;
-        if of == self.derived.plan_count {
-            self.derived.doses.known = Some((of, view.ok()));
+        if !self.session.show.dose || !self.derived.dose.lacks(key) {
+            return;
         }
+        // Thresholds are those of the job as it is; all else of it is the plan's.
+        let job = self.document.job().clone();
+        let executor = self.derived.pipeline.executor().clone();
+        self.derived.dose.start(key, "dose", &*executor, move |progress| {
+            let PlannedJob { part, surfaces, plan, setup, .. } = &*planned;
+            let map = dose(part, surfaces, plan, &job, setup, progress).map_err(|e| match e {
+                PlanError::Cancelled => Failure::Cancelled,
+                other => Failure::Refused(other),
+            })?;
+            let patches = not_cleanable(part, surfaces, plan, &job, &map);
+            let report = DoseReport::new(&map, &patches, surfaces);
+            let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, surfaces, look));
+            Ok(DoseView { map, patches, report, surfaces: surfaces.clone(), items })
+        });
     }
 
     /// The part coloured by what lands, if that is asked for and known.
@@ -124,10 +105,9 @@ impl App {
 
     /// Keeps what lands at a clicked place.
     pub(super) fn click_dose(&mut self, facet: u32, p: Point3<f64>) {
-        let (Some(view), Some(part)) = (self.dose().cloned(), self.derived.part.clone()) else { return };
-        let Some((_, Ok(setup))) = &self.derived.setup else { return };
+        let (Some(view), Some(planned)) = (self.dose(), self.derived.current_plan(&self.document)) else { return };
         let Some(normal) = view.surfaces.normals.get(facet as usize) else { return };
-        let hits = view.map.hits_at(&part, &setup.tool.clamps, facet, &p, normal);
+        let hits = view.map.hits_at(&planned.part, &planned.setup.tool.clamps, facet, &p, normal);
         self.session.clicked = Some(Clicked { p, facet, hits });
     }
 }

@@ -1,15 +1,17 @@
 //! Opening, saving, exporting, and the guard over unsaved changes.
 
 use super::App;
+use super::derived::Derived;
 use super::dialogs::Purpose;
 use super::session::AfterGuard;
-use super::worker::{Opened, Outcome};
 use crate::beam::Obstacle;
-use crate::document::Document;
-use crate::document::Job;
-use crate::document::files;
-use crate::part::{Part, digest_of, stl};
-use crate::planning::output;
+use crate::document::{
+    Document, Job,
+    files::{self, JobError},
+};
+use crate::part::{Hasher, LoadError, Part, Source};
+use crate::planning::{Failure, PlannedJob, output};
+use crate::progress::Progress;
 use eframe::egui;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,7 +22,10 @@ impl App {
     /// Opens a part or a job; reading happens on a thread.
     pub(super) fn open(&mut self, path: PathBuf) {
         self.session.said = format!("reading {}…", path.display());
-        self.worker.spawn(move || Outcome::Opened(read(&path).map(Box::new)));
+        let key = Hasher::default().of(&*path.to_string_lossy()).finish();
+        let executor = self.derived.pipeline.executor().clone();
+        self.opening.clear();
+        self.opening.start(key, "reading", &*executor, move |progress| read(&path, progress));
     }
 
     /// The same after asking about unsaved changes.
@@ -32,28 +37,37 @@ impl App {
         }
     }
 
-    pub(super) fn opened(&mut self, result: Result<Box<Opened>, String>) {
-        match result {
-            Ok(opened) => {
-                let Opened { job, file, raw, part } = *opened;
-                let shown = file.clone().unwrap_or_else(|| PathBuf::from(&job.part.file));
-                self.remember(&shown);
-                self.session.forget_part();
-                self.session.said = part
-                    .findings
-                    .sentences(&part.mesh, &part.orientation)
-                    .first()
-                    .cloned()
-                    .unwrap_or_else(|| format!("{} facets read", part.mesh.facets.len()));
-                let of = job.part.clone();
-                self.document = Document::new(job, file);
-                self.take_part(raw, part, of);
-            }
-            Err(why) => {
+    /// Takes a part or job that was read.
+    pub(super) fn take_opened(&mut self) {
+        if !self.opening.poll() {
+            return;
+        }
+        match self.opening.taken() {
+            Some(Ok(opened)) => self.opened(opened),
+            Some(Err(Failure::Cancelled)) | None => self.session.said.clear(),
+            Some(Err(why)) => {
                 self.session.said.clear();
-                self.session.error = Some(why);
+                self.session.error = Some(why.to_string());
             }
         }
+    }
+
+    fn opened(&mut self, opened: Opened) {
+        let Opened { job, file, source, part } = opened;
+        let shown = file.clone().unwrap_or_else(|| PathBuf::from(&job.part.file));
+        self.remember(&shown);
+        self.session.forget_part();
+        self.session.said = part
+            .findings
+            .sentences(&part.mesh, &part.orientation)
+            .first()
+            .cloned()
+            .unwrap_or_else(|| format!("{} facets read", part.mesh.facets.len()));
+        let mut derived = Derived::new(self.derived.pipeline.executor().clone());
+        derived.pipeline.open(source, Some((&job.part, part)));
+        self.derived = derived;
+        self.document = Document::new(job, file);
+        self.session.fit_pending = true;
     }
 
     fn remember(&mut self, path: &Path) {
@@ -65,11 +79,18 @@ impl App {
 
     pub(super) fn ask(&mut self, purpose: Purpose) {
         let name = self.part_name().map_or("job.toml".into(), |n| format!("{n}.toml"));
-        let reply = self.worker.reply();
-        self.dialogs.ask(purpose, &name, Box::new(move |path| reply(Outcome::Picked(purpose, path))));
+        let answer = self.answers.expect(purpose, &self.ctx);
+        self.dialogs.ask(purpose, &name, answer);
     }
 
-    pub(super) fn picked(&mut self, purpose: Purpose, path: Option<PathBuf>) {
+    /// Does what files were asked for.
+    pub(super) fn take_answers(&mut self) {
+        while let Some((purpose, path)) = self.answers.take() {
+            self.picked(purpose, path);
+        }
+    }
+
+    fn picked(&mut self, purpose: Purpose, path: Option<PathBuf>) {
         let Some(path) = path else {
             self.session.after_guard = None;
             return;
@@ -119,11 +140,10 @@ impl App {
         match files::save(&job, self.document.file.as_deref(), &path) {
             Ok(saved) => {
                 // Only paths have changed: what was computed stays true.
-                self.derived.part_of = saved.part.clone();
-                if let Some(of) = self.derived.plan_of.as_mut() {
-                    (of.part, of.cell) = (saved.part.clone(), saved.cell.clone());
-                }
+                let before = (self.document.job().clone(), self.document.file.clone());
                 self.document.mark_saved(path.clone(), saved);
+                let now = (self.document.job(), self.document.file.as_deref());
+                self.derived.pipeline.renamed((&before.0, before.1.as_deref()), now);
                 self.session.said = format!("saved {}", path.display());
                 self.remember(&path);
                 self.go_on();
@@ -137,33 +157,35 @@ impl App {
 
     /// Writes program, path, report and job into a folder.
     fn export(&mut self, dir: PathBuf) {
-        let job = self.document.job().clone();
-        let d = &self.derived;
-        let (Some((plan, _)), Some((_, Ok(setup))), true) = (&d.plan, &d.setup, d.plan_of.as_ref() == Some(&job))
-        else {
+        let Some(planned) = self.derived.current_plan(&self.document).cloned() else {
             self.session.error =
                 Some("there is no finished plan for the job as it is; wait for it, or see what is wrong".into());
             return;
         };
-        let (plan, setup, surfaces) = (plan.clone(), setup.clone(), d.surfaces.clone());
-        let file = self.document.file.clone();
-        let mut job = job;
-        let Some(part) = d.part.clone() else { return };
-        job.part.sha256.clone_from(&part.sha256);
+        let (mut job, file) = (self.document.job().clone(), self.document.file.clone());
+        job.part.sha256.clone_from(&planned.part.sha256);
         self.session.said = format!("writing into {}…", dir.display());
-        self.worker.spawn(move || {
-            let written = output::write(&dir, &job, file.as_deref(), &part, &setup, &plan, &surfaces);
-            Outcome::Exported(written.map(|(paths, _)| paths).map_err(|e| e.to_string()))
+        let executor = self.derived.pipeline.executor().clone();
+        self.exporting.clear();
+        self.exporting.start(planned.key, "exporting", &*executor, move |_| {
+            let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
+            let written = output::write(&dir, &job, file.as_deref(), part, setup, plan, surfaces);
+            Ok(written.map_err(|e| Failure::Refused(Arc::new(e)))?.0)
         });
     }
 
-    pub(super) fn exported(&mut self, result: Result<Vec<PathBuf>, String>) {
-        match result {
-            Ok(written) => {
+    /// Tells how an export ended.
+    pub(super) fn take_exported(&mut self) {
+        if !self.exporting.poll() {
+            return;
+        }
+        match self.exporting.taken() {
+            Some(Ok(written)) => {
                 let program = written.get(1).map_or(String::new(), |p| p.display().to_string());
                 self.session.said = format!("exported {program}");
             }
-            Err(why) => self.session.error = Some(why),
+            Some(Err(Failure::Cancelled)) | None => self.session.said = "the export was cancelled".into(),
+            Some(Err(why)) => self.session.error = Some(why.to_string()),
         }
     }
 
@@ -217,32 +239,32 @@ impl App {
     }
 }
 
+/// A part with its job.
+pub(super) struct Opened {
+    job: Job,
+    file: Option<PathBuf>,
+    source: Arc<Source>,
+    part: Part,
+}
+
 /// Reads a part or a job with its part.
-fn read(path: &Path) -> Result<Opened, String> {
-    let (mut job, file) = if files::is_job(path) {
-        (files::read(path).map_err(|e| e.to_string())?, Some(path.to_path_buf()))
+fn read(path: &Path, progress: &Progress) -> Result<Opened, Failure<Arc<JobError>>> {
+    let refused = |e: JobError| Failure::Refused(Arc::new(e));
+    let (job, file) = if files::is_job(path) {
+        (files::read(path).map_err(refused)?, Some(path.to_path_buf()))
     } else {
         let mut job = Job::default();
         job.part.file = path.display().to_string();
         (job, None)
     };
-    let part_file = files::part_file(&job, file.as_deref()).map_err(|e| e.to_string())?;
-    let name = part_file.display();
-    let bytes = std::fs::read(&part_file).map_err(|e| format!("{name}: cannot be read: {e}"))?;
-    let sha256 = digest_of(&bytes);
-    let changed = !job.part.sha256.is_empty() && job.part.sha256 != sha256;
-    let raw = stl::read(&bytes).map_err(|e| format!("{name}: {e}"))?;
-    let p = &job.part;
-    let part = Part::from_raw(&raw, sha256.clone(), p.units, &p.placement, &p.flipped_shells)
-        .map_err(|e| format!("{name}: {e}"))?;
-    if changed {
-        // The window may go on: the operator sees the surfaces and can choose again.
-        job.clean = Default::default();
-        job.surfaces.edits.clear();
-        job.surfaces.flipped.clear();
-        job.surfaces.names.clear();
-        job.recipe_of.clear();
-        job.part.sha256 = sha256;
+    let part_file = files::part_file(&job, file.as_deref()).map_err(refused)?;
+    let source = Source::read(&part_file).map_err(|e| refused(e.into()))?;
+    if !job.part.sha256.is_empty() && job.part.sha256 != source.sha256 {
+        return Err(refused(JobError::PartChanged { file: part_file.display().to_string() }));
     }
-    Ok(Opened { job, file, raw: Arc::new(raw), part: Arc::new(part) })
+    let p = &job.part;
+    let built = source.part(p.units, &p.placement, &p.flipped_shells, progress);
+    let named = |source| refused(LoadError::Stl { file: part_file.display().to_string(), source }.into());
+    let part = built.map_err(named)?.ok_or(Failure::Cancelled)?;
+    Ok(Opened { job, file, source: Arc::new(source), part })
 }

@@ -1,8 +1,8 @@
 //! The window.
 //!
-//! `Document` (saved, undone) · `Session` (selection, what is shown) · `Derived` (computed, keyed
-//! by its inputs). Panels send [`Command`]s and edits; nothing else changes the document. Work over
-//! 100 ms runs on a thread of its own, and a result whose inputs are no longer current is dropped.
+//! `Document` (saved, undone) · `Session` (selection, what is shown) · `Derived` (the stages of the one
+//! pipeline, and what the window makes of them). Panels send [`Command`]s and edits; nothing else changes the
+//! document. Work over 100 ms runs on a pool of threads, and a result that nobody wants any more is dropped.
 
 mod access;
 mod actions;
@@ -22,15 +22,14 @@ mod scene;
 mod session;
 mod simulation;
 mod spacing;
+mod sync;
 mod theme;
-mod worker;
 
 pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
-use crate::document::Document;
-use crate::document::Library;
-use crate::document::library;
+use crate::document::{Document, JobError, Library, library};
+use crate::planning::{Executor, PlannedJob, Pool, Stage};
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;
@@ -38,7 +37,6 @@ use eframe::egui;
 use session::Session;
 use std::path::PathBuf;
 use std::sync::Arc;
-use worker::Worker;
 
 /// The application's state.
 pub struct App {
@@ -47,8 +45,14 @@ pub struct App {
     session: Session,
     viewport: Viewport,
     scene: Arc<Scene>,
-    worker: Worker,
+    ctx: egui::Context,
     dialogs: Box<dyn FileDialogs>,
+    /// What they are asked for.
+    answers: dialogs::Answers,
+    /// The file that is being read.
+    opening: Stage<files::Opened, Arc<JobError>>,
+    /// The export that is being written.
+    exporting: Stage<Vec<PathBuf>, Arc<JobError>>,
     /// The access map of the moment, and the strip of the pass.
     access: Option<access::Made<access::Place, AccessMap>>,
     strip: Option<access::Made<(Over, usize), AccessStrip>>,
@@ -74,14 +78,19 @@ impl App {
         cc.egui_ctx.options_mut(|o| o.max_passes = std::num::NonZeroUsize::MIN);
         let viewport = cc.gl.clone().and_then(|gl| Viewport::new(gl).ok()).unwrap_or_else(Viewport::without_picture);
         let recent = cc.storage.and_then(|s| eframe::get_value(s, RECENT_KEY)).unwrap_or_default();
+        let waker = cc.egui_ctx.clone();
+        let pool = Pool::new(move || waker.request_repaint());
         let mut app = App {
             document: Document::default(),
-            derived: Derived::default(),
+            derived: Derived::new(Arc::new(pool)),
             session: Session::default(),
             viewport,
             scene: Arc::new(Scene::default()),
-            worker: Worker::new(cc.egui_ctx.clone()),
+            ctx: cc.egui_ctx.clone(),
             dialogs,
+            answers: dialogs::Answers::default(),
+            opening: Stage::default(),
+            exporting: Stage::default(),
             access: None,
             strip: None,
             path_lines: None,
@@ -101,15 +110,33 @@ impl App {
         App { recipes: Library::open(folder), ..self }
     }
 
+    /// The window with its work done by another than its own threads.
+    pub fn with_executor(self, executor: Arc<dyn Executor>) -> App {
+        App { derived: Derived::new(executor), ..self }
+    }
+
+    /// The job that is worked on, with its file.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The plan of the job as it is; `None`: there is none, or what is shown is out of date.
+    pub fn plan(&self) -> Option<&Arc<PlannedJob>> {
+        self.derived.current_plan(&self.document)
+    }
+
     /// Whether nothing is being computed or waited for: what is shown is current.
     pub fn is_settled(&self) -> bool {
-        self.worker.is_idle() && !self.viewport.is_gliding() && self.derived.is_current(self.document.job())
+        let is_idle = !self.opening.is_running() && !self.exporting.is_running() && self.answers.is_empty();
+        is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
     }
 }
 
 impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
-        self.take_results();
+        self.take_opened();
+        self.take_exported();
+        self.take_answers();
         self.take_dropped_files(ctx);
         self.guard_close(ctx);
         self.take_shortcuts(ctx);
@@ -134,16 +161,16 @@ impl eframe::App for App {
             if self.session.show.plots && self.timeline().is_some() {
                 egui::Panel::bottom("plots").default_size(240.0).min_size(160.0).show(ui, |ui| self.plots(ui));
             }
-            if self.session.show.access && self.derived.plan.is_some() {
+            if self.session.show.access && self.derived.plan().is_some() {
                 egui::Panel::bottom("access").default_size(230.0).min_size(150.0).show(ui, |ui| self.access_panel(ui));
             }
             egui::Panel::left("lists").default_size(330.0).min_size(240.0).show(ui, |ui| self.lists(ui));
             egui::Panel::right("parameters").default_size(300.0).min_size(240.0).show(ui, |ui| self.parameters(ui));
             egui::Panel::bottom("timeline").show(ui, |ui| self.timeline_panel(ui));
-            if self.session.show.text && self.derived.motion.is_some() {
+            if self.session.show.text && self.derived.motion().is_some() {
                 egui::Panel::right("text").default_size(330.0).min_size(180.0).show(ui, |ui| self.program_text(ui));
             }
-            if self.session.show.dose && self.derived.plan.is_some() {
+            if self.session.show.dose && self.derived.plan().is_some() {
                 egui::Panel::right("dose").default_size(260.0).min_size(200.0).show(ui, |ui| self.dose_panel(ui));
             }
             let frame = egui::Frame::NONE.fill(ui.visuals().panel_fill);
@@ -163,8 +190,7 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
-        self.worker.cancel();
-        self.end_searches();
+        self.derived.cancel_all();
         self.viewport.release();
     }
 }

@@ -2,11 +2,8 @@
 //! part, and the program's text with the line of each move. Made on a thread, once for a plan.
 
 use crate::cell::Setup;
-use crate::document::Job;
 use crate::picture::Trail;
-use crate::planning::Plan;
-use crate::planning::output;
-use crate::planning::report::Report;
+use crate::planning::{Plan, PlannedJob, output};
 use crate::pose::State;
 use crate::program::dialect::{Read, Reading};
 use crate::program::{Line, ProgramFile, Sample, Timeline, dialects, lines, series};
@@ -72,8 +69,9 @@ impl TextFile {
 }
 
 impl Motion {
-    /// Everything of a plan; `key` changes with it.
-    pub fn new(job: &Job, part_name: &str, setup: &Setup, plan: &Plan, report: &Report, key: u64) -> Motion {
+    /// Everything of a plan.
+    pub fn new(of: &PlannedJob, part_name: &str) -> Motion {
+        let PlannedJob { job, setup, plan, report, .. } = of;
         let timeline = plan.timeline.clone();
         let moves = lines(&plan.steps, setup).into_iter().filter_map(|l| match l {
             Line::Move(m) => Some(m.target),
@@ -94,7 +92,7 @@ impl Motion {
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();
         Motion {
             curves: timeline.as_ref().map(series).unwrap_or_default(),
-            trail: timeline.as_ref().map(|t| Trail::new(t, &plan.passes, key)),
+            trail: timeline.as_ref().map(|t| Trail::new(t, &plan.passes, of.picture_key())),
             timeline,
             move_to,
             marks,

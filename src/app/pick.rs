@@ -229,7 +229,7 @@ impl App {
                 self.document.job().part.placement.with_face_down(point, &normal)
             }
             _ => {
-                let at = origin_for(surface.and_then(|n| self.derived.shapes.get(&n)), &part.mesh, facet, point);
+                let at = origin_for(surface.and_then(|n| self.derived.shape(n)), &part.mesh, facet, point);
                 self.document.job().part.placement.with_origin_at(&at)
             }
         };

@@ -45,23 +45,23 @@ impl App {
         let (Some(picture), Some(part)) = (&d.picture, &d.part) else { return Arc::new(scene) };
         let look = self.path_look(&s.show);
         if s.show.section
-            && let Some((plan, _)) = &d.plan
+            && let Some(of) = d.plan_on_part()
         {
             // Before and after at once, as P1 Fig. 8 sets them side by side.
-            scene.lines = section::section(part, &d.surfaces, plan, s.at.0, &look, d.plan_count);
+            scene.lines = section::section(part, &d.surfaces, &of.plan, s.at.0, &look, of.picture_key());
         } else {
             let place = self.scene_from_part();
             let dose = self.dose_picture();
             let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
             scene.meshes.push(MeshItem { scene_from_item: place, ..part });
-            let laid = d.laid(self.document.job());
+            let laid = d.laid.as_ref().map(|(_, lines)| lines);
             if let Some(lines) = laid.filter(|_| look.lines) {
                 scene.lines.push(LineItem { scene_from_item: place, ..lines.clone() });
             }
-            if let Some((plan, _)) = d.plan.as_ref().filter(|_| laid.is_none()) {
-                let known = (d.plan_count, look.clone());
+            if let Some(of) = d.plan_on_part().filter(|_| laid.is_none()) {
+                let known = (of.picture_key(), look.clone());
                 if self.path_lines.as_ref().is_none_or(|l| l.of != known) {
-                    let lines = paths::paths(plan, &look, d.plan_count);
+                    let lines = paths::paths(&of.plan, &look, of.picture_key());
                     self.path_lines = Some(PathLines { of: known, lines });
                 }
                 let lines = self.path_lines.iter().flat_map(|l| &l.lines);
@@ -74,8 +74,9 @@ impl App {
             self.add_tool(&mut scene, place);
             scene.points.extend(self.proposed_points(place));
         }
-        if let Some(t) = self.target().filter(|_| self.derived.laid(self.document.job()).is_none()) {
-            let (line, point) = paths::marked(t, self.work().defocus_mm, &look, self.derived.plan_count);
+        let on_part = self.derived.plan_on_part().filter(|_| self.derived.laid.is_none());
+        if let (Some(of), Some(t)) = (on_part, self.target()) {
+            let (line, point) = paths::marked(t, self.work().defocus_mm, &look, of.picture_key());
             let scene_from_item = self.scene_from_part();
             scene.lines.push(LineItem { scene_from_item, ..line });
             scene.points.push(PointItem { scene_from_item, ..point });
@@ -85,9 +86,8 @@ impl App {
 
     /// What has been done, and in the robot cell who does it.
     fn add_simulation(&self, scene: &mut Scene, place: Isometry3<f64>) {
-        if let (Some(moment), Some(trail)) =
-            (self.moment(), self.derived.motion.as_ref().and_then(|m| m.trail.as_ref()))
-        {
+        let trail = self.derived.motion().and_then(|m| m.trail.as_ref());
+        if let (Some(moment), Some(trail), Some(_)) = (self.moment(), trail, self.derived.plan_on_part()) {
             scene.lines.extend(trail.until(&moment, place));
         }
         let (true, Some(cell), Some(placed)) = (self.is_in_cell(), self.cell_picture(), self.placed()) else { return };
@@ -114,19 +114,18 @@ impl App {
 
     /// What the pass that is stepped to is worked with.
     pub(super) fn work(&self) -> Work {
-        let pass = self.derived.plan.as_ref().and_then(|(plan, _)| plan.passes.get(self.session.at.0));
+        let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.at.0));
         pass.map_or_else(Work::default, |p| p.work)
     }
 
     /// The target that is stepped to.
     pub(super) fn target(&self) -> Option<&Target> {
-        let (plan, _) = self.derived.plan.as_ref()?;
         let (pass, point) = self.session.at;
-        plan.passes.get(pass)?.targets.get(point)
+        self.derived.plan()?.plan.passes.get(pass)?.targets.get(point)
     }
 
     pub(super) fn step(&mut self, command: Command) {
-        let Some((plan, _)) = self.derived.plan.clone() else { return };
+        let Some(plan) = self.derived.plan().map(|of| &of.plan) else { return };
         let (mut pass, mut point) = self.session.at;
         let count = |p: usize| plan.passes.get(p).map_or(0, |x| x.targets.len());
         let last_pass = plan.passes.len().saturating_sub(1);
@@ -156,7 +155,8 @@ impl App {
 
     /// Moves on while playing, at the speed of the spot.
     pub(super) fn advance_playback(&mut self, ctx: &egui::Context) {
-        let Some((plan, _)) = self.derived.plan.clone().filter(|_| self.session.playing) else { return };
+        let Some(of) = self.derived.plan().cloned().filter(|_| self.session.playing) else { return };
+        let plan = &of.plan;
         ctx.request_repaint();
         if self.timeline().is_some() {
             self.advance_time(ctx);
@@ -186,9 +186,9 @@ impl App {
 
     /// Turns the camera onto the section plane of the current pass.
     pub(super) fn look_along_section(&mut self) {
-        let Some((plan, _)) = &self.derived.plan else { return };
-        let Some(pass) = plan.passes.get(self.session.at.0) else { return };
-        let Some(part) = &self.derived.part else { return };
+        let Some(of) = self.derived.plan() else { return };
+        let Some(pass) = of.plan.passes.get(self.session.at.0) else { return };
+        let part = &of.part;
         let m = pass.plane_normal;
         let mut camera = self.viewport.camera;
         camera.projection = Projection::Parallel;
@@ -207,8 +207,11 @@ fn angles_onto(m: &Vector3<f64>, camera: &Camera) -> (f64, f64) {
 }
 
 fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
-    let missed =
-        d.plan.iter().flat_map(|(plan, _)| &plan.surfaces).flat_map(|p| p.laid.coverage.missed_facets.iter().copied());
+    let missed = d
+        .plan_on_part()
+        .into_iter()
+        .flat_map(|of| &of.plan.surfaces)
+        .flat_map(|p| p.laid.coverage.missed_facets.iter().copied());
     PartLook {
         chosen,
         selected: s.selected.clone(),

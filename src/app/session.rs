@@ -2,6 +2,7 @@
 
 use super::dose::Clicked;
 use super::panels::{Compare, Draft};
+use crate::cell::Mount;
 use crate::pose::access::Over;
 use crate::view::Camera;
 use nalgebra::Point3;
@@ -51,6 +52,8 @@ pub struct Session {
     pub text_file: usize,
     /// Camera of the other mode, part or cell, when that was left.
     pub other_camera: Option<Camera>,
+    /// Cell, robot and mount that were shown last: the camera is fitted to others anew.
+    pub cell_shown: Option<(String, String, Option<Mount>)>,
     /// Ranks of facets when a drag of the angle began.
     pub recut_anchor: Option<RecutAnchor>,
     /// Local angle of the next split.
@@ -222,6 +225,7 @@ impl Default for Session {
             text_rows: 0..0,
             text_file: 0,
             other_camera: None,
+            cell_shown: None,
             recut_anchor: None,
             split_angle_deg: 10.0,
             renaming: None,

@@ -24,7 +24,7 @@ pub(super) struct Placed {
 impl App {
     /// The program over time, with a robot.
     pub(super) fn timeline(&self) -> Option<&Timeline> {
-        self.derived.motion.as_ref()?.timeline.as_ref()
+        self.derived.motion()?.timeline.as_ref()
     }
 
     /// The arm now.
@@ -35,7 +35,7 @@ impl App {
     /// Steps to a target; the time follows.
     pub(super) fn go_to_target(&mut self, at: (usize, usize)) {
         self.session.at = at;
-        self.session.time_s = self.derived.motion.as_ref().map_or(0.0, |m| m.time_of(at));
+        self.session.time_s = self.derived.motion().map_or(0.0, |m| m.time_of(at));
     }
 
     /// Goes to a time; the target follows: the one that is being gone to, or was reached last.
@@ -58,7 +58,7 @@ impl App {
     }
 
     fn setup(&self) -> Option<&Setup> {
-        self.derived.setup.as_ref()?.1.as_ref().ok()
+        self.derived.pipeline.setup()?.ok().map(|setup| &**setup)
     }
 
     /// Arm and head: as they stand, or as a proposed set-up would have them.

@@ -14,18 +14,19 @@ pub(super) struct SpacingView {
 impl App {
     /// Brings dots and scale up to date, if they are shown.
     pub(super) fn sync_spacing(&mut self) {
-        let of = self.derived.plan_count;
-        if !self.session.show.spacing || self.spacing.as_ref().is_some_and(|s| s.of == of) {
+        let Some(planned) = self.derived.plan_on_part().filter(|_| self.session.show.spacing) else { return };
+        let (plan, job, of) = (&planned.plan, &planned.job, planned.picture_key());
+        if self.spacing.as_ref().is_some_and(|s| s.of == of) {
             return;
         }
-        let (Some((plan, _)), Some(job)) = (&self.derived.plan, &self.derived.plan_of) else { return };
         let scale = scale(plan, job);
         let items = scale.as_ref().map_or_else(Vec::new, |scale| items(plan, job, scale, of));
         self.spacing = Some(SpacingView { of, scale, items });
     }
 
     fn spacing_view(&self) -> Option<&SpacingView> {
-        self.spacing.as_ref().filter(|s| self.session.show.spacing && s.of == self.derived.plan_count)
+        let of = self.derived.plan_on_part()?.picture_key();
+        self.spacing.as_ref().filter(|s| self.session.show.spacing && s.of == of)
     }
 
     /// The scale; `None`: no two lines are neighbours.
@@ -35,6 +36,6 @@ impl App {
 
     /// The dots that are shown.
     pub(super) fn spacing_points(&self) -> &[PointItem] {
-        self.spacing_view().filter(|_| self.derived.plan.is_some()).map_or(&[], |s| &s.items)
+        self.spacing_view().map_or(&[], |s| &s.items)
     }
 }

@@ -5,7 +5,7 @@
 
 use super::envelope::envelope;
 use super::obstacle::Obstacle;
-use crate::part::{LoadError, Part};
+use crate::part::{Hasher, Keyed, LoadError, Part};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use thiserror::Error;
@@ -31,6 +31,20 @@ pub enum Head {
     Stack(Vec<HeadPart>),
     /// Facets, and the stack that they sweep as they turn about the beam.
     Solid(Obstacle, Vec<HeadPart>),
+}
+
+crate::part::keyed!(HeadPart { from_mm, to_mm, r0_mm, r1_mm });
+
+impl Keyed for Head {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            Head::Stack(stack) => stack.feed(into),
+            Head::Solid(solid, swept) => {
+                solid.feed(into);
+                swept.feed(into);
+            }
+        }
+    }
 }
 
 /// The TOML file of a stack.

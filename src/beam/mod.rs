@@ -26,3 +26,5 @@ pub struct Tool {
     /// What stands on the part, in its frame; behind it, where the head is carried, what stands in the cell.
     pub clamps: Vec<Obstacle>,
 }
+
+crate::part::keyed!(Tool { head, clamps });

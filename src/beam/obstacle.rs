@@ -2,7 +2,7 @@
 //!
 //! In whose frame it stands is said where it is listed.
 
-use crate::part::{self, LoadError, Part, Placement, Units, rpy};
+use crate::part::{self, Hasher, Keyed, LoadError, Part, Placement, Units, rpy};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -32,6 +32,17 @@ impl PartialEq for Obstacle {
     fn eq(&self, other: &Obstacle) -> bool {
         let told = |o: &Obstacle| (o.position_mm, o.rz_ry_rx_deg, o.units, o.solid.digest);
         self.file == other.file && told(self) == told(other)
+    }
+}
+
+impl Keyed for Obstacle {
+    fn feed(&self, into: &mut Hasher) {
+        let Obstacle { file, position_mm, rz_ry_rx_deg, units, solid } = self;
+        file.feed(into);
+        position_mm.feed(into);
+        rz_ry_rx_deg.feed(into);
+        units.feed(into);
+        solid.digest.feed(into);
     }
 }
 

@@ -37,6 +37,8 @@ impl Default for Optics {
     }
 }
 
+crate::part::keyed!(Optics { lens_to_focus_mm, aperture_mm, focus_spot_mm, rayleigh_mm, wavelength_nm });
+
 /// The spot may be wrong by this share where a tolerance of the defocus is stated.
 pub const SPOT_TOLERANCE: f64 = 0.1;
 

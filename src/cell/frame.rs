@@ -3,7 +3,7 @@
 //! What the operator wrote is kept and written back.
 
 use super::calibration::{self, CalibrationNote, Fit, PointPair, ThreePoints};
-use crate::part::rpy;
+use crate::part::{Hasher, Keyed, rpy};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +17,15 @@ pub struct Frame {
     pub rz_ry_rx_deg: [f64; 3],
     /// What the figures were fitted to; it counts while they are still those of its fit.
     measured: Option<Measured>,
+}
+
+impl Keyed for Frame {
+    fn feed(&self, into: &mut Hasher) {
+        // The figures are those of the fit: the measurements behind them move nothing.
+        let Frame { position_mm, rz_ry_rx_deg, measured: _ } = self;
+        position_mm.feed(into);
+        rz_ry_rx_deg.feed(into);
+    }
 }
 
 /// The measurements of a frame.

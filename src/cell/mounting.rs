@@ -107,6 +107,9 @@ impl Spin {
     }
 }
 
+crate::part::keyed_words!(Mount: PartInHand, ToolInHand);
+crate::part::keyed_words!(Spin: Free, Travel);
+
 /// A robot cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,9 +1,7 @@
 //! `clearbeam inspect`.
 
 use super::{Failure, Outcome, print};
-use crate::document::Job;
-use crate::document::Parameter;
-use crate::document::segmented;
+use crate::document::{Job, Parameter, segmented};
 use crate::part::{Placement, Units, inspect::InspectReport, load};
 use std::path::PathBuf;
 

@@ -2,10 +2,7 @@
 
 use super::Failure;
 use crate::cell::{Mount, Spin};
-use crate::document::Chosen;
-use crate::document::Job;
-use crate::document::Offset;
-use crate::document::Parameter;
+use crate::document::{Chosen, Job, Offset, Parameter};
 use crate::part::Units;
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;

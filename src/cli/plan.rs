@@ -2,18 +2,11 @@
 
 use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
-use crate::document::Chosen;
-use crate::document::Job;
-use crate::document::files;
-use crate::document::segmented;
-use crate::planning;
-use crate::planning::Cache;
-use crate::planning::PlanError;
-use crate::planning::advice;
-use crate::planning::output;
-use crate::planning::report::hours;
+use crate::document::{Chosen, Job, files};
+use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice, output, report::hours};
 use crate::progress::Progress;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Options of `plan`.
 #[derive(clap::Args, Debug)]
@@ -50,9 +43,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             std::path::absolute(robot).map_err(anyhow::Error::from)?.display().to_string()
         };
     }
-    let part = files::load_part(&job, job_file).map_err(anyhow::Error::from)?;
-    job.part.sha256.clone_from(&part.sha256);
-    let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
+    let source = files::read_part(&job, job_file).map_err(anyhow::Error::from)?;
+    job.part.sha256.clone_from(&source.sha256);
+    // Nobody cancels it: a key that ends the program ends all.
+    let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
+    let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
     for s in part.findings.sentences(&part.mesh, &part.orientation) {
         eprintln!("{}: {s}", a.input.display());
     }
@@ -63,19 +58,9 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     if let Some(own) = own {
         eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
     }
-    let surfaces = segmented(&part, &job);
-    // Nobody cancels it: a key that ends the program ends all.
-    let (cache, progress) = (Cache::default(), Progress::default());
-    let plan = planning::plan(&part, &surfaces, &job, &setup, &cache, &progress).map_err(|e| match e {
-        PlanError::Parameter(_)
-        | PlanError::NoSurface { .. }
-        | PlanError::Twice(_)
-        | PlanError::SpacingTooLarge { .. }
-        | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
-        other => Failure::Failed(other.into()),
-    })?;
+    let progress = Progress::default();
     let (written, report) =
-        output::write(&a.out, &job, job_file, &part, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
+        output::write(&a.out, &job, job_file, part, setup, plan, surfaces).map_err(anyhow::Error::from)?;
     if a.json {
         let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));
@@ -86,10 +71,10 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(hours);
             text.push_str(&format!("{work} of work, {travel} of travel, {waiting} of waiting\n"));
         }
-        for sentence in advice::advice(&part, &plan, &job, &setup, &progress).unwrap_or_default() {
+        for sentence in advice::advice(part, plan, &job, setup, &progress).unwrap_or_default() {
             text.push_str(&format!("to help: {sentence}\n"));
         }
-        let better = advice::better_setup(&part, &surfaces, &plan, &job, &setup, &cache, &progress);
+        let better = advice::better_setup(part, surfaces, plan, &job, setup, &pipeline.cache, &progress);
         if let Ok(Some((better, left))) = better {
             let before = plan.refusals.len();
             text.push_str(&format!(
@@ -105,6 +90,20 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         print(&text);
     }
     Ok(if report.is_complete() { Outcome::Done } else { Outcome::Found })
+}
+
+/// What the options ask for and cannot be is wrong usage.
+fn refused(e: PlanningError) -> Failure {
+    match &e {
+        PlanningError::Plan(planning::Failure::Refused(
+            PlanError::Parameter(_)
+            | PlanError::NoSurface { .. }
+            | PlanError::Twice(_)
+            | PlanError::SpacingTooLarge { .. }
+            | PlanError::SpacingTooSmall { .. },
+        )) => Failure::Usage(e.to_string()),
+        _ => Failure::Failed(e.into()),
+    }
 }
 
 /// A job from a job file, or the job that cleans all of a part.

@@ -1,20 +1,16 @@
 //! `clearbeam render`: a picture without a screen.
 
 use super::{Failure, Outcome, print};
-use crate::document::Chosen;
-use crate::document::Job;
-use crate::document::files;
-use crate::document::segmented;
-use crate::part::Part;
+use crate::document::{Chosen, files, segmented};
 use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
-use crate::planning;
-use crate::planning::Cache;
+use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use anyhow::{Context as _, anyhow};
 use std::io::Cursor;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Options of `render`.
 #[derive(clap::Args, Debug)]
@@ -67,11 +63,20 @@ fn view(text: &str) -> Result<StandardView, String> {
 /// Draws and writes.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let (job, job_file) = super::plan::opened(&a.input)?;
-    let part = files::load_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
     // A part alone is drawn as it is; what lands on it needs a plan.
-    let planned = job_file.is_some() || matches!(a.color, Color::Dose(_));
-    let (scene, legend) = scene(&part, &job, job_file.as_deref(), planned, a.color)?;
-    let (min, max) = part.mesh.bounds();
+    let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
+    let (scene, legend, (min, max)) = if wants_plan && job.clean.surfaces != Chosen::These(Vec::new()) {
+        let source = files::read_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+        let (_, planned) =
+            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+        let (scene, legend) = planned_scene(&planned, a.color)?;
+        (scene, legend, planned.part.mesh.bounds())
+    } else {
+        let part = files::load_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+        let surfaces = segmented(&part, &job);
+        let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
+        (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())
+    };
     let bounds = crate::view::Bounds { min, max };
     let pixels = ViewSize::new(f64::from(a.size[0]), f64::from(a.size[1]));
     let mut camera = Camera::fitted(bounds, pixels);
@@ -91,41 +96,29 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-fn scene(
-    part: &Part,
-    job: &Job,
-    job_file: Option<&std::path::Path>,
-    planned: bool,
-    color: Color,
-) -> Result<(Scene, Option<Legend>), Failure> {
-    let surfaces = segmented(part, job);
-    let picture = PartPicture::new(part, &surfaces);
-    let mut look = PartLook::default();
+/// The part with its lines, or with what lands on it.
+fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Legend>), Failure> {
+    let PlannedJob { part, surfaces, plan, job, setup, .. } = planned;
+    let picture = PartPicture::new(part, surfaces);
     let mut scene = Scene::default();
-    if planned && job.clean.surfaces != Chosen::These(Vec::new()) {
-        let setup = files::load_setup(job, job_file).map_err(anyhow::Error::from)?;
-        let plan = planning::plan(part, &surfaces, job, &setup, &Cache::default(), &Progress::default())
-            .map_err(anyhow::Error::from)?;
-        if let Color::Dose(look) = color {
-            let map = planning::dose(part, &surfaces, &plan, job, &setup, &Progress::default())
-                .map_err(anyhow::Error::from)?;
-            let edges = picture.item(&surfaces, &PartLook::default()).edges;
-            let item = dose_item(&map, &surfaces, look);
-            scene.meshes.push(MeshItem { edges, ..item });
-            return Ok((scene, Some(legend(&map, look))));
-        }
-        look.chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
-        let path_look = PathLook {
-            lines: true,
-            frames: false,
-            beams: false,
-            air: false,
-            before: false,
-            only_pass: None,
-            frame_mm: 0.02 * part.mesh.diagonal(),
-        };
-        scene.lines = paths(&plan, &path_look, 1);
+    if let Color::Dose(look) = color {
+        let map =
+            planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(anyhow::Error::from)?;
+        let edges = picture.item(surfaces, &PartLook::default()).edges;
+        scene.meshes.push(MeshItem { edges, ..dose_item(&map, surfaces, look) });
+        return Ok((scene, Some(legend(&map, look))));
     }
-    scene.meshes.push(picture.item(&surfaces, &look));
+    let chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
+    let path_look = PathLook {
+        lines: true,
+        frames: false,
+        beams: false,
+        air: false,
+        before: false,
+        only_pass: None,
+        frame_mm: 0.02 * part.mesh.diagonal(),
+    };
+    scene.lines = paths(plan, &path_look, 1);
+    scene.meshes.push(picture.item(surfaces, &PartLook { chosen, ..PartLook::default() }));
     Ok((scene, None))
 }

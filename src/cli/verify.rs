@@ -2,17 +2,15 @@
 
 use super::{Failure, Outcome, print};
 use crate::document::files;
-use crate::document::segmented;
-use crate::planning;
-use crate::planning::Cache;
-use crate::planning::verify;
-use crate::planning::verify::Kind;
-use crate::planning::verify::Verdict;
+use crate::planning::{
+    Pipeline, PlannedJob,
+    verify::{self, Kind, Verdict},
+};
 use crate::program::ProgramFile;
-use crate::progress::Progress;
 use anyhow::{Context as _, anyhow};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Options of `verify`.
 #[derive(clap::Args, Debug)]
@@ -48,12 +46,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let plain = Path::new(name).file_name().is_some_and(|n| n.to_string_lossy() == name);
         plain.then(|| read(&folder.join(name)).ok().map(|f| f.text)).flatten()
     };
-    let part = files::load_part(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
-    let setup = files::load_setup(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
-    let surfaces = segmented(&part, &job);
-    let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())
+    let source = files::read_part(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
+    let (_, planned) = Pipeline::planned(Arc::new(source), &job, Some(&a.job))
         .with_context(|| format!("{}: cannot be planned", a.job.display()))?;
-    let (dialect, verdict) = verify::check(&part, &plan, &setup, &job, &first, &open, true).map_err(|e| anyhow!(e))?;
+    let PlannedJob { part, setup, plan, .. } = &*planned;
+    let (dialect, verdict) = verify::check(part, plan, setup, &job, &first, &open, true).map_err(|e| anyhow!(e))?;
     if a.json {
         let answer = Answer { program: a.program.display().to_string(), dialect, verdict: &verdict };
         let json = serde_json::to_string_pretty(&answer).map_err(anyhow::Error::from)?;

@@ -3,9 +3,10 @@
 use super::model::Job;
 use crate::beam::{Body, Head, HeadError, Tool};
 use crate::cell::{Cell, CellError, Mount, Robot, RobotError, Setup};
-use crate::part::{LoadError, Part, load};
+use crate::part::{LoadError, Part, Source};
 use crate::pose::{Beam, Blocker, Theirs};
 use crate::program::dialects;
+use crate::progress::Progress;
 use nalgebra::{Point3, Vector3};
 use std::io::Write as _;
 use std::path::{Component, Path, PathBuf};
@@ -95,17 +96,30 @@ pub fn to_toml(job: &Job) -> Result<String, JobError> {
     toml::to_string(job).map_err(|e| JobError::Write { what: format!("the job cannot be written: {e}") })
 }
 
-/// Loads the part of a job and checks that it is still the one the job was made for.
+/// Reads the part's file of a job and checks that it is still the one the job was made for.
+///
+/// # Errors
+/// Gone, changed, or no usable STL.
+pub fn read_part(job: &Job, job_file: Option<&Path>) -> Result<Source, JobError> {
+    let file = part_file(job, job_file)?;
+    let source = Source::read(&file)?;
+    if !job.part.sha256.is_empty() && job.part.sha256 != source.sha256 {
+        return Err(JobError::PartChanged { file: file.display().to_string() });
+    }
+    Ok(source)
+}
+
+/// The part of a job as it stands.
 ///
 /// # Errors
 /// Gone, changed, or no usable STL.
 pub fn load_part(job: &Job, job_file: Option<&Path>) -> Result<Part, JobError> {
-    let file = part_file(job, job_file)?;
-    let part = load(&file, job.part.units, &job.part.placement, &job.part.flipped_shells)?;
-    if !job.part.sha256.is_empty() && job.part.sha256 != part.sha256 {
-        return Err(JobError::PartChanged { file: file.display().to_string() });
-    }
-    Ok(part)
+    let source = read_part(job, job_file)?;
+    let p = &job.part;
+    let built = source.part(p.units, &p.placement, &p.flipped_shells, &Progress::default());
+    let named = |source| LoadError::Stl { file: p.file.clone(), source };
+    // Nobody can have cancelled it.
+    Ok(built.map_err(named)?.unwrap_or_default())
 }
 
 /// Where the part of a job is: where the job says, or beside the job under the same name.

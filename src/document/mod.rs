@@ -6,6 +6,7 @@
 pub mod bead;
 pub mod edit;
 pub mod files;
+mod keys;
 pub mod library;
 pub mod model;
 pub mod parameter;

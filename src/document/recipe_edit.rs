@@ -78,8 +78,7 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Document;
-    use crate::document::Edit;
+    use crate::document::{Document, Edit};
     use crate::path::Strategy;
 
     fn named(name: &str, spacing_mm: f64) -> Recipe {

@@ -41,11 +41,7 @@ impl Job {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::Document;
-    use crate::document::Edit;
-    use crate::document::Job;
-    use crate::document::Recipe;
-    use crate::document::segmented;
+    use crate::document::{Document, Edit, Job, Recipe, segmented};
     use crate::part::{Part, Placement, SurfaceEdit, Units};
     use crate::sample::{solids, stl_bytes};
 

@@ -3,9 +3,10 @@
 use super::inspect::Findings;
 use super::merge_tree::{MergeTree, dihedral_angles};
 use super::orient::{Orientation, orient};
-use super::stl::{self, RawPart, StlError};
+use super::stl::StlError;
 use super::topology::Dead;
-use super::{Bvh, Digest, Hasher, Mesh, Placement, Units};
+use super::{Bvh, Digest, Hasher, Mesh, Placement, Source, Units};
+use crate::progress::Progress;
 use std::path::Path;
 use thiserror::Error;
 
@@ -66,23 +67,24 @@ impl Part {
         placement: &Placement,
         flipped_shells: &[u32],
     ) -> Result<Part, StlError> {
-        let raw = stl::read(bytes)?;
-        let sha256 = super::digest::file_sha256(bytes);
-        Part::from_raw(&raw, sha256, units, placement, flipped_shells)
+        let made = Source::from_bytes(bytes)?.part(units, placement, flipped_shells, &Progress::default())?;
+        // Nobody can have cancelled it.
+        Ok(made.unwrap_or_default())
     }
 
-    /// The same from facets that were read already.
-    ///
-    /// # Errors
-    /// No facet has any area.
-    pub fn from_raw(
-        raw: &RawPart,
-        sha256: String,
+    /// Welds, places and orients facets that were read. `None`: the work was cancelled.
+    pub(super) fn built(
+        source: &Source,
         units: Units,
         placement: &Placement,
         flipped_shells: &[u32],
-    ) -> Result<Part, StlError> {
-        let mut mesh = Mesh::weld(&raw.facets, units.mm());
+        progress: &Progress,
+    ) -> Result<Option<Part>, StlError> {
+        progress.begin("building the part", 5);
+        let mut mesh = Mesh::weld(&source.raw.facets, units.mm());
+        if progress.step().is_err() {
+            return Ok(None);
+        }
         if *placement != Placement::default() {
             for v in &mut mesh.vertices {
                 *v = placement.apply(v);
@@ -98,18 +100,25 @@ impl Part {
                 mesh.flip(f);
             }
         }
-        let findings = Findings::new(raw, &mesh, &orientation, units);
+        let findings = Findings::new(&source.raw, &mesh, &orientation, units);
+        if progress.step().is_err() {
+            return Ok(None);
+        }
         let dihedral_deg = dihedral_angles(&mesh);
         let tree = MergeTree::new(&mesh, &dihedral_deg);
+        if progress.step().is_err() {
+            return Ok(None);
+        }
         let bvh = Bvh::new(&mesh);
         let p = placement;
         let digest = Hasher::default()
-            .bytes(sha256.as_bytes())
+            .bytes(source.sha256.as_bytes())
             .f64s(&[units.mm(), p.scale])
             .f64s(&p.rotation_deg)
             .f64s(&p.translation_mm)
             .u32s(flipped_shells)
             .finish();
-        Ok(Part { mesh, orientation, findings, dihedral_deg, tree, bvh, digest, sha256 })
+        let sha256 = source.sha256.clone();
+        Ok(Some(Part { mesh, orientation, findings, dihedral_deg, tree, bvh, digest, sha256 }))
     }
 }

@@ -81,6 +81,8 @@ impl Placement {
     }
 }
 
+super::keyed!(Placement { scale, rotation_deg, translation_mm });
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -47,7 +47,7 @@ pub enum Form {
 }
 
 /// Why a file cannot be used at all.
-#[derive(Debug, Error, PartialEq, Eq)]
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum StlError {
     /// Nothing in it.
     #[error("the file is empty")]

@@ -6,6 +6,7 @@
 
 use super::merge_tree::{MergeTree, Sets, below};
 use super::topology::{Mesh, NO_EDGE};
+use super::{Hasher, Keyed};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,6 +46,29 @@ pub enum SurfaceEdit {
         /// Facets, those of other surfaces are passed over.
         facets: Vec<u32>,
     },
+}
+
+super::keyed!(SurfaceRule { angle_deg, min_area_mm2, hysteresis_deg });
+
+impl Keyed for SurfaceEdit {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            SurfaceEdit::Merge { merge } => {
+                "merge".feed(into);
+                merge.feed(into);
+            }
+            SurfaceEdit::Split { split, angle_deg } => {
+                "split".feed(into);
+                split.feed(into);
+                angle_deg.feed(into);
+            }
+            SurfaceEdit::Cut { cut, facets } => {
+                "cut".feed(into);
+                cut.feed(into);
+                facets.feed(into);
+            }
+        }
+    }
 }
 
 /// One feature surface.

@@ -59,6 +59,8 @@ impl Units {
     }
 }
 
+super::keyed_words!(Units: Mm, M, Inch);
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -19,6 +19,8 @@ pub struct ChordLimits {
     pub max_turn_deg: f64,
 }
 
+crate::part::keyed!(ChordLimits { chord_error_mm, max_step_mm, max_turn_deg });
+
 /// A place on a dense line: at a point, or between it and the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {

@@ -24,6 +24,8 @@ pub enum Axis {
     Neighbours,
 }
 
+crate::part::keyed_words!(Axis: Mesh, Neighbours);
+
 /// A neighbouring pass is looked for within so many spacings.
 const REACH: f64 = 2.0;
 /// A pass that ends so far before the plane is met all the same, as a share of that reach.

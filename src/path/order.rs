@@ -19,6 +19,8 @@ pub enum Order {
     Shortest,
 }
 
+crate::part::keyed_words!(Order: Zigzag, OneWay, Shortest);
+
 impl Order {
     /// All of them, in the order of lists.
     pub const ALL: [Order; 3] = [Order::Zigzag, Order::OneWay, Order::Shortest];

@@ -4,7 +4,7 @@
 //! extent, so that their lines meet at creases; P2's start at `min + d` would leave a strip of
 //! width d at one rim. A surface that falls between two planes gets one of its own.
 
-use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::Dead};
+use crate::part::{Hasher, Keyed, Mesh, Surfaces, angle, surfaces::Surface, topology::Dead};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::fmt;
@@ -17,6 +17,15 @@ pub enum Direction {
     Along([f64; 3]),
     /// Per surface the one that keeps the spacing on it truest.
     Auto,
+}
+
+impl Keyed for Direction {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            Direction::Along(d) => d.feed(into),
+            Direction::Auto => "auto".feed(into),
+        }
+    }
 }
 
 impl Direction {

@@ -3,17 +3,24 @@
 
 pub mod advice;
 pub mod dose;
+pub mod key;
 pub mod lay;
 pub mod layer;
 pub mod output;
+pub mod pipeline;
 pub mod plan;
+pub mod pool;
 pub mod preview;
 pub mod report;
+pub mod stage;
 pub mod surface_plan;
 pub mod verify;
 mod written;
 
 pub use dose::dose;
+pub use pipeline::{Pipeline, PlannedJob, PlanningError};
 pub use plan::{Plan, PlanError, plan};
+pub use pool::{AtOnce, Pool};
 pub use preview::preview;
+pub use stage::{Executor, Failure, Stage, Task};
 pub use surface_plan::Cache;

@@ -7,8 +7,10 @@ use super::report::Report;
 use super::verify;
 use crate::cell::Setup;
 use crate::cell::motion::Choice;
-use crate::document::files::{self, JobError};
-use crate::document::model::Job;
+use crate::document::{
+    files::{self, JobError},
+    model::Job,
+};
 use crate::part::{Part, Surfaces};
 use crate::program::{Program, ProgramFile, Step, Steps, Timeline, dialects, lines};
 use crate::progress::Progress;

@@ -9,8 +9,7 @@ use crate::beam::Stance;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
-use crate::document::model::Job;
-use crate::document::parameter;
+use crate::document::{model::Job, parameter};
 use crate::part::{Grown, Part, Surfaces};
 use crate::pose::{Pass, State};
 use crate::program::Timeline;
@@ -50,7 +49,7 @@ pub struct Plan {
 }
 
 /// Why there is no plan.
-#[derive(Debug, Error, PartialEq)]
+#[derive(Clone, Debug, Error, PartialEq)]
 pub enum PlanError {
     /// A number is out of range.
     #[error("{0}")]

@@ -31,9 +31,7 @@ mod tests {
     use super::super::plan::plan;
     use super::*;
     use crate::cell::Setup;
-    use crate::document::Chosen;
-    use crate::document::Recipe;
-    use crate::document::segmented;
+    use crate::document::{Chosen, Recipe, segmented};
     use crate::part::{Placement, Units};
     use crate::sample::{solids, stl_bytes};
 

@@ -15,6 +15,8 @@ pub enum Correction {
     Clearance,
 }
 
+crate::part::keyed_words!(Correction: None, SectionPlane, Clearance);
+
 impl Correction {
     /// All corrections, as offered.
     pub const ALL: [Correction; 3] = [Correction::SectionPlane, Correction::Clearance, Correction::None];

@@ -36,6 +36,17 @@ pub struct LineRules {
     pub pins: Vec<Pin>,
 }
 
+crate::part::keyed!(LineRules {
+    max_gap_mm,
+    max_dense_turn_deg,
+    chord,
+    correction,
+    max_tilt_deg,
+    tilt_rate_deg_mm,
+    tilt,
+    pins
+});
+
 /// Ends of an interfering run are found to this, mm.
 const RUN_END_MM: f64 = 0.05;
 /// A corrected axis that was dropped lies within this of the motion that replaces it, degrees.

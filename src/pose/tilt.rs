@@ -5,7 +5,7 @@
 //! the right of it. Its length is the angle between beam and normal; its parts are those of an
 //! azimuthal equidistant map, so that equal steps are equal angles near the normal.
 
-use crate::part::angle;
+use crate::part::{angle, keyed, keyed_words};
 use nalgebra::{Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -133,6 +133,11 @@ pub struct Pin {
     /// The tilt.
     pub tilt: Tilt,
 }
+
+keyed!(Tilt { lead_deg, lean_deg });
+keyed_words!(Side: Lead, Lag, Left, Right);
+keyed!(TiltRule { surface, preferred, least_deg, forbidden });
+keyed!(Pin { surface, line, at_mm, tilt });
 
 #[cfg(test)]
 mod tests {

@@ -58,6 +58,9 @@ impl Default for DoseParameters {
     }
 }
 
+crate::part::keyed_words!(Profile: Gaussian, TopHat, Line);
+crate::part::keyed!(DoseParameters { profile, line_mm, low_j_cm2, high_j_cm2, collateral_j_cm2 });
+
 /// What is little and what is much, J/cm².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {

@@ -3,20 +3,17 @@
 
 use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::{Cell, Setup};
-use clearbeam::document::Chosen;
-use clearbeam::document::Job;
-use clearbeam::document::segmented;
+use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::distance::point_triangle;
 use clearbeam::part::{Part, Placement, Surfaces, Units};
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::section::sections;
 use clearbeam::path::{SurfacePlanes, TransversalLine, planes};
-use clearbeam::planning;
-use clearbeam::planning::Cache;
-use clearbeam::planning::Plan;
-use clearbeam::planning::output;
-use clearbeam::planning::output::OutputFile;
-use clearbeam::planning::report::Report;
+use clearbeam::planning::{
+    self, Cache, Plan,
+    output::{self, OutputFile},
+    report::Report,
+};
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::{Pass, Target};
 use clearbeam::progress::Progress;

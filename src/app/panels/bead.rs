@@ -5,10 +5,7 @@ use super::super::{App, theme};
 use super::bead_section::bead_section;
 use super::fields::{self, Change, JOB, Owner, RECIPE, back, name};
 use super::recipe;
-use crate::document::Edit;
-use crate::document::Job;
-use crate::document::Parameter;
-use crate::document::Recipe;
+use crate::document::{Edit, Job, Parameter, Recipe};
 use crate::process::bead::Bead;
 use eframe::egui::{self, CollapsingHeader, RichText, Role, WidgetInfo};
 

@@ -50,7 +50,7 @@ impl App {
             return;
         }
         self.numbers(ui, &["beam.margin_mm", "path.standoff_mm"]);
-        let Some((_, Ok(setup))) = &self.derived.setup else { return };
+        let Some(Ok(setup)) = self.derived.pipeline.setup() else { return };
         if let Some(Head::Solid(..)) = &setup.tool.head {
             ui.label(RichText::new("An STL counts as what it sweeps about the beam").small());
         }

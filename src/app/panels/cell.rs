@@ -26,9 +26,9 @@ impl App {
 
     fn robot(&mut self, ui: &mut egui::Ui) {
         let now = self.document.job().cell.robot.clone();
-        let shown = match &self.derived.setup {
+        let shown = match self.derived.pipeline.setup() {
             _ if now.is_empty() => NO_ROBOT.into(),
-            Some((_, Ok(setup))) => setup.robot_name().to_owned(),
+            Some(Ok(setup)) => setup.robot_name().to_owned(),
             _ => now.clone(),
         };
         let mut chosen = None;
@@ -54,7 +54,7 @@ impl App {
         if let Some(key) = chosen {
             self.choose_robot(&key);
         }
-        let Some((_, Ok(setup))) = &self.derived.setup else { return };
+        let Some(Ok(setup)) = self.derived.pipeline.setup() else { return };
         let unverified = setup.robot.as_ref().map_or(&[][..], |r| &r.unverified);
         if !unverified.is_empty() {
             let text = RichText::new("Some figures of this robot are not verified").small().color(theme::ATTENTION);
@@ -76,7 +76,7 @@ impl App {
     }
 
     fn mount(&mut self, ui: &mut egui::Ui) {
-        let Some((_, Ok(setup))) = &self.derived.setup else { return };
+        let Some(Ok(setup)) = self.derived.pipeline.setup() else { return };
         let now = setup.mount;
         let words = [(Mount::PartInHand, "the part"), (Mount::ToolInHand, "the head")];
         let tip = "The part under a fixed laser, or the laser head over a fixed part";
@@ -120,9 +120,9 @@ impl App {
                 self.ask(Purpose::Cell);
             }
         });
-        match &self.derived.setup {
-            Some((_, Ok(setup))) => ui.label(RichText::new(&setup.cell.name).small().weak()),
-            Some((_, Err(why))) => ui.label(RichText::new(why).color(theme::WRONG)),
+        match self.derived.pipeline.setup() {
+            Some(Ok(setup)) => ui.label(RichText::new(&setup.cell.name).small().weak()),
+            Some(Err(why)) => ui.label(RichText::new(why.to_string()).color(theme::WRONG)),
             None => return,
         };
     }
@@ -146,7 +146,7 @@ impl App {
     /// The program, written into a folder.
     pub(super) fn export_button(&mut self, ui: &mut egui::Ui) {
         ui.add_space(2.0);
-        let ready = self.derived.plan_of.as_ref() == Some(self.document.job());
+        let ready = self.plan().is_some();
         let text = RichText::new("Export program…").strong();
         let button = egui::Button::new(text).fill(theme::ACCENT.gamma_multiply(0.6));
         let why = "Writes program, path, report and job into a folder  Ctrl+E";

@@ -2,9 +2,10 @@
 
 use super::super::App;
 use super::library::Shelf;
-use crate::document::Recipe;
-use crate::document::recipe_table::Row;
-use crate::document::recipe_table::rows;
+use crate::document::{
+    Recipe,
+    recipe_table::{Row, rows},
+};
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use std::collections::BTreeSet;
 

@@ -13,7 +13,7 @@ impl App {
             self.go_on();
             return;
         }
-        if !self.worker.is_idle() && self.session.said == SAVING {
+        if !self.answers.is_empty() && self.session.said == SAVING {
             return; // the file dialog is open
         }
         let shown = Modal::new(Id::unique("guard")).show(ctx, |ui| {

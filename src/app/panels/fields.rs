@@ -1,8 +1,7 @@
 //! Fields that the job's panel and that of a recipe share: what they show, and what the operator wants.
 
 use super::super::{quantity, theme};
-use crate::document::Job;
-use crate::document::Parameter;
+use crate::document::{Job, Parameter};
 use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo, vec2};
 
 /// What is wanted of a value.

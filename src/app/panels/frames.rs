@@ -4,8 +4,7 @@
 use super::super::{App, quantity, theme};
 use crate::cell::calibration::CalibrationNote;
 use crate::cell::{Cell, Frame, Mount};
-use crate::document::Edit;
-use crate::document::model::CellFile;
+use crate::document::{Edit, model::CellFile};
 use eframe::egui::{self, DragValue, RichText};
 
 /// A frame of the panel.
@@ -79,7 +78,7 @@ fn fit(note: &CalibrationNote) -> (String, String) {
 
 impl App {
     pub(super) fn frames(&mut self, ui: &mut egui::Ui) {
-        let Some((_, Ok(cell))) = &self.derived.cell_file else { return };
+        let Some(Ok(cell)) = self.derived.pipeline.cell() else { return };
         let cell = cell.clone();
         let mount = self.document.job().cell.mount.unwrap_or(cell.mount);
         let rows = ROWS.iter().filter(|r| r.mount == mount);

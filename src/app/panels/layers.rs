@@ -3,9 +3,7 @@
 use super::super::{App, quantity, theme};
 use super::fields::{self, Change, JOB};
 use super::laying;
-use crate::document::Edit;
-use crate::document::Offset;
-use crate::document::StartFrom;
+use crate::document::{Edit, Offset, StartFrom};
 use crate::path::Strategy;
 use eframe::egui::{self, DragValue, Role, WidgetInfo};
 

@@ -2,8 +2,7 @@
 //! dragged onto a row of the lists.
 
 use super::super::{App, theme};
-use crate::document::Edit;
-use crate::document::Recipe;
+use crate::document::{Edit, Recipe};
 use eframe::egui::{self, DragAndDrop, RichText, Role, Sense, WidgetInfo};
 
 /// Where a recipe stands.

@@ -5,8 +5,7 @@ use super::super::command::Command;
 use super::super::session::Column;
 use super::super::theme;
 use super::library::DraggedRecipe;
-use crate::document::Edit;
-use crate::document::Recipe;
+use crate::document::{Edit, Recipe};
 use eframe::egui::{self, Align, Key, Layout, RichText, Role, Sense, WidgetInfo};
 use egui_extras::{Column as Width, TableBuilder};
 use std::sync::Arc;
@@ -206,8 +205,7 @@ impl App {
 
     /// What the plan says of a surface.
     fn state_of(&self, n: u32) -> Option<(&'static str, egui::Color32)> {
-        let (_, report) = self.derived.plan.as_ref()?;
-        let row = report.surfaces.iter().find(|s| s.surface == n)?;
+        let row = self.derived.plan()?.report.surfaces.iter().find(|s| s.surface == n)?;
         Some(if row.blocked_mm > 0.0 {
             ("blocked", theme::WRONG)
         } else if row.missed_area_mm2 > 0.0 {

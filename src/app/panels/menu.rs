@@ -26,7 +26,7 @@ impl App {
 
     /// Opens what stands beside the view.
     fn switches(&mut self, ui: &mut egui::Ui) {
-        if self.derived.plan.is_none() && self.derived.cell.is_none() {
+        if self.derived.plan().is_none() && self.derived.cell.is_none() {
             return;
         }
         for command in [Command::Text, Command::Plots, Command::Access, Command::Dose, Command::Cell] {

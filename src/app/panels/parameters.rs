@@ -4,9 +4,7 @@
 use super::super::App;
 use super::super::{Command, quantity, theme};
 use super::fields::{self, Change};
-use crate::document::Edit;
-use crate::document::PARAMETERS;
-use crate::document::Parameter;
+use crate::document::{Edit, PARAMETERS, Parameter};
 use crate::part::Units;
 use crate::pose::Correction;
 use eframe::egui::{self, DragValue, RichText};

@@ -71,7 +71,7 @@ impl<T> Diagram<'_, T> {
 
 impl App {
     pub(in super::super) fn plots(&mut self, ui: &mut egui::Ui) {
-        let Some(motion) = self.derived.motion.clone() else { return };
+        let Some(motion) = self.derived.motion().cloned() else { return };
         let Some(timeline) = &motion.timeline else { return };
         let samples = &motion.curves;
         let span = self.plot_span(timeline.total_s());

@@ -47,12 +47,13 @@ fn capital(text: &str) -> String {
 
 impl App {
     pub(in super::super) fn problems(&mut self, ui: &mut egui::Ui) {
-        if let Some((_, why)) = self.derived.plan_error.clone() {
+        if let Some(why) = self.planning_error() {
             theme::heading(ui, "Problems");
             ui.label(RichText::new(why).color(theme::WRONG));
             return;
         }
-        let Some((plan, report)) = self.derived.plan.clone() else { return };
+        let Some(of) = self.derived.plan().cloned() else { return };
+        let (plan, report) = (&of.plan, &of.report);
         // Neighbouring targets share their cause: one row for a surface and what blocks it.
         let mut groups: BTreeMap<(u32, &str, Option<u32>), Vec<&Problem>> = BTreeMap::new();
         for p in &report.problems {
@@ -81,7 +82,7 @@ impl App {
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
             if link.on_hover_text(format!("{why}Go there")).clicked() {
-                self.go_to(list[0], &plan);
+                self.go_to(list[0], plan);
             }
         }
         for (surface, remark) in remarks {
@@ -133,7 +134,7 @@ impl App {
 
     /// Why a target is not done.
     pub(super) fn why_blocked(&self, (pass, point): (usize, usize)) -> String {
-        let problems = self.derived.plan.iter().flat_map(|(_, report)| &report.problems);
+        let problems = self.derived.plan().into_iter().flat_map(|of| &of.report.problems);
         let mut found = problems.filter(|p| p.pass == Some(pass) && p.point == Some(point));
         found.next().map_or_else(|| "left out".into(), because)
     }

@@ -6,7 +6,7 @@ use eframe::egui::{self, RichText, ScrollArea, Sense, TextStyle};
 
 impl App {
     pub(in super::super) fn program_text(&mut self, ui: &mut egui::Ui) {
-        let Some(motion) = self.derived.motion.clone() else { return };
+        let Some(motion) = self.derived.motion().cloned() else { return };
         let current = motion.current_line(self.session.time_s, self.session.at);
         // The file follows the simulation, until another is looked at.
         let moved = current.is_some() && current != self.session.text_line;
@@ -70,7 +70,7 @@ impl App {
 
     /// Goes to the move that a line is, or the next one after it.
     fn go_to_line(&mut self, place: (usize, usize)) {
-        let Some(motion) = self.derived.motion.clone() else { return };
+        let Some(motion) = self.derived.motion().cloned() else { return };
         let Some(number) = motion.move_of_line(place) else { return };
         match &motion.timeline {
             Some(t) => self.go_to_time(t.stops().get(number).map_or(0.0, |s| s.at_s)),

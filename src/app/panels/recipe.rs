@@ -4,11 +4,7 @@
 use super::super::{App, theme};
 use super::fields::{self, Change, RECIPE};
 use super::{bead, laying};
-use crate::document::Edit;
-use crate::document::Job;
-use crate::document::PARAMETERS;
-use crate::document::Parameter;
-use crate::document::Recipe;
+use crate::document::{Edit, Job, PARAMETERS, Parameter, Recipe};
 use crate::path::Strategy;
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
 use std::collections::BTreeSet;
@@ -180,7 +176,8 @@ impl App {
 
     /// What came of the wanted spacing, and what else is to be said of how lines lie.
     fn achieved_spacing(&self, ui: &mut egui::Ui, selected: &[u32]) {
-        let (Some((plan, _)), Some(job)) = (&self.derived.plan, &self.derived.plan_of) else { return };
+        let Some(of) = self.derived.plan() else { return };
+        let (plan, job) = (&of.plan, &of.job);
         for s in plan.surfaces.iter().filter(|s| selected.contains(&s.laid.surface)).take(TOLD) {
             let n = s.laid.surface;
             let whose = if selected.len() > 1 { format!("surface {n}: ") } else { String::new() };

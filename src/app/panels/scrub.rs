@@ -45,7 +45,7 @@ impl App {
 
     /// The marks with their places; of those that share a point, the first.
     fn mark_places(&self, x_of: impl Fn(f64) -> f32) -> Vec<(f32, Mark)> {
-        let (Some(motion), Some(timeline)) = (&self.derived.motion, self.timeline()) else { return Vec::new() };
+        let (Some(motion), Some(timeline)) = (self.derived.motion(), self.timeline()) else { return Vec::new() };
         let mut out: Vec<(f32, Mark)> = Vec::new();
         for mark in &motion.marks {
             let at_s = mark.after.and_then(|n| timeline.stops().get(n)).map_or(0.0, |s| s.at_s);

@@ -11,7 +11,7 @@ const WIDTH: f32 = 200.0;
 
 impl App {
     pub(in super::super) fn spacing_legend(&mut self, ui: &egui::Ui, view: Rect) {
-        if !self.session.show.spacing || self.session.show.section || self.derived.plan.is_none() {
+        if !self.session.show.spacing || self.session.show.section || self.derived.plan_on_part().is_none() {
             return;
         }
         let scale = self.spacing_scale().cloned();

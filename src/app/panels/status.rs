@@ -12,23 +12,28 @@ const SHOWN_AGAIN: Duration = Duration::from_millis(100);
 impl App {
     /// Stage and share of what can be cancelled: planning, else a search for what would help.
     pub(in super::super) fn progress(&self) -> Option<(&'static str, f32)> {
-        let planning = self.worker.progress().filter(|_| !self.derived.is_current(self.document.job()));
-        let search = || self.search().map(Progress::now).filter(|p| !p.0.is_empty());
-        planning.or_else(search).or_else(|| self.dose_progress())
+        let planning = self.derived.pipeline.progress();
+        let works = [planning, self.exporting.progress(), self.search(), self.dose_progress()];
+        works.into_iter().flatten().map(Progress::now).find(|p| !p.0.is_empty())
     }
 
     /// Ends that.
-    pub(in super::super) fn cancel(&self) {
-        match self.search().filter(|_| self.derived.is_current(self.document.job())) {
-            Some(search) => search.cancel(),
-            None if self.derived.is_current(self.document.job()) => self.end_dose(),
-            None => self.worker.cancel(),
+    pub(in super::super) fn cancel(&mut self) {
+        if self.derived.pipeline.progress().is_some() {
+            self.derived.pipeline.cancel();
+        } else if self.exporting.is_running() {
+            self.exporting.cancel();
+        } else if self.search().is_some() {
+            self.end_search();
+        } else {
+            self.derived.dose.cancel();
         }
     }
 
     /// What is proven of the moves with the laser on.
     fn proof(&self, ui: &mut egui::Ui) {
-        let Some((_, report)) = &self.derived.plan else { return };
+        // What is out of date is called nothing.
+        let Some(report) = self.plan().map(|of| &of.report) else { return };
         let Some(proof) = &report.proof else { return };
         let clearance = report.min_clearance_mm.map_or_else(String::new, |mm| format!(", least clearance {mm:.2} mm"));
         if report.proven {
@@ -54,7 +59,7 @@ impl App {
                 // The work goes on while the hand is still.
                 ui.ctx().request_repaint_after(SHOWN_AGAIN);
             }
-            if let Some((_, report)) = &self.derived.plan {
+            if let Some(report) = self.derived.plan().map(|of| &of.report) {
                 let r = report;
                 let time_s = self.timeline().map_or(r.time_s, Timeline::total_s);
                 ui.label(format!("{} passes · {} targets", r.passes, r.points));
@@ -66,7 +71,7 @@ impl App {
                 }
                 ui.label(format!("{:.1} mm · {}", r.work_mm, super::clock(time_s)));
                 self.proof(ui);
-                if !self.derived.is_current(self.document.job()) {
+                if !self.derived.is_current(&self.document) {
                     ui.label(RichText::new("out of date").color(theme::ATTENTION)).on_hover_text("Ctrl+R plans again");
                 }
             }

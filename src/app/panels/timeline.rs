@@ -12,10 +12,11 @@ use eframe::egui::{self, Color32, RichText, Slider};
 
 impl App {
     pub(in super::super) fn timeline_panel(&mut self, ui: &mut egui::Ui) {
-        let Some((plan, _)) = self.derived.plan.clone() else {
+        let Some(of) = self.derived.plan().cloned() else {
             ui.label(RichText::new("Move a surface to the list to clean: its path appears here").weak());
             return;
         };
+        let plan = &of.plan;
         let passes = plan.passes.len();
         if passes == 0 {
             ui.label(RichText::new("No line crosses the chosen surfaces").weak());
@@ -24,7 +25,7 @@ impl App {
         if self.timeline().is_some() {
             self.time_row(ui);
         } else {
-            self.pass_row(ui, &plan);
+            self.pass_row(ui, plan);
         }
         self.target_numbers(ui);
     }
@@ -51,7 +52,7 @@ impl App {
                 ui.label(word);
                 ui.monospace(super::clock(seconds));
             }
-            let left_out: usize = self.derived.motion.iter().flat_map(|m| &m.marks).map(|m| m.count).sum();
+            let left_out: usize = self.derived.motion().into_iter().flat_map(|m| &m.marks).map(|m| m.count).sum();
             if left_out > 0 {
                 let [r, g, b, _] = theme::WRONG.to_array();
                 theme::swatch(ui, [r, g, b]);
@@ -116,7 +117,7 @@ impl App {
             ui.label(format!("laser {}", if t.laser { "on" } else { "off" }));
             ui.label(format!("tilt {:.2}°", t.tilt_deg()));
             ui.monospace(format!("x {:.3}  y {:.3}  z {:.3}", t.p.x, t.p.y, t.p.z));
-            if let Some((_, Ok(setup))) = &self.derived.setup {
+            if let Some(Ok(setup)) = self.derived.pipeline.setup() {
                 // Where the arm is; without one, where the flange would have to be.
                 let flange = self
                     .moment()

@@ -38,6 +38,8 @@ pub enum Strategy {
     Cross,
 }
 
+crate::part::keyed_words!(Strategy: Planes, Adaptive, Offset, Spiral, Cross);
+
 impl Strategy {
     /// All of them, in the order of lists.
     pub const ALL: [Strategy; 5] =

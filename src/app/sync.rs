@@ -1,0 +1,141 @@
+//! Brings what is computed up to date with the document, once a frame: takes what has arrived, and starts
+//! what is missing.
+
+use super::App;
+use super::motion::Motion;
+use crate::part::Shape;
+use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
+use crate::planning::{Failure, surface_plan::body};
+use std::sync::Arc;
+
+impl App {
+    /// Takes what has arrived and brings what is out of date on its way.
+    pub(super) fn sync(&mut self) {
+        let changes = self.derived.pipeline.sync(self.document.job(), self.document.file.as_deref());
+        if changes.surfaces {
+            self.take_surfaces();
+        }
+        if changes.setup {
+            self.take_setup();
+        }
+        self.sync_shapes();
+        if self.derived.part.is_none() {
+            return;
+        }
+        self.sync_borders();
+        self.sync_tool();
+        self.sync_lines();
+        self.sync_motion();
+        self.sync_dose();
+        self.sync_spacing();
+        self.sync_advice();
+        self.sync_clearance();
+    }
+
+    /// Part and surfaces are taken together: one belongs to the other.
+    fn take_surfaces(&mut self) {
+        let d = &mut self.derived;
+        let Some((part, surfaces)) = d.pipeline.surfaces() else { return };
+        let (part, surfaces) = (part.clone(), surfaces.clone());
+        self.session.fit_pending |= d.part.as_ref().is_none_or(|shown| !Arc::ptr_eq(shown, &part));
+        d.picture = Some(PartPicture::new(&part, &surfaces));
+        let there = |n: &u32| surfaces.get(*n).is_some();
+        self.session.selected.retain(there);
+        self.session.hidden.retain(there);
+        (d.part, d.surfaces) = (Some(part), surfaces);
+    }
+
+    fn sync_shapes(&mut self) {
+        let d = &mut self.derived;
+        d.shapes.poll();
+        let (Some(key), Some((part, surfaces))) = (d.pipeline.surfaces_key(), d.pipeline.surfaces()) else { return };
+        if d.shapes.lacks(key) {
+            let (part, surfaces) = (part.clone(), surfaces.clone());
+            let executor = d.pipeline.executor().clone();
+            d.shapes.start(key, "naming shapes", &*executor, move |_| {
+                use rayon::prelude::*;
+                Ok(surfaces.list.par_iter().map(|s| (s.number, Shape::of(&part.mesh, s))).collect())
+            });
+        }
+    }
+
+    fn take_setup(&mut self) {
+        let d = &mut self.derived;
+        d.cell = d.pipeline.setup().and_then(Result::ok).and_then(|setup| CellPicture::new(setup));
+        let cell = &self.document.job().cell;
+        let stands = Some((cell.file.clone(), cell.robot.clone(), cell.mount));
+        if self.session.cell_shown != stands {
+            self.session.cell_shown = stands;
+            self.session.other_camera = None;
+            self.session.fit_pending |= self.session.show.cell;
+        }
+    }
+
+    fn sync_tool(&mut self) {
+        let d = &mut self.derived;
+        let (Some(key), Some(Ok(setup))) = (d.pipeline.setup_key(), d.pipeline.setup()) else { return };
+        if d.tool_picture.as_ref().is_none_or(|(known, _)| *known != key) {
+            let body = body(self.document.job(), setup);
+            d.tool_picture = Some((key, ToolPicture::new(&setup.tool, body.as_ref())));
+        }
+    }
+
+    /// A plan takes a while: where its lines lie is shown before, unless they are those that are shown.
+    fn sync_lines(&mut self) {
+        let d = &mut self.derived;
+        let Some((key, laid)) = d.pipeline.lines() else {
+            d.laid = None;
+            return;
+        };
+        if d.laid.as_ref().is_some_and(|(known, _)| *known == key) {
+            return;
+        }
+        let shown = d.plan_on_part().into_iter().flat_map(|planned| &planned.plan.surfaces);
+        let shown = shown.filter(|s| s.laid.layer == 0).map(|s| Arc::as_ptr(&s.laid));
+        d.laid = (!shown.eq(laid.iter().map(Arc::as_ptr))).then(|| (key, paths::laid(laid)));
+    }
+
+    /// Works out the motion of the newest plan.
+    fn sync_motion(&mut self) {
+        let part_name = self.part_file_name();
+        let d = &mut self.derived;
+        let Some(planned) = d.pipeline.newest_plan().cloned() else {
+            d.motion.clear();
+            return;
+        };
+        let mut arrived = d.motion.poll();
+        if d.motion.lacks(planned.key) {
+            let executor = d.pipeline.executor().clone();
+            let key = planned.key;
+            d.motion.start(key, "working out the motion", &*executor, move |_| Ok(Motion::new(&planned, &part_name)));
+            arrived |= d.motion.of(key).is_some();
+        }
+        if arrived && self.derived.motion().is_some() {
+            self.session.plot_span = None;
+            self.session.text_line = None;
+            self.go_to_target(self.session.at);
+        }
+    }
+
+    /// Plans again what was cancelled or failed, and reads the files beside the part again.
+    pub(super) fn plan_again(&mut self) {
+        self.derived.pipeline.try_again();
+        self.derived.shapes.try_again();
+        self.derived.motion.try_again();
+        self.derived.advice.try_again();
+        self.derived.dose.try_again();
+    }
+
+    /// Why there is no plan for the document as it is, for people.
+    pub(super) fn planning_error(&self) -> Option<String> {
+        use crate::planning::PlanningError as E;
+        let error = self.derived.error(&self.document)?;
+        Some(match error {
+            e if e.is_cancelled() => "planning was cancelled; Ctrl+R plans again".into(),
+            E::Part(Failure::Panicked(_)) | E::Setup(Failure::Panicked(_)) | E::Plan(Failure::Panicked(_)) => {
+                format!("{error}; the job is untouched: save it, and Ctrl+R tries again")
+            }
+            other => other.to_string(),
+        })
+    }
+}

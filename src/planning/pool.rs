@@ -1,0 +1,121 @@
+//! Who does the work of stages: a few threads, or the caller himself.
+
+use super::stage::{Executor, Task};
+use std::collections::VecDeque;
+use std::sync::{Arc, Condvar, Mutex};
+
+/// Threads that take tasks in the order in which they come, and wake whoever waits for results.
+///
+/// Three, whatever the machine: a plan, what follows from the last one, and something small. Each of them
+/// uses all cores where its work can be shared.
+const THREADS: usize = 3;
+
+/// A bounded pool. Its threads end with it.
+pub struct Pool {
+    queue: Arc<Queue>,
+}
+
+struct Queue {
+    tasks: Mutex<Waiting>,
+    more: Condvar,
+    wake: Box<dyn Fn() + Send + Sync>,
+}
+
+#[derive(Default)]
+struct Waiting {
+    tasks: VecDeque<Task>,
+    is_closed: bool,
+}
+
+impl Pool {
+    /// Starts the threads; `wake` is called after each task.
+    pub fn new(wake: impl Fn() + Send + Sync + 'static) -> Pool {
+        let queue = Arc::new(Queue { tasks: Mutex::default(), more: Condvar::new(), wake: Box::new(wake) });
+        for _ in 0..THREADS {
+            let queue = queue.clone();
+            std::thread::spawn(move || queue.work());
+        }
+        Pool { queue }
+    }
+}
+
+impl Executor for Pool {
+    fn start(&self, task: Task) {
+        if let Ok(mut waiting) = self.queue.tasks.lock() {
+            waiting.tasks.push_back(task);
+        }
+        self.queue.more.notify_one();
+    }
+}
+
+impl Drop for Pool {
+    fn drop(&mut self) {
+        if let Ok(mut waiting) = self.queue.tasks.lock() {
+            waiting.is_closed = true;
+            waiting.tasks.clear();
+        }
+        self.queue.more.notify_all();
+    }
+}
+
+impl Queue {
+    fn work(&self) {
+        while let Some(task) = self.next() {
+            task.run();
+            (self.wake)();
+        }
+    }
+
+    fn next(&self) -> Option<Task> {
+        let mut waiting = self.tasks.lock().ok()?;
+        loop {
+            if waiting.is_closed {
+                return None;
+            }
+            if let Some(task) = waiting.tasks.pop_front() {
+                return Some(task);
+            }
+            waiting = self.more.wait(waiting).ok()?;
+        }
+    }
+}
+
+/// Does the work at once, where it is asked for: for those who wait for the result anyway.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct AtOnce;
+
+impl Executor for AtOnce {
+    fn start(&self, task: Task) {
+        task.run();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::stage::{Failure, Stage};
+    use super::*;
+    use crate::part::Hasher;
+    use std::sync::mpsc::channel;
+
+    #[test]
+    fn a_pool_outlives_panics_and_wakes_after_each_task() {
+        let (sender, woken) = channel();
+        let sender = Mutex::new(sender);
+        let pool = Pool::new(move || drop(sender.lock().map(|s| s.send(()))));
+        let mut stages: Vec<Stage<u32, ()>> = (0..20).map(|_| Stage::default()).collect();
+        let key = Hasher::default().finish();
+        for (n, stage) in (0u32..).zip(&mut stages) {
+            stage.start(key, "test", &pool, move |_| if n % 2 == 0 { panic!("even") } else { Ok(n) });
+        }
+        for _ in 0..20 {
+            woken.recv().expect("woken");
+        }
+        for (n, stage) in (0u32..).zip(&mut stages) {
+            stage.poll();
+            match stage.failure(key) {
+                Some(why) => assert_eq!(*why, Failure::Panicked("even".into())),
+                None => assert_eq!(stage.of(key).map(|v| **v), Some(n)),
+            }
+        }
+    }
+}
