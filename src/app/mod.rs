@@ -14,6 +14,7 @@ mod dialogs;
 mod dose;
 mod files;
 mod motion;
+mod outside;
 mod panels;
 mod pick;
 mod quantity;
@@ -29,7 +30,7 @@ pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
 use crate::document::{Document, JobError, Library, library};
-use crate::planning::{Executor, PlannedJob, Pool, Stage};
+use crate::planning::{Pool, Stage};
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;
@@ -78,11 +79,9 @@ impl App {
         cc.egui_ctx.options_mut(|o| o.max_passes = std::num::NonZeroUsize::MIN);
         let viewport = cc.gl.clone().and_then(|gl| Viewport::new(gl).ok()).unwrap_or_else(Viewport::without_picture);
         let recent = cc.storage.and_then(|s| eframe::get_value(s, RECENT_KEY)).unwrap_or_default();
-        let waker = cc.egui_ctx.clone();
-        let pool = Pool::new(move || waker.request_repaint());
         let mut app = App {
             document: Document::default(),
-            derived: Derived::new(Arc::new(pool)),
+            derived: Derived::new(outside::own_threads(&cc.egui_ctx)),
             session: Session::default(),
             viewport,
             scene: Arc::new(Scene::default()),
@@ -108,27 +107,6 @@ impl App {
     /// The window with recipes of the user's from a folder; without it there are none.
     pub fn with_recipes(self, folder: Option<PathBuf>) -> App {
         App { recipes: Library::open(folder), ..self }
-    }
-
-    /// The window with its work done by another than its own threads.
-    pub fn with_executor(self, executor: Arc<dyn Executor>) -> App {
-        App { derived: Derived::new(executor), ..self }
-    }
-
-    /// The job that is worked on, with its file.
-    pub fn document(&self) -> &Document {
-        &self.document
-    }
-
-    /// The plan of the job as it is; `None`: there is none, or what is shown is out of date.
-    pub fn plan(&self) -> Option<&Arc<PlannedJob>> {
-        self.derived.current_plan(&self.document)
-    }
-
-    /// Whether nothing is being computed or waited for: what is shown is current.
-    pub fn is_settled(&self) -> bool {
-        let is_idle = !self.opening.is_running() && !self.exporting.is_running() && self.answers.is_empty();
-        is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
     }
 }
 

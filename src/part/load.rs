@@ -110,14 +110,7 @@ impl Part {
             return Ok(None);
         }
         let bvh = Bvh::new(&mesh);
-        let p = placement;
-        let digest = Hasher::default()
-            .bytes(source.sha256.as_bytes())
-            .f64s(&[units.mm(), p.scale])
-            .f64s(&p.rotation_deg)
-            .f64s(&p.translation_mm)
-            .u32s(flipped_shells)
-            .finish();
+        let digest = Hasher::default().of(&source.sha256).of(&units).of(placement).of(flipped_shells).finish();
         let sha256 = source.sha256.clone();
         Ok(Some(Part { mesh, orientation, findings, dihedral_deg, tree, bvh, digest, sha256 }))
     }

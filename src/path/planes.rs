@@ -95,6 +95,8 @@ pub struct SurfacePlanes {
     pub heights_mm: Vec<f64>,
 }
 
+crate::part::keyed!(SurfacePlanes { surface, normal, heights_mm });
+
 /// What planes a surface is to get.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Raster {

@@ -4,7 +4,7 @@
 
 use crate::document::model::{Job, Layers};
 use crate::part::surfaces::Surface;
-use crate::part::{Part, Surfaces};
+use crate::part::{Part, Surfaces, keyed};
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::ends::{self, Short};
 use crate::path::normals::VertexNormals;
@@ -37,10 +37,42 @@ pub struct Laid {
     pub start_shift_mm: f64,
 }
 
-/// Lays the lines of a surface as its job wants them; `family`: its planes. Part and surfaces are as they
-/// have grown when the layer begins.
-pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: SurfacePlanes, job: &Job, layer: u32) -> Laid {
-    let (mesh, l) = (&part.mesh, &job.layers);
+/// All that the lines of a surface depend on, beside the part and its planes.
+pub struct LayingRules<'a> {
+    /// Strategy, spacing, rim.
+    pub layers: &'a Layers,
+    /// What the beam stands along.
+    pub axis: Axis,
+    /// Every second layer runs across the others.
+    pub is_alternate: bool,
+    /// How far closed lines of a layer begin behind those of the one before, mm.
+    pub start_shift_mm: f64,
+    /// Layer of a build-up, from 0.
+    pub layer: u32,
+    /// Whether the surface's other side is worked on.
+    pub is_flipped: bool,
+}
+
+keyed!(LayingRules<'_> { layers, axis, is_alternate, start_shift_mm, layer, is_flipped });
+
+impl<'a> LayingRules<'a> {
+    /// What the job of a surface wants for one layer.
+    pub fn new(surface: u32, job: &'a Job, layer: u32) -> LayingRules<'a> {
+        LayingRules {
+            layers: &job.layers,
+            axis: job.path.axis,
+            is_alternate: job.bead.alternate,
+            start_shift_mm: job.bead.start_shift_mm,
+            layer,
+            is_flipped: job.surfaces.flipped.contains(&surface),
+        }
+    }
+}
+
+/// Lays the lines of a surface; `family`: its planes. Part and surfaces are as they have grown when the layer
+/// begins.
+pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: SurfacePlanes, by: &LayingRules<'_>) -> Laid {
+    let (mesh, l, layer) = (&part.mesh, by.layers, by.layer);
     let merge_mm = 1e-6 * mesh.diagonal();
     let over_mm = (-l.inset_mm).max(0.0);
     let rule = Layout {
@@ -52,7 +84,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
         cross_deg: l.cross_deg,
     };
     let mut remarks = Vec::new();
-    let is_across = layer % 2 == 1 && job.bead.alternate;
+    let is_across = layer % 2 == 1 && by.is_alternate;
     let family = match strategy::across(mesh, surface, &family, l.spacing_mm, 90.0).filter(|_| is_across) {
         Some(turned) => turned,
         None if is_across => {
@@ -67,7 +99,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
         let normals = VertexNormals::grown(mesh, surfaces, surface, &grown.beyond);
         let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
         found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
-        stand(&mut found.lines, job);
+        stand(&mut found.lines, by);
         let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
         found.lines = lines;
         if stopped > 0 {
@@ -78,7 +110,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
     } else {
         let normals = VertexNormals::new(mesh, surfaces, surface);
         found = strategy::lines(mesh, surface, &normals, &rule, &family, merge_mm);
-        stand(&mut found.lines, job);
+        stand(&mut found.lines, by);
         if l.inset_mm > 0.0 {
             found.lines = ends::inset(mesh, surface, found.lines, l.inset_mm, l.ignore_holes_mm);
         }
@@ -103,14 +135,14 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
         coverage,
         remarks,
         layer,
-        start_shift_mm: f64::from(layer) * job.bead.start_shift_mm,
+        start_shift_mm: f64::from(layer) * by.start_shift_mm,
     }
 }
 
 /// Gives lines the axes that the job wants in place of the mesh's normals.
-fn stand(lines: &mut [TransversalLine], job: &Job) {
-    if job.path.axis == Axis::Neighbours {
-        neighbour_axes(lines, job.layers.spacing_mm);
+fn stand(lines: &mut [TransversalLine], by: &LayingRules<'_>) {
+    if by.axis == Axis::Neighbours {
+        neighbour_axes(lines, by.layers.spacing_mm);
     }
 }
 

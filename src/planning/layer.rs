@@ -5,7 +5,7 @@
 
 use super::lay;
 use super::plan::PlanError;
-use super::surface_plan::{Cache, Kept, SurfacePlan, key_of, plan_surface, raster, rules_of, worked};
+use super::surface_plan::{Cache, Kept, SurfacePlan, key_of, plan_surface, raster, rules_of, with_ways, worked};
 use crate::beam::Tool;
 use crate::document::model::Job;
 use crate::part::{Digest, Grown, Part, Surfaces, grown};
@@ -96,11 +96,12 @@ pub(super) fn planned(
             let rules = rules_of(laid.surface, job);
             let from = from.filter(|_| job.layers.order == Order::Shortest);
             let key = key_of(key, from, job, &rules, tool);
+            let ways_mm = (ordered.way_mm, ordered.zigzag_way_mm);
             let made = match cache.get(&key) {
                 Some(known) => known,
                 None => Arc::new(plan_surface(part, laid, ordered, job, tool, &rules, progress)?),
             };
-            Ok((key, worked(made, job, tool)))
+            Ok((key, with_ways(worked(made, job, tool), ways_mm)))
         })
         .collect::<Result<_, PlanError>>()?;
     let surface_plans = planned.iter().map(|(_, p)| p.clone()).collect();

@@ -173,7 +173,7 @@ fn worked_with(steps: &Steps) -> Vec<String> {
 }
 
 /// `path.csv`: one row a target.
-fn path_csv(plan: &Plan) -> String {
+pub fn path_csv(plan: &Plan) -> String {
     let mut out = String::from(
         "pass,point,surface,laser,state,px,py,pz,nx,ny,nz,ax,ay,az,ox,oy,oz,x,y,z,tilt_deg,clearance_mm\n",
     );

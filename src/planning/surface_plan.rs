@@ -1,12 +1,12 @@
 //! One surface's share of a plan: its lines become passes. What has not changed is taken from the cache.
 
-use super::lay::{self, Laid, Ordered};
+use super::lay::{self, Laid, LayingRules, Ordered};
 use super::plan::PlanError;
-use crate::beam::{Body, Head, Stance, Tool, Work};
+use crate::beam::{Body, Optics, Stance, Tool, Work};
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::surfaces::Surface;
-use crate::part::{Digest, Hasher, Part, Surfaces};
+use crate::part::{Digest, Hasher, Part, Surfaces, keyed};
 use crate::path::chord::ChordLimits;
 use crate::path::planes::Raster;
 use crate::path::{SurfacePlanes, dense};
@@ -59,10 +59,10 @@ impl Cache {
         layer: u32,
     ) -> Option<(Digest, Arc<Laid>)> {
         let surface = surfaces.get(family.surface)?;
-        let job = job_of(surface.number);
-        let key = laid_key(part, surface, &family, job, layer);
+        let by = LayingRules::new(surface.number, job_of(surface.number), layer);
+        let key = laid_key(part, surfaces, surface, &family, &by);
         let known = self.0.lock().ok().and_then(|kept| kept.laid.get(&key).cloned());
-        let laid = known.unwrap_or_else(|| Arc::new(lay::laid(part, surfaces, surface, family, job, layer)));
+        let laid = known.unwrap_or_else(|| Arc::new(lay::laid(part, surfaces, surface, family, &by)));
         Some((key, laid))
     }
 
@@ -82,19 +82,21 @@ impl Cache {
 }
 
 /// Of all that the lines of a surface depend on.
-fn laid_key(part: &Part, surface: &Surface, planes: &SurfacePlanes, job: &Job, layer: u32) -> Digest {
-    let flipped = job.surfaces.flipped.contains(&planes.surface);
-    // Numbers are printed so that they read back as they are.
-    let layers = format!("{:?} {:?}", job.layers, job.path.axis);
-    Hasher::default()
-        .digest(part.digest)
-        .u32s(&surface.facets)
-        .u32s(&[planes.surface, flipped.into(), layer, job.bead.alternate.into()])
-        .f64s(&[job.bead.start_shift_mm])
-        .u32s(&layers.bytes().map(u32::from).collect::<Vec<_>>())
-        .f64s(planes.normal.as_slice())
-        .f64s(&planes.heights_mm)
-        .finish()
+fn laid_key(
+    part: &Part,
+    surfaces: &Surfaces,
+    surface: &Surface,
+    planes: &SurfacePlanes,
+    by: &LayingRules<'_>,
+) -> Digest {
+    let key = Hasher::default().of(&part.digest).u32s(&surface.facets).of(planes).of(by).finish();
+    if by.layers.inset_mm >= 0.0 {
+        return key;
+    }
+    // Lines that run on over the rim see the surfaces around, and which side of them is worked on.
+    let turned = (0u32..).zip(&surfaces.normals).filter(|(f, n)| part.mesh.normals.get(*f as usize) != Some(*n));
+    let turned: Vec<u32> = turned.map(|(f, _)| f).collect();
+    Hasher::default().of(&key).of(&surfaces.of_facet).of(&turned).finish()
 }
 
 /// The planes that a surface's job wants.
@@ -140,6 +142,16 @@ pub(super) fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<
     };
     if made.passes.iter().any(|p| p.work != own(&p.work)) {
         Arc::make_mut(&mut made).passes.iter_mut().for_each(|p| p.work = own(&p.work));
+    }
+    made
+}
+
+/// A surface's plan with the way to and between its lines, and that of a plain zigzag: where the surface before
+/// ends is no part of its poses.
+pub(super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64)) -> Arc<SurfacePlan> {
+    if (made.way_mm, made.zigzag_way_mm) != ways_mm {
+        let plan = Arc::make_mut(&mut made);
+        (plan.way_mm, plan.zigzag_way_mm) = ways_mm;
     }
     made
 }
@@ -210,34 +222,41 @@ pub(super) fn plan_surface(
     })
 }
 
-/// Of all that the poses of a surface depend on: its lines, where they begin, and by what they are planned.
+/// All that the poses of a surface depend on, beside its lines.
+struct PosingRules<'a> {
+    /// Where the first line begins may depend on where the surface before ends.
+    spot: Option<Point3<f64>>,
+    spacing_mm: f64,
+    rules: &'a LineRules,
+    standoff_mm: f64,
+    tool: &'a Tool,
+    width: Option<BeamWidth<'a>>,
+}
+
+keyed!(PosingRules<'_> { spot, spacing_mm, rules, standoff_mm, tool, width });
+
+/// How wide the beam is, where it has a width: power and speed change no pose, and a ray has no focus.
+struct BeamWidth<'a> {
+    defocus_mm: f64,
+    spot_mm: f64,
+    margin_mm: f64,
+    optics: &'a Optics,
+}
+
+keyed!(BeamWidth<'_> { defocus_mm, spot_mm, margin_mm, optics });
+
+/// Of the lines of a surface and all that its poses depend on beside them.
 pub(super) fn key_of(laid: Digest, spot: Option<Point3<f64>>, job: &Job, rules: &LineRules, tool: &Tool) -> Digest {
-    let mut hasher = Hasher::default()
-        .digest(laid)
-        .f64s(&spot.map_or([f64::NAN; 3], |p| p.coords.into()))
-        .u32s(&[rules.correction as u32])
-        .f64s(&[job.layers.spacing_mm, rules.max_gap_mm, rules.max_dense_turn_deg])
-        .f64s(&[rules.chord.chord_error_mm, rules.chord.max_step_mm, rules.chord.max_turn_deg])
-        .f64s(&[rules.max_tilt_deg, rules.tilt_rate_deg_mm, job.path.standoff_mm])
-        .f64s(&[rules.tilt.preferred.lead_deg, rules.tilt.preferred.lean_deg, rules.tilt.least_deg])
-        .u32s(&rules.tilt.forbidden.iter().map(|s| *s as u32).collect::<Vec<_>>());
-    for pin in &rules.pins {
-        hasher = hasher.u32s(&[pin.line]).f64s(&[pin.at_mm, pin.tilt.lead_deg, pin.tilt.lean_deg]);
-    }
-    for p in tool.head.iter().flat_map(Head::stack) {
-        hasher = hasher.f64s(&[p.from_mm, p.to_mm, p.r0_mm, p.r1_mm]);
-    }
-    for clamp in &tool.clamps {
-        hasher = hasher.digest(clamp.solid().digest).f64s(&clamp.position_mm).f64s(&clamp.rz_ry_rx_deg);
-    }
-    if tool.head.is_some() || !tool.clamps.is_empty() {
-        let (b, o) = (&job.beam, &job.optics);
-        hasher = hasher.f64s(&[b.defocus_mm, b.spot_mm, b.margin_mm]).f64s(&[
-            o.lens_to_focus_mm,
-            o.aperture_mm,
-            o.focus_spot_mm,
-            o.rayleigh_mm,
-        ]);
-    }
-    hasher.finish()
+    let b = &job.beam;
+    let width = BeamWidth { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, margin_mm: b.margin_mm, optics: &job.optics };
+    let has_width = tool.head.is_some() || !tool.clamps.is_empty();
+    let by = PosingRules {
+        spot,
+        spacing_mm: job.layers.spacing_mm,
+        rules,
+        standoff_mm: job.path.standoff_mm,
+        tool,
+        width: has_width.then_some(width),
+    };
+    Hasher::default().of(&laid).of(&by).finish()
 }

@@ -1,3 +1,4 @@
 //! Shared by the tests of the window.
 pub mod glow_renderer;
+pub mod held;
 pub mod window;

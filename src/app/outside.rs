@@ -1,0 +1,75 @@
+//! The window as seen from outside: what tests look at, and the same edits and commands that panels send.
+
+use super::App;
+use super::derived::Derived;
+use super::{Command, Pool};
+use crate::document::{Document, Edit, Parameter};
+use crate::planning::{Executor, PlannedJob};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+impl App {
+    /// The window with its work done by another than its own threads.
+    pub fn with_executor(self, executor: Arc<dyn Executor>) -> App {
+        App { derived: Derived::new(executor), ..self }
+    }
+
+    /// The window with a part or job that is being opened.
+    pub fn opening(mut self, path: PathBuf) -> App {
+        self.open(path);
+        self
+    }
+
+    /// The job that is worked on, with its file.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The plan of the job as it is; `None`: there is none, or what is shown is out of date.
+    pub fn plan(&self) -> Option<&Arc<PlannedJob>> {
+        self.derived.current_plan(&self.document)
+    }
+
+    /// Why the job as it is has no plan, for people.
+    pub fn why_no_plan(&self) -> Option<String> {
+        self.planning_error()
+    }
+
+    /// Numbers of the surfaces that are shown.
+    pub fn surfaces(&self) -> Vec<u32> {
+        self.derived.numbers()
+    }
+
+    /// Whether nothing is being computed or waited for: what is shown is current.
+    pub fn is_settled(&self) -> bool {
+        let is_idle = !self.opening.is_running() && !self.exporting.is_running() && self.answers.is_empty();
+        is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
+    }
+
+    /// Sends an edit as a step of its own.
+    pub fn send(&mut self, edit: Edit) {
+        self.edit(edit);
+    }
+
+    /// Sets a number of the parameter table, as its field does.
+    pub fn set(&mut self, key: &str, value: f64) {
+        if let Some(p) = Parameter::by_key(key) {
+            self.set_parameter(p, value);
+        }
+    }
+
+    /// Gives a command, on some surfaces where it is about such.
+    pub fn give(&mut self, command: Command, selected: &[u32]) {
+        if !selected.is_empty() {
+            self.session.selected = selected.iter().copied().collect();
+        }
+        let ctx = self.ctx.clone();
+        self.run(command, &ctx);
+    }
+}
+
+/// The window's own threads, which wake it with every result.
+pub(super) fn own_threads(ctx: &eframe::egui::Context) -> Arc<dyn Executor> {
+    let ctx = ctx.clone();
+    Arc::new(Pool::new(move || ctx.request_repaint()))
+}
