@@ -218,6 +218,7 @@ impl<V: Send + 'static, E: Send + 'static> Stage<V, E> {
             progress.cancel();
         }
         let (progress, slot): (Arc<Progress>, Slot<V, E>) = Default::default();
+        progress.begin(stage, 1);
         self.state = State::Running { key, progress: progress.clone(), slot: slot.clone() };
         let run = move |first: &dyn Fn()| {
             let result = guarded(|| {
