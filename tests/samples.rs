@@ -3,7 +3,6 @@
 //!
 //! `CLEARBEAM_BLESS=1 cargo test --test samples` writes them anew.
 
-use clearbeam::document::Chosen;
 use clearbeam::document::Job;
 use clearbeam::document::files;
 use clearbeam::document::segmented;
@@ -38,7 +37,7 @@ fn sample_job(name: &str, stl: &[u8]) -> Job {
         // P1 Fig. 2b: both journals and the tube.
         _ => (vec![5, 7, 11], "z"),
     };
-    job.clean.surfaces = Chosen::These(surfaces);
+    job.settings.choose(surfaces);
     job.layers.direction = direction.parse().expect("a direction");
     if name == "worm_gear" {
         job.beam.defocus_mm = 3.0;

@@ -8,7 +8,6 @@ use super::remedy::Remedy;
 use super::worker::Outcome;
 use crate::beam::{Obstacle, Optics, Tool};
 use crate::cell::{Cell, Setup};
-use crate::document::Chosen;
 use crate::document::Job;
 use crate::document::files;
 use crate::document::model::BeamParameters;
@@ -16,7 +15,7 @@ use crate::document::model::CellFile;
 use crate::document::model::PartFile;
 use crate::document::model::SurfaceParameters;
 use crate::document::segmented;
-use crate::part::{Part, Shape, Surfaces, stl::RawPart};
+use crate::part::{Part, Shape, SurfaceId, Surfaces, stl::RawPart};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning;
 use crate::planning::Cache;
@@ -42,7 +41,7 @@ pub struct Derived {
     rebuilding: Option<PartFile>,
     /// Its feature surfaces.
     pub surfaces: Arc<Surfaces>,
-    surfaces_of: Option<(SurfaceParameters, Arc<Part>)>,
+    surfaces_of: Option<(SurfaceParameters, Vec<SurfaceId>, Arc<Part>)>,
     /// Their shapes, as far as known.
     pub shapes: BTreeMap<u32, Shape>,
     /// Head, beam and clamps, and what they were made from.
@@ -102,15 +101,15 @@ impl Derived {
 
     /// Name of a surface in lists and at the cursor.
     pub fn label(&self, job: &Job, surface: u32) -> String {
-        match job.surfaces.names.get(&surface.to_string()) {
-            Some(name) => name.clone(),
-            None => self.shapes.get(&surface).map_or_else(|| "…".into(), Shape::label),
+        match job.settings.of(SurfaceId(surface)).name.as_str() {
+            "" => self.shapes.get(&surface).map_or_else(|| "…".into(), Shape::label),
+            name => name.into(),
         }
     }
 }
 
 fn is_empty(job: &Job) -> bool {
-    job.clean.surfaces == Chosen::These(Vec::new())
+    job.settings.cleans_nothing()
 }
 
 impl App {
@@ -142,16 +141,15 @@ impl App {
 
     fn sync_surfaces(&mut self, part: &Arc<Part>, job: &Job) {
         let d = &mut self.derived;
-        let same = |(of, p): &(SurfaceParameters, Arc<Part>)| {
-            Arc::ptr_eq(p, part)
-                && SurfaceParameters { names: BTreeMap::new(), ..of.clone() }
-                    == SurfaceParameters { names: BTreeMap::new(), ..job.surfaces.clone() }
-        };
-        if d.surfaces_of.as_ref().is_some_and(same) {
+        let flipped = job.settings.having(|s| s.flipped);
+        if let Some((rule, of, p)) = &d.surfaces_of
+            && (rule, of) == (&job.surfaces, &flipped)
+            && Arc::ptr_eq(p, part)
+        {
             return;
         }
         d.surfaces = Arc::new(segmented(part, job));
-        d.surfaces_of = Some((job.surfaces.clone(), part.clone()));
+        d.surfaces_of = Some((job.surfaces.clone(), flipped, part.clone()));
         d.picture = Some(PartPicture::new(part, &d.surfaces));
         let there = |n: &u32| d.surfaces.get(*n).is_some();
         self.session.selected.retain(there);

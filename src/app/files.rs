@@ -237,11 +237,8 @@ fn read(path: &Path) -> Result<Opened, String> {
         .map_err(|e| format!("{name}: {e}"))?;
     if changed {
         // The window may go on: the operator sees the surfaces and can choose again.
-        job.clean = Default::default();
+        job.settings = Default::default();
         job.surfaces.edits.clear();
-        job.surfaces.flipped.clear();
-        job.surfaces.names.clear();
-        job.recipe_of.clear();
         job.part.sha256 = sha256;
     }
     Ok(Opened { job, file, raw: Arc::new(raw), part: Arc::new(part) })

@@ -2,6 +2,7 @@
 
 use super::dose::Clicked;
 use super::panels::{Compare, Draft};
+use crate::document::RecutAnchor;
 use crate::pose::access::Over;
 use crate::view::Camera;
 use nalgebra::Point3;
@@ -51,7 +52,7 @@ pub struct Session {
     pub text_file: usize,
     /// Camera of the other mode, part or cell, when that was left.
     pub other_camera: Option<Camera>,
-    /// Ranks of facets when a drag of the angle began.
+    /// Job and surfaces when a drag of the angle began.
     pub recut_anchor: Option<RecutAnchor>,
     /// Local angle of the next split.
     pub split_angle_deg: f64,
@@ -170,17 +171,6 @@ pub enum AfterGuard {
     Open(PathBuf),
     /// A file is asked for.
     AskOpen,
-}
-
-/// Before the first step of an angle drag: which facets were chosen, in which order, and flipped.
-#[derive(Clone, Debug)]
-pub struct RecutAnchor {
-    /// Place in the list to clean of each facet's surface.
-    pub rank: Vec<Option<u32>>,
-    /// Whether its surface was flipped.
-    pub flipped: Vec<bool>,
-    /// Recipe of its surface.
-    pub recipe: Vec<Option<String>>,
 }
 
 impl Default for Session {

@@ -69,7 +69,6 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let plan = planning::plan(&part, &surfaces, &job, &setup, &cache, &progress).map_err(|e| match e {
         PlanError::Parameter(_)
         | PlanError::NoSurface { .. }
-        | PlanError::Twice(_)
         | PlanError::SpacingTooLarge { .. }
         | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
         other => Failure::Failed(other.into()),
@@ -115,6 +114,6 @@ pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
     }
     let mut job = Job::default();
     job.part.file = input.display().to_string();
-    job.clean.surfaces = Chosen::All;
+    job.settings.choose(Chosen::All);
     Ok((job, None))
 }

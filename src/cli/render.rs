@@ -1,7 +1,6 @@
 //! `clearbeam render`: a picture without a screen.
 
 use super::{Failure, Outcome, print};
-use crate::document::Chosen;
 use crate::document::Job;
 use crate::document::files;
 use crate::document::segmented;
@@ -102,7 +101,7 @@ fn scene(
     let picture = PartPicture::new(part, &surfaces);
     let mut look = PartLook::default();
     let mut scene = Scene::default();
-    if planned && job.clean.surfaces != Chosen::These(Vec::new()) {
+    if planned && !job.settings.cleans_nothing() {
         let setup = files::load_setup(job, job_file).map_err(anyhow::Error::from)?;
         let plan = planning::plan(part, &surfaces, job, &setup, &Cache::default(), &Progress::default())
             .map_err(anyhow::Error::from)?;
@@ -114,7 +113,7 @@ fn scene(
             scene.meshes.push(MeshItem { edges, ..item });
             return Ok((scene, Some(legend(&map, look))));
         }
-        look.chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
+        look.chosen = job.chosen(&surfaces);
         let path_look = PathLook {
             lines: true,
             frames: false,

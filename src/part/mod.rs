@@ -28,6 +28,6 @@ pub use load::{LoadError, Part, load};
 pub use merge_tree::MergeTree;
 pub use placement::Placement;
 pub use shape::Shape;
-pub use surfaces::{SurfaceEdit, SurfaceRule, Surfaces};
+pub use surfaces::{SurfaceEdit, SurfaceId, SurfaceRule, Surfaces};
 pub use topology::Mesh;
 pub use units::Units;

@@ -6,7 +6,7 @@ use crate::beam::{Body, Head, Stance, Tool, Work};
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::surfaces::Surface;
-use crate::part::{Digest, Hasher, Part, Surfaces};
+use crate::part::{Digest, Hasher, Part, SurfaceId, Surfaces};
 use crate::path::chord::ChordLimits;
 use crate::path::planes::Raster;
 use crate::path::{SurfacePlanes, dense};
@@ -83,7 +83,7 @@ impl Cache {
 
 /// Of all that the lines of a surface depend on.
 fn laid_key(part: &Part, surface: &Surface, planes: &SurfacePlanes, job: &Job, layer: u32) -> Digest {
-    let flipped = job.surfaces.flipped.contains(&planes.surface);
+    let flipped = job.settings.of(SurfaceId(planes.surface)).flipped;
     // Numbers are printed so that they read back as they are.
     let layers = format!("{:?} {:?}", job.layers, job.path.axis);
     Hasher::default()
@@ -105,11 +105,8 @@ pub(super) fn raster(surface: u32, job: &Job) -> Raster {
 
 /// What the lines of a surface are planned by.
 pub(super) fn rules_of(surface: u32, job: &Job) -> LineRules {
-    LineRules {
-        tilt: job.tilts.iter().find(|t| t.surface == surface).cloned().unwrap_or_default(),
-        pins: job.pins.iter().filter(|p| p.surface == surface).copied().collect(),
-        ..rules(job)
-    }
+    let own = job.settings.of(SurfaceId(surface));
+    LineRules { tilt: own.tilt.clone(), pins: own.pins.clone(), ..rules(job) }
 }
 
 /// The same without what single surfaces ask for.
