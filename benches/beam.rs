@@ -4,7 +4,7 @@
 
 use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::Setup;
-use clearbeam::document::{Chosen, Job, segmented};
+use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::planning::{self, Cache, plan::prover, surface_plan::body};
 use clearbeam::pose::access::AccessMap;
@@ -25,7 +25,7 @@ fn dose(c: &mut Criterion) {
     let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
     let Ok(setup) = Setup::shipped() else { return };
     let mut job = Job::default();
-    job.clean.surfaces = Chosen::These((1..=SURFACES).collect());
+    job.settings.choose((1..=SURFACES).collect::<Vec<u32>>());
     let surfaces = segmented(&part, &job);
     let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
         return;
@@ -57,7 +57,7 @@ fn proven(c: &mut Criterion) {
     let mut job = Job::default();
     job.path.correction = Correction::SectionPlane;
     let surfaces = segmented(&part, &job);
-    job.clean.surfaces = Chosen::These(surfaces.list.iter().map(|s| s.number).take(12).collect());
+    job.settings.choose(surfaces.list.iter().map(|s| s.number).take(12).collect::<Vec<u32>>());
     let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
         return;
     };
@@ -97,7 +97,7 @@ fn proven(c: &mut Criterion) {
     });
     let few = |job: &Job| {
         let mut job = job.clone();
-        job.clean.surfaces = Chosen::These(surfaces.list.iter().map(|s| s.number).take(2).collect());
+        job.settings.choose(surfaces.list.iter().map(|s| s.number).take(2).collect::<Vec<u32>>());
         job
     };
     for correction in [Correction::SectionPlane, Correction::Clearance] {

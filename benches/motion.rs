@@ -119,7 +119,7 @@ fn whole(c: &mut Criterion, setup: &Setup) {
     let bytes = stl_bytes(&(gear.triangles)());
     let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
     let mut job = Job::default();
-    job.clean.surfaces = Chosen::All;
+    job.settings.choose(Chosen::All);
     job.layers.spacing_mm = 2.0;
     let surfaces = segmented(&part, &job);
     let mut group = c.benchmark_group("motion");

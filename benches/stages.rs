@@ -258,7 +258,7 @@ fn tooth_gaps(part: &Part) -> (Vec<u32>, Surfaces) {
 /// All surfaces, the direction that suits each, from the part to the steps of the program.
 fn whole_plan(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let mut job = Job::default();
-    job.clean.surfaces = Chosen::All;
+    job.settings.choose(Chosen::All);
     job.layers.direction = Direction::Auto;
     job.layers.spacing_mm = PLAN_SPACING_MM;
     let surfaces = segmented(part, &job);

@@ -35,7 +35,7 @@
 //!
 //! ```
 //! use clearbeam::cell::Setup;
-//! use clearbeam::document::{Chosen, Job, segmented};
+//! use clearbeam::document::{Job, segmented};
 //! use clearbeam::planning::{self, Cache, report::Report};
 //! use clearbeam::progress::Progress;
 //! use clearbeam::part::{Part, Placement, Units};
@@ -48,7 +48,7 @@
 //! let surfaces = segmented(&part, &job);
 //! assert_eq!(surfaces.list.len(), 6);
 //! let upright = surfaces.list.iter().find(|s| surfaces.normals[s.facets[0] as usize].x > 0.9).unwrap();
-//! job.clean.surfaces = Chosen::These(vec![upright.number]);
+//! job.settings.choose([upright.number]);
 //! job.layers.spacing_mm = 1.0;
 //! let setup = Setup::shipped()?;
 //! let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;

@@ -1,11 +1,11 @@
 //! Beads in layers: each on the part as those before have made it, proven on that part, and read back.
 
 use clearbeam::cell::Setup;
-use clearbeam::document::{self, Chosen, Job, files, segmented};
-use clearbeam::part::{Part, Placement, Surfaces, Units, angle};
+use clearbeam::document::{self, Job, files, segmented};
+use clearbeam::part::{Part, Placement, SurfaceId, Surfaces, Units, angle};
 use clearbeam::path::Axis;
 use clearbeam::planning::{self, Cache, Plan, PlanError, output, plan::prover, report::Report, verify};
-use clearbeam::pose::{Correction, TiltRule};
+use clearbeam::pose::Correction;
 use clearbeam::program::{Line, lines};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids, stl_bytes};
@@ -28,7 +28,7 @@ impl Case {
         let surfaces = segmented(&part, &job);
         let off = |f: u32| (part.mesh.normals[f as usize] - Vector3::from(n)).norm();
         let chosen = surfaces.list.iter().find(|s| s.facets.iter().any(|&f| off(f) < 0.1)).expect("a surface").number;
-        job.clean.surfaces = Chosen::These(vec![chosen]);
+        job.settings.choose(vec![chosen]);
         job.layers.direction = "x".parse().expect("a direction");
         (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 0.5, layers);
         job.layers.spacing_mm = job.bead_spacing_mm().expect("a bead");
@@ -123,8 +123,8 @@ fn closed_lines_begin_elsewhere_in_each_layer() {
 #[test]
 fn a_bore_that_would_close_is_refused() {
     let mut case = Case::new(&solids::cylinder(3.0, 12.0, 60), [1.0, 0.0, 0.0], 4.0);
-    let flipped = case.job.clean.numbers(std::iter::empty());
-    case.job.surfaces.flipped = flipped.clone();
+    let flipped = case.job.chosen(&case.surfaces);
+    case.job.settings.change(SurfaceId(flipped[0]), |s| s.flipped = true);
     case.surfaces = segmented(&case.part, &case.job);
     case.job.path.correction = Correction::None;
     assert!(case.plan_with(&Cache::default()).is_ok(), "2 of 3 mm");
@@ -154,7 +154,7 @@ fn another_layer_leaves_those_below_as_they_are() {
 fn a_robot_lays_layers_too() {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/samples/workpiece.toml");
     let mut job = files::read(&file).expect("reads");
-    job.clean.surfaces = Chosen::These(vec![3]);
+    job.settings.choose(vec![3]);
     job.cell.robot = "mz04".into();
     (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (3.0, 0.6, 2.0);
     job.layers.spacing_mm = job.bead_spacing_mm().expect("a bead");
@@ -193,8 +193,8 @@ fn axes_from_neighbours_stand_on_the_cup_as_its_radii_do() {
 fn a_least_tilt_lets_nothing_return_into_the_head() {
     let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2.0);
     case.job.path.correction = Correction::Clearance;
-    let surface = case.job.clean.numbers(std::iter::empty())[0];
-    case.job.tilts = vec![TiltRule { surface, least_deg: 5.0, ..TiltRule::default() }];
+    let surface = SurfaceId(case.job.chosen(&case.surfaces)[0]);
+    case.job.settings.change(surface, |s| s.tilt.least_deg = 5.0);
     let plan = case.plan();
     let tilts: Vec<f64> = plan.passes.iter().flat_map(|p| &p.targets).map(|t| t.tilt_deg()).collect();
     assert!(tilts.iter().all(|deg| (deg - 5.0).abs() < 1e-6), "{tilts:?}");

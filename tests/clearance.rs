@@ -5,10 +5,11 @@
 mod parts;
 
 use clearbeam::document::Job;
+use clearbeam::part::SurfaceId;
 use clearbeam::path::Order;
 use clearbeam::planning::report::Report;
 use clearbeam::pose::clearance::free_set;
-use clearbeam::pose::tilt::{Pin, Side, Tilt, TiltRule};
+use clearbeam::pose::tilt::{Pin, Side, Tilt};
 use clearbeam::pose::{Beam, Correction, State, Target};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
@@ -149,11 +150,11 @@ fn a_forbidden_side_is_not_taken() {
     let inner = |t: &&Target| t.p.x < -1.0 && t.p.x > -4.5 && (t.p.y - 10.0).abs() < 3.0;
     let side = open.targets().find(inner).map(|t| t.o.cross(&t.n).x).expect("a target");
     let (out, other) = if side > 0.0 { (Side::Right, Side::Left) } else { (Side::Left, Side::Right) };
-    let surface = open.plan.passes[0].surface;
-    job.tilts = vec![TiltRule { surface, forbidden: vec![other], ..TiltRule::default() }];
+    let surface = SurfaceId(open.plan.passes[0].surface);
+    job.settings.change(surface, |s| s.tilt.forbidden = vec![other]);
     let p = at_floor(&roof(), job.clone());
     assert!(p.targets().filter(inner).all(|t| t.state == State::Corrected && t.a.x > 0.0));
-    job.tilts = vec![TiltRule { surface, forbidden: vec![out], ..TiltRule::default() }];
+    job.settings.change(surface, |s| s.tilt.forbidden = vec![out]);
     let p = at_floor(&roof(), job);
     assert!(p.targets().filter(inner).all(|t| t.state == State::Blocked));
     assert!(lit(&p).all(|t| t.a.x < libm::sin(1.01f64.to_radians())));
@@ -162,8 +163,8 @@ fn a_forbidden_side_is_not_taken() {
 #[test]
 fn the_least_tilt_is_kept_everywhere() {
     let mut job = searched("x", 1.0);
-    let surface = at_floor(&roof(), job.clone()).plan.passes[0].surface;
-    job.tilts = vec![TiltRule { surface, least_deg: 6.0, ..TiltRule::default() }];
+    let surface = SurfaceId(at_floor(&roof(), job.clone()).plan.passes[0].surface);
+    job.settings.change(surface, |s| s.tilt.least_deg = 6.0);
     let p = at_floor(&roof(), job);
     assert!(lit(&p).all(|t| t.tilt_deg() > 6.0 - 1e-5 && t.tilt_deg() < 45.0 + 1e-5));
     // Where nothing is in the way it leads, and counts as free.
@@ -181,9 +182,9 @@ fn a_pin_draws_the_beam() {
     let mut job = searched("x", 1.0);
     let plain = at_floor(&roof(), job.clone());
     let number = plain.plan.passes.iter().position(|l| l.targets[0].p.x > 4.0).expect("a line");
-    let surface = plain.plan.passes[0].surface;
+    let surface = SurfaceId(plain.plan.passes[0].surface);
     let tilt = Tilt { lead_deg: 5.0, lean_deg: 20.0 };
-    job.pins = vec![Pin { surface, line: number as u32, at_mm: 10.0, tilt }];
+    job.settings.change(surface, |s| s.pins = vec![Pin { line: number as u32, at_mm: 10.0, tilt }]);
     let p = at_floor(&roof(), job);
     for (k, (line, before)) in p.plan.passes.iter().zip(&plain.plan.passes).enumerate() {
         if k != number {

@@ -5,7 +5,7 @@
 mod programs;
 
 use clearbeam::cell::Setup;
-use clearbeam::document::{Chosen, Job, segmented};
+use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::planning::{self, Cache};
 use clearbeam::program;
@@ -137,7 +137,7 @@ fn a_planned_program_is_read_as_it_was_meant() {
     let part = Part::from_bytes(&stl_bytes(&solids::cube(8.0)), Units::Mm, &Placement::default(), &[]).expect("a part");
     let mut job = Job::default();
     let surfaces = segmented(&part, &job);
-    job.clean.surfaces = Chosen::These(vec![1]);
+    job.settings.choose(vec![1]);
     job.layers.spacing_mm = 1.5;
     job.layers.direction = "auto".parse().expect("a direction");
     for robot in [None, Some("mz04")] {

@@ -63,7 +63,7 @@ fn a_hole_is_bridged_within_a_pass() {
 fn pins_stand_where_they_were_set_on_the_whole_line() {
     // 15 mm, a gap of 10 mm, and 7 mm on in the second piece.
     let tilt = Tilt { lead_deg: 10.0, lean_deg: 0.0 };
-    let pins = vec![Pin { surface: 1, line: 0, at_mm: 32.0, tilt }];
+    let pins = vec![Pin { line: 0, at_mm: 32.0, tilt }];
     let line = bridged();
     let pass = planned(&line, &rules(Correction::Clearance, pins));
     let start = pass.targets[0].p;

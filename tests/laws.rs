@@ -64,7 +64,7 @@ fn moved_alike(triangles: &Triangles, on_surfaces: &[[f64; 3]], mut job: Job, ro
     let motion = placement.isometry();
     let Direction::Along(d) = job.layers.direction else { panic!("a direction") };
     job.layers.direction = Direction::Along((motion.rotation * Vector3::from(d)).into());
-    job.clean.surfaces = still.job.clean.surfaces.clone();
+    job.settings.choose(still.job.settings.choice());
     let moved = planned(placed(triangles, &placement), job);
     same(&still, &moved, |p| motion * p, |v| motion.rotation * v);
 }
@@ -89,7 +89,7 @@ proptest! {
             job.layers.spacing_mm *= scale;
             job.path.chord_error_mm *= scale;
             job.path.max_step_mm *= scale;
-            job.clean.surfaces = still.job.clean.surfaces.clone();
+            job.settings.choose(still.job.settings.choice());
             let scaled = planned(placed(&triangles, &job.part.placement), job);
             same(&still, &scaled, |p| p * scale, |v| *v);
             near("length", scaled.report().work_mm, scale * still.report().work_mm, 1e-6);

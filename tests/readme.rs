@@ -35,5 +35,5 @@ fn the_readme_s_recipe_is_one() {
     let block = section.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("its example");
     let job: clearbeam::document::Job = toml::from_str(block).expect("a job");
     assert_eq!(job.check_recipes(), Ok(()));
-    assert_eq!(job.of_surface(4).layers.spacing_mm, 0.3);
+    assert_eq!(job.of_surface(clearbeam::part::SurfaceId(4)).layers.spacing_mm, 0.3);
 }

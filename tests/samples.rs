@@ -3,7 +3,7 @@
 //!
 //! `CLEARBEAM_BLESS=1 cargo test --test samples` writes them anew.
 
-use clearbeam::document::{Chosen, Job, files, segmented};
+use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::digest_of;
 use clearbeam::planning::{self, Cache, report::Report};
 use clearbeam::progress::Progress;
@@ -33,7 +33,7 @@ fn sample_job(name: &str, stl: &[u8]) -> Job {
         // P1 Fig. 2b: both journals and the tube.
         _ => (vec![5, 7, 11], "z"),
     };
-    job.clean.surfaces = Chosen::These(surfaces);
+    job.settings.choose(surfaces);
     job.layers.direction = direction.parse().expect("a direction");
     if name == "worm_gear" {
         job.beam.defocus_mm = 3.0;

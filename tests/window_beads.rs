@@ -192,11 +192,12 @@ fn offset_lines_start_from_the_border_that_was_right_clicked() {
     // On the plate's front, beside the rim of the bore Ø10.
     right_click(&mut h, [0.70, 0.49]);
     click(&mut h, "Offset from this border");
-    assert_eq!(value(&h, "border").as_deref(), Some("border 5"));
+    assert!(shows(&h, "Surface 1 from") && shows(&h, "border 5"));
+    assert!(!shows(&h, "border"), "the job's stays the whole outline");
     assert_ne!(says(&h, " passes · "), before, "other lines");
     snapshot(&mut h, "border");
     undo(&mut h);
-    assert!(!shows(&h, "border") && says(&h, " passes · ") == before, "undone");
+    assert!(!shows(&h, "border 5") && says(&h, " passes · ") == before, "undone");
 }
 
 #[test]
@@ -225,7 +226,7 @@ fn a_recipe_goes_back_to_the_whole_outline() {
     press(&mut h, Modifiers::NONE, Key::F);
     menu_in_the_middle(&mut h);
     click(&mut h, "Offset from this border");
-    assert!(shows(&h, "recipe reset border"), "the surface's recipe takes it");
+    assert!(shows(&h, "surface reset start of 2") && !shows(&h, "recipe reset border"), "it is the surface's own");
 }
 
 #[test]

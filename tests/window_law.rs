@@ -6,7 +6,7 @@ mod common;
 use clearbeam::app::Command;
 use clearbeam::cell::Mount;
 use clearbeam::document::{Edit, Job, Recipe, files};
-use clearbeam::part::Units;
+use clearbeam::part::{SurfaceId, Units};
 use clearbeam::path::{Order, Strategy as Laying};
 use clearbeam::planning::{Pipeline, PlannedJob};
 use clearbeam::pose::Correction;
@@ -87,7 +87,8 @@ fn deed() -> impl Strategy<Value = Deed> {
 
 fn done(bare: &mut Bare, deed: &Deed) {
     let all = bare.app.surfaces();
-    let surface = |n: usize| all.get(n.checked_rem(all.len()).unwrap_or(0)).copied().unwrap_or(1);
+    let number = |n: usize| all.get(n.checked_rem(all.len()).unwrap_or(0)).copied().unwrap_or(1);
+    let surface = |n: usize| SurfaceId(number(n));
     let app = &mut bare.app;
     match *deed {
         Deed::Scale(k) => app.set("part.placement.scale", [1.0, 2.0, 0.5][usize::from(k)]),
@@ -97,15 +98,15 @@ fn done(bare: &mut Bare, deed: &Deed) {
             app.send(Edit::Place(placement));
         }
         Deed::Angle(k) => app.set("surfaces.angle_deg", [20.0, 5.0, 50.0, 100.0][usize::from(k)]),
-        Deed::Merge(a, b) => app.give(Command::Merge, &[surface(a), surface(b)]),
-        Deed::Split(n) => app.give(Command::Split, &[surface(n)]),
+        Deed::Merge(a, b) => app.give(Command::Merge, &[number(a), number(b)]),
+        Deed::Split(n) => app.give(Command::Split, &[number(n)]),
         Deed::Choose(n) => app.send(Edit::Clean(vec![surface(n)])),
         Deed::Unchoose(n) => app.send(Edit::Unclean(vec![surface(n)])),
         Deed::Spacing(k) => app.set("layers.spacing_mm", [1.0, 1.5, 4.0][usize::from(k)]),
         Deed::Laying(k) => app.send(Edit::Strategy([Laying::Planes, Laying::Offset, Laying::Cross][usize::from(k)])),
         Deed::Order(k) => app.send(Edit::Order(Order::ALL[usize::from(k)])),
         Deed::Inset(k) => app.set("layers.inset_mm", [0.0, 0.3, -0.4][usize::from(k)]),
-        Deed::Flip(n) => app.give(Command::FlipSurface, &[surface(n)]),
+        Deed::Flip(n) => app.give(Command::FlipSurface, &[number(n)]),
         Deed::Uncorrected(none) => {
             app.send(Edit::Correction(if none { Correction::None } else { Correction::SectionPlane }));
         }

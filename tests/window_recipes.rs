@@ -56,9 +56,10 @@ fn a_strategy_is_chosen_and_shows_what_concerns_it() {
     // A place of the part becomes the centre.
     menu_in_the_middle(&mut h);
     click(&mut h, "Spiral centre here");
-    assert!(shows(&h, "reset centre"));
+    let own = |h: &Harness<'_, App>| h.query_by_label_contains("surface reset start of ").is_some();
+    assert!(own(&h) && !shows(&h, "reset centre"), "of that surface alone");
     press(&mut h, Modifiers::COMMAND, Key::Z);
-    assert!(!shows(&h, "reset centre"), "undone");
+    assert!(!own(&h), "undone");
     for (strategy, field) in [
         ("offset – lines that follow the border", "whole outline"),
         ("cross – two rasters across each other", "Cross angle"),
@@ -170,7 +171,7 @@ fn recipes_follow_their_surfaces_when_those_are_cut_anew() {
 }
 
 #[test]
-fn the_centre_of_a_spiral_goes_into_the_recipe_of_its_surface() {
+fn the_centre_of_a_spiral_is_its_surface_s_own_and_goes_before_the_recipe_s() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut h = window(Some(job(&folder, STRONG)), &Answers::default());
     click(&mut h, row(2));
@@ -178,9 +179,21 @@ fn the_centre_of_a_spiral_goes_into_the_recipe_of_its_surface() {
     press(&mut h, Modifiers::NONE, Key::F);
     menu_in_the_middle(&mut h);
     click(&mut h, "Spiral centre here");
-    assert!(shows(&h, "recipe reset centre"));
-    click(&mut h, "recipe reset centre");
-    assert!(!shows(&h, "recipe reset centre"));
+    assert!(shows(&h, "Surface 2 from") && !shows(&h, "recipe reset centre"));
+    click(&mut h, "surface reset start of 2");
+    assert!(!shows(&h, "Surface 2 from"));
+}
+
+#[test]
+fn pins_that_a_merge_drops_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let pins = "[[pins]]\nsurface = 3\nline = 0\nat_mm = 1.0\n[[pins]]\nsurface = 3\nline = 2\nat_mm = 1.0\n";
+    let mut h = window(Some(job(&folder, pins)), &Answers::default());
+    click(&mut h, row(2));
+    h.get_by_label(row(3)).click_modifiers(Modifiers::COMMAND);
+    h.step();
+    press(&mut h, Modifiers::COMMAND, Key::M);
+    assert!(shows(&h, "2 pinned tilts of surface 3 were dropped"));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use super::App;
 use crate::document::Job;
-use crate::part::angle;
+use crate::part::{SurfaceId, angle};
 use crate::planning::surface_plan::body;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::pose::{Beam, State, Tilt, TiltRule};
@@ -119,5 +119,5 @@ impl App {
 }
 
 fn rule_of(job: &Job, surface: u32) -> TiltRule {
-    job.tilts.iter().find(|t| t.surface == surface).cloned().unwrap_or_default()
+    job.settings.of(SurfaceId(surface)).tilt.clone()
 }

@@ -3,30 +3,39 @@
 use super::App;
 use super::command::{COMMANDS, Command};
 use super::dialogs::Purpose;
-use super::session::{AfterGuard, RecutAnchor, Tool};
-use crate::document::{Edit, Parameter};
-use crate::part::{Placement, Shape, SurfaceEdit, angle};
+use super::session::{AfterGuard, Tool};
+use crate::document::{Edit, Lost, Parameter, RecutAnchor};
+use crate::part::{Placement, Shape, SurfaceId, angle};
 use crate::view::{Bounds, Projection, StandardView};
 use eframe::egui;
 use nalgebra::Vector3;
-use std::collections::{BTreeMap, BTreeSet};
 
 impl App {
     /// Applies an edit as a step of its own.
     pub(super) fn edit(&mut self, edit: Edit) {
-        let all = self.derived.numbers();
-        self.document.apply(&edit, &all, None);
+        self.apply(&edit, None);
     }
 
     /// Applies an edit as a piece of the drag that is going on.
     pub(super) fn edit_dragging(&mut self, edit: &Edit, gesture: &str) {
-        let all = self.derived.numbers();
-        self.document.apply(edit, &all, Some(gesture));
+        self.apply(edit, Some(gesture));
+    }
+
+    /// Applies an edit, and says what surfaces lost by it; a drag that brings it back takes the word back.
+    fn apply(&mut self, edit: &Edit, gesture: Option<&str>) {
+        let all: Vec<SurfaceId> = self.derived.surfaces.ids().collect();
+        let told = |lost: &[Lost]| lost.iter().map(Lost::to_string).collect::<Vec<_>>().join("; ");
+        let before = told(self.document.lost());
+        self.document.apply(edit, &all, gesture);
+        let now = told(self.document.lost());
+        if !now.is_empty() || !before.is_empty() && self.session.said == before {
+            self.session.said = now;
+        }
     }
 
     /// Surfaces to clean, in the order of work.
     pub(super) fn clean_list(&self) -> Vec<u32> {
-        self.document.job().clean.numbers(self.derived.surfaces.list.iter().map(|s| s.number))
+        self.document.job().chosen(&self.derived.surfaces)
     }
 
     /// Whether a command can do anything now.
@@ -57,8 +66,10 @@ impl App {
             C::Text => self.derived.motion().is_some(),
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
             C::Unclean | C::Earlier | C::Later => selected.iter().any(|n| clean().contains(n)),
-            C::Merge => selected.len() > 1,
-            C::Split | C::Rename | C::FlipSurface | C::FlipShell => selected.len() == 1,
+            // Facets are cut and joined on the part as it is.
+            C::Merge => selected.len() > 1 && self.derived.has_current_surfaces(&self.document),
+            C::Split => selected.len() == 1 && self.derived.has_current_surfaces(&self.document),
+            C::Rename | C::FlipSurface | C::FlipShell => selected.len() == 1,
             C::SelectSameShape | C::SelectSameNormal | C::SelectNeighbours | C::Hide | C::Isolate => {
                 !selected.is_empty()
             }
@@ -86,7 +97,7 @@ impl App {
             C::SelectAll | C::SelectSameShape | C::SelectSameNormal | C::SelectNeighbours => self.select_more(command),
             C::Merge => {
                 let list = self.selected();
-                self.edit(Edit::Surfaces(SurfaceEdit::Merge { merge: list }));
+                self.edit(Edit::Merge(list));
             }
             C::Split => {
                 let (part, angle_deg) = (self.derived.part.clone(), self.session.split_angle_deg);
@@ -96,13 +107,13 @@ impl App {
             }
             C::Rename => {
                 let first = self.session.selected.first().copied();
-                let names = &self.document.job().surfaces.names;
-                self.session.renaming = first.map(|n| (n, names.get(&n.to_string()).cloned().unwrap_or_default()));
+                let settings = &self.document.job().settings;
+                self.session.renaming = first.map(|n| (n, settings.of(SurfaceId(n)).name.clone()));
             }
             C::FlipSurface => self.selected().into_iter().for_each(|n| self.edit(Edit::FlipSurface(n))),
             C::FlipShell => {
                 let shell = self.selected().first().and_then(|n| {
-                    let first = *self.derived.surfaces.get(*n)?.facets.first()?;
+                    let first = *self.derived.surfaces.get(n.0)?.facets.first()?;
                     self.derived.part.as_ref()?.orientation.shell_of.get(first as usize).copied()
                 });
                 if let Some(shell) = shell {
@@ -172,19 +183,20 @@ impl App {
         }
     }
 
-    fn selected(&self) -> Vec<u32> {
-        self.session.selected.iter().copied().collect()
+    fn selected(&self) -> Vec<SurfaceId> {
+        self.session.selected.iter().copied().map(SurfaceId).collect()
     }
 
     /// Moves the selection to the list to clean or back; focus stays on the neighbour.
     fn move_selected(&mut self, to_clean: bool) {
         let clean = self.clean_list();
-        let list: Vec<u32> = self.selected().into_iter().filter(|n| clean.contains(n) != to_clean).collect();
+        let list: Vec<u32> = self.session.selected.iter().copied().filter(|n| clean.contains(n) != to_clean).collect();
         let from: Vec<u32> = if to_clean { self.rows_left() } else { clean };
         let neighbour = from
             .iter()
             .position(|n| list.contains(n))
             .and_then(|at| from[at..].iter().chain(from[..at].iter().rev()).find(|n| !list.contains(n)).copied());
+        let list = list.into_iter().map(SurfaceId).collect();
         self.edit(if to_clean { Edit::Clean(list) } else { Edit::Unclean(list) });
         self.session.selected = neighbour.into_iter().collect();
         self.session.anchor = neighbour;
@@ -251,54 +263,27 @@ impl App {
         bounds.into_iter().for_each(|b| self.viewport.fit(b));
     }
 
-    /// Sets a number of the parameter table. Those that cut the surfaces anew carry the lists over:
-    /// a new surface is chosen if most of its area was.
+    /// Sets a number of the parameter table. One that cuts the surfaces anew carries over what is said of them.
     pub(super) fn set_parameter(&mut self, p: &'static Parameter, value: f64) {
-        if !p.key.starts_with("surfaces.") {
+        if !p.recuts {
             self.edit_dragging(&Edit::Set(p.key, value), p.key);
             return;
         }
         let Some(part) = self.derived.part.clone() else { return };
-        let anchor = self.session.recut_anchor.get_or_insert_with(|| {
-            let clean = self.document.job().clean.surfaces.numbers(self.derived.numbers().into_iter());
-            let flipped = &self.document.job().surfaces.flipped;
-            let rank = |n: &u32| clean.iter().position(|c| c == n).map(|i| i as u32);
-            let of_facet = &self.derived.surfaces.of_facet;
-            let job = self.document.job();
-            let recipes: BTreeMap<u32, &String> =
-                job.recipe_of.iter().filter_map(|(n, name)| Some((n.parse().ok()?, name))).collect();
-            RecutAnchor {
-                recipe: of_facet.iter().map(|n| recipes.get(n).map(|name| (*name).clone())).collect(),
-                rank: of_facet.iter().map(rank).collect(),
-                flipped: of_facet.iter().map(|n| flipped.contains(n)).collect(),
+        // A drag goes on from where it began, unless something else was done meanwhile.
+        let begun = self.session.recut_anchor.take().filter(|(_, reached)| reached == self.document.job());
+        let anchor = match begun {
+            Some((anchor, _)) => anchor,
+            None if self.derived.has_current_surfaces(&self.document) => {
+                RecutAnchor { job: self.document.job().clone(), surfaces: self.derived.surfaces.clone() }
             }
-        });
-        let mut job = self.document.job().clone();
-        (p.set)(&mut job, value);
-        job.surfaces.edits.clear();
-        job.surfaces.flipped.clear();
-        let surfaces = crate::document::segmented(&part, &job);
-        let (mut clean, mut flipped, mut recipe_of) = (Vec::new(), Vec::new(), BTreeMap::new());
-        for s in &surfaces.list {
-            let area = |which: &dyn Fn(usize) -> bool| -> f64 {
-                s.facets.iter().map(|&f| f as usize).filter(|&f| which(f)).map(|f| part.mesh.areas[f]).sum()
-            };
-            if 2.0 * area(&|f| anchor.rank[f].is_some()) > s.area_mm2 {
-                let rank = s.facets.iter().filter_map(|&f| anchor.rank[f as usize]).min();
-                clean.push((rank, s.number));
+            None => {
+                self.session.said = "the part is being built anew; cut its surfaces once it is there".into();
+                return;
             }
-            if 2.0 * area(&|f| anchor.flipped[f]) > s.area_mm2 {
-                flipped.push(s.number);
-            }
-            let names: BTreeSet<&String> =
-                s.facets.iter().filter_map(|&f| anchor.recipe[f as usize].as_ref()).collect();
-            let most =
-                names.into_iter().find(|name| 2.0 * area(&|f| anchor.recipe[f].as_ref() == Some(*name)) > s.area_mm2);
-            recipe_of.extend(most.map(|name| (s.number.to_string(), name.clone())));
-        }
-        clean.sort_unstable();
-        let clean = clean.into_iter().map(|(_, n)| n).collect();
-        self.edit_dragging(&Edit::Recut { key: p.key, value, clean, flipped, recipe_of }, p.key);
+        };
+        self.edit_dragging(&Edit::recut(&part, &anchor, p, value), p.key);
+        self.session.recut_anchor = Some((anchor, self.document.job().clone()));
     }
 
     /// Runs the commands whose keys were pressed, unless a text is being typed.

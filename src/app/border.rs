@@ -3,7 +3,7 @@
 
 use super::App;
 use crate::document::StartFrom;
-use crate::part::Surfaces;
+use crate::part::{SurfaceId, Surfaces};
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;
 use crate::view::LineItem;
@@ -31,9 +31,9 @@ impl App {
             self.borders = Borders { of: Some(surfaces.clone()), ..Borders::default() };
         }
         let job = self.document.job();
-        let start = |n: u32| Some((n, job.offset_start(n)?.border()?));
+        let start = |n: u32| Some((n, job.offset_start(SurfaceId(n))?.border()?));
         let chosen: Vec<(u32, u32)> = self.clean_list().into_iter().filter_map(start).collect();
-        let menu = self.menu_surface().filter(|n| job.offset_start(*n).is_some());
+        let menu = self.menu_surface().filter(|n| job.offset_start(SurfaceId(*n)).is_some());
         for n in chosen.iter().map(|c| c.0).chain(menu) {
             if let Some(surface) = surfaces.get(n) {
                 self.borders.known.entry(n).or_insert_with(|| borders(&part.mesh, surface));
@@ -60,7 +60,7 @@ impl App {
     /// surface and border.
     pub(super) fn border_place(&self) -> Option<(u32, u32)> {
         let (_, at) = self.session.menu_place?;
-        let surface = self.menu_surface().filter(|n| self.document.job().offset_start(*n).is_some())?;
+        let surface = self.menu_surface().filter(|n| self.document.job().offset_start(SurfaceId(*n)).is_some())?;
         let distance_mm = |b: &Border| b.edges.iter().map(|e| to_edge_mm(e, &at)).fold(f64::INFINITY, f64::min);
         let loops = self.borders.known.get(&surface)?.iter().map(distance_mm).enumerate();
         let (index, _) = loops.min_by(|a, b| a.1.total_cmp(&b.1))?;

@@ -8,7 +8,7 @@ use super::dose::DoseView;
 use super::motion::Motion;
 use super::remedy::Proposal;
 use crate::document::{Document, Job};
-use crate::part::{Digest, Part, Shape, Surfaces};
+use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
 use crate::planning::{Executor, Pipeline, PlanError, PlannedJob, PlanningError, Stage};
 use crate::view::LineItem;
@@ -92,7 +92,7 @@ impl Derived {
         if self.part.is_none() {
             return true;
         }
-        let is_empty = || document.job().clean.numbers(self.numbers().into_iter()).is_empty();
+        let is_empty = || document.job().chosen(&self.surfaces).is_empty();
         let has_surfaces = || self.is_synced(document) && self.pipeline.surfaces().is_some();
         self.error(document).is_some() || has_surfaces() && (self.current_plan(document).is_some() || is_empty())
     }
@@ -144,9 +144,9 @@ impl Derived {
 
     /// Name of a surface in lists and at the cursor.
     pub fn label(&self, job: &Job, surface: u32) -> String {
-        match job.surfaces.names.get(&surface.to_string()) {
-            Some(name) => name.clone(),
-            None => self.shape(surface).map_or_else(|| "…".into(), Shape::label),
+        match job.settings.of(SurfaceId(surface)).name.as_str() {
+            "" => self.shape(surface).map_or_else(|| "…".into(), Shape::label),
+            name => name.into(),
         }
     }
 }

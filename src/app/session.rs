@@ -3,6 +3,7 @@
 use super::dose::Clicked;
 use super::panels::{Compare, Draft};
 use crate::cell::Mount;
+use crate::document::{Job, RecutAnchor};
 use crate::pose::access::Over;
 use crate::view::Camera;
 use nalgebra::Point3;
@@ -54,8 +55,8 @@ pub struct Session {
     pub other_camera: Option<Camera>,
     /// Cell, robot and mount that were shown last: the camera is fitted to others anew.
     pub cell_shown: Option<(String, String, Option<Mount>)>,
-    /// Ranks of facets when a drag of the angle began.
-    pub recut_anchor: Option<RecutAnchor>,
+    /// Job and surfaces when a drag of the angle began, and the job that it has reached.
+    pub recut_anchor: Option<(RecutAnchor, Job)>,
     /// Local angle of the next split.
     pub split_angle_deg: f64,
     /// Surface that is being renamed, and the text so far.
@@ -173,17 +174,6 @@ pub enum AfterGuard {
     Open(PathBuf),
     /// A file is asked for.
     AskOpen,
-}
-
-/// Before the first step of an angle drag: which facets were chosen, in which order, and flipped.
-#[derive(Clone, Debug)]
-pub struct RecutAnchor {
-    /// Place in the list to clean of each facet's surface.
-    pub rank: Vec<Option<u32>>,
-    /// Whether its surface was flipped.
-    pub flipped: Vec<bool>,
-    /// Recipe of its surface.
-    pub recipe: Vec<Option<String>>,
 }
 
 impl Default for Session {

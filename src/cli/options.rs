@@ -131,7 +131,7 @@ impl PlanOptions {
         }
         job.layers.strategy = self.strategy.unwrap_or(job.layers.strategy);
         if let Some(list) = &self.surfaces {
-            job.clean.surfaces = list.clone();
+            job.settings.choose(list.clone());
         }
         job.part.units = self.units.unwrap_or(job.part.units);
         job.layers.direction = self.direction.unwrap_or(job.layers.direction);
@@ -206,5 +206,9 @@ fn surfaces(text: &str) -> Result<Chosen, String> {
         return Ok(Chosen::All);
     }
     let list: Result<Vec<u32>, _> = text.split(',').map(|n| n.trim().parse()).collect();
-    word(text, list.ok().map(Chosen::These), "all, or surface numbers like 4,1")
+    let chosen: Chosen = word(text, list.ok(), "all, or surface numbers like 4,1")?.into();
+    match chosen.twice() {
+        Some(surface) => Err(format!("surface {surface} stands twice in the list; name it once")),
+        None => Ok(chosen),
+    }
 }

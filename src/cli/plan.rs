@@ -98,7 +98,6 @@ fn refused(e: PlanningError) -> Failure {
         PlanningError::Plan(planning::Failure::Refused(
             PlanError::Parameter(_)
             | PlanError::NoSurface { .. }
-            | PlanError::Twice(_)
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },
         )) => Failure::Usage(e.to_string()),
@@ -114,6 +113,6 @@ pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
     }
     let mut job = Job::default();
     job.part.file = input.display().to_string();
-    job.clean.surfaces = Chosen::All;
+    job.settings.choose(Chosen::All);
     Ok((job, None))
 }

@@ -1,7 +1,7 @@
 //! `clearbeam render`: a picture without a screen.
 
 use super::{Failure, Outcome, print};
-use crate::document::{Chosen, files, segmented};
+use crate::document::{files, segmented};
 use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
@@ -65,7 +65,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let (job, job_file) = super::plan::opened(&a.input)?;
     // A part alone is drawn as it is; what lands on it needs a plan.
     let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
-    let (scene, legend, (min, max)) = if wants_plan && job.clean.surfaces != Chosen::These(Vec::new()) {
+    let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
         let source = files::read_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
         let (_, planned) =
             Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(anyhow::Error::from)?;
@@ -108,7 +108,7 @@ fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Le
         scene.meshes.push(MeshItem { edges, ..dose_item(&map, surfaces, look) });
         return Ok((scene, Some(legend(&map, look))));
     }
-    let chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
+    let chosen = job.chosen(surfaces);
     let path_look = PathLook {
         lines: true,
         frames: false,

@@ -1,20 +1,25 @@
 //! Every change of a job is an [`Edit`]; buttons, keys, menus, drag and drop and tests send the same.
 
-use super::model::{BeadParameters, CellFile, Chosen, Job, Offset};
+use super::chosen::Chosen;
+use super::model::{BeadParameters, CellFile, Job, Offset};
 use super::parameter::Parameter;
 use super::recipe::Recipe;
+use super::renumber::Lost;
+use super::reshape::Cut;
+use super::settings::Settings;
+use super::start_from::StartFrom;
 use crate::beam::Obstacle;
 use crate::cell::{Mount, Spin};
-use crate::part::{Placement, SurfaceEdit, Surfaces, Units};
+use crate::part::{Placement, SurfaceEdit, SurfaceId, Units};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::{Correction, Pin, TiltRule};
-use crate::process::{Patch, Profile};
-use std::collections::BTreeMap;
+use crate::process::Profile;
 
 /// A change of the document.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Edit {
-    /// A number of the parameter table, by its key in the job file.
+    /// A number of the parameter table, by its key in the job file; for one that cuts the surfaces anew see
+    /// [`Edit::recut`].
     Set(&'static str, f64),
     /// Direction of the section planes.
     Direction(Direction),
@@ -32,7 +37,7 @@ pub enum Edit {
     Inward(bool),
     /// A recipe, in place of the one of its name if there is one, and surfaces that are worked with it
     /// from now on.
-    Recipe(Box<Recipe>, Vec<u32>),
+    Recipe(Box<Recipe>, Vec<SurfaceId>),
     /// A recipe goes; its surfaces are worked with the job's own values again.
     RemoveRecipe(String),
     /// A copy of a recipe under a free name, behind it; no surface has it yet.
@@ -40,54 +45,62 @@ pub enum Edit {
     /// Another name for a recipe: from, to.
     RenameRecipe(String, String),
     /// Surfaces are worked with a recipe, which the job has from then on, or with the job's own values.
-    GiveRecipe(Vec<u32>, Option<Box<Recipe>>),
+    GiveRecipe(Vec<SurfaceId>, Option<Box<Recipe>>),
     /// Correction.
     Correction(Correction),
-    /// Surfaces to the end of *To clean*.
-    Clean(Vec<u32>),
+    /// Surfaces to the end of *To clean*, also those that were put aside.
+    Clean(Vec<SurfaceId>),
     /// Surfaces back out of it.
-    Unclean(Vec<u32>),
+    Unclean(Vec<SurfaceId>),
     /// Surfaces up (−1) or down (1) in the order of work.
-    Shift(Vec<u32>, i32),
+    Shift(Vec<SurfaceId>, i32),
     /// The whole list, in this order.
-    Reorder(Vec<u32>),
-    /// A merge, a split or a cut of surfaces. After a split its pieces have no recipe: see [`Edit::split`].
-    Surfaces(SurfaceEdit),
-    /// A surface is cut again at a lower angle, and what is cut off it keeps its recipe. See [`Edit::split`].
+    Reorder(Vec<SurfaceId>),
+    /// Surfaces become one, under the lowest of their numbers.
+    Merge(Vec<SurfaceId>),
+    /// A surface is cut again at a lower angle. See [`Edit::split`].
     Split {
         /// The surface.
-        surface: u32,
+        surface: SurfaceId,
         /// The local angle, degrees.
         angle_deg: f64,
         /// Numbers of what is cut off.
-        made: Vec<u32>,
+        made: Vec<SurfaceId>,
     },
-    /// Surfaces are put aside for another job, after some of their facets were cut off for that; back
-    /// they come by [`Edit::Clean`]. See [`Edit::aside`].
+    /// Facets of a surface become one of their own. See [`Edit::cut`].
+    Cut(Cut),
+    /// Surfaces are put aside for another job, after some of their facets were cut off for that. See
+    /// [`Edit::aside`].
     Later {
         /// Cuts that make them surfaces of their own.
-        cuts: Vec<SurfaceEdit>,
+        cuts: Vec<Cut>,
         /// Their numbers.
-        surfaces: Vec<u32>,
+        surfaces: Vec<SurfaceId>,
     },
-    /// Angle, island area or hysteresis changed: its number, and what *To clean* and flipped
-    /// surfaces are called afterwards. Merges and splits were made on other numbers and are gone.
+    /// What was put aside comes back, and is not chosen by that: where a job cleans all, it cleans those that it
+    /// did before. [`Edit::Clean`] chooses it as well.
+    TakeBack(Vec<SurfaceId>),
+    /// Angle, island area or hysteresis changed. See [`Edit::recut`].
     Recut {
         /// Key of the parameter.
         key: &'static str,
         /// Its new value.
         value: f64,
-        /// The surfaces to clean by their new numbers.
-        clean: Vec<u32>,
-        /// The flipped ones.
-        flipped: Vec<u32>,
-        /// Their recipes.
-        recipe_of: BTreeMap<String, String>,
+        /// Merges, splits and cuts that are still good.
+        edits: Vec<SurfaceEdit>,
+        /// What is said of the surfaces under their new numbers.
+        settings: Settings,
+        /// What was lost on the way.
+        lost: Vec<Lost>,
     },
     /// A name for a surface; empty takes it away.
-    Rename(u32, String),
+    Rename(SurfaceId, String),
+    /// What the offset lines of one surface start from; `None`: as recipe or job say.
+    OwnBorder(SurfaceId, Option<StartFrom>),
+    /// The centre of one surface's spiral, mm, part frame; `None`: as recipe or job say.
+    OwnCentre(SurfaceId, Option<[f64; 3]>),
     /// The other side of a surface.
-    FlipSurface(u32),
+    FlipSurface(SurfaceId),
     /// The other side of a shell.
     FlipShell(u32),
     /// Where the part stands.
@@ -112,10 +125,10 @@ pub enum Edit {
     Head(String),
     /// What stands on the part.
     Clamps(Vec<Obstacle>),
-    /// What a surface asks of the tilt; one that asks nothing is taken away.
-    Tilt(TiltRule),
+    /// What a surface asks of the tilt.
+    Tilt(SurfaceId, TiltRule),
     /// Tilts set on lines of one surface, in place of those there were.
-    Pins(u32, Vec<Pin>),
+    Pins(SurfaceId, Vec<Pin>),
     /// How the power is spread over the spot.
     Profile(Profile),
 }
@@ -123,7 +136,7 @@ pub enum Edit {
 impl Edit {
     /// What *Undo* calls it.
     pub fn name(&self) -> String {
-        let some = |list: &[u32]| match list {
+        let some = |list: &[SurfaceId]| match list {
             [one] => format!("surface {one}"),
             many => format!("{} surfaces", many.len()),
         };
@@ -150,15 +163,14 @@ impl Edit {
             Edit::Unclean(list) => format!("move {} back", some(list)),
             Edit::Shift(list, _) => format!("move {} in the order", some(list)),
             Edit::Reorder(_) => "change order of work".into(),
-            Edit::Surfaces(SurfaceEdit::Merge { merge }) => format!("merge {}", some(merge)),
-            Edit::Surfaces(SurfaceEdit::Split { split: n, .. }) | Edit::Split { surface: n, .. } => {
-                format!("split surface {n}")
-            }
-            Edit::Surfaces(SurfaceEdit::Cut { cut, facets }) => {
-                format!("cut {} facets off surface {cut}", facets.len())
-            }
+            Edit::Merge(list) => format!("merge {}", some(list)),
+            Edit::Split { surface, .. } => format!("split surface {surface}"),
+            Edit::Cut(cut) => format!("cut {} facets off surface {}", cut.facets.len(), cut.of),
             Edit::Later { surfaces, .. } => format!("put {} aside", some(surfaces)),
+            Edit::TakeBack(list) => format!("take {} back", some(list)),
             Edit::Rename(n, _) => format!("rename surface {n}"),
+            Edit::OwnBorder(n, _) => format!("change border of surface {n}"),
+            Edit::OwnCentre(n, _) => format!("change spiral centre of surface {n}"),
             Edit::FlipSurface(n) => format!("flip surface {n}"),
             Edit::FlipShell(n) => format!("flip shell {n}"),
             Edit::Place(_) => "place part".into(),
@@ -173,39 +185,44 @@ impl Edit {
             Edit::Head(file) if file.is_empty() => "take the head away".into(),
             Edit::Head(_) => "change head".into(),
             Edit::Clamps(_) => "change clamps".into(),
-            Edit::Tilt(rule) => format!("change tilt of surface {}", rule.surface),
+            Edit::Tilt(surface, _) => format!("change tilt of surface {surface}"),
             Edit::Pins(surface, _) => format!("change pinned tilts of surface {surface}"),
             Edit::Profile(_) => "change beam profile".into(),
         }
     }
 
-    /// Puts patches that stay unclean aside: each becomes a surface of its own, or the whole surface
-    /// where nothing of it would be left. `None` where no patch holds the larger half of any facet.
-    pub fn aside(patches: &[Patch], surfaces: &Surfaces) -> Option<Edit> {
-        let (mut cuts, mut numbers) = (Vec::new(), Vec::new());
-        let mut left: BTreeMap<u32, usize> = BTreeMap::new();
-        for patch in patches.iter().filter(|p| !p.facets.is_empty()) {
-            let Some(surface) = surfaces.get(patch.surface) else { continue };
-            let left = left.entry(patch.surface).or_insert(surface.facets.len());
-            *left = left.saturating_sub(patch.facets.len());
-            if *left == 0 {
-                numbers.push(patch.surface);
-            } else {
-                cuts.push(SurfaceEdit::Cut { cut: patch.surface, facets: patch.facets.clone() });
-                numbers.push(surfaces.last_number + cuts.len() as u32);
-            }
-        }
-        (!numbers.is_empty()).then_some(Edit::Later { cuts, surfaces: numbers })
-    }
-
-    /// Applies it. `all` are the numbers of the surfaces that exist, for a job that cleans all.
-    pub fn apply(&self, job: &mut Job, all: &[u32]) {
+    /// Applies it. `all` are the surfaces that exist, for a job that cleans all. Returns what surfaces lost because
+    /// their facets are others now.
+    pub fn apply(&self, job: &mut Job, all: &[SurfaceId]) -> Vec<Lost> {
+        let settings = &mut job.settings;
         match self {
-            Edit::Set(key, value) => {
-                if let Some(p) = Parameter::by_key(key) {
-                    (p.set)(job, *value);
-                }
+            Edit::Merge(list) => return job.merge(list, all),
+            Edit::Split { surface, angle_deg, made } => return job.split(*surface, *angle_deg, made),
+            Edit::Cut(cut) => return job.cut(std::slice::from_ref(cut)),
+            Edit::Later { cuts, surfaces } => return job.put_aside(cuts, surfaces),
+            Edit::Recut { key, value, edits, settings, lost } => {
+                set(job, key, *value);
+                job.surfaces.edits.clone_from(edits);
+                job.settings.clone_from(settings);
+                return lost.clone();
             }
+            Edit::Clean(list) => settings.append(list, all),
+            Edit::Unclean(list) => settings.remove(list, all),
+            Edit::Shift(list, by) => settings.shift(list, *by, all),
+            Edit::Reorder(list) => settings.choose(Chosen::These(list.clone())),
+            Edit::TakeBack(list) => settings.take_back(list, all),
+            Edit::Rename(id, name) => settings.change(*id, |s| s.name = name.trim().into()),
+            Edit::OwnBorder(id, border) => settings.change(*id, |s| s.border = *border),
+            Edit::OwnCentre(id, centre) => settings.change(*id, |s| s.centre_mm = *centre),
+            Edit::FlipSurface(id) => settings.change(*id, |s| s.flipped = !s.flipped),
+            Edit::Tilt(id, rule) => settings.change(*id, |s| s.tilt.clone_from(rule)),
+            Edit::Pins(id, pins) => settings.change(*id, |s| s.pins.clone_from(pins)),
+            Edit::Recipe(recipe, list) | Edit::GiveRecipe(list, Some(recipe)) => job.put_recipe(recipe, list),
+            Edit::GiveRecipe(list, None) => job.take_recipe(list),
+            Edit::RemoveRecipe(name) => job.remove_recipe(name),
+            Edit::DuplicateRecipe(name) => job.duplicate_recipe(name),
+            Edit::RenameRecipe(from, to) => job.rename_recipe(from, to),
+            Edit::Set(key, value) => set(job, key, *value),
             Edit::Direction(d) => job.layers.direction = *d,
             Edit::Offset(o) => job.layers.offset_mm = *o,
             Edit::Order(o) => job.layers.order = *o,
@@ -213,133 +230,32 @@ impl Edit {
             Edit::Border(b) => job.layers.border = *b,
             Edit::Centre(c) => job.layers.centre_mm = *c,
             Edit::Inward(inward) => job.layers.inward = *inward,
-            Edit::Recipe(recipe, surfaces) | Edit::GiveRecipe(surfaces, Some(recipe)) => {
-                job.put_recipe(recipe, surfaces);
-            }
-            Edit::GiveRecipe(surfaces, None) => job.take_recipe(surfaces),
-            Edit::RemoveRecipe(name) => job.remove_recipe(name),
-            Edit::DuplicateRecipe(name) => job.duplicate_recipe(name),
-            Edit::RenameRecipe(from, to) => job.rename_recipe(from, to),
             Edit::Correction(c) => job.path.correction = *c,
-            Edit::Clean(list) => {
-                change_list(job, all, |clean| {
-                    clean.retain(|n| !list.contains(n));
-                    clean.extend(list);
-                });
-                job.clean.later.retain(|n| !list.contains(n));
-            }
-            Edit::Unclean(list) => change_list(job, all, |clean| clean.retain(|n| !list.contains(n))),
-            Edit::Shift(list, by) => change_list(job, all, |clean| shift(clean, list, *by)),
-            Edit::Reorder(list) => job.clean.surfaces = Chosen::These(list.clone()),
-            Edit::Surfaces(edit) => {
-                job.surfaces.edits.push(edit.clone());
-                if let SurfaceEdit::Merge { merge } = edit {
-                    merged(job, all, merge);
-                }
-            }
-            Edit::Split { surface, angle_deg, made } => {
-                job.surfaces.edits.push(SurfaceEdit::Split { split: *surface, angle_deg: *angle_deg });
-                job.keep_recipe(*surface, made);
-            }
-            Edit::Later { cuts, surfaces } => {
-                job.surfaces.edits.extend(cuts.iter().cloned());
-                job.keep_recipes_of_cuts(cuts, surfaces);
-                job.clean.later.extend(surfaces.iter().filter(|n| !job.clean.later.contains(n)).collect::<Vec<_>>());
-                if let Chosen::These(list) = &mut job.clean.surfaces {
-                    list.retain(|n| !surfaces.contains(n));
-                }
-            }
-            Edit::Recut { key, value, clean, flipped, recipe_of } => {
-                Edit::Set(key, *value).apply(job, all);
-                job.surfaces.edits.clear();
-                job.surfaces.names.clear();
-                job.clean.later.clear();
-                job.surfaces.flipped = flipped.clone();
-                job.recipe_of.clone_from(recipe_of);
-                if job.clean.surfaces != Chosen::All {
-                    job.clean.surfaces = Chosen::These(clean.clone());
-                }
-            }
-            Edit::Rename(n, name) => {
-                if name.trim().is_empty() {
-                    job.surfaces.names.remove(&n.to_string());
-                } else {
-                    job.surfaces.names.insert(n.to_string(), name.trim().into());
-                }
-            }
-            Edit::FlipSurface(n) => toggle(&mut job.surfaces.flipped, *n),
             Edit::FlipShell(n) => toggle(&mut job.part.flipped_shells, *n),
             Edit::Place(p) => job.part.placement = *p,
             Edit::Units(u) => job.part.units = *u,
-            Edit::Cell(file) => job.cell.file = file.clone(),
+            Edit::Cell(file) => job.cell.file.clone_from(file),
             Edit::Robot(robot, dialect) => {
-                job.cell.robot = robot.clone();
-                job.cell.dialect = dialect.clone();
+                job.cell.robot.clone_from(robot);
+                job.cell.dialect.clone_from(dialect);
             }
             Edit::Mount(mount) => job.cell.mount = Some(*mount),
-            Edit::Frames(cell) => {
-                job.cell.flange_from_part.clone_from(&cell.flange_from_part);
-                job.cell.base_from_laser.clone_from(&cell.base_from_laser);
-                job.cell.base_from_part.clone_from(&cell.base_from_part);
-            }
-            Edit::Dialect(dialect) => job.cell.dialect = dialect.clone(),
+            Edit::Frames(cell) => job.cell.take_frames(cell),
+            Edit::Dialect(dialect) => job.cell.dialect.clone_from(dialect),
             Edit::Bead(bead) => job.bead.clone_from(bead),
             Edit::Spin(spin) => job.cell.spin = *spin,
             Edit::Head(file) => job.beam.head.clone_from(file),
             Edit::Clamps(clamps) => job.clamps.clone_from(clamps),
-            Edit::Tilt(rule) => {
-                job.tilts.retain(|t| t.surface != rule.surface);
-                let asks_nothing = *rule == TiltRule { surface: rule.surface, ..TiltRule::default() };
-                if !asks_nothing {
-                    job.tilts.push(rule.clone());
-                    job.tilts.sort_by_key(|t| t.surface);
-                }
-            }
-            Edit::Pins(surface, pins) => {
-                job.pins.retain(|p| p.surface != *surface);
-                job.pins.extend(pins);
-            }
             Edit::Profile(profile) => job.dose.profile = *profile,
         }
+        Vec::new()
     }
 }
 
-fn change_list(job: &mut Job, all: &[u32], change: impl FnOnce(&mut Vec<u32>)) {
-    let mut list = job.clean.surfaces.numbers(all.iter().copied());
-    change(&mut list);
-    job.clean.surfaces = Chosen::These(list);
-}
-
-/// Moves the marked ones by one place, as a block, keeping their order.
-fn shift(list: &mut [u32], marked: &[u32], by: i32) {
-    let count = list.len();
-    let step = |i: usize| if by < 0 { i.checked_sub(1) } else { (i + 1 < count).then_some(i + 1) };
-    let order: Vec<usize> = if by < 0 { (0..count).collect() } else { (0..count).rev().collect() };
-    for i in order {
-        if let Some(to) = step(i)
-            && marked.contains(&list[i])
-            && !marked.contains(&list[to])
-        {
-            list.swap(i, to);
-        }
+fn set(job: &mut Job, key: &str, value: f64) {
+    if let Some(p) = Parameter::by_key(key) {
+        (p.set)(job, value);
     }
-}
-
-/// After a merge the kept number stands for all: it is cleaned if any of them was.
-fn merged(job: &mut Job, all: &[u32], merge: &[u32]) {
-    let Some(&keep) = merge.iter().min() else { return };
-    job.clean.later.retain(|n| !merge.contains(n));
-    merge.iter().filter(|n| **n != keep).for_each(|n| drop(job.recipe_of.remove(&n.to_string())));
-    if job.clean.surfaces == Chosen::All {
-        return;
-    }
-    change_list(job, all, |clean| {
-        if let Some(at) = clean.iter().position(|n| merge.contains(n)) {
-            clean[at] = keep;
-            let mut seen = false;
-            clean.retain(|n| !merge.contains(n) || (*n == keep && !std::mem::replace(&mut seen, true)));
-        }
-    });
 }
 
 fn toggle(list: &mut Vec<u32>, n: u32) {

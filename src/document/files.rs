@@ -1,5 +1,6 @@
 //! Job files: reading, atomic writing, and paths relative to where the job stands.
 
+use super::job_file;
 use super::model::Job;
 use crate::beam::{Body, Head, HeadError, Tool};
 use crate::cell::{Cell, CellError, Mount, Robot, RobotError, Setup};
@@ -84,7 +85,7 @@ pub fn is_job(path: &Path) -> bool {
 pub fn read(file: &Path) -> Result<Job, JobError> {
     let name = file.display().to_string();
     let text = std::fs::read_to_string(file).map_err(|source| JobError::Read { file: name.clone(), source })?;
-    toml::from_str(&text)
+    job_file::parse(&text)
         .map_err(|e| JobError::Toml { file: name, message: e.to_string().trim_end().replace('\n', " ") })
 }
 

@@ -1,7 +1,7 @@
 //! What of a job's tables a result can depend on. A field that is added to one of them does not compile
 //! until it is said here whether it counts.
 
-use super::model::{BeadParameters, BeamParameters, CellFile, Chosen, Layers, Offset, PathParameters};
+use super::model::{BeadParameters, BeamParameters, CellFile, Layers, Offset, PathParameters};
 use super::recipe::Recipe;
 use super::start_from::StartFrom;
 use crate::part::{Hasher, Keyed, keyed};
@@ -61,15 +61,6 @@ impl Keyed for StartFrom {
         match self {
             StartFrom::Whole => "whole".feed(into),
             StartFrom::Border(border) => border.feed(into),
-        }
-    }
-}
-
-impl Keyed for Chosen {
-    fn feed(&self, into: &mut Hasher) {
-        match self {
-            Chosen::All => "all".feed(into),
-            Chosen::These(list) => list.feed(into),
         }
     }
 }

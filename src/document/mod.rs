@@ -4,24 +4,36 @@
 //! needs. What can be computed from it is `planning`'s.
 
 pub mod bead;
+mod chosen;
 pub mod edit;
 pub mod files;
+pub mod job_file;
 mod keys;
 pub mod library;
 pub mod model;
+mod order;
 pub mod parameter;
 pub mod recipe;
 mod recipe_edit;
 pub mod recipe_table;
-mod split;
+pub mod recut;
+pub mod renumber;
+mod reshape;
+pub mod settings;
 pub mod start_from;
 pub mod undo;
 
+pub use chosen::Chosen;
 pub use edit::Edit;
 pub use files::JobError;
+pub use job_file::JobFileError;
 pub use library::Library;
-pub use model::{Chosen, Job, Offset, segmented};
+pub use model::{Job, Offset, segmented};
 pub use parameter::{PARAMETERS, Parameter};
 pub use recipe::Recipe;
+pub use recut::RecutAnchor;
+pub use renumber::{Lost, Renumbering};
+pub use reshape::Cut;
+pub use settings::{Settings, SurfaceSettings};
 pub use start_from::StartFrom;
 pub use undo::Document;

@@ -1,26 +1,27 @@
-//! The job: everything an operator decides, as TOML. What can be computed is not in it.
+//! The job: everything an operator decides. What can be computed is not in it. As TOML it is written by
+//! `job_file`.
 
+use super::job_file::JobFile;
 use super::recipe::Recipe;
+use super::settings::Settings;
 use crate::beam::{Obstacle, Optics};
 use crate::cell::{Cell, Frame, Mount, Spin};
 use crate::part::{Part, Placement, SurfaceEdit, SurfaceRule, Surfaces, Units};
 use crate::path::{Axis, Direction, Order, Strategy};
 use crate::pose::Correction;
-use crate::pose::tilt::{Pin, TiltRule};
 use crate::process::DoseParameters;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
-use std::collections::BTreeMap;
 
 /// A job. Lengths mm, angles degrees.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(try_from = "toml::Table", into = "JobFile")]
 pub struct Job {
     /// The part's file and how it stands.
     pub part: PartFile,
     /// How facets become feature surfaces.
     pub surfaces: SurfaceParameters,
-    /// Which surfaces, in which order.
-    pub clean: Clean,
+    /// What is said of single surfaces: whether they are cleaned and in which order, names, sides, recipes, tilts.
+    pub settings: Settings,
     /// The section planes.
     pub layers: Layers,
     /// The beam, its speeds and its head.
@@ -36,20 +37,9 @@ pub struct Job {
     /// The robot cell.
     pub cell: CellFile,
     /// What stands on the part, in the part frame.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub clamps: Vec<Obstacle>,
     /// What surfaces can be worked with in place of the job's own values.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub recipes: Vec<Recipe>,
-    /// The recipe of a surface, by its number.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    pub recipe_of: BTreeMap<String, String>,
-    /// Directions that surfaces prefer or forbid.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub tilts: Vec<TiltRule>,
-    /// Tilts that the operator has set on single lines.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub pins: Vec<Pin>,
 }
 
 /// The part's file.
@@ -69,8 +59,7 @@ pub struct PartFile {
 }
 
 /// How facets become feature surfaces.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceParameters {
     /// Dihedral angle from which an edge is a crease (α).
     pub angle_deg: f64,
@@ -78,24 +67,13 @@ pub struct SurfaceParameters {
     pub min_area_mm2: f64,
     /// Lower angle of the hysteresis; 0 = off.
     pub hysteresis_deg: f64,
-    /// Surfaces whose other side is to be worked on.
-    pub flipped: Vec<u32>,
-    /// Names given by the operator, by surface number.
-    pub names: BTreeMap<String, String>,
     /// Merges and splits in the order made.
     pub edits: Vec<SurfaceEdit>,
 }
 
 impl Default for SurfaceParameters {
     fn default() -> Self {
-        SurfaceParameters {
-            angle_deg: 20.0,
-            min_area_mm2: 0.0,
-            hysteresis_deg: 0.0,
-            flipped: Vec::new(),
-            names: BTreeMap::new(),
-            edits: Vec::new(),
-        }
+        SurfaceParameters { angle_deg: 20.0, min_area_mm2: 0.0, hysteresis_deg: 0.0, edits: Vec::new() }
     }
 }
 
@@ -103,76 +81,6 @@ impl SurfaceParameters {
     /// The rule without the operator's edits.
     pub fn rule(&self) -> SurfaceRule {
         SurfaceRule { angle_deg: self.angle_deg, min_area_mm2: self.min_area_mm2, hysteresis_deg: self.hysteresis_deg }
-    }
-}
-
-/// Which surfaces are cleaned.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Clean {
-    /// `"all"`, or their numbers in the order of work.
-    pub surfaces: Chosen,
-    /// Put aside for another job: they are not planned, whatever `surfaces` says.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub later: Vec<u32>,
-}
-
-impl Clean {
-    /// The surfaces to plan, in the order of work, given all that exist.
-    pub fn numbers(&self, all: impl Iterator<Item = u32>) -> Vec<u32> {
-        let mut list = self.surfaces.numbers(all);
-        list.retain(|n| !self.later.contains(n));
-        list
-    }
-}
-
-/// All surfaces, or some in the order of work.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Chosen {
-    /// All, in the order of their numbers.
-    All,
-    /// These.
-    These(Vec<u32>),
-}
-
-impl Default for Chosen {
-    fn default() -> Self {
-        Chosen::These(Vec::new())
-    }
-}
-
-impl Chosen {
-    /// The numbers, given all that exist.
-    pub fn numbers(&self, all: impl Iterator<Item = u32>) -> Vec<u32> {
-        match self {
-            Chosen::All => all.collect(),
-            Chosen::These(list) => list.clone(),
-        }
-    }
-}
-
-impl Serialize for Chosen {
-    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Chosen::All => s.serialize_str("all"),
-            Chosen::These(list) => list.serialize(s),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Chosen {
-    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
-        #[derive(Deserialize)]
-        #[serde(untagged)]
-        enum Raw {
-            Word(String),
-            List(Vec<u32>),
-        }
-        match Raw::deserialize(d)? {
-            Raw::Word(w) if w == "all" => Ok(Chosen::All),
-            Raw::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"all\" or a list of surface numbers"))),
-            Raw::List(list) => Ok(Chosen::These(list)),
-        }
     }
 }
 
@@ -416,6 +324,13 @@ pub struct CellFile {
 }
 
 impl CellFile {
+    /// Takes over where part and laser stand in another.
+    pub(super) fn take_frames(&mut self, other: &CellFile) {
+        self.flange_from_part.clone_from(&other.flange_from_part);
+        self.base_from_laser.clone_from(&other.base_from_laser);
+        self.base_from_part.clone_from(&other.base_from_part);
+    }
+
     /// Puts the job's own frames in place of the cell's.
     pub fn put_frames(&self, cell: &mut Cell) {
         for (own, frame) in [
@@ -449,32 +364,13 @@ impl Default for CellFile {
 /// The surfaces of a part under a job.
 pub fn segmented(part: &Part, job: &Job) -> Surfaces {
     let s = &job.surfaces;
-    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &s.rule(), &s.edits, &s.flipped)
+    let flipped: Vec<u32> = job.settings.having(|s| s.flipped).iter().map(|id| id.0).collect();
+    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &s.rule(), &s.edits, &flipped)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_job_survives_the_file() {
-        let mut job = Job::default();
-        job.clean.surfaces = Chosen::These(vec![4, 1]);
-        job.layers.direction = Direction::Along([1.0, 0.5, 0.0]);
-        job.layers.offset_mm = Offset::FromLowest(0.25);
-        job.surfaces.edits =
-            vec![SurfaceEdit::Merge { merge: vec![1, 2] }, SurfaceEdit::Split { split: 3, angle_deg: 4.0 }];
-        job.surfaces.edits.push(SurfaceEdit::Cut { cut: 4, facets: vec![7, 9] });
-        job.clean.later = vec![12];
-        job.surfaces.names.insert("4".into(), "Dichtfläche".into());
-        let text = toml::to_string(&job).expect("writes");
-        assert_eq!(toml::from_str::<Job>(&text).expect("reads"), job);
-        let all: Job = toml::from_str("[clean]\nsurfaces = \"all\"").expect("reads");
-        assert_eq!(all, Job { clean: Clean { surfaces: Chosen::All, later: Vec::new() }, ..Job::default() });
-    }
-
-    #[test]
-    fn misspelt_keys_are_refused() {
-        assert!(toml::from_str::<Job>("[layers]\nspaceing_mm = 2").is_err());
+impl Job {
+    /// Numbers of the surfaces to clean in the order of work, given all that exist: see [`Settings::chosen`].
+    pub fn chosen(&self, surfaces: &Surfaces) -> Vec<u32> {
+        self.settings.chosen(surfaces.ids()).into_iter().map(|id| id.0).collect()
     }
 }

@@ -18,6 +18,8 @@ pub struct Parameter {
     pub range: (f64, f64),
     /// Whether the least value itself is allowed.
     pub least_allowed: bool,
+    /// Whether another value cuts the surfaces of the part anew, so that their numbers mean other ones.
+    pub recuts: bool,
     /// What it means, and what it does.
     pub meaning: &'static str,
     /// Symbol in the papers, where it has one.
@@ -38,12 +40,16 @@ macro_rules! parameter {
             unit: $unit,
             range: ($from, $to),
             least_allowed: parameter!(@ $open),
+            recuts: parameter!(? $($field).+),
             meaning: $meaning,
             symbol: $symbol,
             get: |job| job.$($field).+,
             set: |job, value| job.$($field).+ = value,
         }
     };
+    // All numbers of this table are about how facets become surfaces.
+    (? surfaces.$field:ident) => { true };
+    (? $($field:ident).+) => { false };
     (@ <) => { false };
     (@ ..) => { true };
 }

@@ -6,6 +6,7 @@
 use super::model::Job;
 use super::parameter::Parameter;
 use super::start_from::StartFrom;
+use crate::part::SurfaceId;
 use crate::path::{Direction, Order, Strategy};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -94,14 +95,23 @@ impl Recipe {
 
 impl Job {
     /// The recipe that a surface is worked with; `None`: the job's own values.
-    pub fn recipe_of(&self, surface: u32) -> Option<&Recipe> {
-        let name = self.recipe_of.get(&surface.to_string())?;
+    pub fn recipe_of(&self, surface: SurfaceId) -> Option<&Recipe> {
+        let name = self.settings.of(surface).recipe.as_ref()?;
         self.recipes.iter().find(|r| r.name == *name)
     }
 
-    /// The job as it is for one surface.
-    pub fn of_surface(&self, surface: u32) -> Cow<'_, Job> {
-        self.recipe_of(surface).map_or(Cow::Borrowed(self), |r| Cow::Owned(r.applied(self)))
+    /// The job as it is for one surface: its recipe's values go before the job's, its own border and centre before
+    /// both.
+    pub fn of_surface(&self, surface: SurfaceId) -> Cow<'_, Job> {
+        let own = self.settings.of(surface);
+        let mut job = self.recipe_of(surface).map_or(Cow::Borrowed(self), |r| Cow::Owned(r.applied(self)));
+        if let Some(start) = own.border {
+            job.to_mut().layers.border = start.border();
+        }
+        if own.centre_mm.is_some() {
+            job.to_mut().layers.centre_mm = own.centre_mm;
+        }
+        job
     }
 
     /// The spacing at which neighbouring spots, or beads where one is told, overlap by so many per cent of
@@ -133,7 +143,8 @@ impl Job {
                 return Err(format!("there are two recipes {:?}; give one another name", r.name));
             }
         }
-        for (surface, name) in &self.recipe_of {
+        for (surface, settings) in self.settings.iter() {
+            let Some(name) = &settings.recipe else { continue };
             if !self.recipes.iter().any(|r| r.name == *name) {
                 let known: Vec<&str> = self.recipes.iter().map(|r| r.name.as_str()).collect();
                 return Err(format!(

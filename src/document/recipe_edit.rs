@@ -2,20 +2,21 @@
 
 use super::model::Job;
 use super::recipe::Recipe;
+use crate::part::SurfaceId;
 
 impl Job {
     /// Puts a recipe in place of the one of its name, or adds it, and gives it to surfaces.
-    pub(super) fn put_recipe(&mut self, recipe: &Recipe, surfaces: &[u32]) {
+    pub(super) fn put_recipe(&mut self, recipe: &Recipe, surfaces: &[SurfaceId]) {
         match self.recipes.iter_mut().find(|r| r.name == recipe.name) {
             Some(known) => known.clone_from(recipe),
             None => self.recipes.push(recipe.clone()),
         }
-        self.recipe_of.extend(surfaces.iter().map(|n| (n.to_string(), recipe.name.clone())));
+        self.settings.change_each(surfaces, |s| s.recipe = Some(recipe.name.clone()));
     }
 
     pub(super) fn remove_recipe(&mut self, name: &str) {
         self.recipes.retain(|r| r.name != name);
-        self.recipe_of.retain(|_, of| of != name);
+        self.take_recipe(&self.surfaces_of_recipe(name));
     }
 
     /// Renames a recipe, unless the new name is empty or taken.
@@ -25,7 +26,7 @@ impl Job {
             return;
         }
         self.recipes.iter_mut().filter(|r| r.name == from).for_each(|r| r.name = to.into());
-        self.recipe_of.values_mut().filter(|of| *of == from).for_each(|of| *of = to.into());
+        self.settings.change_each(&self.surfaces_of_recipe(from), |s| s.recipe = Some(to.into()));
     }
 
     /// Puts a copy of a recipe behind it, under the first name that is free.
@@ -38,16 +39,13 @@ impl Job {
     }
 
     /// Surfaces are worked with the job's own values.
-    pub(super) fn take_recipe(&mut self, surfaces: &[u32]) {
-        surfaces.iter().for_each(|n| drop(self.recipe_of.remove(&n.to_string())));
+    pub(super) fn take_recipe(&mut self, surfaces: &[SurfaceId]) {
+        self.settings.change_each(surfaces, |s| s.recipe = None);
     }
 
     /// The surfaces that are worked with a recipe, ascending.
-    pub fn surfaces_of_recipe(&self, name: &str) -> Vec<u32> {
-        let mut list: Vec<u32> =
-            self.recipe_of.iter().filter(|(_, of)| *of == name).filter_map(|(n, _)| n.parse().ok()).collect();
-        list.sort_unstable();
-        list
+    pub fn surfaces_of_recipe(&self, name: &str) -> Vec<SurfaceId> {
+        self.settings.having(|s| s.recipe.as_deref() == Some(name))
     }
 
     /// A new recipe without values: `Recipe 1`, or the first number that is free.
@@ -81,6 +79,10 @@ mod tests {
     use crate::document::{Document, Edit};
     use crate::path::Strategy;
 
+    fn ids(numbers: &[u32]) -> Vec<SurfaceId> {
+        numbers.iter().copied().map(SurfaceId).collect()
+    }
+
     fn named(name: &str, spacing_mm: f64) -> Recipe {
         let values = [("layers.spacing_mm".to_owned(), spacing_mm)].into();
         Recipe { name: name.into(), values, ..Recipe::default() }
@@ -90,24 +92,24 @@ mod tests {
     fn recipes_are_given_renamed_and_removed_with_a_name_for_undo() {
         let mut doc = Document::default();
         let mut apply = |edit: Edit, undo: &str| {
-            assert!(doc.apply(&edit, &[1, 2, 3], None));
+            assert!(doc.apply(&edit, &ids(&[1, 2, 3]), None));
             assert_eq!(doc.undo_name(), Some(undo));
             assert_eq!(doc.job().check_recipes(), Ok(()), "{undo}");
             doc.job().clone()
         };
-        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.2)), vec![2, 3]), "change recipe Fine");
-        assert_eq!(job.surfaces_of_recipe("Fine"), [2, 3]);
-        assert_eq!(job.of_surface(2).layers.spacing_mm, 0.2);
-        assert_eq!(job.of_surface(1).layers.spacing_mm, 0.5);
-        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.3)), vec![]), "change recipe Fine");
-        assert_eq!((job.recipes.len(), job.of_surface(3).layers.spacing_mm), (1, 0.3));
-        apply(Edit::GiveRecipe(vec![3], None), "take recipe of surface 3 away");
+        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.2)), ids(&[2, 3])), "change recipe Fine");
+        assert_eq!(job.surfaces_of_recipe("Fine"), ids(&[2, 3]));
+        assert_eq!(job.of_surface(SurfaceId(2)).layers.spacing_mm, 0.2);
+        assert_eq!(job.of_surface(SurfaceId(1)).layers.spacing_mm, 0.5);
+        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.3)), ids(&[])), "change recipe Fine");
+        assert_eq!((job.recipes.len(), job.of_surface(SurfaceId(3)).layers.spacing_mm), (1, 0.3));
+        apply(Edit::GiveRecipe(ids(&[3]), None), "take recipe of surface 3 away");
         let job = apply(Edit::RenameRecipe("Fine".into(), " Finish ".into()), "rename recipe Fine");
-        assert_eq!(job.recipe_of(2).map(|r| r.name.as_str()), Some("Finish"));
+        assert_eq!(job.recipe_of(SurfaceId(2)).map(|r| r.name.as_str()), Some("Finish"));
         let finish = Box::new(named("Finish", 0.3));
-        apply(Edit::GiveRecipe(vec![1, 3], Some(finish)), "give 2 surfaces recipe Finish");
+        apply(Edit::GiveRecipe(ids(&[1, 3]), Some(finish)), "give 2 surfaces recipe Finish");
         let job = apply(Edit::RemoveRecipe("Finish".into()), "remove recipe Finish");
-        assert!(job.recipes.is_empty() && job.recipe_of.is_empty());
+        assert!(job.recipes.is_empty() && job.settings == Default::default());
         apply(Edit::Strategy(Strategy::Spiral), "change strategy");
         apply(Edit::Centre(Some([1.0, 2.0, 3.0])), "change spiral centre");
         apply(Edit::Inward(true), "turn spiral");
@@ -123,9 +125,9 @@ mod tests {
     fn a_copy_stands_behind_its_recipe_under_a_free_name() {
         let mut doc = Document::default();
         for name in ["A", "B", "A 2"] {
-            doc.apply(&Edit::Recipe(Box::new(named(name, 1.0)), vec![1]), &[1], None);
+            doc.apply(&Edit::Recipe(Box::new(named(name, 1.0)), ids(&[1])), &ids(&[1]), None);
         }
-        assert!(doc.apply(&Edit::DuplicateRecipe("A".into()), &[1], None));
+        assert!(doc.apply(&Edit::DuplicateRecipe("A".into()), &ids(&[1]), None));
         assert_eq!(doc.undo_name(), Some("duplicate recipe A"));
         let names = |doc: &Document| doc.job().recipes.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
         assert_eq!(names(&doc), ["A", "A 3", "B", "A 2"]);
@@ -133,16 +135,16 @@ mod tests {
         assert!(doc.job().surfaces_of_recipe("A 3").is_empty());
         doc.undo();
         assert_eq!(names(&doc), ["A", "B", "A 2"]);
-        assert!(!doc.apply(&Edit::DuplicateRecipe("C".into()), &[1], None), "there is none of that name");
+        assert!(!doc.apply(&Edit::DuplicateRecipe("C".into()), &ids(&[1]), None), "there is none of that name");
     }
 
     #[test]
     fn no_recipe_is_renamed_onto_another() {
         let mut doc = Document::default();
-        doc.apply(&Edit::Recipe(Box::new(named("A", 1.0)), vec![1]), &[1], None);
-        doc.apply(&Edit::Recipe(Box::new(named("B", 2.0)), vec![]), &[1], None);
-        assert!(!doc.apply(&Edit::RenameRecipe("A".into(), "B".into()), &[1], None), "two of one name");
-        assert!(!doc.apply(&Edit::RenameRecipe("A".into(), "  ".into()), &[1], None));
+        doc.apply(&Edit::Recipe(Box::new(named("A", 1.0)), ids(&[1])), &ids(&[1]), None);
+        doc.apply(&Edit::Recipe(Box::new(named("B", 2.0)), ids(&[])), &ids(&[1]), None);
+        assert!(!doc.apply(&Edit::RenameRecipe("A".into(), "B".into()), &ids(&[1]), None), "two of one name");
+        assert!(!doc.apply(&Edit::RenameRecipe("A".into(), "  ".into()), &ids(&[1]), None));
     }
 
     #[test]
@@ -160,9 +162,8 @@ mod tests {
     #[test]
     fn merged_surfaces_leave_no_recipe_of_gone_numbers() {
         let mut doc = Document::default();
-        doc.apply(&Edit::Recipe(Box::new(named("A", 1.0)), vec![2, 5]), &[2, 5], None);
-        let merge = crate::part::SurfaceEdit::Merge { merge: vec![2, 5] };
-        doc.apply(&Edit::Surfaces(merge), &[2, 5], None);
-        assert_eq!(doc.job().surfaces_of_recipe("A"), [2]);
+        doc.apply(&Edit::Recipe(Box::new(named("A", 1.0)), ids(&[2, 5])), &ids(&[2, 5]), None);
+        doc.apply(&Edit::Merge(ids(&[2, 5])), &ids(&[2, 5]), None);
+        assert_eq!(doc.job().surfaces_of_recipe("A"), [SurfaceId(2)]);
     }
 }

@@ -2,6 +2,8 @@
 
 use super::edit::Edit;
 use super::model::Job;
+use super::renumber::Lost;
+use crate::part::SurfaceId;
 use std::path::PathBuf;
 
 /// A job that is being worked on.
@@ -15,6 +17,8 @@ pub struct Document {
     redo: Vec<(String, Job)>,
     /// What the last edit is a piece of: a drag, a run of key presses.
     gesture: Option<String>,
+    /// What it dropped.
+    lost: Vec<Lost>,
 }
 
 impl Document {
@@ -29,10 +33,10 @@ impl Document {
     }
 
     /// Applies an edit and records undo. Edits of the same name within one `gesture` are one step.
-    /// Returns whether anything changed.
-    pub fn apply(&mut self, edit: &Edit, all_surfaces: &[u32], gesture: Option<&str>) -> bool {
+    /// Returns whether anything changed; [`Document::lost`] tells what went with it.
+    pub fn apply(&mut self, edit: &Edit, all_surfaces: &[SurfaceId], gesture: Option<&str>) -> bool {
         let before = self.job.clone();
-        edit.apply(&mut self.job, all_surfaces);
+        self.lost = edit.apply(&mut self.job, all_surfaces);
         if self.job == before {
             return false;
         }
@@ -45,6 +49,11 @@ impl Document {
         self.gesture = gesture.map(str::to_owned);
         self.redo.clear();
         true
+    }
+
+    /// What surfaces lost by the last edit, because their facets are others since.
+    pub fn lost(&self) -> &[Lost] {
+        &self.lost
     }
 
     /// Ends a drag: the next edit is a step of its own.
@@ -67,6 +76,7 @@ impl Document {
         if let Some((name, job)) = self.undo.pop() {
             self.redo.push((name, std::mem::replace(&mut self.job, job)));
             self.gesture = None;
+            self.lost.clear();
         }
     }
 
@@ -75,6 +85,7 @@ impl Document {
         if let Some((name, job)) = self.redo.pop() {
             self.undo.push((name, std::mem::replace(&mut self.job, job)));
             self.gesture = None;
+            self.lost.clear();
         }
     }
 
@@ -95,20 +106,22 @@ impl Document {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Chosen;
     use crate::path::Order;
     use proptest::prelude::*;
+
+    fn some() -> impl Strategy<Value = Vec<SurfaceId>> {
+        prop::collection::vec((1u32..9).prop_map(SurfaceId), 1..4)
+    }
 
     fn edits() -> impl Strategy<Value = Edit> {
         prop_oneof![
             (1.0..40.0f64).prop_map(|v| Edit::Set("layers.spacing_mm", v)),
-            prop::collection::vec(1u32..9, 1..4).prop_map(Edit::Clean),
-            prop::collection::vec(1u32..9, 1..4).prop_map(Edit::Unclean),
-            (prop::collection::vec(1u32..9, 1..4), prop_oneof![Just(-1), Just(1)])
-                .prop_map(|(l, by)| Edit::Shift(l, by)),
-            (1u32..9).prop_map(Edit::FlipSurface),
+            some().prop_map(Edit::Clean),
+            some().prop_map(Edit::Unclean),
+            (some(), prop_oneof![Just(-1), Just(1)]).prop_map(|(l, by)| Edit::Shift(l, by)),
+            (1u32..9).prop_map(|n| Edit::FlipSurface(SurfaceId(n))),
             Just(Edit::Order(Order::OneWay)),
-            (1u32..9, "[a-z]{0,3}").prop_map(|(n, s)| Edit::Rename(n, s)),
+            (1u32..9, "[a-z]{0,3}").prop_map(|(n, s)| Edit::Rename(SurfaceId(n), s)),
         ]
     }
 
@@ -116,7 +129,7 @@ mod tests {
         #[test]
         fn undo_brings_back_every_state_and_redo_too(list in prop::collection::vec(edits(), 1..25)) {
             let mut doc = Document::default();
-            let all: Vec<u32> = (1..9).collect();
+            let all: Vec<SurfaceId> = (1..9).map(SurfaceId).collect();
             let mut states = vec![doc.job().clone()];
             for e in &list {
                 if doc.apply(e, &all, None) {
@@ -151,13 +164,14 @@ mod tests {
     #[test]
     fn order_of_work_moves_as_a_block() {
         let mut doc = Document::default();
-        doc.apply(&Edit::Clean(vec![1, 2, 3, 4]), &[], None);
-        doc.apply(&Edit::Shift(vec![3, 4], -1), &[], None);
-        assert_eq!(doc.job().clean.surfaces, Chosen::These(vec![1, 3, 4, 2]));
-        doc.apply(&Edit::Shift(vec![1, 2], 1), &[], None);
-        assert_eq!(doc.job().clean.surfaces, Chosen::These(vec![3, 1, 4, 2]));
-        let merge = crate::part::SurfaceEdit::Merge { merge: vec![1, 4, 7] };
-        doc.apply(&Edit::Surfaces(merge), &[], None);
-        assert_eq!(doc.job().clean.surfaces, Chosen::These(vec![3, 1, 2]));
+        let mut order = |edit: Edit| {
+            doc.apply(&edit, &[1, 2, 3, 4, 7].map(SurfaceId), None);
+            doc.job().settings.choice()
+        };
+        let ids = |numbers: &[u32]| numbers.iter().copied().map(SurfaceId).collect::<Vec<_>>();
+        order(Edit::Clean(ids(&[1, 2, 3, 4])));
+        assert_eq!(order(Edit::Shift(ids(&[3, 4]), -1)), [1, 3, 4, 2].into());
+        assert_eq!(order(Edit::Shift(ids(&[1, 2]), 1)), [3, 1, 4, 2].into());
+        assert_eq!(order(Edit::Merge(ids(&[1, 4, 7]))), [3, 1, 2].into());
     }
 }

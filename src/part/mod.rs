@@ -31,6 +31,6 @@ pub use merge_tree::MergeTree;
 pub use placement::Placement;
 pub use shape::Shape;
 pub use source::Source;
-pub use surfaces::{SurfaceEdit, SurfaceRule, Surfaces};
+pub use surfaces::{SurfaceEdit, SurfaceId, SurfaceRule, Surfaces};
 pub use topology::Mesh;
 pub use units::Units;

@@ -10,6 +10,19 @@ use super::{Hasher, Keyed};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+/// What a feature surface is called: its number, as a type of its own wherever something is said of a surface
+/// that has to stay true of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct SurfaceId(pub u32);
+
+impl fmt::Display for SurfaceId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
 
 /// How facets become surfaces before the operator's own edits.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,6 +138,11 @@ impl Surfaces {
         }
         let list = listed(mesh, &of_facet);
         Surfaces { of_facet, list, normals, last_number: count }
+    }
+
+    /// What they are called, ascending.
+    pub fn ids(&self) -> impl Iterator<Item = SurfaceId> + '_ {
+        self.list.iter().map(|s| SurfaceId(s.number))
     }
 
     /// The surface of that number.

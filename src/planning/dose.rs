@@ -5,7 +5,7 @@
 use super::plan::{Plan, PlanError};
 use crate::cell::Setup;
 use crate::document::model::Job;
-use crate::part::{Part, Surfaces};
+use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
 use crate::pose::{Pass, Theirs};
 use crate::process::{DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
@@ -85,9 +85,9 @@ pub fn dose(
     progress: &Progress,
 ) -> Result<DoseMap, PlanError> {
     let (b, d) = (&job.beam, &job.dose);
-    let chosen = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
-    let with_recipe = chosen.iter().filter(|n| job.recipe_of(**n).is_some());
-    let own = with_recipe.map(|n| (*n, thresholds(&job.of_surface(*n)))).collect();
+    let chosen = job.chosen(surfaces);
+    let with_recipe = chosen.iter().filter(|n| job.recipe_of(SurfaceId(**n)).is_some());
+    let own = with_recipe.map(|n| (*n, thresholds(&job.of_surface(SurfaceId(*n))))).collect();
     let spot = Spot {
         profile: d.profile,
         line_mm: d.line_mm,

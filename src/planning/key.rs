@@ -3,10 +3,8 @@
 //! A job is taken apart field by field, so that a new one does not compile until it is said here which
 //! stages it makes stale. Names, notes and places of files are in no key; what the files hold is.
 
-use crate::document::{
-    Job,
-    model::{PartFile, SurfaceParameters},
-};
+use crate::document::model::{PartFile, SurfaceParameters};
+use crate::document::{Job, Settings};
 use crate::part::{Digest, Hasher, Source};
 use std::path::Path;
 
@@ -33,44 +31,17 @@ impl Keys {
     /// The keys of a job that stands in `job_file`, on a part as read. `reading` counts how often cell, robot,
     /// head and clamps were read: their files may change while their names stay.
     pub fn new(source: &Source, job: &Job, job_file: Option<&Path>, reading: u64) -> Keys {
-        let Job {
-            part,
-            surfaces,
-            clean,
-            layers,
-            beam,
-            optics,
-            path,
-            bead,
-            dose,
-            cell,
-            clamps,
-            recipes,
-            recipe_of,
-            tilts,
-            pins,
-        } = job;
+        let Job { part, surfaces, settings, layers, beam, optics, path, bead, dose, cell, clamps, recipes } = job;
         let part = part_key(source, part);
-        let surfaces = surfaces_key(part, surfaces);
+        let surfaces = surfaces_key(part, surfaces, settings);
         let folder = job_file.and_then(Path::parent).map(|f| f.to_string_lossy().into_owned());
         let files = Hasher::default().of(&folder).of(&reading).finish();
         let tool = Hasher::default().of(&files).of(&beam.head).of(clamps).finish();
         let cell_key = Hasher::default().of(&files).of(&cell.file).of(&cell.robot).finish();
         // Whether something stands in the beam's way is asked of beam and optics too.
         let setup = Hasher::default().of(&tool).of(&cell_key).of(cell).of(beam).of(optics).finish();
-        let plan = Hasher::default()
-            .of(&surfaces)
-            .of(&setup)
-            .of(&clean.surfaces)
-            .of(&clean.later)
-            .of(layers)
-            .of(path)
-            .of(bead)
-            .of(recipes)
-            .of(recipe_of)
-            .of(tilts)
-            .of(pins)
-            .finish();
+        let plan =
+            Hasher::default().of(&surfaces).of(&setup).of(settings).of(layers).of(path).of(bead).of(recipes).finish();
         let dose = Hasher::default().of(&plan).of(dose).finish();
         Keys { part, surfaces, tool, cell: cell_key, setup, plan, dose }
     }
@@ -83,7 +54,8 @@ pub(super) fn part_key(source: &Source, part: &PartFile) -> Digest {
     Hasher::default().of(&source.sha256).of(units).of(placement).of(flipped_shells).finish()
 }
 
-fn surfaces_key(part: Digest, surfaces: &SurfaceParameters) -> Digest {
-    let SurfaceParameters { angle_deg, min_area_mm2, hysteresis_deg, flipped, names: _, edits } = surfaces;
-    Hasher::default().of(&part).of(angle_deg).of(min_area_mm2).of(hysteresis_deg).of(flipped).of(edits).finish()
+fn surfaces_key(part: Digest, surfaces: &SurfaceParameters, settings: &Settings) -> Digest {
+    let SurfaceParameters { angle_deg, min_area_mm2, hysteresis_deg, edits } = surfaces;
+    let flipped: Vec<u32> = settings.having(|s| s.flipped).into_iter().map(|id| id.0).collect();
+    Hasher::default().of(&part).of(angle_deg).of(min_area_mm2).of(hysteresis_deg).of(&flipped).of(edits).finish()
 }

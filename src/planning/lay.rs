@@ -4,7 +4,7 @@
 
 use crate::document::model::{Job, Layers};
 use crate::part::surfaces::Surface;
-use crate::part::{Part, Surfaces, keyed};
+use crate::part::{Part, SurfaceId, Surfaces, keyed};
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::ends::{self, Short};
 use crate::path::normals::VertexNormals;
@@ -64,7 +64,7 @@ impl<'a> LayingRules<'a> {
             is_alternate: job.bead.alternate,
             start_shift_mm: job.bead.start_shift_mm,
             layer,
-            is_flipped: job.surfaces.flipped.contains(&surface),
+            is_flipped: job.settings.of(SurfaceId(surface)).flipped,
         }
     }
 }

@@ -259,7 +259,7 @@ impl Pipeline {
         self.lines.poll();
         changes.plan |= self.plan.poll();
         let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
-        if chosen(job, surfaces).is_empty() {
+        if job.chosen(surfaces).is_empty() {
             self.lines.clear();
             self.plan.clear();
             return;
@@ -299,10 +299,6 @@ fn current<V, E: Clone>(stage: &Stage<V, E>, key: Digest) -> Result<Arc<V>, Fail
         (None, Some(why)) => Err(why.clone()),
         (None, None) => Err(Failure::Cancelled),
     }
-}
-
-fn chosen(job: &Job, surfaces: &Surfaces) -> Vec<u32> {
-    job.clean.numbers(surfaces.list.iter().map(|s| s.number))
 }
 
 /// For those who wait for the plan.

@@ -10,7 +10,7 @@ use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::{model::Job, parameter};
-use crate::part::{Grown, Part, Surfaces};
+use crate::part::{Grown, Part, SurfaceId, Surfaces};
 use crate::pose::{Pass, State};
 use crate::program::Timeline;
 use crate::program::dialects;
@@ -62,9 +62,6 @@ pub enum PlanError {
         /// Those there are.
         known: String,
     },
-    /// The same one twice.
-    #[error("surface {0} stands twice in the list; name it once")]
-    Twice(u32),
     /// Nothing chosen.
     #[error("no surface is chosen; move at least one to the list to clean")]
     Nothing,
@@ -115,18 +112,13 @@ impl From<Cancelled> for PlanError {
 
 /// Numbers of the surfaces to clean, checked.
 fn chosen(surfaces: &Surfaces, job: &Job) -> Result<Vec<u32>, PlanError> {
-    let list = job.clean.numbers(surfaces.list.iter().map(|s| s.number));
+    let list = job.chosen(surfaces);
     if list.is_empty() {
         return Err(PlanError::Nothing);
     }
-    for (i, &n) in list.iter().enumerate() {
-        if surfaces.get(n).is_none() {
-            let last = surfaces.list.last().map_or(0, |s| s.number);
-            return Err(PlanError::NoSurface { surface: n, known: format!("1 to {last}") });
-        }
-        if list[..i].contains(&n) {
-            return Err(PlanError::Twice(n));
-        }
+    if let Some(&surface) = list.iter().find(|n| surfaces.get(**n).is_none()) {
+        let last = surfaces.list.last().map_or(0, |s| s.number);
+        return Err(PlanError::NoSurface { surface, known: format!("1 to {last}") });
     }
     Ok(list)
 }
@@ -140,7 +132,7 @@ pub(super) fn prepared<'a>(
     parameter::check_all(job).map_err(PlanError::Parameter)?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
-    let own: layer::Own<'_> = list.iter().map(|&n| (n, job.of_surface(n))).collect();
+    let own: layer::Own<'_> = list.iter().map(|&n| (n, job.of_surface(SurfaceId(n)))).collect();
     if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
         return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }

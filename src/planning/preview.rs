@@ -31,8 +31,8 @@ mod tests {
     use super::super::plan::plan;
     use super::*;
     use crate::cell::Setup;
-    use crate::document::{Chosen, Recipe, segmented};
-    use crate::part::{Placement, Units};
+    use crate::document::{Recipe, segmented};
+    use crate::part::{Placement, SurfaceId, Units};
     use crate::sample::{solids, stl_bytes};
 
     #[test]
@@ -40,11 +40,11 @@ mod tests {
         let part =
             Part::from_bytes(&stl_bytes(&solids::cube(20.0)), Units::Mm, &Placement::default(), &[]).expect("ok");
         let mut job = Job::default();
-        job.clean.surfaces = Chosen::These(vec![5, 2]);
+        job.settings.choose([5, 2]);
         (job.layers.spacing_mm, job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 3.0, 0.9, 2.0);
         let strategy = Some(crate::path::Strategy::Offset);
         job.recipes.push(Recipe { name: "Around".into(), strategy, ..Recipe::default() });
-        job.recipe_of.insert("2".into(), "Around".into());
+        job.settings.change(SurfaceId(2), |s| s.recipe = Some("Around".into()));
         let (surfaces, setup, cache) = (segmented(&part, &job), Setup::shipped().expect("shipped"), Cache::default());
         let shown = preview(&part, &surfaces, &job, &cache, &Progress::default()).expect("lines");
         assert_eq!(shown.iter().map(|l| l.surface).collect::<Vec<_>>(), [5, 2]);

@@ -6,7 +6,7 @@ use crate::beam::{Body, Optics, Stance, Tool, Work};
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::surfaces::Surface;
-use crate::part::{Digest, Hasher, Part, Surfaces, keyed};
+use crate::part::{Digest, Hasher, Part, SurfaceId, Surfaces, keyed};
 use crate::path::chord::ChordLimits;
 use crate::path::planes::Raster;
 use crate::path::{SurfacePlanes, dense};
@@ -107,11 +107,8 @@ pub(super) fn raster(surface: u32, job: &Job) -> Raster {
 
 /// What the lines of a surface are planned by.
 pub(super) fn rules_of(surface: u32, job: &Job) -> LineRules {
-    LineRules {
-        tilt: job.tilts.iter().find(|t| t.surface == surface).cloned().unwrap_or_default(),
-        pins: job.pins.iter().filter(|p| p.surface == surface).copied().collect(),
-        ..rules(job)
-    }
+    let own = job.settings.of(SurfaceId(surface));
+    LineRules { tilt: own.tilt.clone(), pins: own.pins.clone(), ..rules(job) }
 }
 
 /// The same without what single surfaces ask for.

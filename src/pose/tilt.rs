@@ -76,11 +76,8 @@ pub enum Side {
 }
 
 /// What a surface asks of the tilt.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TiltRule {
-    /// Its number.
-    pub surface: u32,
     /// The tilt that is best, in place of none; P3 asks for a small one against back reflection.
     pub preferred: Tilt,
     /// A beam nearer the normal than this is not taken, degrees.
@@ -121,11 +118,8 @@ impl TiltRule {
 }
 
 /// A tilt that the operator has set at a place of one line; the search keeps to it where it can.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pin {
-    /// Surface.
-    pub surface: u32,
     /// Line of the surface, from 0 in working order.
     pub line: u32,
     /// Place on the line, mm from its start.
@@ -136,8 +130,8 @@ pub struct Pin {
 
 keyed!(Tilt { lead_deg, lean_deg });
 keyed_words!(Side: Lead, Lag, Left, Right);
-keyed!(TiltRule { surface, preferred, least_deg, forbidden });
-keyed!(Pin { surface, line, at_mm, tilt });
+keyed!(TiltRule { preferred, least_deg, forbidden });
+keyed!(Pin { line, at_mm, tilt });
 
 #[cfg(test)]
 mod tests {

@@ -46,7 +46,7 @@ pub fn sample(name: &str) -> Triangles {
 /// A job on all surfaces, with the default of every other parameter.
 pub fn job(direction: &str, spacing_mm: f64) -> Job {
     let mut job = Job::default();
-    job.clean.surfaces = Chosen::All;
+    job.settings.choose(Chosen::All);
     job.layers.direction = direction.parse().expect("a direction");
     job.layers.spacing_mm = spacing_mm;
     job
@@ -54,7 +54,7 @@ pub fn job(direction: &str, spacing_mm: f64) -> Job {
 
 /// The job on these surfaces only.
 pub fn on(mut job: Job, surfaces: &[u32]) -> Job {
-    job.clean.surfaces = Chosen::These(surfaces.to_vec());
+    job.settings.choose(surfaces.to_vec());
     job
 }
 

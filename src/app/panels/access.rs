@@ -3,6 +3,7 @@
 
 use super::super::{App, access::Place, theme};
 use crate::document::Edit;
+use crate::part::SurfaceId;
 use crate::pose::access::{Access, AccessMap, AccessStrip, Over};
 use crate::pose::{Correction, Ours, Pin, Theirs, Tilt};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, pos2, vec2};
@@ -117,13 +118,13 @@ impl App {
         if self.document.job().path.correction != Correction::Clearance {
             return;
         }
-        let Some((surface, line)) = self.current_line() else { return };
+        let Some((_, line)) = self.current_line() else { return };
         if response.drag_started() {
             let near = |p: &Pin| frame.at(p.at_mm, over.of(p.tilt)).distance(pointer) <= GRAB;
             self.session.pin_dragged = Some(pins.iter().position(near).unwrap_or_else(|| {
                 let (at_mm, _) = frame.place(pointer);
                 let tilt = strip.chosen_at(at_mm).unwrap_or_default();
-                pins.push(Pin { surface, line, at_mm, tilt });
+                pins.push(Pin { line, at_mm, tilt });
                 pins.len() - 1
             }));
         }
@@ -139,13 +140,14 @@ impl App {
 
     /// The pins of the current line.
     fn pins(&self) -> Vec<Pin> {
-        let Some(line) = self.current_line() else { return Vec::new() };
-        self.document.job().pins.iter().filter(|p| (p.surface, p.line) == line).copied().collect()
+        let Some((surface, line)) = self.current_line() else { return Vec::new() };
+        self.document.job().settings.of(SurfaceId(surface)).pins.iter().filter(|p| p.line == line).copied().collect()
     }
 
     fn set_pins(&mut self, pins: Vec<Pin>) {
         let Some((surface, line)) = self.current_line() else { return };
-        let others = self.document.job().pins.iter().filter(|p| p.surface == surface && p.line != line);
+        let surface = SurfaceId(surface);
+        let others = self.document.job().settings.of(surface).pins.iter().filter(|p| p.line != line);
         let all = others.copied().chain(pins).collect();
         self.edit_dragging(&Edit::Pins(surface, all), "pins");
     }

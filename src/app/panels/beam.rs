@@ -5,8 +5,9 @@ use super::super::dialogs::Purpose;
 use super::super::{App, quantity, theme};
 use crate::beam::{Head, Obstacle};
 use crate::document::Edit;
+use crate::part::SurfaceId;
+use crate::pose::Correction;
 use crate::pose::tilt::Side;
-use crate::pose::{Correction, TiltRule};
 use crate::process::Profile;
 use eframe::egui::{self, DragValue, RichText};
 
@@ -124,8 +125,7 @@ impl App {
             ui.label(RichText::new("Select one surface to give it a tilt of its own").small());
             return;
         };
-        let known = self.document.job().tilts.iter().find(|t| t.surface == surface).cloned();
-        let before = known.unwrap_or(TiltRule { surface, ..TiltRule::default() });
+        let before = self.document.job().settings.of(SurfaceId(surface)).tilt.clone();
         let mut rule = before.clone();
         ui.label(RichText::new(format!("Surface {surface}")).strong());
         let numbers = [
@@ -155,7 +155,7 @@ impl App {
             }
         });
         if rule != before {
-            self.edit_dragging(&Edit::Tilt(rule), "tilt");
+            self.edit_dragging(&Edit::Tilt(SurfaceId(surface), rule), "tilt");
         }
     }
 

@@ -6,6 +6,7 @@ use crate::document::{
     Recipe,
     recipe_table::{Row, rows},
 };
+use crate::part::SurfaceId;
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use std::collections::BTreeSet;
 
@@ -24,8 +25,13 @@ impl App {
     /// Opens the comparison: the job's own values and its recipes, or those that the selection has.
     pub(super) fn open_compare(&mut self) {
         let job = self.document.job();
-        let of_selected: BTreeSet<&str> =
-            self.session.selected.iter().filter_map(|&n| job.recipe_of(n)).map(|r| r.name.as_str()).collect();
+        let of_selected: BTreeSet<&str> = self
+            .session
+            .selected
+            .iter()
+            .filter_map(|&n| job.recipe_of(SurfaceId(n)))
+            .map(|r| r.name.as_str())
+            .collect();
         let wanted = |r: &&Recipe| of_selected.len() < 2 || of_selected.contains(r.name.as_str());
         let chosen = job.recipes.iter().filter(wanted).map(|r| (Shelf::Job, r.name.clone())).collect();
         self.session.compare = Some(Compare { chosen, with_job: true, all_rows: false });

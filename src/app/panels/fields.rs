@@ -27,6 +27,9 @@ pub(super) const JOB: Owner = Owner { prefix: "", back: "Back to" };
 /// Those of a recipe.
 pub(super) const RECIPE: Owner = Owner { prefix: "recipe ", back: "Back to the job's" };
 
+/// Those of one surface.
+pub(super) const SURFACE: Owner = Owner { prefix: "surface ", back: "Back to what recipe or job say" };
+
 /// Numbers that are whole.
 const WHOLE: [&str; 2] = ["layers.passes", "bead.layers"];
 

@@ -4,6 +4,7 @@ use super::super::{App, quantity, theme};
 use super::fields::{self, Change, JOB};
 use super::laying;
 use crate::document::{Edit, Offset, StartFrom};
+use crate::part::SurfaceId;
 use crate::path::Strategy;
 use eframe::egui::{self, DragValue, Role, WidgetInfo};
 
@@ -35,6 +36,7 @@ impl App {
             }
             Strategy::Planes | Strategy::Adaptive => {}
         }
+        self.own_starts(ui);
         self.numbers(ui, &["layers.spacing_mm"]);
         if let Some(mm) = fields::overlap(ui, JOB, self.document.job()) {
             self.edit_dragging(&Edit::Set("layers.spacing_mm", mm), "overlap");
@@ -77,35 +79,23 @@ impl App {
         });
     }
 
-    /// The spiral's centre goes to the place that was right clicked.
+    /// The centre of the surface's spiral goes to the place that was right clicked.
     pub(in super::super) fn put_spiral_centre(&mut self) {
         let Some((surface, at)) = self.spiral_place() else { return };
-        match self.document.job().recipe_of(surface).cloned() {
-            Some(mut recipe) => {
-                recipe.centre_mm = Some(at);
-                self.edit(Edit::Recipe(Box::new(recipe), Vec::new()));
-            }
-            None => self.edit(Edit::Centre(Some(at))),
-        }
+        self.edit(Edit::OwnCentre(SurfaceId(surface), Some(at)));
     }
 
-    /// Offset lines start from the border nearest to the place that was right clicked.
+    /// The surface's offset lines start from the border nearest to the place that was right clicked.
     pub(in super::super) fn start_from_border(&mut self) {
         let Some((surface, index)) = self.border_place() else { return };
-        match self.document.job().recipe_of(surface).cloned() {
-            Some(mut recipe) => {
-                recipe.border = Some(StartFrom::Border(index));
-                self.edit(Edit::Recipe(Box::new(recipe), Vec::new()));
-            }
-            None => self.edit(Edit::Border(Some(index))),
-        }
+        self.edit(Edit::OwnBorder(SurfaceId(surface), Some(StartFrom::Border(index))));
     }
 
     /// The place that was right clicked, if the surface there is worked in a spiral.
     pub(in super::super) fn spiral_place(&self) -> Option<(u32, [f64; 3])> {
         let (facet, at) = self.session.menu_place?;
         let surface = *self.derived.surfaces.of_facet.get(facet as usize)?;
-        let is_spiral = self.document.job().of_surface(surface).layers.strategy == Strategy::Spiral;
+        let is_spiral = self.document.job().of_surface(SurfaceId(surface)).layers.strategy == Strategy::Spiral;
         is_spiral.then(|| (surface, at.coords.into()))
     }
 }

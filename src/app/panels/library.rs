@@ -3,6 +3,7 @@
 
 use super::super::{App, theme};
 use crate::document::{Edit, Recipe};
+use crate::part::SurfaceId;
 use eframe::egui::{self, DragAndDrop, RichText, Role, Sense, WidgetInfo};
 
 /// Where a recipe stands.
@@ -82,7 +83,7 @@ impl App {
             let told = format!("apply {} recipe {name}", shelf.word());
             apply.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
             if apply.on_hover_text("To the selected surfaces").clicked() {
-                let selected = self.session.selected.iter().copied().collect();
+                let selected = self.session.selected.iter().copied().map(SurfaceId).collect();
                 self.apply_recipe(recipe, selected);
             }
             if shelf == Shelf::Job {
@@ -119,7 +120,7 @@ impl App {
     }
 
     /// Gives surfaces a recipe from any shelf.
-    pub(super) fn apply_recipe(&mut self, recipe: &Recipe, surfaces: Vec<u32>) {
+    pub(super) fn apply_recipe(&mut self, recipe: &Recipe, surfaces: Vec<SurfaceId>) {
         let guest = self.document.job().welcomed(recipe);
         self.edit(Edit::GiveRecipe(surfaces, Some(Box::new(guest))));
     }

@@ -6,6 +6,7 @@ use super::super::session::Column;
 use super::super::theme;
 use super::library::DraggedRecipe;
 use crate::document::{Edit, Recipe};
+use crate::part::SurfaceId;
 use eframe::egui::{self, Align, Key, Layout, RichText, Role, Sense, WidgetInfo};
 use egui_extras::{Column as Width, TableBuilder};
 use std::sync::Arc;
@@ -15,7 +16,7 @@ const CHIP: usize = 9;
 
 /// Surfaces on the way from one list to the other.
 struct Dragged {
-    surfaces: Vec<u32>,
+    surfaces: Vec<SurfaceId>,
     from_clean: bool,
 }
 
@@ -171,12 +172,12 @@ impl App {
             if ui.input(|i| i.key_pressed(Key::Enter)) {
                 let text = text.clone();
                 self.session.renaming = None;
-                self.edit(Edit::Rename(n, text));
+                self.edit(Edit::Rename(SurfaceId(n), text));
             }
             return;
         }
         let state = if is_clean { self.state_of(n) } else { None };
-        let recipe = self.document.job().recipe_of(n).cloned();
+        let recipe = self.document.job().recipe_of(SurfaceId(n)).cloned();
         // From the right, so that a long name gives way to what is beside it.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if let Some((word, color)) = state {
@@ -245,14 +246,14 @@ impl App {
             if !self.session.selected.contains(&n) {
                 self.session.selected = [n].into();
             }
-            let surfaces = rows.iter().copied().filter(|r| self.session.selected.contains(r)).collect();
+            let surfaces = rows.iter().filter(|r| self.session.selected.contains(r)).map(|r| SurfaceId(*r)).collect();
             response.dnd_set_drag_payload(Dragged { surfaces, from_clean: is_clean });
         }
         // Asked first: taking a payload of another type would lose it.
         if response.dnd_hover_payload::<DraggedRecipe>().is_some() {
             self.session.hovered = Some(n);
             if let Some(dragged) = response.dnd_release_payload::<DraggedRecipe>() {
-                self.apply_recipe(&dragged.0, vec![n]);
+                self.apply_recipe(&dragged.0, vec![SurfaceId(n)]);
             }
             return;
         }
@@ -273,8 +274,9 @@ impl App {
 
     /// Puts what is dragged before a row of the list to clean.
     fn drop_before(&mut self, dragged: &Arc<Dragged>, row: u32) {
-        let mut list: Vec<u32> = self.clean_list().into_iter().filter(|n| !dragged.surfaces.contains(n)).collect();
-        let at = list.iter().position(|&n| n == row).unwrap_or(list.len());
+        let rest = self.clean_list().into_iter().map(SurfaceId).filter(|id| !dragged.surfaces.contains(id));
+        let mut list: Vec<SurfaceId> = rest.collect();
+        let at = list.iter().position(|id| id.0 == row).unwrap_or(list.len());
         list.splice(at..at, dragged.surfaces.iter().copied());
         self.edit(Edit::Reorder(list));
     }

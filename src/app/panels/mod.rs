@@ -15,6 +15,7 @@ mod laying;
 mod library;
 mod lists;
 mod menu;
+mod own;
 mod parameters;
 mod plots;
 mod problems;

@@ -1,6 +1,7 @@
 //! What is blocked or missed, grouped by surface and by what is in the way; a click goes there.
 
 use super::super::{App, theme};
+use crate::part::SurfaceId;
 use crate::path::Strategy;
 use crate::planning::report::Problem;
 use crate::view::Bounds;
@@ -98,7 +99,7 @@ impl App {
 
     /// Whether a surface's lines are cut by planes, which can be turned.
     fn is_by_planes(&self, surface: u32) -> bool {
-        let strategy = self.document.job().of_surface(surface).layers.strategy;
+        let strategy = self.document.job().of_surface(SurfaceId(surface)).layers.strategy;
         !matches!(strategy, Strategy::Offset | Strategy::Spiral)
     }
 

@@ -5,6 +5,7 @@ use super::super::{App, theme};
 use super::fields::{self, Change, RECIPE};
 use super::{bead, laying};
 use crate::document::{Edit, Job, PARAMETERS, Parameter, Recipe};
+use crate::part::SurfaceId;
 use crate::path::Strategy;
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
 use std::collections::BTreeSet;
@@ -24,7 +25,7 @@ pub struct Draft {
 
 impl App {
     pub(super) fn recipe_panel(&mut self, ui: &mut egui::Ui) {
-        let selected: Vec<u32> = self.session.selected.iter().copied().collect();
+        let selected: Vec<SurfaceId> = self.session.selected.iter().copied().map(SurfaceId).collect();
         let job = self.document.job();
         let names: BTreeSet<Option<String>> =
             selected.iter().map(|&n| job.recipe_of(n).map(|r| r.name.clone())).collect();
@@ -57,7 +58,7 @@ impl App {
     }
 
     /// Which recipe the surfaces have; `common`: the one they share, if they do.
-    fn choose_recipe(&mut self, ui: &mut egui::Ui, selected: &[u32], common: Option<&Option<String>>) {
+    fn choose_recipe(&mut self, ui: &mut egui::Ui, selected: &[SurfaceId], common: Option<&Option<String>>) {
         const OWN: &str = "none: the job's values";
         let recipes = self.document.job().recipes.clone();
         let shown = common.map_or("several", |name| name.as_deref().unwrap_or(OWN));
@@ -80,15 +81,9 @@ impl App {
             });
             combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "recipe"));
         });
-        let others: Vec<(u32, Recipe)> = self
-            .document
-            .job()
-            .recipe_of
-            .keys()
-            .filter_map(|n| n.parse().ok())
-            .filter(|n| !selected.contains(n))
-            .filter_map(|n| Some((n, self.document.job().recipe_of(n)?.clone())))
-            .collect();
+        let job = self.document.job();
+        let others = job.settings.having(|s| s.recipe.is_some()).into_iter().filter(|n| !selected.contains(n));
+        let others: Vec<(SurfaceId, Recipe)> = others.filter_map(|n| Some((n, job.recipe_of(n)?.clone()))).collect();
         if !others.is_empty() {
             ui.menu_button("Copy from surface…", |ui| {
                 for (n, r) in others {
@@ -105,13 +100,17 @@ impl App {
     }
 
     /// The values of the recipe; without one, the job's, and the first that is changed makes one.
-    fn recipe_values(&mut self, ui: &mut egui::Ui, selected: &[u32], name: Option<&str>) {
+    fn recipe_values(&mut self, ui: &mut egui::Ui, selected: &[SurfaceId], name: Option<&str>) {
         let job = self.document.job().clone();
         let known = name.and_then(|name| job.recipes.iter().find(|r| r.name == name));
         self.name_and_note(ui, known);
         if let Some(r) = known {
-            let others: Vec<String> =
-                job.surfaces_of_recipe(&r.name).iter().filter(|n| !selected.contains(n)).map(u32::to_string).collect();
+            let others: Vec<String> = job
+                .surfaces_of_recipe(&r.name)
+                .iter()
+                .filter(|n| !selected.contains(n))
+                .map(SurfaceId::to_string)
+                .collect();
             if !others.is_empty() {
                 let text = format!("Changes apply to surfaces {} too", others.join(", "));
                 ui.label(RichText::new(text).small().color(theme::ATTENTION));
@@ -175,17 +174,17 @@ impl App {
     }
 
     /// What came of the wanted spacing, and what else is to be said of how lines lie.
-    fn achieved_spacing(&self, ui: &mut egui::Ui, selected: &[u32]) {
+    fn achieved_spacing(&self, ui: &mut egui::Ui, selected: &[SurfaceId]) {
         let Some(of) = self.derived.plan() else { return };
         let (plan, job) = (&of.plan, &of.job);
-        for s in plan.surfaces.iter().filter(|s| selected.contains(&s.laid.surface)).take(TOLD) {
-            let n = s.laid.surface;
+        for s in plan.surfaces.iter().filter(|s| selected.contains(&SurfaceId(s.laid.surface))).take(TOLD) {
+            let n = SurfaceId(s.laid.surface);
             let whose = if selected.len() > 1 { format!("surface {n}: ") } else { String::new() };
             if let Some(a) = &s.laid.achieved {
                 let wanted = job.of_surface(n).layers.spacing_mm;
                 ui.label(format!("{whose}spacing {:.2} to {:.2} mm (wanted {wanted:.2})", a.min_mm, a.max_mm));
             }
-            for (_, remark) in plan.remarks().filter(|r| r.0 == n) {
+            for (_, remark) in plan.remarks().filter(|r| r.0 == n.0) {
                 ui.label(RichText::new(format!("{whose}{remark}")).small().color(theme::ATTENTION));
             }
         }

@@ -1,0 +1,191 @@
+//! What becomes of the settings of surfaces whose numbers or facets change: one renumbering for merges, splits and
+//! cuts, another crease angle, and another part.
+//!
+//! Where more than one old surface goes into a new one, each property is what most of its area had; in a merge the
+//! number that is kept keeps its own.
+
+use super::model::Job;
+use super::settings::{Settings, SurfaceSettings};
+use crate::part::{SurfaceId, Surfaces};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// What becomes of surfaces: old number → new ones.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Renumbering {
+    heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>>,
+    /// Whether surfaces that are not named stay what they are; else they are gone.
+    others_stay: bool,
+}
+
+/// What a new surface takes over from an old one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Takes {
+    /// All: it has the same facets.
+    All,
+    /// As much as this share of its area was the old one's, 0 to 1; never pins and border, which mean nothing on
+    /// other facets.
+    Share(f64),
+    /// It was merged into one that kept its number: its place in the order of work, the sides that it forbids, and
+    /// its name where that one has none.
+    Joined,
+    /// It was cut off: recipe, tilt rule and side.
+    Cut,
+}
+
+/// What a surface lost because its facets are others now.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lost {
+    /// The surface, as it was called.
+    pub surface: SurfaceId,
+    /// Tilts that were pinned on its lines.
+    pub pins: usize,
+    /// Whether it had a border of its own to start from.
+    pub border: bool,
+}
+
+/// As a sentence without its full stop.
+impl fmt::Display for Lost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Lost { surface, pins, border } = self;
+        match (pins, border) {
+            (0, _) => write!(f, "the border of surface {surface} was dropped"),
+            (1, false) => write!(f, "1 pinned tilt of surface {surface} was dropped"),
+            (_, false) => write!(f, "{pins} pinned tilts of surface {surface} were dropped"),
+            (1, true) => write!(f, "1 pinned tilt and the border of surface {surface} were dropped"),
+            (_, true) => write!(f, "{pins} pinned tilts and the border of surface {surface} were dropped"),
+        }
+    }
+}
+
+impl Renumbering {
+    /// Surfaces become one under the lowest of their numbers; all of them exist. One alone stays what it is.
+    pub fn merged(surfaces: &[SurfaceId]) -> Renumbering {
+        let takes = |id: &SurfaceId, keep: &SurfaceId| if id == keep { Takes::Share(1.0) } else { Takes::Joined };
+        let heirs = match surfaces.iter().min() {
+            Some(keep) if surfaces.iter().any(|id| id != keep) => {
+                surfaces.iter().map(|id| (*id, vec![(*keep, takes(id, keep))])).collect()
+            }
+            _ => BTreeMap::new(),
+        };
+        Renumbering { heirs, others_stay: true }
+    }
+
+    /// Pieces are cut off surfaces, which keep their numbers: surface and piece.
+    pub fn cut_off(pieces: impl IntoIterator<Item = (SurfaceId, SurfaceId)>) -> Renumbering {
+        let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>> = BTreeMap::new();
+        for (of, piece) in pieces {
+            heirs.entry(of).or_insert_with(|| vec![(of, Takes::Share(1.0))]).push((piece, Takes::Cut));
+        }
+        Renumbering { heirs, others_stay: true }
+    }
+
+    /// The same facets are cut into other surfaces: each takes over what most of its area was. Numbers that were no
+    /// surface's are gone. `areas_mm2` are those of the facets.
+    pub fn by_area(areas_mm2: &[f64], before: &Surfaces, after: &Surfaces) -> Renumbering {
+        let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>> = before.ids().map(|id| (id, Vec::new())).collect();
+        for surface in &after.list {
+            let mut was_mm2: BTreeMap<u32, f64> = BTreeMap::new();
+            for facet in surface.facets.iter().map(|f| *f as usize) {
+                if let (Some(old), Some(mm2)) = (before.of_facet.get(facet), areas_mm2.get(facet)) {
+                    *was_mm2.entry(*old).or_default() += mm2;
+                }
+            }
+            for (old, mm2) in was_mm2 {
+                let is_same = before.get(old).is_some_and(|b| b.facets == surface.facets);
+                let takes = if is_same { Takes::All } else { Takes::Share(mm2 / surface.area_mm2) };
+                heirs.entry(SurfaceId(old)).or_default().push((SurfaceId(surface.number), takes));
+            }
+        }
+        Renumbering { heirs, others_stay: false }
+    }
+
+    /// The settings under the new numbers, and what was lost.
+    fn carried(&self, settings: &Settings) -> (Settings, Vec<Lost>) {
+        let mut parents: BTreeMap<SurfaceId, Vec<(&SurfaceSettings, Takes)>> = BTreeMap::new();
+        for (old, heirs) in &self.heirs {
+            for (new, takes) in heirs {
+                parents.entry(*new).or_default().push((settings.of(*old), *takes));
+            }
+        }
+        let mut lost = Vec::new();
+        for (old, own) in settings.iter() {
+            match self.heirs.get(&old) {
+                // A number that was no surface's does not go before the piece that gets it.
+                None if self.others_stay && !parents.contains_key(&old) => {
+                    parents.entry(old).or_default().push((own, Takes::All))
+                }
+                heirs => {
+                    let stays = heirs.is_some_and(|h| h.iter().any(|(_, takes)| *takes == Takes::All));
+                    if !stays && (own.border.is_some() || !own.pins.is_empty()) {
+                        lost.push(Lost { surface: old, pins: own.pins.len(), border: own.border.is_some() });
+                    }
+                }
+            }
+        }
+        let of = parents.into_iter().map(|(new, parents)| (new, inherited(&parents))).collect();
+        (Settings::new(settings.cleans_all(), of), lost)
+    }
+}
+
+impl Job {
+    /// Carries what is said of surfaces over to their new numbers, and tells what was lost.
+    pub fn renumber(&mut self, map: &Renumbering) -> Vec<Lost> {
+        let (settings, lost) = map.carried(&self.settings);
+        self.settings = settings;
+        lost
+    }
+}
+
+/// What a surface has from those that went into it, in the order of their numbers.
+fn inherited(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
+    if let Some((own, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
+        return (*own).clone();
+    }
+    if let Some((of, _)) = parents.iter().find(|(_, takes)| *takes == Takes::Cut) {
+        let (recipe, tilt) = (of.recipe.clone(), of.tilt.clone());
+        return SurfaceSettings { recipe, tilt, flipped: of.flipped, ..SurfaceSettings::default() };
+    }
+    let mut own = of_most(parents);
+    for (joined, _) in parents.iter().filter(|(_, takes)| *takes == Takes::Joined) {
+        if own.name.is_empty() {
+            own.name.clone_from(&joined.name);
+        }
+        own.later = false;
+        own.work = own.work.into_iter().chain(joined.work).min();
+        own.tilt.forbidden.extend(&joined.tilt.forbidden);
+        own.tilt.forbidden.sort_unstable();
+        own.tilt.forbidden.dedup();
+    }
+    own
+}
+
+/// What most of the area had; nothing of what the smaller half or no half had.
+fn of_most(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
+    fn most<T: PartialEq + Clone + Default>(
+        parents: &[(&SurfaceSettings, Takes)],
+        get: impl Fn(&SurfaceSettings) -> T,
+    ) -> T {
+        let share_of = |value: &T| -> f64 {
+            let share = |(s, takes): &(&SurfaceSettings, Takes)| match takes {
+                Takes::Share(share) if get(s) == *value => *share,
+                _ => 0.0,
+            };
+            parents.iter().map(share).sum()
+        };
+        parents.iter().map(|(s, _)| get(s)).find(|value| share_of(value) > 0.5).unwrap_or_default()
+    }
+    let shares = parents.iter().filter(|(_, takes)| matches!(takes, Takes::Share(_)));
+    let first = shares.filter_map(|(s, _)| s.work).min();
+    SurfaceSettings {
+        name: most(parents, |s| s.name.clone()),
+        recipe: most(parents, |s| s.recipe.clone()),
+        work: first.filter(|_| most(parents, |s| s.work.is_some())),
+        later: most(parents, |s| s.later),
+        flipped: most(parents, |s| s.flipped),
+        tilt: most(parents, |s| s.tilt.clone()),
+        centre_mm: most(parents, |s| s.centre_mm),
+        pins: Vec::new(),
+        border: None,
+    }
+}
