@@ -24,19 +24,19 @@ impl App {
     pub(in super::super) fn lists(&mut self, ui: &mut egui::Ui) {
         // The hover of this frame is set by the rows and by the view, which is drawn after.
         let hovered = self.session.hovered.take();
-        let height = ui.available_height();
+        let later = self.later_height();
+        let height = ui.available_height() - later;
         self.list(ui, false, (height - 150.0) * 0.55, hovered);
         self.between_lists(ui);
-        self.list(ui, true, ui.available_height(), hovered);
+        self.list(ui, true, ui.available_height() - later, hovered);
+        self.later(ui);
     }
 
     /// Rows of the left list as they stand: filtered and sorted.
     pub(in super::super) fn rows_left(&self) -> Vec<u32> {
-        let clean = self.clean_list();
         let d = &self.derived;
         let job = self.document.job();
-        let mut rows: Vec<u32> =
-            d.numbers().into_iter().filter(|n| !clean.contains(n) && self.passes_filter(*n, 0)).collect();
+        let mut rows: Vec<u32> = self.not_to_clean().into_iter().filter(|n| self.passes_filter(*n, 0)).collect();
         let area = |n: u32| d.surfaces.get(n).map_or(0.0, |s| s.area_mm2);
         let (column, turned) = self.session.sort;
         match column {
@@ -48,6 +48,14 @@ impl App {
             rows.reverse();
         }
         rows
+    }
+
+    /// Surfaces that are neither to be cleaned nor put aside.
+    fn not_to_clean(&self) -> Vec<u32> {
+        let (clean, later) = (self.clean_list(), self.later_list());
+        let mut rest = self.derived.numbers();
+        rest.retain(|n| !clean.contains(n) && !later.contains(n));
+        rest
     }
 
     fn passes_filter(&self, n: u32, list: usize) -> bool {
@@ -64,11 +72,7 @@ impl App {
         } else {
             self.rows_left()
         };
-        let whole = if is_clean {
-            clean.len()
-        } else {
-            self.derived.surfaces.list.len() - clean.len().min(self.derived.surfaces.list.len())
-        };
+        let whole = if is_clean { clean.len() } else { self.not_to_clean().len() };
         let title = if is_clean { "To clean" } else { "Feature surfaces" };
         theme::heading(ui, title);
         ui.horizontal(|ui| {

@@ -10,6 +10,7 @@ mod dialogs;
 mod dose;
 mod fields;
 mod frames;
+mod later;
 mod layers;
 mod laying;
 mod library;
