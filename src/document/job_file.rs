@@ -1,7 +1,7 @@
 //! The job as TOML. On disk everything that is said of single surfaces stands in lists by their numbers, which
 //! people and scripts write; in memory it is [`Settings`].
 //!
-//! A job file says its `version`; one that does not is of version 1.
+//! What a file of an older version means is told in `version`.
 
 use super::chosen::Chosen;
 use super::model::SurfaceParameters;
@@ -9,6 +9,7 @@ use super::model::{BeadParameters, BeamParameters, CellFile, Job, Layers, PartFi
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use super::start_from::StartFrom;
+use super::version;
 use crate::beam::{Obstacle, Optics};
 use crate::part::{SurfaceEdit, SurfaceId};
 use crate::pose::tilt::Side;
@@ -18,13 +19,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 
-/// The version that is written.
-const VERSION: i64 = 2;
-
-/// What a job of version 1 takes for granted where it names no key and version 2 takes something else: as TOML,
-/// by the keys of the job file.
-const GRANTED_BY_1: &str = "";
-
 /// Why a text is no job.
 #[derive(Debug, Error)]
 pub enum JobFileError {
@@ -33,12 +27,13 @@ pub enum JobFileError {
     Toml(#[from] toml::de::Error),
     /// It is of a version that is not known yet.
     #[error(
-        "version = {0}: the job was made by a later clearbeam, and this one knows jobs up to version {VERSION}; \
-         open it with a newer clearbeam"
+        "version = {0}: the job was made by a later clearbeam, and this one knows jobs up to version {known}; \
+         open it with a newer clearbeam",
+        known = version::WRITTEN
     )]
     Later(i64),
     /// There is no such version.
-    #[error("version = {0}: give {VERSION}, or leave the line out for a job of version 1")]
+    #[error("version = {0}: give {known}, or leave the line out for a job of version 1", known = version::WRITTEN)]
     NoVersion(String),
     /// A list names a surface twice.
     #[error("{key}: surface {surface} stands twice in the list; name it once")]
@@ -161,7 +156,7 @@ struct StartRow {
 /// Where in the text what is wrong.
 pub fn parse(text: &str) -> Result<Job, JobFileError> {
     let table: toml::Table = toml::from_str(text)?;
-    version_of(&table)?;
+    version::of(&table)?;
     // The text knows its lines, which the table does not.
     toml::from_str::<JobFile>(text)?;
     Job::try_from(table)
@@ -171,10 +166,8 @@ impl TryFrom<toml::Table> for Job {
     type Error = JobFileError;
 
     fn try_from(mut table: toml::Table) -> Result<Job, JobFileError> {
-        let version = version_of(&table)?;
-        if version == 1 {
-            grant(&mut table, toml::from_str(GRANTED_BY_1)?);
-        }
+        let version = version::of(&table)?;
+        version::grant(version, &mut table)?;
         let file: JobFile = table.try_into()?;
         let settings = file.settings(version)?;
         let s = file.surfaces;
@@ -197,27 +190,6 @@ impl TryFrom<toml::Table> for Job {
             clamps: file.clamps,
             recipes: file.recipes,
         })
-    }
-}
-
-/// The version of a job file, from 1 to [`VERSION`].
-fn version_of(table: &toml::Table) -> Result<i64, JobFileError> {
-    match table.get("version") {
-        None => Ok(1),
-        Some(toml::Value::Integer(n @ 1..=VERSION)) => Ok(*n),
-        Some(toml::Value::Integer(n)) if *n > VERSION => Err(JobFileError::Later(*n)),
-        Some(other) => Err(JobFileError::NoVersion(other.to_string())),
-    }
-}
-
-/// Puts values where a table names none.
-fn grant(table: &mut toml::Table, granted: toml::Table) {
-    for (key, value) in granted {
-        match (table.get_mut(&key), value) {
-            (None, value) => drop(table.insert(key, value)),
-            (Some(toml::Value::Table(known)), toml::Value::Table(more)) => grant(known, more),
-            (Some(_), _) => {}
-        }
     }
 }
 
@@ -280,7 +252,7 @@ impl From<Job> for JobFile {
         let pin = |surface, p: &Pin| PinRow { surface, line: p.line, at_mm: p.at_mm, tilt: p.tilt };
         let starts = all.iter().filter(|(_, s)| s.border.is_some() || s.centre_mm.is_some());
         JobFile {
-            version: VERSION,
+            version: version::WRITTEN,
             surfaces: SurfaceTable::new(&job.surfaces, all),
             clean: CleanTable { surfaces: all.choice(), later: all.having(|s| s.later) },
             recipe_of: all.iter().filter_map(|(id, s)| Some((id.to_string(), s.recipe.clone()?))).collect(),
@@ -320,32 +292,5 @@ mod tests {
         refused("[[starts]]\nsurface = 1\n[[starts]]\nsurface = 1", &["starts: surface 1 stands twice"]);
         refused("[[starts]]\nborder = 1", &["line 1", "surface"]);
         refused("[[starts]]\nsurface = 1\nborder = \"all\"", &["line 3", "whole outline"]);
-    }
-
-    #[test]
-    fn versions_are_told_apart() {
-        for known in ["", "version = 1\n", "version = 2\n"] {
-            assert_eq!(parse(&format!("{known}[clean]\nsurfaces = [3]")).expect("reads").settings.choice(), [3].into());
-        }
-        // What a later version has beside that is not looked at.
-        refused("version = 3\nnovelty = 1", &["version = 3", "later clearbeam", "open it with a newer"]);
-        for none in ["0", "-1", "\"2\"", "2.0"] {
-            refused(&format!("version = {none}"), &[&format!("version = {none}"), "give 2"]);
-        }
-        let text = toml::to_string(&Job::default()).expect("writes");
-        assert!(text.starts_with("version = 2\n"), "{text}");
-        let two = "[[tilts]]\nsurface = 1\nleast_deg = 5\n[[tilts]]\nsurface = 1\nleast_deg = 9";
-        let job = parse(two).expect("version 1 takes the first");
-        assert_eq!(job.settings.of(SurfaceId(1)).tilt.least_deg, 5.0);
-        refused(&format!("version = 2\n{two}"), &["tilts: surface 1 stands twice"]);
-    }
-
-    #[test]
-    fn what_is_granted_fills_gaps_alone() {
-        let mut table: toml::Table = toml::from_str("[path]\nmax_turn_deg = 3.0").expect("reads");
-        let granted = "[path]\nmax_turn_deg = 8.0\ncorrection = \"none\"\n[bead]\nlayers = 2.0";
-        grant(&mut table, toml::from_str(granted).expect("reads"));
-        let whole = "[path]\nmax_turn_deg = 3.0\ncorrection = \"none\"\n[bead]\nlayers = 2.0";
-        assert_eq!(table, toml::from_str(whole).expect("reads"));
     }
 }

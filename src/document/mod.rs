@@ -22,6 +22,7 @@ mod reshape;
 pub mod settings;
 pub mod start_from;
 pub mod undo;
+mod version;
 
 pub use chosen::Chosen;
 pub use edit::Edit;
