@@ -564,6 +564,51 @@ fn surface_of(part: &Part, surfaces: &Surfaces, at: [f64; 3]) -> u32 {
     parts::surface_at(part, surfaces, at)
 }
 
+/// Lines along x on the top of a block, so far apart that stripes stay between them.
+fn striped(spacing_mm: f64) -> parts::Planned {
+    planned_at(&block([0.0; 3], [20.0, 20.0, 5.0]), &[[10.0, 10.0, 5.0]], parts::job("y", spacing_mm))
+}
+
+#[test]
+fn a_gap_between_lines_tells_the_spacing_that_closes_it() {
+    let wide = striped(3.0);
+    let patches = patches_of(&wide);
+    assert!(patches.len() >= 5 && patches.iter().all(|p| p.cause == Cause::Thin), "{patches:?}");
+    let closer_mm = patches[0].closer_than_mm.expect("a spacing");
+    // The first line keeps half a spacing off the rim, where no second one comes.
+    let inside = |p: &Patch, spacing_mm: f64| (p.centre.y - 10.0).abs() < 10.0 - spacing_mm;
+    assert!(patches.iter().any(|p| inside(p, 3.0)));
+    let mut between = patches.iter().filter(|p| inside(p, 3.0));
+    assert!(between.all(|p| p.gap_mm <= 3.0 && p.gap_mm > 2.5), "as far as the lines are apart");
+    let closed = patches_of(&striped(closer_mm));
+    assert!(!closed.iter().any(|p| inside(p, closer_mm)), "{closed:?}");
+    assert!(closed.iter().all(|p| p.closer_than_mm.is_none()), "close enough");
+    assert!(patches_of(&striped(1.1 * closer_mm)).iter().any(|p| inside(p, closer_mm)), "no closer than needed");
+
+    let (p, setup) = (&wide, parts::setup());
+    let map = planning::dose(&p.part, &p.surfaces, &p.plan, &p.job, &setup, &Progress::default()).expect("a dose");
+    let text = planning::dose::DoseReport::new(&map, &patches, &p.surfaces).text();
+    let told = format!("between lines, spacing too wide: give less than {:.2} mm", (100.0 * closer_mm).floor() / 100.0);
+    assert!(text.contains("too little: ") && text.contains(&told) && !text.contains("not cleanable"), "{text}");
+    assert_eq!(Edit::aside(&patches, &wide.surfaces), None);
+}
+
+#[test]
+fn too_little_power_is_put_aside_by_nobody() {
+    let mut job = parts::job("y", 0.5);
+    job.dose.low_j_cm2 = 1e6;
+    job.dose.high_j_cm2 = 1e7;
+    let weak = planned_at(&block([0.0; 3], [10.0, 10.0, 5.0]), &[[5.0, 5.0, 5.0]], job);
+    let patches = patches_of(&weak);
+    assert_eq!((patches.len(), patches[0].facets.len(), patches[0].closer_than_mm), (1, 2, None));
+    assert_eq!(Edit::aside(&patches, &weak.surfaces), None);
+    // Beside a patch that no light comes to, that one goes alone.
+    let blocked = Patch { cause: Cause::Blocked, facets: patches[0].facets[..1].to_vec(), ..patches[0].clone() };
+    let alone = Edit::aside(std::slice::from_ref(&blocked), &weak.surfaces);
+    assert!(alone.is_some());
+    assert_eq!(Edit::aside(&[patches[0].clone(), blocked], &weak.surfaces), alone);
+}
+
 #[test]
 fn what_stays_unclean_can_be_put_aside() {
     let mut job = parts::job("y", 0.5);

@@ -70,8 +70,13 @@ fn read(path: &Path) -> Result<ProgramFile, Failure> {
 fn text(dialect: &str, v: &Verdict) -> String {
     use std::fmt::Write as _;
     let mut out = String::new();
-    let _ = writeln!(out, "{dialect}: {} moves, {} with the laser on", v.moves, v.lit_moves);
-    let _ = writeln!(out, "furthest from the plan: {:.4} mm, {:.4}\u{b0} at the spot", v.worst_mm, v.worst_deg);
+    // Of what cannot be read there are no figures.
+    if v.findings.iter().any(|f| f.kind == Kind::Unreadable) {
+        let _ = writeln!(out, "{dialect}: not compared with the plan, for it cannot be read");
+    } else {
+        let _ = writeln!(out, "{dialect}: {} moves, {} with the laser on", v.moves, v.lit_moves);
+        let _ = writeln!(out, "furthest from the plan: {:.4} mm, {:.4}\u{b0} at the spot", v.worst_mm, v.worst_deg);
+    }
     for f in v.findings.iter().take(SHOWN) {
         // What cannot be read names its place itself.
         let _ = match f.kind {
@@ -88,4 +93,20 @@ fn text(dialect: &str, v: &Verdict) -> String {
         n => writeln!(out, "{n} findings"),
     };
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::planning::verify::Finding;
+
+    #[test]
+    fn figures_are_told_of_what_was_read_alone() {
+        let finding = |kind| Finding { file: "a.src".into(), line: 3, kind, text: "a.src, line 3: odd".into() };
+        let with = |kind| text("kuka", &Verdict { findings: vec![finding(kind)], ..Verdict::default() });
+        assert!(with(Kind::Deviation).contains("furthest from the plan"));
+        let unreadable = with(Kind::Unreadable);
+        assert!(!unreadable.contains("furthest") && !unreadable.contains("0 moves"), "{unreadable}");
+        assert!(unreadable.contains("a.src, line 3: odd\n") && unreadable.ends_with("1 finding\n"), "{unreadable}");
+    }
 }

@@ -36,12 +36,13 @@ impl Edit {
         (own > 0 && own < whole.facets.len()).then_some(Edit::Cut(cut))
     }
 
-    /// Puts patches that stay unclean aside: each becomes a surface of its own, or the whole surface
-    /// where nothing of it would be left. `None` where no patch holds the larger half of any facet.
+    /// Puts patches that no light comes to aside: each becomes a surface of its own, or the whole surface
+    /// where nothing of it would be left. A gap between lines stays: it is a matter of spacing, not of another
+    /// job. `None` where no such patch holds the larger half of any facet.
     pub fn aside(patches: &[Patch], surfaces: &Surfaces) -> Option<Edit> {
         let (mut cuts, mut aside) = (Vec::new(), Vec::new());
         let mut left: BTreeMap<u32, usize> = BTreeMap::new();
-        for patch in patches.iter().filter(|p| !p.facets.is_empty()) {
+        for patch in patches.iter().filter(|p| p.cause.keeps_light_away() && !p.facets.is_empty()) {
             let Some(surface) = surfaces.get(patch.surface) else { continue };
             let left = left.entry(patch.surface).or_insert(surface.facets.len());
             *left = left.saturating_sub(patch.facets.len());

@@ -8,7 +8,7 @@ use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
 use crate::pose::{Pass, Theirs};
-use crate::process::{DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
+use crate::process::{Cause, DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
 use crate::program::Timeline;
 use crate::program::steps::{Pace, Step};
 use crate::progress::Progress;
@@ -51,6 +51,9 @@ pub struct PatchReport {
     pub cause: &'static str,
     /// What it is blocked or shaded by.
     pub by_surface: Option<u32>,
+    /// A spacing below this would bring enough to a gap between lines, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub closer_than_mm: Option<f64>,
     /// Its middle, part frame.
     pub centre_mm: [f64; 3],
 }
@@ -84,17 +87,10 @@ pub fn dose(
     setup: &Setup,
     progress: &Progress,
 ) -> Result<DoseMap, PlanError> {
-    let (b, d) = (&job.beam, &job.dose);
     let chosen = job.chosen(surfaces);
     let with_recipe = chosen.iter().filter(|n| job.recipe_of(SurfaceId(**n)).is_some());
     let own = with_recipe.map(|n| (*n, thresholds(&job.of_surface(SurfaceId(*n))))).collect();
-    let spot = Spot {
-        profile: d.profile,
-        line_mm: d.line_mm,
-        spot_mm: b.spot_mm,
-        defocus_mm: b.defocus_mm,
-        optics: job.optics,
-    };
+    let spot = spot(job);
     let times = ends_s(plan);
     let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
     let task = Task { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
@@ -105,9 +101,17 @@ pub fn dose(
 /// What is little and what is much where a job says nothing: against what all its passes together land on a
 /// plate; a cross goes over it twice.
 fn thresholds(job: &Job) -> Thresholds {
-    let (b, l) = (&job.beam, &job.layers);
-    let times = l.passes * if l.strategy == Strategy::Cross { 2.0 } else { 1.0 };
-    job.dose.thresholds(b.power_w * times, b.speed_mm_s, l.spacing_mm)
+    job.dose.thresholds(power_w(job), job.beam.speed_mm_s, job.layers.spacing_mm)
+}
+
+/// The power of all passes over one place together.
+fn power_w(job: &Job) -> f64 {
+    job.beam.power_w * job.layers.passes * if job.layers.strategy == Strategy::Cross { 2.0 } else { 1.0 }
+}
+
+fn spot(job: &Job) -> Spot {
+    let (b, d) = (&job.beam, &job.dose);
+    Spot { profile: d.profile, line_mm: d.line_mm, spot_mm: b.spot_mm, defocus_mm: b.defocus_mm, optics: job.optics }
 }
 
 /// When the moves to the targets end, s from the program's start. Without a robot nothing is known of
@@ -168,14 +172,51 @@ impl PatchReport {
                 Theirs::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
                 Theirs::Clamp(_) => None,
             }),
+            closer_than_mm: p.closer_than_mm,
             centre_mm: p.centre.coords.map(|x| x + 0.0).into(),
+        }
+    }
+
+    /// Whether other values of the job would clean it.
+    pub fn is_thin(&self) -> bool {
+        self.cause == Cause::Thin.word()
+    }
+
+    /// Why it stays unclean, and what helps where that is known.
+    pub fn why(&self) -> String {
+        match (self.closer_than_mm, self.by_surface) {
+            // Rounded down: what is said has to be enough.
+            (Some(mm), _) if mm >= 0.01 => {
+                format!("between lines, spacing too wide: give less than {:.2} mm", (100.0 * mm).floor() / 100.0)
+            }
+            _ if self.is_thin() => "lines come near, and too little lands".into(),
+            (_, Some(n)) => format!("{} by surface {n}", self.cause),
+            (_, None) => self.cause.into(),
         }
     }
 }
 
 /// What a plan leaves unclean, by its dose.
 pub fn not_cleanable(part: &Part, surfaces: &Surfaces, plan: &Plan, job: &Job, map: &DoseMap) -> Vec<Patch> {
-    map.not_cleanable(&part.mesh, surfaces, on_the_part(plan), job.layers.spacing_mm)
+    let mut patches = map.not_cleanable(&part.mesh, surfaces, on_the_part(plan), job.layers.spacing_mm);
+    for patch in patches.iter_mut().filter(|p| p.cause == Cause::Thin) {
+        patch.closer_than_mm = closer_than_mm(&job.of_surface(SurfaceId(patch.surface)), patch.gap_mm);
+    }
+    patches
+}
+
+/// The spacing below which enough would land in a gap between lines. Where that is wider on the surface than between
+/// the planes, by the same share.
+fn closer_than_mm(job: &Job, gap_mm: f64) -> Option<f64> {
+    let planned_mm = job.layers.spacing_mm;
+    let apart_mm = gap_mm.max(planned_mm);
+    let (power_w, speed_mm_s) = (power_w(job), job.beam.speed_mm_s);
+    let enough = |spacing_mm: f64, least: f64| {
+        // Without a window of its own a job asks for half of what lands on the average at its planes' spacing.
+        let asked_mm = spacing_mm * planned_mm / apart_mm;
+        100.0 * power_w / speed_mm_s * least >= job.dose.thresholds(power_w, speed_mm_s, asked_mm).low_j_cm2
+    };
+    spot(job).closer_than(apart_mm, &enough).map(|mm| mm * planned_mm / apart_mm)
 }
 
 impl DoseReport {
@@ -201,11 +242,13 @@ impl DoseReport {
             ));
         }
         for p in self.not_cleanable.iter().take(PATCHES_TOLD) {
-            let by = p.by_surface.map_or(String::new(), |n| format!(" by surface {n}"));
             let [x, y, z] = p.centre_mm;
             out.push_str(&format!(
-                "not cleanable: {:.2} cm² of surface {} around ({x:.1}, {y:.1}, {z:.1}), {}{by}\n",
-                p.area_cm2, p.surface, p.cause
+                "{}: {:.2} cm² of surface {} around ({x:.1}, {y:.1}, {z:.1}), {}\n",
+                if p.is_thin() { "too little" } else { "not cleanable" },
+                p.area_cm2,
+                p.surface,
+                p.why()
             ));
         }
         if let Some(more) = self.not_cleanable.len().checked_sub(PATCHES_TOLD).filter(|n| *n > 0) {

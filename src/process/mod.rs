@@ -6,6 +6,7 @@
 
 pub mod bead;
 mod cell;
+pub mod closeness;
 pub mod dose;
 mod floor;
 pub mod light;

@@ -16,7 +16,7 @@ pub enum Cause {
     Shaded,
     /// No line comes near.
     Missed,
-    /// Lines come, but too little lands.
+    /// Lines come, but too little lands: other values would clean it, not another job.
     Thin,
 }
 
@@ -29,6 +29,11 @@ impl Cause {
             Cause::Missed => "missed",
             Cause::Thin => "thin",
         }
+    }
+
+    /// Whether the plan cannot bring light here, whatever its spacing, power and speed.
+    pub fn keeps_light_away(self) -> bool {
+        self != Cause::Thin
     }
 }
 
@@ -48,6 +53,12 @@ pub struct Patch {
     pub blocker: Option<Blocker>,
     /// What shades it, for most of its area.
     pub shaded_by: Option<Theirs>,
+    /// Twice as far as any of it lies from the nearest line, mm: between two lines that is their distance here.
+    /// Infinite where there is no line.
+    pub gap_mm: f64,
+    /// A spacing below this would bring enough to the gap between lines, mm; none where it is no such gap, or none
+    /// was looked for.
+    pub closer_than_mm: Option<f64>,
     /// The facets of which the larger half lies in it: what a second list takes over.
     pub facets: Vec<u32>,
 }
@@ -135,7 +146,7 @@ impl DoseMap {
         let mut walls: BTreeMap<Theirs, f64> = BTreeMap::new();
         let mut blockers: Vec<(Option<Blocker>, f64)> = Vec::new();
         let mut of_facet: BTreeMap<u32, f64> = BTreeMap::new();
-        let (mut area_mm2, mut sum) = (0.0, Vector3::zeros());
+        let (mut area_mm2, mut sum, mut gap_mm) = (0.0, Vector3::zeros(), 0.0f64);
         // A large patch is judged by some of its samples.
         let stride = group.len().div_ceil(MOST_JUDGED).max(1);
         for (k, &i) in group.iter().enumerate() {
@@ -147,7 +158,9 @@ impl DoseMap {
             if k % stride != 0 {
                 continue;
             }
-            let (cause, blocker) = self.cause(i, lines, reach_mm);
+            let near = nearest(&self.middle(i), lines);
+            gap_mm = gap_mm.max(near.map_or(f64::INFINITY, |(mm, _)| 2.0 * mm));
+            let (cause, blocker) = self.cause(i, near.filter(|(mm, _)| *mm <= reach_mm).map(|(_, line)| line));
             *causes.entry(cause).or_default() += area;
             match (cause, s.shaded_by) {
                 (Cause::Shaded, Some(wall)) => *walls.entry(wall).or_default() += area,
@@ -171,15 +184,16 @@ impl DoseMap {
                 .max_by(|a, b| a.1.total_cmp(&b.1))
                 .and_then(|b| b.0),
             shaded_by: walls.iter().filter(|_| cause == Cause::Shaded).max_by(|a, b| a.1.total_cmp(b.1)).map(|w| *w.0),
+            gap_mm,
+            closer_than_mm: None,
             facets: of_facet.iter().filter(|(f, a)| half(f, a)).map(|(f, _)| *f).collect(),
         }
     }
 
-    fn cause(&self, i: usize, lines: &[Stretch], reach_mm: f64) -> (Cause, Option<Blocker>) {
-        let q = self.middle(i);
-        let near = lines.iter().map(|s| (distance(&q, s), s)).min_by(|a, b| a.0.total_cmp(&b.0));
-        match near.filter(|(d, _)| *d <= reach_mm) {
-            Some((_, Stretch { blocked: Some(by), .. })) => (Cause::Blocked, *by),
+    /// Why a sample gets too little, by the line that it lies near.
+    fn cause(&self, i: usize, near: Option<&Stretch>) -> (Cause, Option<Blocker>) {
+        match near {
+            Some(Stretch { blocked: Some(by), .. }) => (Cause::Blocked, *by),
             _ if self.verdict(&self.samples[i]) == Verdict::Shaded => (Cause::Shaded, None),
             None => (Cause::Missed, None),
             Some(_) => (Cause::Thin, None),
@@ -199,6 +213,11 @@ fn of_pass(pass: &Pass) -> impl Iterator<Item = Stretch> {
         let blocked = w.iter().find(|t| t.state == State::Blocked).filter(|_| !w[1].laser);
         Stretch { from: w[0].p, to: w[1].p, blocked: blocked.map(|t| t.normal_hits) }
     })
+}
+
+/// The stretch nearest to a point, and how far it is, mm.
+fn nearest<'a>(q: &Point3<f64>, lines: &'a [Stretch]) -> Option<(f64, &'a Stretch)> {
+    lines.iter().map(|s| (distance(q, s), s)).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 fn distance(q: &Point3<f64>, s: &Stretch) -> f64 {

@@ -120,7 +120,10 @@ fn go(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, String> {
         (None, Some(flange), _) => Goal::Flange(flange),
         (None, None, _) => return Err("neither joints nor a pose".into()),
     };
-    Ok(ReadMove { way, goal, pace, rest: format!("laser={laser}") })
+    // Whoever takes the table may look at any of the three.
+    let given = [(flange.is_some(), "flange"), (focus.is_some(), "focus"), (joints.is_some(), "joints")];
+    let given: Vec<&str> = given.into_iter().filter(|g| g.0).map(|g| g.1).collect();
+    Ok(ReadMove { way, goal, pace, rest: format!("laser={laser}, given as {}", given.join(" and ")) })
 }
 
 fn all<const N: usize>(cells: &[&str]) -> Result<Option<[f64; N]>, String> {

@@ -1,6 +1,6 @@
 //! What the readers share: where something is wrong, and sub-programs that call each other.
 
-use super::dialect::{ProgramFile, ReadError, ReadLine, Reading};
+use super::dialect::{ProgramFile, Read, ReadError, ReadLine, Reading};
 
 /// More than any program here, and little enough for memory: calls multiply.
 const MOST_LINES: usize = 5_000_000;
@@ -58,4 +58,19 @@ impl Found {
 /// A line that is wrong.
 pub fn wrong(file: &str, line: usize, what: impl Into<String>) -> ReadError {
     ReadError::Line { file: file.into(), line, what: what.into() }
+}
+
+/// A straight move from where nobody knows: without a robot the joint angles before it say no place, and so no
+/// duration. That is told where they stand, with the line that goes on from there.
+pub fn from_nowhere(before: &[ReadLine], file: &str, line: usize) -> ReadError {
+    match before.iter().rev().find(|l| matches!(l.what, Read::Move(_))) {
+        None => wrong(file, line, "a straight move before any position; expected a move by joints"),
+        Some(last) => {
+            let what = format!(
+                "goes to joint angles, and {file}, line {line} goes straight on, whose duration is known with a robot \
+                 only; expected a pose here, or a move by joints there"
+            );
+            wrong(&last.file, last.line, what)
+        }
+    }
 }

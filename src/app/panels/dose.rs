@@ -81,29 +81,38 @@ impl App {
         }
     }
 
+    /// What no light comes to, which may go to a second list, and the gaps between lines, which may not.
     fn patches(&mut self, ui: &mut egui::Ui, view: &Arc<DoseView>) {
-        if view.patches.is_empty() {
+        self.patch_list(ui, view, "Not cleanable", true);
+        if view.patches.iter().any(|p| p.cause.keeps_light_away()) {
+            let aside = Edit::aside(&view.patches, &view.surfaces);
+            let button = ui.add_enabled(aside.is_some(), egui::Button::new("Put them on a second list"));
+            let tip = "They become surfaces of their own, put aside for another job, and are not planned";
+            if button.on_hover_text(tip).clicked()
+                && let Some(edit) = aside
+            {
+                self.edit(edit);
+            }
+        }
+        self.patch_list(ui, view, "Too little", false);
+    }
+
+    fn patch_list(&mut self, ui: &mut egui::Ui, view: &DoseView, title: &str, without_light: bool) {
+        let told = view.patches.iter().zip(&view.report.not_cleanable);
+        let list: Vec<_> = told.filter(|(p, _)| p.cause.keeps_light_away() == without_light).collect();
+        if list.is_empty() {
             return;
         }
-        let whole: f64 = view.patches.iter().map(|p| p.area_mm2).sum();
-        theme::heading(ui, &format!("Not cleanable: {:.2} cm²", 0.01 * whole));
-        for (p, told) in view.patches.iter().zip(&view.report.not_cleanable).take(ROWS) {
-            let by = told.by_surface.map_or(String::new(), |n| format!(" by surface {n}"));
-            let text = format!("{:.2} cm² of surface {}: {}{by}", told.area_cm2, told.surface, told.cause);
+        let whole: f64 = list.iter().map(|(p, _)| p.area_mm2).sum();
+        theme::heading(ui, &format!("{title}: {:.2} cm²", 0.01 * whole));
+        for (p, told) in list.iter().take(ROWS) {
+            let text = format!("{:.2} cm² of surface {}: {}", told.area_cm2, told.surface, told.why());
             if ui.link(RichText::new(text).small()).on_hover_text("Show it").clicked() {
                 self.look_at(p);
             }
         }
-        if view.patches.len() > ROWS {
-            ui.label(RichText::new(format!("and {} smaller ones", view.patches.len() - ROWS)).small());
-        }
-        let aside = Edit::aside(&view.patches, &view.surfaces);
-        let button = ui.add_enabled(aside.is_some(), egui::Button::new("Put them on a second list"));
-        let tip = "They become surfaces of their own, put aside for another job, and are not planned";
-        if button.on_hover_text(tip).clicked()
-            && let Some(edit) = aside
-        {
-            self.edit(edit);
+        if list.len() > ROWS {
+            ui.label(RichText::new(format!("and {} smaller ones", list.len() - ROWS)).small());
         }
     }
 

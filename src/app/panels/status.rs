@@ -1,6 +1,7 @@
 //! The status line: what is being done, what was found, what was said last.
 
 use super::super::{App, theme};
+use crate::planning::report::{Grade, grouped};
 use crate::program::Timeline;
 use crate::progress::Progress;
 use eframe::egui::{self, ProgressBar, RichText};
@@ -30,22 +31,22 @@ impl App {
         }
     }
 
-    /// What is proven of the moves with the laser on.
-    fn proof(&self, ui: &mut egui::Ui) {
-        // What is out of date is called nothing.
+    /// What is left out, and what is proven of the moves with the laser on.
+    fn standing(&self, ui: &mut egui::Ui) {
+        // Of what is out of date nothing is called proven.
         let Some(report) = self.plan().map(|of| &of.report) else { return };
-        let Some(proof) = &report.proof else { return };
-        let clearance = report.min_clearance_mm.map_or_else(String::new, |mm| format!(", least clearance {mm:.2} mm"));
-        if report.proven {
-            let tip = format!(
-                "On {} moves with the laser on nothing can be touched{}{clearance}",
-                proof.intervals,
-                if proof.margin_mm > 0.0 { format!(", by {:.2} mm", proof.margin_mm) } else { String::new() }
-            );
-            ui.label(RichText::new("proven free").color(theme::ACCENT)).on_hover_text(tip);
-        } else {
-            let text = format!("{} of {} moves not proven", proof.refuted.len(), proof.intervals);
-            ui.label(RichText::new(text).color(theme::WRONG));
+        let (Some(standing), Some(proof)) = (report.standing(), &report.proof) else { return };
+        let color = match standing.grade {
+            Grade::Unproven | Grade::Nothing => theme::WRONG,
+            Grade::LeftOut => theme::ATTENTION,
+            Grade::Free => theme::ACCENT,
+        };
+        let label = ui.label(RichText::new(standing.text).color(color));
+        if proof.proven > 0 {
+            let margin = if proof.margin_mm > 0.0 { format!(", by {:.2} mm", proof.margin_mm) } else { String::new() };
+            let least = report.min_clearance_mm.map_or_else(String::new, |mm| format!(", least clearance {mm:.2} mm"));
+            let moves = grouped(proof.proven);
+            label.on_hover_text(format!("On {moves} moves with the laser on nothing can be touched{margin}{least}"));
         }
     }
 
@@ -62,15 +63,12 @@ impl App {
             if let Some(report) = self.derived.plan().map(|of| &of.report) {
                 let r = report;
                 let time_s = self.timeline().map_or(r.time_s, Timeline::total_s);
-                ui.label(format!("{} passes · {} targets", r.passes, r.points));
+                self.standing(ui);
+                ui.label(format!("{} passes · {} targets", grouped(r.passes), grouped(r.points)));
                 if r.corrected > 0 {
                     ui.label(RichText::new(format!("{} corrected", r.corrected)).color(theme::ATTENTION));
                 }
-                if r.blocked > 0 {
-                    ui.label(RichText::new(format!("{} blocked", r.blocked)).color(theme::WRONG));
-                }
                 ui.label(format!("{:.1} mm · {}", r.work_mm, super::clock(time_s)));
-                self.proof(ui);
                 if !self.derived.is_current(&self.document) {
                     ui.label(RichText::new("out of date").color(theme::ATTENTION)).on_hover_text("Ctrl+R plans again");
                 }

@@ -1,6 +1,7 @@
 //! `report.json`: what was planned, in numbers that scripts rely on.
 
 mod problems;
+mod standing;
 mod text;
 
 use super::dose::DoseReport;
@@ -13,6 +14,7 @@ use crate::program::Timeline;
 use crate::program::sweep::Proof;
 pub use problems::{Problem, problems};
 use serde::Serialize;
+pub use standing::{Grade, Standing, grouped};
 pub use text::hours;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
@@ -70,7 +72,7 @@ pub struct Report {
     pub corrections: Vec<Outcome>,
     /// What is proven of the moves with the laser on; null before the program is made.
     pub proof: Option<Proof>,
-    /// Whether all of them are.
+    /// Whether all of them are, and there are any.
     pub proven: bool,
     /// The least that beam and head keep from everything at a target with the laser on; null without a head.
     pub min_clearance_mm: Option<f64>,
@@ -299,7 +301,7 @@ impl Report {
             splits: splits(all, surfaces),
             corrections: corrections(plan),
             surfaces: rows,
-            proven: plan.proof.as_ref().is_some_and(|p| p.refuted.is_empty()),
+            proven: plan.proof.as_ref().is_some_and(|p| p.intervals > 0 && p.refuted.is_empty()),
             proof: plan.proof.clone(),
             min_clearance_mm: clearance.reduce(f64::min),
             dose: None,

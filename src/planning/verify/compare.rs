@@ -1,23 +1,27 @@
 //! A program's lines against those of the plan, one by one: what is gone, new, or otherwise.
 
-use super::{Expected, Finding, Kind, MOST_OFF_MM, MOST_TURNED_DEG, Poses, Verdict, finding};
-use crate::part::angle;
+use super::likeness::{
+    deviation, elsewhere, is_near, is_same, is_same_kind, is_same_pace, off_joint, pace, said, turn_deg, turned_joint,
+    way,
+};
+use super::{Expected, Kind, Poses, Verdict, finding};
 use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
-use crate::program::{Move, Pace, Way, lit};
-use nalgebra::Isometry3;
+use crate::program::{Move, lit};
 
-/// Share by which a time may differ: speeds are written with few digits.
-const MOST_SLOWER: f64 = 0.02;
-/// A joint further off than this stands on another turn or branch, degrees.
-const OTHER_TURN_DEG: f64 = 1.0;
 /// Lines looked ahead to find where two programs meet again.
 const LOOK_AHEAD: usize = 40;
+/// Joint angles may be written so coarsely, degrees: pulses of an axis may be ten to the degree.
+const COARSEST_DEG: f64 = 0.06;
 
-/// A line that does something.
-type Acting<'a> = &'a ReadLine;
-
-fn acting(lines: &[ReadLine]) -> Vec<Acting<'_>> {
-    lines.iter().filter(|l| !matches!(l.what, Read::Say(_))).collect()
+/// The lines that do something, of both sides.
+struct Sides<'a, 'r> {
+    poses: &'r Poses<'r>,
+    want: Vec<&'r ReadLine>,
+    /// The plan's moves, beside its lines.
+    plans: Vec<Option<&'a Move>>,
+    have: Vec<&'r ReadLine>,
+    /// Where those stand among all lines.
+    places: Vec<usize>,
 }
 
 /// Line by line, finding the way back after a line that is gone or new. Gives the plan's move for
@@ -29,59 +33,30 @@ pub(super) fn compare<'a>(
     read: &[ReadLine],
     verdict: &mut Verdict,
 ) -> Vec<Option<&'a Move>> {
-    let (want, have) = (acting(expected.written), acting(read));
-    let places: Vec<usize> = (0..read.len()).filter(|i| !matches!(read[*i].what, Read::Say(_))).collect();
+    let sides = Sides::new(expected, poses, read);
+    let (want, have) = (&sides.want, &sides.have);
     let mut found_moves = vec![None; read.len()];
-    let mut planned = expected.moves.iter();
-    let plans: Vec<Option<&'a Move>> =
-        want.iter().map(|l| matches!(l.what, Read::Move(_)).then(|| planned.next().copied()).flatten()).collect();
     let (mut i, mut k) = (0, 0);
     while i < want.len() && k < have.len() {
-        if is_same(poses, want[i], have[k]) {
-            agree(poses, plans[i], want[i], have[k], verdict);
-            found_moves[places[k]] = plans[i];
-            (i, k) = (i + 1, k + 1);
-            continue;
-        }
-        // The nearest place where both go on alike: one line changed, or some gone or new.
-        let meets = |gone: usize, new: usize| {
-            (0..2).all(|n| match (want.get(i + gone + n), have.get(k + new + n)) {
-                (Some(w), Some(h)) => is_same(poses, w, h),
-                (None, None) => true,
-                _ => false,
-            })
-        };
-        let found = (1..=LOOK_AHEAD).find_map(|n| {
-            let ways = [(n, n), (n, n - 1), (n - 1, n), (n, 0), (0, n)];
-            ways.into_iter().find(|&(gone, new)| meets(gone, new))
-        });
-        let (gone, new) = found.unwrap_or((1, 1));
-        let both = gone.min(new);
-        for n in 0..both {
-            if i + n < want.len() && k + n < have.len() {
-                differ(poses, plans[i + n], want[i + n], have[k + n], verdict);
+        let (gone, new) = if sides.is_same(i, k) { (1, 1) } else { sides.way_back(i, k) };
+        for n in 0..gone.min(new) {
+            if i + n < want.len() && k + n < have.len() && sides.pair(i + n, k + n, verdict) {
+                found_moves[sides.places[k + n]] = sides.plans[i + n];
             }
         }
-        for n in both..gone {
-            if let Some(w) = want.get(i + n) {
-                let at = have.get(k + new).or(have.last()).copied().unwrap_or(w);
-                verdict.findings.push(finding(
-                    at,
-                    Kind::Missing,
-                    format!("before this line the plan has: {}", said(w)),
-                ));
-            }
+        for w in want.iter().skip(i + new).take(gone.saturating_sub(new)) {
+            let at = have.get(k + new).or(have.last()).copied().unwrap_or(w);
+            let text = format!("before this line the plan has: {}", said(w));
+            verdict.findings.push(finding(at, Kind::Missing, text));
         }
-        for n in both..new {
-            if let Some(h) = have.get(k + n) {
-                verdict.findings.push(finding(h, Kind::Extra, format!("the plan does not have: {}", said(h))));
-            }
+        for h in have.iter().skip(k + gone).take(new.saturating_sub(gone)) {
+            verdict.findings.push(finding(h, Kind::Extra, format!("the plan does not have: {}", said(h))));
         }
         (i, k) = (i + gone, k + new);
     }
-    if i < want.len() {
-        let at = have.last().copied().unwrap_or(want[i]);
-        let text = format!("{} more lines of the plan are not there, the first: {}", want.len() - i, said(want[i]));
+    if let Some(first) = want.get(i) {
+        let at = have.last().unwrap_or(first);
+        let text = format!("{} more lines of the plan are not there, the first: {}", want.len() - i, said(first));
         verdict.findings.push(finding(at, Kind::Missing, text));
     }
     for h in have.iter().skip(k) {
@@ -90,114 +65,109 @@ pub(super) fn compare<'a>(
     found_moves
 }
 
-/// A line in a few words.
-fn said(l: &ReadLine) -> String {
-    match &l.what {
-        Read::Move(ReadMove { way: Way::Joint, .. }) => "a move by joints".into(),
-        Read::Move(ReadMove { way: Way::Linear, .. }) => "a straight move".into(),
-        Read::Output { number, on } => format!("output {number} {}", if *on { "on" } else { "off" }),
-        Read::Level { number, value, .. } => format!("level {number} to {value}"),
-        Read::Wait(s) => format!("a wait of {s} s"),
-        Read::Say(text) | Read::Other(text) => text.clone(),
+impl<'a, 'r> Sides<'a, 'r> {
+    fn new(expected: &'r Expected<'a>, poses: &'r Poses<'r>, read: &'r [ReadLine]) -> Sides<'a, 'r> {
+        let acts = |l: &&ReadLine| !matches!(l.what, Read::Say(_));
+        let want: Vec<&ReadLine> = expected.written.iter().filter(acts).collect();
+        let mut planned = expected.moves.iter();
+        let plans =
+            want.iter().map(|l| matches!(l.what, Read::Move(_)).then(|| planned.next().copied()).flatten()).collect();
+        let places: Vec<usize> = (0..read.len()).filter(|i| acts(&&read[*i])).collect();
+        Sides { poses, want, plans, have: places.iter().map(|i| &read[*i]).collect(), places }
     }
-}
 
-/// Whether a line is the one of the plan, small changes of pose and time not looked at.
-fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bool {
-    match (&want.what, &have.what) {
-        (Read::Move(w), Read::Move(h)) => {
-            w.way == h.way
-                && off(poses, &w.goal, &h.goal).is_none_or(|(mm, deg)| mm < MOST_OFF_MM && deg < MOST_TURNED_DEG)
-        }
-        (w, h) => w == h,
-    }
-}
-
-/// How far the spot is off, and turned; `None` where it cannot be known.
-fn off(poses: &Poses<'_>, a: &Goal, b: &Goal) -> Option<(f64, f64)> {
-    if let (Goal::Joints(a), Goal::Joints(b), None) = (a, b, &poses.setup.robot) {
-        // Home without a robot.
-        return Some(if a == b { (0.0, 0.0) } else { (f64::INFINITY, 180.0) });
-    }
-    let (a, b) = (poses.focus(a)?, poses.focus(b)?);
-    Some(((poses.spot(&a) - poses.spot(&b)).norm(), turn_deg(&a, &b)))
-}
-
-fn turn_deg(a: &Isometry3<f64>, b: &Isometry3<f64>) -> f64 {
-    angle::turned_deg(&a.rotation.rotation_to(&b.rotation).to_rotation_matrix())
-}
-
-/// Two lines that are the same one: what of it differs.
-fn agree(poses: &Poses<'_>, plan: Option<&Move>, want: &ReadLine, have: &ReadLine, verdict: &mut Verdict) {
-    let (Read::Move(w), Read::Move(h)) = (&want.what, &have.what) else { return };
-    // Against the plan itself, not against its text.
-    if let (Some(planned), Some(focus)) = (plan.and_then(|p| p.part_from_focus), poses.focus(&h.goal)) {
-        let defocus_mm = plan.map_or(poses.defocus_mm, |p| p.work.defocus_mm);
-        let mm = (lit::foot(&planned, defocus_mm) - lit::foot(&focus, defocus_mm)).norm();
-        let deg = turn_deg(&planned, &focus);
-        (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
-        if mm > MOST_OFF_MM || deg > MOST_TURNED_DEG {
-            verdict.findings.push(deviation(have, mm, deg));
+    fn is_same(&self, i: usize, k: usize) -> bool {
+        match (self.want.get(i), self.have.get(k)) {
+            (Some(w), Some(h)) => is_same(self.poses, w, h),
+            (None, None) => true,
+            _ => false,
         }
     }
-    if let (Goal::Joints(w), Goal::Joints(h)) = (&w.goal, &h.goal)
-        && let Some(j) = (0..6).find(|&j| (w[j] - h[j]).abs() > OTHER_TURN_DEG)
-    {
-        let text = format!("J{} stands at {:.1}\u{b0}, the plan has {:.1}\u{b0}", j + 1, h[j], w[j]);
-        verdict.findings.push(finding(have, Kind::Deviation, text));
+
+    /// How many lines are gone and new until both go on alike for two: one line changed, or some gone or new.
+    fn way_back(&self, i: usize, k: usize) -> (usize, usize) {
+        let meets = |gone: usize, new: usize| (0..2).all(|n| self.is_same(i + gone + n, k + new + n));
+        let found = (1..=LOOK_AHEAD).find_map(|n| {
+            let ways = [(n, n), (n, n - 1), (n - 1, n), (n, 0), (0, n)];
+            ways.into_iter().find(|&(gone, new)| meets(gone, new))
+        });
+        found.unwrap_or((1, 1))
     }
-    if w.rest != h.rest {
-        let text = format!("{} where the plan has {}", h.rest, w.rest);
-        verdict.findings.push(finding(have, Kind::Setting, text));
+
+    /// Two lines at the same place: what of them differs. Whether they are the same one.
+    fn pair(&self, i: usize, k: usize, verdict: &mut Verdict) -> bool {
+        let (want, have) = (self.want[i], self.have[k]);
+        let is_same = self.is_same(i, k);
+        match (&want.what, &have.what) {
+            (Read::Move(w), Read::Move(h)) if is_same => {
+                if let Some(plan) = self.plans[i] {
+                    self.as_planned(plan, have, h, verdict);
+                    in_time(plan, have, w, h, verdict);
+                }
+                words(w, have, h, verdict);
+            }
+            _ if is_same => {}
+            (Read::Move(w), Read::Move(h)) if is_same_kind(w, h) => {
+                if let Some(text) = elsewhere(self.poses, &w.goal, &h.goal) {
+                    verdict.findings.push(finding(have, Kind::Deviation, text));
+                }
+                words(w, have, h, verdict);
+            }
+            _ => {
+                let text = format!("{} where the plan has {}", said(have), said(want));
+                verdict.findings.push(finding(have, Kind::Setting, text));
+            }
+        }
+        is_same
     }
-    if !same_pace(&w.pace, &h.pace) {
-        verdict.findings.push(finding(
-            have,
-            Kind::Time,
-            format!("{} where the plan has {}", pace(&h.pace), pace(&w.pace)),
-        ));
-    }
-    if let Some(planned) = plan
-        && !same_pace(&planned.pace, &h.pace)
-        && same_pace(&w.pace, &h.pace)
-    {
-        let text = format!("the dialect's words give {} where the plan has {}", pace(&h.pace), pace(&planned.pace));
-        verdict.findings.push(finding(have, Kind::Time, text));
+
+    /// A move against the plan itself, not against its text: what the dialect's words make of it.
+    fn as_planned(&self, plan: &Move, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
+        let poses = self.poses;
+        // Home is told by its joints, or where they are.
+        let home = plan.part_from_focus.is_none().then_some(plan.joints_deg).flatten();
+        let planned = match (&have.goal, home) {
+            (Goal::Joints(joints), Some(home)) => {
+                if let Some(j) = off_joint(&Goal::Joints(home), &have.goal, COARSEST_DEG) {
+                    verdict.findings.push(finding(at, Kind::Deviation, turned_joint(j, home[j], joints[j])));
+                }
+                None
+            }
+            _ => plan.part_from_focus.or(plan.base_from_flange.map(|flange| poses.setup.focus_for(&flange))),
+        };
+        if let (Some(planned), Some(focus)) = (planned, poses.focus(&have.goal)) {
+            let defocus_mm = plan.work.defocus_mm;
+            let mm = (lit::foot(&planned, defocus_mm) - lit::foot(&focus, defocus_mm)).norm();
+            let deg = turn_deg(&planned, &focus);
+            (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
+            if !is_near((mm, deg)) {
+                verdict.findings.push(finding(at, Kind::Deviation, deviation((mm, deg))));
+            }
+        }
+        if plan.way != have.way {
+            let text = format!("the dialect's words give {} where the plan has {}", way(have.way), way(plan.way));
+            verdict.findings.push(finding(at, Kind::Setting, text));
+        }
     }
 }
 
-fn same_pace(a: &Pace, b: &Pace) -> bool {
-    match (a, b) {
-        // A millisecond is what controllers count in.
-        (Pace::Seconds(a), Pace::Seconds(b)) => (a - b).abs() <= 0.002 + MOST_SLOWER * a.abs(),
-        // A share of full speed turned into radians and back.
-        (Pace::Percent(a), Pace::Percent(b)) => (a - b).abs() <= 1e-3 * a.abs(),
-        _ => false,
+/// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`words`].
+fn in_time(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
+    if !is_same_pace(&plan.pace, &have.pace) && is_same_pace(&want.pace, &have.pace) {
+        let (gives, has) = (pace(&have.pace), pace(&plan.pace));
+        let text = format!("the dialect's words give {gives} where the plan has {has}");
+        verdict.findings.push(finding(at, Kind::Time, text));
     }
 }
 
-fn pace(p: &Pace) -> String {
-    match p {
-        Pace::Seconds(s) => format!("{s:.3} s"),
-        Pace::Percent(p) => format!("{p} %"),
+/// What the words of a move say beside its target.
+fn words(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
+    if want.rest != have.rest {
+        let text = format!("{:?} where the plan has {:?}", have.rest, want.rest);
+        verdict.findings.push(finding(at, Kind::Setting, text));
     }
-}
-
-fn deviation(at: &ReadLine, mm: f64, deg: f64) -> Finding {
-    finding(at, Kind::Deviation, format!("the spot is {mm:.3} mm off and turned by {deg:.3}\u{b0}"))
-}
-
-/// Two lines at the same place of which one was changed.
-fn differ(poses: &Poses<'_>, plan: Option<&Move>, want: &ReadLine, have: &ReadLine, verdict: &mut Verdict) {
-    if is_same(poses, want, have) {
-        return agree(poses, plan, want, have, verdict);
+    if !is_same_pace(&want.pace, &have.pace) {
+        let text = format!("{} where the plan has {}", pace(&have.pace), pace(&want.pace));
+        verdict.findings.push(finding(at, Kind::Time, text));
     }
-    if let (Read::Move(w), Read::Move(h)) = (&want.what, &have.what)
-        && w.way == h.way
-        && let Some((mm, deg)) = off(poses, &w.goal, &h.goal)
-    {
-        return verdict.findings.push(deviation(have, mm, deg));
-    }
-    let text = format!("{} where the plan has {}", said(have), said(want));
-    verdict.findings.push(finding(have, Kind::Setting, text));
 }

@@ -85,9 +85,14 @@ pub(in super::super) fn driven<'a>(
                     let by_focus = matches!(m.goal, Goal::Focus(_));
                     out.push(Driven { at: line, place, lit: LitMove { from, to, by_focus, work } });
                 }
-                _ => {
-                    let text = "a move by joints with the laser on".into();
-                    verdict.findings.push(finding(line, Kind::Interference, text));
+                (way, ..) => {
+                    let text = match way {
+                        Way::Joint => "a move by joints with the laser on",
+                        Way::Linear => {
+                            "a move from or to joint angles with the laser on: where is known with a robot only"
+                        }
+                    };
+                    verdict.findings.push(finding(line, Kind::Interference, text.into()));
                 }
             }
         }

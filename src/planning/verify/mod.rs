@@ -2,11 +2,13 @@
 //! ranges and speeds of what is written, and the beam on the way between.
 //!
 //! What a dialect says beside its moves (tools, zones, settings) is compared with the same plan written
-//! afresh and read by the same reader, so that rounding is no deviation and a changed word is one.
+//! afresh and read by the same reader, so that rounding is no deviation and a changed word is one. So is
+//! another kind of target: joint angles where the plan has a pose, wherever they lead.
 //! Comments do nothing and are not looked at.
 
 mod compare;
 mod driven;
+mod likeness;
 
 use super::plan::{self, Plan};
 use crate::cell::Setup;

@@ -5,6 +5,7 @@ use crate::cell::Setup;
 use crate::cell::controllers::words::{number, said_lines};
 use crate::program::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::flange::{Speeds, Travel, joints, pose};
+use crate::program::reading::from_nowhere;
 use crate::program::steps::{Pace, Way};
 use nalgebra::Isometry3;
 use std::collections::BTreeMap;
@@ -36,6 +37,9 @@ pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, 
         if text == "End;" {
             ended = true;
             continue;
+        }
+        if text.starts_with("MovL{") && at.is_none() {
+            return Err(from_nowhere(&out, &file.name, line));
         }
         let what = if text.starts_with("MovJ{") || text.starts_with("MovL{") {
             Read::Move(go(reading.setup, &data, &mut at, text).map_err(wrong)?)
@@ -69,7 +73,7 @@ fn go(setup: &Setup, data: &Data, at: &mut Option<Isometry3<f64>>, text: &str) -
     let pace = match (way, *at, to) {
         (Way::Joint, ..) => Pace::Percent(percent),
         (Way::Linear, Some(from), Some(to)) => Pace::Seconds(Travel::between(&from, &to).seconds(speeds)),
-        _ => return Err("a straight move from or to joint angles, whose duration is known with a robot only".into()),
+        _ => return Err("a straight move to joint angles, whose duration is known with a robot only".into()),
     };
     *at = to;
     Ok(ReadMove { way, goal, pace, rest: rest.into() })

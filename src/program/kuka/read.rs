@@ -6,6 +6,7 @@ use crate::cell::controllers::Kuka;
 use crate::cell::controllers::words::{matched_key, number, said_lines};
 use crate::program::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::flange::{Speeds, Travel, joints, pose};
+use crate::program::reading::from_nowhere;
 use crate::program::steps::{Pace, Way};
 use nalgebra::Isometry3;
 
@@ -74,20 +75,22 @@ impl Reader<'_> {
                 self.module(&ProgramFile { name, text }, None)?;
                 continue;
             }
-            if let Some(what) = self.line(text).map_err(wrong)? {
+            let what = match (text.strip_prefix("LIN "), self.at) {
+                (None, _) => self.line(text).map_err(wrong)?,
+                (Some(rest), Some(from)) => Some(self.lin(&from, rest).map_err(wrong)?),
+                (Some(_), None) => return Err(from_nowhere(&self.out, &file.name, line)),
+            };
+            if let Some(what) = what {
                 self.out.push(ReadLine { file: file.name.clone(), line, what });
             }
         }
         if ended { Ok(()) } else { Err(ReadError::CutOff { file: file.name.clone(), expected: "END" }) }
     }
 
-    /// What a line does; `None` for a speed, which counts in the moves after it.
+    /// What a line that is no straight move does; `None` for a speed, which counts in the moves after it.
     fn line(&mut self, text: &str) -> Result<Option<Read>, String> {
         if let Some(rest) = text.strip_prefix("PTP ") {
             return self.ptp(rest).map(Some);
-        }
-        if let Some(rest) = text.strip_prefix("LIN ") {
-            return self.lin(rest).map(Some);
         }
         if let Some((name, value)) = text.strip_prefix("$VEL.").and_then(|t| t.split_once('=')) {
             let value = number(value).filter(|v| *v > 0.0).ok_or("expected a speed above 0")?;
@@ -127,7 +130,7 @@ impl Reader<'_> {
         Ok(Read::Move(ReadMove { way: Way::Joint, goal, pace: Pace::Percent(percent), rest: String::new() }))
     }
 
-    fn lin(&mut self, rest: &str) -> Result<Read, String> {
+    fn lin(&mut self, from: &Isometry3<f64>, rest: &str) -> Result<Read, String> {
         let (numbers, rest) = rest.split_once('}').ok_or("expected {X ..,C ..}")?;
         let rest = rest.trim();
         if !matches!(rest, "" | "C_DIS") {
@@ -138,9 +141,8 @@ impl Reader<'_> {
             return Err("a LIN before $VEL.ORI1 and $VEL.ORI2".into());
         };
         let m_s = self.m_s.ok_or("a LIN before $VEL.CP")?;
-        let from = self.at.ok_or("a LIN from joint values, whose duration is known with a robot only; give --robot")?;
         let speeds = Speeds { mm_s: 1000.0 * m_s, deg_s: ori1.min(ori2) };
-        let seconds = Travel::between(&from, &to).seconds(speeds);
+        let seconds = Travel::between(from, &to).seconds(speeds);
         self.at = Some(to);
         let (goal, pace) = (Goal::Flange(to), Pace::Seconds(seconds));
         Ok(Read::Move(ReadMove { way: Way::Linear, goal, pace, rest: rest.into() }))

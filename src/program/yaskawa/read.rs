@@ -5,6 +5,7 @@ use crate::cell::Setup;
 use crate::cell::controllers::words::{number, numbers, said_lines};
 use crate::program::dialect::{Goal, ProgramFile, Read, ReadError, ReadLine, ReadMove, Reading};
 use crate::program::flange::{Travel, pose};
+use crate::program::reading::from_nowhere;
 use crate::program::steps::{Pace, Way};
 use nalgebra::{Isometry3, Translation3};
 
@@ -105,6 +106,9 @@ impl Reader<'_> {
                             };
                             self.job(&ProgramFile { name, text }, None)?;
                         }
+                        (None, _) if text.starts_with("MOVL ") && self.at.is_none() => {
+                            return Err(from_nowhere(&self.out, &file.name, line));
+                        }
                         (None, _) => {
                             let what = self.instruction(&positions.list, text).map_err(wrong)?;
                             self.said(file, line, what);
@@ -149,7 +153,7 @@ impl Reader<'_> {
             (Way::Joint, "VJ") => Pace::Percent(value),
             (Way::Linear, "V" | "VR") => {
                 let (Some(from), Some(to)) = (&self.at, &at) else {
-                    return Err("a straight move from or to pulses, whose duration is known with a robot only".into());
+                    return Err("a straight move to pulses, whose duration is known with a robot only".into());
                 };
                 let travel = Travel::between(from, to);
                 Pace::Seconds(if unit == "V" { travel.mm } else { travel.deg } / value)
