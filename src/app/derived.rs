@@ -171,7 +171,7 @@ impl App {
         if same_tool && d.setup.as_ref().is_some_and(|(of, _)| *of == job.cell) {
             return;
         }
-        let file = self.document.file.as_deref();
+        let file = self.document.file();
         let named = (job.cell.file.clone(), job.cell.robot.clone());
         // Frames are dragged: the file with its obstacles is not read again for each step.
         if d.cell_file.as_ref().is_none_or(|(of, _)| *of != named) {

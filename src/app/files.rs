@@ -5,9 +5,9 @@ use super::dialogs::Purpose;
 use super::session::AfterGuard;
 use super::worker::{Opened, Outcome};
 use crate::beam::Obstacle;
-use crate::document::Document;
-use crate::document::Job;
 use crate::document::files;
+use crate::document::save;
+use crate::document::{Document, IfChanged, Job, JobFile};
 use crate::part::{Part, digest_of, stl};
 use crate::planning::output;
 use eframe::egui;
@@ -36,7 +36,7 @@ impl App {
         match result {
             Ok(opened) => {
                 let Opened { job, file, raw, part } = *opened;
-                let shown = file.clone().unwrap_or_else(|| PathBuf::from(&job.part.file));
+                let shown = file.as_ref().map_or_else(|| PathBuf::from(&job.part.file), |f| f.path.clone());
                 self.remember(&shown);
                 self.session.forget_part();
                 self.session.said = part
@@ -79,22 +79,21 @@ impl App {
             Purpose::SaveJob => self.save_to(path),
             Purpose::Export => self.export(path),
             Purpose::Cell => {
-                let beside = self.document.file.clone();
-                let named = files::relative_to(&path, beside.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 self.edit(crate::document::Edit::Cell(named));
             }
             Purpose::Head => {
-                let named = files::relative_to(&path, self.document.file.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 self.edit(crate::document::Edit::Head(named));
             }
             Purpose::Clamp => {
-                let named = files::relative_to(&path, self.document.file.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 let mut clamps = self.document.job().clamps.clone();
                 clamps.push(Obstacle::named(named));
                 self.edit(crate::document::Edit::Clamps(clamps));
             }
             Purpose::Robot => {
-                let named = files::relative_to(&path, self.document.file.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 self.choose_robot(&named);
             }
         }
@@ -102,7 +101,7 @@ impl App {
 
     /// Saves where the job is kept, or asks where.
     pub(super) fn save_job(&mut self) {
-        match self.document.file.clone() {
+        match self.document.file().map(Path::to_path_buf) {
             Some(file) => self.save_to(file),
             None => self.ask(Purpose::SaveJob),
         }
@@ -112,18 +111,15 @@ impl App {
         if path.extension().is_none() {
             path.set_extension("toml");
         }
-        let mut job = self.document.job().clone();
-        if let Some(part) = &self.derived.part {
-            job.part.sha256.clone_from(&part.sha256);
-        }
-        match files::save(&job, self.document.file.as_deref(), &path) {
-            Ok(saved) => {
+        let part_sha256 = self.derived.part.as_ref().map_or(String::new(), |p| p.sha256.clone());
+        match self.document.save(&path, &part_sha256, IfChanged::Refuse) {
+            Ok(()) => {
                 // Only paths have changed: what was computed stays true.
+                let saved = self.document.job();
                 self.derived.part_of = saved.part.clone();
                 if let Some(of) = self.derived.plan_of.as_mut() {
                     (of.part, of.cell) = (saved.part.clone(), saved.cell.clone());
                 }
-                self.document.mark_saved(path.clone(), saved);
                 self.session.said = format!("saved {}", path.display());
                 self.remember(&path);
                 self.go_on();
@@ -146,7 +142,7 @@ impl App {
             return;
         };
         let (plan, setup, surfaces) = (plan.clone(), setup.clone(), d.surfaces.clone());
-        let file = self.document.file.clone();
+        let file = self.document.file().map(Path::to_path_buf);
         let mut job = job;
         let Some(part) = d.part.clone() else { return };
         job.part.sha256.clone_from(&part.sha256);
@@ -209,7 +205,7 @@ impl App {
 
     pub(super) fn title(&self) -> String {
         let dirty = if self.document.is_dirty() { "● " } else { "" };
-        let file = self.document.file.as_deref().and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
+        let file = self.document.file().and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
         match file.or_else(|| self.part_name().filter(|n| !n.is_empty())) {
             Some(name) => format!("{dirty}{name} – clearbeam"),
             None => "clearbeam".into(),
@@ -220,13 +216,14 @@ impl App {
 /// Reads a part or a job with its part.
 fn read(path: &Path) -> Result<Opened, String> {
     let (mut job, file) = if files::is_job(path) {
-        (files::read(path).map_err(|e| e.to_string())?, Some(path.to_path_buf()))
+        save::open(path).map(|(job, file)| (job, Some(file))).map_err(|e| e.to_string())?
     } else {
         let mut job = Job::default();
         job.part.file = path.display().to_string();
         (job, None)
     };
-    let part_file = files::part_file(&job, file.as_deref()).map_err(|e| e.to_string())?;
+    let part_file =
+        files::part_file(&job, file.as_ref().map(|f: &JobFile| f.path.as_path())).map_err(|e| e.to_string())?;
     let name = part_file.display();
     let bytes = std::fs::read(&part_file).map_err(|e| format!("{name}: cannot be read: {e}"))?;
     let sha256 = digest_of(&bytes);

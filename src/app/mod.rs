@@ -30,7 +30,7 @@ pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
 use crate::document::Document;
 use crate::document::Library;
-use crate::document::library;
+use crate::document::users_folder;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;
@@ -184,7 +184,7 @@ pub fn run(open: Option<PathBuf>) -> anyhow::Result<()> {
         ..Default::default()
     };
     let app = |cc: &eframe::CreationContext<'_>| {
-        App::new(cc, Box::new(NativeDialogs), open).with_recipes(library::users_folder())
+        App::new(cc, Box::new(NativeDialogs), open).with_recipes(users_folder::recipes())
     };
     eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(app(cc))))).map_err(|e| {
         anyhow::anyhow!(

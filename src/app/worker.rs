@@ -6,7 +6,7 @@ use super::dialogs::Purpose;
 use super::dose::DoseView;
 use super::motion::Motion;
 use super::remedy::Proposal;
-use crate::document::Job;
+use crate::document::{Job, JobFile};
 use crate::part::{Part, Shape, Surfaces, stl::RawPart};
 use crate::planning::Plan;
 use crate::planning::PlanError;
@@ -53,7 +53,7 @@ pub struct Opened {
     /// The job.
     pub job: Job,
     /// Its file.
-    pub file: Option<PathBuf>,
+    pub file: Option<JobFile>,
     /// Facets as read.
     pub raw: Arc<RawPart>,
     /// The part.
