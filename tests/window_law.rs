@@ -5,7 +5,7 @@ mod common;
 
 use clearbeam::app::Command;
 use clearbeam::cell::Mount;
-use clearbeam::document::{Edit, Job, Recipe, files};
+use clearbeam::document::{Document, Edit, IfChanged, Job, Recipe, files, save::save};
 use clearbeam::part::{SurfaceId, Units};
 use clearbeam::path::{Order, Strategy as Laying};
 use clearbeam::planning::{Pipeline, PlannedJob};
@@ -143,9 +143,9 @@ fn written(planned: &PlannedJob, job: &Job) -> Vec<(String, String)> {
 }
 
 /// The same by the command line's way from the saved job, or why there is none.
-fn by_command_line(job: &Job, folder: &Path) -> Result<Vec<(String, String)>, String> {
-    let file = folder.join("saved.toml");
-    let saved = files::save(job, Some(&folder.join("job.toml")), &file).map_err(|e| e.to_string())?;
+fn by_command_line(document: &Document, folder: &Path) -> Result<Vec<(String, String)>, String> {
+    let (file, job) = (folder.join("saved.toml"), document.job());
+    let saved = save(job, document.job_file(), &file, IfChanged::Overwrite).map_err(|e| e.to_string())?.0;
     let read = files::read(&file).expect("what was saved can be read");
     assert_eq!(read, saved);
     let source = files::read_part(&read, Some(&file)).map_err(|e| e.to_string())?;
@@ -154,9 +154,9 @@ fn by_command_line(job: &Job, folder: &Path) -> Result<Vec<(String, String)>, St
 }
 
 fn is_right(bare: &Bare, folder: &Path) -> Result<(), TestCaseError> {
-    let job = bare.app.document().job();
+    let document = bare.app.document();
     if let Some(planned) = bare.app.plan() {
-        prop_assert_eq!(Ok(written(planned, job)), by_command_line(job, folder));
+        prop_assert_eq!(Ok(written(planned, document.job())), by_command_line(document, folder));
     }
     Ok(())
 }
@@ -189,9 +189,9 @@ fn sequences(cases: u32) {
         }
         bare.settle();
         is_right(&bare, folder.path())?;
-        let job = bare.app.document().job();
+        let document = bare.app.document();
         if bare.app.plan().is_none() && bare.app.why_no_plan().is_some_and(|why| !why.contains("cancelled")) {
-            prop_assert_eq!(Err(bare.app.why_no_plan().unwrap_or_default()), by_command_line(job, folder.path()));
+            prop_assert_eq!(Err(bare.app.why_no_plan().unwrap_or_default()), by_command_line(document, folder.path()));
         }
     });
 }

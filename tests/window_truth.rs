@@ -4,7 +4,7 @@
 mod common;
 
 use clearbeam::app::{Command, Purpose};
-use clearbeam::document::{Edit, files};
+use clearbeam::document::{Edit, IfChanged, files, save::save};
 use clearbeam::part::Units;
 use clearbeam::planning::Pipeline;
 use common::held::Bare;
@@ -23,7 +23,8 @@ fn opened(folder: &tempfile::TempDir, answers: &Answers) -> Bare {
 /// Length of the work that the command line finds in the job as the window would save it, mm.
 fn work_mm_by_command_line(bare: &Bare, folder: &Path) -> f64 {
     let file = folder.join("saved.toml");
-    let job = files::save(bare.app.document().job(), Some(&folder.join("job.toml")), &file).expect("saves");
+    let document = bare.app.document();
+    let (job, _) = save(document.job(), document.job_file(), &file, IfChanged::Overwrite).expect("saves");
     let source = files::read_part(&job, Some(&file)).expect("the part");
     let (_, planned) = Pipeline::planned(Arc::new(source), &job, Some(&file)).expect("a plan");
     planned.report.work_mm

@@ -104,7 +104,7 @@ impl Derived {
     }
 
     fn is_synced(&self, document: &Document) -> bool {
-        self.pipeline.is_synced(document.job(), document.file.as_deref())
+        self.pipeline.is_synced(document.job(), document.file())
     }
 
     /// The motion of the plan that is shown.

@@ -6,8 +6,9 @@ use super::dialogs::Purpose;
 use super::session::AfterGuard;
 use crate::beam::Obstacle;
 use crate::document::{
-    Document, Job,
+    Document, IfChanged, Job, JobFile,
     files::{self, JobError},
+    save,
 };
 use crate::part::{Hasher, LoadError, Part, Source};
 use crate::planning::{Failure, PlannedJob, output};
@@ -54,7 +55,7 @@ impl App {
 
     fn opened(&mut self, opened: Opened) {
         let Opened { job, file, source, part } = opened;
-        let shown = file.clone().unwrap_or_else(|| PathBuf::from(&job.part.file));
+        let shown = file.as_ref().map_or_else(|| PathBuf::from(&job.part.file), |f| f.path.clone());
         self.remember(&shown);
         self.session.forget_part();
         self.session.said = part
@@ -100,22 +101,21 @@ impl App {
             Purpose::SaveJob => self.save_to(path),
             Purpose::Export => self.export(path),
             Purpose::Cell => {
-                let beside = self.document.file.clone();
-                let named = files::relative_to(&path, beside.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 self.edit(crate::document::Edit::Cell(named));
             }
             Purpose::Head => {
-                let named = files::relative_to(&path, self.document.file.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 self.edit(crate::document::Edit::Head(named));
             }
             Purpose::Clamp => {
-                let named = files::relative_to(&path, self.document.file.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 let mut clamps = self.document.job().clamps.clone();
                 clamps.push(Obstacle::named(named));
                 self.edit(crate::document::Edit::Clamps(clamps));
             }
             Purpose::Robot => {
-                let named = files::relative_to(&path, self.document.file.as_deref());
+                let named = files::relative_to(&path, self.document.file());
                 self.choose_robot(&named);
             }
         }
@@ -123,7 +123,7 @@ impl App {
 
     /// Saves where the job is kept, or asks where.
     pub(super) fn save_job(&mut self) {
-        match self.document.file.clone() {
+        match self.document.file().map(Path::to_path_buf) {
             Some(file) => self.save_to(file),
             None => self.ask(Purpose::SaveJob),
         }
@@ -133,16 +133,11 @@ impl App {
         if path.extension().is_none() {
             path.set_extension("toml");
         }
-        let mut job = self.document.job().clone();
-        if let Some(part) = &self.derived.part {
-            job.part.sha256.clone_from(&part.sha256);
-        }
-        match files::save(&job, self.document.file.as_deref(), &path) {
-            Ok(saved) => {
+        let before = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
+        match self.document.save(&path, IfChanged::Refuse) {
+            Ok(()) => {
                 // Only paths have changed: what was computed stays true.
-                let before = (self.document.job().clone(), self.document.file.clone());
-                self.document.mark_saved(path.clone(), saved);
-                let now = (self.document.job(), self.document.file.as_deref());
+                let now = (self.document.job(), self.document.file());
                 self.derived.pipeline.renamed((&before.0, before.1.as_deref()), now);
                 self.session.said = format!("saved {}", path.display());
                 self.remember(&path);
@@ -162,8 +157,7 @@ impl App {
                 Some("there is no finished plan for the job as it is; wait for it, or see what is wrong".into());
             return;
         };
-        let (mut job, file) = (self.document.job().clone(), self.document.file.clone());
-        job.part.sha256.clone_from(&planned.part.sha256);
+        let (job, file) = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
         self.session.said = format!("writing into {}…", dir.display());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
@@ -231,7 +225,7 @@ impl App {
 
     pub(super) fn title(&self) -> String {
         let dirty = if self.document.is_dirty() { "● " } else { "" };
-        let file = self.document.file.as_deref().and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
+        let file = self.document.file().and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
         match file.or_else(|| self.part_name().filter(|n| !n.is_empty())) {
             Some(name) => format!("{dirty}{name} – clearbeam"),
             None => "clearbeam".into(),
@@ -242,7 +236,7 @@ impl App {
 /// A part with its job.
 pub(super) struct Opened {
     job: Job,
-    file: Option<PathBuf>,
+    file: Option<JobFile>,
     source: Arc<Source>,
     part: Part,
 }
@@ -250,16 +244,19 @@ pub(super) struct Opened {
 /// Reads a part or a job with its part.
 fn read(path: &Path, progress: &Progress) -> Result<Opened, Failure<Arc<JobError>>> {
     let refused = |e: JobError| Failure::Refused(Arc::new(e));
-    let (job, file) = if files::is_job(path) {
-        (files::read(path).map_err(refused)?, Some(path.to_path_buf()))
+    let (mut job, file) = if files::is_job(path) {
+        save::open(path).map(|(job, file)| (job, Some(file))).map_err(refused)?
     } else {
         let mut job = Job::default();
         job.part.file = path.display().to_string();
         (job, None)
     };
-    let part_file = files::part_file(&job, file.as_deref()).map_err(refused)?;
+    let part_file = files::part_file(&job, file.as_ref().map(|f| f.path.as_path())).map_err(refused)?;
     let source = Source::read(&part_file).map_err(|e| refused(e.into()))?;
-    if !job.part.sha256.is_empty() && job.part.sha256 != source.sha256 {
+    if job.part.sha256.is_empty() {
+        // From now on the job is of this part, and of no other under its name.
+        job.part.sha256.clone_from(&source.sha256);
+    } else if job.part.sha256 != source.sha256 {
         return Err(refused(JobError::PartChanged { file: part_file.display().to_string() }));
     }
     let p = &job.part;

@@ -29,7 +29,7 @@ mod theme;
 pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
-use crate::document::{Document, JobError, Library, library};
+use crate::document::{Document, JobError, Library, users_folder};
 use crate::planning::{Pool, Stage};
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
@@ -188,7 +188,7 @@ pub fn run(open: Option<PathBuf>) -> anyhow::Result<()> {
         ..Default::default()
     };
     let app = |cc: &eframe::CreationContext<'_>| {
-        App::new(cc, Box::new(NativeDialogs), open).with_recipes(library::users_folder())
+        App::new(cc, Box::new(NativeDialogs), open).with_recipes(users_folder::recipes())
     };
     eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(app(cc))))).map_err(|e| {
         anyhow::anyhow!(

@@ -11,7 +11,7 @@ use std::sync::Arc;
 impl App {
     /// Takes what has arrived and brings what is out of date on its way.
     pub(super) fn sync(&mut self) {
-        let changes = self.derived.pipeline.sync(self.document.job(), self.document.file.as_deref());
+        let changes = self.derived.pipeline.sync(self.document.job(), self.document.file());
         if changes.surfaces {
             self.take_surfaces();
         }

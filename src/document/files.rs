@@ -59,6 +59,15 @@ pub enum JobError {
     /// The head cannot be used.
     #[error(transparent)]
     Head(#[from] HeadError),
+    /// Somebody else has saved meanwhile.
+    #[error(
+        "{file}: has changed since it was opened here, by another window or program; save under another name, \
+         open it again, or overwrite it: what stands there now becomes {file}.bak"
+    )]
+    ChangedOnDisk {
+        /// The job file.
+        file: String,
+    },
     /// Something cannot be written.
     #[error("{what}")]
     Write {
@@ -83,10 +92,17 @@ pub fn is_job(path: &Path) -> bool {
 /// # Errors
 /// It cannot be read, or is no job (with line and column).
 pub fn read(file: &Path) -> Result<Job, JobError> {
-    let name = file.display().to_string();
-    let text = std::fs::read_to_string(file).map_err(|source| JobError::Read { file: name.clone(), source })?;
-    job_file::parse(&text)
-        .map_err(|e| JobError::Toml { file: name, message: e.to_string().trim_end().replace('\n', " ") })
+    super::save::open(file).map(|(job, _)| job)
+}
+
+/// The job that the bytes of a file hold.
+///
+/// # Errors
+/// They are no job (with line and column); `name` is what the file is called.
+pub(super) fn from_bytes(bytes: &[u8], name: &str) -> Result<Job, JobError> {
+    let wrong = |message: String| JobError::Toml { file: name.to_owned(), message };
+    let text = std::str::from_utf8(bytes).map_err(|e| wrong(format!("is no text: {e}")))?;
+    job_file::parse(text).map_err(|e| wrong(e.to_string().trim_end().replace('\n', " ")))
 }
 
 /// The job as text.
@@ -240,6 +256,19 @@ pub fn beside(job_file: Option<&Path>, path: &str) -> PathBuf {
 /// # Errors
 /// The folder cannot be found.
 pub fn rebased(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobError> {
+    with_paths(job, |path| relative(&beside(from, path), to))
+}
+
+/// The job with whole paths, for one that has no file to name them from.
+///
+/// # Errors
+/// The current folder cannot be found.
+pub(super) fn with_whole_paths(job: &Job) -> Result<Job, JobError> {
+    with_paths(job, |path| Ok(whole(Path::new(path))?.display().to_string()))
+}
+
+/// The job with every path that it names changed.
+fn with_paths(job: &Job, change: impl Fn(&str) -> Result<String, JobError>) -> Result<Job, JobError> {
     let mut job = job.clone();
     let own_robot = !job.cell.robot.is_empty() && !Robot::is_shipped(&job.cell.robot);
     let robot = own_robot.then_some(&mut job.cell.robot);
@@ -247,15 +276,22 @@ pub fn rebased(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobErro
     let files = [&mut job.part.file, &mut job.cell.file, &mut job.beam.head];
     for path in files.into_iter().chain(robot).chain(clamps) {
         if !path.is_empty() {
-            *path = relative(&beside(from, path), to)?;
+            *path = change(path)?;
         }
     }
     Ok(job)
 }
 
+/// A path from the root, without `.` and `..`.
+///
+/// # Errors
+/// The current folder cannot be found.
+pub(super) fn whole(path: &Path) -> Result<PathBuf, JobError> {
+    std::path::absolute(path).map(|p| tidy(&p)).map_err(|e| JobError::write(path, &e))
+}
+
 /// Path of `file` as seen from the folder of `job_file`, with '/' on every system.
 fn relative(file: &Path, job_file: &Path) -> Result<String, JobError> {
-    let whole = |p: &Path| std::path::absolute(p).map(|p| tidy(&p)).map_err(|e| JobError::write(p, &e));
     let (file, job_file) = (whole(file)?, whole(job_file)?);
     let folder: Vec<Component<'_>> = job_file.parent().map(|p| p.components().collect()).unwrap_or_default();
     let target: Vec<Component<'_>> = file.components().collect();
@@ -281,16 +317,6 @@ fn tidy(path: &Path) -> PathBuf {
         }
     }
     out
-}
-
-/// Writes a job beside its part.
-///
-/// # Errors
-/// What could not be written, and why.
-pub fn save(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobError> {
-    let job = rebased(job, from, to)?;
-    write_atomic(to, to_toml(&job)?.as_bytes())?;
-    Ok(job)
 }
 
 /// Writes a file whole or not at all.

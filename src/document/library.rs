@@ -1,9 +1,10 @@
 //! Recipes that outlive a job: shipped ones, and those that the user keeps in a folder, a file each.
 
-use super::files::write_atomic;
+use super::files::{JobError, write_atomic};
 use super::recipe::Recipe;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use thiserror::Error;
 
 /// The shipped recipes.
 const SHIPPED: [&str; 4] = [
@@ -29,6 +30,66 @@ pub struct Library {
     pub broken: Vec<String>,
 }
 
+/// A recipe that was taken out of the library, and can come back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forgotten {
+    /// The recipe.
+    pub recipe: Recipe,
+    /// Where its file was.
+    file: PathBuf,
+}
+
+impl Forgotten {
+    /// Where the file is now: not removed, under a name that no library reads.
+    fn put_away(&self) -> PathBuf {
+        let mut name: OsString = self.file.clone().into();
+        name.push(".removed");
+        name.into()
+    }
+}
+
+/// Why the library cannot be changed.
+#[derive(Debug, Error)]
+pub enum LibraryError {
+    /// There is nowhere to keep recipes.
+    #[error("no folder for recipes is known: set HOME")]
+    NoFolder,
+    /// The folder cannot be made.
+    #[error("{}: cannot be made: {source}; choose another HOME", .folder.display())]
+    Folder {
+        /// The folder.
+        folder: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// The recipe is not fit to be kept.
+    #[error("{0}")]
+    Recipe(String),
+    /// Its file cannot be written.
+    #[error(transparent)]
+    Write(#[from] JobError),
+    /// There is no recipe of that name among the user's.
+    #[error("there is no recipe {name:?} among your own")]
+    Unknown {
+        /// The name.
+        name: String,
+    },
+    /// Its file cannot be put away, or back.
+    #[error("{}: cannot be renamed: {source}; look at who may write there", .file.display())]
+    Rename {
+        /// The file.
+        file: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// Meanwhile another recipe has its place.
+    #[error("recipe {name:?} cannot come back: there is another in its place; rename or remove that first")]
+    Taken {
+        /// The name.
+        name: String,
+    },
+}
+
 impl Library {
     /// Reads shipped recipes and those of a folder, which need not be there yet.
     pub fn open(folder: Option<PathBuf>) -> Library {
@@ -47,29 +108,45 @@ impl Library {
     ///
     /// # Errors
     /// What is wrong with it, or why its file cannot be written.
-    pub fn keep(&mut self, recipe: &Recipe) -> Result<PathBuf, String> {
+    pub fn keep(&mut self, recipe: &Recipe) -> Result<PathBuf, LibraryError> {
         let recipe = recipe.without_places();
-        checked(&recipe)?;
-        let folder = self.folder.clone().ok_or("no folder for recipes is known: set HOME")?;
-        std::fs::create_dir_all(&folder)
-            .map_err(|e| format!("{}: cannot be made: {e}; choose another HOME", folder.display()))?;
+        checked(&recipe).map_err(LibraryError::Recipe)?;
+        let folder = self.folder.clone().ok_or(LibraryError::NoFolder)?;
+        std::fs::create_dir_all(&folder).map_err(|source| LibraryError::Folder { folder: folder.clone(), source })?;
         let known = self.own.iter().find(|(_, r)| r.name == recipe.name).map(|(file, _)| file.clone());
         let file = known.unwrap_or_else(|| free_file(&folder, &recipe.name));
-        let text = toml::to_string(&recipe).map_err(|e| format!("recipe {:?}: cannot be written: {e}", recipe.name))?;
-        write_atomic(&file, text.as_bytes()).map_err(|e| e.to_string())?;
+        let text = toml::to_string(&recipe)
+            .map_err(|e| LibraryError::Recipe(format!("recipe {:?}: cannot be written: {e}", recipe.name)))?;
+        write_atomic(&file, text.as_bytes())?;
         self.read_folder();
         Ok(file)
     }
 
-    /// Takes a recipe out of the user's folder.
+    /// Takes a recipe out of the library. Its file stays, with `.removed` behind its name, until another
+    /// of that name is forgotten.
     ///
     /// # Errors
-    /// Why its file cannot be removed.
-    pub fn forget(&mut self, name: &str) -> Result<(), String> {
-        let files: Vec<PathBuf> = self.own.iter().filter(|(_, r)| r.name == name).map(|(f, _)| f.clone()).collect();
-        for file in files {
-            std::fs::remove_file(&file).map_err(|e| format!("{}: cannot be removed: {e}", file.display()))?;
+    /// It is none of the user's, or its file cannot be renamed.
+    pub fn forget(&mut self, name: &str) -> Result<Forgotten, LibraryError> {
+        let found = self.own.iter().find(|(_, r)| r.name == name);
+        let (file, recipe) = found.cloned().ok_or_else(|| LibraryError::Unknown { name: name.to_owned() })?;
+        let forgotten = Forgotten { recipe, file };
+        rename(&forgotten.file, &forgotten.put_away())?;
+        self.read_folder();
+        Ok(forgotten)
+    }
+
+    /// Puts a forgotten recipe back, to the byte.
+    ///
+    /// # Errors
+    /// Another has its place meanwhile, or its file cannot be renamed.
+    pub fn bring_back(&mut self, forgotten: &Forgotten) -> Result<(), LibraryError> {
+        let name = &forgotten.recipe.name;
+        self.read_folder();
+        if forgotten.file.exists() || self.own.iter().any(|(_, r)| r.name == *name) {
+            return Err(LibraryError::Taken { name: name.clone() });
         }
+        rename(&forgotten.put_away(), &forgotten.file)?;
         self.read_folder();
         Ok(())
     }
@@ -91,6 +168,10 @@ impl Library {
             }
         }
     }
+}
+
+fn rename(from: &Path, to: &Path) -> Result<(), LibraryError> {
+    std::fs::rename(from, to).map_err(|source| LibraryError::Rename { file: from.to_path_buf(), source })
 }
 
 /// Reads one file.
@@ -122,21 +203,6 @@ fn free_file(folder: &Path, name: &str) -> PathBuf {
         _ => folder.join(format!("recipe-{stem}-{k}.toml")),
     };
     (1..).map(named).find(|f| !f.exists()).unwrap_or_else(|| named(1))
-}
-
-/// Where a user's recipes are kept on this system.
-pub fn users_folder() -> Option<PathBuf> {
-    folder_under(cfg!(windows), &|name| std::env::var_os(name))
-}
-
-fn folder_under(windows: bool, variable: &dyn Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
-    // Relative paths in these variables are to be ignored, says their specification.
-    let whole = |name: &str| variable(name).map(PathBuf::from).filter(|p| p.has_root());
-    let config = match windows {
-        true => whole("APPDATA"),
-        false => whole("XDG_CONFIG_HOME").or_else(|| Some(whole("HOME")?.join(".config"))),
-    };
-    Some(config?.join("clearbeam").join("recipes"))
 }
 
 #[cfg(test)]
@@ -191,6 +257,28 @@ mod tests {
     }
 
     #[test]
+    fn what_is_forgotten_can_come_back_to_the_byte() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut library = Library::open(Some(folder.path().to_path_buf()));
+        let file = library.keep(&full()).expect("keeps");
+        let text = format!("# by hand\n{}", std::fs::read_to_string(&file).expect("reads"));
+        std::fs::write(&file, &text).expect("writes");
+        let forgotten = library.forget(&full().name).expect("forgets");
+        assert_eq!(forgotten.recipe, full().without_places());
+        assert!(library.own.is_empty() && library.broken.is_empty() && !file.exists());
+        assert!(matches!(library.forget(&full().name), Err(LibraryError::Unknown { .. })));
+        library.bring_back(&forgotten).expect("comes back");
+        assert_eq!(library.own, [(file.clone(), full().without_places())]);
+        assert_eq!(std::fs::read_to_string(&file).expect("reads"), text);
+        // Another that has its place meanwhile stays.
+        let forgotten = library.forget(&full().name).expect("forgets");
+        let other = Recipe { note: "another".into(), ..full() };
+        library.keep(&other).expect("keeps");
+        assert!(matches!(library.bring_back(&forgotten), Err(LibraryError::Taken { .. })));
+        assert_eq!(library.own, [(file, other.without_places())]);
+    }
+
+    #[test]
     fn broken_files_are_said_and_skipped() {
         let folder = tempfile::tempdir().expect("a folder");
         let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("writes");
@@ -208,18 +296,5 @@ mod tests {
         for (line, part) in library.broken.iter().zip(said) {
             assert!(line.contains(part) && line.ends_with("mend or remove the file"), "{line}");
         }
-    }
-
-    #[test]
-    fn the_folder_is_where_each_system_has_it() {
-        let with = |pairs: &'static [(&str, &str)]| {
-            move |name: &str| pairs.iter().find(|(n, _)| *n == name).map(|(_, v)| OsString::from(v))
-        };
-        let found = |windows, pairs| folder_under(windows, &with(pairs));
-        assert_eq!(found(false, &[("HOME", "/h")]), Some("/h/.config/clearbeam/recipes".into()));
-        assert_eq!(found(false, &[("HOME", "/h"), ("XDG_CONFIG_HOME", "/x")]), Some("/x/clearbeam/recipes".into()));
-        assert_eq!(found(false, &[("HOME", "/h"), ("XDG_CONFIG_HOME", "x")]), found(false, &[("HOME", "/h")]));
-        assert_eq!(found(true, &[("HOME", "/h"), ("APPDATA", "/a")]), Some("/a/clearbeam/recipes".into()));
-        assert_eq!(found(true, &[("HOME", "/h")]), None);
     }
 }

@@ -1,13 +1,14 @@
 //! What is saved: the job, and every way to change it.
 //!
 //! [`Job`] is the document. It changes through [`Edit`] alone, and [`Document`] keeps what undo
-//! needs. What can be computed from it is `planning`'s.
+//! needs. [`Journal`] holds what is not saved yet, so that a killed program loses nothing. What can be computed from it is `planning`'s.
 
 pub mod bead;
 mod chosen;
 pub mod edit;
 pub mod files;
 pub mod job_file;
+pub mod journal;
 mod keys;
 pub mod library;
 pub mod model;
@@ -19,15 +20,18 @@ pub mod recipe_table;
 pub mod recut;
 pub mod renumber;
 mod reshape;
+pub mod save;
 pub mod settings;
 pub mod start_from;
 pub mod undo;
+pub mod users_folder;
 mod version;
 
 pub use chosen::Chosen;
 pub use edit::Edit;
 pub use files::JobError;
 pub use job_file::JobFileError;
+pub use journal::Journal;
 pub use library::Library;
 pub use model::{Job, Offset, segmented};
 pub use parameter::{PARAMETERS, Parameter};
@@ -35,6 +39,7 @@ pub use recipe::Recipe;
 pub use recut::RecutAnchor;
 pub use renumber::{Lost, Renumbering};
 pub use reshape::Cut;
+pub use save::{FileState, IfChanged, JobFile};
 pub use settings::{Settings, SurfaceSettings};
 pub use start_from::StartFrom;
 pub use undo::Document;

@@ -1,17 +1,21 @@
 //! The job with its file, and undo and redo of every edit since it was opened.
 
 use super::edit::Edit;
+use super::files::{JobError, rebased};
 use super::model::Job;
-use super::renumber::Lost;
+use super::{
+    renumber::Lost,
+    save::{FileState, IfChanged, JobFile, save},
+};
 use crate::part::SurfaceId;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// A job that is being worked on.
 #[derive(Clone, Debug, Default)]
 pub struct Document {
     job: Job,
     /// Where the job is kept; `None` until it is saved first.
-    pub file: Option<PathBuf>,
+    file: Option<JobFile>,
     saved: Job,
     undo: Vec<(String, Job)>,
     redo: Vec<(String, Job)>,
@@ -23,13 +27,38 @@ pub struct Document {
 
 impl Document {
     /// A document over a job as it is in its file.
-    pub fn new(job: Job, file: Option<PathBuf>) -> Document {
+    pub fn new(job: Job, file: Option<JobFile>) -> Document {
         Document { saved: job.clone(), job, file, ..Default::default() }
+    }
+
+    /// A document over a job as it is in its file, with what was not saved as one step over it.
+    pub fn restored(saved: Job, file: Option<JobFile>, unsaved: Job) -> Document {
+        let mut document = Document::new(saved, file);
+        if unsaved != document.job {
+            let saved = std::mem::replace(&mut document.job, unsaved);
+            document.undo.push(("restore unsaved changes".into(), saved));
+        }
+        document
     }
 
     /// The job as it is now.
     pub fn job(&self) -> &Job {
         &self.job
+    }
+
+    /// Where the job is kept; `None` until it is saved first.
+    pub fn file(&self) -> Option<&Path> {
+        self.file.as_ref().map(|f| f.path.as_path())
+    }
+
+    /// The same with what the file held when it was last read or written.
+    pub fn job_file(&self) -> Option<&JobFile> {
+        self.file.as_ref()
+    }
+
+    /// Whether the file on disk is still the one that was last read or written here.
+    pub fn file_state(&self) -> FileState {
+        self.file.as_ref().map_or(FileState::New, JobFile::state)
     }
 
     /// Applies an edit and records undo. Edits of the same name within one `gesture` are one step.
@@ -94,12 +123,20 @@ impl Document {
         self.job != self.saved
     }
 
-    /// The job is in the file now; `job` is what was written.
-    pub fn mark_saved(&mut self, file: PathBuf, job: Job) {
-        self.file = Some(file);
-        self.job = job.clone();
-        self.saved = job;
-        self.gesture = None;
+    /// Saves the job, from now on with its paths seen from the file. Steps of undo and redo are seen from there too.
+    ///
+    /// # Errors
+    /// The file has changed since it was last read or written here, and may not be overwritten; what
+    /// cannot be written, and why. The document stays as it was.
+    pub fn save(&mut self, to: &Path, if_changed: IfChanged) -> Result<(), JobError> {
+        let from = self.file();
+        let moved = |steps: &[(String, Job)]| -> Result<Vec<(String, Job)>, JobError> {
+            steps.iter().map(|(name, job)| Ok((name.clone(), rebased(job, from, to)?))).collect()
+        };
+        let (undo, redo) = (moved(&self.undo)?, moved(&self.redo)?);
+        let (job, file) = save(&self.job, self.file.as_ref(), to, if_changed)?;
+        *self = Document { saved: job.clone(), job, file: Some(file), undo, redo, ..Document::default() };
+        Ok(())
     }
 }
 
@@ -159,6 +196,45 @@ mod tests {
         assert_eq!(doc.job().layers.spacing_mm, 3.0);
         doc.undo();
         assert_eq!((doc.job().layers.spacing_mm, doc.is_dirty()), (0.5, false));
+    }
+
+    #[test]
+    fn what_was_not_saved_is_one_step_over_the_file() {
+        let mut unsaved = Job::default();
+        unsaved.layers.spacing_mm = 7.0;
+        let mut doc = Document::restored(Job::default(), None, unsaved.clone());
+        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_name()), (&unsaved, true, Some("restore unsaved changes")));
+        doc.undo();
+        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_name()), (&Job::default(), false, None));
+        let nothing = Document::restored(unsaved.clone(), None, unsaved);
+        assert_eq!((nothing.is_dirty(), nothing.undo_name()), (false, None));
+    }
+
+    #[test]
+    fn steps_follow_the_job_to_another_folder() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        std::fs::create_dir(path("jobs")).expect("makes");
+        let mut job = Job::default();
+        (job.part.file, job.part.sha256) = ("a.stl".into(), "ab".into());
+        std::fs::write(path("a.toml"), crate::document::files::to_toml(&job).expect("text")).expect("writes");
+        let (job, file) = crate::document::save::open(&path("a.toml")).expect("opens");
+        let mut doc = Document::new(job, Some(file));
+        for v in [1.0, 2.0] {
+            doc.apply(&Edit::Set("layers.spacing_mm", v), &[], None);
+        }
+        doc.undo();
+        doc.save(&path("jobs/b.toml"), IfChanged::Refuse).expect("saves");
+        assert_eq!((doc.file(), doc.file_state()), (Some(path("jobs/b.toml").as_path()), FileState::AsOpened));
+        let seen = |doc: &Document| (doc.job().part.file.clone(), doc.job().part.sha256.clone(), doc.is_dirty());
+        let there = |dirty| ("../a.stl".to_owned(), "ab".to_owned(), dirty);
+        assert_eq!(seen(&doc), there(false));
+        doc.undo();
+        assert_eq!(seen(&doc), there(true));
+        doc.redo();
+        assert_eq!(seen(&doc), there(false));
+        doc.redo();
+        assert_eq!((seen(&doc), doc.job().layers.spacing_mm), (there(true), 2.0));
     }
 
     #[test]

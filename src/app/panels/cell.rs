@@ -69,7 +69,7 @@ impl App {
             self.edit(Edit::Robot(String::new(), dialect));
             return;
         }
-        match Robot::load(name, self.document.file.as_deref().and_then(Path::parent)) {
+        match Robot::load(name, self.document.file().and_then(Path::parent)) {
             Ok(robot) => self.edit(Edit::Robot(name.into(), robot.dialect)),
             Err(e) => self.session.error = Some(e.to_string()),
         }

@@ -105,7 +105,7 @@ impl App {
                 } else if gone.clicked()
                     && let Err(why) = self.recipes.forget(name)
                 {
-                    self.session.error = Some(why);
+                    self.session.error = Some(why.to_string());
                 }
             }
             self.draggable(ui, recipe, egui::Label::new(name.as_str()).truncate());
@@ -129,7 +129,7 @@ impl App {
     pub(super) fn keep_recipe(&mut self, recipe: &Recipe) {
         match self.recipes.keep(recipe) {
             Ok(file) => self.session.said = format!("saved {}", file.display()),
-            Err(why) => self.session.error = Some(why),
+            Err(why) => self.session.error = Some(why.to_string()),
         }
     }
 

@@ -1,0 +1,92 @@
+//! What the journal keeps of a document, as text: a line that says whose it is, and the job below it.
+//! The line is a comment, so that the file by itself is a job that can be looked at and opened.
+
+use super::{JournalError, slot::Slot};
+use crate::document::files::{self, JobError};
+use crate::document::model::Job;
+use crate::document::save::JobFile;
+use crate::document::undo::Document;
+use crate::part::digest_of;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// Opens the first line.
+const MARK: &str = "# clearbeam journal ";
+
+/// A document that is not saved.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct State {
+    /// When it was edited last, and its files.
+    pub(super) about: About,
+    /// Its paths are seen from the job file; whole where there is none.
+    pub(super) job: Job,
+}
+
+/// The first line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct About {
+    /// Time of the last edit, seconds since 1970 UTC.
+    pub(super) edited_s: u64,
+    /// The job's file, whole, and what it held when the edits began; `None`: it was never saved.
+    pub(super) job_file: Option<JobFile>,
+    /// The part's file, whole; empty: the job has none.
+    pub(super) part_file: PathBuf,
+    /// Of the text below, so that half a job is not taken for a whole one.
+    text_sha256: String,
+}
+
+impl State {
+    /// What there is to keep of a document now.
+    pub(super) fn of(document: &Document) -> Result<State, JournalError> {
+        let job_file = document.job_file().map(whole).transpose()?;
+        let job = match &job_file {
+            Some(_) => document.job().clone(),
+            None => files::with_whole_paths(document.job())?,
+        };
+        let beside = job_file.as_ref().map(|f| f.path.as_path());
+        let part_file = match job.part.file.as_str() {
+            "" => PathBuf::new(),
+            // A part that is gone for a moment is still the one that the job names.
+            named => files::whole(&files::part_file(&job, beside).unwrap_or_else(|_| files::beside(beside, named)))?,
+        };
+        let edited_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |t| t.as_secs());
+        let about = About { edited_s, job_file, part_file, text_sha256: String::new() };
+        Ok(State { about, job })
+    }
+
+    /// Whether they differ in time at most.
+    pub(super) fn tells_the_same(&self, other: &State) -> bool {
+        let told = |s: &State| (s.about.job_file.clone(), s.about.part_file.clone());
+        told(self) == told(other) && self.job == other.job
+    }
+
+    /// The state as text.
+    pub(super) fn to_text(&self) -> Result<String, JournalError> {
+        let job = files::to_toml(&self.job)?;
+        let about = About { text_sha256: digest_of(job.as_bytes()), ..self.about.clone() };
+        let about = serde_json::to_string(&about).map_err(|e| JournalError::Name { what: e.to_string() })?;
+        Ok(format!("{MARK}{about}\n{job}"))
+    }
+
+    /// The state of a slot; `None` where there is none.
+    pub(super) fn read(slot: &Slot) -> Result<Option<State>, JournalError> {
+        let wrong = |why: String| JournalError::Unreadable { file: slot.state_file(), why };
+        let Some(bytes) = slot.read().map_err(|e| wrong(e.to_string()))? else { return Ok(None) };
+        let text = str::from_utf8(&bytes).map_err(|e| wrong(e.to_string()))?;
+        let parts = text.strip_prefix(MARK).and_then(|t| t.split_once('\n'));
+        let (about, job) = parts.ok_or_else(|| wrong("its first line does not say whose it is".into()))?;
+        let mut about: About = serde_json::from_str(about).map_err(|e| wrong(format!("first line: {e}")))?;
+        if std::mem::take(&mut about.text_sha256) != digest_of(job.as_bytes()) {
+            return Err(wrong("it is not as it was written".into()));
+        }
+        let job = files::from_bytes(job.as_bytes(), "the job").map_err(|e| wrong(e.to_string()))?;
+        Ok(Some(State { about, job }))
+    }
+}
+
+/// The job's file, from whatever folder the program is started next.
+fn whole(file: &JobFile) -> Result<JobFile, JobError> {
+    Ok(JobFile { path: files::whole(&file.path)?, sha256: file.sha256.clone() })
+}
