@@ -3,10 +3,9 @@
 //! Each fit keeps its residuals, and refuses points that cannot tell the frame, with what to measure
 //! again. Where the figures come from and what frame they become is the cell file's business.
 
+use crate::fit::{self, PlacedPair};
 use crate::part::rpy;
-use nalgebra::{
-    Isometry3, Matrix3, Point3, Quaternion, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector3,
-};
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// Points nearer than this to each other, or to a line, tell no direction, mm.
@@ -185,11 +184,9 @@ pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, String> {
     let (model, measured) = (middle(|p| p.model), middle(|p| p.measured));
     let from_middle = |p: &PointPair| (Vector3::from(p.model) - model, Vector3::from(p.measured) - measured);
     let mut spreads = [Matrix3::zeros(); 2];
-    let mut both = Matrix3::zeros();
     for (m, d) in pairs.iter().map(from_middle) {
         spreads[0] += m * m.transpose() * share;
         spreads[1] += d * d.transpose() * share;
-        both += m * d.transpose() * share;
     }
     for (spread, which) in spreads.into_iter().zip(["model", "measured"]) {
         let mut widths = SymmetricEigen::new(spread).eigenvalues.map(|v| v.max(0.0).sqrt());
@@ -201,38 +198,13 @@ pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, String> {
             ));
         }
     }
-    let svd = both.svd(true, true);
-    let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return Err("points: no frame fits: measure again".into()) };
-    let v = v_t.transpose();
-    // The least singular value may turn its sign: what would be a mirror becomes a rotation.
-    let sign = if (v * u.transpose()).determinant() < 0.0 { -1.0 } else { 1.0 };
-    let least = svd.singular_values.imin();
-    let signs = Vector3::from_fn(|k, _| if k == least { sign } else { 1.0 });
-    let rotation = Rotation3::from_matrix_unchecked(v * Matrix3::from_diagonal(&signs) * u.transpose());
-    let mut rotation = UnitQuaternion::from_rotation_matrix(&rotation);
-    // Where the points are nearly on a line the decomposition loses digits: least squares win them back.
-    for _ in 0..2 {
-        rotation = sharpened(pairs.iter().map(from_middle), &rotation);
-    }
-    let frame = Isometry3::from_parts(Translation3::from(measured - rotation * model), rotation);
+    let places: Vec<PlacedPair> = pairs
+        .iter()
+        .map(|p| PlacedPair { from: Point3::from(p.model), onto: Point3::from(p.measured), weight: 1.0 })
+        .collect();
+    let frame = fit::rigid(&places).ok_or("points: no frame fits: measure again")?;
     let off = |p: &PointPair| (frame * Point3::from(p.model) - Point3::from(p.measured)).norm();
     Ok(Fit { frame, residuals_mm: pairs.iter().map(off).collect() })
-}
-
-/// A rotation with the small turn that brings it nearer to the best one (Gauss and Newton): of places of the model
-/// and where they were measured, both from their middles.
-fn sharpened(
-    places: impl Iterator<Item = (Vector3<f64>, Vector3<f64>)>,
-    rotation: &UnitQuaternion<f64>,
-) -> UnitQuaternion<f64> {
-    let (mut inertia, mut moment) = (Matrix3::zeros(), Vector3::zeros());
-    for (model, measured) in places {
-        let q = rotation * model;
-        inertia += Matrix3::from_diagonal_element(q.norm_squared()) - q * q.transpose();
-        moment += q.cross(&(measured - q));
-    }
-    let turn = inertia.try_inverse().map_or_else(Vector3::zeros, |inverse| inverse * moment);
-    UnitQuaternion::new_normalize(Quaternion::from_parts(1.0, 0.5 * turn)) * rotation
 }
 
 fn finite<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> Result<(), String> {

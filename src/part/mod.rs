@@ -8,6 +8,7 @@ pub mod bvh;
 mod digest;
 pub mod distance;
 pub mod growth;
+pub mod identity;
 pub mod inspect;
 pub mod load;
 pub mod merge_tree;

@@ -108,6 +108,15 @@ pub struct Surfaces {
     pub last_number: u32,
 }
 
+/// Surface number of each facet, as edits go on.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Numbering {
+    /// The number of each facet's surface.
+    pub of_facet: Vec<u32>,
+    /// The highest number that was ever given out.
+    pub last_number: u32,
+}
+
 impl Surfaces {
     /// Segments a part. `flipped` names surfaces whose other side is to be worked on.
     pub fn new(
@@ -118,18 +127,11 @@ impl Surfaces {
         edits: &[SurfaceEdit],
         flipped: &[u32],
     ) -> Surfaces {
-        let mut of_facet = if rule.hysteresis_deg > 0.0 && rule.hysteresis_deg < rule.angle_deg {
-            with_hysteresis(mesh, dihedral_deg, rule)
-        } else {
-            tree.cut(rule.angle_deg).0
-        };
-        if rule.min_area_mm2 > 0.0 {
-            absorb_islands(mesh, dihedral_deg, rule.min_area_mm2, &mut of_facet);
-        }
-        let mut count = of_facet.iter().max().copied().unwrap_or(0);
+        let mut numbering = Numbering::new(mesh, tree, dihedral_deg, rule);
         for edit in edits {
-            apply(mesh, dihedral_deg, edit, &mut of_facet, &mut count);
+            numbering.apply(mesh, dihedral_deg, edit);
         }
+        let Numbering { of_facet, last_number } = numbering;
         let mut normals = mesh.normals.clone();
         for (f, n) in normals.iter_mut().enumerate() {
             if flipped.contains(&of_facet[f]) {
@@ -137,7 +139,7 @@ impl Surfaces {
             }
         }
         let list = listed(mesh, &of_facet);
-        Surfaces { of_facet, list, normals, last_number: count }
+        Surfaces { of_facet, list, normals, last_number }
     }
 
     /// What they are called, ascending.
@@ -168,7 +170,8 @@ impl Surfaces {
     }
 }
 
-fn listed(mesh: &Mesh, of_facet: &[u32]) -> Vec<Surface> {
+/// The surfaces of a numbering, in the order of their numbers.
+pub(super) fn listed(mesh: &Mesh, of_facet: &[u32]) -> Vec<Surface> {
     let mut list: BTreeMap<u32, Surface> = BTreeMap::new();
     for (f, &number) in of_facet.iter().enumerate() {
         let s = list.entry(number).or_insert_with(|| Surface { number, ..Default::default() });
@@ -265,7 +268,27 @@ fn absorb_islands(mesh: &Mesh, dihedral_deg: &[f64], min_area_mm2: f64, of_facet
     *of_facet = numbered(&mut facet_sets, of_facet.len());
 }
 
-/// Applies one edit; numbers that do not exist are passed over.
+impl Numbering {
+    /// What the rule makes of a part, before the operator's own edits.
+    pub(super) fn new(mesh: &Mesh, tree: &MergeTree, dihedral_deg: &[f64], rule: &SurfaceRule) -> Numbering {
+        let mut of_facet = if rule.hysteresis_deg > 0.0 && rule.hysteresis_deg < rule.angle_deg {
+            with_hysteresis(mesh, dihedral_deg, rule)
+        } else {
+            tree.cut(rule.angle_deg).0
+        };
+        if rule.min_area_mm2 > 0.0 {
+            absorb_islands(mesh, dihedral_deg, rule.min_area_mm2, &mut of_facet);
+        }
+        let last_number = of_facet.iter().max().copied().unwrap_or(0);
+        Numbering { of_facet, last_number }
+    }
+
+    /// Applies one edit; numbers that do not exist are passed over.
+    pub(super) fn apply(&mut self, mesh: &Mesh, dihedral_deg: &[f64], edit: &SurfaceEdit) {
+        apply(mesh, dihedral_deg, edit, &mut self.of_facet, &mut self.last_number);
+    }
+}
+
 fn apply(mesh: &Mesh, dihedral_deg: &[f64], edit: &SurfaceEdit, of_facet: &mut [u32], count: &mut u32) {
     match edit {
         SurfaceEdit::Merge { merge } => {

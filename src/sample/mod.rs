@@ -14,6 +14,7 @@ mod front_shaft;
 mod gear_solid;
 mod grooves;
 mod outline;
+mod plate;
 mod shell;
 pub mod solids;
 mod tooth_gap;

@@ -8,6 +8,7 @@ use super::shell::{Facing, Point, Shell, Triangles};
 
 pub use super::gear_solid::helical_gear;
 pub use super::grooves::{blind_hole, fin_row, v_groove};
+pub use super::plate::{PlateFeature, plate};
 
 /// A cube from the origin to (edge, edge, edge): 12 facets.
 pub fn cube(edge: f64) -> Triangles {
