@@ -12,7 +12,7 @@ use clearbeam::planning;
 use clearbeam::planning::Cache;
 use clearbeam::planning::Plan;
 use clearbeam::planning::PlanError;
-use clearbeam::planning::output;
+use clearbeam::planning::export;
 use clearbeam::planning::plan::prover;
 use clearbeam::planning::report::Report;
 use clearbeam::planning::verify;
@@ -57,7 +57,7 @@ impl Case {
     /// The program, written and verified by the reader with the second opinion.
     fn verified(&self, plan: &Plan) -> verify::Verdict {
         let report = Report::new(plan, &self.surfaces);
-        let files = output::program(&self.job, "part.stl", &self.setup, plan, &report).expect("writes");
+        let files = export::program(&self.job, "part.stl", &self.setup, plan, &report).expect("writes");
         let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
         verify::check(&self.part, plan, &self.setup, &self.job, &files[0], &open, true).expect("reads").1
     }

@@ -9,7 +9,8 @@ use crate::document::Document;
 use crate::document::Job;
 use crate::document::files;
 use crate::part::{Part, digest_of, stl};
-use crate::planning::output;
+use crate::planning::export::{self, ExportInput};
+use crate::progress::Progress;
 use eframe::egui;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -152,8 +153,10 @@ impl App {
         job.part.sha256.clone_from(&part.sha256);
         self.session.said = format!("writing into {}…", dir.display());
         self.worker.spawn(move || {
-            let written = output::write(&dir, &job, file.as_deref(), &part, &setup, &plan, &surfaces);
-            Outcome::Exported(written.map(|(paths, _)| paths).map_err(|e| e.to_string()))
+            let (job, findings) = (&job, &[][..]);
+            let input = ExportInput { job, part: &part, surfaces: &surfaces, setup: &setup, plan: &plan, findings };
+            let exported = export::write(&dir, &input, file.as_deref(), false, &Progress::default());
+            Outcome::Exported(exported.map(|e| e.written).map_err(|e| e.to_string()))
         });
     }
 

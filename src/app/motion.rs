@@ -5,7 +5,7 @@ use crate::cell::Setup;
 use crate::document::Job;
 use crate::picture::Trail;
 use crate::planning::Plan;
-use crate::planning::output;
+use crate::planning::export;
 use crate::planning::report::Report;
 use crate::pose::State;
 use crate::program::dialect::{Read, Reading};
@@ -86,7 +86,7 @@ impl Motion {
             }
         }
         let marks = marks(plan, &move_to);
-        let (files, why_none) = match output::program(job, part_name, setup, plan, report) {
+        let (files, why_none) = match export::program(job, part_name, setup, plan, report) {
             Ok(files) => (files, None),
             Err(why) => (Vec::new(), Some(why.to_string())),
         };

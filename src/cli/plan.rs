@@ -10,9 +10,10 @@ use crate::planning;
 use crate::planning::Cache;
 use crate::planning::PlanError;
 use crate::planning::advice;
-use crate::planning::output;
+use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::report::hours;
 use crate::progress::Progress;
+use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 
 /// Options of `plan`.
@@ -25,6 +26,9 @@ pub struct Arguments {
     out: PathBuf,
     #[command(flatten)]
     options: PlanOptions,
+    /// Replace files of the folder that were changed by hand, are another job's, or no export's
+    #[arg(long)]
+    overwrite: bool,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -63,6 +67,10 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     if let Some(own) = own {
         eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
     }
+    // Known before the work is done, as far as names are.
+    export::conflicts(&a.out, &job, job_file, &setup)
+        .and_then(|met| export::allowed(&a.out, met, a.overwrite))
+        .map_err(not_exported)?;
     let surfaces = segmented(&part, &job);
     // Nobody cancels it: a key that ends the program ends all.
     let (cache, progress) = (Cache::default(), Progress::default());
@@ -74,10 +82,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         | PlanError::SpacingTooSmall { .. } => Failure::Usage(e.to_string()),
         other => Failure::Failed(other.into()),
     })?;
-    let (written, report) =
-        output::write(&a.out, &job, job_file, &part, &setup, &plan, &surfaces).map_err(anyhow::Error::from)?;
+    let input = ExportInput { job: &job, part: &part, surfaces: &surfaces, setup: &setup, plan: &plan, findings: &[] };
+    let exported = export::write(&a.out, &input, job_file, a.overwrite, &progress).map_err(not_exported)?;
+    let report = &exported.report;
     if a.json {
-        let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
+        let json = serde_json::to_string_pretty(report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));
     } else {
         let mut text = report.text();
@@ -99,12 +108,27 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
                 text.push_str(&format!("  {line}\n"));
             }
         }
-        for path in written {
+        for path in &exported.removed {
+            text.push_str(&format!("removed {}\n", path.display()));
+        }
+        for path in &exported.written {
             text.push_str(&format!("wrote {}\n", path.display()));
         }
         print(&text);
     }
     Ok(if report.is_complete() { Outcome::Done } else { Outcome::Found })
+}
+
+/// Why nothing was exported, and what helps.
+fn not_exported(e: ExportError) -> Failure {
+    let help = match &e {
+        ExportError::Conflicts { conflicts, .. } if conflicts.iter().all(FileConflict::can_be_overwritten) => {
+            "; give --overwrite to replace them, or choose another folder"
+        }
+        ExportError::Conflicts { .. } => "; choose another folder",
+        _ => "",
+    };
+    Failure::Failed(anyhow!("{e}{help}"))
 }
 
 /// A job from a job file, or the job that cleans all of a part.

@@ -3,9 +3,9 @@
 
 pub mod advice;
 pub mod dose;
+pub mod export;
 pub mod lay;
 pub mod layer;
-pub mod output;
 pub mod plan;
 pub mod preview;
 pub mod report;
