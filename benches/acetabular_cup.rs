@@ -5,8 +5,12 @@
 
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, files, segmented};
-use clearbeam::part::{Mesh, Part, rpy};
-use clearbeam::planning::{self, Cache, Plan, output, report::Report};
+use clearbeam::part::{Mesh, Part, Surfaces, rpy};
+use clearbeam::planning::{
+    self, Cache, Plan,
+    export::{self, ExportError, ExportInput, ExportOf},
+    report::Report,
+};
 use clearbeam::program::{Line, ProgramFile, lines, lit};
 use clearbeam::progress::Progress;
 use nalgebra::Isometry3;
@@ -33,9 +37,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let surfaces = segmented(&part, &job);
         let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
         let report = Report::new(&plan, &surfaces);
-        let program = output::program(&job, &job.part.file, &setup, &plan, &report)?;
+        let program = export::program(&job, &job.part.file, &setup, &plan, &report)?;
         quickest[0] = quickest[0].min(begun.elapsed().as_secs_f64());
-        output::files(&job, &job.part.file, &part, &setup, &plan, &surfaces)?;
+        exported((&job, file), &part, &surfaces, &setup, &plan)?;
         quickest[1] = quickest[1].min(begun.elapsed().as_secs_f64());
         last = Some((part, plan, report, program));
     }
@@ -47,6 +51,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     times(quickest, &program);
     angles(&plan, &setup, job.beam.defocus_mm);
     Ok(())
+}
+
+/// All files of the plan, in memory.
+fn exported(
+    (job, file): (&Job, &Path),
+    part: &Part,
+    surfaces: &Surfaces,
+    setup: &Setup,
+    plan: &Plan,
+) -> Result<(), ExportError> {
+    let input = ExportInput { job, part, surfaces, setup, plan, findings: &[] };
+    export::files(&input, &ExportOf::new(job, Some(file)), &Progress::default()).map(|_| ())
 }
 
 /// Vertices, edges and facets before and behind the reconstruction.

@@ -22,7 +22,7 @@
 //!   ([`program::Timeline`]), and as neutral lines ([`program::lines()`]). A [`program::Dialect`] writes
 //!   them in the words of a controller and reads its text back.
 //! - [`job`]: what is saved ([`document::Job`]), edited ([`document::Edit`], [`document::Document`]), planned
-//!   ([`planning::plan()`]), written ([`planning::output`]) and compared with what was read ([`planning::verify`]).
+//!   ([`planning::plan()`]), written ([`planning::export`]) and compared with what was read ([`planning::verify`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
 //! - [`fit`] brings points onto others by one rigid motion.

@@ -4,8 +4,8 @@ use clearbeam::cell::Setup;
 use clearbeam::document::{self, Job, files, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces, Units, angle};
 use clearbeam::path::Axis;
-use clearbeam::planning::{self, Cache, Plan, PlanError, output, plan::prover, report::Report, verify};
-use clearbeam::pose::Correction;
+use clearbeam::planning::{self, Cache, Plan, PlanError, export, plan::prover, report::Report, verify};
+use clearbeam::pose::{Correction, TiltRule};
 use clearbeam::program::{Line, lines};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids, stl_bytes};
@@ -46,7 +46,7 @@ impl Case {
     /// The program, written and verified by the reader with the second opinion.
     fn verified(&self, plan: &Plan) -> verify::Verdict {
         let report = Report::new(plan, &self.surfaces);
-        let files = output::program(&self.job, "part.stl", &self.setup, plan, &report).expect("writes");
+        let files = export::program(&self.job, "part.stl", &self.setup, plan, &report).expect("writes");
         let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
         verify::check(&self.part, plan, &self.setup, &self.job, &files[0], &open, true).expect("reads").1
     }

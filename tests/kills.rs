@@ -9,7 +9,8 @@ use clearbeam::document::journal::{Journal, left_behind};
 use clearbeam::document::save::backup_of;
 use clearbeam::document::{Chosen, Document, Edit, IfChanged, Job, files, save, segmented};
 use clearbeam::part::{SurfaceId, digest_of};
-use clearbeam::planning::{self, Cache, output};
+use clearbeam::planning::export::{ExportInput, write as export_into};
+use clearbeam::planning::{self, Cache};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
 use std::io::{BufRead as _, BufReader, Write as _};
@@ -108,7 +109,8 @@ fn export(folder: &Path, document: &Document) {
     let setup = files::load_setup(job, document.file()).expect("a shipped cell");
     let surfaces = segmented(&part, job);
     let plan = planning::plan(&part, &surfaces, job, &setup, &Cache::default(), &Progress::default()).expect("plans");
-    output::write(folder, job, document.file(), &part, &setup, &plan, &surfaces).expect("writes");
+    let input = ExportInput { job, part: &part, surfaces: &surfaces, setup: &setup, plan: &plan, findings: &[] };
+    export_into(folder, &input, document.file(), false, &Progress::default()).expect("writes");
 }
 
 /// What an export must have left: each file is whole by itself, and the job is one that was exported.

@@ -140,6 +140,13 @@ fn bad_input_is_told() {
     let output = plan(&out, &["--cell", &cell]);
     assert_eq!(output.status.code(), Some(3), "{}", said(&output));
     assert!(said(&output).contains("out of reach") && said(&output).contains("better set-up"), "{}", said(&output));
+    let report = std::fs::read(Path::new(&out).join("report.json")).expect("a report");
+    let report: Value = serde_json::from_slice(&report).expect("JSON");
+    let nothing = &report["findings"][0];
+    assert_eq!((&nothing["code"], &nothing["reason"]), (&"nothing_planned".into(), &"all_blocked".into()));
+    let blocked = nothing["by"].as_array().expect("a list").iter().filter_map(|b| b["targets"].as_u64()).sum::<u64>();
+    assert_eq!(Some(blocked), report["blocked"].as_u64());
+    assert!(!Path::new(&out).join("MZ04-01-A.001").exists(), "a program that does nothing is not written");
 
     let job = path(Path::new(&out), "job.toml");
     let letter = path(folder.path(), "letter.txt");

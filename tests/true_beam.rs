@@ -533,10 +533,7 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
     }
     let proof = with.plan.proof.as_ref().expect("swept");
     assert!(proof.intervals > 0 && proof.refuted.is_empty() && proof.margin_mm > 0.2);
-    let files =
-        clearbeam::planning::output::files(&with.job, "part.stl", &with.part, &setup, &with.plan, &with.surfaces)
-            .expect("files")
-            .0;
+    let files = with.files_in(&setup);
     let csv = files.iter().find(|f| f.name == "path.csv").map(|f| String::from_utf8_lossy(&f.bytes).into_owned());
     for row in csv.expect("written").lines().skip(1) {
         let cells: Vec<&str> = row.split(',').collect();

@@ -132,14 +132,14 @@ fn done(bare: &mut Bare, deed: &Deed) {
 
 /// What an export would write, the dose apart.
 fn written(planned: &PlannedJob, job: &Job) -> Vec<(String, String)> {
-    use clearbeam::planning::output;
+    use clearbeam::planning::export;
     let PlannedJob { setup, plan, report, .. } = planned;
-    let program = match output::program(job, "part.stl", setup, plan, report) {
+    let program = match export::program(job, "part.stl", setup, plan, report) {
         Ok(files) => files.into_iter().map(|f| (f.name, f.text)).collect(),
         Err(why) => vec![("no program".to_owned(), why.to_string())],
     };
     let report = serde_json::to_string(report).expect("a report");
-    [program, vec![("path.csv".into(), output::path_csv(plan)), ("report.json".into(), report)]].concat()
+    [program, vec![("path.csv".into(), export::path_csv(plan)), ("report.json".into(), report)]].concat()
 }
 
 /// The same by the command line's way from the saved job, or why there is none.

@@ -11,7 +11,10 @@ use crate::document::{
     save,
 };
 use crate::part::{Hasher, LoadError, Part, Source};
-use crate::planning::{Failure, PlannedJob, output};
+use crate::planning::{
+    Failure, PlannedJob,
+    export::{self, ExportError, ExportInput},
+};
 use crate::progress::Progress;
 use eframe::egui;
 use std::path::{Path, PathBuf};
@@ -161,10 +164,14 @@ impl App {
         self.session.said = format!("writing into {}…", dir.display());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
-        self.exporting.start(planned.key, "exporting", &*executor, move |_| {
+        self.exporting.start(planned.key, "exporting", &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-            let written = output::write(&dir, &job, file.as_deref(), part, setup, plan, surfaces);
-            Ok(written.map_err(|e| Failure::Refused(Arc::new(e)))?.0)
+            let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
+            let exported = export::write(&dir, &input, file.as_deref(), false, progress);
+            exported.map(|e| e.written).map_err(|e| match e {
+                ExportError::Cancelled => Failure::Cancelled,
+                other => Failure::Refused(Arc::new(other)),
+            })
         });
     }
 

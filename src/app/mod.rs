@@ -30,7 +30,7 @@ pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
 use crate::document::{Document, JobError, Library, users_folder};
-use crate::planning::{Pool, Stage};
+use crate::planning::{Pool, Stage, export::ExportError};
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;
@@ -53,7 +53,7 @@ pub struct App {
     /// The file that is being read.
     opening: Stage<files::Opened, Arc<JobError>>,
     /// The export that is being written.
-    exporting: Stage<Vec<PathBuf>, Arc<JobError>>,
+    exporting: Stage<Vec<PathBuf>, Arc<ExportError>>,
     /// The access map of the moment, and the strip of the pass.
     access: Option<access::Made<access::Place, AccessMap>>,
     strip: Option<access::Made<(Over, usize), AccessStrip>>,

@@ -3,7 +3,7 @@
 
 use crate::cell::Setup;
 use crate::picture::Trail;
-use crate::planning::{Plan, PlannedJob, output};
+use crate::planning::{Plan, PlannedJob, export};
 use crate::pose::State;
 use crate::program::dialect::{Read, Reading};
 use crate::program::{Line, ProgramFile, Sample, Timeline, dialects, lines, series};
@@ -84,7 +84,7 @@ impl Motion {
             }
         }
         let marks = marks(plan, &move_to);
-        let (files, why_none) = match output::program(job, part_name, setup, plan, report) {
+        let (files, why_none) = match export::program(job, part_name, setup, plan, report) {
             Ok(files) => (files, None),
             Err(why) => (Vec::new(), Some(why.to_string())),
         };

@@ -3,8 +3,13 @@
 use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::document::{Chosen, Job, files};
-use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice, output, report::hours};
+use crate::planning::{
+    self, Pipeline, PlanError, PlannedJob, PlanningError, advice,
+    export::{self, ExportError, ExportInput, FileConflict},
+    report::hours,
+};
 use crate::progress::Progress;
+use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -18,6 +23,9 @@ pub struct Arguments {
     out: PathBuf,
     #[command(flatten)]
     options: PlanOptions,
+    /// Replace files of the folder that were changed by hand, are another job's, or no export's
+    #[arg(long)]
+    overwrite: bool,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -45,6 +53,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     }
     let source = files::read_part(&job, job_file).map_err(anyhow::Error::from)?;
     job.part.sha256.clone_from(&source.sha256);
+    // Known before the work is done, as far as names are.
+    let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
+    export::conflicts(&a.out, &job, job_file, &setup)
+        .and_then(|met| export::allowed(&a.out, met, a.overwrite))
+        .map_err(not_exported)?;
     // Nobody cancels it: a key that ends the program ends all.
     let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
     let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
@@ -59,10 +72,11 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
     }
     let progress = Progress::default();
-    let (written, report) =
-        output::write(&a.out, &job, job_file, part, setup, plan, surfaces).map_err(anyhow::Error::from)?;
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
+    let exported = export::write(&a.out, &input, job_file, a.overwrite, &progress).map_err(not_exported)?;
+    let report = &exported.report;
     if a.json {
-        let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
+        let json = serde_json::to_string_pretty(report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));
     } else {
         let mut text = report.text();
@@ -84,7 +98,10 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
                 text.push_str(&format!("  {line}\n"));
             }
         }
-        for path in written {
+        for path in &exported.removed {
+            text.push_str(&format!("removed {}\n", path.display()));
+        }
+        for path in &exported.written {
             text.push_str(&format!("wrote {}\n", path.display()));
         }
         print(&text);
@@ -103,6 +120,18 @@ fn refused(e: PlanningError) -> Failure {
         )) => Failure::Usage(e.to_string()),
         _ => Failure::Failed(e.into()),
     }
+}
+
+/// Why nothing was exported, and what helps.
+fn not_exported(e: ExportError) -> Failure {
+    let help = match &e {
+        ExportError::Conflicts { conflicts, .. } if conflicts.iter().all(FileConflict::can_be_overwritten) => {
+            "; give --overwrite to replace them, or choose another folder"
+        }
+        ExportError::Conflicts { .. } => "; choose another folder",
+        _ => "",
+    };
+    Failure::Failed(anyhow!("{e}{help}"))
 }
 
 /// A job from a job file, or the job that cleans all of a part.

@@ -3,10 +3,10 @@
 
 pub mod advice;
 pub mod dose;
+pub mod export;
 pub mod key;
 pub mod lay;
 pub mod layer;
-pub mod output;
 pub mod pipeline;
 pub mod plan;
 pub mod pool;

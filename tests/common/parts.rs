@@ -11,7 +11,7 @@ use clearbeam::path::section::sections;
 use clearbeam::path::{SurfacePlanes, TransversalLine, planes};
 use clearbeam::planning::{
     self, Cache, Plan,
-    output::{self, OutputFile},
+    export::{self, ExportInput, ExportOf, OutputFile},
     report::Report,
 };
 use clearbeam::pose::checker::Checker;
@@ -148,7 +148,15 @@ impl Planned {
 
     /// The files that `plan` would write.
     pub fn files(&self) -> Vec<OutputFile> {
-        output::files(&self.job, "part.stl", &self.part, &setup(), &self.plan, &self.surfaces).expect("files").0
+        self.files_in(&setup())
+    }
+
+    /// The same in a cell.
+    pub fn files_in(&self, setup: &Setup) -> Vec<OutputFile> {
+        let Planned { part, surfaces, job, plan } = self;
+        let input = ExportInput { job, part, surfaces, setup, plan, findings: &[] };
+        let of = ExportOf { job: "part".into(), part: "part.stl".into() };
+        export::files(&input, &of, &Progress::default()).expect("files").0
     }
 
     /// The second opinion on this part.

@@ -1,8 +1,10 @@
 //! `report.json`: what was planned, in numbers that scripts rely on.
 
+mod finding;
 mod problems;
 mod standing;
 mod text;
+mod written_files;
 
 use super::dose::DoseReport;
 use super::plan::Plan;
@@ -12,10 +14,13 @@ use crate::part::Surfaces;
 use crate::pose::{Correction, Pass, Split, State, Target, Theirs};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
+use finding::nothing_planned;
+pub use finding::{BlockedBy, NothingReason, PlanFinding, is_dark};
 pub use problems::{Problem, problems};
 use serde::Serialize;
 pub use standing::{Grade, Standing, grouped};
 pub use text::hours;
+pub use written_files::{FileDigest, WrittenFiles};
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
 ///
@@ -65,6 +70,8 @@ pub struct Report {
     pub surfaces: Vec<SurfaceReport>,
     /// What is blocked or missed, and why.
     pub problems: Vec<Problem>,
+    /// What was dropped, passed over or assumed on the way, and whether anything is planned at all.
+    pub findings: Vec<PlanFinding>,
     /// Where the laser is off while the beam turns.
     pub splits: Vec<SplitReport>,
     /// Both corrections within the same limits, before any robot; none unless the beam was searched.
@@ -82,6 +89,9 @@ pub struct Report {
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<CellReport>,
+    /// Whose export this is, and its files; only what is exported has it.
+    #[serde(flatten)]
+    pub written: Option<WrittenFiles>,
 }
 
 /// What the order of the lines comes to.
@@ -277,6 +287,7 @@ impl Report {
         let clearance =
             all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked).filter_map(|t| t.clearance_mm);
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
+        let problems = problems(plan, surfaces);
         Report {
             layers: plan.grown.len().max(1),
             passes: all.len(),
@@ -297,7 +308,8 @@ impl Report {
             max_chord_error_mm: all.iter().map(|p| p.chord_error_mm).fold(0.0, f64::max),
             max_surface_spacing_mm: rows.iter().filter_map(|r| r.spacing_max_mm).fold(0.0, f64::max),
             missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
-            problems: problems(plan, surfaces),
+            findings: nothing_planned(plan, &problems).into_iter().collect(),
+            problems,
             splits: splits(all, surfaces),
             corrections: corrections(plan),
             surfaces: rows,
@@ -306,12 +318,14 @@ impl Report {
             min_clearance_mm: clearance.reduce(f64::min),
             dose: None,
             cell: plan.cell.clone(),
+            written: None,
         }
     }
 
     /// Whether everything chosen is done.
     pub fn is_complete(&self) -> bool {
-        self.problems.is_empty()
+        let is_nothing = |f: &PlanFinding| matches!(f, PlanFinding::NothingPlanned { .. });
+        self.problems.is_empty() && !self.findings.iter().any(is_nothing)
     }
 }
 

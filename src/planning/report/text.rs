@@ -20,6 +20,9 @@ impl Report {
     pub fn text(&self) -> String {
         use std::fmt::Write as _;
         let mut out = String::new();
+        for finding in &self.findings {
+            let _ = writeln!(out, "{}", finding.text());
+        }
         let _ = writeln!(
             out,
             "{} passes, {} targets: {} free, {} corrected, {} blocked",

@@ -1,0 +1,71 @@
+//! Files into a folder, all of them or none, whatever stands there and whenever the process ends.
+
+use super::contents::OutputFile;
+use super::error::ExportError;
+use super::folder::ExportFolder;
+use super::intent::ExportIntent;
+use super::ownership::{ExportOf, allowed, meet};
+use super::recovery::recover;
+use crate::document::files::JobError;
+use crate::progress::Progress;
+use std::path::Path;
+
+/// Puts files into a folder, which is made if it is not there; names of those of the earlier export that went.
+/// `reads_job`: the job that stands there is the one that is exported.
+///
+/// # Errors
+/// What stands in the way, cannot be written, or [`ExportError::Cancelled`]; the folder is as it was, unless it could
+/// not be written half way: then the next export into it ends this one.
+pub(super) fn put(
+    dir: &Path,
+    files: &[OutputFile],
+    of: &ExportOf,
+    (reads_job, overwrite): (bool, bool),
+    progress: &Progress,
+) -> Result<Vec<String>, ExportError> {
+    progress.check()?;
+    let is_new = !dir.exists();
+    std::fs::create_dir_all(dir).map_err(|e| JobError::write(dir, &e))?;
+    let folder = ExportFolder::open(dir)?;
+    recover(&folder, (reads_job, overwrite))?;
+    let intent = intended(&folder, files, of, (reads_job, overwrite))?;
+    let staging = intent.staging(files);
+    progress.begin("writing", staging.len());
+    let staged = staging.iter().try_for_each(|step| {
+        progress.step()?;
+        intent.take(&folder, files, step).map_err(ExportError::from)
+    });
+    if let Err(e) = staged {
+        take_back(&folder, is_new);
+        return Err(e);
+    }
+    intent.steps().iter().try_for_each(|step| intent.take(&folder, files, step))?;
+    let goes = |name: &String| files.iter().all(|f| f.name != *name);
+    Ok(intent.remove.into_iter().filter(goes).collect())
+}
+
+/// The intent of putting files into a folder as it stands.
+///
+/// # Errors
+/// What stands in the way.
+pub(super) fn intended(
+    folder: &ExportFolder,
+    files: &[OutputFile],
+    of: &ExportOf,
+    (reads_job, overwrite): (bool, bool),
+) -> Result<ExportIntent, ExportError> {
+    let names: Vec<&str> = files.iter().map(|f| f.name.as_str()).collect();
+    let met = meet(folder, of, &names, reads_job)?;
+    allowed(folder.path(), met.conflicts, overwrite)?;
+    Ok(ExportIntent::new(of.clone(), files, met.standing))
+}
+
+/// Removes what was staged. What cannot be removed now is when the next export comes.
+fn take_back(folder: &ExportFolder, is_new: bool) {
+    for name in folder.all_staged().unwrap_or_default() {
+        let _ = folder.unstage(&name);
+    }
+    if is_new {
+        let _ = std::fs::remove_dir(folder.path());
+    }
+}

@@ -1,0 +1,93 @@
+//! The export of a finished plan into a folder. It appears whole or not at all, replaces the earlier export of the
+//! same job, and touches nothing else unless told to.
+//!
+//! `contents` makes the files, `ownership` tells whose the files of the folder are, `commit` puts the new ones in
+//! place step by step, and `recovery` ends what a crash has broken off.
+
+mod commit;
+#[cfg(test)]
+mod commit_tests;
+mod contents;
+mod error;
+mod folder;
+mod intent;
+mod ownership;
+mod program;
+mod recovery;
+mod tables;
+
+pub use contents::{ExportInput, OutputFile, files};
+pub use error::ExportError;
+pub use ownership::{ConflictReason, ExportOf, FileConflict, allowed};
+pub use program::program;
+pub use tables::path_csv;
+
+use super::report::Report;
+use crate::cell::Setup;
+use crate::document::files::rebased;
+use crate::document::model::Job;
+use crate::progress::Progress;
+use folder::ExportFolder;
+use std::path::{Path, PathBuf};
+
+/// What an export came to.
+#[derive(Clone, Debug)]
+pub struct Exported {
+    /// The files that were written: the job, the program with the file to start first, tables, the report.
+    pub written: Vec<PathBuf>,
+    /// Files of the earlier export that went.
+    pub removed: Vec<PathBuf>,
+    /// What the report says.
+    pub report: Report,
+}
+
+/// What would stand in the way of exporting a job into a folder, as far as it can be told before anything is
+/// planned: sub-programs are not known by then. What a crash left there is brought to its end first.
+///
+/// # Errors
+/// What cannot be read, or, after a crash, written.
+pub fn conflicts(
+    dir: &Path,
+    job: &Job,
+    job_file: Option<&Path>,
+    setup: &Setup,
+) -> Result<Vec<FileConflict>, ExportError> {
+    if !dir.is_dir() {
+        return Ok(Vec::new());
+    }
+    let folder = ExportFolder::open(dir)?;
+    let reads_job = ownership::reads_job_of(dir, job_file);
+    match recovery::recover(&folder, (reads_job, false)) {
+        Err(ExportError::Conflicts { conflicts, .. }) => return Ok(conflicts),
+        other => other?,
+    }
+    let names = contents::names_ahead(job, setup);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let of = ExportOf::new(job, job_file);
+    Ok(ownership::meet(&folder, &of, &names, reads_job)?.conflicts)
+}
+
+/// Writes a plan into a folder, made if it is not there. `job_file`: where the job was read from. `overwrite`: what
+/// [`conflicts`] tells is replaced.
+///
+/// # Errors
+/// What stands in the way, what cannot be written, and why; [`ExportError::Cancelled`] when `progress` says so.
+pub fn write(
+    dir: &Path,
+    input: &ExportInput<'_>,
+    job_file: Option<&Path>,
+    overwrite: bool,
+    progress: &Progress,
+) -> Result<Exported, ExportError> {
+    let of = ExportOf::new(input.job, job_file);
+    let job = rebased(input.job, job_file, &dir.join(contents::JOB))?;
+    let (files, report) = contents::files(&ExportInput { job: &job, ..*input }, &of, progress)?;
+    let reads_job = ownership::reads_job_of(dir, job_file);
+    let removed = commit::put(dir, &files, &of, (reads_job, overwrite), progress)?;
+    let path = |name: &String| dir.join(name);
+    Ok(Exported {
+        written: files.iter().map(|f| path(&f.name)).collect(),
+        removed: removed.iter().map(path).collect(),
+        report,
+    })
+}
