@@ -5,16 +5,11 @@ use super::derived::Derived;
 use super::dialogs::Purpose;
 use super::session::AfterGuard;
 use crate::beam::Obstacle;
-use crate::document::{
-    Document, IfChanged, Job, JobFile,
-    files::{self, JobError},
-    save,
-};
+use crate::document::files::{self, JobError};
+use crate::document::{Document, IfChanged, Job, JobFile, save};
 use crate::part::{Hasher, LoadError, Part, Source};
-use crate::planning::{
-    Failure, PlannedJob,
-    export::{self, ExportError, ExportInput},
-};
+use crate::planning::export::{self, ExportError, ExportInput};
+use crate::planning::{Failure, PlannedJob};
 use crate::progress::Progress;
 use eframe::egui;
 use std::path::{Path, PathBuf};

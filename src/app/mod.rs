@@ -30,7 +30,8 @@ pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
 use crate::document::{Document, JobError, Library, users_folder};
-use crate::planning::{Pool, Stage, export::ExportError};
+use crate::planning::export::ExportError;
+use crate::planning::{Pool, Stage};
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
 use derived::Derived;

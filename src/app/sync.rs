@@ -5,7 +5,8 @@ use super::App;
 use super::motion::Motion;
 use crate::part::Shape;
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
-use crate::planning::{Failure, surface_plan::body};
+use crate::planning::Failure;
+use crate::planning::surface_plan::body;
 use std::sync::Arc;
 
 impl App {
