@@ -180,6 +180,7 @@ fn the_centre_of_a_spiral_is_its_surface_s_own_and_goes_before_the_recipe_s() {
     menu_in_the_middle(&mut h);
     click(&mut h, "Spiral centre here");
     assert!(shows(&h, "Surface 2 from") && !shows(&h, "recipe reset centre"));
+    reveal(&mut h, "surface reset start of 2");
     click(&mut h, "surface reset start of 2");
     assert!(!shows(&h, "Surface 2 from"));
 }
