@@ -127,21 +127,19 @@ impl App {
 
     /// Tells how an export ended.
     pub(super) fn take_exported(&mut self) {
-        if !self.exporting.poll() {
-            return;
-        }
-        match self.exporting.taken() {
-            Some(Ok(exported)) => {
+        let Some(outcome) = self.exporting.taken() else { return };
+        match outcome {
+            Ok(exported) => {
                 let nothing = exported.report.findings.iter().find(|f| matches!(f, PlanFinding::NothingPlanned { .. }));
                 let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
                 self.session.said = nothing.map_or_else(|| format!("exported {program}"), PlanFinding::text);
             }
-            Some(Err(Failure::Cancelled)) | None => self.session.said = "the export was cancelled".into(),
-            Some(Err(Failure::Refused(ExportError::Conflicts { dir, conflicts }))) => {
+            Err(Failure::Cancelled) => self.session.said = "the export was cancelled".into(),
+            Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {
                 self.session.said.clear();
                 self.question = Some(Question::ExportOver { dir, conflicts });
             }
-            Some(Err(why)) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.to_string()),
         }
     }
 

@@ -5,7 +5,7 @@ use super::derived::Derived;
 use super::questions::Question;
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
-use crate::document::{CarriedOver, Document, Edit, Job, save};
+use crate::document::{CarriedOver, Document, Edit, Job, JobFile, save};
 use crate::part::{Hasher, LoadError, Part, Source};
 use crate::planning::{Failure, Stage};
 use crate::progress::Progress;
@@ -73,8 +73,13 @@ impl App {
     pub(super) fn open(&mut self, path: PathBuf) {
         self.session.said = format!("reading {}…", path.display());
         self.start_opening(move |progress| {
-            let document = document_of(&path)?;
-            Ok(Opened { part: part_there(&document, progress)?, document, leftover: None })
+            let (mut job, file) = job_of(&path)?;
+            let part = part_there(&job, file.as_ref().map(|f| f.path.as_path()), progress)?;
+            if let PartThere::Same(source, ..) = &part {
+                // From now on the job is of this part, and of no other under its name.
+                job.part.sha256.clone_from(&source.sha256);
+            }
+            Ok(Opened { part, document: Document::new(job, file), leftover: None })
         });
     }
 
@@ -92,7 +97,8 @@ impl App {
         self.session.said = format!("restoring {}…", leftover.part_name());
         self.start_opening(move |progress| {
             let document = leftover.restored();
-            Ok(Opened { part: part_there(&document, progress)?, document, leftover: Some(leftover) })
+            let part = part_there(document.job(), document.file(), progress)?;
+            Ok(Opened { part, document, leftover: Some(leftover) })
         });
     }
 
@@ -104,19 +110,15 @@ impl App {
 
     /// Takes what was read.
     pub(super) fn take_opened(&mut self) {
-        if self.reading.opening.poll() {
-            match self.reading.opening.taken() {
-                Some(Ok(opened)) => self.opened(opened),
-                Some(Err(why)) => self.not_read(&why),
-                None => {}
-            }
+        match self.reading.opening.taken() {
+            Some(Ok(opened)) => self.opened(opened),
+            Some(Err(why)) => self.not_read(&why),
+            None => {}
         }
-        if self.reading.looking.poll() {
-            match self.reading.looking.taken() {
-                Some(Ok(looked)) => self.looked_at(looked),
-                Some(Err(why)) => self.not_read(&why),
-                None => {}
-            }
+        match self.reading.looking.taken() {
+            Some(Ok(looked)) => self.looked_at(looked),
+            Some(Err(why)) => self.not_read(&why),
+            None => {}
         }
     }
 
@@ -287,24 +289,22 @@ fn refused(e: JobError) -> Refused {
     Failure::Refused(Arc::new(e))
 }
 
-/// A document over a job file, or over a job for a part.
-fn document_of(path: &Path) -> Result<Document, Refused> {
+/// The job of a job file, or one for a part.
+fn job_of(path: &Path) -> Result<(Job, Option<JobFile>), Refused> {
     if files::is_job(path) {
-        let (job, file) = save::open(path).map_err(refused)?;
-        return Ok(Document::new(job, Some(file)));
+        return save::open(path).map(|(job, file)| (job, Some(file))).map_err(refused);
     }
     let mut job = Job::default();
     job.part.file = path.display().to_string();
-    Ok(Document::new(job, None))
+    Ok((job, None))
 }
 
-/// Reads the part of a document, and makes the document one of just that part.
-fn part_there(document: &Document, progress: &Progress) -> Result<PartThere, Refused> {
-    let job = document.job();
-    let file = match files::part_file(job, document.file()) {
+/// Reads the part of a job.
+fn part_there(job: &Job, job_file: Option<&Path>, progress: &Progress) -> Result<PartThere, Refused> {
+    let file = match files::part_file(job, job_file) {
         Ok(file) => file,
         // A part that was to be opened itself is an error; one that a job names can be looked for.
-        Err(JobError::PartGone { file }) if document.file().is_some() => return Ok(PartThere::Gone(file.into())),
+        Err(JobError::PartGone { file }) if job_file.is_some() => return Ok(PartThere::Gone(file.into())),
         Err(e) => return Err(refused(e)),
     };
     let stamp = stamp_of(&file);
