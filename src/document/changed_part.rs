@@ -127,7 +127,8 @@ impl fmt::Display for LostSurface {
 impl fmt::Display for CarriedOver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(motion) = &self.motion {
-            let t = motion.translation.vector;
+            // No minus before a zero.
+            let t = motion.translation.vector.map(|mm| (mm * 1e3).round() * 1e-3 + 0.0);
             let turn = motion.rotation.angle().to_degrees();
             write!(f, "the whole part has moved by ({:.3}, {:.3}, {:.3}) in its file", t.x, t.y, t.z)?;
             if turn > 1e-3 {
