@@ -6,11 +6,9 @@
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::{Mesh, Part, Surfaces, rpy};
-use clearbeam::planning::{
-    self, Cache, Plan,
-    export::{self, ExportError, ExportInput, ExportOf},
-    report::Report,
-};
+use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf};
+use clearbeam::planning::report::Report;
+use clearbeam::planning::{self, Cache, Plan};
 use clearbeam::program::{Line, ProgramFile, lines, lit};
 use clearbeam::progress::Progress;
 use nalgebra::Isometry3;

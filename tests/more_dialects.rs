@@ -6,9 +6,12 @@ mod programs;
 
 use clearbeam::beam::Work;
 use clearbeam::cell::{Mount, Robot, Setup};
+use clearbeam::program::abb::Rapid;
 use clearbeam::program::dialect::{Goal, Read, ReadError, ReadLine, Reading, WriteError};
+use clearbeam::program::estun::Erp;
+use clearbeam::program::kuka::Krl;
+use clearbeam::program::yaskawa::Jbi;
 use clearbeam::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way};
-use clearbeam::program::{abb::Rapid, estun::Erp, kuka::Krl, yaskawa::Jbi};
 use nalgebra::Isometry3;
 use programs::damaged;
 use proptest::prelude::*;

@@ -5,7 +5,8 @@
 
 use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::digest_of;
-use clearbeam::planning::{self, Cache, report::Report};
+use clearbeam::planning::report::Report;
+use clearbeam::planning::{self, Cache};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use std::path::PathBuf;

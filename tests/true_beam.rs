@@ -6,7 +6,8 @@ mod parts;
 
 use clearbeam::beam::{Body, Frustum, Head, Obstacle, Optics, Tool};
 use clearbeam::cell::{Cell, Frame, Mount};
-use clearbeam::document::{Job, files::set_up};
+use clearbeam::document::Job;
+use clearbeam::document::files::set_up;
 use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
 use clearbeam::pose::checker::{Checker, CutCone};

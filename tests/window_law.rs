@@ -5,7 +5,8 @@ mod common;
 
 use clearbeam::app::Command;
 use clearbeam::cell::Mount;
-use clearbeam::document::{Document, Edit, IfChanged, Job, Recipe, files, save::save};
+use clearbeam::document::save::save;
+use clearbeam::document::{Document, Edit, IfChanged, Job, Recipe, files};
 use clearbeam::part::{SurfaceId, Units};
 use clearbeam::path::{Order, Strategy as Laying};
 use clearbeam::planning::{Pipeline, PlannedJob};

@@ -4,7 +4,8 @@
 mod common;
 
 use clearbeam::app::{Command, Purpose};
-use clearbeam::document::{Edit, IfChanged, files, save::save};
+use clearbeam::document::save::save;
+use clearbeam::document::{Edit, IfChanged, files};
 use clearbeam::part::Units;
 use clearbeam::planning::Pipeline;
 use common::held::Bare;

@@ -101,7 +101,7 @@ impl App {
             let (part, pass) = (&planned.part, planned.plan.passes.get(self.session.at.0)?);
             let setup = self.derived.pipeline.setup()?.ok()?;
             let body = body(job, setup);
-            let beam = Beam::with(&part, body.as_ref());
+            let beam = Beam::with(part, body.as_ref());
             let (rule, most) = (rule_of(job, pass.surface), job.path.max_tilt_deg);
             let made = AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES);
             self.strip = Some(Made { of, made });

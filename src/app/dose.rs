@@ -5,10 +5,8 @@ use super::App;
 use super::session::Coloring;
 use crate::part::Surfaces;
 use crate::picture::dose::{DoseLook, dose_item};
-use crate::planning::{
-    Failure, PlanError, PlannedJob,
-    dose::{DoseReport, dose, not_cleanable},
-};
+use crate::planning::dose::{DoseReport, dose, not_cleanable};
+use crate::planning::{Failure, PlanError, PlannedJob};
 use crate::process::{DoseMap, Patch, SpotHit};
 use crate::progress::Progress;
 use crate::view::MeshItem;

@@ -1,8 +1,7 @@
 //! The window as seen from outside: what tests look at, and the same edits and commands that panels send.
 
-use super::App;
 use super::derived::Derived;
-use super::{Command, Pool};
+use super::{App, Command, Pool};
 use crate::document::{Document, Edit, Parameter};
 use crate::planning::{Executor, PlannedJob};
 use std::path::PathBuf;

@@ -2,7 +2,8 @@
 
 use super::{Failure, Outcome, print};
 use crate::document::{Job, Parameter, segmented};
-use crate::part::{Placement, Units, inspect::InspectReport, load};
+use crate::part::inspect::InspectReport;
+use crate::part::{Placement, Units, load};
 use std::path::PathBuf;
 
 /// Options of `inspect`.

@@ -4,11 +4,9 @@ use super::changed::part_of;
 use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::document::{Chosen, Job, files};
-use crate::planning::{
-    self, Pipeline, PlanError, PlannedJob, PlanningError, advice,
-    export::{self, ExportError, ExportInput, FileConflict},
-    report::hours,
-};
+use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
+use crate::planning::report::hours;
+use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
 use anyhow::anyhow;
 use std::path::{Path, PathBuf};

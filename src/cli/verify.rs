@@ -2,10 +2,8 @@
 
 use super::{Failure, Outcome, print};
 use crate::document::files;
-use crate::planning::{
-    Pipeline, PlannedJob,
-    verify::{self, Kind, Verdict},
-};
+use crate::planning::verify::{self, Kind, Verdict};
+use crate::planning::{Pipeline, PlannedJob};
 use crate::program::ProgramFile;
 use anyhow::{Context as _, anyhow};
 use serde::Serialize;

@@ -4,8 +4,9 @@
 //! What a file of an older version means is told in `version`.
 
 use super::chosen::Chosen;
-use super::model::SurfaceParameters;
-use super::model::{BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters};
+use super::model::{
+    BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceParameters,
+};
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use super::start_from::StartFrom;

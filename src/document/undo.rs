@@ -4,10 +4,8 @@ use super::edit::Edit;
 use super::files::{JobError, rebased};
 use super::model::Job;
 use super::remembered::Remembered;
-use super::{
-    renumber::Lost,
-    save::{FileState, IfChanged, JobFile, save},
-};
+use super::renumber::Lost;
+use super::save::{FileState, IfChanged, JobFile, save};
 use crate::part::SurfaceId;
 use std::path::Path;
 

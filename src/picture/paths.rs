@@ -3,7 +3,8 @@
 use super::palette::{Rgb, state};
 use crate::beam::Work;
 use crate::part::Hasher;
-use crate::planning::{Plan, lay::Laid};
+use crate::planning::Plan;
+use crate::planning::lay::Laid;
 use crate::pose::{Pass, State, Target};
 use crate::program::Step;
 use crate::view::{Depth, LineItem, LineSegment, PointItem};

@@ -2,8 +2,10 @@
 //! its passes before and after (P1 Fig. 8).
 
 use super::paths::{PathLook, paths};
-use crate::part::{Hasher, Part, Surfaces, surfaces::Surface};
-use crate::path::{normals::VertexNormals, section::sections};
+use crate::part::surfaces::Surface;
+use crate::part::{Hasher, Part, Surfaces};
+use crate::path::normals::VertexNormals;
+use crate::path::section::sections;
 use crate::planning::Plan;
 use crate::view::{Depth, LineItem, LineSegment};
 use std::sync::Arc;

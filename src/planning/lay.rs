@@ -7,11 +7,11 @@ use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::ends::{self, Short};
+use crate::path::neighbour_axes::neighbour_axes;
 use crate::path::normals::VertexNormals;
 use crate::path::strategy::{self, Achieved, Layout, Strategy};
 use crate::path::tour::{Sense, shift_seams, toured, way_mm};
-use crate::path::{Axis, neighbour_axes::neighbour_axes};
-use crate::path::{Order, SurfacePlanes, TransversalLine, order};
+use crate::path::{Axis, Order, SurfacePlanes, TransversalLine, order};
 use nalgebra::{Point3, Vector3};
 
 /// The lines of one surface, not yet in order.

@@ -14,12 +14,9 @@ use super::stage::{Executor, Failure, Stage};
 use super::surface_plan::Cache;
 use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
-use crate::document::{
-    Job,
-    files::{self, JobError},
-    model::PartFile,
-    segmented,
-};
+use crate::document::files::{self, JobError};
+use crate::document::model::PartFile;
+use crate::document::{Job, segmented};
 use crate::part::stl::StlError;
 use crate::part::{Digest, Part, Source, Surfaces};
 use crate::progress::Progress;

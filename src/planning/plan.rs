@@ -1,23 +1,22 @@
 //! From a job to a plan: planes, lines, poses, program, report. Surfaces whose inputs have not
 //! changed are taken from the cache.
 
-use super::layer;
 use super::report::CellReport;
 use super::surface_plan::{Cache, Kept, SurfacePlan, rules, stances};
-use super::written;
+use super::{layer, written};
 use crate::beam::Stance;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
-use crate::document::{model::Job, parameter};
+use crate::document::model::Job;
+use crate::document::parameter;
 use crate::part::{Grown, Part, SurfaceId, Surfaces};
 use crate::pose::{Pass, State};
-use crate::program::Timeline;
-use crate::program::dialects;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Steps, steps};
 use crate::program::sweep::{Proof, Prover};
+use crate::program::{Timeline, dialects};
 use crate::progress::{Cancelled, Progress};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};

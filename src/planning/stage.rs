@@ -17,10 +17,13 @@ pub trait Executor: Send + Sync {
     fn start(&self, task: Task);
 }
 
+/// What a task does, behind something that may panic as the work itself may.
+type Run = Box<dyn FnOnce(&dyn Fn()) + Send>;
+
 /// A piece of work for an [`Executor`].
 pub struct Task {
     stage: &'static str,
-    run: Box<dyn FnOnce(&dyn Fn()) + Send>,
+    run: Run,
 }
 
 impl Task {
@@ -101,7 +104,7 @@ impl<V, E> Stage<V, E> {
     pub fn taken(&mut self) -> Option<Result<V, Failure<E>>> {
         // It may have been there since the start: a thread can be that quick.
         self.poll();
-        match std::mem::replace(self, Stage::default()) {
+        match std::mem::take(self) {
             Stage { state: State::Done, newest: Some((_, value)) } => Arc::into_inner(value).map(Ok),
             Stage { state: State::Failed { why, .. }, .. } => Some(Err(why)),
             other => {

@@ -1,13 +1,12 @@
 //! From a transversal line to the targets of a pass: dense line, detection, correction, the test of
 //! the result and of the motion between, and the arch height reduction.
 
-use super::clearance;
 use super::correction::Correction;
 use super::interference::{Beam, Blocker};
 use super::motion::{self, Pose};
-use super::section_plane;
 use super::target::{Pass, Split, State, Target, against_normal_deg, travel};
 use super::tilt::{Pin, TiltRule};
+use super::{clearance, section_plane};
 use crate::beam::{Stance, Work};
 use crate::part::{Part, angle};
 use crate::path::chord::{self, ChordLimits, Place};

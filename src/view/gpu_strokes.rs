@@ -6,8 +6,7 @@
 use super::error::ViewError;
 use super::scene::{Depth, LineSegment, Rgba};
 use super::to_three_d::CameraUniforms;
-use three_d::ElementBuffer;
-use three_d::{Blend, Context, DepthTest, Program, RenderStates, VertexBuffer, Viewport, WriteMask};
+use three_d::{Blend, Context, DepthTest, ElementBuffer, Program, RenderStates, VertexBuffer, Viewport, WriteMask};
 
 /// Corner numbers of quads, six per quad; the same for every line and dot, so shared by all.
 pub(super) struct QuadIndices {

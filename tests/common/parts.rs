@@ -9,11 +9,9 @@ use clearbeam::part::{Part, Placement, Surfaces, Units};
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::section::sections;
 use clearbeam::path::{SurfacePlanes, TransversalLine, planes};
-use clearbeam::planning::{
-    self, Cache, Plan,
-    export::{self, ExportInput, ExportOf, OutputFile},
-    report::Report,
-};
+use clearbeam::planning::export::{self, ExportInput, ExportOf, OutputFile};
+use clearbeam::planning::report::Report;
+use clearbeam::planning::{self, Cache, Plan};
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::{Pass, Target};
 use clearbeam::progress::Progress;

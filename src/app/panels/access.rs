@@ -1,7 +1,8 @@
 //! The access map: from which directions a spot can be reached, and why not from the others; and the tilt
 //! along a line with what is blocked, to be bent by hand.
 
-use super::super::{App, access::Place, theme};
+use super::super::access::Place;
+use super::super::{App, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::pose::access::{Access, AccessMap, AccessStrip, Over};

@@ -2,10 +2,8 @@
 
 use super::super::App;
 use super::library::Shelf;
-use crate::document::{
-    Recipe,
-    recipe_table::{Row, rows},
-};
+use crate::document::Recipe;
+use crate::document::recipe_table::{Row, rows};
 use crate::part::SurfaceId;
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use std::collections::BTreeSet;

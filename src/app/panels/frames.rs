@@ -4,7 +4,8 @@
 use super::super::{App, quantity, theme};
 use crate::cell::calibration::CalibrationNote;
 use crate::cell::{Cell, Frame, Mount};
-use crate::document::{Edit, model::CellFile};
+use crate::document::Edit;
+use crate::document::model::CellFile;
 use eframe::egui::{self, DragValue, RichText};
 
 /// A frame of the panel.

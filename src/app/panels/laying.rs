@@ -2,7 +2,8 @@
 
 use super::super::theme;
 use super::fields::{Change, NAMES, Owner, back, name};
-use crate::document::{StartFrom, recipe_table::place};
+use crate::document::StartFrom;
+use crate::document::recipe_table::place;
 use crate::path::{Direction, Order, Strategy};
 use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo};
 

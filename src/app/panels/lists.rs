@@ -1,9 +1,8 @@
 //! The two lists of P1 Fig. 3: *Feature surfaces*, and *To clean* in the order of work.
 
-use super::super::App;
 use super::super::command::Command;
 use super::super::session::Column;
-use super::super::theme;
+use super::super::{App, theme};
 use super::library::DraggedRecipe;
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;

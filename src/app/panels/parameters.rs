@@ -1,8 +1,7 @@
 //! The parameters, made from their table: number with unit, reason when wrong, a way back to the
 //! default.
 
-use super::super::App;
-use super::super::{Command, quantity, theme};
+use super::super::{App, Command, quantity, theme};
 use super::fields::{self, Change};
 use crate::document::{Edit, PARAMETERS, Parameter};
 use crate::part::Units;

@@ -1,7 +1,6 @@
 //! The program as it would be written; the line that is being done is lit and kept in sight.
 
-use super::super::App;
-use super::super::theme;
+use super::super::{App, theme};
 use eframe::egui::{self, RichText, ScrollArea, Sense, TextStyle};
 
 impl App {

@@ -7,8 +7,7 @@
 use super::states::Arm;
 use crate::cell::collision::Collision;
 use crate::cell::{Frame, Mount, Robot, Setup, Spin};
-use crate::part::Part;
-use crate::part::rpy;
+use crate::part::{Part, rpy};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rayon::prelude::*;

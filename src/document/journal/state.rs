@@ -1,7 +1,8 @@
 //! What the journal keeps of a document, as text: a line that says whose it is, and the job below it.
 //! The line is a comment, so that the file by itself is a job that can be looked at and opened.
 
-use super::{JournalError, slot::Slot};
+use super::JournalError;
+use super::slot::Slot;
 use crate::document::files::{self, JobError};
 use crate::document::model::Job;
 use crate::document::save::JobFile;

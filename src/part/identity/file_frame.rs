@@ -3,7 +3,7 @@
 use crate::part::{Placement, Units};
 use nalgebra::{Isometry3, Point3, Vector3};
 
-/// How a part came out of its file: what [`crate::part::Part::from_raw`] was given beside the facets.
+/// How a part came out of its file: what [`crate::part::Part::from_bytes`] was given beside the bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct LoadedAs<'a> {
     /// Unit of the file's coordinates.

@@ -3,7 +3,7 @@
 //!
 //! A job speaks of surfaces by number, and numbers follow the order of facets. So a saved job keeps
 //! [`Landmarks`]: area, centroid, mean normal, shape and neighbours of its surfaces, in the file's
-//! own coordinates, so that neither unit nor placement matters. [`find`] looks for them in the new
+//! own coordinates, so that neither unit nor placement matters. [`find()`] looks for them in the new
 //! part, repeats the operator's edits there, and gives the new numbers, or says of each surface why
 //! it was not found. It never guesses: what could be two is lost.
 //!

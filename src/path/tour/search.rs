@@ -5,10 +5,9 @@
 //! Only lines near each other are tried as new neighbours, and only around what has changed, so the time
 //! grows little faster than the number of lines.
 
-use super::Sense;
 use super::ends::{Stop, Stops};
 use super::near::neighbours;
-use super::seams;
+use super::{Sense, seams};
 use std::collections::VecDeque;
 
 /// Lines moved together by Or-opt.

@@ -2,7 +2,8 @@
 
 use crate::cell::motion::Cause;
 use crate::part::Surfaces;
-use crate::planning::{plan::Plan, surface_plan::SurfacePlan};
+use crate::planning::plan::Plan;
+use crate::planning::surface_plan::SurfacePlan;
 use crate::pose::{State, Theirs};
 use serde::Serialize;
 use std::collections::BTreeSet;

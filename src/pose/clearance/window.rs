@@ -1,11 +1,10 @@
 //! How a stretch of a line is searched: coarse, finer, and in tubes around what was found.
 
 use super::free_set::openings;
-use super::grid;
-use super::polish;
 use super::search::{self, Chain, Layer};
 use super::track::Lean;
 use super::windows::{Stand, Windows};
+use super::{grid, polish};
 use std::collections::BTreeSet;
 
 /// Spacing of the finest grid, degrees.
