@@ -21,10 +21,10 @@
 //! - [`program`]: lit pieces joined by connecting moves ([`program::Steps`]), over time
 //!   ([`program::Timeline`]), and as neutral lines ([`program::lines()`]). A [`program::Dialect`] writes
 //!   them in the words of a controller and reads its text back.
-//! - [`document`]: what is saved ([`document::Job`]) and edited ([`document::Edit`], [`document::Document`]).
-//! - [`planning`]: what is computed from it. One [`planning::Pipeline`] of stages makes the plan
-//!   ([`planning::plan()`]) for both doors; it is written ([`planning::export`]), and programs that were read are
-//!   compared with it ([`planning::verify`]).
+//! - [`document`]: what is saved ([`document::Job`]), edited ([`document::Edit`], [`document::Document`]), and kept
+//!   from being lost ([`document::Journal`]).
+//! - [`planning`]: what is computed from it by one [`planning::Pipeline`]: planned ([`planning::plan()`]), written
+//!   ([`planning::export`]) and compared with what was read ([`planning::verify`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
 //! - [`fit`] brings points onto others by one rigid motion.

@@ -199,6 +199,6 @@ fn sequences(cases: u32) {
 
 #[test]
 fn what_the_window_calls_current_is_what_the_command_line_makes() {
-    let cases = std::env::var("CLEARBEAM_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
+    let cases = std::env::var("CLEARBEAM_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(2000);
     sequences(cases);
 }

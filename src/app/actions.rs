@@ -289,6 +289,9 @@ impl App {
     /// Runs the commands whose keys were pressed, unless a text is being typed.
     pub(super) fn take_shortcuts(&mut self, ctx: &egui::Context) {
         use Command as C;
+        if self.question.is_some() {
+            return;
+        }
         let typing = ctx.text_edit_focused();
         // More modifiers first: Shift+H is not H.
         let mut rows: Vec<_> = COMMANDS.iter().filter_map(|r| r.keys.map(|k| (k, r.command))).collect();

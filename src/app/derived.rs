@@ -7,6 +7,7 @@ use super::clearance::ClearanceCurve;
 use super::dose::DoseView;
 use super::motion::Motion;
 use super::remedy::Proposal;
+use crate::document::model::PartFile;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
@@ -22,6 +23,8 @@ pub struct Derived {
     pub pipeline: Pipeline,
     /// The part that is shown.
     pub part: Option<Arc<Part>>,
+    /// How it was built from its file.
+    pub part_of: PartFile,
     /// Its feature surfaces.
     pub surfaces: Arc<Surfaces>,
     /// Their shapes, as far as known.
@@ -52,6 +55,7 @@ impl Derived {
         Derived {
             pipeline: Pipeline::new(executor, true),
             part: None,
+            part_of: PartFile::default(),
             surfaces: Arc::default(),
             shapes: Stage::default(),
             picture: None,

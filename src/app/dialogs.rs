@@ -13,6 +13,8 @@ pub enum Purpose {
     SaveJob,
     /// A folder for the program.
     Export,
+    /// A part in the place of one that has changed or is gone.
+    Part,
     /// A cell file.
     Cell,
     /// A robot file.
@@ -81,6 +83,7 @@ impl FileDialogs for NativeDialogs {
             let dialog = rfd::FileDialog::new();
             answer(match purpose {
                 Purpose::Open => dialog.add_filter("Part or job", &["stl", "STL", "toml", "clearbeam"]).pick_file(),
+                Purpose::Part => dialog.add_filter("Part", &["stl", "STL"]).pick_file(),
                 Purpose::SaveJob => dialog.add_filter("Job", &["toml", "clearbeam"]).set_file_name(name).save_file(),
                 Purpose::Export => dialog.set_title("Folder for the program").pick_folder(),
                 Purpose::Cell => dialog.add_filter("Cell", &["toml"]).pick_file(),

@@ -1,81 +1,19 @@
-//! Opening, saving, exporting, and the guard over unsaved changes.
+//! Saving, exporting, what files are asked for, and the guard over unsaved changes.
 
 use super::App;
-use super::derived::Derived;
 use super::dialogs::Purpose;
+use super::questions::Question;
 use super::session::AfterGuard;
 use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
-use crate::document::{Document, IfChanged, Job, JobFile, save};
-use crate::part::{Hasher, LoadError, Part, Source};
+use crate::document::{IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput};
+use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
-use crate::progress::Progress;
 use eframe::egui;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-
-const RECENT: usize = 8;
 
 impl App {
-    /// Opens a part or a job; reading happens on a thread.
-    pub(super) fn open(&mut self, path: PathBuf) {
-        self.session.said = format!("reading {}…", path.display());
-        let key = Hasher::default().of(&*path.to_string_lossy()).finish();
-        let executor = self.derived.pipeline.executor().clone();
-        self.opening.clear();
-        self.opening.start(key, "reading", &*executor, move |progress| read(&path, progress));
-    }
-
-    /// The same after asking about unsaved changes.
-    pub(super) fn open_guarded(&mut self, path: PathBuf) {
-        if self.document.is_dirty() {
-            self.session.after_guard = Some(AfterGuard::Open(path));
-        } else {
-            self.open(path);
-        }
-    }
-
-    /// Takes a part or job that was read.
-    pub(super) fn take_opened(&mut self) {
-        if !self.opening.poll() {
-            return;
-        }
-        match self.opening.taken() {
-            Some(Ok(opened)) => self.opened(opened),
-            Some(Err(Failure::Cancelled)) | None => self.session.said.clear(),
-            Some(Err(why)) => {
-                self.session.said.clear();
-                self.session.error = Some(why.to_string());
-            }
-        }
-    }
-
-    fn opened(&mut self, opened: Opened) {
-        let Opened { job, file, source, part } = opened;
-        let shown = file.as_ref().map_or_else(|| PathBuf::from(&job.part.file), |f| f.path.clone());
-        self.remember(&shown);
-        self.session.forget_part();
-        self.session.said = part
-            .findings
-            .sentences(&part.mesh, &part.orientation)
-            .first()
-            .cloned()
-            .unwrap_or_else(|| format!("{} facets read", part.mesh.facets.len()));
-        let mut derived = Derived::new(self.derived.pipeline.executor().clone());
-        derived.pipeline.open(source, Some((&job.part, part)));
-        self.derived = derived;
-        self.document = Document::new(job, file);
-        self.session.fit_pending = true;
-    }
-
-    fn remember(&mut self, path: &Path) {
-        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
-        self.recent.retain(|p| *p != path);
-        self.recent.insert(0, path);
-        self.recent.truncate(RECENT);
-    }
-
     pub(super) fn ask(&mut self, purpose: Purpose) {
         let name = self.part_name().map_or("job.toml".into(), |n| format!("{n}.toml"));
         let answer = self.answers.expect(purpose, &self.ctx);
@@ -91,13 +29,15 @@ impl App {
 
     fn picked(&mut self, purpose: Purpose, path: Option<PathBuf>) {
         let Some(path) = path else {
+            // Nothing was picked: nothing goes on, and a question that waits for a file stays.
             self.session.after_guard = None;
             return;
         };
         match purpose {
             Purpose::Open => self.open(path),
             Purpose::SaveJob => self.save_to(path),
-            Purpose::Export => self.export(path),
+            Purpose::Export => self.export(path, false),
+            Purpose::Part => self.look_at_file(path),
             Purpose::Cell => {
                 let named = files::relative_to(&path, self.document.file());
                 self.edit(crate::document::Edit::Cell(named));
@@ -130,17 +70,33 @@ impl App {
     fn save_to(&mut self, mut path: PathBuf) {
         if path.extension().is_none() {
             path.set_extension("toml");
+            // The dialog has asked about the name without it.
+            if self.is_anothers(&path) {
+                self.question = Some(Question::SaveOver(path));
+                return;
+            }
+        }
+        self.save_into(path, IfChanged::Refuse);
+    }
+
+    /// Writes the job into a file.
+    pub(super) fn save_into(&mut self, path: PathBuf, if_changed: IfChanged) {
+        if let Some(part) = &self.derived.part {
+            let remembered = Remembered::of(self.document.job(), part, &self.derived.part_of);
+            self.document.remember(remembered);
         }
         let before = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
-        match self.document.save(&path, IfChanged::Refuse) {
+        match self.document.save(&path, if_changed) {
             Ok(()) => {
                 // Only paths have changed: what was computed stays true.
                 let now = (self.document.job(), self.document.file());
                 self.derived.pipeline.renamed((&before.0, before.1.as_deref()), now);
                 self.session.said = format!("saved {}", path.display());
                 self.remember(&path);
+                self.keep_journal();
                 self.go_on();
             }
+            Err(JobError::ChangedOnDisk { .. }) => self.question = Some(Question::SaveOver(path)),
             Err(e) => {
                 self.session.after_guard = None;
                 self.session.error = Some(e.to_string());
@@ -149,7 +105,7 @@ impl App {
     }
 
     /// Writes program, path, report and job into a folder.
-    fn export(&mut self, dir: PathBuf) {
+    pub(super) fn export(&mut self, dir: PathBuf, overwrite: bool) {
         let Some(planned) = self.derived.current_plan(&self.document).cloned() else {
             self.session.error =
                 Some("there is no finished plan for the job as it is; wait for it, or see what is wrong".into());
@@ -162,26 +118,28 @@ impl App {
         self.exporting.start(planned.key, "exporting", &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
             let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
-            let exported = export::write(&dir, &input, file.as_deref(), false, progress);
-            exported.map(|e| e.written).map_err(|e| match e {
+            export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
                 ExportError::Cancelled => Failure::Cancelled,
-                other => Failure::Refused(Arc::new(other)),
+                other => Failure::Refused(other),
             })
         });
     }
 
     /// Tells how an export ended.
     pub(super) fn take_exported(&mut self) {
-        if !self.exporting.poll() {
-            return;
-        }
-        match self.exporting.taken() {
-            Some(Ok(written)) => {
-                let program = written.get(1).map_or(String::new(), |p| p.display().to_string());
-                self.session.said = format!("exported {program}");
+        let Some(outcome) = self.exporting.taken() else { return };
+        match outcome {
+            Ok(exported) => {
+                let nothing = exported.report.findings.iter().find(|f| matches!(f, PlanFinding::NothingPlanned { .. }));
+                let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
+                self.session.said = nothing.map_or_else(|| format!("exported {program}"), PlanFinding::text);
             }
-            Some(Err(Failure::Cancelled)) | None => self.session.said = "the export was cancelled".into(),
-            Some(Err(why)) => self.session.error = Some(why.to_string()),
+            Err(Failure::Cancelled) => self.session.said = "the export was cancelled".into(),
+            Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {
+                self.session.said.clear();
+                self.question = Some(Question::ExportOver { dir, conflicts });
+            }
+            Err(why) => self.session.error = Some(why.to_string()),
         }
     }
 
@@ -233,37 +191,4 @@ impl App {
             None => "clearbeam".into(),
         }
     }
-}
-
-/// A part with its job.
-pub(super) struct Opened {
-    job: Job,
-    file: Option<JobFile>,
-    source: Arc<Source>,
-    part: Part,
-}
-
-/// Reads a part or a job with its part.
-fn read(path: &Path, progress: &Progress) -> Result<Opened, Failure<Arc<JobError>>> {
-    let refused = |e: JobError| Failure::Refused(Arc::new(e));
-    let (mut job, file) = if files::is_job(path) {
-        save::open(path).map(|(job, file)| (job, Some(file))).map_err(refused)?
-    } else {
-        let mut job = Job::default();
-        job.part.file = path.display().to_string();
-        (job, None)
-    };
-    let part_file = files::part_file(&job, file.as_ref().map(|f| f.path.as_path())).map_err(refused)?;
-    let source = Source::read(&part_file).map_err(|e| refused(e.into()))?;
-    if job.part.sha256.is_empty() {
-        // From now on the job is of this part, and of no other under its name.
-        job.part.sha256.clone_from(&source.sha256);
-    } else if job.part.sha256 != source.sha256 {
-        return Err(refused(JobError::PartChanged { file: part_file.display().to_string() }));
-    }
-    let p = &job.part;
-    let built = source.part(p.units, &p.placement, &p.flipped_shells, progress);
-    let named = |source| refused(LoadError::Stl { file: part_file.display().to_string(), source }.into());
-    let part = built.map_err(named)?.ok_or(Failure::Cancelled)?;
-    Ok(Opened { job, file, source: Arc::new(source), part })
 }

@@ -14,10 +14,12 @@ mod dialogs;
 mod dose;
 mod files;
 mod motion;
+mod opening;
 mod outside;
 mod panels;
 mod pick;
 mod quantity;
+mod questions;
 mod remedy;
 mod scene;
 mod session;
@@ -29,8 +31,8 @@ mod theme;
 pub use command::{COMMANDS, Command};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
-use crate::document::{Document, JobError, Library, users_folder};
-use crate::planning::export::ExportError;
+use crate::document::{Document, Journal, Library, users_folder};
+use crate::planning::export::{ExportError, Exported};
 use crate::planning::{Pool, Stage};
 use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::view::{Scene, Viewport};
@@ -51,10 +53,14 @@ pub struct App {
     dialogs: Box<dyn FileDialogs>,
     /// What they are asked for.
     answers: dialogs::Answers,
-    /// The file that is being read.
-    opening: Stage<files::Opened, Arc<JobError>>,
+    /// What is being read.
+    reading: opening::Reading,
+    /// What waits for the operator's word.
+    question: Option<questions::Question>,
+    /// Unsaved changes, kept for the case that the program is killed.
+    journal: Journal,
     /// The export that is being written.
-    exporting: Stage<Vec<PathBuf>, Arc<ExportError>>,
+    exporting: Stage<Exported, ExportError>,
     /// The access map of the moment, and the strip of the pass.
     access: Option<access::Made<access::Place, AccessMap>>,
     strip: Option<access::Made<(Over, usize), AccessStrip>>,
@@ -89,7 +95,9 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             dialogs,
             answers: dialogs::Answers::default(),
-            opening: Stage::default(),
+            reading: opening::Reading::default(),
+            question: None,
+            journal: Journal::default(),
             exporting: Stage::default(),
             access: None,
             strip: None,
@@ -120,6 +128,7 @@ impl eframe::App for App {
         self.guard_close(ctx);
         self.take_shortcuts(ctx);
         self.advance_playback(ctx);
+        self.watch_focus(ctx);
         self.sync();
         if !ctx.input(|i| i.pointer.any_down()) {
             self.document.end_gesture();
@@ -159,9 +168,12 @@ impl eframe::App for App {
         }
         self.help(ui.ctx());
         self.guard_dialog(ui.ctx());
+        self.questions(ui.ctx());
         self.message_dialog(ui.ctx());
         self.compare_window(ui.ctx());
         self.dragged_recipe(ui.ctx());
+        // Edits of this frame are kept with it: there may be no other for a while.
+        self.keep_journal();
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
@@ -170,6 +182,9 @@ impl eframe::App for App {
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.derived.cancel_all();
+        if self.session.may_close {
+            self.clear_journal();
+        }
         self.viewport.release();
     }
 }
@@ -189,7 +204,9 @@ pub fn run(open: Option<PathBuf>) -> anyhow::Result<()> {
         ..Default::default()
     };
     let app = |cc: &eframe::CreationContext<'_>| {
-        App::new(cc, Box::new(NativeDialogs), open).with_recipes(users_folder::recipes())
+        App::new(cc, Box::new(NativeDialogs), open)
+            .with_recipes(users_folder::recipes())
+            .with_journal(users_folder::journal())
     };
     eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(app(cc))))).map_err(|e| {
         anyhow::anyhow!(

@@ -41,7 +41,10 @@ impl App {
 
     /// Whether nothing is being computed or waited for: what is shown is current.
     pub fn is_settled(&self) -> bool {
-        let is_idle = !self.opening.is_running() && !self.exporting.is_running() && self.answers.is_empty();
+        let is_idle = !self.reading.opening.is_running()
+            && !self.reading.looking.is_running()
+            && !self.exporting.is_running()
+            && self.answers.is_empty();
         is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
     }
 

@@ -3,7 +3,7 @@
 use super::dose::Clicked;
 use super::panels::{Compare, Draft};
 use crate::cell::Mount;
-use crate::document::{Job, RecutAnchor};
+use crate::document::{Forgotten, Job, RecutAnchor};
 use crate::pose::access::Over;
 use crate::view::Camera;
 use nalgebra::Point3;
@@ -69,6 +69,12 @@ pub struct Session {
     pub may_close: bool,
     /// The window's title as it was last set.
     pub title: String,
+    /// Whether the window had the focus in the last frame.
+    pub was_focused: bool,
+    /// The recipe that was taken out of the library last: it can come back.
+    pub forgotten: Option<Forgotten>,
+    /// Why the journal could not be kept, once that was told.
+    pub journal_error: Option<String>,
     /// Last thing said in the status line.
     pub said: String,
     /// An error that must be read.
@@ -224,6 +230,9 @@ impl Default for Session {
             may_close: false,
             title: String::new(),
             said: String::new(),
+            was_focused: true,
+            forgotten: None,
+            journal_error: None,
             error: None,
             hover_place: None,
             strip_over: Over::Lead,

@@ -5,8 +5,9 @@ use super::App;
 use super::motion::Motion;
 use crate::part::Shape;
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
-use crate::planning::Failure;
+use crate::planning::pipeline::PartError;
 use crate::planning::surface_plan::body;
+use crate::planning::{Failure, PlanningError};
 use std::sync::Arc;
 
 impl App {
@@ -44,6 +45,7 @@ impl App {
         self.session.selected.retain(there);
         self.session.hidden.retain(there);
         (d.part, d.surfaces) = (Some(part), surfaces);
+        d.part_of.clone_from(&self.document.job().part);
     }
 
     fn sync_shapes(&mut self) {
@@ -118,8 +120,18 @@ impl App {
         }
     }
 
+    /// Looks at the part's file when the operator comes back to the window: he may have been to his CAD.
+    pub(super) fn watch_focus(&mut self, ctx: &eframe::egui::Context) {
+        let is_focused = ctx.input(|i| i.focused);
+        if is_focused && !self.session.was_focused {
+            self.look_for_changes();
+        }
+        self.session.was_focused = is_focused;
+    }
+
     /// Plans again what was cancelled or failed, and reads the files beside the part again.
     pub(super) fn plan_again(&mut self) {
+        self.look_for_changes();
         self.derived.pipeline.try_again();
         self.derived.shapes.try_again();
         self.derived.motion.try_again();
@@ -129,10 +141,14 @@ impl App {
 
     /// Why there is no plan for the document as it is, for people.
     pub(super) fn planning_error(&self) -> Option<String> {
-        use crate::planning::PlanningError as E;
+        use PlanningError as E;
         let error = self.derived.error(&self.document)?;
         Some(match error {
             e if e.is_cancelled() => "planning was cancelled; Ctrl+R plans again".into(),
+            E::Part(Failure::Refused(PartError::Changed)) => {
+                "the part's file is not the one that this state of the job was made for; redo, or open the job again"
+                    .into()
+            }
             E::Part(Failure::Panicked(_)) | E::Setup(Failure::Panicked(_)) | E::Plan(Failure::Panicked(_)) => {
                 format!("{error}; the job is untouched: save it, and Ctrl+R tries again")
             }

@@ -3,6 +3,7 @@
 //! Exit status: 0 done · 3 done, but something is blocked, missed or found · 2 wrong usage · 1 failed,
 //! with one line that says what, where and what to do.
 
+mod changed;
 mod inspect;
 mod legend;
 mod options;

@@ -1,5 +1,6 @@
 //! `clearbeam plan`.
 
+use super::changed::part_of;
 use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::document::{Chosen, Job, files};
@@ -31,9 +32,11 @@ pub struct Arguments {
 
 /// Plans and writes.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    let (mut job, job_file) = opened(&a.input)?;
-    a.options.apply(&mut job)?;
+    let (job, job_file) = opened(&a.input)?;
     let job_file = job_file.as_deref();
+    // Under the job's own numbers, before options give others.
+    let (mut job, source, findings) = part_of(job, job_file)?;
+    a.options.apply(&mut job)?;
     if let Some(cell) = a.options.cell() {
         let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
         job.cell.file = file.display().to_string();
@@ -49,8 +52,6 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             std::path::absolute(robot).map_err(anyhow::Error::from)?.display().to_string()
         };
     }
-    let source = files::read_part(&job, job_file).map_err(anyhow::Error::from)?;
-    job.part.sha256.clone_from(&source.sha256);
     // Known before the work is done, as far as names are.
     let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
     export::conflicts(&a.out, &job, job_file, &setup)
@@ -70,7 +71,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
     }
     let progress = Progress::default();
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings };
     let exported = export::write(&a.out, &input, job_file, a.overwrite, &progress).map_err(not_exported)?;
     let report = &exported.report;
     if a.json {

@@ -107,6 +107,9 @@ pub enum Edit {
     Place(Placement),
     /// The unit of the file.
     Units(Units),
+    /// The part's file has changed, or another is taken for it: the job for that. See
+    /// [`CarriedOver`](super::CarriedOver).
+    ChangedPart(Box<Job>),
     /// A cell file, as written in the job.
     Cell(String),
     /// Key or file of the robot, and the dialect that goes with it.
@@ -175,6 +178,7 @@ impl Edit {
             Edit::FlipShell(n) => format!("flip shell {n}"),
             Edit::Place(_) => "place part".into(),
             Edit::Units(_) => "change unit".into(),
+            Edit::ChangedPart(_) => "use the changed part".into(),
             Edit::Cell(_) => "change cell".into(),
             Edit::Robot(..) => "change robot".into(),
             Edit::Mount(_) => "change mounting".into(),
@@ -233,6 +237,7 @@ impl Edit {
             Edit::Correction(c) => job.path.correction = *c,
             Edit::FlipShell(n) => toggle(&mut job.part.flipped_shells, *n),
             Edit::Place(p) => job.part.placement = *p,
+            Edit::ChangedPart(changed) => job.clone_from(changed),
             Edit::Units(u) => job.part.units = *u,
             Edit::Cell(file) => job.cell.file.clone_from(file),
             Edit::Robot(robot, dialect) => {

@@ -41,7 +41,7 @@ pub enum JobError {
     /// The part is another one now.
     #[error(
         "the part {file} has changed since the job was saved, so its surfaces may have other numbers; \
-         look at them again, then empty `part.sha256` in the job, or open and save it in the window"
+         open the job in the window, or plan it: both say what of it was found again"
     )]
     PartChanged {
         /// The file.
@@ -120,7 +120,7 @@ pub fn to_toml(job: &Job) -> Result<String, JobError> {
 pub fn read_part(job: &Job, job_file: Option<&Path>) -> Result<Source, JobError> {
     let file = part_file(job, job_file)?;
     let source = Source::read(&file)?;
-    if !job.part.sha256.is_empty() && job.part.sha256 != source.sha256 {
+    if job.part.is_of_another_file(&source.sha256) {
         return Err(JobError::PartChanged { file: file.display().to_string() });
     }
     Ok(source)

@@ -4,6 +4,7 @@
 //! needs. [`Journal`] holds what is not saved yet, so that a killed program loses nothing. What can be computed from it is `planning`'s.
 
 pub mod bead;
+pub mod changed_part;
 mod chosen;
 pub mod edit;
 pub mod files;
@@ -18,6 +19,7 @@ pub mod recipe;
 mod recipe_edit;
 pub mod recipe_table;
 pub mod recut;
+pub mod remembered;
 pub mod renumber;
 mod reshape;
 pub mod save;
@@ -27,16 +29,18 @@ pub mod undo;
 pub mod users_folder;
 mod version;
 
+pub use changed_part::{CarriedOver, LostSurface};
 pub use chosen::Chosen;
 pub use edit::Edit;
 pub use files::JobError;
 pub use job_file::JobFileError;
 pub use journal::Journal;
-pub use library::Library;
+pub use library::{Forgotten, Library};
 pub use model::{Job, Offset, segmented};
 pub use parameter::{PARAMETERS, Parameter};
 pub use recipe::Recipe;
 pub use recut::RecutAnchor;
+pub use remembered::Remembered;
 pub use renumber::{Lost, Renumbering};
 pub use reshape::Cut;
 pub use save::{FileState, IfChanged, JobFile};

@@ -3,6 +3,7 @@
 
 use super::job_file::JobFile;
 use super::recipe::Recipe;
+use super::remembered::Remembered;
 use super::settings::Settings;
 use crate::beam::{Obstacle, Optics};
 use crate::cell::{Cell, Frame, Mount, Spin};
@@ -56,6 +57,16 @@ pub struct PartFile {
     pub flipped_shells: Vec<u32>,
     /// Where the part stands.
     pub placement: Placement,
+    /// What its surfaces looked like when the job was saved.
+    #[serde(skip_serializing_if = "Remembered::is_empty")]
+    pub landmarks: Remembered,
+}
+
+impl PartFile {
+    /// Whether the job was made for other bytes than those of this SHA-256.
+    pub fn is_of_another_file(&self, sha256: &str) -> bool {
+        !self.sha256.is_empty() && self.sha256 != sha256
+    }
 }
 
 /// How facets become feature surfaces.

@@ -100,6 +100,12 @@ impl Renumbering {
         Renumbering { heirs, others_stay: false }
     }
 
+    /// The same surfaces on a part whose file has changed: old number → new one. Those that are not named are gone.
+    pub fn found(numbers: &BTreeMap<SurfaceId, SurfaceId>) -> Renumbering {
+        let heirs = numbers.iter().map(|(old, new)| (*old, vec![(*new, Takes::All)])).collect();
+        Renumbering { heirs, others_stay: false }
+    }
+
     /// The settings under the new numbers, and what was lost.
     fn carried(&self, settings: &Settings) -> (Settings, Vec<Lost>) {
         let mut parents: BTreeMap<SurfaceId, Vec<(&SurfaceSettings, Takes)>> = BTreeMap::new();

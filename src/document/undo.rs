@@ -3,6 +3,7 @@
 use super::edit::Edit;
 use super::files::{JobError, rebased};
 use super::model::Job;
+use super::remembered::Remembered;
 use super::renumber::Lost;
 use super::save::{FileState, IfChanged, JobFile, save};
 use crate::part::SurfaceId;
@@ -119,6 +120,11 @@ impl Document {
     /// Whether there is anything that the file does not hold.
     pub fn is_dirty(&self) -> bool {
         self.job != self.saved
+    }
+
+    /// Remembers what the part's surfaces look like, for the next save. That is no edit.
+    pub fn remember(&mut self, landmarks: Remembered) {
+        self.job.part.landmarks = landmarks;
     }
 
     /// Saves the job, from now on with its paths seen from the file. Steps of undo and redo are seen from there too.

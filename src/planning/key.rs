@@ -49,9 +49,10 @@ impl Keys {
 
 /// The key of a part.
 pub(super) fn part_key(source: &Source, part: &PartFile) -> Digest {
-    // What the job says of the file's name and bytes is compared where it is opened.
-    let PartFile { file: _, sha256: _, units, placement, flipped_shells } = part;
-    Hasher::default().of(&source.sha256).of(units).of(placement).of(flipped_shells).finish()
+    // Of the bytes that the job says it is made for counts whether they are these.
+    let is_other = part.is_of_another_file(&source.sha256);
+    let PartFile { file: _, sha256: _, units, placement, flipped_shells, landmarks: _ } = part;
+    Hasher::default().of(&source.sha256).of(&is_other).of(units).of(placement).of(flipped_shells).finish()
 }
 
 fn surfaces_key(part: Digest, surfaces: &SurfaceParameters, settings: &Settings) -> Digest {

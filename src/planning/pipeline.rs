@@ -51,12 +51,23 @@ impl PlannedJob {
     }
 }
 
+/// Why there is no part.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum PartError {
+    /// No facet of the file has any area.
+    #[error(transparent)]
+    Stl(#[from] StlError),
+    /// The job speaks of surfaces of another file.
+    #[error("the part's file is not the one that the job was made for")]
+    Changed,
+}
+
 /// Why there is no plan.
 #[derive(Clone, Debug, Error)]
 pub enum PlanningError {
     /// The part cannot be built.
     #[error(transparent)]
-    Part(#[from] Failure<StlError>),
+    Part(#[from] Failure<PartError>),
     /// Cell, robot or head cannot be used.
     #[error(transparent)]
     Setup(#[from] Failure<Arc<JobError>>),
@@ -106,7 +117,7 @@ pub struct Pipeline {
     reading: u64,
     /// Surface plans and lines that other plans of this part can use again.
     pub cache: Arc<Cache>,
-    part: Stage<Part, StlError>,
+    part: Stage<Part, PartError>,
     surfaces: Stage<Surfaces, Infallible>,
     tool: Stage<Tool, Arc<JobError>>,
     cell: Stage<Cell, Arc<JobError>>,
@@ -219,8 +230,11 @@ impl Pipeline {
         if self.part.lacks(keys.part) {
             let (source, of) = (source.clone(), job.part.clone());
             self.part.start(keys.part, "building the part", &*self.executor, move |progress| {
+                if of.is_of_another_file(&source.sha256) {
+                    return Err(Failure::Refused(PartError::Changed));
+                }
                 let made = source.part(of.units, &of.placement, &of.flipped_shells, progress);
-                made.map_err(Failure::Refused)?.ok_or(Failure::Cancelled)
+                made.map_err(|e| Failure::Refused(e.into()))?.ok_or(Failure::Cancelled)
             });
             changes.part |= self.part.of(keys.part).is_some();
         }

@@ -100,8 +100,10 @@ impl<V, E> Stage<V, E> {
         self.newest.as_ref().map(|(key, value)| (*key, value))
     }
 
-    /// Takes the outcome out, for one who keeps it elsewhere; the stage is idle then.
+    /// Takes the outcome out once it is there, for one who keeps it elsewhere; the stage is idle then.
     pub fn taken(&mut self) -> Option<Result<V, Failure<E>>> {
+        // It may have been there since the start: a thread can be that quick.
+        self.poll();
         match std::mem::take(self) {
             Stage { state: State::Done, newest: Some((_, value)) } => Arc::into_inner(value).map(Ok),
             Stage { state: State::Failed { why, .. }, .. } => Some(Err(why)),

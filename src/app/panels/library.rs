@@ -67,11 +67,25 @@ impl App {
                     self.library_row(ui, shelf, &recipe);
                 }
             }
+            self.forgotten_row(ui);
             for why in &self.recipes.broken {
                 ui.label(RichText::new(why).small().color(theme::WRONG));
             }
             if ui.button("Compare…").on_hover_text("Recipes side by side").clicked() {
                 self.open_compare();
+            }
+        });
+    }
+
+    /// The way back for the recipe that was removed last.
+    fn forgotten_row(&mut self, ui: &mut egui::Ui) {
+        let Some(forgotten) = self.session.forgotten.clone() else { return };
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(format!("Removed {}", forgotten.recipe.name)).color(theme::ATTENTION));
+            let undo = ui.small_button("Undo");
+            undo.widget_info(|| WidgetInfo::labeled(Role::Button, true, "bring the removed recipe back"));
+            if undo.clicked() {
+                self.bring_recipe_back(&forgotten);
             }
         });
     }
@@ -102,10 +116,8 @@ impl App {
                 gone.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
                 if gone.clicked() && shelf == Shelf::Job {
                     self.edit(Edit::RemoveRecipe(name.clone()));
-                } else if gone.clicked()
-                    && let Err(why) = self.recipes.forget(name)
-                {
-                    self.session.error = Some(why.to_string());
+                } else if gone.clicked() {
+                    self.forget_recipe(name);
                 }
             }
             self.draggable(ui, recipe, egui::Label::new(name.as_str()).truncate());

@@ -209,7 +209,8 @@ impl App {
 
     /// What the plan says of a surface.
     fn state_of(&self, n: u32) -> Option<(&'static str, egui::Color32)> {
-        let row = self.derived.plan()?.report.surfaces.iter().find(|s| s.surface == n)?;
+        // Of a plan that is out of date nothing is said.
+        let row = self.plan()?.report.surfaces.iter().find(|s| s.surface == n)?;
         Some(if row.blocked_mm > 0.0 {
             ("blocked", theme::WRONG)
         } else if row.missed_area_mm2 > 0.0 {

@@ -22,6 +22,7 @@ mod plots;
 mod problems;
 mod program_text;
 mod proposal;
+mod questions;
 mod recipe;
 mod scrub;
 mod spacing;

@@ -62,6 +62,8 @@ impl App {
         }
         let remarks: Vec<(u32, &str)> = plan.remarks().collect();
         let title = match groups.len() + remarks.len() {
+            // Those of a plan that is out of date say nothing of the one to come.
+            _ if self.plan().is_none() => "Problems: out of date".into(),
             0 => "Problems: none".into(),
             count => format!("Problems ({count})"),
         };

@@ -13,7 +13,12 @@ use eframe::egui::{self, Color32, RichText, Slider};
 impl App {
     pub(in super::super) fn timeline_panel(&mut self, ui: &mut egui::Ui) {
         let Some(of) = self.derived.plan().cloned() else {
-            ui.label(RichText::new("Move a surface to the list to clean: its path appears here").weak());
+            let text = match (self.clean_list().is_empty(), self.planning_error().is_some()) {
+                (true, _) => "Move a surface to the list to clean: its path appears here",
+                (false, true) => "There is no plan: see the problems",
+                (false, false) => "The plan is being made",
+            };
+            ui.label(RichText::new(text).weak());
             return;
         };
         let plan = &of.plan;

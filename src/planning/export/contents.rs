@@ -8,7 +8,7 @@ use super::program::{self, program, read_back};
 use super::tables::{joints_csv, path_csv};
 use crate::cell::Setup;
 use crate::document::files::{self, JobError};
-use crate::document::model::Job;
+use crate::document::{Job, Remembered};
 use crate::part::{Part, Surfaces, digest_of};
 use crate::planning::PlanError;
 use crate::planning::dose::{self, DoseReport, dose};
@@ -73,6 +73,9 @@ pub fn files(
     progress: &Progress,
 ) -> Result<(Vec<OutputFile>, Report), ExportError> {
     let ExportInput { job, part, surfaces, setup, plan, findings } = *input;
+    let mut job = job.clone();
+    job.part.landmarks = Remembered::of(&job, part, &job.part);
+    let job = &job;
     let mut report = Report::new(plan, surfaces);
     report.findings.splice(0..0, findings.iter().cloned());
     let map = dose(part, surfaces, plan, job, setup, progress).map_err(|e| match e {

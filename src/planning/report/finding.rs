@@ -22,6 +22,10 @@ pub enum PlanFinding {
         was: String,
         /// SHA-256 of the file that was planned on.
         is: String,
+        /// Surfaces that the job speaks of and that were found again: old number, new number.
+        kept: Vec<[u32; 2]>,
+        /// Those that were not; none of them was to be cleaned.
+        lost: Vec<u32>,
     },
 }
 
@@ -77,8 +81,16 @@ impl PlanFinding {
             PlanFinding::NothingPlanned { reason } => {
                 format!("nothing to do, so there is no program: {}", reason.text())
             }
-            PlanFinding::PartChanged { .. } => {
-                "the part's file has changed since the job was saved: its surfaces may have other numbers".into()
+            PlanFinding::PartChanged { kept, lost, .. } => {
+                let list = |numbers: &mut dyn Iterator<Item = String>| numbers.collect::<Vec<_>>().join(", ");
+                let moved = kept.iter().filter(|[old, new]| old != new).map(|[old, new]| format!("{old} is {new} now"));
+                let moved: Vec<String> = moved.collect();
+                let told = |what: &str, list: String| if list.is_empty() { list } else { format!("; {what} {list}") };
+                format!(
+                    "the part's file has changed since the job was saved; all that is to be cleaned was found again{}{}",
+                    told("surface", moved.join(", ")),
+                    told("not found: surface", list(&mut lost.iter().map(u32::to_string)))
+                )
             }
         }
     }
@@ -114,7 +126,13 @@ mod tests {
             json(&blocked),
             r#"{"code":"nothing_planned","reason":"all_blocked","by":[{"cause":"beam","by_surface":3,"targets":7}]}"#
         );
-        let changed = PlanFinding::PartChanged { was: "a".into(), is: "b".into() };
-        assert_eq!(json(&changed), r#"{"code":"part_changed","was":"a","is":"b"}"#);
+        let changed =
+            PlanFinding::PartChanged { was: "a".into(), is: "b".into(), kept: vec![[1, 1], [2, 5]], lost: vec![3] };
+        assert_eq!(json(&changed), r#"{"code":"part_changed","was":"a","is":"b","kept":[[1,1],[2,5]],"lost":[3]}"#);
+        assert!(
+            changed.text().ends_with("found again; surface 2 is 5 now; not found: surface 3"),
+            "{}",
+            changed.text()
+        );
     }
 }

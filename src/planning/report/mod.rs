@@ -324,8 +324,7 @@ impl Report {
 
     /// Whether everything chosen is done.
     pub fn is_complete(&self) -> bool {
-        let is_nothing = |f: &PlanFinding| matches!(f, PlanFinding::NothingPlanned { .. });
-        self.problems.is_empty() && !self.findings.iter().any(is_nothing)
+        self.problems.is_empty() && self.findings.is_empty()
     }
 }
 

@@ -1,0 +1,212 @@
+//! The questions as small windows: what is asked, and a button for each answer.
+
+use super::super::App;
+use super::super::dialogs::Purpose;
+use super::super::questions::Question;
+use crate::document::CarriedOver;
+use crate::document::IfChanged;
+use crate::document::journal::LeftBehind;
+use crate::planning::export::FileConflict;
+use eframe::egui::{self, Id, Modal, RichText, ScrollArea};
+use std::path::Path;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// What was answered.
+enum Answer {
+    UsePart,
+    OtherFile,
+    Restore(usize),
+    Discard(usize),
+    Overwrite,
+    SaveAs,
+    Reload,
+    OtherFolder,
+    Cancel,
+}
+
+impl App {
+    /// The question that waits, if there is one.
+    pub(in super::super) fn questions(&mut self, ctx: &egui::Context) {
+        // A file is being picked or read for it.
+        if !self.answers.is_empty() || self.reading.looking.is_running() {
+            return;
+        }
+        let Some(question) = &self.question else { return };
+        let mut answer = None;
+        let shown = Modal::new(Id::unique("question")).show(ctx, |ui| {
+            ui.set_width(520.0);
+            answer = match question {
+                Question::PartChanged { looked, .. } => part_changed(ui, &looked.file, looked.carried.as_deref()),
+                Question::PartGone { file, .. } => part_gone(ui, file),
+                Question::Restore(found) => restore(ui, found),
+                Question::SaveOver(path) => save_over(ui, path, self.document.file() == Some(path)),
+                Question::ExportOver { dir, conflicts } => export_over(ui, dir, conflicts),
+            };
+        });
+        if let Some(answer) = answer.or(shown.should_close().then_some(Answer::Cancel)) {
+            self.answered(answer);
+        }
+    }
+
+    fn answered(&mut self, answer: Answer) {
+        // A file that is still to be picked leaves the question open.
+        if let Answer::OtherFile = answer {
+            self.ask_for_part();
+            return;
+        }
+        match (answer, self.question.take()) {
+            (Answer::UsePart, Some(Question::PartChanged { looked, opening })) => self.use_part(looked, opening),
+            (Answer::Cancel, Some(Question::PartChanged { looked, opening: None })) => self.keep_part(&looked),
+            (Answer::Restore(at), Some(Question::Restore(mut found))) if at < found.leftovers.len() => {
+                // The others wait for the next start.
+                let leftover = found.leftovers.remove(at);
+                self.restore(leftover);
+            }
+            (Answer::Discard(at), Some(Question::Restore(mut found))) if at < found.leftovers.len() => {
+                if let Err(why) = found.leftovers.remove(at).discard() {
+                    self.session.error = Some(why.to_string());
+                }
+                self.question = (!found.leftovers.is_empty()).then_some(Question::Restore(found));
+            }
+            (Answer::Overwrite, Some(Question::SaveOver(path))) => self.save_into(path, IfChanged::Overwrite),
+            (Answer::SaveAs, _) => self.ask(Purpose::SaveJob),
+            (Answer::Reload, Some(Question::SaveOver(path))) => self.open(path),
+            (Answer::Overwrite, Some(Question::ExportOver { dir, .. })) => self.export(dir, true),
+            (Answer::OtherFolder, _) => self.ask(Purpose::Export),
+            _ => self.session.after_guard = None,
+        }
+    }
+}
+
+fn buttons(ui: &mut egui::Ui, rows: Vec<(&str, Answer)>) -> Option<Answer> {
+    ui.add_space(8.0);
+    let mut answer = None;
+    ui.horizontal(|ui| {
+        for (at, (text, own)) in rows.into_iter().enumerate() {
+            let text = if at == 0 { RichText::new(text).strong() } else { RichText::new(text) };
+            if ui.button(text).clicked() {
+                answer = Some(own);
+            }
+        }
+    });
+    answer
+}
+
+fn part_changed(ui: &mut egui::Ui, file: &Path, carried: Option<&CarriedOver>) -> Option<Answer> {
+    ui.heading("The part's file has changed");
+    ui.label(format!("{} is not the file that the job was made for.", file.display()));
+    ui.add_space(4.0);
+    let Some(carried) = carried else { return None };
+    let verdict = match (&carried.motion, carried.is_complete()) {
+        (Some(_), _) => "Everything is there, but the whole part has moved. Take it only if that was meant.",
+        (None, true) => "Everything that the job says of surfaces was found again.",
+        (None, false) => "Not everything that the job says was found again. What is not found is dropped.",
+    };
+    ui.label(RichText::new(verdict).strong());
+    ScrollArea::vertical().max_height(220.0).show(ui, |ui| {
+        for line in carried.to_string().lines() {
+            ui.label(line);
+        }
+    });
+    ui.label(RichText::new("Nothing is saved by this, and it can be undone.").weak());
+    let rows = vec![
+        ("Use the changed part", Answer::UsePart),
+        ("Choose another file…", Answer::OtherFile),
+        ("Cancel", Answer::Cancel),
+    ];
+    buttons(ui, rows)
+}
+
+fn part_gone(ui: &mut egui::Ui, file: &Path) -> Option<Answer> {
+    ui.heading("The part is not there");
+    ui.label(format!("{} is what the job names. Has it been moved or renamed?", file.display()));
+    buttons(ui, vec![("Choose another file…", Answer::OtherFile), ("Cancel", Answer::Cancel)])
+}
+
+fn restore(ui: &mut egui::Ui, found: &LeftBehind) -> Option<Answer> {
+    ui.heading("Unsaved changes were found");
+    ui.label("The program ended before these were saved.");
+    ui.add_space(4.0);
+    let mut answer = None;
+    for (at, leftover) in found.leftovers.iter().enumerate() {
+        let job = leftover.job_file().map_or("not saved yet".into(), |f| f.display().to_string());
+        ui.separator();
+        ui.label(RichText::new(leftover.part_name()).strong());
+        ui.label(format!("{job} · last edit {}", when(leftover.edited_s())));
+        ui.horizontal(|ui| {
+            if ui.button("Restore").clicked() {
+                answer = Some(Answer::Restore(at));
+            }
+            if ui.button("Discard").clicked() {
+                answer = Some(Answer::Discard(at));
+            }
+        });
+    }
+    ui.separator();
+    answer.or(buttons(ui, vec![("Not now", Answer::Cancel)]))
+}
+
+fn save_over(ui: &mut egui::Ui, path: &Path, is_own: bool) -> Option<Answer> {
+    if is_own {
+        ui.heading("The job file has changed");
+        ui.label(format!("{} was changed by another program or window since it was opened here.", path.display()));
+        ui.label(RichText::new("Overwriting keeps what stands there as a backup (.bak).").weak());
+        let rows = vec![
+            ("Save as…", Answer::SaveAs),
+            ("Overwrite", Answer::Overwrite),
+            ("Reload", Answer::Reload),
+            ("Cancel", Answer::Cancel),
+        ];
+        return buttons(ui, rows);
+    }
+    ui.heading("There is such a file");
+    ui.label(format!("{} is there already.", path.display()));
+    ui.label(RichText::new("Overwriting keeps what stands there as a backup (.bak).").weak());
+    let rows = vec![("Save as…", Answer::SaveAs), ("Overwrite", Answer::Overwrite), ("Cancel", Answer::Cancel)];
+    buttons(ui, rows)
+}
+
+fn export_over(ui: &mut egui::Ui, dir: &Path, conflicts: &[FileConflict]) -> Option<Answer> {
+    ui.heading("Nothing was written");
+    ui.label(format!("In {} there are files that this export may not replace:", dir.display()));
+    ScrollArea::vertical().max_height(200.0).show(ui, |ui| {
+        for conflict in conflicts {
+            ui.label(format!("• {conflict}"));
+        }
+    });
+    let mut rows = vec![("Choose another folder…", Answer::OtherFolder)];
+    if conflicts.iter().all(FileConflict::can_be_overwritten) {
+        rows.push(("Overwrite", Answer::Overwrite));
+    }
+    rows.push(("Cancel", Answer::Cancel));
+    buttons(ui, rows)
+}
+
+/// A time as people say it, and as a clock shows it.
+fn when(edited_s: u64) -> String {
+    let now_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(edited_s, |d| d.as_secs());
+    let ago_s = now_s.saturating_sub(edited_s);
+    let ago = match ago_s {
+        0..90 => "just now".to_owned(),
+        90..5400 => format!("{} minutes ago", (ago_s + 30) / 60),
+        5400..129_600 => format!("{} hours ago", (ago_s + 1800) / 3600),
+        _ => format!("{} days ago", (ago_s + 43_200) / 86_400),
+    };
+    let (hour, minute) = (edited_s / 3600 % 24, edited_s / 60 % 60);
+    format!("{ago} ({hour:02}:{minute:02} UTC)")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_is_said_as_it_is_now() {
+        let now_s = SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_secs();
+        assert!(when(now_s).starts_with("just now ("));
+        assert!(when(now_s - 600).starts_with("10 minutes ago ("));
+        assert!(when(now_s - 3 * 3600).starts_with("3 hours ago ("));
+        assert!(when(now_s - 4 * 86_400).starts_with("4 days ago ("));
+        assert!(when(14 * 3600 + 32 * 60).ends_with("(14:32 UTC)"));
+    }
+}

@@ -1,0 +1,108 @@
+//! What waits for the operator's word before anything is done, and the doing of it.
+
+use super::App;
+use super::dialogs::Purpose;
+use super::opening::LookedAt;
+use crate::document::journal::{LeftBehind, Leftover};
+use crate::document::{Document, Forgotten, Journal, journal};
+use crate::planning::export::FileConflict;
+use std::path::{Path, PathBuf};
+
+/// A question.
+pub(super) enum Question {
+    /// The part's file is another one than the job was made for.
+    PartChanged {
+        /// The file as it is.
+        looked: LookedAt,
+        /// The document that is being opened on it, and what that is restored from; `None`: it is open.
+        opening: Option<(Box<Document>, Option<Leftover>)>,
+    },
+    /// The part of a job is not there.
+    PartGone {
+        /// Where it should be.
+        file: PathBuf,
+        /// The job.
+        document: Box<Document>,
+        /// What it is restored from.
+        leftover: Option<Leftover>,
+    },
+    /// A killed program left unsaved changes.
+    Restore(LeftBehind),
+    /// A file would be written over that holds something else than this window knows.
+    SaveOver(PathBuf),
+    /// Files of a folder are not this export's to replace.
+    ExportOver {
+        /// The folder.
+        dir: PathBuf,
+        /// Each of them, and why.
+        conflicts: Vec<FileConflict>,
+    },
+}
+
+impl App {
+    /// The window with a journal of unsaved changes in a folder; it asks about those that were left there.
+    pub fn with_journal(mut self, folder: Option<PathBuf>) -> App {
+        match Journal::open(folder.as_deref()) {
+            Ok(journal) => self.journal = journal,
+            Err(why) => self.session.error = Some(why.to_string()),
+        }
+        let found = folder.as_deref().map(journal::left_behind).unwrap_or_default();
+        if let Some(why) = found.unreadable.first() {
+            self.session.error = Some(why.to_string());
+        }
+        if !found.leftovers.is_empty() {
+            self.question = Some(Question::Restore(found));
+        }
+        self
+    }
+
+    /// Keeps the unsaved changes, so that a killed program loses nothing.
+    pub(super) fn keep_journal(&mut self) {
+        if let Err(why) = self.journal.record(&self.document) {
+            let why = why.to_string();
+            // Once is enough: it is tried again with every edit.
+            if self.session.journal_error.as_ref() != Some(&why) {
+                self.session.error = Some(why.clone());
+                self.session.journal_error = Some(why);
+            }
+        }
+    }
+
+    /// Nothing of the unsaved changes is wanted any more.
+    pub(super) fn clear_journal(&mut self) {
+        if let Err(why) = self.journal.clear() {
+            self.session.error = Some(why.to_string());
+        }
+    }
+
+    /// The changed part's file is not wanted: as long as the document is open it is not asked about again.
+    pub(super) fn keep_part(&mut self, looked: &LookedAt) {
+        self.reading.unwanted = Some(looked.source.sha256.clone());
+    }
+
+    /// Asks for another file in the place of the part.
+    pub(super) fn ask_for_part(&mut self) {
+        self.ask(Purpose::Part);
+    }
+
+    /// Takes a recipe out of the user's library; it can come back.
+    pub(super) fn forget_recipe(&mut self, name: &str) {
+        match self.recipes.forget(name) {
+            Ok(forgotten) => self.session.forgotten = Some(forgotten),
+            Err(why) => self.session.error = Some(why.to_string()),
+        }
+    }
+
+    /// Brings the recipe back that was taken out last.
+    pub(super) fn bring_recipe_back(&mut self, forgotten: &Forgotten) {
+        self.session.forgotten = None;
+        if let Err(why) = self.recipes.bring_back(forgotten) {
+            self.session.error = Some(why.to_string());
+        }
+    }
+
+    /// Whether saving there would overwrite a file that is not the document's.
+    pub(super) fn is_anothers(&self, path: &Path) -> bool {
+        path.exists() && self.document.file() != Some(path)
+    }
+}

@@ -1,0 +1,249 @@
+//! A job whose part's file has changed: what it says of surfaces is carried over to those that are found again.
+//! Nothing is guessed, and nothing goes in silence; whether to go on is for the operator to say.
+
+use super::model::Job;
+use super::remembered::{Remembered, loaded_as, needed};
+use super::renumber::Renumbering;
+use crate::part::identity::{Why, find};
+use crate::part::{Part, SurfaceId};
+use nalgebra::Isometry3;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+/// A surface that was not found again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LostSurface {
+    /// Its number.
+    pub surface: SurfaceId,
+    /// The name that the operator gave it; empty: none.
+    pub name: String,
+    /// Whether it was to be cleaned.
+    pub is_chosen: bool,
+    /// Why it was not found.
+    pub why: Why,
+}
+
+/// What becomes of a job on the part's file as it is now.
+#[derive(Clone, Debug)]
+pub struct CarriedOver {
+    /// The job for the changed part.
+    pub job: Job,
+    /// Surfaces that were found again: as they were called, and as they are called now.
+    pub kept: Vec<(SurfaceId, SurfaceId)>,
+    /// Surfaces that were not.
+    pub lost: Vec<LostSurface>,
+    /// Merges, splits and cuts that could not be repeated.
+    pub lost_edits: usize,
+    /// Turned shells that were not found.
+    pub lost_shells: usize,
+    /// By this shift or turn of the whole part, in the file's coordinates, everything was found, and only so.
+    pub motion: Option<Isometry3<f64>>,
+    /// Everything is there, but so many times larger.
+    pub scale: Option<f64>,
+    /// SHA-256 of the file that the job was made for.
+    pub was: String,
+    /// SHA-256 of the file as it is.
+    pub is: String,
+}
+
+impl CarriedOver {
+    /// Carries a job over. `part` is built from the changed file as the job says, but with no shell turned.
+    pub fn new(job: &Job, part: &Part) -> CarriedOver {
+        let needed = needed(job);
+        let landmarks = job.part.landmarks.landmarks().cloned().unwrap_or_default();
+        let mut bare = job.part.clone();
+        bare.flipped_shells.clear();
+        let s = &job.surfaces;
+        let found = find(&landmarks, part, &loaded_as(&bare), &s.rule(), &s.edits, &needed);
+        let numbers: BTreeMap<SurfaceId, SurfaceId> = found
+            .numbers
+            .iter()
+            .filter(|(old, _)| needed.contains(old))
+            .map(|(old, new)| (SurfaceId(*old), SurfaceId(*new)))
+            .collect();
+        let lost = found.lost.iter().map(|l| lost(job, SurfaceId(l.number), l.why)).collect();
+        let mut after = job.clone();
+        after.renumber(&Renumbering::found(&numbers));
+        after.surfaces.edits = found.edits;
+        let shells: BTreeSet<u32> =
+            job.part.flipped_shells.iter().filter_map(|n| found.shells.get(n).copied()).collect();
+        let lost_shells = job.part.flipped_shells.len() - shells.len().min(job.part.flipped_shells.len());
+        after.part.flipped_shells = shells.into_iter().collect();
+        after.part.sha256.clone_from(&part.sha256);
+        // Those of the file that is no more would find nothing in the next one.
+        after.part.landmarks = Remembered::default();
+        CarriedOver {
+            job: after,
+            kept: numbers.into_iter().collect(),
+            lost,
+            lost_edits: found.lost_edits.len(),
+            lost_shells,
+            motion: found.motion,
+            scale: found.scale,
+            was: job.part.sha256.clone(),
+            is: part.sha256.clone(),
+        }
+    }
+
+    /// Whether nothing was lost.
+    pub fn is_complete(&self) -> bool {
+        self.lost.is_empty() && self.lost_edits == 0 && self.lost_shells == 0
+    }
+
+    /// Whether the work can go on unasked: all that is to be cleaned was found in its place.
+    pub fn is_work_in_place(&self) -> bool {
+        self.motion.is_none()
+            && self.lost_edits == 0
+            && self.lost_shells == 0
+            && self.lost.iter().all(|lost| !lost.is_chosen)
+    }
+}
+
+fn lost(job: &Job, surface: SurfaceId, why: Why) -> LostSurface {
+    let own = job.settings.of(surface);
+    let is_chosen = own.work.is_some() || job.settings.cleans_all() && !own.later;
+    LostSurface { surface, name: own.name.clone(), is_chosen, why }
+}
+
+/// `surface 4 (Rim): nothing like it is there`.
+impl fmt::Display for LostSurface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let LostSurface { surface, name, why, .. } = self;
+        let name = if name.is_empty() { String::new() } else { format!(" ({name})") };
+        let why = match why {
+            Why::NothingAlike => "nothing like it is there",
+            Why::SeveralAlike => "several are so much alike that none can be told to be it",
+            Why::EditNotRepeated => "it comes of a merge, split or cut that cannot be repeated",
+            Why::OtherFacets => "it was cut out facet by facet, and the facets are others now",
+            Why::NotRemembered => "the job does not say what it looked like; it was saved by an earlier version",
+            Why::SeveralMotions => "the part has moved, and fits itself in several ways",
+            Why::PartMoved => "the part has moved, and not everything is at its new place",
+        };
+        write!(f, "surface {surface}{name}: {why}")
+    }
+}
+
+/// What there is to know, a line each.
+impl fmt::Display for CarriedOver {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(motion) = &self.motion {
+            // No minus before a zero.
+            let t = motion.translation.vector.map(|mm| (mm * 1e3).round() * 1e-3 + 0.0);
+            let turn = motion.rotation.angle().to_degrees();
+            write!(f, "the whole part has moved by ({:.3}, {:.3}, {:.3}) in its file", t.x, t.y, t.z)?;
+            if turn > 1e-3 {
+                write!(f, " and turned by {turn:.2}°")?;
+            }
+            writeln!(f)?;
+        }
+        if let Some(scale) = self.scale {
+            writeln!(f, "everything is {scale:.4} times as large: another unit?")?;
+        }
+        let count = self.kept.len();
+        let renumbered = self.kept.iter().filter(|(old, new)| old != new).count();
+        writeln!(f, "found again: {count} surfaces, {renumbered} of them under another number")?;
+        self.lost.iter().try_for_each(|lost| writeln!(f, "not found: {lost}"))?;
+        if self.lost_edits > 0 {
+            writeln!(f, "not repeated: {} merges, splits or cuts", self.lost_edits)?;
+        }
+        if self.lost_shells > 0 {
+            writeln!(f, "not found: {} turned shells", self.lost_shells)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::segmented;
+    use crate::part::{Placement, Units};
+    use crate::pose::tilt::Side;
+    use crate::sample::{Triangles, solids, stl_bytes};
+
+    fn part(triangles: &Triangles) -> Part {
+        Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part")
+    }
+
+    fn groove() -> Triangles {
+        solids::v_groove(35.0, 8.0, 9.0, 40.0)
+    }
+
+    /// A job on the grooved block: two surfaces to clean, names, a tilt, a pin, one put aside.
+    fn job(part: &Part) -> Job {
+        let mut job = Job::default();
+        job.part.sha256.clone_from(&part.sha256);
+        job.settings.choose([4, 2]);
+        job.settings.change(SurfaceId(4), |s| s.name = "Flank".into());
+        job.settings.change(SurfaceId(2), |s| s.tilt.forbidden = vec![Side::Left]);
+        job.settings.change(SurfaceId(3), |s| s.later = true);
+        job.part.landmarks = Remembered::of(&job, part, &job.part);
+        job
+    }
+
+    /// Where the surface of a number lies, and how large it is.
+    fn place(part: &Part, job: &Job, id: SurfaceId) -> (f64, nalgebra::Vector3<f64>) {
+        let surfaces = segmented(part, job);
+        let facets = &surfaces.get(id.0).expect("there").facets;
+        let of = |f: &u32| part.mesh.centroid(*f as usize).coords * part.mesh.areas[*f as usize];
+        let area = facets.iter().map(|f| part.mesh.areas[*f as usize]).sum();
+        (area, facets.iter().map(of).sum::<nalgebra::Vector3<f64>>() / area)
+    }
+
+    #[test]
+    fn another_order_of_facets_loses_nothing() {
+        let before = part(&groove());
+        let job = job(&before);
+        let mut turned = groove();
+        turned.reverse();
+        turned.rotate_left(7);
+        let after = part(&turned);
+        assert_ne!(before.sha256, after.sha256);
+        let carried = CarriedOver::new(&job, &after);
+        assert!(carried.is_complete() && carried.is_work_in_place(), "{carried}");
+        assert_eq!(carried.job.part.sha256, after.sha256);
+        for (old, new) in &carried.kept {
+            let ((a0, c0), (a1, c1)) = (place(&before, &job, *old), place(&after, &carried.job, *new));
+            assert!((a0 - a1).abs() < 1e-6 && (c0 - c1).norm() < 1e-6, "{old} is no {new}");
+            let (was, is) = (job.settings.of(*old), carried.job.settings.of(*new));
+            assert_eq!((&was.name, was.work, was.later, &was.tilt), (&is.name, is.work, is.later, &is.tilt));
+        }
+        assert_eq!(carried.kept.len(), 3);
+    }
+
+    #[test]
+    fn what_is_gone_is_told_by_number_and_name_and_the_rest_is_kept() {
+        let before = part(&groove());
+        let job = job(&before);
+        // A steeper groove: its flanks are others, the rest of the block is wider.
+        let after = part(&solids::v_groove(30.0, 8.0, 9.0, 40.0));
+        let carried = CarriedOver::new(&job, &after);
+        assert!(!carried.is_work_in_place());
+        assert!(carried.lost.iter().all(|l| l.name.is_empty() || l.to_string().contains("(Flank)")), "{carried}");
+    }
+
+    #[test]
+    fn a_moved_part_is_told_and_never_taken_in_silence() {
+        let before = part(&groove());
+        let job = job(&before);
+        let shifted: Triangles = groove().into_iter().map(|t| t.map(|[x, y, z]| [x + 100.0, y, z])).collect();
+        let carried = CarriedOver::new(&job, &part(&shifted));
+        let motion = carried.motion.expect("moved");
+        assert!((motion.translation.vector.x - 100.0).abs() < 0.01, "{carried}");
+        assert!(carried.is_complete() && !carried.is_work_in_place());
+    }
+
+    #[test]
+    fn a_job_that_remembers_nothing_loses_what_it_says_and_says_so() {
+        let before = part(&groove());
+        let mut job = job(&before);
+        job.part.landmarks = Remembered::default();
+        let mut turned = groove();
+        turned.reverse();
+        let carried = CarriedOver::new(&job, &part(&turned));
+        assert_eq!((carried.kept.len(), carried.lost.len()), (0, 3));
+        assert!(carried.lost.iter().all(|l| l.to_string().contains("earlier version")), "{carried}");
+        let all = Job { settings: Default::default(), ..job };
+        assert!(CarriedOver::new(&all, &part(&turned)).is_complete(), "there is nothing to lose");
+    }
+}
