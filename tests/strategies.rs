@@ -354,7 +354,7 @@ fn odd_surfaces_give_lines_or_a_reason() {
     let cases = [
         ("ring", annulus(60, 4), 1.0),
         ("moebius", moebius, 0.8),
-        ("holes", plate(50), 1.0),
+        ("holes", plate(50), 3.0),
         ("islands", islands, 1.0),
         ("small", square(8), 100.0),
         ("single", single, 0.5),
@@ -362,7 +362,7 @@ fn odd_surfaces_give_lines_or_a_reason() {
         ("dead", dead, 0.5),
         ("only dead", only_dead, 0.5),
         ("fin", fin, 0.5),
-        ("tube", Alone::grid(16, 1, true, |u, v| [5.0 * libm::cos(TAU * u), 5.0 * libm::sin(TAU * u), 100.0 * v]), 1.0),
+        ("tube", Alone::grid(16, 1, true, |u, v| [5.0 * libm::cos(TAU * u), 5.0 * libm::sin(TAU * u), 40.0 * v]), 1.0),
         ("ball", ball(), 2.0),
     ];
     for (name, of, spacing) in cases {

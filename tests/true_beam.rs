@@ -505,8 +505,10 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
     job.path.max_tilt_deg = 5.0;
     let mut setup = parts::setup();
     setup.tool = cylinder(20.0);
+    // Just long enough for the head to stand beyond the walls' ends.
+    let all = [&block([-40.0, -80.0, -10.0], [40.0, 80.0, 0.0])[..], &walls[0], &walls[1]].concat();
     let planned = |standoff_mm: f64| {
-        let part = floor_and(&walls);
+        let part = part(&all);
         let surfaces = clearbeam::document::segmented(&part, &job);
         let floor = parts::surface_at(&part, &surfaces, [0.0, 0.0, 0.0]);
         let mut job = parts::on(job.clone(), &[floor]);
