@@ -197,8 +197,18 @@ fn sequences(cases: u32) {
     });
 }
 
+/// Half of them, so that both cores are used.
+fn half() {
+    let cases = std::env::var("CLEARBEAM_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(2000);
+    sequences(cases / 2);
+}
+
 #[test]
 fn what_the_window_calls_current_is_what_the_command_line_makes() {
-    let cases = std::env::var("CLEARBEAM_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(2000);
-    sequences(cases);
+    half();
+}
+
+#[test]
+fn and_so_it_is_in_other_sequences() {
+    half();
 }

@@ -147,6 +147,11 @@ fn recipes_are_dragged_kept_and_removed() {
     assert!(mine.join("recipe-slow.toml").is_file());
     reveal(&mut h, "remove mine recipe Slow");
     click(&mut h, "remove mine recipe Slow");
+    assert!(shows(&h, "Removed Slow") && !shows(&h, "remove mine recipe Slow"));
+    reveal(&mut h, "bring the removed recipe back");
+    click(&mut h, "bring the removed recipe back");
+    reveal(&mut h, "remove mine recipe Slow");
+    click(&mut h, "remove mine recipe Slow");
     assert!(!mine.join("recipe-slow.toml").exists() && mine.join("torn.toml").exists());
     reveal(&mut h, "remove job recipe Slow");
     click(&mut h, "remove job recipe Slow");
