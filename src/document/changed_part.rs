@@ -139,9 +139,15 @@ impl fmt::Display for CarriedOver {
         if let Some(scale) = self.scale {
             writeln!(f, "everything is {scale:.4} times as large: another unit?")?;
         }
-        let count = self.kept.len();
         let renumbered = self.kept.iter().filter(|(old, new)| old != new).count();
-        writeln!(f, "found again: {count} surfaces, {renumbered} of them under another number")?;
+        match self.kept.len() {
+            1 => write!(f, "found again: 1 surface")?,
+            count => write!(f, "found again: {count} surfaces")?,
+        }
+        match renumbered {
+            0 => writeln!(f)?,
+            count => writeln!(f, ", {count} of them under another number")?,
+        }
         self.lost.iter().try_for_each(|lost| writeln!(f, "not found: {lost}"))?;
         if self.lost_edits > 0 {
             writeln!(f, "not repeated: {} merges, splits or cuts", self.lost_edits)?;
