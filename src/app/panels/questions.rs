@@ -3,9 +3,8 @@
 use super::super::App;
 use super::super::dialogs::Purpose;
 use super::super::questions::Question;
-use crate::document::CarriedOver;
-use crate::document::IfChanged;
 use crate::document::journal::LeftBehind;
+use crate::document::{CarriedOver, IfChanged};
 use crate::planning::export::FileConflict;
 use eframe::egui::{self, Id, Modal, RichText, ScrollArea};
 use std::path::Path;
