@@ -84,16 +84,24 @@ fn what_is_not_in_its_place_stops_with_the_list() {
 }
 
 #[test]
-fn a_job_that_cleans_all_goes_on_and_says_so() {
+fn a_job_that_cleans_all_goes_on_where_all_is_found() {
     let (folder, out) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
     let file = job(folder.path());
     let mut all = files::read(&file).expect("reads");
     all.settings = Default::default();
     all.settings.choose(clearbeam::document::Chosen::All);
+    let part = files::load_part(&all, Some(&file)).expect("loads");
+    all.part.landmarks = Remembered::of(&all, &part, &all.part);
     std::fs::write(&file, files::to_toml(&all).expect("text")).expect("writes");
-    put(folder.path(), &solids::v_groove(20.0, 8.0, 9.0, 40.0));
+    let mut facets = groove();
+    facets.reverse();
+    put(folder.path(), &facets);
     let (status, told, report) = plan(&file, out.path());
     assert_eq!((status, report["findings"][0]["code"].as_str()), (3, Some("part_changed")), "{told}");
+    put(folder.path(), &solids::v_groove(20.0, 8.0, 9.0, 40.0));
+    let (status, told, _) = plan(&file, out.path());
+    assert_eq!(status, 1);
+    assert!(told.contains("not found: surface"), "{told}");
 }
 
 #[test]

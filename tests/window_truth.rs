@@ -90,6 +90,28 @@ fn nothing_is_exported_while_the_plan_is_not_that_of_the_job() {
 }
 
 #[test]
+fn a_head_that_was_changed_on_disk_makes_the_plan_stale() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let head = |r1_mm: f64| {
+        let stack = format!("[[part]]\nfrom_mm = 30.0\nto_mm = 60.0\nr0_mm = 2.0\nr1_mm = {r1_mm:?}\n");
+        std::fs::write(folder.path().join("head.toml"), stack).expect("writes");
+    };
+    head(8.0);
+    let out = tempfile::tempdir().expect("a folder");
+    let answers = Answers::default();
+    answers.0.lock().expect("no panic").push((Purpose::Export, out.path().to_path_buf()));
+    let mut bare = opened(&folder, &answers);
+    bare.app.send(Edit::Head("head.toml".into()));
+    bare.settle();
+    let before = bare.app.plan().expect("a plan").key;
+    head(12.25);
+    bare.app.give(Command::Export, &[]);
+    bare.settle();
+    assert_eq!(std::fs::read_dir(out.path()).expect("there").count(), 0, "that plan is of another head");
+    assert_ne!(bare.app.plan().expect("made anew").key, before);
+}
+
+#[test]
 fn a_panic_on_a_thread_is_told_and_the_window_goes_on() {
     let folder = tempfile::tempdir().expect("a folder");
     for stage in ["building the part", "laying lines", "planning"] {

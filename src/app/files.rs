@@ -106,6 +106,8 @@ impl App {
 
     /// Writes program, path, report and job into a folder.
     pub(super) fn export(&mut self, dir: PathBuf, overwrite: bool) {
+        // A cell or head that was changed meanwhile is not what was planned with.
+        self.derived.pipeline.look_again();
         let Some(planned) = self.derived.current_plan(&self.document).cloned() else {
             self.session.error =
                 Some("there is no finished plan for the job as it is; wait for it, or see what is wrong".into());

@@ -3,6 +3,7 @@
 use super::App;
 use super::derived::Derived;
 use super::questions::Question;
+use crate::document::beside::{Stamp, stamp_of};
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
 use crate::document::{CarriedOver, Document, Edit, Job, JobFile, save};
@@ -11,7 +12,6 @@ use crate::planning::{Failure, Stage};
 use crate::progress::Progress;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::SystemTime;
 
 const RECENT: usize = 8;
 
@@ -58,14 +58,6 @@ pub(super) struct LookedAt {
     job: Box<Job>,
     /// What becomes of it there; `None`: the same bytes under another name, nothing changes.
     pub carried: Option<Box<CarriedOver>>,
-}
-
-/// Time and size of a file: where neither changes it is taken for unchanged.
-pub(super) type Stamp = Option<(SystemTime, u64)>;
-
-fn stamp_of(file: &Path) -> Stamp {
-    let data = std::fs::metadata(file).ok()?;
-    Some((data.modified().ok()?, data.len()))
 }
 
 impl App {

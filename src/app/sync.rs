@@ -120,10 +120,11 @@ impl App {
         }
     }
 
-    /// Looks at the part's file when the operator comes back to the window: he may have been to his CAD.
+    /// Looks at the files when the operator comes back to the window: he may have been to his CAD.
     pub(super) fn watch_focus(&mut self, ctx: &eframe::egui::Context) {
         let is_focused = ctx.input(|i| i.focused);
         if is_focused && !self.session.was_focused {
+            self.derived.pipeline.look_again();
             self.look_for_changes();
         }
         self.session.was_focused = is_focused;

@@ -2,7 +2,7 @@
 //! Nothing is guessed, and nothing goes in silence; whether to go on is for the operator to say.
 
 use super::model::Job;
-use super::remembered::{Remembered, loaded_as, needed};
+use super::remembered::{Remembered, loaded_as, named};
 use super::renumber::Renumbering;
 use crate::part::identity::{Why, find};
 use crate::part::{Part, SurfaceId};
@@ -36,6 +36,8 @@ pub struct CarriedOver {
     pub lost_edits: usize,
     /// Turned shells that were not found.
     pub lost_shells: usize,
+    /// The job cleans all, and does not say what that was.
+    pub knows_no_surface: bool,
     /// By this shift or turn of the whole part, in the file's coordinates, everything was found, and only so.
     pub motion: Option<Isometry3<f64>>,
     /// Everything is there, but so many times larger.
@@ -49,8 +51,11 @@ pub struct CarriedOver {
 impl CarriedOver {
     /// Carries a job over. `part` is built from the changed file as the job says, but with no shell turned.
     pub fn new(job: &Job, part: &Part) -> CarriedOver {
-        let needed = needed(job);
         let landmarks = job.part.landmarks.landmarks().cloned().unwrap_or_default();
+        let mut needed = named(job);
+        if job.settings.cleans_all() {
+            needed.extend(landmarks.numbers());
+        }
         let mut bare = job.part.clone();
         bare.flipped_shells.clear();
         let s = &job.surfaces;
@@ -78,6 +83,7 @@ impl CarriedOver {
             lost,
             lost_edits: found.lost_edits.len(),
             lost_shells,
+            knows_no_surface: job.settings.cleans_all() && job.part.landmarks.is_empty(),
             motion: found.motion,
             scale: found.scale,
             was: job.part.sha256.clone(),
@@ -87,7 +93,7 @@ impl CarriedOver {
 
     /// Whether nothing was lost.
     pub fn is_complete(&self) -> bool {
-        self.lost.is_empty() && self.lost_edits == 0 && self.lost_shells == 0
+        self.lost.is_empty() && self.lost_edits == 0 && self.lost_shells == 0 && !self.knows_no_surface
     }
 
     /// Whether the work can go on unasked: all that is to be cleaned was found in its place.
@@ -95,6 +101,7 @@ impl CarriedOver {
         self.motion.is_none()
             && self.lost_edits == 0
             && self.lost_shells == 0
+            && !self.knows_no_surface
             && self.lost.iter().all(|lost| !lost.is_chosen)
     }
 }
@@ -139,9 +146,18 @@ impl fmt::Display for CarriedOver {
         if let Some(scale) = self.scale {
             writeln!(f, "everything is {scale:.4} times as large: another unit?")?;
         }
-        let count = self.kept.len();
+        if self.knows_no_surface {
+            writeln!(f, "the job cleans all surfaces, and does not say what they looked like; they are others now")?;
+        }
         let renumbered = self.kept.iter().filter(|(old, new)| old != new).count();
-        writeln!(f, "found again: {count} surfaces, {renumbered} of them under another number")?;
+        match self.kept.len() {
+            1 => write!(f, "found again: 1 surface")?,
+            count => write!(f, "found again: {count} surfaces")?,
+        }
+        match renumbered {
+            0 => writeln!(f)?,
+            count => writeln!(f, ", {count} of them under another number")?,
+        }
         self.lost.iter().try_for_each(|lost| writeln!(f, "not found: {lost}"))?;
         if self.lost_edits > 0 {
             writeln!(f, "not repeated: {} merges, splits or cuts", self.lost_edits)?;
@@ -156,7 +172,7 @@ impl fmt::Display for CarriedOver {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::segmented;
+    use crate::document::{Chosen, segmented};
     use crate::part::{Placement, Units};
     use crate::pose::tilt::Side;
     use crate::sample::{Triangles, solids, stl_bytes};
@@ -243,7 +259,26 @@ mod tests {
         let carried = CarriedOver::new(&job, &part(&turned));
         assert_eq!((carried.kept.len(), carried.lost.len()), (0, 3));
         assert!(carried.lost.iter().all(|l| l.to_string().contains("earlier version")), "{carried}");
-        let all = Job { settings: Default::default(), ..job };
-        assert!(CarriedOver::new(&all, &part(&turned)).is_complete(), "there is nothing to lose");
+        let none = Job { settings: Default::default(), ..job.clone() };
+        assert!(CarriedOver::new(&none, &part(&turned)).is_complete(), "there is nothing to lose");
+        let mut all = none;
+        all.settings.choose(Chosen::All);
+        assert!(!CarriedOver::new(&all, &part(&turned)).is_work_in_place(), "all of what?");
+    }
+
+    #[test]
+    fn all_surfaces_are_all_to_be_found() {
+        let before = part(&groove());
+        let mut all = Job::default();
+        all.part.sha256.clone_from(&before.sha256);
+        all.settings.choose(Chosen::All);
+        all.part.landmarks = Remembered::of(&all, &before, &all.part);
+        let mut turned = groove();
+        turned.reverse();
+        let carried = CarriedOver::new(&all, &part(&turned));
+        assert!(carried.is_work_in_place() && carried.job.settings.cleans_all(), "{carried}");
+        assert_eq!(carried.kept.len(), segmented(&before, &all).list.len());
+        let other = CarriedOver::new(&all, &part(&solids::v_groove(20.0, 8.0, 9.0, 40.0)));
+        assert!(!other.is_work_in_place() && other.lost.iter().any(|l| l.is_chosen), "{other}");
     }
 }

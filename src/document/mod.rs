@@ -4,6 +4,7 @@
 //! needs. [`Journal`] holds what is not saved yet, so that a killed program loses nothing. What can be computed from it is `planning`'s.
 
 pub mod bead;
+pub mod beside;
 pub mod changed_part;
 mod chosen;
 pub mod edit;

@@ -1,11 +1,14 @@
 //! What a saved job remembers of its part's surfaces, so that they are found again when the part's file changes.
 
-use super::model::{Job, PartFile};
+use super::model::{Job, PartFile, segmented};
 use crate::part::Part;
 use crate::part::identity::{Landmarks, LoadedAs};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeSet;
 use std::sync::Arc;
+
+/// Of a job that cleans all of more surfaces than this nothing is remembered: its file would have megabytes.
+const MOST: usize = 2000;
 
 /// Landmarks, shared between copies of a job.
 ///
@@ -35,7 +38,14 @@ impl Remembered {
     /// What is to be remembered of a part for a job; nothing where the job says nothing of single surfaces or
     /// shells. `loaded` is how the part was read.
     pub fn of(job: &Job, part: &Part, loaded: &PartFile) -> Remembered {
-        let needed = needed(job);
+        let mut needed = named(job);
+        if job.settings.cleans_all() {
+            let all = segmented(part, job);
+            if all.list.len() > MOST {
+                return Remembered(None);
+            }
+            needed.extend(all.list.iter().map(|s| s.number));
+        }
         if needed.is_empty() && job.surfaces.edits.is_empty() && loaded.flipped_shells.is_empty() {
             return Remembered(None);
         }
@@ -55,7 +65,7 @@ impl Remembered {
 }
 
 /// Numbers of the surfaces that a job says anything of.
-pub(super) fn needed(job: &Job) -> BTreeSet<u32> {
+pub(super) fn named(job: &Job) -> BTreeSet<u32> {
     job.settings.iter().map(|(id, _)| id.0).collect()
 }
 

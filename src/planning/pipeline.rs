@@ -14,6 +14,7 @@ use super::stage::{Executor, Failure, Stage};
 use super::surface_plan::Cache;
 use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
+use crate::document::beside::Stamps;
 use crate::document::files::{self, JobError};
 use crate::document::model::PartFile;
 use crate::document::{Job, segmented};
@@ -115,6 +116,8 @@ pub struct Pipeline {
     wanted: Option<Wanted>,
     /// Counts how often the files beside the part were read.
     reading: u64,
+    /// How they were then.
+    stamps: Stamps,
     /// Surface plans and lines that other plans of this part can use again.
     pub cache: Arc<Cache>,
     part: Stage<Part, PartError>,
@@ -136,6 +139,7 @@ impl Pipeline {
             source: None,
             wanted: None,
             reading: 0,
+            stamps: Stamps::default(),
             cache: Arc::default(),
             part: Stage::default(),
             surfaces: Stage::default(),
@@ -177,6 +181,14 @@ impl Pipeline {
         self.part.try_again();
         self.lines.try_again();
         self.plan.try_again();
+    }
+
+    /// Looks whether cell, robot, head or clamps are other files by now: what was made of them is out of date then.
+    pub fn look_again(&mut self) {
+        if self.stamps.have_changed() {
+            self.reading += 1;
+            self.wanted = None;
+        }
     }
 
     /// Ends the work that is going on; the plan is as good as failed then.
@@ -252,11 +264,15 @@ impl Pipeline {
             return;
         }
         let refused = |e: JobError| Failure::Refused(Arc::new(e));
+        let is_read = self.tool.lacks(keys.tool) || self.cell.lacks(keys.cell);
         if self.tool.lacks(keys.tool) {
             self.tool.fill(keys.tool, || files::load_tool(job, job_file).map_err(refused));
         }
         if self.cell.lacks(keys.cell) {
             self.cell.fill(keys.cell, || files::load_cell(job, job_file).map_err(refused));
+        }
+        if is_read {
+            self.stamps = Stamps::of(job, job_file, self.cell.of(keys.cell).map(|cell| &**cell));
         }
         let (tool, cell) = (current(&self.tool, keys.tool), current(&self.cell, keys.cell));
         self.setup.fill(keys.setup, || {

@@ -42,6 +42,8 @@ impl App {
                 if self.dose_progress().is_some() {
                     ui.spinner();
                     ui.label("computing what lands");
+                } else if self.plan().is_none() {
+                    ui.label("waits for the plan of the job as it is");
                 } else {
                     ui.label("not computed; close and open the panel to try again");
                 }

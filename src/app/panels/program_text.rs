@@ -13,7 +13,7 @@ impl App {
             self.session.text_file = file;
         }
         self.session.text_file = self.session.text_file.min(motion.text.len().saturating_sub(1));
-        theme::heading(ui, "Program");
+        theme::heading(ui, if self.plan().is_some() { "Program" } else { "Program: out of date" });
         let name = motion.text.get(self.session.text_file).map_or("", |f| f.name.as_str());
         if motion.text.len() <= 1 {
             ui.monospace(name);

@@ -82,6 +82,11 @@ impl Landmarks {
         }
     }
 
+    /// Numbers of the surfaces that are remembered.
+    pub fn numbers(&self) -> impl Iterator<Item = u32> {
+        self.surfaces.iter().map(|l| l.number)
+    }
+
     /// The numbers that edit `index` gave out.
     pub(super) fn made(&self, index: usize) -> RangeInclusive<u32> {
         let before = index.checked_sub(1).and_then(|i| self.edits.get(i)).map_or(self.last_number, |e| e.last_number);
