@@ -218,10 +218,8 @@ fn bad_input_is_1_with_one_line_that_names_it() {
 fn a_job_whose_part_moved_or_changed_is_refused() {
     let (folder, file) = cube();
     let out = folder.path().join("job");
-    let side = upright_side(&file);
-    assert_eq!(code(&["plan", &file, "--surfaces", &side, "--out", &out.display().to_string()]), 0);
+    assert_eq!(code(&["plan", &file, "--out", &out.display().to_string()]), 3);
     let job = inside(&out, "job.toml");
-    // Its sides are other surfaces.
     std::fs::write(&file, stl_bytes(&solids::cube(11.0))).expect("writes");
     let output = run(&["plan", &job, "--out", &inside(folder.path(), "o")]);
     assert_eq!(output.status.code(), Some(1));

@@ -95,7 +95,7 @@ fn part_changed(ui: &mut egui::Ui, file: &Path, carried: Option<&CarriedOver>) -
     ui.heading("The part's file has changed");
     ui.label(format!("{} is not the file that the job was made for.", file.display()));
     ui.add_space(4.0);
-    let Some(carried) = carried else { return None };
+    let carried = carried?;
     let verdict = match (&carried.motion, carried.is_complete()) {
         (Some(_), _) => "Everything is there, but the whole part has moved. Take it only if that was meant.",
         (None, true) => "Everything that the job says of surfaces was found again.",

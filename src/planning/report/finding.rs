@@ -87,8 +87,7 @@ impl PlanFinding {
                 let moved: Vec<String> = moved.collect();
                 let told = |what: &str, list: String| if list.is_empty() { list } else { format!("; {what} {list}") };
                 format!(
-                    "the part's file has changed since the job was saved; all surfaces that the job names to be cleaned \
-                     were found again{}{}",
+                    "the part's file has changed since the job was saved; all that is to be cleaned was found again{}{}",
                     told("surface", moved.join(", ")),
                     told("not found: surface", list(&mut lost.iter().map(u32::to_string)))
                 )
