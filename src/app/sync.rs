@@ -5,9 +5,8 @@ use super::App;
 use super::motion::Motion;
 use crate::part::Shape;
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
-use crate::planning::pipeline::PartError;
 use crate::planning::surface_plan::body;
-use crate::planning::{Failure, PlanningError};
+use crate::planning::{Failure, PartError, PlanningError};
 use std::sync::Arc;
 
 impl App {

@@ -9,6 +9,7 @@ pub mod lay;
 pub mod layer;
 pub mod pipeline;
 pub mod plan;
+pub mod planned;
 pub mod pool;
 pub mod preview;
 pub mod report;
@@ -18,8 +19,9 @@ pub mod verify;
 mod written;
 
 pub use dose::dose;
-pub use pipeline::{Pipeline, PlannedJob, PlanningError};
+pub use pipeline::Pipeline;
 pub use plan::{Plan, PlanError, plan};
+pub use planned::{PartError, PlannedJob, PlanningError};
 pub use pool::{AtOnce, Pool};
 pub use preview::preview;
 pub use stage::{Executor, Failure, Stage, Task};
