@@ -119,6 +119,30 @@ fn verify_and_render_refuse_a_changed_part() {
 }
 
 #[test]
+fn another_angle_by_an_option_keeps_what_the_job_says_of_surfaces() {
+    let (folder, out) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
+    let file = job(folder.path());
+    let before = files::read(&file).expect("reads");
+    let part = files::load_part(&before, Some(&file)).expect("loads");
+    // At 60° flanks and lands are one surface each, so that numbers behind them are others.
+    let [job_file, dir] = [&file, &out.path().to_path_buf()].map(|p| p.display().to_string());
+    let output = clearbeam(&["plan", &job_file, "--out", &dir, "--angle", "60"]);
+    assert!(output.status.code().is_some_and(|status| status == 0 || status == 3), "{output:?}");
+    let after = files::read(&out.path().join("job.toml")).expect("reads");
+    let floor_mm2 = |job: &Job| -> Vec<f64> {
+        let surfaces = segmented(&part, job);
+        job.settings
+            .having(|s| s.name == "Floor")
+            .iter()
+            .map(|id| surfaces.get(id.0).expect("there").area_mm2)
+            .collect()
+    };
+    assert_ne!(segmented(&part, &before).list.len(), segmented(&part, &after).list.len());
+    assert_eq!(floor_mm2(&before), floor_mm2(&after));
+    assert!(!after.settings.cleans_nothing());
+}
+
+#[test]
 fn edits_are_repeated_on_the_changed_part() {
     let (folder, out) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
     let file = job(folder.path());

@@ -2,11 +2,13 @@
 
 use super::Failure;
 use crate::cell::{Mount, Spin};
-use crate::document::{Chosen, Job, Offset, Parameter};
-use crate::part::Units;
+use crate::document::{Chosen, Edit, Job, Offset, Parameter, RecutAnchor, segmented};
+use crate::part::{Source, Units};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
+use crate::progress::Progress;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// What can be overridden; what is not given stays as in the job, or its default.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -99,11 +101,11 @@ pub struct PlanOptions {
 }
 
 impl PlanOptions {
-    /// Writes the given options into a job.
+    /// Writes the given options into a job on the part that was read from `source`.
     ///
     /// # Errors
-    /// A number that is out of range.
-    pub fn apply(&self, job: &mut Job) -> Result<(), Failure> {
+    /// A number that is out of range; the part cannot be cut by it.
+    pub fn apply(&self, job: &mut Job, source: &Source) -> Result<(), Failure> {
         let numbers = [
             ("angle", self.angle),
             ("spacing", self.spacing),
@@ -123,7 +125,11 @@ impl PlanOptions {
         for (option, value) in numbers {
             if let (Some(p), Some(value)) = (Parameter::by_option(option), value) {
                 p.check(value).map_err(|why| Failure::Usage(format!("--{why}")))?;
-                (p.set)(job, value);
+                if p.recuts && job.settings.iter().next().is_some() {
+                    recut(job, source, p, value)?;
+                } else {
+                    (p.set)(job, value);
+                }
             }
         }
         if let Some(percent) = self.overlap {
@@ -160,6 +166,19 @@ impl PlanOptions {
     pub fn cell(&self) -> Option<&PathBuf> {
         self.cell.as_ref()
     }
+}
+
+/// Cuts the surfaces anew as the window does: what the job says of them is carried over to their new numbers.
+fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<(), Failure> {
+    let of = &job.part;
+    let built = source.part(of.units, &of.placement, &of.flipped_shells, &Progress::default());
+    // Nobody can have cancelled it.
+    let part = built.map_err(|e| Failure::Failed(e.into()))?.unwrap_or_default();
+    let anchor = RecutAnchor { job: job.clone(), surfaces: Arc::new(segmented(&part, job)) };
+    for lost in Edit::recut(&part, &anchor, p, value).apply(job, &[]) {
+        eprintln!("{lost}");
+    }
+    Ok(())
 }
 
 fn word<T>(text: &str, parsed: Option<T>, words: &str) -> Result<T, String> {

@@ -36,7 +36,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let job_file = job_file.as_deref();
     // Under the job's own numbers, before options give others.
     let (mut job, source, findings) = part_of(job, job_file)?;
-    a.options.apply(&mut job)?;
+    a.options.apply(&mut job, &source)?;
     if let Some(cell) = a.options.cell() {
         let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
         job.cell.file = file.display().to_string();
