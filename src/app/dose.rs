@@ -5,8 +5,8 @@ use super::App;
 use super::session::Coloring;
 use crate::part::Surfaces;
 use crate::picture::dose::{DoseLook, dose_item};
+use crate::planning::PlannedJob;
 use crate::planning::dose::{DoseReport, dose, not_cleanable};
-use crate::planning::{Failure, PlanError, PlannedJob};
 use crate::process::{DoseMap, Patch, SpotHit};
 use crate::progress::Progress;
 use crate::view::MeshItem;
@@ -80,10 +80,7 @@ impl App {
         let executor = self.derived.pipeline.executor().clone();
         self.derived.dose.start(key, "dose", &*executor, move |progress| {
             let PlannedJob { part, surfaces, plan, setup, .. } = &*planned;
-            let map = dose(part, surfaces, plan, &job, setup, progress).map_err(|e| match e {
-                PlanError::Cancelled => Failure::Cancelled,
-                other => Failure::Refused(other),
-            })?;
+            let map = dose(part, surfaces, plan, &job, setup, progress)?;
             let patches = not_cleanable(part, surfaces, plan, &job, &map);
             let report = DoseReport::new(&map, &patches, surfaces);
             let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, surfaces, look));

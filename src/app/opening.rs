@@ -116,7 +116,7 @@ impl App {
 
     fn not_read(&mut self, why: &Refused) {
         self.session.said.clear();
-        if *why_is(why) != Failure::Cancelled {
+        if !matches!(why, Failure::Cancelled) {
             self.session.error = Some(why.to_string());
         }
     }
@@ -267,13 +267,6 @@ impl App {
         self.recent.retain(|p| *p != path);
         self.recent.insert(0, path);
         self.recent.truncate(RECENT);
-    }
-}
-
-fn why_is(why: &Refused) -> &Failure<()> {
-    match why {
-        Failure::Cancelled => &Failure::Cancelled,
-        _ => &Failure::Refused(()),
     }
 }
 

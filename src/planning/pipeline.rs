@@ -28,14 +28,10 @@ use std::sync::Arc;
 /// What changed while the pipeline was brought up to date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
-    /// Another part is there.
-    pub part: bool,
     /// Other surfaces are.
     pub surfaces: bool,
     /// Another set-up is, or the reason why there is none.
     pub setup: bool,
-    /// Another plan is.
-    pub plan: bool,
 }
 
 /// What is wanted: a job in its file.
@@ -100,11 +96,6 @@ impl Pipeline {
         self.source = Some(source);
     }
 
-    /// The file that is worked on.
-    pub fn source(&self) -> Option<&Arc<Source>> {
-        self.source.as_ref()
-    }
-
     /// Who does the work.
     pub fn executor(&self) -> &Arc<dyn Executor> {
         &self.executor
@@ -138,7 +129,7 @@ impl Pipeline {
         }
     }
 
-    /// The same files under other names: a job that was saved elsewhere is made of what it was made of.
+    /// Takes over other names for what it is synced to: a job that was saved elsewhere is made of what it was made of.
     pub fn renamed(&mut self, from: (&Job, Option<&Path>), to: (&Job, Option<&Path>)) {
         if self.is_synced(from.0, from.1)
             && let Some(wanted) = &mut self.wanted
@@ -159,7 +150,7 @@ impl Pipeline {
         let keys = self.want(&source, job, job_file);
         self.sync_part(&source, job, &keys, &mut changes);
         self.sync_setup(job, job_file, &keys, &mut changes);
-        self.sync_plan(job, &keys, &mut changes);
+        self.sync_plan(job, &keys);
         changes
     }
 
@@ -174,7 +165,7 @@ impl Pipeline {
     }
 
     fn sync_part(&mut self, source: &Arc<Source>, job: &Job, keys: &Keys, changes: &mut Changes) {
-        changes.part |= self.part.poll();
+        self.part.poll();
         if self.part.lacks(keys.part) {
             let (source, of) = (source.clone(), job.part.clone());
             self.part.start(keys.part, "building the part", &*self.executor, move |progress| {
@@ -184,7 +175,6 @@ impl Pipeline {
                 let made = source.part(of.units, &of.placement, &of.flipped_shells, progress);
                 made.map_err(|e| Failure::Refused(e.into()))?.ok_or(Failure::Cancelled)
             });
-            changes.part |= self.part.of(keys.part).is_some();
         }
         let Some(part) = self.part.of(keys.part) else { return };
         if self.surfaces.lacks(keys.surfaces) {
@@ -218,9 +208,9 @@ impl Pipeline {
         changes.setup = true;
     }
 
-    fn sync_plan(&mut self, job: &Job, keys: &Keys, changes: &mut Changes) {
+    fn sync_plan(&mut self, job: &Job, keys: &Keys) {
         self.lines.poll();
-        changes.plan |= self.plan.poll();
+        self.plan.poll();
         let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
         if job.chosen(surfaces).is_empty() {
             self.lines.clear();
@@ -233,26 +223,18 @@ impl Pipeline {
             let (part, surfaces, job, cache) = (part.clone(), surfaces.clone(), job.clone(), self.cache.clone());
             self.plan.only(keys.plan);
             self.lines.start(keys.plan, "laying lines", &*self.executor, move |progress| {
-                preview(&part, &surfaces, &job, &cache, progress).map_err(failure)
+                Ok(preview(&part, &surfaces, &job, &cache, progress)?)
             });
         }
         let is_laid = !self.with_lines || !self.lines.is_running();
         if is_laid && self.plan.lacks(keys.plan) {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             self.plan.start(key, "planning", &*self.executor, move |progress| {
-                let plan = plan(&part, &surfaces, &job, &setup, &cache, progress).map_err(failure)?;
+                let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let report = Report::new(&plan, &surfaces);
                 Ok(PlannedJob { key, job, part, surfaces, setup, plan, report })
             });
-            changes.plan |= self.plan.of(key).is_some();
         }
-    }
-}
-
-fn failure(e: PlanError) -> Failure<PlanError> {
-    match e {
-        PlanError::Cancelled => Failure::Cancelled,
-        other => Failure::Refused(other),
     }
 }
 
@@ -291,16 +273,6 @@ impl Pipeline {
 impl Pipeline {
     fn keys(&self) -> Option<&Keys> {
         self.wanted.as_ref().map(|w| &w.keys)
-    }
-
-    /// The newest part.
-    pub fn newest_part(&self) -> Option<&Arc<Part>> {
-        self.part.newest().map(|(_, part)| part)
-    }
-
-    /// The newest surfaces, which are those of the newest part or of the one before.
-    pub fn newest_surfaces(&self) -> Option<&Arc<Surfaces>> {
-        self.surfaces.newest().map(|(_, surfaces)| surfaces)
     }
 
     /// The newest plan.

@@ -47,6 +47,15 @@ pub enum PartError {
     Changed,
 }
 
+impl From<PlanError> for Failure<PlanError> {
+    fn from(e: PlanError) -> Failure<PlanError> {
+        match e {
+            PlanError::Cancelled => Failure::Cancelled,
+            other => Failure::Refused(other),
+        }
+    }
+}
+
 /// Why there is no plan.
 #[derive(Clone, Debug, Error)]
 pub enum PlanningError {

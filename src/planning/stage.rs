@@ -37,7 +37,7 @@ impl Task {
         self.run_after(|| ());
     }
 
-    /// The same behind something that may panic as the work itself may: so tests plant a panic.
+    /// Does the work behind something that may panic as the work itself may: so tests plant a panic.
     pub fn run_after(self, first: impl Fn()) {
         (self.run)(&first);
     }

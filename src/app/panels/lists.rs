@@ -8,6 +8,7 @@ use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
 use eframe::egui::{self, Align, Key, Layout, RichText, Role, Sense, WidgetInfo};
 use egui_extras::{Column as Width, TableBuilder};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Letters of a recipe's name that are shown in a row.
@@ -51,9 +52,9 @@ impl App {
 
     /// Surfaces that are neither to be cleaned nor put aside.
     fn not_to_clean(&self) -> Vec<u32> {
-        let (clean, later) = (self.clean_list(), self.later_list());
+        let listed: BTreeSet<u32> = self.clean_list().into_iter().chain(self.later_list()).collect();
         let mut rest = self.derived.numbers();
-        rest.retain(|n| !clean.contains(n) && !later.contains(n));
+        rest.retain(|n| !listed.contains(n));
         rest
     }
 
