@@ -79,4 +79,5 @@ pub mod process;
 pub mod program;
 pub mod progress;
 pub mod sample;
+pub mod text;
 pub mod view;

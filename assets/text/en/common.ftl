@@ -1,0 +1,9 @@
+### Words that several rooms use.
+
+text_facets = { $count ->
+    [one] { $count } facet
+   *[other] { $count } facets
+}
+text_cancelled = cancelled
+file_not_read = { $file }: cannot be read: { $reason }
+in_file = { $file }: { $what }

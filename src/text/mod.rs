@@ -1,0 +1,50 @@
+//! Words for people: sentences of what the rooms below find, refuse and fail at, and those of the doors.
+//!
+//! They stand in Project Fluent files, `assets/text/<language>/*.ftl`; a folder more is a language more. The build
+//! makes a type of each English message ([`say!`] fills it), so that a missing or unused key, or a wrong argument,
+//! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
+//! Comments in programs are English whatever the language ([`Message::english`]).
+
+mod bundle;
+mod cell;
+mod document;
+mod messages;
+mod number;
+mod part;
+mod planning;
+mod program;
+mod view;
+
+pub(crate) use bundle::{Arg, Message, id, render};
+pub use bundle::{Language, choose, language, languages};
+pub(crate) use number::fixed;
+
+/// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
+macro_rules! say {
+    ($key:ident $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        $crate::text::Message::text(
+            $crate::text::messages::$key { $($name: $crate::text::Arg::from($crate::text::say!(@ $name $($value)?))),* }
+        )
+    };
+    (@ $name:ident) => { $name };
+    (@ $name:ident $value:expr) => { $value };
+}
+pub(crate) use say;
+
+/// What people read of a finding or an error, in the language that was chosen.
+pub trait Sentence {
+    /// One line, without a full stop; it begins small, as it may stand behind a file's name.
+    fn sentence(&self) -> String;
+}
+
+impl<T: Sentence + ?Sized> Sentence for &T {
+    fn sentence(&self) -> String {
+        (**self).sentence()
+    }
+}
+
+impl<T: Sentence + ?Sized> Sentence for std::sync::Arc<T> {
+    fn sentence(&self) -> String {
+        (**self).sentence()
+    }
+}

@@ -1,0 +1,35 @@
+//! Numbers as people read them. Units stand in the messages.
+
+/// With so many decimals.
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
+    format!("{value:.decimals$}")
+}
+
+/// `1 426`: a blank before every three digits.
+pub(crate) fn grouped(count: u64) -> String {
+    let digits = count.to_string();
+    let mut out = String::with_capacity(digits.len() + digits.len() / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(' ');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn grouped_digits_are_the_number(count in any::<u64>()) {
+            let text = grouped(count);
+            prop_assert_eq!(text.replace(' ', ""), count.to_string());
+            let groups: Vec<&str> = text.split(' ').collect();
+            prop_assert!(groups.iter().skip(1).all(|g| g.len() == 3) && (1..=3).contains(&groups[0].len()));
+        }
+    }
+}
