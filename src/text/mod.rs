@@ -7,8 +7,9 @@
 
 mod bundle;
 mod cell;
+pub(crate) mod choices;
 mod document;
-mod messages;
+pub(crate) mod messages;
 mod number;
 mod part;
 mod planning;
@@ -17,7 +18,7 @@ mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
-pub(crate) use number::fixed;
+pub(crate) use number::{clock, exact, figure, fixed, percent, short};
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {

@@ -5,6 +5,7 @@ use super::library::Shelf;
 use crate::document::Recipe;
 use crate::document::recipe_table::{Row, rows};
 use crate::part::SurfaceId;
+use crate::text::say;
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use std::collections::BTreeSet;
 
@@ -39,7 +40,7 @@ impl App {
         let Some(mut compare) = self.session.compare.take() else { return };
         let mut open = true;
         // Over the view, so that the lists stay in sight.
-        let window = egui::Window::new("Compare recipes").open(&mut open).collapsible(false);
+        let window = egui::Window::new(say!(compare_title)).id(egui::Id::new("compare recipes")).open(&mut open).collapsible(false);
         let window = window.default_width(460.0).default_pos(egui::pos2(350.0, 110.0));
         window.show(ctx, |ui| {
             self.choose_compared(ui, &mut compare);
@@ -50,13 +51,13 @@ impl App {
             let chosen = recipes.filter(|(shelf, r)| compare.chosen.contains(&(*shelf, r.name.clone())));
             let columns: Vec<Option<&Recipe>> = own.into_iter().chain(chosen.map(|(_, r)| Some(r))).collect();
             if columns.len() < 2 {
-                ui.label("Choose two or more");
+                ui.label(say!(compare_too_few));
                 return;
             }
             let rows = rows(self.document.job(), &columns);
             let shown: Vec<&Row> = rows.iter().filter(|r| compare.all_rows || r.differs()).collect();
             if shown.is_empty() {
-                ui.label("They do not differ");
+                ui.label(say!(compare_no_difference));
                 return;
             }
             egui::ScrollArea::both().max_height(420.0).show(ui, |ui| table(ui, &columns, &shown));
@@ -68,18 +69,18 @@ impl App {
 
     fn choose_compared(&self, ui: &mut egui::Ui, compare: &mut Compare) {
         ui.horizontal_wrapped(|ui| {
-            ui.checkbox(&mut compare.with_job, "the job's own values");
+            ui.checkbox(&mut compare.with_job, say!(compare_own));
             for (shelf, recipes) in self.shelves() {
                 for recipe in recipes {
                     let key = (shelf, recipe.name.clone());
                     let mut on = compare.chosen.contains(&key);
                     let text = match shelf {
                         Shelf::Job => recipe.name.clone(),
-                        _ => format!("{} ({})", recipe.name, shelf.word()),
+                        _ => say!(compare_recipe, name = &recipe.name, shelf = shelf.word()),
                     };
-                    let told = format!("compare {} recipe {}", shelf.word(), recipe.name);
+                    let told = || say!(compare_recipe_name, shelf = shelf.word(), name = &recipe.name);
                     let check = ui.checkbox(&mut on, text);
-                    check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, told.clone()));
+                    check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, told()));
                     if check.changed() && on {
                         compare.chosen.insert(key);
                     } else if check.changed() {
@@ -88,7 +89,7 @@ impl App {
                 }
             }
         });
-        ui.checkbox(&mut compare.all_rows, "also rows that do not differ");
+        ui.checkbox(&mut compare.all_rows, say!(compare_all_rows));
     }
 }
 
@@ -96,16 +97,17 @@ fn table(ui: &mut egui::Ui, columns: &[Option<&Recipe>], rows: &[&Row]) {
     egui::Grid::new("compared").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
         ui.label("");
         for column in columns {
-            ui.label(RichText::new(column.map_or("job's own", |r| r.name.as_str())).strong());
+            let name = column.map_or_else(|| say!(compare_own_column), |r| r.name.clone());
+            ui.label(RichText::new(name).strong());
         }
         ui.end_row();
         for row in rows {
             ui.label(&row.label);
             for cell in &row.cells {
                 let text = RichText::new(&cell.text);
-                let told = format!("{} {}", row.label, cell.text);
+                let told = || say!(compare_cell, label = &row.label, value = &cell.text);
                 let label = ui.label(if cell.is_own { text.strong() } else { text.weak() });
-                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, told.clone()));
+                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, told()));
             }
             ui.end_row();
         }

@@ -34,17 +34,12 @@ pub(super) use compare::Compare;
 pub(super) use recipe::Draft;
 
 use super::command::{COMMANDS, Command};
+use crate::text::clock;
 use eframe::egui;
 
 /// Name of a command.
 pub(super) fn name_of(command: Command) -> &'static str {
     COMMANDS.iter().find(|r| r.command == command).map_or("", |r| r.name)
-}
-
-/// Hours, minutes and seconds.
-pub(super) fn clock(seconds: f64) -> String {
-    let s = seconds.max(0.0).round() as u64;
-    format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
 /// Its keys, as written on this system.

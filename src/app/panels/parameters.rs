@@ -2,7 +2,7 @@
 //! default.
 
 use super::super::{App, Command, quantity, theme};
-use super::fields::{self, Change};
+use super::fields::{self, Change, Owner};
 use crate::document::{Edit, PARAMETERS, Parameter};
 use crate::part::Units;
 use crate::pose::Correction;
@@ -72,7 +72,7 @@ impl App {
     fn number(&mut self, ui: &mut egui::Ui, p: &'static Parameter) {
         let now = (p.get)(self.document.job());
         let to = Some(p.default()).filter(|to| (now - to).abs() > 1e-12);
-        match fields::number(ui, fields::JOB, p, now, to) {
+        match fields::number(ui, Owner::Job, p, now, to) {
             Some(Change::To(value)) => self.set_parameter(p, value),
             Some(Change::Back) => self.set_parameter(p, p.default()),
             None => {}
