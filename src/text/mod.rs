@@ -18,7 +18,7 @@ mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
-pub(crate) use number::{clock, exact, figure, fixed, percent, short};
+pub(crate) use number::{clock, exact, figure, fixed, hour_and_minute, percent, short};
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {

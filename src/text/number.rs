@@ -36,6 +36,11 @@ pub(crate) fn clock(seconds: f64) -> String {
     format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
+/// The time of day of a moment, counted from midnight UTC of any day: `14:32`.
+pub(crate) fn hour_and_minute(seconds: u64) -> String {
+    format!("{:02}:{:02}", seconds / 3600 % 24, seconds / 60 % 60)
+}
+
 /// `1 426`: a blank before every three digits.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();

@@ -40,7 +40,10 @@ impl App {
         let Some(mut compare) = self.session.compare.take() else { return };
         let mut open = true;
         // Over the view, so that the lists stay in sight.
-        let window = egui::Window::new(say!(compare_title)).id(egui::Id::new("compare recipes")).open(&mut open).collapsible(false);
+        let window = egui::Window::new(say!(compare_title))
+            .id(egui::Id::new("compare recipes"))
+            .open(&mut open)
+            .collapsible(false);
         let window = window.default_width(460.0).default_pos(egui::pos2(350.0, 110.0));
         window.show(ctx, |ui| {
             self.choose_compared(ui, &mut compare);

@@ -115,7 +115,8 @@ impl App {
         }
         let whole: f64 = list.iter().map(|(p, _)| p.area_mm2).sum();
         let area = fixed(0.01 * whole, 2);
-        let title = if without_light { say!(dose_panel_not_cleanable, area) } else { say!(dose_panel_too_little, area) };
+        let title =
+            if without_light { say!(dose_panel_not_cleanable, area) } else { say!(dose_panel_too_little, area) };
         theme::heading(ui, &title);
         for (p, told) in list.iter().take(ROWS) {
             let (area, surface) = (fixed(told.area_cm2, 2), id(told.surface));

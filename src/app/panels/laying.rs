@@ -139,7 +139,8 @@ pub(super) fn border(
         }
         if let StartFrom::Border(index) = now {
             let mut number = index.saturating_add(1);
-            let response = ui.add(DragValue::new(&mut number).speed(0.05).range(1..=1000).prefix(say!(laying_border_prefix)));
+            let response =
+                ui.add(DragValue::new(&mut number).speed(0.05).range(1..=1000).prefix(say!(laying_border_prefix)));
             let told = || owner.told(say!(laying_border_name));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
             if response.changed() {

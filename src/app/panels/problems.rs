@@ -1,9 +1,10 @@
 //! What is blocked or missed, grouped by surface and by what is in the way; a click goes there.
 
-use super::super::{App, theme};
+use super::super::{App, Command, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
 use crate::planning::report::Problem;
+use crate::text::{fixed, id, say};
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -15,29 +16,39 @@ fn because(problem: &Problem) -> String {
         return detail.clone();
     }
     match (problem.by_surface, problem.by_facet) {
-        (Some(surface), Some(facet)) => format!("the beam hits surface {surface} (facet {facet})"),
-        _ => "the beam hits something".into(),
+        (Some(surface), Some(facet)) => say!(problems_beam_hits, surface = id(surface), facet = id(facet)),
+        _ => say!(problems_beam_hits_something),
     }
 }
 
 /// What became of targets for a cause.
-fn refused(cause: &str) -> &str {
+fn refused(cause: &str) -> String {
     match cause {
-        "robot" => "refused: the arm or the part would hit something",
-        "head" => "refused: the head would be hit",
-        "obstacle" => "refused: an obstacle would be hit",
-        "reach" => "refused: out of the robot's reach",
-        "limit" => "refused: a joint would leave its limits",
-        "speed" => "refused: a joint would be too fast",
-        "singularity" => "refused: the arm would be singular",
-        _ => "blocked",
+        "robot" => say!(problems_refused_arm),
+        "head" => say!(problems_refused_head),
+        "obstacle" => say!(problems_refused_obstacle),
+        "reach" => say!(problems_refused_reach),
+        "limit" => say!(problems_refused_limit),
+        "speed" => say!(problems_refused_speed),
+        "singularity" => say!(problems_refused_singular),
+        _ => say!(problems_blocked),
+    }
+}
+
+/// Targets of a surface that share a cause, and the surface that is in the way.
+fn blocked(surface: u32, cause: &str, by: Option<u32>, count: usize) -> String {
+    let surface = id(surface);
+    match by.map(id) {
+        Some(by) if cause == "head" => say!(problems_head_blocked_by, count, surface, by),
+        Some(by) => say!(problems_blocked_by, count, surface, by),
+        None => say!(problems_targets, count, surface, why = refused(cause)),
     }
 }
 
 /// A remark on how lines lie, with the surface unless it names that itself.
 fn remark_on(surface: u32, remark: &str) -> String {
     let names_it = remark.contains(&format!("surface {surface} "));
-    if names_it { remark.into() } else { format!("surface {surface}: {remark}") }
+    if names_it { remark.into() } else { say!(problems_remark, surface = id(surface), remark) }
 }
 
 /// As a sentence begins.
@@ -49,7 +60,7 @@ fn capital(text: &str) -> String {
 impl App {
     pub(in super::super) fn problems(&mut self, ui: &mut egui::Ui) {
         if let Some(why) = self.planning_error() {
-            theme::heading(ui, "Problems");
+            theme::heading(ui, &say!(problems_heading));
             ui.label(RichText::new(why).color(theme::WRONG));
             return;
         }
@@ -63,40 +74,45 @@ impl App {
         let remarks: Vec<(u32, &str)> = plan.remarks().collect();
         let title = match groups.len() + remarks.len() {
             // Those of a plan that is out of date say nothing of the one to come.
-            _ if self.plan().is_none() => "Problems: out of date".into(),
-            0 => "Problems: none".into(),
-            count => format!("Problems ({count})"),
+            _ if self.plan().is_none() => say!(problems_out_of_date),
+            0 => say!(problems_none),
+            count => say!(problems_count, count),
         };
         theme::heading(ui, &title);
         for ((surface, _, by), list) in &groups {
             let row = report.surfaces.iter().find(|s| s.surface == *surface);
             let text = match (list[0].pass, by, row) {
-                (None, _, Some(row)) => {
-                    let why = if self.is_by_planes(*surface) { "planes; try direction auto" } else { "lines" };
-                    format!("surface {surface}: {:.1} mm² missed by the {why}", row.missed_area_mm2)
-                }
-                (_, Some(by), _) => {
-                    let ours = if list[0].cause == "head" { ", which the head would hit" } else { "" };
-                    format!("surface {surface}: {} targets blocked by surface {by}{ours}", list.len())
-                }
-                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause)),
+                (None, _, Some(row)) => self.missed(*surface, row.missed_area_mm2),
+                (_, by, _) => blocked(*surface, list[0].cause, *by, list.len()),
             };
-            let why = list[0].detail.as_deref().map_or_else(String::new, |d| format!("{d}\n"));
+            let tip = match list[0].detail.as_deref() {
+                Some(why) => say!(problems_why_and_go, why),
+                None => say!(problems_go),
+            };
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
-            if link.on_hover_text(format!("{why}Go there")).clicked() {
+            if link.on_hover_text(tip).clicked() {
                 self.go_to(list[0], plan);
             }
         }
         for (surface, remark) in remarks {
             let text = RichText::new(remark_on(surface, remark)).color(theme::ATTENTION);
-            if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text("Show it").clicked() {
+            if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text(say!(problems_show)).clicked() {
                 self.session.selected = [surface].into();
                 self.session.scroll_to = Some(surface);
                 self.focus_surface(surface);
             }
         }
         self.what_would_help(ui);
+    }
+
+    /// Area that no line comes to.
+    fn missed(&self, surface: u32, area_mm2: f64) -> String {
+        let area = fixed(area_mm2, 1);
+        match self.is_by_planes(surface) {
+            true => say!(problems_missed_by_planes, surface = id(surface), area),
+            false => say!(problems_missed_by_lines, surface = id(surface), area),
+        }
     }
 
     /// Whether a surface's lines are cut by planes, which can be turned.
@@ -110,24 +126,24 @@ impl App {
         if !self.has_refusals() {
             return;
         }
-        theme::heading(ui, "What would help");
+        theme::heading(ui, &say!(problems_help));
         match self.advice() {
             None => {
-                ui.label(RichText::new("looking for what would help…").weak());
+                ui.label(RichText::new(say!(problems_help_looking)).weak());
             }
             Some(Err(_)) => {
-                ui.label(RichText::new("the search was cancelled; Ctrl+R plans and looks again").weak());
+                let keys = super::keys_of(ui.ctx(), Command::Plan);
+                ui.label(RichText::new(say!(problems_help_cancelled, keys)).weak());
             }
             Some(Ok([])) => {
-                let text = "No single change that was tried; look for a better set-up, under Cell";
-                ui.label(RichText::new(text).weak());
+                ui.label(RichText::new(say!(problems_help_none)).weak());
             }
             Some(Ok(sentences)) => {
                 for sentence in sentences {
                     // What is said in brackets is about the others.
                     let text = match sentence.starts_with('(') {
                         true => RichText::new(sentence).small().weak(),
-                        false => RichText::new(format!("• {}", capital(sentence))),
+                        false => RichText::new(say!(problems_help_row, advice = capital(sentence))),
                     };
                     ui.add(egui::Label::new(text).wrap());
                 }
@@ -139,7 +155,7 @@ impl App {
     pub(super) fn why_blocked(&self, (pass, point): (usize, usize)) -> String {
         let problems = self.derived.plan().into_iter().flat_map(|of| &of.report.problems);
         let mut found = problems.filter(|p| p.pass == Some(pass) && p.point == Some(point));
-        found.next().map_or_else(|| "left out".into(), because)
+        found.next().map_or_else(|| say!(problems_left_out), because)
     }
 
     /// Shows a problem: its target with the beam, or the surface that is missed.

@@ -72,10 +72,8 @@ impl App {
                 self.dismiss_proposal();
             }
             // What the dots of the preview mean.
-            let legend = [
-                (say!(proposal_within_reach), remedy::WITHIN),
-                (say!(proposal_out_of_reach), remedy::OUT_OF_REACH),
-            ];
+            let legend =
+                [(say!(proposal_within_reach), remedy::WITHIN), (say!(proposal_out_of_reach), remedy::OUT_OF_REACH)];
             for (word, color) in legend.into_iter().filter(|_| there) {
                 ui.add_space(8.0);
                 theme::swatch(ui, color);

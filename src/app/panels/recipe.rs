@@ -213,7 +213,8 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
     }
     let by_planes = matches!(l.strategy, Strategy::Planes | Strategy::Adaptive | Strategy::Cross);
     if by_planes
-        && let Some(change) = laying::direction(ui, Owner::Recipe, l.direction, recipe.direction.map(|_| jobs.direction))
+        && let Some(change) =
+            laying::direction(ui, Owner::Recipe, l.direction, recipe.direction.map(|_| jobs.direction))
     {
         take(&mut recipe.direction, change);
         what = Some("recipe direction");
@@ -233,7 +234,8 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
         }
     }
     if l.strategy == Strategy::Offset
-        && let Some(change) = laying::border(ui, Owner::Recipe, l.border.into(), recipe.border.map(|_| jobs.border.into()))
+        && let Some(change) =
+            laying::border(ui, Owner::Recipe, l.border.into(), recipe.border.map(|_| jobs.border.into()))
     {
         take(&mut recipe.border, change);
         what = Some("recipe border");
