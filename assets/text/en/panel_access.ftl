@@ -29,7 +29,7 @@ access_surface = surface { $surface }
 
 access_strip = Tilt along the line
 access_strip_image = tilt along the line
-access_needs_clearance = the correction clearance can be bent here
+access_needs_clearance = choose the correction clearance to set tilts by hand
 access_drag = drag from the line to prefer another tilt
 access_remove_pins = Remove all pins
 access_most = +{ $angle }°

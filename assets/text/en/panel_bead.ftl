@@ -21,7 +21,7 @@ bead_panel_across_tip = Its planes are turned by 90°; offset lines and spirals 
 ## Spacing, height or width that fill a layer
 
 bead_panel_filled = The beads fill a layer of their own height (P3)
-bead_panel_not_filled = The metal is enough for { $mean } mm, the layer is planned as { $planned } mm; it is filled with:
+bead_panel_not_filled = The metal is enough for { $mean } mm, but the layer is planned as { $planned } mm. To fill it, set:
 bead_panel_spacing = Spacing { $mm } mm
 bead_panel_height = Height { $mm } mm
 bead_panel_width = Width { $mm } mm

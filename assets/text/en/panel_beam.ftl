@@ -22,7 +22,7 @@ tool_take_spot_tip = The spot that these optics give
 tool_take_defocus = D = { $defocus } mm
 tool_focus_in_part = The focus in the part
 tool_focus_above = The focus above the surface
-tool_too_narrow = narrower than at the focus: no D gives it
+tool_too_narrow = smaller than the spot at the focus: no D gives it
 
 ## Clamps
 

@@ -27,7 +27,7 @@ cell_panel_frames_tip = Where laser, part and flange stand; connecting moves, ou
 cell_panel_cell_file = Cell file…
 cell_panel_better_tip = Looks for a place of part and laser at which the robot reaches more of the work
 cell_panel_better_running = The search is running
-cell_panel_nothing_refused = The robot refuses nothing
+cell_panel_nothing_refused = The robot refuses no target
 cell_panel_export = Export program…
 cell_panel_export_tip = Writes program, path, report and job into a folder  { $keys }
 cell_panel_not_planned = The plan is not finished
@@ -35,7 +35,7 @@ cell_panel_not_planned = The plan is not finished
 ## Frames
 
 frames_laser_in_base = Laser in the base
-frames_laser_in_base_tip = Where the focus is in the robot's base; z against the light
+frames_laser_in_base_tip = Where the focus is in the robot's base; z points against the light
 frames_reset_laser_in_base = reset laser in the base
 frames_part_on_flange = Part on the flange
 frames_part_on_flange_tip = How the part is held: its origin and axes on the flange
@@ -44,7 +44,7 @@ frames_part_in_base = Part in the base
 frames_part_in_base_tip = Where the part lies in the robot's base
 frames_reset_part_in_base = reset part in the base
 frames_head_on_flange = Head on the flange
-frames_head_on_flange_tip = Where the focus is on the flange; z with the light. It is set in the cell file
+frames_head_on_flange_tip = Where the focus is on the flange; z points with the light. It is set in the cell file
 frames_pose = { $x } { $y } { $z } mm  RZ { $rz }° RY { $ry }° RX { $rx }°
 frames_field = { $frame } { $axis }
 frames_set_for_job = Set for this job, in place of the cell file's
@@ -52,7 +52,7 @@ frames_back =
     Back to the cell file's:
     { $pose }
 frames_three_points = measured by three points
-frames_three_points_tip = Three points leave nothing over to tell how good they are
+frames_three_points_tip = Three points leave no residuals to judge them by
 frames_measured = measured: rms { $rms } mm, worst { $worst } mm
 frames_point_off = point { $number }: { $off } mm
 frames_points_off =

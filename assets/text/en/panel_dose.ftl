@@ -32,7 +32,7 @@ dose_panel_histogram_note = chosen area by dose; lines: the window
 dose_panel_clicked = Clicked place
 dose_panel_click = click the part to see which passes reach that place
 dose_panel_place = surface { $surface } at { $place }: { $dose }
-dose_panel_no_beam = no beam comes here
+dose_panel_no_beam = no beam reaches this place
 dose_panel_hit = pass { $pass } at { $time }, { $angle }°, { $dose }
 dose_panel_go_to_pass = Go to this pass
 
@@ -48,6 +48,6 @@ dose_panel_smaller = { $count ->
     [one] and { $count } smaller one
    *[other] and { $count } smaller ones
 }
-dose_panel_beside = Beside what was chosen: { $area } mm²
+dose_panel_beside = Outside the chosen surfaces: { $area } mm²
 dose_panel_beside_over = more than { $dose }
 dose_panel_beside_surface = surface { $surface }: { $area } mm², up to { $dose }

@@ -42,7 +42,7 @@ problems_show = Show it
 
 problems_help = What would help
 problems_help_looking = looking for what would help…
-problems_help_cancelled = the search was cancelled; { $keys } plans and looks again
+problems_help_cancelled = the search was cancelled; { $keys } plans and searches again
 problems_help_none = No single change that was tried helps; look for a better set-up, under Cell
 problems_help_row = • { $advice }
 
@@ -56,4 +56,4 @@ spacing_legend_wanted = as wanted
 spacing_legend_farther = farther
 spacing_legend_least = least { $mm } mm on surface { $surface }
 spacing_legend_greatest = greatest { $mm } mm on surface { $surface }
-spacing_legend_percent = % of what each surface wants
+spacing_legend_percent = % of the spacing wanted on each surface

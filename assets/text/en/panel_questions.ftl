@@ -28,7 +28,7 @@ ask_close = Close
 ask_shortcuts = Shortcuts
 ask_view = View
 ask_view_mouse = Left drag orbits, click selects · middle or right drag pans · wheel zooms at the cursor
-ask_view_focus = Double click on a surface focuses it, on nothing shows all
+ask_view_focus = Double click a surface to focus it, or the background to show all
 
 ## The part's file
 

@@ -41,7 +41,7 @@ impl App {
         let mut open = true;
         // Over the view, so that the lists stay in sight.
         let window = egui::Window::new(say!(compare_title))
-            .id(egui::Id::new("compare recipes"))
+            .id(egui::Id::unique("compare recipes"))
             .open(&mut open)
             .collapsible(false);
         let window = window.default_width(460.0).default_pos(egui::pos2(350.0, 110.0));

@@ -67,7 +67,7 @@ impl App {
     /// All keys, made from the command table.
     pub(in super::super) fn help(&mut self, ctx: &egui::Context) {
         let mut open = self.session.help_open;
-        let window = egui::Window::new(say!(ask_shortcuts)).id(Id::new("shortcuts")).open(&mut open);
+        let window = egui::Window::new(say!(ask_shortcuts)).id(Id::unique("shortcuts")).open(&mut open);
         window.resizable(false).collapsible(false).show(ctx, |ui| {
             egui::ScrollArea::vertical().max_height(520.0).show(ui, |ui| {
                 for (menu, title) in Menu::ALL {
