@@ -149,7 +149,7 @@ impl Derived {
     /// Name of a surface in lists and at the cursor.
     pub fn label(&self, job: &Job, surface: u32) -> String {
         match job.settings.of(SurfaceId(surface)).name.as_str() {
-            "" => self.shape(surface).map_or_else(|| "…".into(), Shape::label),
+            "" => self.shape(surface).map_or_else(|| "…".into(), crate::text::shape_label),
             name => name.into(),
         }
     }

@@ -11,7 +11,7 @@ use crate::part::Hasher;
 use crate::picture::CellPicture;
 use crate::picture::palette::state;
 use crate::planning::{Cache, Failure, PlannedJob, advice};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
 use std::convert::Infallible;
@@ -122,7 +122,7 @@ impl App {
         d.proposal.only(planned.key);
         if d.advice.lacks(planned.key) {
             let executor = d.pipeline.executor().clone();
-            d.advice.start(planned.key, "looking for what would help", &*executor, move |progress| {
+            d.advice.start(planned.key, Activity::LookingForHelp, &*executor, move |progress| {
                 let PlannedJob { part, plan, job, setup, .. } = &*planned;
                 Ok(advice::advice(part, plan, job, setup, progress)?)
             });
@@ -135,7 +135,7 @@ impl App {
         let (cache, executor) = (self.derived.pipeline.cache.clone(), self.derived.pipeline.executor().clone());
         self.derived.proposal.clear();
         let key = planned.key;
-        self.derived.proposal.start(key, "looking for a better set-up", &*executor, move |progress| {
+        self.derived.proposal.start(key, Activity::LookingForSetup, &*executor, move |progress| {
             Ok(Proposal::new(&planned, &cache, progress)?)
         });
     }

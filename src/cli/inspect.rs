@@ -1,9 +1,10 @@
 //! `clearbeam inspect`.
 
-use super::{Failure, Outcome, print};
+use super::{Failure, Outcome, print, tell};
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
-use crate::part::{Placement, Units, load};
+use crate::part::{PartFinding, Placement, Units, load};
+use crate::text::{Sentence as _, inspected};
 use std::path::PathBuf;
 
 /// Options of `inspect`.
@@ -31,17 +32,15 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let mut job = Job::default();
     job.surfaces.angle_deg = a.angle;
     let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
-    let sentences = part.findings.sentences(&part.mesh, &part.orientation);
+    let findings = PartFinding::of(&part);
     if a.json {
         let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));
-        for s in sentences {
-            eprintln!("{}: {s}", a.part.display());
-        }
+        tell(&a.part, &findings);
     } else {
-        let mut text = report.text();
-        for s in sentences {
-            text.push_str(&format!("! {s}\n"));
+        let mut text = inspected(&report);
+        for finding in findings {
+            text.push_str(&format!("! {}\n", finding.sentence()));
         }
         print(&text);
     }

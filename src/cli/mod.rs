@@ -11,8 +11,9 @@ mod plan;
 mod render;
 mod verify;
 
+use crate::text::{Sentence, say};
 use clap::{Parser, Subcommand};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 pub use options::PlanOptions;
@@ -75,6 +76,13 @@ pub fn run(command: &Command) -> ExitCode {
             eprintln!("clearbeam: {}", failure.to_string().replace('\n', " "));
             ExitCode::from(if matches!(failure, Failure::Usage(_)) { 2 } else { 1 })
         }
+    }
+}
+
+/// Says on stderr what was found in a file.
+fn tell<F: Sentence>(file: &Path, findings: &[F]) {
+    for finding in findings {
+        eprintln!("{}", say!(in_file, file = file.display().to_string(), what = finding.sentence()));
     }
 }
 

@@ -4,9 +4,10 @@ use super::Failure;
 use crate::cell::{Mount, Spin};
 use crate::document::{Chosen, Edit, Job, Offset, Parameter, RecutAnchor, segmented};
 use crate::part::{Source, Units};
-use crate::path::{Direction, Order, Strategy};
+use crate::path::{Direction, DirectionError, Order, Strategy};
 use crate::pose::Correction;
 use crate::progress::Progress;
+use crate::text::Sentence as _;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -210,7 +211,7 @@ fn spin(text: &str) -> Result<Spin, String> {
 }
 
 fn direction(text: &str) -> Result<Direction, String> {
-    text.parse()
+    text.parse().map_err(|e: DirectionError| e.sentence())
 }
 
 fn offset(text: &str) -> Result<Offset, String> {

@@ -1,9 +1,10 @@
 //! `clearbeam plan`.
 
 use super::changed::part_of;
-use super::{Failure, Outcome, PlanOptions, print};
+use super::{Failure, Outcome, PlanOptions, print, tell};
 use crate::cell::Robot;
 use crate::document::{Chosen, Job, files};
+use crate::part::PartFinding;
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::report::hours;
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
@@ -60,9 +61,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     // Nobody cancels it: a key that ends the program ends all.
     let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
     let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-    for s in part.findings.sentences(&part.mesh, &part.orientation) {
-        eprintln!("{}: {s}", a.input.display());
-    }
+    tell(&a.input, &PartFinding::of(part));
     for note in setup.cell.calibrations() {
         eprintln!("{}: {note}", setup.cell.name);
     }

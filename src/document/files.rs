@@ -5,7 +5,7 @@ use super::model::Job;
 use crate::beam::{Body, Head, HeadError, Tool};
 use crate::cell::{Cell, CellError, Mount, Robot, RobotError, Setup};
 use crate::part::{LoadError, Part, Source};
-use crate::pose::{Beam, Blocker, Theirs};
+use crate::pose::{Beam, Blocker, Obstruction};
 use crate::program::dialects;
 use crate::progress::Progress;
 use nalgebra::{Point3, Vector3};
@@ -237,9 +237,9 @@ fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let a = laser.rotation * Vector3::z();
     let spot = Point3::from(laser.translation.vector) - a * b.defocus_mm;
     let blocker = Beam::with(&nothing, body.as_ref()).blocker(&spot, &a);
-    let Some(Blocker { ours, theirs: Theirs::Clamp(i), .. }) = blocker else { return Ok(()) };
+    let Some(Blocker { tool_body, obstruction: Obstruction::Clamp(i), .. }) = blocker else { return Ok(()) };
     let file = obstacles.get(i as usize).map_or("", |o| o.file.as_str());
-    let what = format!("bodies.obstacles: {file} stands in the way of {ours}, which stands still; move one of them");
+    let what = format!("bodies.obstacles: {file} stands in the way of {tool_body}, which stands still; move one of them");
     Err(CellError::Figure { file: setup.cell.name.clone(), what }.into())
 }
 

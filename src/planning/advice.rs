@@ -10,7 +10,7 @@ use crate::cell::{Mount, Setup};
 use crate::document::model::{CellFile, Job};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, State};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use nalgebra::{Isometry3, Point3};
 
 /// Passes that are driven again, slower.
@@ -84,7 +84,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
     let Some(arm) = Arm::new(setup, job.cell.spin).filter(|_| !again.is_empty()) else { return Ok(None) };
     let go_on = || progress.goes_on();
     let watch = Watch { go_on: &go_on, ..Watch::default() };
-    progress.begin("trying lower speeds", SLOWER.len());
+    progress.begin(Activity::TryingSpeeds, SLOWER.len());
     for share in SLOWER {
         let slower: Vec<Pass> = again
             .iter()
@@ -130,7 +130,7 @@ pub fn better_setup(
         (job, setup)
     };
     let found = advice::better_setups(setup, part, &sampled(&done, 3 * SAMPLE), progress)?;
-    progress.begin("planning some passes", found.len());
+    progress.begin(Activity::PlanningSamples, found.len());
     let mut tried = Vec::new();
     for better in found {
         let (job, setup) = changed(&better);

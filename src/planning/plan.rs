@@ -17,7 +17,7 @@ use crate::program::lit::Straight;
 use crate::program::steps::{Steps, steps};
 use crate::program::sweep::{Proof, Prover};
 use crate::program::{Timeline, dialects};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -201,7 +201,7 @@ fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Pr
     match &setup.robot {
         Some(robot) => drive(plan, part, setup, robot, job, progress)?,
         None => {
-            progress.begin("connecting moves", 1);
+            progress.begin(Activity::ConnectingMoves, 1);
             let grown = plan.grown.clone();
             let straight = straight(part, &grown, setup, job);
             let air_mm_s = job.beam.air_speed_mm_s;
@@ -246,7 +246,7 @@ pub(super) fn drive(
     progress: &Progress,
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
-    progress.begin("choosing spins", 2);
+    progress.begin(Activity::ChoosingSpins, 2);
     let grown = plan.grown.clone();
     // Arm and head keep clear of all that will be there, from the first layer on.
     let whole = grown.last().map_or(part, |g| &g.part);

@@ -11,7 +11,7 @@ use super::samples::{MOST_SAMPLES, Plot, Sample, cut, parcel};
 use super::shade::{Last, Shade};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::Dead};
-use crate::pose::Theirs;
+use crate::pose::Obstruction;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -87,7 +87,7 @@ struct Sum {
     last_pass: Option<u32>,
     passes: u16,
     /// What shades, and how much.
-    walls: Vec<(Theirs, f64)>,
+    walls: Vec<(Obstruction, f64)>,
 }
 
 impl Sum {
@@ -118,7 +118,7 @@ struct Landed {
     angle_deg: f64,
     /// The spot itself went over it.
     covered: bool,
-    by: Option<Theirs>,
+    by: Option<Obstruction>,
 }
 
 fn landed(

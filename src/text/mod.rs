@@ -8,16 +8,24 @@
 mod bundle;
 mod cell;
 mod document;
-mod messages;
+mod inspect;
+pub(crate) mod messages;
 mod number;
 mod part;
+mod path;
+mod picture;
 mod planning;
+mod pose;
 mod program;
+mod progress;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
+pub(crate) use inspect::{inspected, shape_label};
 pub(crate) use number::fixed;
+pub(crate) use picture::{legend_entry, spacing_labels};
+pub(crate) use view::name_view;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {

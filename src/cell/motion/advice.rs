@@ -8,7 +8,7 @@ use super::states::Arm;
 use crate::cell::collision::Collision;
 use crate::cell::{Frame, Mount, Robot, Setup, Spin};
 use crate::part::{Part, rpy};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -110,7 +110,7 @@ pub fn changes(
     for (text, changed) in variants(setup) {
         tried.push((text, changed, now_deg));
     }
-    progress.begin("trying changes", tried.len());
+    progress.begin(Activity::TryingChanges, tried.len());
     let found = tried
         .into_par_iter()
         .enumerate()
@@ -255,10 +255,10 @@ pub fn better_setups(
         Ok(out)
     };
     let mut found = Vec::new();
-    if let Some(mut best) = scored("trying set-ups", grid(setup))?.into_iter().next() {
+    if let Some(mut best) = scored(Activity::TryingSetups, grid(setup))?.into_iter().next() {
         for step_mm in [60.0, 30.0, 10.0] {
             let next = |best: &(usize, Setup)| -> Result<_, Cancelled> {
-                let list = scored("improving the set-up", around(&best.1, step_mm))?;
+                let list = scored(Activity::ImprovingSetup, around(&best.1, step_mm))?;
                 Ok(list.into_iter().next().filter(|n| n.0 > best.0))
             };
             while let Some(next) = next(&best)? {
@@ -267,7 +267,7 @@ pub fn better_setups(
         }
         found.push(best);
     }
-    let small = scored("trying small changes", variants(setup).into_iter().map(|(_, s)| s).collect())?;
+    let small = scored(Activity::TryingSmallChanges, variants(setup).into_iter().map(|(_, s)| s).collect())?;
     found.extend(small.into_iter().take(SMALL_CHANGES));
     let share = |n: usize| n as f64 / frames.len() as f64;
     let better = |(n, mut s): (usize, Setup)| {

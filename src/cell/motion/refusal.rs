@@ -2,7 +2,7 @@
 
 use super::choice::{MOST_SPEED, MOST_STEP_DEG, most_deg};
 use super::states::{Arm, Lack, State};
-use crate::pose::{Blocker, Ours, Theirs};
+use crate::pose::{Blocker, ToolBody, Obstruction};
 use nalgebra::Isometry3;
 
 /// What kind of thing is in the way.
@@ -43,10 +43,10 @@ impl Cause {
 
     /// The cause of something in the way of beam or head.
     pub fn of_blocker(b: &Blocker) -> Cause {
-        match (b.ours, b.theirs) {
-            (_, Theirs::Clamp(_)) => Cause::Obstacle,
-            (Ours::Head, _) => Cause::Head,
-            (Ours::Beam, _) => Cause::Beam,
+        match (b.tool_body, b.obstruction) {
+            (_, Obstruction::Clamp(_)) => Cause::Obstacle,
+            (ToolBody::Head, _) => Cause::Head,
+            (ToolBody::Beam, _) => Cause::Beam,
         }
     }
 

@@ -4,7 +4,7 @@ use crate::cell::motion::Cause;
 use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
-use crate::pose::{State, Theirs};
+use crate::pose::{State, Obstruction};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -37,9 +37,9 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
         for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
             let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
             let wall = if refused.is_some() { None } else { t.normal_hits };
-            let by_facet = wall.and_then(|b| match b.theirs {
-                Theirs::Facet(f) => Some(f),
-                Theirs::Clamp(_) => None,
+            let by_facet = wall.and_then(|b| match b.obstruction {
+                Obstruction::Facet(f) => Some(f),
+                Obstruction::Clamp(_) => None,
             });
             let cause = refused.map(|r| r.cause).or(wall.map(|b| Cause::of_blocker(&b))).unwrap_or(Cause::Beam);
             out.push(Problem {
