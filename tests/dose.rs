@@ -9,7 +9,7 @@ use clearbeam::document::{Document, Edit, Job, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces};
 use clearbeam::planning;
 use clearbeam::pose::target::travel;
-use clearbeam::pose::{Correction, Pass, State, Target, Obstruction};
+use clearbeam::pose::{Correction, Obstruction, Pass, State, Target};
 use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
@@ -245,7 +245,9 @@ fn a_roof_shades_what_lies_under_it() {
         let expected = if x > 0.0 { bare } else { 0.0 };
         assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak, "{x}: {}", s.fluence_j_cm2);
         if x < 0.0 && bare > 0.1 * peak {
-            assert!(matches!(s.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate_surface));
+            assert!(
+                matches!(s.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate_surface)
+            );
         }
     }
     let top: f64 = map

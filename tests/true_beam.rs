@@ -12,7 +12,7 @@ use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
 use clearbeam::pose::checker::{Checker, CutCone};
 use clearbeam::pose::motion::{self, Pose};
-use clearbeam::pose::{Beam, ToolBody, Obstruction, Tilt};
+use clearbeam::pose::{Beam, Obstruction, Tilt, ToolBody};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 use parts::{block, cylinder, part};
@@ -239,7 +239,10 @@ fn a_fin_that_only_the_head_touches_refutes_that_interval_alone() {
     refutes_the_third_move_alone(&beam);
     let hit = beam.blocker(&Point3::new(12.5, 0.0, 0.0), &Vector3::z()).expect("in the way");
     assert_eq!(hit.tool_body, ToolBody::Head);
-    assert!(matches!(hit.obstruction, Obstruction::Facet(f) if f >= 12), "the fin's facets come behind the floor's: {hit:?}");
+    assert!(
+        matches!(hit.obstruction, Obstruction::Facet(f) if f >= 12),
+        "the fin's facets come behind the floor's: {hit:?}"
+    );
 }
 
 #[test]

@@ -174,7 +174,7 @@ fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<()
     let of = &job.part;
     let built = source.part(of.units, &of.placement, &of.flipped_shells, &Progress::default());
     // Nobody can have cancelled it.
-    let part = built.map_err(|e| Failure::Failed(e.into()))?.unwrap_or_default();
+    let part = built.map_err(Failure::failed)?.unwrap_or_default();
     let anchor = RecutAnchor { job: job.clone(), surfaces: Arc::new(segmented(&part, job)) };
     for lost in Edit::recut(&part, &anchor, p, value).apply(job, &[]) {
         eprintln!("{lost}");

@@ -239,7 +239,8 @@ fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let blocker = Beam::with(&nothing, body.as_ref()).blocker(&spot, &a);
     let Some(Blocker { tool_body, obstruction: Obstruction::Clamp(i), .. }) = blocker else { return Ok(()) };
     let file = obstacles.get(i as usize).map_or("", |o| o.file.as_str());
-    let what = format!("bodies.obstacles: {file} stands in the way of {tool_body}, which stands still; move one of them");
+    let what =
+        format!("bodies.obstacles: {file} stands in the way of {tool_body}, which stands still; move one of them");
     Err(CellError::Figure { file: setup.cell.name.clone(), what }.into())
 }
 

@@ -117,11 +117,17 @@ mod tests {
         // Without a side, the other one twice, one that is no number, and a tail.
         cube.truncate(10);
         cube.push(cube[0]);
-        cube.push([[f32::NAN; 3]; 3]);
+        cube.push([[f64::NAN; 3]; 3]);
         let mut bytes = stl_bytes(&cube);
         bytes.extend([7; 5]);
-        let expected =
-            ["implausible_size", "facets_dropped", "open_edges", "non_manifold_edges", "duplicate_facets", "bytes_passed_over"];
+        let expected = [
+            "implausible_size",
+            "facets_dropped",
+            "open_edges",
+            "non_manifold_edges",
+            "duplicate_facets",
+            "bytes_passed_over",
+        ];
         let found = codes(&bytes, Units::M);
         let order: Vec<_> = found.iter().map(|c| expected.iter().position(|e| e == c)).collect();
         assert!(order.is_sorted() && order.iter().all(Option::is_some), "{found:?}");

@@ -86,13 +86,9 @@ pub fn legend(map: &DoseMap, look: DoseLook) -> Legend {
             falls: false,
             entries: &[Over, Under, Shaded, NoLight],
         },
-        DoseLook::Incidence => Legend {
-            look,
-            range: [0.0, 90.0],
-            marks: vec![0.0, 30.0, 60.0, 90.0],
-            falls: true,
-            entries: &[NoLight],
-        },
+        DoseLook::Incidence => {
+            Legend { look, range: [0.0, 90.0], marks: vec![0.0, 30.0, 60.0, 90.0], falls: true, entries: &[NoLight] }
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
-use crate::pose::{Pass, Obstruction};
+use crate::pose::{Obstruction, Pass};
 use crate::process::{Cause, DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
 use crate::program::Timeline;
 use crate::program::steps::{Pace, Step};

@@ -63,8 +63,9 @@ impl<'a> Beam<'a> {
             let among = |of: u32| (0..limbs.len()).filter(move |i| of >> i & 1 == 1);
             let hits = |corners: &[Point3<f64>; 3], of: u32| {
                 let own = clamp.is_none() && leaves(&p, &a, corners);
-                among(of)
-                    .any(|i| (!own || limbs[i].tool_body == ToolBody::Head) && placed[i].is_near(corners, limbs[i].keeps_mm))
+                among(of).any(|i| {
+                    (!own || limbs[i].tool_body == ToolBody::Head) && placed[i].is_near(corners, limbs[i].keeps_mm)
+                })
             };
             // What stopped one last is likely to stop the next as well.
             if self.last_of_body.get().is_some_and(|corners| clamp.is_none() && hits(&corners, all as u32)) {

@@ -38,7 +38,7 @@ pub struct Task<'a> {
     pub chosen: Vec<u32>,
     /// What is little and what is much.
     pub thresholds: Thresholds,
-    /// The same for surfaces that are worked on otherwise, by their numbers.
+    /// Thresholds of surfaces that have their own, by their numbers.
     pub own: BTreeMap<u32, Thresholds>,
 }
 
@@ -57,7 +57,7 @@ pub struct DoseMap {
     pub coarsened: bool,
     /// What is little and what is much.
     pub thresholds: Thresholds,
-    /// The same for facets of surfaces that are worked on otherwise.
+    /// Thresholds of facets whose surfaces have their own, by facet.
     pub(super) own: BTreeMap<u32, Thresholds>,
     /// The surfaces that are to be cleaned.
     pub chosen: Vec<u32>,

@@ -3,7 +3,7 @@
 use super::dose::DoseMap;
 use super::statistics::Verdict;
 use crate::part::{Mesh, Surfaces, merge_tree::Sets};
-use crate::pose::{Blocker, Pass, State, Obstruction};
+use crate::pose::{Blocker, Obstruction, Pass, State};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
 

@@ -11,7 +11,7 @@ use crate::beam::{Body, Stance, Work};
 use crate::cell::mounting::Mounted;
 use crate::part::{Grown, Part, angle};
 use crate::pose::motion::{Motion, Pose, Swept, swept};
-use crate::pose::{Beam, Blocker, ToolBody, Obstruction};
+use crate::pose::{Beam, Blocker, Obstruction, ToolBody};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};

@@ -18,6 +18,7 @@ mod planning;
 mod pose;
 mod program;
 mod progress;
+mod sample;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
@@ -25,6 +26,7 @@ pub use bundle::{Language, choose, language, languages};
 pub(crate) use inspect::{inspected, shape_label};
 pub(crate) use number::fixed;
 pub(crate) use picture::{legend_entry, spacing_labels};
+pub(crate) use sample::about_sample;
 pub(crate) use view::name_view;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.

@@ -88,10 +88,9 @@ mod egl {
         for device in &devices {
             match open_on(device) {
                 Ok(opened) => return Ok(opened),
-                Err(error) => answers.push(DeviceAnswer {
-                    device: device.name().map(str::to_owned),
-                    answer: error.to_string(),
-                }),
+                Err(error) => {
+                    answers.push(DeviceAnswer { device: device.name().map(str::to_owned), answer: error.to_string() })
+                }
             }
         }
         Err(ViewError::NoHeadlessGl(if answers.is_empty() { NoEgl::NoDevice } else { NoEgl::Devices(answers) }))

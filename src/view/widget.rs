@@ -149,7 +149,7 @@ impl Viewport {
         self.show_with_pick(ui, scene, &|_, _| None)
     }
 
-    /// The same, zooming at the point of the part under the cursor.
+    /// Shows the scene as [`Self::show`] does, and zooms at the point of the part under the cursor.
     pub fn show_with_pick(&mut self, ui: &mut egui::Ui, scene: &Arc<Scene>, pick: Pick<'_>) -> ViewportResponse {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, self.name.clone()));

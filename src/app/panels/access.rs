@@ -6,7 +6,7 @@ use super::super::{App, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::pose::access::{Access, AccessMap, AccessStrip, Over};
-use crate::pose::{Correction, ToolBody, Pin, Obstruction, Tilt};
+use crate::pose::{Correction, Obstruction, Pin, Tilt, ToolBody};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, pos2, vec2};
 
 /// Free, told from the others by lightness as well.

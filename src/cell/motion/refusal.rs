@@ -2,7 +2,7 @@
 
 use super::choice::{MOST_SPEED, MOST_STEP_DEG, most_deg};
 use super::states::{Arm, Lack, State};
-use crate::pose::{Blocker, ToolBody, Obstruction};
+use crate::pose::{Blocker, Obstruction, ToolBody};
 use nalgebra::Isometry3;
 
 /// What kind of thing is in the way.

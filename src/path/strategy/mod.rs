@@ -18,9 +18,9 @@ use super::normals::VertexNormals;
 use super::planes::{self, SurfacePlanes};
 use super::section::{TransversalLine, sections};
 use crate::part::{Mesh, angle, surfaces::Surface};
+pub use finding::LinesFinding;
 use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
-pub use finding::LinesFinding;
 pub use spacing::Achieved;
 
 /// How lines are laid on a surface.

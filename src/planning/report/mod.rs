@@ -11,7 +11,7 @@ use super::plan::Plan;
 use super::surface_plan::SurfacePlan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
-use crate::pose::{Correction, Pass, Split, State, Target, Obstruction};
+use crate::pose::{Correction, Obstruction, Pass, Split, State, Target};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
 use finding::nothing_planned;

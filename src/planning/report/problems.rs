@@ -4,7 +4,7 @@ use crate::cell::motion::Cause;
 use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
-use crate::pose::{State, Obstruction};
+use crate::pose::{Obstruction, State};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::sync::Arc;
