@@ -10,6 +10,7 @@ use crate::document::{CarriedOver, Document, Edit, Job, JobFile, save};
 use crate::part::{Hasher, LoadError, Part, Source};
 use crate::planning::{Failure, Stage};
 use crate::progress::Progress;
+use crate::text::Sentence as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -117,7 +118,7 @@ impl App {
     fn not_read(&mut self, why: &Refused) {
         self.session.said.clear();
         if !matches!(why, Failure::Cancelled) {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
     }
 

@@ -8,6 +8,7 @@ use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::report::hours;
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
+use crate::text::Sentence as _;
 use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -53,7 +54,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         };
     }
     // Known before the work is done, as far as names are.
-    let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
+    let setup = files::load_setup(&job, job_file).map_err(|e| anyhow!(e.sentence()))?;
     export::conflicts(&a.out, &job, job_file, &setup)
         .and_then(|met| export::allowed(&a.out, met, a.overwrite))
         .map_err(not_exported)?;
@@ -64,7 +65,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         eprintln!("{}: {s}", a.input.display());
     }
     for note in setup.cell.calibrations() {
-        eprintln!("{}: {note}", setup.cell.name);
+        eprintln!("{}: {}", setup.cell.name, note.sentence());
     }
     let own = setup.robot.as_ref().map(|r| r.dialect.as_str()).filter(|d| *d != "csv" && *d != job.cell.dialect);
     if let Some(own) = own {
@@ -84,8 +85,8 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
             let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(hours);
             text.push_str(&format!("{work} of work, {travel} of travel, {waiting} of waiting\n"));
         }
-        for sentence in advice::advice(part, plan, &job, setup, &progress).unwrap_or_default() {
-            text.push_str(&format!("to help: {sentence}\n"));
+        for help in advice::advice(part, plan, &job, setup, &progress).unwrap_or_default() {
+            text.push_str(&format!("to help: {}\n", help.sentence()));
         }
         let better = advice::better_setup(part, surfaces, plan, &job, setup, &pipeline.cache, &progress);
         if let Ok(Some((better, left))) = better {
@@ -116,8 +117,8 @@ fn refused(e: PlanningError) -> Failure {
             | PlanError::NoSurface { .. }
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },
-        )) => Failure::Usage(e.to_string()),
-        _ => Failure::Failed(e.into()),
+        )) => Failure::Usage(e.sentence()),
+        _ => Failure::Failed(anyhow!(e.sentence())),
     }
 }
 
@@ -136,7 +137,7 @@ fn not_exported(e: ExportError) -> Failure {
 /// A job from a job file, or the job that cleans all of a part.
 pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
     if files::is_job(input) {
-        let job = files::read(input).map_err(anyhow::Error::from)?;
+        let job = files::read(input).map_err(|e| anyhow!(e.sentence()))?;
         return Ok((job, Some(input.to_path_buf())));
     }
     let mut job = Job::default();

@@ -6,6 +6,7 @@ use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
+use crate::text::Sentence as _;
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use anyhow::{Context as _, anyhow};
 use std::io::Cursor;
@@ -68,7 +69,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
         let source = files::read_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
         let (_, planned) =
-            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(|e| anyhow!(e.sentence()))?;
         let (scene, legend) = planned_scene(&planned, a.color)?;
         (scene, legend, planned.part.mesh.bounds())
     } else {

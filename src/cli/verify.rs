@@ -5,6 +5,7 @@ use crate::document::files;
 use crate::planning::verify::{self, Kind, Verdict};
 use crate::planning::{Pipeline, PlannedJob};
 use crate::program::ProgramFile;
+use crate::text::Sentence as _;
 use anyhow::{Context as _, anyhow};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -36,7 +37,7 @@ struct Answer<'a> {
 
 /// Reads, plans, compares.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    let job = files::read(&a.job).map_err(anyhow::Error::from)?;
+    let job = files::read(&a.job).map_err(|e| anyhow!(e.sentence()))?;
     let first = read(&a.program)?;
     let folder = a.program.parent().unwrap_or(Path::new("")).to_path_buf();
     let open = move |name: &str| {

@@ -5,19 +5,25 @@
 //! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
 //! Comments in programs are English whatever the language ([`Message::english`]).
 
+mod advice;
+mod beam;
 mod bundle;
+mod calibration;
 mod cell;
 mod document;
+mod file;
 mod messages;
+mod motion;
 mod number;
 mod part;
 mod planning;
 mod program;
+mod robot;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
-pub(crate) use number::fixed;
+pub(crate) use number::{exact, fixed};
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {
@@ -30,6 +36,11 @@ macro_rules! say {
     (@ $name:ident $value:expr) => { $value };
 }
 pub(crate) use say;
+
+/// Words of a file between quotation marks, as they would stand there.
+fn quoted(words: &str) -> String {
+    format!("{words:?}")
+}
 
 /// What people read of a finding or an error, in the language that was chosen.
 pub trait Sentence {

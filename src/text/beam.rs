@@ -1,0 +1,42 @@
+//! What is wrong with a head's file, and what beam or head hits.
+
+use super::file::one_line;
+use super::{Sentence, exact, id, say};
+use crate::beam::{HeadError, StackError};
+use crate::pose::{Blocker, Ours, Theirs};
+
+impl Sentence for HeadError {
+    fn sentence(&self) -> String {
+        match self {
+            HeadError::File(e) => e.sentence(),
+            HeadError::Stack { file, what } => say!(head_stack, file, what = what.sentence()),
+            HeadError::Solid(e) => e.sentence(),
+        }
+    }
+}
+
+impl Sentence for StackError {
+    fn sentence(&self) -> String {
+        match self {
+            StackError::Toml(e) => one_line(e),
+            StackError::Empty => say!(stack_empty),
+            StackError::Span { part, from_mm, to_mm } => {
+                say!(stack_span, part = id(part), from = exact(*from_mm), to = exact(*to_mm))
+            }
+            StackError::Radii { part, r0_mm, r1_mm } => {
+                say!(stack_radii, part = id(part), r0 = exact(*r0_mm), r1 = exact(*r1_mm))
+            }
+        }
+    }
+}
+
+impl Sentence for Blocker {
+    fn sentence(&self) -> String {
+        match (self.ours, self.theirs) {
+            (Ours::Beam, Theirs::Facet(facet)) => say!(hit_beam_facet, facet = id(facet)),
+            (Ours::Head, Theirs::Facet(facet)) => say!(hit_head_facet, facet = id(facet)),
+            (Ours::Beam, Theirs::Clamp(clamp)) => say!(hit_beam_clamp, clamp = id(clamp + 1)),
+            (Ours::Head, Theirs::Clamp(clamp)) => say!(hit_head_clamp, clamp = id(clamp + 1)),
+        }
+    }
+}
