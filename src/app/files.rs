@@ -11,6 +11,7 @@ use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
 use crate::progress::Activity;
+use crate::text::Sentence as _;
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -100,7 +101,7 @@ impl App {
             Err(JobError::ChangedOnDisk { .. }) => self.question = Some(Question::SaveOver(path)),
             Err(e) => {
                 self.session.after_guard = None;
-                self.session.error = Some(e.to_string());
+                self.session.error = Some(e.sentence());
             }
         }
     }

@@ -118,7 +118,7 @@ impl App {
     fn not_read(&mut self, why: &Refused) {
         self.session.said.clear();
         if !matches!(why, Failure::Cancelled) {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
     }
 

@@ -1,4 +1,4 @@
-//! What would help with the targets that the robot refuses: sentences of advice, and a better set-up
+//! What would help with the targets that the robot refuses: advice, and a better set-up
 //! with its picture. Both are looked for on a thread, with progress and cancel, and belong to one plan:
 //! with that they go.
 
@@ -10,6 +10,7 @@ use crate::document::Edit;
 use crate::part::Hasher;
 use crate::picture::CellPicture;
 use crate::picture::palette::state;
+use crate::planning::advice::Help;
 use crate::planning::{Cache, Failure, PlannedJob, advice};
 use crate::progress::{Activity, Cancelled, Progress};
 use crate::view::{Depth, PointItem};
@@ -72,7 +73,7 @@ impl App {
     }
 
     /// What would help with the plan as it is; `None`: that is being looked for.
-    pub(super) fn advice(&self) -> Option<Result<&[String], &Failure<Infallible>>> {
+    pub(super) fn advice(&self) -> Option<Result<&[Help], &Failure<Infallible>>> {
         let key = self.refusing_plan()?.key;
         let known = self.derived.advice.of(key).map(|told| Ok(told.as_slice()));
         known.or_else(|| self.derived.advice.failure(key).map(Err))

@@ -8,6 +8,7 @@ use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
 use crate::progress::Activity;
+use crate::text::Sentence as _;
 use std::sync::Arc;
 
 impl App {
@@ -151,9 +152,9 @@ impl App {
                     .into()
             }
             E::Part(Failure::Panicked(_)) | E::Setup(Failure::Panicked(_)) | E::Plan(Failure::Panicked(_)) => {
-                format!("{error}; the job is untouched: save it, and Ctrl+R tries again")
+                format!("{}; the job is untouched: save it, and Ctrl+R tries again", error.sentence())
             }
-            other => other.to_string(),
+            other => other.sentence(),
         })
     }
 }

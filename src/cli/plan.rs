@@ -91,7 +91,7 @@ fn take_files(options: &PlanOptions, job: &mut Job) -> Result<(), Failure> {
 /// Says on stderr how well the cell's frames were measured, and where another dialect is the robot's own.
 fn tell_of_cell(job: &Job, setup: &Setup) {
     for note in setup.cell.calibrations() {
-        eprintln!("{}: {note}", setup.cell.name);
+        eprintln!("{}: {}", setup.cell.name, note.sentence());
     }
     let own = setup.robot.as_ref().map(|r| r.dialect.as_str()).filter(|d| *d != "csv" && *d != job.cell.dialect);
     if let Some(own) = own {
@@ -105,7 +105,7 @@ fn advised(of: &ExportInput<'_>, pipeline: &Pipeline) -> String {
     let progress = Progress::default();
     let mut text = String::new();
     for advice in advice::advice(part, plan, job, setup, &progress).unwrap_or_default() {
-        text.push_str(&format!("{}\n", say!(cli_to_help, advice)));
+        text.push_str(&format!("{}\n", say!(cli_to_help, advice = advice.sentence())));
     }
     let better = advice::better_setup(part, surfaces, plan, job, setup, &pipeline.cache, &progress);
     if let Ok(Some((better, left))) = better {

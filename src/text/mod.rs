@@ -5,11 +5,16 @@
 //! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
 //! Comments in programs are English whatever the language ([`Message::english`]).
 
+mod advice;
+mod beam;
 mod bundle;
+mod calibration;
 mod cell;
 mod document;
+mod file;
 mod inspect;
 pub(crate) mod messages;
+mod motion;
 mod number;
 mod part;
 mod path;
@@ -18,13 +23,14 @@ mod planning;
 mod pose;
 mod program;
 mod progress;
+mod robot;
 mod sample;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
 pub(crate) use inspect::{inspected, shape_label};
-pub(crate) use number::fixed;
+pub(crate) use number::{exact, fixed};
 pub(crate) use picture::{legend_entry, spacing_labels};
 pub(crate) use sample::about_sample;
 pub(crate) use view::name_view;
@@ -40,6 +46,11 @@ macro_rules! say {
     (@ $name:ident $value:expr) => { $value };
 }
 pub(crate) use say;
+
+/// Words of a file between quotation marks, as they would stand there.
+fn quoted(words: &str) -> String {
+    format!("{words:?}")
+}
 
 /// What people read of a finding or an error, in the language that was chosen.
 pub trait Sentence {

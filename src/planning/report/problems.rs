@@ -1,6 +1,6 @@
 //! What is blocked or missed, and why.
 
-use crate::cell::motion::Cause;
+use crate::cell::motion::{Cause, Why};
 use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
@@ -24,9 +24,9 @@ pub struct Problem {
     pub by_facet: Option<u32>,
     /// Its surface.
     pub by_surface: Option<u32>,
-    /// What of the robot stands against it, in words.
+    /// What stands against it, where a move or the robot does.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub detail: Option<String>,
+    pub why: Option<Why>,
 }
 
 /// Blocked targets in program order, then missed surfaces.
@@ -49,7 +49,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
                 cause: cause.word(),
                 by_facet,
                 by_surface: by_facet.map(|f| surfaces.of_facet[f as usize]),
-                detail: refused.map(|r| r.detail.clone()),
+                why: refused.map(|r| r.why.clone()),
             });
         }
     }
@@ -64,7 +64,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
             cause: "missed",
             by_facet: None,
             by_surface: None,
-            detail: None,
+            why: None,
         });
     }
     out
