@@ -10,6 +10,7 @@ use crate::document::{IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
+use crate::text::Sentence;
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -99,7 +100,7 @@ impl App {
             Err(JobError::ChangedOnDisk { .. }) => self.question = Some(Question::SaveOver(path)),
             Err(e) => {
                 self.session.after_guard = None;
-                self.session.error = Some(e.to_string());
+                self.session.error = Some(e.sentence());
             }
         }
     }
@@ -141,7 +142,7 @@ impl App {
                 self.session.said.clear();
                 self.question = Some(Question::ExportOver { dir, conflicts });
             }
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
     }
 

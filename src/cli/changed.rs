@@ -1,11 +1,12 @@
 //! A job whose part's file has changed: planned on all the same where all that is to be cleaned is found again in
 //! its place, refused with the list where not.
 
-use super::Failure;
-use crate::document::{CarriedOver, Job, JobError, files};
-use crate::part::{LoadError, Source};
+use super::{Failure, failed};
+use crate::document::{CarriedOver, Job, files};
+use crate::part::Source;
 use crate::planning::report::PlanFinding;
 use crate::progress::Progress;
+use crate::text::{carried_lines, say};
 use anyhow::anyhow;
 use std::path::Path;
 
@@ -14,19 +15,16 @@ use std::path::Path;
 /// # Errors
 /// The part is gone, is no usable STL, or has changed so that work of the job is not where it was.
 pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), Failure> {
-    let failed = |e: JobError| Failure::Failed(e.into());
     let file = files::part_file(&job, job_file).map_err(failed)?;
-    let source = Source::read(&file).map_err(|e| failed(e.into()))?;
+    let source = Source::read(&file).map_err(failed)?;
     if !job.part.is_of_another_file(&source.sha256) {
         let mut job = job;
         job.part.sha256.clone_from(&source.sha256);
         return Ok((job, source, Vec::new()));
     }
-    let built = source.part(job.part.units, &job.part.placement, &[], &Progress::default());
-    let named = |source| failed(LoadError::Stl { file: file.display().to_string(), source }.into());
-    let carried = CarriedOver::new(&job, &built.map_err(named)?.unwrap_or_default());
-    let told = carried.to_string();
-    let told: Vec<&str> = told.lines().collect();
+    let carried = CarriedOver::to_file(&job, &source, &file, &Progress::default()).map_err(failed)?;
+    let carried = carried.ok_or_else(|| Failure::Failed(anyhow!(say!(text_cancelled))))?;
+    let told = carried_lines(&carried);
     if !carried.is_work_in_place() {
         return Err(Failure::Failed(anyhow!(
             "the part {} has changed since the job was saved, and what the job says cannot be carried over whole: {}; \

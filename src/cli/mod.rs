@@ -11,6 +11,7 @@ mod plan;
 mod render;
 mod verify;
 
+use crate::text::Sentence;
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -58,6 +59,11 @@ pub enum Failure {
     /// The work failed.
     #[error("{0}")]
     Failed(#[from] anyhow::Error),
+}
+
+/// The work failed, for this reason.
+fn failed(why: impl Sentence) -> Failure {
+    Failure::Failed(anyhow::anyhow!(why.sentence()))
 }
 
 /// Runs a command and says how it ended.

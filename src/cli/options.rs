@@ -1,13 +1,15 @@
 //! The options of `plan`, and how they override a job.
 
-use super::Failure;
+use super::{Failure, failed};
 use crate::cell::{Mount, Spin};
+use crate::document::files::build_part;
 use crate::document::{Chosen, Edit, Job, Offset, Parameter, RecutAnchor, segmented};
 use crate::part::{Source, Units};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
 use crate::progress::Progress;
-use std::path::PathBuf;
+use crate::text::Sentence;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What can be overridden; what is not given stays as in the job, or its default.
@@ -170,13 +172,12 @@ impl PlanOptions {
 
 /// Cuts the surfaces anew as the window does: what the job says of them is carried over to their new numbers.
 fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<(), Failure> {
-    let of = &job.part;
-    let built = source.part(of.units, &of.placement, &of.flipped_shells, &Progress::default());
+    let built = build_part(source, &job.part, Path::new(&job.part.file), &Progress::default());
     // Nobody can have cancelled it.
-    let part = built.map_err(|e| Failure::Failed(e.into()))?.unwrap_or_default();
+    let part = built.map_err(failed)?.unwrap_or_default();
     let anchor = RecutAnchor { job: job.clone(), surfaces: Arc::new(segmented(&part, job)) };
     for lost in Edit::recut(&part, &anchor, p, value).apply(job, &[]) {
-        eprintln!("{lost}");
+        eprintln!("{}", lost.sentence());
     }
     Ok(())
 }
@@ -226,7 +227,7 @@ fn surfaces(text: &str) -> Result<Chosen, String> {
     }
     let list: Result<Vec<u32>, _> = text.split(',').map(|n| n.trim().parse()).collect();
     let chosen: Chosen = word(text, list.ok(), "all, or surface numbers like 4,1")?.into();
-    match chosen.twice() {
+    match chosen.repeated() {
         Some(surface) => Err(format!("surface {surface} stands twice in the list; name it once")),
         None => Ok(chosen),
     }

@@ -1,13 +1,14 @@
 //! `clearbeam plan`.
 
 use super::changed::part_of;
-use super::{Failure, Outcome, PlanOptions, print};
+use super::{Failure, Outcome, PlanOptions, failed, print};
 use crate::cell::Robot;
 use crate::document::{Chosen, Job, files};
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::report::hours;
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
+use crate::text::Sentence;
 use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -53,7 +54,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         };
     }
     // Known before the work is done, as far as names are.
-    let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
+    let setup = files::load_setup(&job, job_file).map_err(failed)?;
     export::conflicts(&a.out, &job, job_file, &setup)
         .and_then(|met| export::allowed(&a.out, met, a.overwrite))
         .map_err(not_exported)?;
@@ -116,8 +117,8 @@ fn refused(e: PlanningError) -> Failure {
             | PlanError::NoSurface { .. }
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },
-        )) => Failure::Usage(e.to_string()),
-        _ => Failure::Failed(e.into()),
+        )) => Failure::Usage(e.sentence()),
+        _ => failed(e),
     }
 }
 
@@ -130,13 +131,13 @@ fn not_exported(e: ExportError) -> Failure {
         ExportError::Conflicts { .. } => "; choose another folder",
         _ => "",
     };
-    Failure::Failed(anyhow!("{e}{help}"))
+    Failure::Failed(anyhow!("{}{help}", e.sentence()))
 }
 
 /// A job from a job file, or the job that cleans all of a part.
 pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
     if files::is_job(input) {
-        let job = files::read(input).map_err(anyhow::Error::from)?;
+        let job = files::read(input).map_err(failed)?;
         return Ok((job, Some(input.to_path_buf())));
     }
     let mut job = Job::default();

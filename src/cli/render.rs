@@ -1,13 +1,13 @@
 //! `clearbeam render`: a picture without a screen.
 
-use super::{Failure, Outcome, print};
+use super::{Failure, Outcome, failed, print};
 use crate::document::{files, segmented};
 use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
-use anyhow::{Context as _, anyhow};
+use anyhow::Context as _;
 use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -66,13 +66,12 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     // A part alone is drawn as it is; what lands on it needs a plan.
     let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
     let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
-        let source = files::read_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
-        let (_, planned) =
-            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+        let source = files::read_part(&job, job_file.as_deref()).map_err(failed)?;
+        let (_, planned) = Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(failed)?;
         let (scene, legend) = planned_scene(&planned, a.color)?;
         (scene, legend, planned.part.mesh.bounds())
     } else {
-        let part = files::load_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+        let part = files::load_part(&job, job_file.as_deref()).map_err(failed)?;
         let surfaces = segmented(&part, &job);
         let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
         (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())
@@ -91,7 +90,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         super::legend::paint(&mut image, legend);
     }
     image.write_to(&mut png, image::ImageFormat::Png).context("the picture cannot be packed")?;
-    files::write_atomic(&a.out, png.get_ref()).map_err(|e| anyhow!(e))?;
+    files::write_atomic(&a.out, png.get_ref()).map_err(failed)?;
     print(&format!("wrote {}\n", a.out.display()));
     Ok(Outcome::Done)
 }

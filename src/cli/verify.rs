@@ -1,6 +1,6 @@
 //! `clearbeam verify`: a program on disk against the plan of its job.
 
-use super::{Failure, Outcome, print};
+use super::{Failure, Outcome, failed, print};
 use crate::document::files;
 use crate::planning::verify::{self, Kind, Verdict};
 use crate::planning::{Pipeline, PlannedJob};
@@ -36,7 +36,7 @@ struct Answer<'a> {
 
 /// Reads, plans, compares.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    let job = files::read(&a.job).map_err(anyhow::Error::from)?;
+    let job = files::read(&a.job).map_err(failed)?;
     let first = read(&a.program)?;
     let folder = a.program.parent().unwrap_or(Path::new("")).to_path_buf();
     let open = move |name: &str| {
@@ -44,7 +44,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let plain = Path::new(name).file_name().is_some_and(|n| n.to_string_lossy() == name);
         plain.then(|| read(&folder.join(name)).ok().map(|f| f.text)).flatten()
     };
-    let source = files::read_part(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
+    let source = files::read_part(&job, Some(&a.job)).map_err(failed)?;
     let (_, planned) = Pipeline::planned(Arc::new(source), &job, Some(&a.job))
         .with_context(|| format!("{}: cannot be planned", a.job.display()))?;
     let PlannedJob { part, setup, plan, .. } = &*planned;

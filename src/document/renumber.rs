@@ -8,7 +8,6 @@ use super::model::Job;
 use super::settings::{Settings, SurfaceSettings};
 use crate::part::{SurfaceId, Surfaces};
 use std::collections::BTreeMap;
-use std::fmt;
 
 /// What becomes of surfaces: old number → new ones.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,20 +41,6 @@ pub struct Lost {
     pub pins: usize,
     /// Whether it had a border of its own to start from.
     pub border: bool,
-}
-
-/// As a sentence without its full stop.
-impl fmt::Display for Lost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Lost { surface, pins, border } = self;
-        match (pins, border) {
-            (0, _) => write!(f, "the border of surface {surface} was dropped"),
-            (1, false) => write!(f, "1 pinned tilt of surface {surface} was dropped"),
-            (_, false) => write!(f, "{pins} pinned tilts of surface {surface} were dropped"),
-            (1, true) => write!(f, "1 pinned tilt and the border of surface {surface} were dropped"),
-            (_, true) => write!(f, "{pins} pinned tilts and the border of surface {surface} were dropped"),
-        }
-    }
 }
 
 impl Renumbering {

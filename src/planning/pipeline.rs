@@ -15,7 +15,7 @@ use super::stage::{Executor, Failure, Stage};
 use super::surface_plan::Cache;
 use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
-use crate::document::beside::Stamps;
+use crate::document::stamps::Stamps;
 use crate::document::files::{self, JobError};
 use crate::document::model::PartFile;
 use crate::document::{Job, segmented};

@@ -7,8 +7,12 @@
 
 mod bundle;
 mod cell;
+mod changed_part;
 mod document;
-mod messages;
+mod edits;
+mod journal;
+mod library;
+pub(crate) mod messages;
 mod number;
 mod part;
 mod planning;
@@ -17,6 +21,7 @@ mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
+pub use changed_part::carried_lines;
 pub(crate) use number::fixed;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.

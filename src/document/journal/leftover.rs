@@ -1,8 +1,9 @@
 //! What programs that ended early have left in the journal: to show, to take over, or to discard.
 
+use super::error::JournalError;
+use super::recording::Journal;
 use super::slot::Slot;
 use super::state::State;
-use super::{Journal, JournalError};
 use crate::document::files;
 use crate::document::model::{Job, PartFile};
 use crate::document::undo::Document;
@@ -100,8 +101,7 @@ impl Leftover {
     /// # Errors
     /// What was kept until then cannot be removed; the changes are taken over all the same.
     pub fn take_over(self, journal: &mut Journal) -> Result<(), JournalError> {
-        let taken = Journal { slot: Some(self.slot), written: Some(self.state) };
-        std::mem::replace(journal, taken).clear()
+        std::mem::replace(journal, Journal::taken_over(self.slot, self.state)).clear()
     }
 
     /// The operator does not want them.

@@ -5,7 +5,7 @@
 //! remove one would let two owners lock two files of one name. Slots are used again, so there are no
 //! more of them than there have ever been windows and states at once.
 
-use super::JournalError;
+use super::error::JournalError;
 use std::ffi::OsStr;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind;

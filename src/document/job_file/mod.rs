@@ -3,6 +3,12 @@
 //!
 //! What a file of an older version means is told in `version`.
 
+mod error;
+mod version;
+
+pub use error::JobFileError;
+pub use version::WRITTEN;
+
 use super::chosen::Chosen;
 use super::model::{
     BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceParameters,
@@ -10,54 +16,18 @@ use super::model::{
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use super::start_from::StartFrom;
-use super::version;
 use crate::beam::{Obstacle, Optics};
 use crate::part::{SurfaceEdit, SurfaceId};
 use crate::pose::tilt::Side;
 use crate::pose::{Pin, Tilt, TiltRule};
 use crate::process::DoseParameters;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::collections::{BTreeMap, BTreeSet};
-use thiserror::Error;
-
-/// Why a text is no job.
-#[derive(Debug, Error)]
-pub enum JobFileError {
-    /// It is no TOML, or has a key or value that no job has.
-    #[error("{0}")]
-    Toml(#[from] toml::de::Error),
-    /// It is of a version that is not known yet.
-    #[error(
-        "version = {0}: the job was made by a later clearbeam, and this one knows jobs up to version {known}; \
-         open it with a newer clearbeam",
-        known = version::WRITTEN
-    )]
-    Later(i64),
-    /// There is no such version.
-    #[error("version = {0}: give {known}, or leave the line out for a job of version 1", known = version::WRITTEN)]
-    NoVersion(String),
-    /// A list names a surface twice.
-    #[error("{key}: surface {surface} stands twice in the list; name it once")]
-    Twice {
-        /// Key of the list.
-        key: &'static str,
-        /// The surface.
-        surface: SurfaceId,
-    },
-    /// A key that should be the number of a surface is none.
-    #[error("{key}: {text:?} is no surface number; give a number like 4")]
-    NoNumber {
-        /// Key of the table.
-        key: &'static str,
-        /// What stands there.
-        text: String,
-    },
-}
 
 /// A job as its file has it, in the order of the file.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub(super) struct JobFile {
+struct JobFile {
     version: i64,
     part: PartFile,
     surfaces: SurfaceTable,
@@ -151,7 +121,15 @@ struct StartRow {
     centre_mm: Option<[f64; 3]>,
 }
 
-/// Reads a job.
+/// The job that the bytes of a file hold.
+///
+/// # Errors
+/// They are no job (with line and column).
+pub fn from_bytes(bytes: &[u8]) -> Result<Job, JobFileError> {
+    parse(std::str::from_utf8(bytes)?)
+}
+
+/// The job that a text holds.
 ///
 /// # Errors
 /// Where in the text what is wrong.
@@ -168,7 +146,7 @@ impl TryFrom<toml::Table> for Job {
 
     fn try_from(mut table: toml::Table) -> Result<Job, JobFileError> {
         let version = version::of(&table)?;
-        version::grant(version, &mut table)?;
+        version::fill_defaults(version, &mut table)?;
         let file: JobFile = table.try_into()?;
         let settings = file.settings(version)?;
         let s = file.surfaces;
@@ -194,11 +172,23 @@ impl TryFrom<toml::Table> for Job {
     }
 }
 
+impl<'de> Deserialize<'de> for Job {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        Job::try_from(toml::Table::deserialize(d)?).map_err(D::Error::custom)
+    }
+}
+
+impl Serialize for Job {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        JobFile::from(self.clone()).serialize(s)
+    }
+}
+
 impl JobFile {
     /// The lists by surface. In a job of version 1 a second rule for a surface is passed over, as it always was.
     fn settings(&self, version: i64) -> Result<Settings, JobFileError> {
         let mut of: BTreeMap<SurfaceId, SurfaceSettings> = BTreeMap::new();
-        if let Some(surface) = self.clean.surfaces.twice() {
+        if let Some(surface) = self.clean.surfaces.repeated() {
             return Err(JobFileError::Twice { key: "clean.surfaces", surface });
         }
         if let Chosen::These(list) = &self.clean.surfaces {
@@ -278,20 +268,34 @@ impl From<Job> for JobFile {
 mod tests {
     use super::*;
 
-    fn refused(text: &str, said: &[&str]) {
-        let why = parse(text).expect_err(text).to_string();
-        assert!(said.iter().all(|part| why.contains(part)), "{text}: {why}");
+    /// Why a text is no job, which serde finds as well.
+    pub(super) fn refusal(text: &str) -> JobFileError {
         assert!(toml::from_str::<Job>(text).is_err(), "{text}");
+        parse(text).expect_err(text)
     }
 
     #[test]
     fn what_is_wrong_is_named() {
-        refused("[layers]\nspaceing_mm = 2", &["line 2", "spaceing_mm"]);
-        refused("[clean]\nsurfaces = [4, 1, 4]", &["clean.surfaces", "surface 4 stands twice", "name it once"]);
-        refused("[surfaces.names]\nfour = \"Rim\"", &["surfaces.names", "\"four\"", "give a number"]);
-        refused("[recipe_of]\n04 = \"Fine\"", &["recipe_of", "\"04\""]);
-        refused("[[starts]]\nsurface = 1\n[[starts]]\nsurface = 1", &["starts: surface 1 stands twice"]);
-        refused("[[starts]]\nborder = 1", &["line 1", "surface"]);
-        refused("[[starts]]\nsurface = 1\nborder = \"all\"", &["line 3", "whole outline"]);
+        use JobFileError::{NoNumber, Toml, Twice};
+        let toml = |text: &str, line: &str, word: &str| match refusal(text) {
+            Toml(e) => assert!(e.to_string().contains(line) && e.to_string().contains(word), "{text}: {e}"),
+            other => panic!("{text}: {other:?}"),
+        };
+        toml("[layers]\nspaceing_mm = 2", "line 2", "spaceing_mm");
+        toml("[[starts]]\nborder = 1", "line 1", "surface");
+        toml("[[starts]]\nsurface = 1\nborder = \"all\"", "line 3", "whole outline");
+        let twice = |list: &str, number| {
+            let why = refusal(list);
+            assert!(matches!(why, Twice { surface: SurfaceId(n), .. } if n == number), "{list}: {why:?}");
+            why
+        };
+        let why = twice("[clean]\nsurfaces = [4, 1, 4]", 4);
+        assert!(matches!(why, Twice { key: "clean.surfaces", .. }), "{why:?}");
+        let why = twice("[[starts]]\nsurface = 1\n[[starts]]\nsurface = 1", 1);
+        assert!(matches!(why, Twice { key: "starts", .. }), "{why:?}");
+        let why = refusal("[surfaces.names]\nfour = \"Rim\"");
+        assert!(matches!(&why, NoNumber { key: "surfaces.names", text } if text == "four"), "{why:?}");
+        let why = refusal("[recipe_of]\n04 = \"Fine\"");
+        assert!(matches!(&why, NoNumber { key: "recipe_of", text } if text == "04"), "{why:?}");
     }
 }
