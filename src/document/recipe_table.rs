@@ -44,7 +44,9 @@ pub fn rows(job: &Job, recipes: &[Option<&Recipe>]) -> Vec<Row> {
         row("Lines", &|j| j.layers.order.word().into(), &|r| r.order.is_some()),
     ];
     if under.iter().any(|(_, j)| j.layers.strategy == Strategy::Offset) {
-        let text = |j: &Job| j.layers.border.map_or_else(|| "whole outline".into(), |b| format!("border {}", b.saturating_add(1)));
+        let text = |j: &Job| {
+            j.layers.border.map_or_else(|| "whole outline".into(), |b| format!("border {}", b.saturating_add(1)))
+        };
         rows.push(row("Starts from", &text, &|r| r.border.is_some()));
     }
     if under.iter().any(|(_, j)| j.layers.strategy == Strategy::Spiral) {

@@ -113,6 +113,9 @@ mod tests {
         assert_eq!(lost(2, false), "2 pinned tilts of surface 3 were dropped");
         assert_eq!(lost(1, true), "1 pinned tilt and the border of surface 3 were dropped");
         assert_eq!(lost(2, true), "2 pinned tilts and the border of surface 3 were dropped");
-        assert_eq!((StartFrom::Border(0).sentence(), StartFrom::Whole.sentence()), ("border 1".into(), "whole outline".into()));
+        assert_eq!(
+            (StartFrom::Border(0).sentence(), StartFrom::Whole.sentence()),
+            ("border 1".into(), "whole outline".into())
+        );
     }
 }

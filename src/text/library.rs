@@ -12,7 +12,9 @@ impl Sentence for LibraryError {
                 say!(library_folder_not_made, folder = path(folder), reason = source.to_string())
             }
             LibraryError::Recipe(e) => e.sentence(),
-            LibraryError::Unwritable { name, source } => say!(library_not_serialized, name, reason = source.to_string()),
+            LibraryError::Unwritable { name, source } => {
+                say!(library_not_serialized, name, reason = source.to_string())
+            }
             LibraryError::Write(e) => e.sentence(),
             LibraryError::Unknown { name } => say!(library_unknown, name),
             LibraryError::Rename { file, source } => {

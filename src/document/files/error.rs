@@ -75,7 +75,7 @@ pub enum JobError {
         /// The job file.
         file: String,
     },
-    /// The job cannot be put into words of its file.
+    /// The job cannot be turned into TOML.
     #[error("job not serialized")]
     Unwritable(#[source] toml::ser::Error),
     /// A file cannot be written.

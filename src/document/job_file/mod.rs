@@ -4,6 +4,7 @@
 //! What a file of an older version means is told in `version`.
 
 mod error;
+mod tables;
 mod version;
 
 pub use error::JobFileError;
@@ -15,19 +16,18 @@ use super::model::{
 };
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
-use super::start_from::StartFrom;
 use crate::beam::{Obstacle, Optics};
-use crate::part::{SurfaceEdit, SurfaceId};
-use crate::pose::tilt::Side;
-use crate::pose::{Pin, Tilt, TiltRule};
+use crate::part::SurfaceId;
+use crate::pose::{Pin, TiltRule};
 use crate::process::DoseParameters;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::collections::{BTreeMap, BTreeSet};
+use tables::{CleanTable, PinRow, StartRow, SurfaceTable, TiltRow};
 
 /// A job as its file has it, in the order of the file.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct JobFile {
+struct JobTables {
     version: i64,
     part: PartFile,
     surfaces: SurfaceTable,
@@ -53,74 +53,6 @@ struct JobFile {
     starts: Vec<StartRow>,
 }
 
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct SurfaceTable {
-    angle_deg: f64,
-    min_area_mm2: f64,
-    hysteresis_deg: f64,
-    flipped: Vec<SurfaceId>,
-    names: BTreeMap<String, String>,
-    edits: Vec<SurfaceEdit>,
-}
-
-impl Default for SurfaceTable {
-    fn default() -> Self {
-        SurfaceTable::new(&SurfaceParameters::default(), &Settings::default())
-    }
-}
-
-impl SurfaceTable {
-    fn new(parameters: &SurfaceParameters, settings: &Settings) -> SurfaceTable {
-        let named = settings.iter().filter(|(_, s)| !s.name.is_empty());
-        SurfaceTable {
-            angle_deg: parameters.angle_deg,
-            min_area_mm2: parameters.min_area_mm2,
-            hysteresis_deg: parameters.hysteresis_deg,
-            flipped: settings.having(|s| s.flipped),
-            names: named.map(|(id, s)| (id.to_string(), s.name.clone())).collect(),
-            edits: parameters.edits.clone(),
-        }
-    }
-}
-
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct CleanTable {
-    surfaces: Chosen,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    later: Vec<SurfaceId>,
-}
-
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct TiltRow {
-    surface: SurfaceId,
-    preferred: Tilt,
-    least_deg: f64,
-    forbidden: Vec<Side>,
-}
-
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct PinRow {
-    surface: SurfaceId,
-    line: u32,
-    at_mm: f64,
-    tilt: Tilt,
-}
-
-/// Where the lines of one surface start.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StartRow {
-    surface: SurfaceId,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    border: Option<StartFrom>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    centre_mm: Option<[f64; 3]>,
-}
-
 /// The job that the bytes of a file hold.
 ///
 /// # Errors
@@ -137,7 +69,7 @@ pub fn parse(text: &str) -> Result<Job, JobFileError> {
     let table: toml::Table = toml::from_str(text)?;
     version::of(&table)?;
     // The text knows its lines, which the table does not.
-    toml::from_str::<JobFile>(text)?;
+    toml::from_str::<JobTables>(text)?;
     Job::try_from(table)
 }
 
@@ -147,7 +79,7 @@ impl TryFrom<toml::Table> for Job {
     fn try_from(mut table: toml::Table) -> Result<Job, JobFileError> {
         let version = version::of(&table)?;
         version::fill_defaults(version, &mut table)?;
-        let file: JobFile = table.try_into()?;
+        let file: JobTables = table.try_into()?;
         let settings = file.settings(version)?;
         let s = file.surfaces;
         Ok(Job {
@@ -180,12 +112,13 @@ impl<'de> Deserialize<'de> for Job {
 
 impl Serialize for Job {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        JobFile::from(self.clone()).serialize(s)
+        JobTables::from(self.clone()).serialize(s)
     }
 }
 
-impl JobFile {
-    /// The lists by surface. In a job of version 1 a second rule for a surface is passed over, as it always was.
+impl JobTables {
+    /// What the lists say, by surface. In a job of version 1 a second tilt rule for a surface is passed over, as it
+    /// always was.
     fn settings(&self, version: i64) -> Result<Settings, JobFileError> {
         let mut of: BTreeMap<SurfaceId, SurfaceSettings> = BTreeMap::new();
         if let Some(surface) = self.clean.surfaces.repeated() {
@@ -219,8 +152,8 @@ impl JobFile {
             if !started.insert(s.surface) {
                 return Err(JobFileError::Twice { key: "starts", surface: s.surface });
             }
-            let own = of.entry(s.surface).or_default();
-            (own.border, own.centre_mm) = (s.border, s.centre_mm);
+            let settings = of.entry(s.surface).or_default();
+            (settings.border, settings.centre_mm) = (s.border, s.centre_mm);
         }
         Ok(Settings::new(self.clean.surfaces == Chosen::All, of))
     }
@@ -232,17 +165,17 @@ fn id_of(key: &'static str, text: &str) -> Result<SurfaceId, JobFileError> {
     number.map(SurfaceId).ok_or_else(|| JobFileError::NoNumber { key, text: text.into() })
 }
 
-impl From<Job> for JobFile {
-    fn from(job: Job) -> JobFile {
+impl From<Job> for JobTables {
+    fn from(job: Job) -> JobTables {
         let all = &job.settings;
-        let silent = TiltRule::default();
-        let tilts = all.iter().filter(|(_, s)| s.tilt != silent).map(|(surface, s)| {
+        let free = TiltRule::default();
+        let tilts = all.iter().filter(|(_, s)| s.tilt != free).map(|(surface, s)| {
             let TiltRule { preferred, least_deg, forbidden } = s.tilt.clone();
             TiltRow { surface, preferred, least_deg, forbidden }
         });
         let pin = |surface, p: &Pin| PinRow { surface, line: p.line, at_mm: p.at_mm, tilt: p.tilt };
         let starts = all.iter().filter(|(_, s)| s.border.is_some() || s.centre_mm.is_some());
-        JobFile {
+        JobTables {
             version: version::WRITTEN,
             surfaces: SurfaceTable::new(&job.surfaces, all),
             clean: CleanTable { surfaces: all.choice(), later: all.having(|s| s.later) },

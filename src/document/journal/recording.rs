@@ -46,7 +46,7 @@ impl Journal {
         Ok(())
     }
 
-    /// Nothing is unsaved, or the operator gives it up.
+    /// Removes what is kept: nothing is unsaved, or the operator gives it up.
     ///
     /// # Errors
     /// The state cannot be removed.

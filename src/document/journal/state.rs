@@ -54,17 +54,17 @@ impl State {
             named => {
                 let file = files::part_file(&job, job_path).unwrap_or_else(|_| files::resolved(job_path, named));
                 files::whole(&file)?
-            },
+            }
         };
         let edited_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |t| t.as_secs());
         let about = About { edited_s, job_file, part_file, text_sha256: String::new() };
         Ok(State { about, job })
     }
 
-    /// Whether they differ in time at most.
+    /// Whether two states differ in the time of the last edit at most.
     pub(super) fn differs_in_time_at_most(&self, other: &State) -> bool {
-        let told = |s: &State| (s.about.job_file.clone(), s.about.part_file.clone());
-        told(self) == told(other) && self.job == other.job
+        let files = |s: &State| (s.about.job_file.clone(), s.about.part_file.clone());
+        files(self) == files(other) && self.job == other.job
     }
 
     /// The state as text.

@@ -21,7 +21,7 @@ pub enum LibraryError {
     /// The recipe is not fit to be kept.
     #[error(transparent)]
     Recipe(#[from] RecipeFileError),
-    /// The recipe cannot be put into words of its file.
+    /// The recipe cannot be turned into TOML.
     #[error("recipe {name:?} not serialized")]
     Unwritable {
         /// Name of the recipe.

@@ -227,7 +227,14 @@ mod tests {
         assert_eq!(library.kept.len(), 1);
         let broken: Vec<_> = library.broken.iter().map(|b| (b.file.clone(), &b.why)).collect();
         let file = |name: &str| folder.path().join(name);
-        let [(b, RecipeFileError::Toml(_)), (c, RecipeFileError::Value(key)), (d, RecipeFileError::Value(value)), (e, taken), (f, RecipeFileError::NoName)] = &broken[..] else {
+        let [
+            (b, RecipeFileError::Toml(_)),
+            (c, RecipeFileError::Value(key)),
+            (d, RecipeFileError::Value(value)),
+            (e, taken),
+            (f, RecipeFileError::NoName),
+        ] = &broken[..]
+        else {
             panic!("{broken:?}")
         };
         assert_eq!([b, c, d, e, f], ["b.toml", "c.toml", "d.toml", "e.toml", "f.toml"].map(file).each_ref());
