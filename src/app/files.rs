@@ -11,7 +11,7 @@ use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
 use crate::progress::Activity;
-use crate::text::Sentence as _;
+use crate::text::Sentence;
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -143,7 +143,7 @@ impl App {
                 self.session.said.clear();
                 self.question = Some(Question::ExportOver { dir, conflicts });
             }
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
     }
 

@@ -2,13 +2,14 @@
 
 use super::Failure;
 use crate::cell::{Mount, Spin};
+use crate::document::files::build_part;
 use crate::document::{Chosen, Edit, Job, Offset, Parameter, RecutAnchor, segmented};
 use crate::part::{Source, Units};
 use crate::path::{Direction, DirectionError, Order, Strategy};
 use crate::pose::Correction;
 use crate::progress::Progress;
-use crate::text::Sentence as _;
-use std::path::PathBuf;
+use crate::text::Sentence;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What can be overridden; what is not given stays as in the job, or its default.
@@ -171,13 +172,12 @@ impl PlanOptions {
 
 /// Cuts the surfaces anew as the window does: what the job says of them is carried over to their new numbers.
 fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<(), Failure> {
-    let of = &job.part;
-    let built = source.part(of.units, &of.placement, &of.flipped_shells, &Progress::default());
+    let built = build_part(source, &job.part, Path::new(&job.part.file), &Progress::default());
     // Nobody can have cancelled it.
     let part = built.map_err(Failure::failed)?.unwrap_or_default();
     let anchor = RecutAnchor { job: job.clone(), surfaces: Arc::new(segmented(&part, job)) };
     for lost in Edit::recut(&part, &anchor, p, value).apply(job, &[]) {
-        eprintln!("{lost}");
+        eprintln!("{}", lost.sentence());
     }
     Ok(())
 }
@@ -227,7 +227,7 @@ fn surfaces(text: &str) -> Result<Chosen, String> {
     }
     let list: Result<Vec<u32>, _> = text.split(',').map(|n| n.trim().parse()).collect();
     let chosen: Chosen = word(text, list.ok(), "all, or surface numbers like 4,1")?.into();
-    match chosen.twice() {
+    match chosen.repeated() {
         Some(surface) => Err(format!("surface {surface} stands twice in the list; name it once")),
         None => Ok(chosen),
     }

@@ -1,7 +1,6 @@
 //! The job: everything an operator decides. What can be computed is not in it. As TOML it is written by
 //! `job_file`.
 
-use super::job_file::JobFile;
 use super::recipe::Recipe;
 use super::remembered::Remembered;
 use super::settings::Settings;
@@ -14,8 +13,7 @@ use crate::process::DoseParameters;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 /// A job. Lengths mm, angles degrees.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "toml::Table", into = "JobFile")]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Job {
     /// The part's file and how it stands.
     pub part: PartFile,

@@ -3,7 +3,6 @@
 use super::model::Job;
 use super::parameter::PARAMETERS;
 use super::recipe::Recipe;
-use super::start_from::StartFrom;
 use crate::path::Strategy;
 
 /// One value under every recipe.
@@ -45,7 +44,9 @@ pub fn rows(job: &Job, recipes: &[Option<&Recipe>]) -> Vec<Row> {
         row("Lines", &|j| j.layers.order.word().into(), &|r| r.order.is_some()),
     ];
     if under.iter().any(|(_, j)| j.layers.strategy == Strategy::Offset) {
-        let text = |j: &Job| StartFrom::from(j.layers.border).to_string();
+        let text = |j: &Job| {
+            j.layers.border.map_or_else(|| "whole outline".into(), |b| format!("border {}", b.saturating_add(1)))
+        };
         rows.push(row("Starts from", &text, &|r| r.border.is_some()));
     }
     if under.iter().any(|(_, j)| j.layers.strategy == Strategy::Spiral) {

@@ -1,5 +1,5 @@
-//! Another crease angle, island area or hysteresis: the surfaces are others, and take over what is said of those
-//! that they were.
+//! Edits that cut the surfaces anew: another crease angle, island area or hysteresis. The new surfaces take over what
+//! is said of the old ones that they cover.
 
 use super::edit::Edit;
 use super::model::{Job, segmented};

@@ -8,7 +8,6 @@ use super::model::Job;
 use super::settings::{Settings, SurfaceSettings};
 use crate::part::{SurfaceId, Surfaces};
 use std::collections::BTreeMap;
-use std::fmt;
 
 /// What becomes of surfaces: old number → new ones.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,20 +43,6 @@ pub struct Lost {
     pub border: bool,
 }
 
-/// As a sentence without its full stop.
-impl fmt::Display for Lost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Lost { surface, pins, border } = self;
-        match (pins, border) {
-            (0, _) => write!(f, "the border of surface {surface} was dropped"),
-            (1, false) => write!(f, "1 pinned tilt of surface {surface} was dropped"),
-            (_, false) => write!(f, "{pins} pinned tilts of surface {surface} were dropped"),
-            (1, true) => write!(f, "1 pinned tilt and the border of surface {surface} were dropped"),
-            (_, true) => write!(f, "{pins} pinned tilts and the border of surface {surface} were dropped"),
-        }
-    }
-}
-
 impl Renumbering {
     /// Surfaces become one under the lowest of their numbers; all of them exist. One alone stays what it is.
     pub fn merged(surfaces: &[SurfaceId]) -> Renumbering {
@@ -80,7 +65,7 @@ impl Renumbering {
         Renumbering { heirs, others_stay: true }
     }
 
-    /// The same facets are cut into other surfaces: each takes over what most of its area was. Numbers that were no
+    /// The facets of a part are cut into other surfaces: each takes over what most of its area was. Numbers that were no
     /// surface's are gone. `areas_mm2` are those of the facets.
     pub fn by_area(areas_mm2: &[f64], before: &Surfaces, after: &Surfaces) -> Renumbering {
         let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>> = before.ids().map(|id| (id, Vec::new())).collect();
@@ -100,7 +85,7 @@ impl Renumbering {
         Renumbering { heirs, others_stay: false }
     }
 
-    /// The same surfaces on a part whose file has changed: old number → new one. Those that are not named are gone.
+    /// Surfaces of a part whose file has changed: old number → new one. Those that are not named are gone.
     pub fn found(numbers: &BTreeMap<SurfaceId, SurfaceId>) -> Renumbering {
         let heirs = numbers.iter().map(|(old, new)| (*old, vec![(*new, Takes::All)])).collect();
         Renumbering { heirs, others_stay: false }
@@ -152,7 +137,7 @@ fn inherited(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
         let (recipe, tilt) = (of.recipe.clone(), of.tilt.clone());
         return SurfaceSettings { recipe, tilt, flipped: of.flipped, ..SurfaceSettings::default() };
     }
-    let mut own = of_most(parents);
+    let mut own = by_majority(parents);
     for (joined, _) in parents.iter().filter(|(_, takes)| *takes == Takes::Joined) {
         if own.name.is_empty() {
             own.name.clone_from(&joined.name);
@@ -166,8 +151,8 @@ fn inherited(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
     own
 }
 
-/// What most of the area had; nothing of what the smaller half or no half had.
-fn of_most(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
+/// What surfaces of more than half the area had, property by property; else the default.
+fn by_majority(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
     fn most<T: PartialEq + Clone + Default>(
         parents: &[(&SurfaceSettings, Takes)],
         get: impl Fn(&SurfaceSettings) -> T,

@@ -5,7 +5,7 @@ use super::super::{App, Command, theme};
 use crate::cell::{Mount, Robot, Spin};
 use crate::document::Edit;
 use crate::program::dialects::DIALECTS;
-use crate::text::Sentence as _;
+use crate::text::Sentence;
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;
 

@@ -82,13 +82,13 @@ impl App {
     /// The centre of the surface's spiral goes to the place that was right clicked.
     pub(in super::super) fn put_spiral_centre(&mut self) {
         let Some((surface, at)) = self.spiral_place() else { return };
-        self.edit(Edit::OwnCentre(SurfaceId(surface), Some(at)));
+        self.edit(Edit::SurfaceCentre(SurfaceId(surface), Some(at)));
     }
 
     /// The surface's offset lines start from the border nearest to the place that was right clicked.
     pub(in super::super) fn start_from_border(&mut self) {
         let Some((surface, index)) = self.border_place() else { return };
-        self.edit(Edit::OwnBorder(SurfaceId(surface), Some(StartFrom::Border(index))));
+        self.edit(Edit::SurfaceBorder(SurfaceId(surface), Some(StartFrom::Border(index))));
     }
 
     /// The place that was right clicked, if the surface there is worked in a spiral.
