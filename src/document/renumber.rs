@@ -100,16 +100,16 @@ impl Renumbering {
             }
         }
         let mut lost = Vec::new();
-        for (old, own) in settings.iter() {
+        for (old, before) in settings.iter() {
             match self.heirs.get(&old) {
                 // A number that was no surface's does not go before the piece that gets it.
                 None if self.others_stay && !parents.contains_key(&old) => {
-                    parents.entry(old).or_default().push((own, Takes::All))
+                    parents.entry(old).or_default().push((before, Takes::All))
                 }
                 heirs => {
                     let stays = heirs.is_some_and(|h| h.iter().any(|(_, takes)| *takes == Takes::All));
-                    if !stays && (own.border.is_some() || !own.pins.is_empty()) {
-                        lost.push(Lost { surface: old, pins: own.pins.len(), border: own.border.is_some() });
+                    if !stays && (before.border.is_some() || !before.pins.is_empty()) {
+                        lost.push(Lost { surface: old, pins: before.pins.len(), border: before.border.is_some() });
                     }
                 }
             }
@@ -130,25 +130,25 @@ impl Job {
 
 /// What a surface has from those that went into it, in the order of their numbers.
 fn inherited(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
-    if let Some((own, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
-        return (*own).clone();
+    if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
+        return (*parent).clone();
     }
-    if let Some((of, _)) = parents.iter().find(|(_, takes)| *takes == Takes::Cut) {
-        let (recipe, tilt) = (of.recipe.clone(), of.tilt.clone());
-        return SurfaceSettings { recipe, tilt, flipped: of.flipped, ..SurfaceSettings::default() };
+    if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::Cut) {
+        let (recipe, tilt) = (parent.recipe.clone(), parent.tilt.clone());
+        return SurfaceSettings { recipe, tilt, flipped: parent.flipped, ..SurfaceSettings::default() };
     }
-    let mut own = by_majority(parents);
+    let mut merged = by_majority(parents);
     for (joined, _) in parents.iter().filter(|(_, takes)| *takes == Takes::Joined) {
-        if own.name.is_empty() {
-            own.name.clone_from(&joined.name);
+        if merged.name.is_empty() {
+            merged.name.clone_from(&joined.name);
         }
-        own.later = false;
-        own.work = own.work.into_iter().chain(joined.work).min();
-        own.tilt.forbidden.extend(&joined.tilt.forbidden);
-        own.tilt.forbidden.sort_unstable();
-        own.tilt.forbidden.dedup();
+        merged.later = false;
+        merged.work = merged.work.into_iter().chain(joined.work).min();
+        merged.tilt.forbidden.extend(&joined.tilt.forbidden);
+        merged.tilt.forbidden.sort_unstable();
+        merged.tilt.forbidden.dedup();
     }
-    own
+    merged
 }
 
 /// What surfaces of more than half the area had, property by property; else the default.

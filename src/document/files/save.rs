@@ -99,9 +99,9 @@ pub fn to_toml(job: &Job) -> Result<String, JobError> {
 pub fn save(job: &Job, from: Option<&JobFile>, to: &Path, if_changed: IfChanged) -> Result<(Job, JobFile), JobError> {
     let job = rebased(job, from.map(|f| f.path.as_path()), to)?;
     let text = to_toml(&job)?;
-    if let Some(own) = from.filter(|f| is_same_file(&f.path, to))
+    if let Some(opened) = from.filter(|f| is_same_file(&f.path, to))
         && if_changed == IfChanged::Refuse
-        && own.state() == FileState::Changed
+        && opened.state() == FileState::Changed
     {
         return Err(JobError::ChangedOnDisk { file: to.display().to_string() });
     }
