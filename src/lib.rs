@@ -70,6 +70,7 @@ pub mod cell;
 pub mod cli;
 pub mod document;
 pub mod fit;
+pub mod number_fields;
 pub mod part;
 pub mod path;
 pub mod picture;

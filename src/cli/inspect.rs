@@ -4,7 +4,10 @@ use super::{Failure, Outcome, print};
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
 use crate::part::{Placement, Units, load};
+use crate::text::parameter::refused_option;
 use std::path::PathBuf;
+
+const ANGLE: &Parameter = Parameter::named("surfaces.angle_deg");
 
 /// Options of `inspect`.
 #[derive(clap::Args, Debug)]
@@ -12,10 +15,10 @@ pub struct Arguments {
     /// The part
     part: PathBuf,
     /// Crease angle, degrees
-    #[arg(long, value_name = "DEG", default_value_t = 20.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG", default_value_t = ANGLE.default, allow_negative_numbers = true)]
     angle: f64,
     /// Unit of the file: mm, m or inch
-    #[arg(long, default_value = "mm", value_parser = super::options::units)]
+    #[arg(long, default_value = "mm", value_parser = super::word_options::units)]
     units: Units,
     /// Print JSON
     #[arg(long)]
@@ -24,9 +27,7 @@ pub struct Arguments {
 
 /// Reads the part and prints what was found.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    if let Some(p) = Parameter::by_option("angle") {
-        p.check(a.angle).map_err(Failure::Usage)?;
-    }
+    ANGLE.check(a.angle).map_err(|e| Failure::Usage(refused_option(&e)))?;
     let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(anyhow::Error::from)?;
     let mut job = Job::default();
     job.surfaces.angle_deg = a.angle;

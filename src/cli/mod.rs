@@ -6,10 +6,12 @@
 mod changed;
 mod inspect;
 mod legend;
+mod number_options;
 mod options;
 mod plan;
 mod render;
 mod verify;
+mod word_options;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;

@@ -8,6 +8,7 @@ use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::report::hours;
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
+use crate::text::Sentence as _;
 use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -113,10 +114,11 @@ fn refused(e: PlanningError) -> Failure {
     match &e {
         PlanningError::Plan(planning::Failure::Refused(
             PlanError::Parameter(_)
+            | PlanError::Unwritable(_)
             | PlanError::NoSurface { .. }
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },
-        )) => Failure::Usage(e.to_string()),
+        )) => Failure::Usage(e.sentence()),
         _ => Failure::Failed(e.into()),
     }
 }

@@ -145,8 +145,7 @@ impl Edit {
         };
         match self {
             Edit::Set(key, _) | Edit::Recut { key, .. } => {
-                let label = Parameter::by_key(key).map_or(*key, |p| p.label);
-                format!("change {}", label.to_lowercase())
+                format!("change {key}")
             }
             Edit::Direction(_) => "change direction".into(),
             Edit::Offset(_) => "change first offset".into(),
@@ -259,7 +258,7 @@ impl Edit {
 
 fn set(job: &mut Job, key: &str, value: f64) {
     if let Some(p) = Parameter::by_key(key) {
-        (p.set)(job, value);
+        job.set_number(p, value);
     }
 }
 

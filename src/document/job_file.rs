@@ -4,15 +4,13 @@
 //! What a file of an older version means is told in `version`.
 
 use super::chosen::Chosen;
-use super::model::{
-    BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceParameters,
-};
+use super::model::{BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceTable};
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use super::start_from::StartFrom;
 use super::version;
 use crate::beam::{Obstacle, Optics};
-use crate::part::{SurfaceEdit, SurfaceId};
+use crate::part::SurfaceId;
 use crate::pose::tilt::Side;
 use crate::pose::{Pin, Tilt, TiltRule};
 use crate::process::DoseParameters;
@@ -83,37 +81,6 @@ pub(super) struct JobFile {
     starts: Vec<StartRow>,
 }
 
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct SurfaceTable {
-    angle_deg: f64,
-    min_area_mm2: f64,
-    hysteresis_deg: f64,
-    flipped: Vec<SurfaceId>,
-    names: BTreeMap<String, String>,
-    edits: Vec<SurfaceEdit>,
-}
-
-impl Default for SurfaceTable {
-    fn default() -> Self {
-        SurfaceTable::new(&SurfaceParameters::default(), &Settings::default())
-    }
-}
-
-impl SurfaceTable {
-    fn new(parameters: &SurfaceParameters, settings: &Settings) -> SurfaceTable {
-        let named = settings.iter().filter(|(_, s)| !s.name.is_empty());
-        SurfaceTable {
-            angle_deg: parameters.angle_deg,
-            min_area_mm2: parameters.min_area_mm2,
-            hysteresis_deg: parameters.hysteresis_deg,
-            flipped: settings.having(|s| s.flipped),
-            names: named.map(|(id, s)| (id.to_string(), s.name.clone())).collect(),
-            edits: parameters.edits.clone(),
-        }
-    }
-}
-
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct CleanTable {
@@ -171,15 +138,9 @@ impl TryFrom<toml::Table> for Job {
         version::grant(version, &mut table)?;
         let file: JobFile = table.try_into()?;
         let settings = file.settings(version)?;
-        let s = file.surfaces;
         Ok(Job {
             part: file.part,
-            surfaces: SurfaceParameters {
-                angle_deg: s.angle_deg,
-                min_area_mm2: s.min_area_mm2,
-                hysteresis_deg: s.hysteresis_deg,
-                edits: s.edits,
-            },
+            surfaces: file.surfaces.into_parameters(),
             settings,
             layers: file.layers,
             beam: file.beam,

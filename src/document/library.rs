@@ -190,7 +190,7 @@ fn checked(recipe: &Recipe) -> Result<(), String> {
     if recipe.name.trim().is_empty() {
         return Err("the recipe has no name".into());
     }
-    recipe.check()
+    recipe.check().map_err(|e| e.to_string())
 }
 
 /// A file that is not there yet, named after a recipe.

@@ -2,7 +2,7 @@
 //! of the border that the job has.
 
 use super::model::Job;
-use crate::part::SurfaceId;
+use crate::part::{Hasher, Keyed, SurfaceId};
 use crate::path::Strategy;
 use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
 use serde::{Serialize, Serializer};
@@ -26,6 +26,15 @@ impl StartFrom {
         match self {
             StartFrom::Whole => None,
             StartFrom::Border(b) => Some(b),
+        }
+    }
+}
+
+impl Keyed for StartFrom {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            StartFrom::Whole => "whole".feed(into),
+            StartFrom::Border(border) => border.feed(into),
         }
     }
 }

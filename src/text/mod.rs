@@ -8,11 +8,14 @@
 mod bundle;
 mod cell;
 mod document;
-mod messages;
+pub(crate) mod messages;
 mod number;
+pub mod parameter;
 mod part;
 mod planning;
 mod program;
+pub(crate) mod recipe_table;
+mod values;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
