@@ -266,7 +266,7 @@ impl App {
 
     /// Sets a number of the parameter table. One that cuts the surfaces anew carries over what is said of them.
     pub(super) fn set_parameter(&mut self, p: &'static Parameter, value: f64) {
-        if !p.recuts {
+        if !p.recuts() {
             self.edit_dragging(&Edit::Set(p.key, value), p.key);
             return;
         }

@@ -269,7 +269,7 @@ impl Edit {
 
 fn set(job: &mut Job, key: &str, value: f64) {
     if let Some(p) = Parameter::by_key(key) {
-        (p.set)(job, value);
+        job.set_number(p, value);
     }
 }
 

@@ -6,13 +6,13 @@
 
 pub mod bead;
 pub mod changed_part;
+pub mod check;
 mod chosen;
 mod cutting;
 pub mod edit;
 pub mod files;
 pub mod job_file;
 pub mod journal;
-mod keys;
 mod landmarks;
 pub mod library;
 pub mod model;
@@ -31,7 +31,9 @@ pub mod start_from;
 pub mod undo;
 pub mod users_folder;
 
+pub use bead::BeadError;
 pub use changed_part::{CarriedOver, LostSurface};
+pub use check::ValueError;
 pub use chosen::Chosen;
 pub use edit::Edit;
 pub use files::save::{self, FileState, IfChanged, JobFile};
@@ -40,8 +42,8 @@ pub use job_file::JobFileError;
 pub use journal::Journal;
 pub use library::{Forgotten, Library};
 pub use model::{Job, Offset, segmented};
-pub use parameter::{PARAMETERS, Parameter};
-pub use recipe::Recipe;
+pub use parameter::{PARAMETERS, Parameter, ParameterError};
+pub use recipe::{Recipe, RecipeError};
 pub use recut::RecutAnchor;
 pub use remembered::Remembered;
 pub use renumber::{Lost, Renumbering};

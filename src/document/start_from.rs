@@ -1,6 +1,7 @@
 //! What offset lines start from, as a recipe or a surface names it: one border of the surface, or its whole outline
 //! in place of the border that the job has.
 
+use crate::part::{Hasher, Keyed};
 use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -23,6 +24,15 @@ impl StartFrom {
         match self {
             StartFrom::Whole => None,
             StartFrom::Border(b) => Some(b),
+        }
+    }
+}
+
+impl Keyed for StartFrom {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            StartFrom::Whole => "whole".feed(into),
+            StartFrom::Border(border) => border.feed(into),
         }
     }
 }

@@ -8,10 +8,11 @@ use crate::beam::Stance;
 use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, Why, choose_again};
 use crate::cell::{Joints, Robot, Setup};
+use crate::document::ValueError;
 use crate::document::model::Job;
-use crate::document::parameter;
 use crate::part::{Grown, Part, SurfaceId, Surfaces};
 use crate::pose::{Pass, State};
+use crate::program::dialect::WriteError;
 use crate::program::drive::{Drive, Known};
 use crate::program::lit::Straight;
 use crate::program::steps::{Steps, steps};
@@ -50,9 +51,12 @@ pub struct Plan {
 /// Why there is no plan.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum PlanError {
-    /// A number is out of range.
-    #[error("{0}")]
-    Parameter(String),
+    /// A value of the job that cannot be.
+    #[error(transparent)]
+    Parameter(#[from] ValueError),
+    /// What the cell asks for cannot be written in the dialect.
+    #[error(transparent)]
+    Unwritable(#[from] WriteError),
     /// A surface that is not there.
     #[error("surface {surface} does not exist: the part has surfaces {known}; look at `clearbeam inspect`")]
     NoSurface {
@@ -128,7 +132,7 @@ pub(super) fn prepared<'a>(
     surfaces: &Surfaces,
     job: &'a Job,
 ) -> Result<(Vec<u32>, layer::Own<'a>), PlanError> {
-    parameter::check_all(job).map_err(PlanError::Parameter)?;
+    job.check()?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
     let own: layer::Own<'_> = list.iter().map(|&n| (n, job.of_surface(SurfaceId(n)))).collect();
@@ -152,7 +156,7 @@ pub fn plan(
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
     let (list, own) = prepared(part, surfaces, job)?;
-    dialects::check(&job.cell.dialect, setup).map_err(PlanError::Parameter)?;
+    dialects::check(&job.cell.dialect, setup).map_err(|what| PlanError::Unwritable(WriteError::Rule(what)))?;
     let grown = layer::parts(part, surfaces, &own)?;
     let mut kept = Kept::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());

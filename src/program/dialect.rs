@@ -30,7 +30,7 @@ pub struct ProgramFile {
 }
 
 /// Why a program cannot be written.
-#[derive(Debug, Error, PartialEq, Eq)]
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum WriteError {
     /// The controller takes joint angles, and without a robot there are none.
     #[error("a {0} program needs a robot; give --robot")]

@@ -1,5 +1,6 @@
 //! What *Undo* and *Redo* call a step.
 
+use super::parameter::label;
 use super::{Arg, Sentence, id, say};
 use crate::document::{Edit, Parameter, Step};
 use crate::part::SurfaceId;
@@ -74,7 +75,7 @@ fn first(list: &[SurfaceId]) -> Arg<'static> {
 
 /// A parameter within a sentence.
 fn parameter(key: &str) -> String {
-    Parameter::by_key(key).map_or(key, |p| p.label).to_lowercase()
+    Parameter::by_key(key).map_or_else(|| key.to_owned(), label).to_lowercase()
 }
 
 #[cfg(test)]

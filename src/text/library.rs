@@ -40,7 +40,7 @@ impl Sentence for RecipeFileError {
             RecipeFileError::Toml(source) => one_line(source),
             RecipeFileError::NoName => say!(recipe_no_name),
             RecipeFileError::NameTaken { name, other } => say!(recipe_name_taken, name, other = path(other)),
-            RecipeFileError::Value(what) => what.clone(),
+            RecipeFileError::Value(e) => e.sentence(),
         }
     }
 }

@@ -20,6 +20,7 @@ mod library;
 pub(crate) mod messages;
 mod motion;
 mod number;
+pub mod parameter;
 mod part;
 mod path;
 mod picture;
@@ -27,8 +28,10 @@ mod planning;
 mod pose;
 mod program;
 mod progress;
+pub(crate) mod recipe_table;
 mod robot;
 mod sample;
+mod values;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};

@@ -25,7 +25,11 @@ impl Sentence for PartError {
 
 impl Sentence for PlanError {
     fn sentence(&self) -> String {
-        self.to_string()
+        match self {
+            PlanError::Parameter(e) => e.sentence(),
+            PlanError::Unwritable(e) => e.sentence(),
+            other => other.to_string(),
+        }
     }
 }
 

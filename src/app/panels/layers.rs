@@ -3,6 +3,7 @@
 use super::super::{App, quantity, theme};
 use super::fields::{self, Change, JOB};
 use super::laying;
+use crate::document::parameter::Group;
 use crate::document::{Edit, Offset, StartFrom};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
@@ -20,7 +21,7 @@ impl App {
             self.edit_dragging(&Edit::Direction(d), "direction");
         }
         match l.strategy {
-            Strategy::Cross => self.numbers(ui, &["layers.cross_deg"]),
+            Strategy::Cross => self.numbers(ui, Group::Cross),
             Strategy::Offset => {
                 if let Some(Change::To(start)) = laying::border(ui, JOB, l.border.into(), None) {
                     self.edit_dragging(&Edit::Border(start.border()), "border");
@@ -37,9 +38,9 @@ impl App {
             Strategy::Planes | Strategy::Adaptive => {}
         }
         self.own_starts(ui);
-        self.numbers(ui, &["layers.spacing_mm"]);
+        self.numbers(ui, Group::Spacing);
         if let Some(mm) = fields::overlap(ui, JOB, self.document.job()) {
-            self.edit_dragging(&Edit::Set("layers.spacing_mm", mm), "overlap");
+            self.edit_dragging(&Edit::Set(fields::SPACING.key, mm), "overlap");
         }
         if matches!(l.strategy, Strategy::Planes | Strategy::Cross) {
             self.offset(ui);
@@ -48,8 +49,7 @@ impl App {
             self.edit(Edit::Order(order));
         }
         egui::CollapsingHeader::new("Rim, joins, passes").show(ui, |ui| {
-            self.numbers(ui, &["layers.inset_mm", "layers.ignore_holes_mm", "layers.join_mm", "layers.shortest_mm"]);
-            self.numbers(ui, &["layers.seam_shift_mm", "layers.passes"]);
+            self.numbers(ui, Group::Rim);
         });
         self.bead(ui);
     }

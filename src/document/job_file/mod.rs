@@ -11,9 +11,7 @@ pub use error::JobFileError;
 pub use version::WRITTEN;
 
 use super::chosen::Chosen;
-use super::model::{
-    BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceParameters,
-};
+use super::model::{BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceTable};
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use crate::beam::{Obstacle, Optics};
@@ -22,7 +20,7 @@ use crate::pose::{Pin, TiltRule};
 use crate::process::DoseParameters;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::collections::{BTreeMap, BTreeSet};
-use tables::{CleanTable, PinRow, StartRow, SurfaceTable, TiltRow};
+use tables::{CleanTable, PinRow, StartRow, TiltRow};
 
 /// A job as its file has it, in the order of the file.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -81,15 +79,9 @@ impl TryFrom<toml::Table> for Job {
         version::fill_defaults(version, &mut table)?;
         let file: JobTables = table.try_into()?;
         let settings = file.settings(version)?;
-        let s = file.surfaces;
         Ok(Job {
             part: file.part,
-            surfaces: SurfaceParameters {
-                angle_deg: s.angle_deg,
-                min_area_mm2: s.min_area_mm2,
-                hysteresis_deg: s.hysteresis_deg,
-                edits: s.edits,
-            },
+            surfaces: file.surfaces.into_parameters(),
             settings,
             layers: file.layers,
             beam: file.beam,

@@ -1,6 +1,7 @@
 //! Why the library of recipes cannot be changed, and why a file of it is no recipe.
 
 use crate::document::files::JobError;
+use crate::document::recipe::RecipeError;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -90,6 +91,6 @@ pub enum RecipeFileError {
         other: PathBuf,
     },
     /// A value that recipes do not hold, or that is out of range.
-    #[error("{0}")]
-    Value(String),
+    #[error(transparent)]
+    Value(#[from] RecipeError),
 }

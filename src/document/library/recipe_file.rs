@@ -29,7 +29,7 @@ pub(super) fn checked(recipe: &Recipe) -> Result<(), RecipeFileError> {
     if recipe.name.trim().is_empty() {
         return Err(RecipeFileError::NoName);
     }
-    recipe.check().map_err(RecipeFileError::Value)
+    Ok(recipe.check()?)
 }
 
 /// A file of a folder that is not there yet, named after a recipe.
