@@ -7,6 +7,7 @@ use crate::part::Shape;
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
+use crate::text::Sentence as _;
 use std::sync::Arc;
 
 impl App {
@@ -150,9 +151,9 @@ impl App {
                     .into()
             }
             E::Part(Failure::Panicked(_)) | E::Setup(Failure::Panicked(_)) | E::Plan(Failure::Panicked(_)) => {
-                format!("{error}; the job is untouched: save it, and Ctrl+R tries again")
+                format!("{}; the job is untouched: save it, and Ctrl+R tries again", error.sentence())
             }
-            other => other.to_string(),
+            other => other.sentence(),
         })
     }
 }

@@ -5,9 +5,9 @@ use super::{Failure, Outcome, PlanOptions, print};
 use crate::cell::Robot;
 use crate::document::{Chosen, Job, files};
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
-use crate::planning::report::hours;
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
+use crate::text::{Sentence as _, clock, report_lines};
 use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -78,10 +78,10 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let json = serde_json::to_string_pretty(report).map_err(anyhow::Error::from)?;
         print(&format!("{json}\n"));
     } else {
-        let mut text = report.text();
+        let mut text = report_lines(report, &job);
         if let Some(timeline) = &plan.timeline {
             let t = timeline.breakdown();
-            let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(hours);
+            let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(clock);
             text.push_str(&format!("{work} of work, {travel} of travel, {waiting} of waiting\n"));
         }
         for sentence in advice::advice(part, plan, &job, setup, &progress).unwrap_or_default() {
@@ -116,8 +116,8 @@ fn refused(e: PlanningError) -> Failure {
             | PlanError::NoSurface { .. }
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },
-        )) => Failure::Usage(e.to_string()),
-        _ => Failure::Failed(e.into()),
+        )) => Failure::Usage(e.sentence()),
+        _ => Failure::Failed(anyhow!(e.sentence())),
     }
 }
 
@@ -130,7 +130,7 @@ fn not_exported(e: ExportError) -> Failure {
         ExportError::Conflicts { .. } => "; choose another folder",
         _ => "",
     };
-    Failure::Failed(anyhow!("{e}{help}"))
+    Failure::Failed(anyhow!("{}{help}", e.sentence()))
 }
 
 /// A job from a job file, or the job that cleans all of a part.

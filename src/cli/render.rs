@@ -6,6 +6,7 @@ use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
+use crate::text::Sentence as _;
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use anyhow::{Context as _, anyhow};
 use std::io::Cursor;
@@ -66,13 +67,13 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     // A part alone is drawn as it is; what lands on it needs a plan.
     let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
     let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
-        let source = files::read_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+        let source = files::read_part(&job, job_file.as_deref()).map_err(|e| anyhow!(e.sentence()))?;
         let (_, planned) =
-            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(|e| anyhow!(e.sentence()))?;
         let (scene, legend) = planned_scene(&planned, a.color)?;
         (scene, legend, planned.part.mesh.bounds())
     } else {
-        let part = files::load_part(&job, job_file.as_deref()).map_err(anyhow::Error::from)?;
+        let part = files::load_part(&job, job_file.as_deref()).map_err(|e| anyhow!(e.sentence()))?;
         let surfaces = segmented(&part, &job);
         let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
         (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())

@@ -8,16 +8,28 @@
 mod bundle;
 mod cell;
 mod document;
+mod dose;
+mod export;
 mod messages;
+mod naming;
+mod notice;
 mod number;
 mod part;
 mod planning;
 mod program;
+mod remark;
+mod report;
+mod standing;
+mod verify;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
-pub(crate) use number::fixed;
+pub use dose::dose_lines;
+pub use naming::{NamedSentence, Naming};
+pub use notice::{example, notice_line, remedy};
+pub(crate) use number::{clock, fixed, grouped};
+pub use report::report_lines;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {

@@ -6,6 +6,7 @@ use super::super::questions::Question;
 use crate::document::journal::LeftBehind;
 use crate::document::{CarriedOver, IfChanged};
 use crate::planning::export::FileConflict;
+use crate::text::Sentence as _;
 use eframe::egui::{self, Id, Modal, RichText, ScrollArea};
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -170,7 +171,7 @@ fn export_over(ui: &mut egui::Ui, dir: &Path, conflicts: &[FileConflict]) -> Opt
     ui.label(format!("In {} there are files that this export may not replace:", dir.display()));
     ScrollArea::vertical().max_height(200.0).show(ui, |ui| {
         for conflict in conflicts {
-            ui.label(format!("• {conflict}"));
+            ui.label(format!("• {}", conflict.sentence()));
         }
     });
     let mut rows = vec![("Choose another folder…", Answer::OtherFolder)];
