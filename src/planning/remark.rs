@@ -1,5 +1,6 @@
 //! What of lines and program is not as it was wanted, though they are there. Sentences of it stand in `text`.
 
+use crate::path::LinesFinding;
 use serde::Serialize;
 
 /// What is said of a surface's lines, or of its share of the program.
@@ -35,5 +36,5 @@ pub enum LayingRemark {
     },
     /// What the strategy could not do as it was asked.
     #[serde(untagged)]
-    Lines(String),
+    Lines(LinesFinding),
 }

@@ -5,6 +5,11 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// With all digits that it has.
+pub(crate) fn exact(value: f64) -> String {
+    value.to_string()
+}
+
 /// Hours, minutes and seconds: `01:02:03`.
 pub(crate) fn clock(seconds: f64) -> String {
     let s = seconds.max(0.0).round() as u64;
