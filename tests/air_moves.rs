@@ -7,6 +7,7 @@ mod parts;
 use clearbeam::beam::Tool;
 use clearbeam::cell::motion::Why;
 use clearbeam::document::{Job, segmented};
+use clearbeam::planning::remark::Remark;
 use clearbeam::planning::report::Report;
 use clearbeam::pose::checker::CutCone;
 use clearbeam::pose::{Obstruction, ToolBody};
@@ -129,7 +130,7 @@ fn a_lead_into_a_wall_is_left_out_and_told() {
     }
     let said = format!("{lines} lead-ins and lead-outs are left out: something would be touched on them");
     assert_eq!(p.plan.steps.remarks, [(p.plan.passes[0].surface, said.clone())]);
-    assert_eq!(Report::new(&p.plan, &p.surfaces).surfaces[0].remarks, [said]);
+    assert_eq!(Report::new(&p.plan, &p.surfaces).surfaces[0].remarks, [Remark::Program(said)]);
     // Half a millimetre of lead stays in front of it.
     (job.path.lead_in_mm, job.path.lead_out_mm) = (0.5, 0.5);
     assert!(plate_and(&[wall], 10.0, &job, &parts::setup()).plan.steps.remarks.is_empty());

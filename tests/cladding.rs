@@ -4,7 +4,7 @@ use clearbeam::cell::Setup;
 use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces, Units, angle};
 use clearbeam::path::Axis;
-use clearbeam::planning::plan::prover;
+use clearbeam::planning::proof::prover;
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, Cache, Plan, PlanError, export, verify};
 use clearbeam::pose::Correction;
@@ -166,7 +166,7 @@ fn a_robot_lays_layers_too() {
     let case = Case { part, surfaces, job, setup };
     let plan = case.plan();
     let report = Report::new(&plan, &case.surfaces);
-    assert_eq!((report.layers, report.proven), (2, true), "{}", report.text());
+    assert_eq!((report.layers, report.proven), (2, true), "{:?}", report.problems);
     assert!(plan.passes.iter().filter(|p| p.work.layer == 1).any(|p| p.targets.iter().any(|t| t.laser)));
     assert_eq!(case.verified(&plan).findings, []);
 }

@@ -13,7 +13,7 @@ use clearbeam::pose::{Correction, Obstruction, Pass, State, Target};
 use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
-use clearbeam::text::Sentence;
+use clearbeam::text::{Naming, Sentence, dose_lines};
 use nalgebra::{Point3, Vector3};
 use parts::{block, near, part, placed, planned_at, sheet};
 use std::collections::BTreeMap;
@@ -590,7 +590,8 @@ fn a_gap_between_lines_tells_the_spacing_that_closes_it() {
 
     let (p, setup) = (&wide, parts::setup());
     let map = planning::dose(&p.part, &p.surfaces, &p.plan, &p.job, &setup, &Progress::default()).expect("a dose");
-    let text = planning::dose::DoseReport::new(&map, &patches, &p.surfaces).text();
+    let report = planning::dose::DoseReport::new(&map, &patches, &p.surfaces);
+    let text = dose_lines(&report, &Naming::of(&p.job)).join("\n");
     let told = format!("between lines, spacing too wide: give less than {:.2} mm", (100.0 * closer_mm).floor() / 100.0);
     assert!(text.contains("too little: ") && text.contains(&told) && !text.contains("not cleanable"), "{text}");
     assert_eq!(Edit::aside(&patches, &wide.surfaces), None);

@@ -11,7 +11,7 @@ use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
 use crate::progress::Activity;
-use crate::text::Sentence;
+use crate::text::{NamedSentence as _, Naming, Sentence};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -134,9 +134,14 @@ impl App {
         let Some(outcome) = self.exporting.taken() else { return };
         match outcome {
             Ok(exported) => {
-                let nothing = exported.report.findings.iter().find(|f| matches!(f, PlanFinding::NothingPlanned { .. }));
+                let reason = exported.report.findings.iter().find_map(|f| match f {
+                    PlanFinding::NothingPlanned { reason } => Some(reason),
+                    PlanFinding::PartChanged { .. } => None,
+                });
                 let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
-                self.session.said = nothing.map_or_else(|| format!("exported {program}"), PlanFinding::text);
+                let naming = Naming::of(self.document.job());
+                self.session.said =
+                    reason.map_or_else(|| format!("exported {program}"), |reason| reason.sentence_with(&naming));
             }
             Err(Failure::Cancelled) => self.session.said = "the export was cancelled".into(),
             Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {

@@ -6,10 +6,9 @@ use crate::cell::{Robot, Setup};
 use crate::document::{Chosen, Job, files};
 use crate::part::PartFinding;
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
-use crate::planning::report::hours;
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
-use crate::text::{Sentence as _, say};
+use crate::text::{Sentence as _, clock, report_lines, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -52,10 +51,10 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     if a.json {
         print_json(report)?;
     } else {
-        let mut text = report.text();
+        let mut text = report_lines(report, &job);
         if let Some(timeline) = &plan.timeline {
             let t = timeline.breakdown();
-            let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(hours);
+            let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(clock);
             text.push_str(&format!("{}\n", say!(cli_times, work, travel, waiting)));
         }
         text.push_str(&advised(&input, &pipeline));

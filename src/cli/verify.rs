@@ -2,9 +2,10 @@
 
 use super::{Failure, Outcome, print, print_json};
 use crate::document::files;
-use crate::planning::verify::{self, Kind, Verdict};
+use crate::planning::verify::{self, Finding, Kind, Verdict};
 use crate::planning::{Pipeline, PlannedJob};
 use crate::program::ProgramFile;
+use crate::program::sweep::Proof;
 use crate::text::{Sentence as _, fixed, id, say};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -28,8 +29,30 @@ const SHOWN: usize = 40;
 struct Answer<'a> {
     program: String,
     dialect: &'a str,
-    #[serde(flatten)]
-    verdict: &'a Verdict,
+    moves: usize,
+    lit_moves: usize,
+    worst_mm: f64,
+    worst_deg: f64,
+    proof: &'a Proof,
+    findings: Vec<Row<'a>>,
+}
+
+/// A finding: its kind for scripts, its text for people.
+#[derive(Serialize)]
+struct Row<'a> {
+    file: &'a str,
+    line: usize,
+    kind: Kind,
+    text: String,
+}
+
+impl<'a> Answer<'a> {
+    fn new(program: String, dialect: &'a str, v: &'a Verdict) -> Answer<'a> {
+        let row = |f: &'a Finding| Row { file: &f.file, line: f.line, kind: f.kind, text: f.sentence() };
+        let findings = v.findings.iter().map(row).collect();
+        let Verdict { moves, lit_moves, worst_mm, worst_deg, ref proof, .. } = *v;
+        Answer { program, dialect, moves, lit_moves, worst_mm, worst_deg, proof, findings }
+    }
 }
 
 /// Reads, plans, compares.
@@ -47,10 +70,9 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         .map_err(|e| say!(cli_not_planned, job = a.job.display().to_string(), reason = e.sentence()))
         .map_err(Failure::Failed)?;
     let PlannedJob { part, setup, plan, .. } = &*planned;
-    let (dialect, verdict) = verify::check(part, plan, setup, &job, &first, &open, true).map_err(Failure::Failed)?;
+    let (dialect, verdict) = verify::check(part, plan, setup, &job, &first, &open, true).map_err(Failure::failed)?;
     if a.json {
-        let answer = Answer { program: a.program.display().to_string(), dialect, verdict: &verdict };
-        print_json(&answer)?;
+        print_json(&Answer::new(a.program.display().to_string(), dialect, &verdict))?;
     } else {
         print(&text(dialect, &verdict));
     }
@@ -78,8 +100,8 @@ fn text(dialect: &str, v: &Verdict) -> String {
     for f in v.findings.iter().take(SHOWN) {
         // What cannot be read names its place itself.
         let _ = match f.kind {
-            Kind::Unreadable => writeln!(out, "{}", f.text),
-            _ => writeln!(out, "{}", say!(verify_finding, file = &f.file, line = id(f.line), what = &f.text)),
+            Kind::Unreadable => writeln!(out, "{}", f.sentence()),
+            _ => writeln!(out, "{}", say!(verify_finding, file = &f.file, line = id(f.line), what = f.sentence())),
         };
     }
     if v.findings.len() > SHOWN {
@@ -92,14 +114,16 @@ fn text(dialect: &str, v: &Verdict) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::planning::verify::Finding;
+    use crate::planning::verify::Difference;
+    use crate::program::dialect::ReadError;
 
     #[test]
     fn figures_are_told_of_what_was_read_alone() {
-        let finding = |kind| Finding { file: "a.src".into(), line: 3, kind, text: "a.src, line 3: odd".into() };
-        let with = |kind| text("kuka", &Verdict { findings: vec![finding(kind)], ..Verdict::default() });
-        assert!(with(Kind::Deviation).contains("furthest from the plan"));
-        let unreadable = with(Kind::Unreadable);
+        let finding = |what: Difference| Finding { file: "a.src".into(), line: 3, kind: what.kind(), what };
+        let odd = ReadError::Line { file: "a.src".into(), line: 3, what: "odd".into() };
+        let with = |what| text("kuka", &Verdict { findings: vec![finding(what)], ..Verdict::default() });
+        assert!(with(Difference::EndsLit).contains("furthest from the plan"));
+        let unreadable = with(Difference::Unreadable(Arc::new(odd)));
         assert!(!unreadable.contains("furthest") && !unreadable.contains("0 moves"), "{unreadable}");
         assert!(unreadable.contains("a.src, line 3: odd\n") && unreadable.ends_with("1 finding\n"), "{unreadable}");
     }

@@ -1,7 +1,9 @@
 //! What would help where the robot refuses targets of a plan: changes that were tried, a slower spot,
 //! and a better set-up.
 
-use super::plan::{Plan, PlanError, drive};
+use super::PlanError;
+use super::driving::drive;
+use super::plan::Plan;
 use super::surface_plan::Cache;
 use crate::beam::Work;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};

@@ -3,8 +3,8 @@
 //! While a layer is laid its own beads are not there yet: what the beam of a later line does to them, and
 //! whether it passes one beside it, is not looked at.
 
+use super::error::PlanError;
 use super::lay;
-use super::plan::PlanError;
 use super::surface_plan::{Cache, Kept, SurfacePlan, key_of, plan_surface, raster, rules_of, with_ways, worked};
 use crate::beam::Tool;
 use crate::document::model::Job;

@@ -1,6 +1,6 @@
 //! Who does the work of stages: a few threads, or the caller himself.
 
-use super::stage::{Executor, Task};
+use super::executor::{Executor, Task};
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex};
 
@@ -92,7 +92,8 @@ impl Executor for AtOnce {
 
 #[cfg(test)]
 mod tests {
-    use super::super::stage::{Failure, Stage};
+    use super::super::failure::Failure;
+    use super::super::stage::Stage;
     use super::*;
     use crate::part::Hasher;
     use std::sync::mpsc::channel;

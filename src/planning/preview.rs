@@ -1,8 +1,9 @@
 //! The lines of a job before anything is asked of the beam: what is shown while a plan is being made.
 
+use super::error::PlanError;
 use super::lay::Laid;
 use super::layer;
-use super::plan::{PlanError, prepared};
+use super::prepared::prepared;
 use super::surface_plan::Cache;
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
@@ -28,7 +29,7 @@ pub fn preview(
 
 #[cfg(test)]
 mod tests {
-    use super::super::plan::plan;
+    use super::super::making::plan;
     use super::*;
     use crate::cell::Setup;
     use crate::document::{Recipe, segmented};

@@ -14,6 +14,12 @@ pub(crate) fn exact(value: f64) -> String {
     value.to_string()
 }
 
+/// Hours, minutes and seconds: `01:02:03`.
+pub(crate) fn clock(seconds: f64) -> String {
+    let s = seconds.max(0.0).round() as u64;
+    format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+}
+
 /// `1 426`: a blank before every three digits.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();

@@ -4,8 +4,9 @@ use super::super::{App, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
 use crate::planning::advice::Help;
-use crate::planning::report::Problem;
-use crate::text::Sentence as _;
+use crate::planning::remark::Remark;
+use crate::planning::report::{Notice, Problem};
+use crate::text::{NamedSentence as _, Naming, Sentence as _};
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -36,12 +37,6 @@ fn refused(cause: &str) -> &str {
     }
 }
 
-/// A remark on how lines lie, with the surface unless it names that itself.
-fn remark_on(surface: u32, remark: &str) -> String {
-    let names_it = remark.contains(&format!("surface {surface} "));
-    if names_it { remark.into() } else { format!("surface {surface}: {remark}") }
-}
-
 /// As a sentence begins.
 fn capital(text: &str) -> String {
     let mut rest = text.chars();
@@ -60,9 +55,10 @@ impl App {
         // Neighbouring targets share their cause: one row for a surface and what blocks it.
         let mut groups: BTreeMap<(u32, &str, Option<u32>), Vec<&Problem>> = BTreeMap::new();
         for p in &report.problems {
-            groups.entry((p.surface, p.cause, p.by_surface)).or_default().push(p);
+            groups.entry((p.surface, p.cause.word(), p.by_surface)).or_default().push(p);
         }
-        let remarks: Vec<(u32, &str)> = plan.remarks().collect();
+        let naming = Naming::of(&of.job);
+        let remarks: Vec<(SurfaceId, Remark)> = plan.remarks().collect();
         let title = match groups.len() + remarks.len() {
             // Those of a plan that is out of date say nothing of the one to come.
             _ if self.plan().is_none() => "Problems: out of date".into(),
@@ -78,10 +74,10 @@ impl App {
                     format!("surface {surface}: {:.1} mm² missed by the {why}", row.missed_area_mm2)
                 }
                 (_, Some(by), _) => {
-                    let ours = if list[0].cause == "head" { ", which the head would hit" } else { "" };
+                    let ours = if list[0].cause.word() == "head" { ", which the head would hit" } else { "" };
                     format!("surface {surface}: {} targets blocked by surface {by}{ours}", list.len())
                 }
-                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause)),
+                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause.word())),
             };
             let why = list[0].why.as_ref().map_or_else(String::new, |why| format!("{}\n", why.sentence()));
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
@@ -91,11 +87,12 @@ impl App {
             }
         }
         for (surface, remark) in remarks {
-            let text = RichText::new(remark_on(surface, remark)).color(theme::ATTENTION);
+            let notice = Notice::Remark { surface, remark };
+            let text = RichText::new(notice.sentence_with(&naming)).color(theme::ATTENTION);
             if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text("Show it").clicked() {
-                self.session.selected = [surface].into();
-                self.session.scroll_to = Some(surface);
-                self.focus_surface(surface);
+                self.session.selected = [surface.0].into();
+                self.session.scroll_to = Some(surface.0);
+                self.focus_surface(surface.0);
             }
         }
         self.what_would_help(ui);

@@ -171,7 +171,7 @@ fn export_over(ui: &mut egui::Ui, dir: &Path, conflicts: &[FileConflict]) -> Opt
     ui.label(format!("In {} there are files that this export may not replace:", dir.display()));
     ScrollArea::vertical().max_height(200.0).show(ui, |ui| {
         for conflict in conflicts {
-            ui.label(format!("• {conflict}"));
+            ui.label(format!("• {}", conflict.sentence()));
         }
     });
     let mut rows = vec![("Choose another folder…", Answer::OtherFolder)];

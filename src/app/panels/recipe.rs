@@ -8,6 +8,7 @@ use crate::document::parameter::{Group, Scope};
 use crate::document::{Edit, Job, PARAMETERS, Parameter, Recipe};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
+use crate::text::Sentence as _;
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
 use std::collections::BTreeSet;
 
@@ -183,8 +184,8 @@ impl App {
                 let wanted = job.of_surface(n).layers.spacing_mm;
                 ui.label(format!("{whose}spacing {:.2} to {:.2} mm (wanted {wanted:.2})", a.min_mm, a.max_mm));
             }
-            for (_, remark) in plan.remarks().filter(|r| r.0 == n.0) {
-                ui.label(RichText::new(format!("{whose}{remark}")).small().color(theme::ATTENTION));
+            for (_, remark) in plan.remarks().filter(|r| r.0 == n) {
+                ui.label(RichText::new(format!("{whose}{}", remark.sentence())).small().color(theme::ATTENTION));
             }
         }
     }

@@ -5,11 +5,11 @@ use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
 use crate::pose::{Obstruction, State};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// One thing that is not done.
+/// A target that is left out, or a surface that is missed in part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Problem {
     /// Pass; null for what is missed.
@@ -18,8 +18,9 @@ pub struct Problem {
     pub point: Option<usize>,
     /// Surface.
     pub surface: u32,
-    /// `beam`, `missed`, or what the robot cannot do: `robot head obstacle reach limit speed singularity`.
-    pub cause: &'static str,
+    /// Why.
+    #[serde(serialize_with = "not_done_word")]
+    pub cause: NotDone,
     /// The facet in the way.
     pub by_facet: Option<u32>,
     /// Its surface.
@@ -27,6 +28,34 @@ pub struct Problem {
     /// What stands against it, where a move or the robot does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<Why>,
+}
+
+/// Why something is not done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum NotDone {
+    /// A target: something is in the beam's way, or the robot cannot do it.
+    Blocked(Cause),
+    /// Area of a surface that no line reaches.
+    Missed,
+}
+
+impl NotDone {
+    /// The word in `report.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            NotDone::Blocked(cause) => cause.word(),
+            NotDone::Missed => "missed",
+        }
+    }
+}
+
+fn not_done_word<S: Serializer>(cause: &NotDone, s: S) -> Result<S::Ok, S::Error> {
+    s.serialize_str(cause.word())
+}
+
+/// A cause by its word.
+pub(super) fn word<S: Serializer>(cause: &Cause, s: S) -> Result<S::Ok, S::Error> {
+    s.serialize_str(cause.word())
 }
 
 /// Blocked targets in program order, then missed surfaces.
@@ -46,7 +75,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
                 pass: Some(number),
                 point: Some(point),
                 surface: pass.surface,
-                cause: cause.word(),
+                cause: NotDone::Blocked(cause),
                 by_facet,
                 by_surface: by_facet.map(|f| surfaces.of_facet[f as usize]),
                 why: refused.map(|r| r.why.clone()),
@@ -61,7 +90,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
             pass: None,
             point: None,
             surface,
-            cause: "missed",
+            cause: NotDone::Missed,
             by_facet: None,
             by_surface: None,
             why: None,
