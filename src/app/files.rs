@@ -10,6 +10,8 @@ use crate::document::{IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
+use crate::progress::Activity;
+use crate::text::{NamedSentence as _, Naming, Sentence};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -99,7 +101,7 @@ impl App {
             Err(JobError::ChangedOnDisk { .. }) => self.question = Some(Question::SaveOver(path)),
             Err(e) => {
                 self.session.after_guard = None;
-                self.session.error = Some(e.to_string());
+                self.session.error = Some(e.sentence());
             }
         }
     }
@@ -117,7 +119,7 @@ impl App {
         self.session.said = format!("writing into {}…", dir.display());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
-        self.exporting.start(planned.key, "exporting", &*executor, move |progress| {
+        self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
             let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
@@ -132,16 +134,21 @@ impl App {
         let Some(outcome) = self.exporting.taken() else { return };
         match outcome {
             Ok(exported) => {
-                let nothing = exported.report.findings.iter().find(|f| matches!(f, PlanFinding::NothingPlanned { .. }));
+                let reason = exported.report.findings.iter().find_map(|f| match f {
+                    PlanFinding::NothingPlanned { reason } => Some(reason),
+                    PlanFinding::PartChanged { .. } => None,
+                });
                 let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
-                self.session.said = nothing.map_or_else(|| format!("exported {program}"), PlanFinding::text);
+                let naming = Naming::of(self.document.job());
+                self.session.said =
+                    reason.map_or_else(|| format!("exported {program}"), |reason| reason.sentence_with(&naming));
             }
             Err(Failure::Cancelled) => self.session.said = "the export was cancelled".into(),
             Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {
                 self.session.said.clear();
                 self.question = Some(Question::ExportOver { dir, conflicts });
             }
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
     }
 

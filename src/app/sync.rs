@@ -7,6 +7,8 @@ use crate::part::Shape;
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
+use crate::progress::Activity;
+use crate::text::Sentence;
 use std::sync::Arc;
 
 impl App {
@@ -54,7 +56,7 @@ impl App {
         if d.shapes.lacks(key) {
             let (part, surfaces) = (part.clone(), surfaces.clone());
             let executor = d.pipeline.executor().clone();
-            d.shapes.start(key, "naming shapes", &*executor, move |_| {
+            d.shapes.start(key, Activity::NamingShapes, &*executor, move |_| {
                 use rayon::prelude::*;
                 Ok(surfaces.list.par_iter().map(|s| (s.number, Shape::of(&part.mesh, s))).collect())
             });
@@ -109,7 +111,7 @@ impl App {
         if d.motion.lacks(planned.key) {
             let executor = d.pipeline.executor().clone();
             let key = planned.key;
-            d.motion.start(key, "working out the motion", &*executor, move |_| Ok(Motion::new(&planned, &part_name)));
+            d.motion.start(key, Activity::WorkingOutMotion, &*executor, move |_| Ok(Motion::new(&planned, &part_name)));
             arrived |= d.motion.of(key).is_some();
         }
         if arrived && self.derived.motion().is_some() {
@@ -150,9 +152,9 @@ impl App {
                     .into()
             }
             E::Part(Failure::Panicked(_)) | E::Setup(Failure::Panicked(_)) | E::Plan(Failure::Panicked(_)) => {
-                format!("{error}; the job is untouched: save it, and Ctrl+R tries again")
+                format!("{}; the job is untouched: save it, and Ctrl+R tries again", error.sentence())
             }
-            other => other.to_string(),
+            other => other.sentence(),
         })
     }
 }

@@ -1,10 +1,9 @@
 //! Names of the choices that the window offers. Their machine words, which files and the command line take, are
 //! no text and stand with the types.
 
-use super::number::{exact, figure};
+use super::number::{exact, fixed};
 use super::say;
 use crate::cell::Spin;
-use crate::document::StartFrom;
 use crate::part::Units;
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
@@ -51,14 +50,6 @@ pub(crate) fn order(order: Order) -> String {
     }
 }
 
-/// What offset lines start from; borders count from 1.
-pub(crate) fn start_from(start: StartFrom) -> String {
-    match start {
-        StartFrom::Whole => say!(choice_whole_outline),
-        StartFrom::Border(index) => say!(choice_border, number = super::id(index.saturating_add(1))),
-    }
-}
-
 /// In which sense a spiral runs.
 pub(crate) fn spiral_sense(inward: bool) -> String {
     if inward { say!(choice_inwards) } else { say!(choice_outwards) }
@@ -66,7 +57,7 @@ pub(crate) fn spiral_sense(inward: bool) -> String {
 
 /// A place, mm.
 pub(crate) fn place(at_mm: [f64; 3]) -> String {
-    let [x, y, z] = at_mm.map(|c| figure(c, 1));
+    let [x, y, z] = at_mm.map(|c| fixed(c, 1));
     format!("({x}, {y}, {z})")
 }
 

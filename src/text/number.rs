@@ -1,22 +1,11 @@
 //! Numbers as people read them. Units stand in the messages.
 
-/// With so many decimals.
-pub(crate) fn fixed(value: f64, decimals: usize) -> String {
-    format!("{value:.decimals$}")
-}
-
 /// With so many decimals, and no minus before a zero.
-pub(crate) fn figure(value: f64, decimals: usize) -> String {
-    let power = (0..decimals).fold(1.0, |power, _| 10.0 * power);
-    fixed((value * power).round() / power + 0.0, decimals)
-}
-
-/// With up to three decimals, as many as say something, and one at least.
-pub(crate) fn short(value: f64) -> String {
-    let text = figure(value, 3);
-    match text.strip_suffix("00") {
-        Some(short) => short.to_owned(),
-        None => text.trim_end_matches('0').to_owned(),
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|digit| matches!(digit, b'0' | b'.')) => zero.to_owned(),
+        _ => text,
     }
 }
 
@@ -25,15 +14,24 @@ pub(crate) fn exact(value: f64) -> String {
     value.to_string()
 }
 
-/// A share as per cent, without the sign.
-pub(crate) fn percent(share: f64, decimals: usize) -> String {
-    fixed(100.0 * share, decimals)
-}
-
 /// Hours, minutes and seconds: `01:02:03`.
 pub(crate) fn clock(seconds: f64) -> String {
     let s = seconds.max(0.0).round() as u64;
     format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+}
+
+/// With up to three decimals, as many as say something, and one at least.
+pub(crate) fn short(value: f64) -> String {
+    let text = fixed(value, 3);
+    match text.strip_suffix("00") {
+        Some(short) => short.to_owned(),
+        None => text.trim_end_matches('0').to_owned(),
+    }
+}
+
+/// A share as per cent, without the sign.
+pub(crate) fn percent(share: f64, decimals: usize) -> String {
+    fixed(100.0 * share, decimals)
 }
 
 /// The time of day of a moment, counted from midnight UTC of any day: `14:32`.
@@ -60,12 +58,17 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn figures_are_short_and_never_minus_zero() {
+    fn zero_has_no_sign() {
+        assert_eq!([-0.0, -0.04, -0.06, 12.25].map(|v| fixed(v, 1)), ["0.0", "0.0", "-0.1", "12.2"]);
+        assert_eq!(fixed(-0.4, 0), "0");
+    }
+
+    #[test]
+    fn short_figures_keep_the_decimals_that_say_something() {
         let cases = [(380.0, "380.0"), (-0.0002, "0.0"), (0.14, "0.14"), (-12.3456, "-12.346"), (1.5, "1.5")];
         for (value, text) in cases {
             assert_eq!(short(value), text);
         }
-        assert_eq!((figure(-0.04, 1), figure(-0.05, 1), figure(-0.4, 0)), ("0.0".into(), "-0.1".into(), "0".into()));
     }
 
     #[test]

@@ -19,8 +19,6 @@ choice_direction_auto = auto
 choice_zigzag = zigzag
 choice_one_way = one-way
 choice_shortest = shortest
-choice_whole_outline = whole outline
-choice_border = border { $number }
 choice_inwards = inwards
 choice_outwards = outwards
 

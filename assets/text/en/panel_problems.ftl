@@ -11,31 +11,10 @@ problems_beam_hits_something = the beam hits something
 problems_left_out = left out
 problems_missed_by_planes = surface { $surface }: { $area } mm² missed by the planes; try direction auto
 problems_missed_by_lines = surface { $surface }: { $area } mm² missed by the lines
-problems_blocked_by = { $count ->
-    [one] surface { $surface }: { $count } target blocked by surface { $by }
-   *[other] surface { $surface }: { $count } targets blocked by surface { $by }
-}
-problems_head_blocked_by = { $count ->
-    [one] surface { $surface }: { $count } target blocked by surface { $by }, which the head would hit
-   *[other] surface { $surface }: { $count } targets blocked by surface { $by }, which the head would hit
-}
-problems_targets = { $count ->
-    [one] surface { $surface }: { $count } target { $why }
-   *[other] surface { $surface }: { $count } targets { $why }
-}
-problems_refused_arm = refused: the arm or the part would hit something
-problems_refused_head = refused: the head would be hit
-problems_refused_obstacle = refused: an obstacle would be hit
-problems_refused_reach = refused: out of the robot's reach
-problems_refused_limit = refused: a joint would leave its limits
-problems_refused_speed = refused: a joint would be too fast
-problems_refused_singular = refused: the arm would be singular
-problems_blocked = blocked
 problems_go = Go there
 problems_why_and_go =
     { $why }
     Go there
-problems_remark = surface { $surface }: { $remark }
 problems_show = Show it
 
 ## What would help

@@ -6,8 +6,8 @@ use super::super::{App, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::pose::access::{Access, AccessMap, AccessStrip, Over};
-use crate::pose::{Blocker, Correction, Ours, Pin, Theirs, Tilt};
-use crate::text::{figure, fixed, id, percent, say};
+use crate::pose::{Blocker, Correction, Obstruction, Pin, Tilt, ToolBody};
+use crate::text::{Sentence as _, fixed, id, percent, say};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, pos2, vec2};
 
 /// Free, told from the others by lightness as well.
@@ -23,10 +23,10 @@ fn color(a: Access) -> Color32 {
     match a {
         Access::Free => FREE,
         Access::Forbidden => FORBIDDEN,
-        Access::Blocked(b) => match (b.theirs, b.ours) {
-            (Theirs::Clamp(_), _) => BY_CLAMP,
-            (_, Ours::Head) => BY_HEAD,
-            (_, Ours::Beam) => BY_BEAM,
+        Access::Blocked(b) => match (b.obstruction, b.tool_body) {
+            (Obstruction::Clamp(_), _) => BY_CLAMP,
+            (_, ToolBody::Head) => BY_HEAD,
+            (_, ToolBody::Beam) => BY_BEAM,
         },
     }
 }
@@ -201,14 +201,14 @@ fn said(tilt: Tilt, cell: Access, surface_of: &dyn Fn(u32) -> Option<u32>) -> St
         Access::Forbidden => say!(access_not_allowed),
         Access::Blocked(b) => blocked(&b, surface_of),
     };
-    say!(access_tilt, lead = figure(tilt.lead_deg, 0), lean = figure(tilt.lean_deg, 0), what)
+    say!(access_tilt, lead = fixed(tilt.lead_deg, 0), lean = fixed(tilt.lean_deg, 0), what)
 }
 
 fn blocked(b: &Blocker, surface_of: &dyn Fn(u32) -> Option<u32>) -> String {
-    let blocker = b.to_string();
-    let surface = match b.theirs {
-        Theirs::Facet(facet) => surface_of(facet),
-        Theirs::Clamp(_) => None,
+    let blocker = b.sentence();
+    let surface = match b.obstruction {
+        Obstruction::Facet(facet) => surface_of(facet),
+        Obstruction::Clamp(_) => None,
     };
     match surface {
         Some(surface) => say!(access_blocked_by_surface, blocker, surface = id(surface)),

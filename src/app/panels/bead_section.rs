@@ -5,7 +5,7 @@ use super::fields::Owner;
 use crate::document::Job;
 use crate::picture::beads::{BeadSection, section};
 use crate::process::bead::Bead;
-use crate::text::{figure, fixed, say};
+use crate::text::{fixed, say};
 use eframe::egui::{
     self, Align2, Color32, FontId, Grid, Painter, Pos2, Rect, RichText, Role, Sense, Shape, Stroke, WidgetInfo, pos2,
     vec2,
@@ -79,7 +79,7 @@ impl Measures {
             width: fixed(bead.width_mm(), 2),
             height: fixed(bead.height_mm(), 2),
             centres: fixed(job.layers.spacing_mm, 2),
-            overlap: figure(job.overlap_percent(), 1),
+            overlap: fixed(job.overlap_percent(), 1),
             ripple: fixed(drawn.ripple_mm, 2),
             build_up: fixed(bead.height_mm() * f64::from(job.layer_count()), 2),
         }

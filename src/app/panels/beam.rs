@@ -5,6 +5,7 @@ use super::super::dialogs::Purpose;
 use super::super::{App, quantity, theme};
 use crate::beam::{Head, Obstacle};
 use crate::document::Edit;
+use crate::document::parameter::{Group, Parameter};
 use crate::part::SurfaceId;
 use crate::pose::Correction;
 use crate::pose::tilt::Side;
@@ -14,6 +15,8 @@ use eframe::egui::{self, DragValue, RichText};
 
 /// A spot that the optics would give is told from the one that is set from this share on.
 const OTHER_SPOT: f64 = 0.05;
+const SPOT: &Parameter = Parameter::named("beam.spot_mm");
+const DEFOCUS: &Parameter = Parameter::named("beam.defocus_mm");
 
 impl App {
     /// Head, clamps, optics and tilt, under the numbers of the beam.
@@ -21,11 +24,11 @@ impl App {
         self.head(ui);
         let clearance = self.document.job().path.correction == Correction::Clearance;
         if clearance || !self.document.job().beam.head.is_empty() {
-            self.numbers(ui, &["path.max_tilt_deg"]);
+            self.numbers(ui, Group::Tilt);
         }
         if clearance {
             egui::CollapsingHeader::new(say!(tool_tilt)).id_salt("tilt").show(ui, |ui| {
-                self.numbers(ui, &["path.tilt_rate_deg_mm", "path.tilt_rate_deg_s"]);
+                self.numbers(ui, Group::TiltRates);
                 self.tilt_rule(ui);
             });
         }
@@ -50,7 +53,7 @@ impl App {
         if file.is_empty() {
             return;
         }
-        self.numbers(ui, &["beam.margin_mm", "path.standoff_mm"]);
+        self.numbers(ui, Group::Head);
         let Some(Ok(setup)) = self.derived.pipeline.setup() else { return };
         if let Some(Head::Solid(..)) = &setup.tool.head {
             ui.label(RichText::new(say!(tool_head_of_facets)).small());
@@ -58,14 +61,7 @@ impl App {
     }
 
     fn optics(&mut self, ui: &mut egui::Ui) {
-        let keys = [
-            "optics.lens_to_focus_mm",
-            "optics.aperture_mm",
-            "optics.focus_spot_mm",
-            "optics.rayleigh_mm",
-            "optics.wavelength_nm",
-        ];
-        self.numbers(ui, &keys);
+        self.numbers(ui, Group::Optics);
         let (optics, beam) = (self.document.job().optics, self.document.job().beam.clone());
         let (spot, (low, high)) = (optics.spot_mm(beam.defocus_mm), optics.tolerance_mm(beam.defocus_mm));
         ui.label(say!(tool_m_squared, value = fixed(optics.m_squared(), 2)));
@@ -79,7 +75,7 @@ impl App {
         ui.horizontal_wrapped(|ui| {
             let take = ui.button(say!(tool_take_spot, spot = fixed(spot, 2)));
             if take.on_hover_text(say!(tool_take_spot_tip)).clicked() {
-                self.edit(Edit::Set("beam.spot_mm", (spot * 1000.0).round() / 1000.0));
+                self.edit(Edit::Set(SPOT.key, (spot * 1000.0).round() / 1000.0));
             }
             match optics.defocus_for(beam.spot_mm) {
                 Some(d) => {
@@ -87,7 +83,7 @@ impl App {
                         let side = if d < 0.0 { say!(tool_focus_in_part) } else { say!(tool_focus_above) };
                         let take = ui.button(say!(tool_take_defocus, defocus = fixed(d, 1)));
                         if take.on_hover_text(side).clicked() {
-                            self.edit(Edit::Set("beam.defocus_mm", (d * 1000.0).round() / 1000.0));
+                            self.edit(Edit::Set(DEFOCUS.key, (d * 1000.0).round() / 1000.0));
                         }
                     }
                 }
@@ -179,9 +175,9 @@ impl App {
                 }
             });
             if now == Profile::Line {
-                self.numbers(ui, &["dose.line_mm"]);
+                self.numbers(ui, Group::ScannedLine);
             }
-            self.numbers(ui, &["dose.low_j_cm2", "dose.high_j_cm2", "dose.collateral_j_cm2"]);
+            self.numbers(ui, Group::Dose);
         });
     }
 }

@@ -8,7 +8,7 @@ use crate::document::Edit;
 use crate::picture::dose::{DoseLook, Legend, OVER, SHADED, UNDER, legend};
 use crate::picture::viridis;
 use crate::process::{Patch, Thresholds};
-use crate::text::{choices, clock, fixed, id, percent, say};
+use crate::text::{NamedSentence as _, Naming, choices, clock, fixed, id, language, legend_entry, percent, say};
 use eframe::egui::{self, Color32, Rect, RichText, Sense, Stroke, pos2, vec2};
 use std::sync::Arc;
 
@@ -120,7 +120,8 @@ impl App {
         theme::heading(ui, &title);
         for (p, told) in list.iter().take(ROWS) {
             let (area, surface) = (fixed(told.area_cm2, 2), id(told.surface));
-            let text = say!(dose_panel_patch, area, surface, why = told.why());
+            let text =
+                say!(dose_panel_patch, area, surface, why = told.sentence_with(&Naming::of(self.document.job())));
             if ui.link(RichText::new(text).small()).on_hover_text(say!(dose_panel_show)).clicked() {
                 self.look_at(p);
             }
@@ -174,10 +175,10 @@ pub(super) fn bar(ui: &mut egui::Ui, width: f32, told: impl Fn() -> String, way:
 fn scale(ui: &mut egui::Ui, legend: &Legend) {
     let width = ui.available_width().min(260.0);
     // Incidence is lightest where the light stands upright.
-    bar(ui, width, || say!(dose_panel_scale), |share| if legend.unit == "deg" { 1.0 - share } else { share });
+    let is_angle = legend.look == DoseLook::Incidence;
+    bar(ui, width, || say!(dose_panel_scale), |share| if is_angle { 1.0 - share } else { share });
     ui.horizontal(|ui| {
         let [low, high] = legend.range;
-        let is_angle = legend.unit == "deg";
         let said = |v: f64| if is_angle { say!(dose_panel_angle, angle = fixed(v, 0)) } else { j_cm2(v) };
         ui.label(RichText::new(said(low)).small());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -185,9 +186,9 @@ fn scale(ui: &mut egui::Ui, legend: &Legend) {
         });
     });
     ui.horizontal_wrapped(|ui| {
-        for key in &legend.keys {
-            theme::swatch(ui, key.color);
-            ui.label(RichText::new(&key.label).small());
+        for entry in legend.entries {
+            theme::swatch(ui, entry.color());
+            ui.label(RichText::new(legend_entry(*entry, language())).small());
         }
     });
 }

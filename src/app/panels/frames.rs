@@ -6,7 +6,7 @@ use crate::cell::calibration::CalibrationNote;
 use crate::cell::{Cell, Frame, Mount};
 use crate::document::Edit;
 use crate::document::model::CellFile;
-use crate::text::{figure, fixed, id, say, short};
+use crate::text::{fixed, id, say, short};
 use eframe::egui::{self, DragValue, RichText};
 
 /// A frame of the panel.
@@ -59,7 +59,7 @@ const ROWS: [Row; 4] = [
 
 /// A frame as people read it.
 pub(super) fn said(frame: &Frame) -> String {
-    let tenths = |v: f64| figure(v, 1);
+    let tenths = |v: f64| fixed(v, 1);
     let ([x, y, z], [rz, ry, rx]) = (frame.position_mm.map(tenths), frame.rz_ry_rx_deg.map(tenths));
     say!(frames_pose, x, y, z, rz, ry, rx)
 }

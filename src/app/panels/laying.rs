@@ -4,7 +4,7 @@ use super::super::theme;
 use super::fields::{Change, NAMES, Owner, back, name};
 use crate::document::StartFrom;
 use crate::path::{Direction, Order, Strategy};
-use crate::text::{choices, say};
+use crate::text::{Sentence as _, choices, say};
 use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo};
 
 /// How lines are laid.
@@ -148,7 +148,7 @@ pub(super) fn border(
             }
         }
         if let Some(to) = to
-            && back(ui, owner, &say!(laying_border_name), &choices::start_from(to))
+            && back(ui, owner, &say!(laying_border_name), &to.sentence())
         {
             wanted = Some(Change::Back);
         }

@@ -45,7 +45,7 @@ pub(super) struct DraggedRecipe(pub Recipe);
 impl App {
     /// All recipes at hand.
     pub(super) fn shelves(&self) -> [(Shelf, Vec<Recipe>); 3] {
-        let mine = self.recipes.own.iter().map(|(_, r)| r.clone()).collect();
+        let mine = self.recipes.kept.iter().map(|(_, r)| r.clone()).collect();
         [
             (Shelf::Job, self.document.job().recipes.clone()),
             (Shelf::Mine, mine),
@@ -70,7 +70,7 @@ impl App {
             }
             self.forgotten_row(ui);
             for why in &self.recipes.broken {
-                ui.label(RichText::new(why).small().color(theme::WRONG));
+                ui.label(RichText::new(why.sentence()).small().color(theme::WRONG));
             }
             if ui.button(say!(library_compare)).on_hover_text(say!(library_compare_tip)).clicked() {
                 self.open_compare();
@@ -136,7 +136,7 @@ impl App {
 
     /// Gives surfaces a recipe from any shelf.
     pub(super) fn apply_recipe(&mut self, recipe: &Recipe, surfaces: Vec<SurfaceId>) {
-        let guest = self.document.job().welcomed(recipe);
+        let guest = self.document.job().under_free_name(recipe);
         self.edit(Edit::GiveRecipe(surfaces, Some(Box::new(guest))));
     }
 

@@ -5,7 +5,7 @@ use super::fields::{NAMES, Owner, back};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::path::Strategy;
-use crate::text::{choices, id as number, say};
+use crate::text::{Sentence as _, choices, id as number, say};
 use eframe::egui::{self, RichText};
 
 /// Surfaces that are told, at most.
@@ -18,8 +18,8 @@ impl App {
         let told = |id: SurfaceId| {
             let (own, strategy) = (job.settings.of(id), job.of_surface(id).layers.strategy);
             match strategy {
-                Strategy::Offset => own.border.map(|b| (choices::start_from(b), Edit::OwnBorder(id, None))),
-                Strategy::Spiral => own.centre_mm.map(|at| (choices::place(at), Edit::OwnCentre(id, None))),
+                Strategy::Offset => own.border.map(|b| (b.sentence(), Edit::SurfaceBorder(id, None))),
+                Strategy::Spiral => own.centre_mm.map(|at| (choices::place(at), Edit::SurfaceCentre(id, None))),
                 Strategy::Planes | Strategy::Adaptive | Strategy::Cross => None,
             }
         };

@@ -6,7 +6,7 @@ use super::super::App;
 use super::super::clearance::ClearanceCurve;
 use crate::cell::collision::CLEARANCE_REACH_MM;
 use crate::program::{Clearance, Sample, Timeline};
-use crate::text::{exact, figure, fixed, id, say};
+use crate::text::{Sentence as _, exact, fixed, id, say};
 use eframe::egui::{self, Color32, RichText, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotBounds, PlotUi, VLine};
 
@@ -137,7 +137,7 @@ impl App {
             for c in &d.curves {
                 let value = now.map_or(0.0, |s| (c.value)(s));
                 let decimals = if value.abs() < 100.0 { d.decimals } else { 0 };
-                let text = format!("{} {}", c.name, figure(value, decimals));
+                let text = format!("{} {}", c.name, fixed(value, decimals));
                 ui.add(egui::Label::new(small(text).color(c.color)).selectable(false));
             }
             if let (Some(now), Some(words)) = (now, d.words) {
@@ -269,11 +269,11 @@ fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearan
     let title = match (curve, least) {
         (None, _) => say!(plots_clearance_none),
         (_, None) => say!(plots_clearance_beyond, reach = fixed(CLEARANCE_REACH_MM, 0)),
-        (_, Some((mm, pair))) => say!(plots_clearance, least = fixed(*mm, 1), pair = pair.to_string()),
+        (_, Some((mm, pair))) => say!(plots_clearance, least = fixed(*mm, 1), pair = pair.sentence()),
     };
     let mm = |s: &Clearance| s.nearest.as_ref().map_or(CLEARANCE_REACH_MM, |n| n.0);
     let words: fn(&Clearance) -> String = |s| match &s.nearest {
-        Some((_, pair)) => pair.to_string(),
+        Some((_, pair)) => pair.sentence(),
         None => say!(plots_or_more),
     };
     Diagram {

@@ -3,8 +3,10 @@
 use super::super::{App, Command, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
-use crate::planning::report::Problem;
-use crate::text::{fixed, id, say};
+use crate::planning::advice::Help;
+use crate::planning::remark::Remark;
+use crate::planning::report::{NotDone, Notice, Problem};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, fixed, id, left_out, say};
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -12,43 +14,13 @@ use std::collections::BTreeMap;
 
 /// Why a target is not done, as people say it.
 fn because(problem: &Problem) -> String {
-    if let Some(detail) = &problem.detail {
-        return detail.clone();
+    if let Some(why) = &problem.why {
+        return why.sentence();
     }
     match (problem.by_surface, problem.by_facet) {
         (Some(surface), Some(facet)) => say!(problems_beam_hits, surface = id(surface), facet = id(facet)),
         _ => say!(problems_beam_hits_something),
     }
-}
-
-/// What became of targets for a cause.
-fn refused(cause: &str) -> String {
-    match cause {
-        "robot" => say!(problems_refused_arm),
-        "head" => say!(problems_refused_head),
-        "obstacle" => say!(problems_refused_obstacle),
-        "reach" => say!(problems_refused_reach),
-        "limit" => say!(problems_refused_limit),
-        "speed" => say!(problems_refused_speed),
-        "singularity" => say!(problems_refused_singular),
-        _ => say!(problems_blocked),
-    }
-}
-
-/// Targets of a surface that share a cause, and the surface that is in the way.
-fn blocked(surface: u32, cause: &str, by: Option<u32>, count: usize) -> String {
-    let surface = id(surface);
-    match by.map(id) {
-        Some(by) if cause == "head" => say!(problems_head_blocked_by, count, surface, by),
-        Some(by) => say!(problems_blocked_by, count, surface, by),
-        None => say!(problems_targets, count, surface, why = refused(cause)),
-    }
-}
-
-/// A remark on how lines lie, with the surface unless it names that itself.
-fn remark_on(surface: u32, remark: &str) -> String {
-    let names_it = remark.contains(&format!("surface {surface} "));
-    if names_it { remark.into() } else { say!(problems_remark, surface = id(surface), remark) }
 }
 
 /// As a sentence begins.
@@ -69,9 +41,10 @@ impl App {
         // Neighbouring targets share their cause: one row for a surface and what blocks it.
         let mut groups: BTreeMap<(u32, &str, Option<u32>), Vec<&Problem>> = BTreeMap::new();
         for p in &report.problems {
-            groups.entry((p.surface, p.cause, p.by_surface)).or_default().push(p);
+            groups.entry((p.surface, p.cause.word(), p.by_surface)).or_default().push(p);
         }
-        let remarks: Vec<(u32, &str)> = plan.remarks().collect();
+        let naming = Naming::of(&of.job);
+        let remarks: Vec<(SurfaceId, Remark)> = plan.remarks().collect();
         let title = match groups.len() + remarks.len() {
             // Those of a plan that is out of date say nothing of the one to come.
             _ if self.plan().is_none() => say!(problems_out_of_date),
@@ -81,12 +54,15 @@ impl App {
         theme::heading(ui, &title);
         for ((surface, _, by), list) in &groups {
             let row = report.surfaces.iter().find(|s| s.surface == *surface);
-            let text = match (list[0].pass, by, row) {
-                (None, _, Some(row)) => self.missed(*surface, row.missed_area_mm2),
-                (_, by, _) => blocked(*surface, list[0].cause, *by, list.len()),
+            let text = match (list[0].cause, row) {
+                (NotDone::Blocked(cause), _) => {
+                    let by = by.map(|n| naming.surface(SurfaceId(n)));
+                    left_out(&naming.surface(SurfaceId(*surface)), cause, by, list.len())
+                }
+                (NotDone::Missed, row) => self.missed(*surface, row.map_or(0.0, |row| row.missed_area_mm2)),
             };
-            let tip = match list[0].detail.as_deref() {
-                Some(why) => say!(problems_why_and_go, why),
+            let tip = match &list[0].why {
+                Some(why) => say!(problems_why_and_go, why = why.sentence()),
                 None => say!(problems_go),
             };
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
@@ -96,11 +72,12 @@ impl App {
             }
         }
         for (surface, remark) in remarks {
-            let text = RichText::new(remark_on(surface, remark)).color(theme::ATTENTION);
+            let notice = Notice::Remark { surface, remark };
+            let text = RichText::new(notice.sentence_with(&naming)).color(theme::ATTENTION);
             if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text(say!(problems_show)).clicked() {
-                self.session.selected = [surface].into();
-                self.session.scroll_to = Some(surface);
-                self.focus_surface(surface);
+                self.session.selected = [surface.0].into();
+                self.session.scroll_to = Some(surface.0);
+                self.focus_surface(surface.0);
             }
         }
         self.what_would_help(ui);
@@ -138,12 +115,11 @@ impl App {
             Some(Ok([])) => {
                 ui.label(RichText::new(say!(problems_help_none)).weak());
             }
-            Some(Ok(sentences)) => {
-                for sentence in sentences {
-                    // What is said in brackets is about the others.
-                    let text = match sentence.starts_with('(') {
-                        true => RichText::new(sentence).small().weak(),
-                        false => RichText::new(say!(problems_help_row, advice = capital(sentence))),
+            Some(Ok(list)) => {
+                for help in list {
+                    let text = match help {
+                        Help::Sampled { .. } => RichText::new(help.sentence()).small().weak(),
+                        _ => RichText::new(say!(problems_help_row, advice = capital(&help.sentence()))),
                     };
                     ui.add(egui::Label::new(text).wrap());
                 }

@@ -6,7 +6,7 @@ use super::super::questions::Question;
 use crate::document::journal::LeftBehind;
 use crate::document::{CarriedOver, IfChanged};
 use crate::planning::export::FileConflict;
-use crate::text::{Sentence, hour_and_minute, say};
+use crate::text::{Sentence, carried_lines, hour_and_minute, say};
 use eframe::egui::{self, Id, Modal, RichText, ScrollArea};
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -108,7 +108,7 @@ fn part_changed(ui: &mut egui::Ui, file: &Path, carried: Option<&CarriedOver>) -
     };
     ui.label(RichText::new(verdict).strong());
     ScrollArea::vertical().max_height(220.0).show(ui, |ui| {
-        for line in carried.to_string().lines() {
+        for line in carried_lines(carried) {
             ui.label(line);
         }
     });
@@ -179,7 +179,7 @@ fn export_over(ui: &mut egui::Ui, dir: &Path, conflicts: &[FileConflict]) -> Opt
     ui.label(say!(ask_export_over_folder, folder = shown(dir)));
     ScrollArea::vertical().max_height(200.0).show(ui, |ui| {
         for conflict in conflicts {
-            ui.label(say!(ask_export_over_file, conflict = conflict.to_string()));
+            ui.label(say!(ask_export_over_file, conflict = conflict.sentence()));
         }
     });
     let mut rows = vec![(say!(ask_export_other), Answer::OtherFolder)];

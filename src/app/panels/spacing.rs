@@ -3,7 +3,7 @@
 use super::super::App;
 use super::dose::bar;
 use crate::picture::spacing::Place;
-use crate::text::{fixed, id, say};
+use crate::text::{fixed, id, say, spacing_labels};
 use crate::view::Bounds;
 use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
 use nalgebra::Vector3;
@@ -26,7 +26,7 @@ impl App {
                     return;
                 };
                 bar(ui, WIDTH, || say!(spacing_legend_scale), |share| share);
-                thirds(ui, scale.labels());
+                thirds(ui, spacing_labels(&scale));
                 let sides = [say!(spacing_legend_closer), say!(spacing_legend_wanted), say!(spacing_legend_farther)];
                 thirds(ui, sides);
                 let [(least, on_least), (greatest, on_greatest)] =

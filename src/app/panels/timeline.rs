@@ -8,7 +8,7 @@ use crate::picture::palette::state;
 use crate::planning::Plan;
 use crate::pose::State;
 use crate::program::Timeline;
-use crate::text::{clock, figure, fixed, id, say};
+use crate::text::{clock, fixed, id, say};
 use eframe::egui::{self, Color32, RichText, Slider};
 
 impl App {
@@ -139,8 +139,8 @@ impl App {
                     .moment()
                     .map_or_else(|| setup.flange_for(&t.frame(self.work().defocus_mm)), |m| m.base_from_flange);
                 let angles_deg = rpy::from_rotation(&flange.rotation.to_rotation_matrix());
-                let [rz, ry, rx] = angles_deg.map(|a| figure(a, 2));
-                let [x, y, z] = <[f64; 3]>::from(flange.translation.vector).map(|c| figure(c, 1));
+                let [rz, ry, rx] = angles_deg.map(|a| fixed(a, 2));
+                let [x, y, z] = <[f64; 3]>::from(flange.translation.vector).map(|c| fixed(c, 1));
                 let text = say!(timeline_flange, x, y, z, rz, ry, rx);
                 ui.monospace(text).on_hover_text(say!(timeline_flange_tip));
             }
