@@ -213,11 +213,6 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a, S
     let singular = samples.iter().map(|s| s.singularity).fold(f64::INFINITY, f64::min);
     let limits = robot.limits_deg.iter().zip(COLORS).flat_map(|(l, color)| l.map(|deg| (deg, color)));
     let red = super::super::theme::WRONG;
-    let angle = |name: &str, k: usize, color| Curve {
-        name: name.into(),
-        color,
-        value: Box::new(move |s: &Sample| s.rz_ry_rx_deg[k]),
-    };
     vec![
         Diagram {
             key: "joints",
@@ -243,7 +238,7 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a, S
             key: "flange angles",
             name: say!(plots_angles_name),
             title: say!(plots_angles),
-            curves: vec![angle("RZ", 0, COLORS[0]), angle("RY", 1, COLORS[2]), angle("RX", 2, COLORS[5])],
+            curves: vec![turn("RZ", 0, COLORS[0]), turn("RY", 1, COLORS[2]), turn("RX", 2, COLORS[5])],
             words: None,
             bounds: Vec::new(),
             decimals: 1,
@@ -286,6 +281,11 @@ fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearan
         decimals: 1,
         least: 10.0,
     }
+}
+
+/// One of the three angles of the flange, by its place among them.
+fn turn(name: &str, place: usize, color: Color32) -> Curve<'static, Sample> {
+    Curve { name: name.into(), color, value: Box::new(move |s| s.rz_ry_rx_deg[place]) }
 }
 
 /// Name of a joint, counted from 0.
