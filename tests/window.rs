@@ -209,15 +209,3 @@ fn an_idle_window_repaints_nothing() {
 }
 
 #[test]
-fn every_command_can_be_given_at_any_time() {
-    for open in [None, Some(sample("workpiece.stl"))] {
-        let mut h = window(open, &Answers::default());
-        for row in COMMANDS {
-            if let Some(keys) = row.keys {
-                press(&mut h, keys.modifiers, keys.logical_key);
-            }
-        }
-        h.step();
-        assert!(h.query_by_label("File").is_some(), "the window is still there");
-    }
-}

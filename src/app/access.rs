@@ -47,7 +47,7 @@ impl App {
     pub(super) fn access_place(&self) -> Option<Place> {
         self.hovered_place().or_else(|| {
             let t = self.target()?;
-            let surface = self.derived.plan()?.plan.passes.get(self.session.at.0)?.surface;
+            let surface = self.derived.plan()?.plan.passes.get(self.session.playback.at.0)?.surface;
             let chosen = (t.state != State::Blocked).then(|| t.tilt());
             Some(Place { p: t.p, n: t.n, tangent: t.tangent(), surface, chosen, hovered: false })
         })
@@ -95,10 +95,10 @@ impl App {
 
     /// The strip of the current pass.
     pub(super) fn access_strip(&mut self, over: Over) -> Option<&AccessStrip> {
-        let of = ((over, self.session.at.0), self.document.job().clone(), self.plan_key());
+        let of = ((over, self.session.playback.at.0), self.document.job().clone(), self.plan_key());
         if self.strip.as_ref().is_none_or(|s| s.of != of) {
             let (planned, job) = (self.derived.plan()?, self.document.job());
-            let (part, pass) = (&planned.part, planned.plan.passes.get(self.session.at.0)?);
+            let (part, pass) = (&planned.part, planned.plan.passes.get(self.session.playback.at.0)?);
             let setup = self.derived.pipeline.setup()?.ok()?;
             let body = body(job, setup);
             let beam = Beam::with(part, body.as_ref());
@@ -112,8 +112,8 @@ impl App {
     /// Surface of the current pass, and its number among the lines of that surface.
     pub(super) fn current_line(&self) -> Option<(u32, u32)> {
         let plan = &self.derived.plan()?.plan;
-        let surface = plan.passes.get(self.session.at.0)?.surface;
-        let before = plan.passes.iter().take(self.session.at.0).filter(|p| p.surface == surface).count();
+        let surface = plan.passes.get(self.session.playback.at.0)?.surface;
+        let before = plan.passes.iter().take(self.session.playback.at.0).filter(|p| p.surface == surface).count();
         Some((surface, before as u32))
     }
 }

@@ -2,10 +2,10 @@
 //! to the place that was right clicked.
 
 use super::App;
-use crate::document::StartFrom;
 use crate::part::{SurfaceId, Surfaces};
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;
+use crate::text::{fixed, id, say};
 use crate::view::LineItem;
 use nalgebra::Point3;
 use std::collections::BTreeMap;
@@ -71,8 +71,14 @@ impl App {
     pub(super) fn border_words(&self, surface: u32, index: u32) -> Option<String> {
         let all = self.borders.known.get(&surface)?;
         let border = all.get(index as usize)?;
-        let name = StartFrom::Border(index);
-        Some(format!("{name} of {} of surface {surface}, {:.1} mm long", all.len(), border.length_mm))
+        let number = u64::from(index) + 1;
+        Some(say!(
+            view_border,
+            number = id(number),
+            count = all.len(),
+            surface = id(surface),
+            length_mm = fixed(border.length_mm, 1)
+        ))
     }
 }
 

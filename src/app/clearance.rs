@@ -2,6 +2,7 @@
 //! are shown, and kept for one plan.
 
 use super::App;
+use super::command::Toggle;
 use crate::cell::Collision;
 use crate::program::{Clearance, clearances};
 use std::sync::Arc;
@@ -24,7 +25,7 @@ impl App {
     /// Looks at the clearance of the plan, one plan at a time: those of a drag are not waited for.
     pub(super) fn sync_clearance(&mut self) {
         self.derived.clearance.poll();
-        if !self.session.show.plots || self.derived.clearance.is_running() {
+        if !self.session.show.is_on(Toggle::Plots) || self.derived.clearance.is_running() {
             return;
         }
         let d = &mut self.derived;

@@ -6,7 +6,7 @@
 use super::clearance::ClearanceCurve;
 use super::dose::DoseView;
 use super::motion::Motion;
-use super::remedy::Proposal;
+use super::remedy::Remedy;
 use crate::document::model::PartFile;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
@@ -41,10 +41,8 @@ pub struct Derived {
     pub(super) motion: Stage<Motion, Infallible>,
     /// How far everything keeps from everything over it.
     pub(super) clearance: Stage<ClearanceCurve, Infallible>,
-    /// What would help with what is refused.
-    pub(super) advice: Stage<Vec<String>, Infallible>,
-    /// A better set-up, if there is any.
-    pub(super) proposal: Stage<Option<Proposal>, Infallible>,
+    /// What would help with what the robot refuses.
+    pub(super) remedy: Remedy,
     /// What lands.
     pub(super) dose: Stage<DoseView, PlanError>,
 }
@@ -64,8 +62,7 @@ impl Derived {
             laid: None,
             motion: Stage::default(),
             clearance: Stage::default(),
-            advice: Stage::default(),
-            proposal: Stage::default(),
+            remedy: Remedy::default(),
             dose: Stage::default(),
         }
     }
@@ -119,8 +116,7 @@ impl Derived {
     /// Ends all work.
     pub fn cancel_all(&mut self) {
         self.pipeline.cancel();
-        self.advice.cancel();
-        self.proposal.cancel();
+        self.remedy.cancel();
         self.dose.cancel();
     }
 
@@ -130,8 +126,7 @@ impl Derived {
             && !self.shapes.is_running()
             && !self.motion.is_running()
             && !self.clearance.is_running()
-            && !self.advice.is_running()
-            && !self.proposal.is_running()
+            && self.remedy.is_at_rest()
             && !self.dose.is_running()
     }
 

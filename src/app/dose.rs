@@ -2,13 +2,13 @@
 //! cancel, and kept for one plan. And what of it stands at a clicked place.
 
 use super::App;
+use super::command::Toggle;
 use super::session::Coloring;
 use crate::part::Surfaces;
 use crate::picture::dose::{DoseLook, dose_item};
 use crate::planning::PlannedJob;
 use crate::planning::dose::{DoseReport, dose, not_cleanable};
 use crate::process::{DoseMap, Patch, SpotHit};
-use crate::progress::Progress;
 use crate::view::MeshItem;
 use nalgebra::Point3;
 use std::sync::Arc;
@@ -45,22 +45,6 @@ impl App {
         self.derived.dose.of(self.derived.pipeline.dose_key()?)
     }
 
-    /// How far the computation is that is going on.
-    pub(super) fn dose_progress(&self) -> Option<&Progress> {
-        self.derived.dose.progress()
-    }
-
-    /// Shows the dose on the part, or the surfaces again.
-    pub(super) fn toggle_dose(&mut self) {
-        let show = !self.session.show.dose;
-        self.session.show.dose = show;
-        self.session.coloring = if show { Coloring::Dose } else { Coloring::Surface };
-        // A computation that was cancelled is asked for again.
-        if show {
-            self.derived.dose.try_again();
-        }
-    }
-
     /// Computes what is asked for, one plan at a time.
     pub(super) fn sync_dose(&mut self) {
         self.derived.dose.poll();
@@ -72,7 +56,7 @@ impl App {
             }
             return;
         };
-        if !self.session.show.dose || !self.derived.dose.lacks(key) {
+        if !self.session.show.is_on(Toggle::Dose) || !self.derived.dose.lacks(key) {
             return;
         }
         // Thresholds are those of the job as it is; all else of it is the plan's.

@@ -1,21 +1,20 @@
 //! The 3D view as a panel: clicks, hover, its context menu, and what stands at the cursor.
 
-use super::App;
-use super::command::Command;
+use super::command::{Command, More, Toggle};
+use super::context::Context;
 use super::session::Tool;
+use super::{App, panels};
 use crate::document::Edit;
 use crate::part::Shape;
+use crate::text::say;
 use crate::view::{Bounds, ViewportResponse};
-use eframe::egui::{self, Color32, RichText};
+use eframe::egui::{self, Color32};
 use nalgebra::{Point2, Point3, Vector3};
-
-/// Below this the toggles would fill more than two lines: they go into a menu.
-const NARROW: f32 = 480.0;
 
 impl App {
     /// The central panel.
     pub(super) fn view(&mut self, ui: &mut egui::Ui) {
-        self.toolbar(ui);
+        self.panel(|context, actions| panels::toolbar::ui(ui, context, actions));
         self.proposal_strip(ui);
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);
@@ -38,69 +37,10 @@ impl App {
             );
         }
         self.take_pointer(&response);
-        self.cursor_text(ui);
+        cursor_text(ui, self.context());
         let menu = response.response.clone();
         if response.secondary_clicked_px.is_some() || menu.context_menu_opened() {
             menu.context_menu(|ui| self.view_menu(ui));
-        }
-    }
-
-    fn toolbar(&mut self, ui: &mut egui::Ui) {
-        egui::Frame::new().inner_margin(4).fill(ui.visuals().panel_fill).show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                let width = ui.available_width();
-                ui.set_min_width(width);
-                if width < NARROW {
-                    ui.menu_button("Show ▼", |ui| self.toggles(ui)).response.on_hover_text("What the view shows");
-                } else {
-                    self.toggles(ui);
-                }
-                if self.session.tool != Tool::Select {
-                    let what = match self.session.tool {
-                        Tool::PickOrigin => "Click where the origin should be · Esc ends",
-                        _ => "Click the face to lay down · Esc ends",
-                    };
-                    ui.label(RichText::new(what).color(super::theme::ATTENTION));
-                }
-            });
-        });
-    }
-
-    fn toggles(&mut self, ui: &mut egui::Ui) {
-        use Command as C;
-        for command in [C::Lines, C::Frames, C::Beams, C::Air, C::Before, C::Section, C::HideChosen, C::Plain] {
-            let on = self.is_shown(command);
-            let enabled = self.is_enabled(command);
-            let name = super::panels::name_of(command);
-            let keys = super::panels::keys_of(ui.ctx(), command);
-            let button = egui::Button::selectable(on, name);
-            if ui.add_enabled(enabled, button).on_hover_text(keys).clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(command, &ctx);
-            }
-        }
-    }
-
-    /// Whether a toggle of the view is on.
-    pub(super) fn is_shown(&self, command: Command) -> bool {
-        let s = &self.session.show;
-        match command {
-            Command::Lines => s.lines,
-            Command::Frames => s.frames,
-            Command::Beams => s.beams,
-            Command::Air => s.air,
-            Command::Before => s.before,
-            Command::Plain => s.plain,
-            Command::HideChosen => s.hide_chosen,
-            Command::Section => s.section,
-            Command::Cell => s.cell,
-            Command::Plots => s.plots,
-            Command::Text => s.text,
-            Command::ToolBodies => s.tool,
-            Command::Access => s.access,
-            Command::Dose => s.dose,
-            Command::Spacing => s.spacing,
-            _ => false,
         }
     }
 
@@ -119,7 +59,7 @@ impl App {
 
     /// Facet and point of the part, in its own frame, under a pixel; hidden surfaces are seen through.
     fn picked_at(&self, px: Point2<f64>, r: &ViewportResponse) -> Option<(u32, Point3<f64>)> {
-        if self.session.show.section {
+        if self.session.show.is_on(Toggle::SectionPlane) {
             return None;
         }
         let part = self.derived.part.as_ref()?;
@@ -131,8 +71,8 @@ impl App {
         for _ in 0..64 {
             let hit = part.bvh.nearest_hit(&origin, &dir, 0.0, f64::INFINITY)?;
             let surface = *self.derived.surfaces.of_facet.get(hit.facet as usize)?;
-            let hidden =
-                self.session.hidden.contains(&surface) || self.session.show.hide_chosen && clean.contains(&surface);
+            let hidden = self.session.hidden.contains(&surface)
+                || self.session.show.is_on(Toggle::HideChosen) && clean.contains(&surface);
             let point = origin + dir * hit.t_mm;
             if !hidden {
                 return Some((hit.facet, point));
@@ -147,21 +87,15 @@ impl App {
         self.derived.surfaces.of_facet.get(facet as usize).copied()
     }
 
-    /// The surface of the place under the cursor.
-    fn hovered_surface(&self) -> Option<u32> {
-        let (facet, _) = self.session.hover_place?;
-        self.derived.surfaces.of_facet.get(facet as usize).copied()
-    }
-
     fn take_pointer(&mut self, r: &ViewportResponse) {
         self.session.hover_place = r.hover_px.and_then(|px| self.picked_at(px, r));
-        if let Some(n) = self.hovered_surface() {
+        if let Some(n) = self.context().hovered_surface() {
             self.session.hovered = Some(n);
         }
         if let Some(px) = r.clicked_px {
             match (self.session.tool, self.picked_at(px, r)) {
                 (Tool::Select, found) => {
-                    if let (true, Some((facet, point))) = (self.session.show.dose, found) {
+                    if let (true, Some((facet, point))) = (self.session.show.is_on(Toggle::Dose), found) {
                         self.click_dose(facet, point);
                     }
                     let n = found.and_then(|(f, _)| self.derived.surfaces.of_facet.get(f as usize).copied());
@@ -193,23 +127,6 @@ impl App {
         }
     }
 
-    /// Selects as lists do: Ctrl toggles, Shift adds.
-    pub(super) fn select(&mut self, surface: Option<u32>, modifiers: egui::Modifiers) {
-        let selected = &mut self.session.selected;
-        match surface {
-            Some(n) if modifiers.command && selected.contains(&n) => {
-                selected.remove(&n);
-            }
-            Some(n) if modifiers.shift || modifiers.command => {
-                selected.insert(n);
-            }
-            Some(n) => *selected = [n].into(),
-            None if !modifiers.command && !modifiers.shift => selected.clear(),
-            None => {}
-        }
-        self.session.anchor = surface;
-    }
-
     /// Fits the camera to one surface.
     pub(super) fn focus_surface(&mut self, n: u32) {
         let (Some(part), Some(s)) = (&self.derived.part, self.derived.surfaces.get(n)) else { return };
@@ -237,28 +154,21 @@ impl App {
         self.session.tool = Tool::Select;
     }
 
-    fn cursor_text(&self, ui: &egui::Ui) {
-        let Some(surface) = self.hovered_surface() else { return };
-        let Some(pointer) = ui.ctx().pointer_hover_pos() else { return };
-        let label = self.derived.label(self.document.job(), surface);
-        text_at(ui.ctx(), pointer, format!("{surface}  {label}"));
-    }
-
     fn view_menu(&mut self, ui: &mut egui::Ui) {
         use Command as C;
         let place = self.spiral_place();
-        let button = ui.add_enabled(place.is_some(), egui::Button::new("Spiral centre here"));
-        if button.on_disabled_hover_text("For surfaces with the strategy spiral").clicked() {
+        let button = ui.add_enabled(place.is_some(), egui::Button::new(say!(view_spiral_centre_here)));
+        if button.on_disabled_hover_text(say!(view_only_with_spiral)).clicked() {
             self.put_spiral_centre();
             ui.close();
         }
         let border = self.border_place();
-        let button = ui.add_enabled(border.is_some(), egui::Button::new("Offset from this border"));
+        let button = ui.add_enabled(border.is_some(), egui::Button::new(say!(view_offset_from_this_border)));
         let button = match border.and_then(|(surface, index)| self.border_words(surface, index)) {
             Some(words) => button.on_hover_text(words),
             None => button,
         };
-        if button.on_disabled_hover_text("For surfaces with the strategy offset that have a border").clicked() {
+        if button.on_disabled_hover_text(say!(view_only_with_offset)).clicked() {
             self.start_from_border();
             ui.close();
         }
@@ -268,19 +178,33 @@ impl App {
             C::Hide,
             C::Isolate,
             C::ShowAll,
-            C::SelectSameShape,
-            C::SelectNeighbours,
+            C::Select(More::SameShape),
+            C::Select(More::Neighbours),
             C::FlipSurface,
             C::Fit,
         ] {
-            let button = egui::Button::new(super::panels::name_of(command));
-            if ui.add_enabled(self.is_enabled(command), button).clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(command, &ctx);
+            let button = egui::Button::new(command.name());
+            if ui.add_enabled(self.context().is_enabled(command), button).clicked() {
+                self.run(command);
                 ui.close();
             }
         }
     }
+}
+
+impl Context<'_> {
+    /// The surface of the place under the cursor.
+    fn hovered_surface(self) -> Option<u32> {
+        let (facet, _) = self.session.hover_place?;
+        self.derived.surfaces.of_facet.get(facet as usize).copied()
+    }
+}
+
+fn cursor_text(ui: &egui::Ui, context: Context<'_>) {
+    let Some(surface) = context.hovered_surface() else { return };
+    let Some(pointer) = ui.ctx().pointer_hover_pos() else { return };
+    let label = context.derived.label(context.document.job(), surface);
+    text_at(ui.ctx(), pointer, format!("{surface}  {label}"));
 }
 
 /// A text beside the cursor.

@@ -1,11 +1,13 @@
-//! What waits for the operator's word before anything is done, and the doing of it.
+//! What waits for the operator's word before anything is done, and what is done at his word.
 
 use super::App;
 use super::dialogs::Purpose;
-use super::opening::LookedAt;
+use super::journal::JournalKeeper;
+use super::reading::LookedAt;
 use crate::document::journal::{LeftBehind, Leftover};
-use crate::document::{Document, Forgotten, Journal, journal};
+use crate::document::{Document, Forgotten, journal};
 use crate::planning::export::FileConflict;
+use crate::text::Sentence as _;
 use std::path::{Path, PathBuf};
 
 /// A question.
@@ -42,13 +44,13 @@ pub(super) enum Question {
 impl App {
     /// The window with a journal of unsaved changes in a folder; it asks about those that were left there.
     pub fn with_journal(mut self, folder: Option<PathBuf>) -> App {
-        match Journal::open(folder.as_deref()) {
+        match JournalKeeper::open(folder.as_deref()) {
             Ok(journal) => self.journal = journal,
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
         let found = folder.as_deref().map(journal::left_behind).unwrap_or_default();
         if let Some(why) = found.unreadable.first() {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
         if !found.leftovers.is_empty() {
             self.question = Some(Question::Restore(found));
@@ -58,26 +60,21 @@ impl App {
 
     /// Keeps the unsaved changes, so that a killed program loses nothing.
     pub(super) fn keep_journal(&mut self) {
-        if let Err(why) = self.journal.record(&self.document) {
-            let why = why.to_string();
-            // Once is enough: it is tried again with every edit.
-            if self.session.journal_error.as_ref() != Some(&why) {
-                self.session.error = Some(why.clone());
-                self.session.journal_error = Some(why);
-            }
+        if let Some(why) = self.journal.keep(&self.document) {
+            self.session.error = Some(why);
         }
     }
 
     /// Nothing of the unsaved changes is wanted any more.
     pub(super) fn clear_journal(&mut self) {
         if let Err(why) = self.journal.clear() {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
     }
 
     /// The changed part's file is not wanted: as long as the document is open it is not asked about again.
     pub(super) fn keep_part(&mut self, looked: &LookedAt) {
-        self.reading.unwanted = Some(looked.source.sha256.clone());
+        self.reading.refuse(looked);
     }
 
     /// Asks for another file in the place of the part.
@@ -89,7 +86,7 @@ impl App {
     pub(super) fn forget_recipe(&mut self, name: &str) {
         match self.recipes.forget(name) {
             Ok(forgotten) => self.session.forgotten = Some(forgotten),
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
     }
 
@@ -97,7 +94,7 @@ impl App {
     pub(super) fn bring_recipe_back(&mut self, forgotten: &Forgotten) {
         self.session.forgotten = None;
         if let Err(why) = self.recipes.bring_back(forgotten) {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
     }
 

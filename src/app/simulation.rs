@@ -1,13 +1,16 @@
-//! The simulation: time and target go together, either may lead. And the two modes of the view:
+//! The simulation in the window: its place in the plan, and what stands where then. And the two modes of the view:
 //! the part alone in its own frame, or the robot cell in the base.
 
 use super::App;
+use super::command::{Jump, Toggle};
 use crate::cell::{Joints, Setup};
 use crate::picture::CellPicture;
-use crate::program::{Moment, Timeline};
 use crate::view::{Bounds, Camera};
 use eframe::egui;
 use nalgebra::{Isometry3, Point3};
+
+/// A frame that took longer, s, counts as so long: the simulation must not jump.
+const LONGEST_FRAME_S: f32 = 0.1;
 
 /// What stands where in the base.
 pub(super) struct Placed {
@@ -22,39 +25,37 @@ pub(super) struct Placed {
 }
 
 impl App {
-    /// The program over time, with a robot.
-    pub(super) fn timeline(&self) -> Option<&Timeline> {
-        self.derived.motion()?.timeline.as_ref()
-    }
-
-    /// The arm now.
-    pub(super) fn moment(&self) -> Option<Moment> {
-        Some(self.timeline()?.moment(self.session.time_s))
-    }
-
     /// Steps to a target; the time follows.
     pub(super) fn go_to_target(&mut self, at: (usize, usize)) {
-        self.session.at = at;
-        self.session.time_s = self.derived.motion().map_or(0.0, |m| m.time_of(at));
+        self.session.playback.go_to_target(at, self.derived.motion().map(|m| &**m));
     }
 
-    /// Goes to a time; the target follows: the one that is being gone to, or was reached last.
+    /// Goes to a time; the target follows.
     pub(super) fn go_to_time(&mut self, time_s: f64) {
-        let Some(timeline) = self.timeline() else { return };
-        let time_s = time_s.clamp(0.0, timeline.total_s());
-        let stops = &timeline.stops()[..=timeline.stop_at(time_s)];
-        let at = stops.iter().rev().find_map(|s| s.target).unwrap_or((0, 0));
-        (self.session.time_s, self.session.at) = (time_s, at);
+        if let Some(timeline) = self.derived.motion().and_then(|m| m.timeline.as_ref()) {
+            self.session.playback.go_to_time(time_s, timeline);
+        }
     }
 
-    /// Moves the time on while playing.
-    pub(super) fn advance_time(&mut self, ctx: &egui::Context) {
-        let Some(total_s) = self.timeline().map(Timeline::total_s) else { return };
-        let since_s = f64::from(ctx.input(|i| i.stable_dt).min(0.1) * self.session.play_speed);
-        let time_s = self.session.time_s + since_s;
-        let ended = time_s >= total_s;
-        self.go_to_time(if ended && self.session.play_loop { 0.0 } else { time_s });
-        self.session.playing = !ended || self.session.play_loop;
+    /// Goes to another target.
+    pub(super) fn jump(&mut self, jump: Jump) {
+        if let Some(of) = self.derived.plan() {
+            self.session.playback.jump(jump, &of.plan, self.derived.motion().map(|m| &**m));
+        }
+    }
+
+    /// Starts or stops the simulation.
+    pub(super) fn play_or_pause(&mut self) {
+        let timeline = self.derived.motion().and_then(|m| m.timeline.as_ref());
+        self.session.playback.play_or_pause(timeline);
+    }
+
+    /// Goes on while playing.
+    pub(super) fn advance_playback(&mut self, ctx: &egui::Context) {
+        let Some(of) = self.derived.plan().filter(|_| self.session.playback.is_playing) else { return };
+        ctx.request_repaint();
+        let real_s = f64::from(ctx.input(|i| i.stable_dt).min(LONGEST_FRAME_S));
+        self.session.playback.advance(real_s, &of.plan, self.derived.motion().map(|m| &**m));
     }
 
     fn setup(&self) -> Option<&Setup> {
@@ -67,18 +68,13 @@ impl App {
         proposed.or(self.derived.cell.as_ref())
     }
 
-    /// Whether the robot cell is shown.
-    pub(super) fn is_in_cell(&self) -> bool {
-        self.session.show.cell && self.derived.cell.is_some()
-    }
-
     /// What stands where now, or would; at home before there is a plan.
     pub(super) fn placed(&self) -> Option<Placed> {
         let proposal = self.proposal();
         let setup = proposal.map_or_else(|| self.setup(), |p| Some(&p.setup))?;
         let robot = setup.robot.as_ref()?;
         let moment = self.moment().filter(|_| proposal.is_none());
-        let still = || proposal.map_or(setup.home_joints_deg(), |p| self.proposed_joints_deg(p));
+        let still = || proposal.map_or(setup.home_joints_deg(), |p| self.context().proposed_joints_deg(p));
         let joints_deg = moment.map_or_else(still, |m| m.joints_deg);
         let flange = moment.map_or_else(|| robot.forward(&joints_deg), |m| m.base_from_flange);
         Some(Placed {
@@ -130,31 +126,31 @@ impl App {
             ..Camera::default()
         };
         camera.fit(&bounds, size);
-        self.jump(camera);
+        self.set_camera(camera);
         self.session.fit_pending = false;
     }
 
-    fn jump(&mut self, camera: Camera) {
+    fn set_camera(&mut self, camera: Camera) {
         self.viewport.camera = camera;
         self.viewport.glide_to(camera); // ends a flight that is under way
     }
 
     /// From the part to the cell, or back; each keeps its camera.
     pub(super) fn toggle_cell(&mut self) {
-        self.session.show.section = false;
-        self.session.show.cell = !self.session.show.cell;
+        self.session.show.set(Toggle::SectionPlane, false);
+        self.session.show.flip(Toggle::Cell);
         match self.session.other_camera.replace(self.viewport.camera) {
-            Some(camera) => self.jump(camera),
+            Some(camera) => self.set_camera(camera),
             None => self.session.fit_pending = true,
         }
     }
 
     /// Back to the part, where only its own frame will do.
     pub(super) fn leave_cell(&mut self) {
-        if self.session.show.cell {
-            let section = self.session.show.section;
+        if self.session.show.is_on(Toggle::Cell) {
+            let section = self.session.show.is_on(Toggle::SectionPlane);
             self.toggle_cell();
-            self.session.show.section = section;
+            self.session.show.set(Toggle::SectionPlane, section);
         }
     }
 }

@@ -8,7 +8,7 @@
 mod bundle;
 mod cell;
 mod document;
-mod messages;
+pub(crate) mod messages;
 mod number;
 mod part;
 mod planning;

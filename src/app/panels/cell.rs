@@ -132,13 +132,12 @@ impl App {
             return;
         }
         ui.add_space(2.0);
-        let button = egui::Button::new(super::name_of(Command::BetterSetup));
+        let button = egui::Button::new(Command::BetterSetup.name());
         let tip = "Looks for where part and laser would have to stand so that the robot reaches more of the work";
         let response = ui.add_enabled(self.is_enabled(Command::BetterSetup), button).on_hover_text(tip);
         let why = if self.is_proposing() { "It is being looked for" } else { "The robot refuses nothing" };
         if response.on_disabled_hover_text(why).clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::BetterSetup, &ctx);
+            self.run(Command::BetterSetup);
         }
         ui.add_space(4.0);
     }
@@ -153,8 +152,7 @@ impl App {
         let size = egui::vec2(ui.available_width(), 28.0);
         let response = ui.add_enabled_ui(ready, |ui| ui.add_sized(size, button)).inner;
         if response.on_hover_text(why).on_disabled_hover_text("The plan is not finished").clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::Export, &ctx);
+            self.run(Command::Export);
         }
         ui.add_space(2.0);
     }

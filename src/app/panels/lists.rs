@@ -236,7 +236,7 @@ impl App {
         if response.double_clicked() && same_row {
             self.session.selected = [n].into();
             let command = if is_clean { Command::Unclean } else { Command::Clean };
-            self.run(command, &response.ctx.clone());
+            self.run(command);
         } else if response.clicked() {
             let from = self.session.anchor.and_then(|a| rows.iter().position(|&r| r == a));
             let to = rows.iter().position(|&r| r == n);
@@ -292,14 +292,13 @@ impl App {
             let buttons = [
                 ("▼ To clean", Command::Clean),
                 ("▲ Back", Command::Unclean),
-                ("Earlier", Command::Earlier),
-                ("Later", Command::Later),
+                ("Earlier", Command::CleanEarlier),
+                ("Later", Command::CleanLater),
             ];
             for (text, command) in buttons {
-                let tip = format!("{}  {}", super::name_of(command), super::keys_of(ui.ctx(), command));
+                let tip = format!("{}  {}", command.name(), command.keys_text(ui.ctx()));
                 if ui.add_enabled(self.is_enabled(command), egui::Button::new(text)).on_hover_text(tip).clicked() {
-                    let ctx = ui.ctx().clone();
-                    self.run(command, &ctx);
+                    self.run(command);
                 }
             }
         });

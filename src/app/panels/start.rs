@@ -21,8 +21,7 @@ impl App {
                     ui.label(RichText::new("Drop an STL here").size(20.0));
                     ui.add_space(6.0);
                     if ui.button(RichText::new("Open…").size(16.0)).clicked() {
-                        let ctx = ui.ctx().clone();
-                        self.run(Command::Open, &ctx);
+                        self.run(Command::Open);
                     }
                 });
             });

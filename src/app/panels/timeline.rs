@@ -42,7 +42,7 @@ impl App {
             let width = (ui.available_width() - 330.0).max(80.0);
             self.scrub(ui, width);
             let Some(total_s) = self.timeline().map(Timeline::total_s) else { return };
-            let text = format!("{} / {}", super::clock(self.session.time_s), super::clock(total_s));
+            let text = format!("{} / {}", super::clock(self.session.playback.time_s), super::clock(total_s));
             ui.monospace(RichText::new(text).strong()).on_hover_text("Hours, minutes, seconds");
             self.play_speed(ui);
         });
@@ -67,24 +67,23 @@ impl App {
     }
 
     fn play_button(&mut self, ui: &mut egui::Ui) {
-        let text = if self.session.playing { "Pause" } else { "▶ Play" };
+        let text = if self.session.playback.is_playing { "Pause" } else { "▶ Play" };
         if ui.button(text).on_hover_text("Space").clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::Play, &ctx);
+            self.run(Command::Play);
         }
     }
 
     fn play_speed(&mut self, ui: &mut egui::Ui) {
-        let speed = egui::DragValue::new(&mut self.session.play_speed).range(0.1..=20.0).speed(0.05).prefix("× ");
+        let speed = egui::DragValue::new(&mut self.session.playback.speed).range(0.1..=20.0).speed(0.05).prefix("× ");
         ui.add(speed)
             .on_hover_text("Times the real speed")
             .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, "play speed"));
-        ui.checkbox(&mut self.session.play_loop, "loop");
+        ui.checkbox(&mut self.session.playback.repeats, "loop");
     }
 
     fn pass_row(&mut self, ui: &mut egui::Ui, plan: &Plan) {
         let passes = plan.passes.len();
-        let (mut pass, mut point) = self.session.at;
+        let (mut pass, mut point) = self.session.playback.at;
         pass = pass.min(passes - 1);
         let points = plan.passes[pass].targets.len();
         point = point.min(points.saturating_sub(1));
@@ -102,9 +101,9 @@ impl App {
             self.play_speed(ui);
         });
         if (pass, point) != shown {
-            self.session.at = (pass, if pass == shown.0 { point } else { 0 });
+            self.session.playback.at = (pass, if pass == shown.0 { point } else { 0 });
         } else {
-            self.session.at = shown;
+            self.session.playback.at = shown;
         }
     }
 
@@ -115,7 +114,7 @@ impl App {
             State::Corrected => ("corrected", state::CORRECTED),
             State::Blocked => ("blocked", [240, 70, 70]),
         };
-        let (pass, point) = self.session.at;
+        let (pass, point) = self.session.playback.at;
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(word).strong().color(Color32::from_rgb(r, g, b)));
             ui.label(format!("pass {pass} · point {point}"));
