@@ -5,7 +5,7 @@
 
 mod common;
 
-use clearbeam::app::{App, COMMANDS, Purpose};
+use clearbeam::app::{App, Purpose};
 use common::window::{Answers, click, drag, press, sample, settle, snapshot, type_into, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
@@ -207,5 +207,3 @@ fn an_idle_window_repaints_nothing() {
     assert!(h.try_run().is_ok(), "frames are asked for without end");
     assert!(h.try_run().is_ok_and(|frames| frames <= 2), "nothing more to paint");
 }
-
-#[test]

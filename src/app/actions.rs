@@ -12,6 +12,7 @@ enum Action {
     Command(Command),
     Edit { edit: Edit, gesture: Option<String> },
     Open(PathBuf),
+    Focus(u32),
     Session(Box<dyn FnOnce(&mut Session)>),
 }
 
@@ -26,7 +27,6 @@ impl Actions {
     }
 
     /// Changes the document, as a step of its own.
-    #[expect(dead_code, reason = "panels with fields ask the window itself so far")]
     pub fn edit(&mut self, edit: Edit) {
         self.0.push(Action::Edit { edit, gesture: None });
     }
@@ -42,8 +42,12 @@ impl Actions {
         self.0.push(Action::Open(file));
     }
 
+    /// Fits the camera to a surface.
+    pub fn focus(&mut self, surface: u32) {
+        self.0.push(Action::Focus(surface));
+    }
+
     /// Changes what is selected, shown or open.
-    #[expect(dead_code, reason = "panels with fields ask the window itself so far")]
     pub fn session(&mut self, change: impl FnOnce(&mut Session) + 'static) {
         self.0.push(Action::Session(Box::new(change)));
     }
@@ -59,6 +63,7 @@ impl App {
                 Action::Command(command) => self.run(command),
                 Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
                 Action::Open(file) => self.open_guarded(file),
+                Action::Focus(surface) => self.focus_surface(surface),
                 Action::Session(change) => change(&mut self.session),
             }
         }

@@ -2,13 +2,17 @@
 
 use super::App;
 use super::command::Command;
+use super::dose::DoseView;
 use super::remedy::Proposal;
 use crate::beam::Work;
 use crate::planning::Failure;
 use crate::pose::Target;
 use crate::program::{Moment, Timeline};
 use crate::progress::Progress;
+use eframe::egui;
+use nalgebra::Isometry3;
 use std::convert::Infallible;
+use std::sync::Arc;
 
 impl App {
     /// Whether a command can do anything now.
@@ -79,5 +83,20 @@ impl App {
     /// How far the dose is that is being computed.
     pub(super) fn dose_progress(&self) -> Option<&Progress> {
         self.derived.dose.progress()
+    }
+
+    /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
+    pub(super) fn dose(&self) -> Option<&Arc<DoseView>> {
+        self.context().dose()
+    }
+
+    /// Where the part stands in the view: in its own frame, or in the base.
+    pub(super) fn scene_from_part(&self) -> Isometry3<f64> {
+        self.context().scene_from_part()
+    }
+
+    /// Selects as lists do.
+    pub(super) fn select(&mut self, surface: Option<u32>, modifiers: egui::Modifiers) {
+        self.session.select(surface, modifiers);
     }
 }

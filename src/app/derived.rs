@@ -3,15 +3,15 @@
 //! What is shown may be out of date, and is marked so then. What is *current* is asked for by the job as it
 //! is now: only that is called proven, and only that is exported.
 
-use super::clearance::ClearanceCurve;
-use super::dose::DoseView;
+use super::clearance::ClearanceSearch;
+use super::dose::Dose;
 use super::motion::Motion;
 use super::remedy::Remedy;
 use crate::document::model::PartFile;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
-use crate::planning::{Executor, Pipeline, PlanError, PlannedJob, PlanningError, Stage};
+use crate::planning::{Executor, Pipeline, PlannedJob, PlanningError, Stage};
 use crate::view::LineItem;
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -40,11 +40,11 @@ pub struct Derived {
     /// The plan in motion.
     pub(super) motion: Stage<Motion, Infallible>,
     /// How far everything keeps from everything over it.
-    pub(super) clearance: Stage<ClearanceCurve, Infallible>,
+    pub(super) clearance: ClearanceSearch,
     /// What would help with what the robot refuses.
     pub(super) remedy: Remedy,
     /// What lands.
-    pub(super) dose: Stage<DoseView, PlanError>,
+    pub(super) dose: Dose,
 }
 
 impl Derived {
@@ -61,9 +61,9 @@ impl Derived {
             cell: None,
             laid: None,
             motion: Stage::default(),
-            clearance: Stage::default(),
+            clearance: ClearanceSearch::default(),
             remedy: Remedy::default(),
-            dose: Stage::default(),
+            dose: Dose::default(),
         }
     }
 
@@ -125,9 +125,9 @@ impl Derived {
         self.pipeline.is_at_rest()
             && !self.shapes.is_running()
             && !self.motion.is_running()
-            && !self.clearance.is_running()
+            && self.clearance.is_at_rest()
             && self.remedy.is_at_rest()
-            && !self.dose.is_running()
+            && self.dose.is_at_rest()
     }
 
     /// Numbers of all surfaces.

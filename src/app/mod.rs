@@ -43,7 +43,6 @@ pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 use crate::document::{Document, Library, users_folder};
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{Pool, Stage};
-use crate::pose::access::{AccessMap, AccessStrip, Over};
 use crate::text::say;
 use crate::view::{Scene, Viewport};
 use derived::Derived;
@@ -71,9 +70,8 @@ pub struct App {
     journal: journal::JournalKeeper,
     /// The export that is being written.
     exporting: Stage<Exported, ExportError>,
-    /// The access map of the moment, and the strip of the pass.
-    access: Option<access::Made<access::Place, AccessMap>>,
-    strip: Option<access::Made<(Over, usize), AccessStrip>>,
+    /// From where the current place can be reached.
+    access: access::AccessViews,
     /// Lines of the paths, kept while nothing about them changes.
     path_lines: Option<scene::PathLines>,
     recent: Vec<PathBuf>,
@@ -109,8 +107,7 @@ impl App {
             question: None,
             journal: journal::JournalKeeper::default(),
             exporting: Stage::default(),
-            access: None,
-            strip: None,
+            access: access::AccessViews::default(),
             path_lines: None,
             recent,
             recipes: Library::open(None),

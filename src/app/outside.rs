@@ -4,6 +4,8 @@ use super::derived::Derived;
 use super::{App, Command, Pool};
 use crate::document::{Document, Edit, Parameter};
 use crate::planning::{Executor, PlannedJob};
+use crate::view::Camera;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -37,6 +39,31 @@ impl App {
     /// Numbers of the surfaces that are shown.
     pub fn surfaces(&self) -> Vec<u32> {
         self.derived.numbers()
+    }
+
+    /// The surfaces that are selected.
+    pub fn selected(&self) -> &BTreeSet<u32> {
+        &self.session.selected
+    }
+
+    /// The surfaces that are not shown.
+    pub fn hidden(&self) -> &BTreeSet<u32> {
+        &self.session.hidden
+    }
+
+    /// The current target: pass and point.
+    pub fn target_at(&self) -> (usize, usize) {
+        self.session.playback.at
+    }
+
+    /// From where the 3D view looks.
+    pub fn camera(&self) -> &Camera {
+        &self.viewport.camera
+    }
+
+    /// Whether a command can do anything now.
+    pub fn can(&self, command: Command) -> bool {
+        self.context().is_enabled(command)
     }
 
     /// Whether nothing is being computed or waited for: what is shown is current.

@@ -71,13 +71,13 @@ impl App {
             C::Redo => self.document.redo(),
             C::Clean => self.move_selected(true),
             C::Unclean => self.move_selected(false),
-            C::CleanEarlier => self.edit(Edit::Shift(self.selected(), -1)),
-            C::CleanLater => self.edit(Edit::Shift(self.selected(), 1)),
+            C::CleanEarlier => self.edit(Edit::Shift(self.session.selected_ids(), -1)),
+            C::CleanLater => self.edit(Edit::Shift(self.session.selected_ids(), 1)),
             C::Select(more) => self.select_more(more),
-            C::Merge => self.edit(Edit::Merge(self.selected())),
+            C::Merge => self.edit(Edit::Merge(self.session.selected_ids())),
             C::Split => self.split_selected(),
             C::Rename => self.begin_renaming(),
-            C::FlipSurface => self.selected().into_iter().for_each(|n| self.edit(Edit::FlipSurface(n))),
+            C::FlipSurface => self.session.selected_ids().into_iter().for_each(|n| self.edit(Edit::FlipSurface(n))),
             C::FlipShell => self.flip_shell(),
             C::PickOrigin => self.session.tool = Tool::PickOrigin,
             C::LayFlat => self.session.tool = Tool::LayFlat,
@@ -153,7 +153,7 @@ impl App {
 
     fn split_selected(&mut self) {
         let (part, angle_deg) = (self.derived.part.clone(), self.session.split_angle_deg);
-        if let (Some(part), Some(&n)) = (part, self.selected().first()) {
+        if let (Some(part), Some(&n)) = (part, self.session.selected_ids().first()) {
             self.edit(Edit::split(&part, &self.derived.surfaces, self.document.job(), n, angle_deg));
         }
     }
@@ -201,9 +201,9 @@ impl App {
     fn fit_selection(&mut self) {
         let Some(part) = &self.derived.part else { return };
         let facets = self.session.selected.iter().filter_map(|n| self.derived.surfaces.get(*n)).flat_map(|s| &s.facets);
-        let place = self.scene_from_part();
+        let place = self.context().scene_from_part();
         let points = facets.flat_map(|&f| part.mesh.corners(f as usize)).map(|p| place * p);
-        let bounds = Bounds::around(points).or_else(|| self.whole_bounds());
+        let bounds = Bounds::around(points).or_else(|| self.context().whole_bounds());
         bounds.into_iter().for_each(|b| self.viewport.fit(b));
     }
 }

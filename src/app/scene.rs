@@ -2,8 +2,9 @@
 
 use super::App;
 use super::command::Toggle;
+use super::context::Context;
 use super::derived::Derived;
-use super::session::{Session, Show};
+use super::session::Session;
 use crate::picture::{PartLook, PathLook, paths, section};
 use crate::pose::State;
 use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
@@ -17,21 +18,6 @@ pub(super) struct PathLines {
 }
 
 impl App {
-    /// What is shown of paths.
-    pub(super) fn path_look(&self, show: &Show) -> PathLook {
-        let size = self.derived.part.as_ref().map_or(100.0, |p| p.mesh.diagonal());
-        PathLook {
-            // Where the spacing is shown its dots stand for the lines.
-            lines: show.is_on(Toggle::PathLines) && !show.is_on(Toggle::Spacing),
-            frames: show.is_on(Toggle::PoseFrames),
-            beams: show.is_on(Toggle::Beams),
-            air: show.is_on(Toggle::ConnectingMoves),
-            before: show.is_on(Toggle::BeforeCorrection),
-            only_pass: None,
-            frame_mm: 0.014 * size,
-        }
-    }
-
     /// Builds the scene of this frame.
     pub(super) fn build_scene(&mut self, dark: bool) -> Arc<Scene> {
         let mut scene = Scene::default();
@@ -41,15 +27,15 @@ impl App {
         let d = &self.derived;
         let s = &self.session;
         let (Some(picture), Some(part)) = (&d.picture, &d.part) else { return Arc::new(scene) };
-        let look = self.path_look(&s.show);
+        let look = self.context().path_look();
         if s.show.is_on(Toggle::SectionPlane)
             && let Some(of) = d.plan_on_part()
         {
             // Before and after at once, as P1 Fig. 8 sets them side by side.
             scene.lines = section::section(part, &d.surfaces, &of.plan, s.playback.at.0, &look, of.picture_key());
         } else {
-            let place = self.scene_from_part();
-            let dose = self.dose_picture();
+            let place = self.context().scene_from_part();
+            let dose = self.context().dose_picture();
             let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
             scene.meshes.push(MeshItem { scene_from_item: place, ..part });
             let laid = d.laid.as_ref().map(|(_, lines)| lines);
@@ -65,25 +51,56 @@ impl App {
                 let lines = self.path_lines.iter().flat_map(|l| &l.lines);
                 scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
-            scene.lines.extend(self.border_lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
+            scene.lines.extend(self.borders.lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             let dots = self.spacing_points().iter();
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
-            self.add_simulation(&mut scene, place);
-            self.add_tool(&mut scene, place);
+            self.context().add_simulation(&mut scene, place);
+            self.context().add_tool(&mut scene, place);
             scene.points.extend(self.context().proposed_points(place));
         }
         let on_part = self.derived.plan_on_part().filter(|_| self.derived.laid.is_none());
         if let (Some(of), Some(t)) = (on_part, self.target()) {
             let (line, point) = paths::marked(t, self.work().defocus_mm, &look, of.picture_key());
-            let scene_from_item = self.scene_from_part();
+            let scene_from_item = self.context().scene_from_part();
             scene.lines.push(LineItem { scene_from_item, ..line });
             scene.points.push(PointItem { scene_from_item, ..point });
         }
         Arc::new(scene)
     }
 
+    /// Turns the camera onto the section plane of the current pass.
+    pub(super) fn look_along_section(&mut self) {
+        let Some(of) = self.derived.plan() else { return };
+        let Some(pass) = of.plan.passes.get(self.session.playback.at.0) else { return };
+        let part = &of.part;
+        let m = pass.plane_normal;
+        let mut camera = self.viewport.camera;
+        camera.projection = Projection::Parallel;
+        (camera.yaw_rad, camera.pitch_rad) = angles_onto(&m, &camera);
+        let (min, max) = part.mesh.bounds();
+        camera.target = min + (max - min) * 0.5;
+        self.viewport.glide_to(camera);
+    }
+}
+
+impl Context<'_> {
+    /// What is shown of paths.
+    pub fn path_look(self) -> PathLook {
+        let size = self.derived.part.as_ref().map_or(100.0, |p| p.mesh.diagonal());
+        PathLook {
+            // Where the spacing is shown its dots stand for the lines.
+            lines: self.session.show.is_on(Toggle::PathLines) && !self.session.show.is_on(Toggle::Spacing),
+            frames: self.session.show.is_on(Toggle::PoseFrames),
+            beams: self.session.show.is_on(Toggle::Beams),
+            air: self.session.show.is_on(Toggle::ConnectingMoves),
+            before: self.session.show.is_on(Toggle::BeforeCorrection),
+            only_pass: None,
+            frame_mm: 0.014 * size,
+        }
+    }
+
     /// What has been done, and in the robot cell who does it.
-    fn add_simulation(&self, scene: &mut Scene, place: Isometry3<f64>) {
+    fn add_simulation(self, scene: &mut Scene, place: Isometry3<f64>) {
         let trail = self.derived.motion().and_then(|m| m.trail.as_ref());
         if let (Some(moment), Some(trail), Some(_)) = (self.moment(), trail, self.derived.plan_on_part()) {
             scene.lines.extend(trail.until(&moment, place));
@@ -99,7 +116,7 @@ impl App {
     }
 
     /// Head and beam at the current target, and what stands on the part.
-    fn add_tool(&self, scene: &mut Scene, place: Isometry3<f64>) {
+    fn add_tool(self, scene: &mut Scene, place: Isometry3<f64>) {
         let Some((_, tool)) =
             self.derived.tool_picture.as_ref().filter(|_| self.session.show.is_on(Toggle::ToolBodies))
         else {
@@ -112,20 +129,6 @@ impl App {
             let focus = place * t.frame(self.work().defocus_mm);
             scene.meshes.extend(tool.at(&focus, t.state != State::Blocked));
         }
-    }
-
-    /// Turns the camera onto the section plane of the current pass.
-    pub(super) fn look_along_section(&mut self) {
-        let Some(of) = self.derived.plan() else { return };
-        let Some(pass) = of.plan.passes.get(self.session.playback.at.0) else { return };
-        let part = &of.part;
-        let m = pass.plane_normal;
-        let mut camera = self.viewport.camera;
-        camera.projection = Projection::Parallel;
-        (camera.yaw_rad, camera.pitch_rad) = angles_onto(&m, &camera);
-        let (min, max) = part.mesh.bounds();
-        camera.target = min + (max - min) * 0.5;
-        self.viewport.glide_to(camera);
     }
 }
 

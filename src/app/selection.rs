@@ -4,15 +4,9 @@ use super::App;
 use super::command::More;
 use crate::document::Edit;
 use crate::part::{Shape, SurfaceId, angle};
-use eframe::egui;
 use nalgebra::Vector3;
 
 impl App {
-    /// The selected surfaces.
-    pub(super) fn selected(&self) -> Vec<SurfaceId> {
-        self.session.selected.iter().copied().map(SurfaceId).collect()
-    }
-
     /// Moves the selection to the list to clean or back; focus stays on the neighbour.
     pub(super) fn move_selected(&mut self, to_clean: bool) {
         let clean = self.clean_list();
@@ -56,23 +50,6 @@ impl App {
             },
         };
         self.session.selected.extend(more);
-    }
-
-    /// Selects as lists do: Ctrl toggles, Shift adds.
-    pub(super) fn select(&mut self, surface: Option<u32>, modifiers: egui::Modifiers) {
-        let selected = &mut self.session.selected;
-        match surface {
-            Some(n) if modifiers.command && selected.contains(&n) => {
-                selected.remove(&n);
-            }
-            Some(n) if modifiers.shift || modifiers.command => {
-                selected.insert(n);
-            }
-            Some(n) => *selected = [n].into(),
-            None if !modifiers.command && !modifiers.shift => selected.clear(),
-            None => {}
-        }
-        self.session.anchor = surface;
     }
 
     /// Hides all surfaces that are not selected.

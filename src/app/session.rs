@@ -6,8 +6,10 @@ use super::panels::{Compare, Draft};
 use super::playback::Playback;
 use crate::cell::Mount;
 use crate::document::{Forgotten, Job, RecutAnchor};
+use crate::part::SurfaceId;
 use crate::pose::access::Over;
 use crate::view::Camera;
+use eframe::egui;
 use nalgebra::Point3;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -215,6 +217,28 @@ impl Default for Session {
 }
 
 impl Session {
+    /// The selected surfaces.
+    pub fn selected_ids(&self) -> Vec<SurfaceId> {
+        self.selected.iter().copied().map(SurfaceId).collect()
+    }
+
+    /// Selects as lists do: Ctrl toggles, Shift adds.
+    pub fn select(&mut self, surface: Option<u32>, modifiers: egui::Modifiers) {
+        let selected = &mut self.selected;
+        match surface {
+            Some(n) if modifiers.command && selected.contains(&n) => {
+                selected.remove(&n);
+            }
+            Some(n) if modifiers.shift || modifiers.command => {
+                selected.insert(n);
+            }
+            Some(n) => *selected = [n].into(),
+            None if !modifiers.command && !modifiers.shift => selected.clear(),
+            None => {}
+        }
+        self.anchor = surface;
+    }
+
     /// Forgets what belongs to one part.
     pub fn forget_part(&mut self) {
         let playback = Playback::at_speed(self.playback.speed);

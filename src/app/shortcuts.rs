@@ -22,3 +22,27 @@ fn is_given_while_typing(command: Command) -> bool {
     use Command as C;
     matches!(command, C::Open | C::Save | C::SaveAs | C::Export | C::Plan)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::{Event, Key, Modifiers, RawInput};
+
+    fn given(modifiers: Modifiers, key: Key) -> Vec<Command> {
+        let ctx = Context::default();
+        let press = Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers };
+        ctx.begin_pass(RawInput { events: vec![press], ..RawInput::default() });
+        let commands = pressed(&ctx);
+        ctx.end_pass().textures_delta.clear();
+        commands
+    }
+
+    #[test]
+    fn keys_give_their_command_and_no_other() {
+        for command in Command::ALL {
+            let Some(keys) = command.keys() else { continue };
+            assert_eq!(given(keys.modifiers, keys.logical_key), [*command]);
+        }
+        assert_eq!(given(Modifiers::NONE, Key::F12), []);
+    }
+}

@@ -3,6 +3,7 @@
 
 use super::App;
 use super::command::{Jump, Toggle};
+use super::context::Context;
 use crate::cell::{Joints, Setup};
 use crate::picture::CellPicture;
 use crate::view::{Bounds, Camera};
@@ -58,64 +59,10 @@ impl App {
         self.session.playback.advance(real_s, &of.plan, self.derived.motion().map(|m| &**m));
     }
 
-    fn setup(&self) -> Option<&Setup> {
-        self.derived.pipeline.setup()?.ok().map(|setup| &**setup)
-    }
-
-    /// Arm and head: as they stand, or as a proposed set-up would have them.
-    pub(super) fn cell_picture(&self) -> Option<&CellPicture> {
-        let proposed = self.proposal().and_then(|p| p.picture.as_ref());
-        proposed.or(self.derived.cell.as_ref())
-    }
-
-    /// What stands where now, or would; at home before there is a plan.
-    pub(super) fn placed(&self) -> Option<Placed> {
-        let proposal = self.proposal();
-        let setup = proposal.map_or_else(|| self.setup(), |p| Some(&p.setup))?;
-        let robot = setup.robot.as_ref()?;
-        let moment = self.moment().filter(|_| proposal.is_none());
-        let still = || proposal.map_or(setup.home_joints_deg(), |p| self.context().proposed_joints_deg(p));
-        let joints_deg = moment.map_or_else(still, |m| m.joints_deg);
-        let flange = moment.map_or_else(|| robot.forward(&joints_deg), |m| m.base_from_flange);
-        Some(Placed {
-            joints_deg,
-            base_from_part: setup.mounted().part_at(&flange),
-            base_from_focus: setup.mounted().focus_at(&flange),
-            lit: moment.is_some_and(|m| m.lit),
-        })
-    }
-
-    /// Where the part stands in the view: in its own frame, or in the base.
-    pub(super) fn scene_from_part(&self) -> Isometry3<f64> {
-        let placed = if self.is_in_cell() { self.placed() } else { None };
-        placed.map_or_else(Isometry3::identity, |p| p.base_from_part)
-    }
-
-    /// Length of the beam from the head to the part, mm.
-    pub(super) fn beam_mm(&self, placed: &Placed, tip_mm: f64) -> f64 {
-        let defocus_mm = self.document.job().beam.defocus_mm;
-        let part_from_focus = placed.base_from_part.inverse() * placed.base_from_focus;
-        let from = part_from_focus * Point3::new(0.0, 0.0, tip_mm);
-        let light = part_from_focus * -nalgebra::Vector3::z();
-        let hit = self.derived.part.as_ref().and_then(|p| p.bvh.nearest_hit(&from, &light, 0.0, f64::INFINITY));
-        // Past the part the light goes on; shown is as much as would reach it.
-        hit.map_or(tip_mm + defocus_mm.max(0.0), |h| h.t_mm)
-    }
-
-    /// The box around all that is shown.
-    pub(super) fn whole_bounds(&self) -> Option<Bounds> {
-        let (min, max) = self.derived.part.as_ref()?.mesh.bounds();
-        let part = Bounds { min, max };
-        let (true, Some(cell), Some(placed)) = (self.is_in_cell(), self.cell_picture(), self.placed()) else {
-            return Some(part);
-        };
-        let moved = Bounds::around(part.corners().map(|c| placed.base_from_part * c))?;
-        Some(moved.union(&cell.bounds(&placed.joints_deg, &placed.base_from_focus)))
-    }
-
     /// The whole cell, seen from its front left.
     pub(super) fn fit_cell(&mut self) {
-        let (Some(bounds), Some(size), Some(cell)) = (self.whole_bounds(), self.viewport.size(), &self.derived.cell)
+        let (Some(bounds), Some(size), Some(cell)) =
+            (self.context().whole_bounds(), self.viewport.size(), &self.derived.cell)
         else {
             return; // the size of the view is known after its first frame
         };
@@ -152,5 +99,62 @@ impl App {
             self.toggle_cell();
             self.session.show.set(Toggle::SectionPlane, section);
         }
+    }
+}
+
+impl<'a> Context<'a> {
+    fn setup(self) -> Option<&'a Setup> {
+        self.derived.pipeline.setup()?.ok().map(|setup| &**setup)
+    }
+
+    /// Arm and head: as they stand, or as a proposed set-up would have them.
+    pub fn cell_picture(self) -> Option<&'a CellPicture> {
+        let proposed = self.proposal().and_then(|p| p.picture.as_ref());
+        proposed.or(self.derived.cell.as_ref())
+    }
+
+    /// What stands where now, or would; at home before there is a plan.
+    pub fn placed(self) -> Option<Placed> {
+        let proposal = self.proposal();
+        let setup = proposal.map_or_else(|| self.setup(), |p| Some(&p.setup))?;
+        let robot = setup.robot.as_ref()?;
+        let moment = self.moment().filter(|_| proposal.is_none());
+        let still = || proposal.map_or(setup.home_joints_deg(), |p| self.proposed_joints_deg(p));
+        let joints_deg = moment.map_or_else(still, |m| m.joints_deg);
+        let flange = moment.map_or_else(|| robot.forward(&joints_deg), |m| m.base_from_flange);
+        Some(Placed {
+            joints_deg,
+            base_from_part: setup.mounted().part_at(&flange),
+            base_from_focus: setup.mounted().focus_at(&flange),
+            lit: moment.is_some_and(|m| m.lit),
+        })
+    }
+
+    /// Where the part stands in the view: in its own frame, or in the base.
+    pub fn scene_from_part(self) -> Isometry3<f64> {
+        let placed = if self.is_in_cell() { self.placed() } else { None };
+        placed.map_or_else(Isometry3::identity, |p| p.base_from_part)
+    }
+
+    /// Length of the beam from the head to the part, mm.
+    pub fn beam_mm(self, placed: &Placed, tip_mm: f64) -> f64 {
+        let defocus_mm = self.document.job().beam.defocus_mm;
+        let part_from_focus = placed.base_from_part.inverse() * placed.base_from_focus;
+        let from = part_from_focus * Point3::new(0.0, 0.0, tip_mm);
+        let light = part_from_focus * -nalgebra::Vector3::z();
+        let hit = self.derived.part.as_ref().and_then(|p| p.bvh.nearest_hit(&from, &light, 0.0, f64::INFINITY));
+        // Past the part the light goes on; shown is as much as would reach it.
+        hit.map_or(tip_mm + defocus_mm.max(0.0), |h| h.t_mm)
+    }
+
+    /// The box around all that is shown.
+    pub fn whole_bounds(self) -> Option<Bounds> {
+        let (min, max) = self.derived.part.as_ref()?.mesh.bounds();
+        let part = Bounds { min, max };
+        let (true, Some(cell), Some(placed)) = (self.is_in_cell(), self.cell_picture(), self.placed()) else {
+            return Some(part);
+        };
+        let moved = Bounds::around(part.corners().map(|c| placed.base_from_part * c))?;
+        Some(moved.union(&cell.bounds(&placed.joints_deg, &placed.base_from_focus)))
     }
 }
