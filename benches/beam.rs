@@ -6,7 +6,7 @@ use clearbeam::beam::{Head, Tool};
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
-use clearbeam::planning::plan::prover;
+use clearbeam::planning::proof::prover;
 use clearbeam::planning::surface_plan::body;
 use clearbeam::planning::{self, Cache};
 use clearbeam::pose::access::AccessMap;

@@ -5,9 +5,12 @@
 mod parts;
 
 use clearbeam::beam::Tool;
+use clearbeam::cell::motion::Why;
 use clearbeam::document::{Job, segmented};
+use clearbeam::planning::remark::Remark;
 use clearbeam::planning::report::Report;
 use clearbeam::pose::checker::CutCone;
+use clearbeam::pose::{Obstruction, ToolBody};
 use clearbeam::program::steps::Station;
 use clearbeam::program::{Go, Pace, Step};
 use clearbeam::sample::Triangles;
@@ -127,7 +130,7 @@ fn a_lead_into_a_wall_is_left_out_and_told() {
     }
     let said = format!("{lines} lead-ins and lead-outs are left out: something would be touched on them");
     assert_eq!(p.plan.steps.remarks, [(p.plan.passes[0].surface, said.clone())]);
-    assert_eq!(Report::new(&p.plan, &p.surfaces).surfaces[0].remarks, [said]);
+    assert_eq!(Report::new(&p.plan, &p.surfaces).surfaces[0].remarks, [Remark::Program(said)]);
     // Half a millimetre of lead stays in front of it.
     (job.path.lead_in_mm, job.path.lead_out_mm) = (0.5, 0.5);
     assert!(plate_and(&[wall], 10.0, &job, &parts::setup()).plan.steps.remarks.is_empty());
@@ -198,7 +201,8 @@ fn what_the_head_cannot_be_drawn_back_from_is_refused() {
     let p = plate_and(&roofs, 3.0, &job, &setup);
     assert!(!p.plan.refusals.is_empty());
     for r in &p.plan.refusals {
-        assert!(r.detail.starts_with("as the head is drawn back, the head hits facet"), "{}", r.detail);
+        let Why::HitDrawnBack { hit } = &r.why else { panic!("{:?}", r.why) };
+        assert!(matches!((hit.tool_body, hit.obstruction), (ToolBody::Head, Obstruction::Facet(_))), "{hit:?}");
     }
     assert!(!p.plan.steps.list.contains(&Step::Laser(true)), "nothing is lit");
     let free = plate_and(&roofs, 3.0, &job, &clearbeam::cell::Setup { tool: Tool::default(), ..setup });

@@ -122,7 +122,7 @@ fn a_line_along_the_foot_is_blocked_and_says_by_which_wall() {
     assert!(others.iter().flat_map(|l| &l.targets).all(|t| t.state == State::Free));
     let problems = p.report().problems;
     assert_eq!(problems.len(), along.targets.len());
-    assert!(problems.iter().all(|q| (q.pass, q.cause, q.by_surface) == (Some(0), "beam", Some(wall))));
+    assert!(problems.iter().all(|q| (q.pass, q.cause.word(), q.by_surface) == (Some(0), "beam", Some(wall))));
 }
 
 /// A cylinder with a post beside it, turned about z.

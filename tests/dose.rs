@@ -9,10 +9,11 @@ use clearbeam::document::{Document, Edit, Job, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces};
 use clearbeam::planning;
 use clearbeam::pose::target::travel;
-use clearbeam::pose::{Correction, Pass, State, Target, Theirs};
+use clearbeam::pose::{Correction, Obstruction, Pass, State, Target};
 use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
+use clearbeam::text::{Naming, Sentence, dose_lines};
 use nalgebra::{Point3, Vector3};
 use parts::{block, near, part, placed, planned_at, sheet};
 use std::collections::BTreeMap;
@@ -245,7 +246,9 @@ fn a_roof_shades_what_lies_under_it() {
         let expected = if x > 0.0 { bare } else { 0.0 };
         assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak, "{x}: {}", s.fluence_j_cm2);
         if x < 0.0 && bare > 0.1 * peak {
-            assert!(matches!(s.shaded_by, Some(Theirs::Facet(f)) if surfaces.of_facet[f as usize] != plate_surface));
+            assert!(
+                matches!(s.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate_surface)
+            );
         }
     }
     let top: f64 = map
@@ -332,7 +335,7 @@ fn a_clamp_shades_as_the_part_does() {
         let expected = if x > 0.0 { 100.0 * POWER_W / SPEED * gauss(x, 0.6) } else { 0.0 };
         assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak);
         if x > 0.0 || f64::from(s.unshaded_j_cm2) > 1e-3 * peak {
-            assert_eq!(s.shaded_by, (x < 0.0).then_some(Theirs::Clamp(0)), "{x}");
+            assert_eq!(s.shaded_by, (x < 0.0).then_some(Obstruction::Clamp(0)), "{x}");
         }
     }
 }
@@ -533,9 +536,9 @@ fn what_stays_unclean_has_its_cause() {
     let patch = &patches_of(&blocked)[0];
     assert_eq!(patch.cause, Cause::Blocked);
     assert!((patch.area_mm2 - 128.0).abs() < 10.0, "{}", patch.area_mm2);
-    let wall = patch.blocker.map(|b| b.theirs);
+    let wall = patch.blocker.map(|b| b.obstruction);
     let plate = blocked.surface_at([5.0, 10.0, 0.0]);
-    assert!(matches!(wall, Some(Theirs::Facet(f)) if blocked.surfaces.of_facet[f as usize] != plate), "{wall:?}");
+    assert!(matches!(wall, Some(Obstruction::Facet(f)) if blocked.surfaces.of_facet[f as usize] != plate), "{wall:?}");
 
     // Light that is meant for the plate and falls on the roof.
     let body = part(&roofed());
@@ -551,7 +554,7 @@ fn what_stays_unclean_has_its_cause() {
     let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6)[0];
     assert_eq!(patch.cause, Cause::Shaded);
     near("area", patch.area_mm2, 128.0, 0.05);
-    assert!(matches!(patch.shaded_by, Some(Theirs::Facet(f)) if surfaces.of_facet[f as usize] != plate));
+    assert!(matches!(patch.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate));
     let shares = map.shares(&surfaces);
     near("shaded", shares.shaded, 128.0 / 400.0, 0.06);
     let top = surface_of(&body, &surfaces, [-4.0, 10.0, 6.0]);
@@ -587,7 +590,8 @@ fn a_gap_between_lines_tells_the_spacing_that_closes_it() {
 
     let (p, setup) = (&wide, parts::setup());
     let map = planning::dose(&p.part, &p.surfaces, &p.plan, &p.job, &setup, &Progress::default()).expect("a dose");
-    let text = planning::dose::DoseReport::new(&map, &patches, &p.surfaces).text();
+    let report = planning::dose::DoseReport::new(&map, &patches, &p.surfaces);
+    let text = dose_lines(&report, &Naming::of(&p.job)).join("\n");
     let told = format!("between lines, spacing too wide: give less than {:.2} mm", (100.0 * closer_mm).floor() / 100.0);
     assert!(text.contains("too little: ") && text.contains(&told) && !text.contains("not cleanable"), "{text}");
     assert_eq!(Edit::aside(&patches, &wide.surfaces), None);
@@ -619,7 +623,7 @@ fn what_stays_unclean_can_be_put_aside() {
     assert_eq!(patches[0].facets.len(), 16, "the strips under the roof");
     let edit = Edit::aside(&patches[..1], &blocked.surfaces).expect("whole facets");
     let new = blocked.surfaces.last_number + 1;
-    assert_eq!(edit.name(), format!("put surface {new} aside"));
+    assert_eq!(edit.sentence(), format!("put surface {new} aside"));
     let all: Vec<SurfaceId> = blocked.surfaces.ids().collect();
     let mut document = Document::new(blocked.job.clone(), None);
     assert!(document.apply(&edit, &all, None));

@@ -66,7 +66,7 @@ fn walls_between_fins_are_blocked_and_outer_walls_free() {
             continue;
         }
         let by = if row.p.z <= GRAZE_MM { [0.5 * (row.p.x + x), 25.0, 0.0] } else { [x, 25.0, 7.0] };
-        assert_eq!((problem.cause, problem.by_surface), ("beam", Some(inner.surface_at(by))), "{row:?}");
+        assert_eq!((problem.cause.word(), problem.by_surface), ("beam", Some(inner.surface_at(by))), "{row:?}");
     }
     let outer = planned_at(&fins(), &[[0.0, 25.0, 7.0], [14.0, 25.0, 7.0], [7.0, 25.0, 15.0]], job("y", 3.0));
     assert!(outer.targets().all(|t| t.state == State::Free && t.a == t.n));

@@ -8,6 +8,7 @@
 mod parts;
 
 use clearbeam::path::TransversalLine;
+use clearbeam::planning::report::NotDone;
 use clearbeam::pose::Correction;
 use clearbeam::sample::solids;
 use parts::{Planned, angle_deg, cut, job, length, near, part, planned, planned_at, polygon, sample};
@@ -84,7 +85,7 @@ fn the_planes_miss_what_is_parallel_to_them() {
     near("cone's base", missed(&planned(part(&solids::cone(6.0, 8.0, 90)), job("z", 1.0))), polygon(6.0, 90).1, F32);
     let cylinder = planned(part(&solids::cylinder(5.0, 12.0, 48)), job("z", 1.0));
     near("cylinder's ends", missed(&cylinder), 2.0 * polygon(5.0, 48).1, F32);
-    assert_eq!(cylinder.report().problems.iter().filter(|p| p.cause == "missed").count(), 2);
+    assert_eq!(cylinder.report().problems.iter().filter(|p| p.cause == NotDone::Missed).count(), 2);
 }
 
 #[test]

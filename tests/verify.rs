@@ -4,8 +4,9 @@
 mod parts;
 
 use clearbeam::cell::{Mount, Robot, Setup};
-use clearbeam::planning::verify::{Kind, MOST_OFF_MM, Verdict, check};
+use clearbeam::planning::verify::{Kind, MOST_OFF_MM, Verdict, VerifyError, check};
 use clearbeam::program::{Program, ProgramFile, dialects, lines};
+use clearbeam::text::Sentence as _;
 use parts::{Planned, job, on, part, planned_in, sample};
 use proptest::prelude::*;
 use std::sync::LazyLock;
@@ -31,7 +32,7 @@ fn case(robot: &str, dialect: &str, mount: Mount) -> Option<Case> {
 }
 
 impl Case {
-    fn verdict(&self, files: &[ProgramFile]) -> Result<Verdict, String> {
+    fn verdict(&self, files: &[ProgramFile]) -> Result<Verdict, VerifyError> {
         let p = &self.planned;
         let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
         check(&p.part, &p.plan, &self.setup, &p.job, &files[0], &open, true).map(|(_, v)| v)
@@ -70,7 +71,7 @@ fn what_was_written_is_clean_in_every_dialect() {
 fn another_text_is_told_apart() {
     let mut files = NACHI.files.clone();
     files[0].text = "a letter to a friend\n".into();
-    let said = NACHI.verdict(&files).expect_err("no program");
+    let said = NACHI.verdict(&files).expect_err("no program").sentence();
     assert!(said.contains("no program of any dialect") && said.contains("nachi"), "{said}");
 }
 

@@ -11,6 +11,7 @@ use clearbeam::cell::{Robot, Setup};
 use clearbeam::planning::verify::{Finding, Kind, check};
 use clearbeam::program::dialect::{Goal, Read, ReadLine, ReadMove, Reading};
 use clearbeam::program::{Dialect, Program, ProgramFile, Way, dialects, lines};
+use clearbeam::text::Sentence as _;
 use parts::{Planned, job, on, part, planned_in, sample};
 use retarget::retargeted;
 
@@ -124,12 +125,13 @@ fn a_target_of_another_kind_is_found_where_it_stands() {
             let found = findings.iter().find(|f| (&f.file, f.line) == (&place.line.file, line));
             let what = format!("{}, move {i}: {:?} to {other:?}", case.name(), place.to);
             let found = found.unwrap_or_else(|| panic!("{what}: {findings:?}"));
+            let said = found.sentence();
             if found.kind == Kind::Setting {
-                assert!(found.text.contains("joint angles") && found.text.contains(" pose "), "{what}: {}", found.text);
-                assert!(found.text.contains(" where the plan has "), "{what}: {}", found.text);
+                assert!(said.contains("joint angles") && said.contains(" pose "), "{what}: {said}");
+                assert!(said.contains(" where the plan has "), "{what}: {said}");
             } else {
-                assert_eq!(found.kind, Kind::Unreadable, "{what}: {}", found.text);
-                assert!(found.text.contains("expected") || found.text.contains("robot"), "{what}: {}", found.text);
+                assert_eq!(found.kind, Kind::Unreadable, "{what}: {said}");
+                assert!(said.contains("expected") || said.contains("robot"), "{what}: {said}");
             }
         }
     }
@@ -163,7 +165,7 @@ fn a_move_of_another_way_is_found_where_it_stands() {
             // Straight on from joint angles: told at these, and both lines are named.
             let both = format!("{}, line {} goes straight on", place.line.file, place.line.line);
             let is_there = |f: &Finding| (&f.file, f.line) == (&place.line.file, place.line.line);
-            let found = findings.iter().any(|f| is_there(f) || f.text.contains(&both));
+            let found = findings.iter().any(|f| is_there(f) || f.sentence().contains(&both));
             assert!(found, "{}, move {i}: {findings:?}", case.name());
         }
     }

@@ -6,6 +6,7 @@ mod common;
 use clearbeam::app::{App, Command, Jump, More, Purpose, Toggle, TurnAxis};
 use clearbeam::document::{Edit, Job};
 use clearbeam::part::{SurfaceId, angle};
+use clearbeam::progress::Activity;
 use clearbeam::view::StandardView;
 use common::held::Bare;
 use common::window::{Answers, click, job_on, press, sample, settle, window};
@@ -440,7 +441,7 @@ fn cancelled_and_planned_again() {
 fn better_setup() {
     let (mut bare, _folder) = bare("acetabular_cup", REFUSED);
     bare.app.give(Command::BetterSetup, &[]);
-    assert!(bare.held.take_stage("looking for a better set-up").is_some(), "it is being looked for");
+    assert!(bare.held.take_stage(Activity::LookingForSetup).is_some(), "it is being looked for");
     assert!(!bare.app.can(Command::BetterSetup), "once is enough");
 }
 

@@ -6,6 +6,7 @@ use super::dose::DoseView;
 use super::remedy::Proposal;
 use crate::beam::Work;
 use crate::planning::Failure;
+use crate::planning::advice::Help;
 use crate::pose::Target;
 use crate::program::{Moment, Timeline};
 use crate::progress::Progress;
@@ -61,7 +62,7 @@ impl App {
     }
 
     /// What would help with that; `None`: it is being looked for.
-    pub(super) fn advice(&self) -> Option<Result<&[String], &Failure<Infallible>>> {
+    pub(super) fn advice(&self) -> Option<Result<&[Help], &Failure<Infallible>>> {
         self.derived.remedy.advice(self.context().refusing_plan()?.key)
     }
 

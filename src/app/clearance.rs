@@ -8,6 +8,7 @@ use crate::cell::Collision;
 use crate::part::Digest;
 use crate::planning::{Executor, PlannedJob, Stage};
 use crate::program::{Clearance, clearances};
+use crate::progress::Activity;
 use std::convert::Infallible;
 use std::sync::Arc;
 
@@ -31,7 +32,7 @@ impl ClearanceSearch {
         else {
             return;
         };
-        self.0.start(planned.key, "looking at clearances", executor, move |_| {
+        self.0.start(planned.key, Activity::MeasuringClearances, executor, move |_| {
             Ok(ClearanceCurve::new(&planned, &motion).unwrap_or_default())
         });
     }

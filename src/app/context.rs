@@ -24,7 +24,7 @@ use crate::planning::export::{ExportError, Exported};
 use crate::planning::{PlannedJob, Stage};
 use crate::pose::Target;
 use crate::program::{Moment, Timeline};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -109,11 +109,11 @@ impl<'a> Context<'a> {
         self.session.show.is_on(Toggle::Cell) && self.derived.cell.is_some()
     }
 
-    /// Stage and share done of what can be cancelled: planning, an export, a search for what would help, the dose.
-    pub fn progress(self) -> Option<(&'static str, f32)> {
+    /// What can be cancelled, and its share done: planning, an export, a search for what would help, the dose.
+    pub fn progress(self) -> Option<(Activity, f32)> {
         let d = self.derived;
         let works = [d.pipeline.progress(), self.exporting.progress(), d.remedy.progress(), d.dose.progress()];
-        works.into_iter().flatten().map(Progress::now).find(|p| !p.0.is_empty())
+        works.into_iter().flatten().find_map(Progress::now)
     }
 
     /// Name of the part without folder and ending.

@@ -12,6 +12,7 @@ use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
 use crate::planning::{Executor, Pipeline, PlannedJob, PlanningError, Stage};
+use crate::text::shape_label;
 use crate::view::LineItem;
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -144,7 +145,7 @@ impl Derived {
     /// Name of a surface in lists and at the cursor.
     pub fn label(&self, job: &Job, surface: u32) -> String {
         match job.settings.of(SurfaceId(surface)).name.as_str() {
-            "" => self.shape(surface).map_or_else(|| "…".into(), Shape::label),
+            "" => self.shape(surface).map_or_else(|| "…".into(), shape_label),
             name => name.into(),
         }
     }

@@ -11,7 +11,7 @@ use crate::picture::dose::{DoseLook, dose_item};
 use crate::planning::dose::{DoseReport, dose, not_cleanable};
 use crate::planning::{Executor, Failure, PlanError, PlannedJob, Stage};
 use crate::process::{DoseMap, Patch, SpotHit};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use crate::view::MeshItem;
 use nalgebra::Point3;
 use std::sync::Arc;
@@ -64,7 +64,7 @@ impl Dose {
         };
         if is_wanted && self.0.lacks(key) {
             let job = job.clone();
-            self.0.start(key, "dose", executor, move |progress| DoseView::new(&planned, &job, progress));
+            self.0.start(key, Activity::SummingDose, executor, move |progress| DoseView::new(&planned, &job, progress));
         }
     }
 

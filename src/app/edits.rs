@@ -3,7 +3,7 @@
 use super::App;
 use crate::document::{Edit, Lost, Parameter, RecutAnchor};
 use crate::part::{Placement, SurfaceId};
-use crate::text::say;
+use crate::text::{Sentence as _, say};
 
 impl App {
     /// Applies an edit as a step of its own.
@@ -19,7 +19,7 @@ impl App {
     /// Applies an edit, and says what surfaces lost by it; a drag that brings it back takes the word back.
     pub(super) fn apply(&mut self, edit: &Edit, gesture: Option<&str>) {
         let all: Vec<SurfaceId> = self.derived.surfaces.ids().collect();
-        let told = |lost: &[Lost]| lost.iter().map(Lost::to_string).collect::<Vec<_>>().join("; ");
+        let told = |lost: &[Lost]| lost.iter().map(Lost::sentence).collect::<Vec<_>>().join("; ");
         let before = told(self.document.lost());
         self.document.apply(edit, &all, gesture);
         let now = told(self.document.lost());
@@ -36,7 +36,7 @@ impl App {
 
     /// Sets a number of the parameter table. One that cuts the surfaces anew carries over what is said of them.
     pub(super) fn set_parameter(&mut self, p: &'static Parameter, value: f64) {
-        if !p.recuts {
+        if !p.recuts() {
             self.edit_dragging(&Edit::Set(p.key, value), p.key);
             return;
         }

@@ -10,7 +10,8 @@ use crate::document::{Edit, IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
-use crate::text::{Sentence as _, say};
+use crate::progress::Activity;
+use crate::text::{NamedSentence as _, Naming, Sentence as _, say};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -117,7 +118,7 @@ impl App {
         self.session.said = say!(window_writing_into, folder = dir.display().to_string());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
-        self.exporting.start(planned.key, "exporting", &*executor, move |progress| {
+        self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
             let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
@@ -132,9 +133,14 @@ impl App {
         let Some(outcome) = self.exporting.taken() else { return };
         match outcome {
             Ok(exported) => {
-                let nothing = exported.report.findings.iter().find(|f| matches!(f, PlanFinding::NothingPlanned { .. }));
+                let reason = exported.report.findings.iter().find_map(|f| match f {
+                    PlanFinding::NothingPlanned { reason } => Some(reason),
+                    PlanFinding::PartChanged { .. } => None,
+                });
                 let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
-                self.session.said = nothing.map_or_else(|| say!(window_exported, program), PlanFinding::text);
+                let naming = Naming::of(self.document.job());
+                self.session.said =
+                    reason.map_or_else(|| say!(window_exported, program), |reason| reason.sentence_with(&naming));
             }
             Err(Failure::Cancelled) => self.session.said = say!(window_export_cancelled),
             Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {

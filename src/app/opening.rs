@@ -5,11 +5,11 @@ use super::derived::Derived;
 use super::questions::Question;
 use super::reading::{LookedAt, Opened, PartThere, Refused};
 use super::session::AfterGuard;
-use crate::document::beside::Stamp;
 use crate::document::files;
 use crate::document::journal::Leftover;
+use crate::document::stamps::Stamp;
 use crate::document::{Document, Edit, Job};
-use crate::part::{Part, Source};
+use crate::part::{Part, PartFinding, Source};
 use crate::planning::Failure;
 use crate::text::{Sentence as _, say};
 use std::path::{Path, PathBuf};
@@ -67,12 +67,9 @@ impl App {
         match part {
             PartThere::Same(source, part, stamp) => {
                 self.session.forget_part();
-                self.session.said = part
-                    .findings
-                    .sentences(&part.mesh, &part.orientation)
+                self.session.said = PartFinding::of(&part)
                     .first()
-                    .cloned()
-                    .unwrap_or_else(|| say!(window_facets_read, count = part.mesh.facets.len()));
+                    .map_or_else(|| say!(window_facets_read, count = part.mesh.facets.len()), |f| f.sentence());
                 self.show(document, source, Some(*part), stamp, leftover);
             }
             PartThere::Changed(looked) => {

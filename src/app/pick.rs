@@ -7,7 +7,7 @@ use super::session::Tool;
 use super::{App, panels};
 use crate::document::Edit;
 use crate::part::Shape;
-use crate::text::say;
+use crate::text::{Sentence as _, say};
 use crate::view::{Bounds, Camera, ViewportResponse};
 use eframe::egui::{self, Color32};
 use nalgebra::{Point2, Point3, Vector3};
@@ -32,7 +32,7 @@ impl App {
             ui.painter().text(
                 response.response.rect.center(),
                 egui::Align2::CENTER_CENTER,
-                why,
+                why.sentence(),
                 egui::FontId::proportional(14.0),
                 ui.visuals().warn_fg_color,
             );

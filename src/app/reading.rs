@@ -2,14 +2,14 @@
 //!
 //! What the window does with it stands in `opening`.
 
-use crate::document::beside::{Stamp, stamp_of};
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
 use crate::document::model::PartFile;
+use crate::document::stamps::{Stamp, stamp_of};
 use crate::document::{CarriedOver, Document, Job, JobFile, Remembered, save};
-use crate::part::{Hasher, LoadError, Part, Source};
+use crate::part::{Hasher, Part, Source};
 use crate::planning::{Executor, Failure, Stage};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -58,14 +58,14 @@ impl Reading {
         work: impl FnOnce(&Progress) -> Result<Opened, Refused> + Send + 'static,
     ) {
         self.opening.clear();
-        self.opening.start(Hasher::default().finish(), "reading", executor, work);
+        self.opening.start(Hasher::default().finish(), Activity::Reading, executor, work);
     }
 
     /// Begins to look what becomes of a job on a file. What its surfaces look like is known from the part that is
     /// shown, with the way it was built.
     pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, PartFile)>, executor: &dyn Executor) {
         self.looking.clear();
-        self.looking.start(Hasher::default().finish(), "reading", executor, move |progress| {
+        self.looking.start(Hasher::default().finish(), Activity::Reading, executor, move |progress| {
             if let Some((part, built)) = shown {
                 job.part.landmarks = Remembered::of(&job, &part, &built);
             }
@@ -180,10 +180,8 @@ fn part_there(job: &Job, job_file: Option<&Path>, progress: &Progress) -> Result
     if job.part.is_of_another_file(&source.sha256) {
         return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
     }
-    let p = &job.part;
-    let built = source.part(p.units, &p.placement, &p.flipped_shells, progress);
-    let named = |source| refused(LoadError::Stl { file: file.display().to_string(), source }.into());
-    let part = built.map_err(named)?.ok_or(Failure::Cancelled)?;
+    let built = files::build_part(&source, &job.part, &file, progress).map_err(|e| refused(e.into()))?;
+    let part = built.ok_or(Failure::Cancelled)?;
     Ok(PartThere::Same(source, Box::new(part), stamp))
 }
 
@@ -198,9 +196,7 @@ fn looked_at(
     if !job.part.is_of_another_file(&source.sha256) {
         return Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried: None });
     }
-    let built = source.part(job.part.units, &job.part.placement, &[], progress);
-    let named = |source| refused(LoadError::Stl { file: file.display().to_string(), source }.into());
-    let part = built.map_err(named)?.ok_or(Failure::Cancelled)?;
-    let carried = Some(Box::new(CarriedOver::new(job, &part)));
+    let carried = CarriedOver::to_file(job, &source, &file, progress).map_err(|e| refused(e.into()))?;
+    let carried = Some(Box::new(carried.ok_or(Failure::Cancelled)?));
     Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried })
 }

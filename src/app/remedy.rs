@@ -1,4 +1,4 @@
-//! What would help with the targets that the robot refuses: sentences of advice, and a better set-up
+//! What would help with the targets that the robot refuses: advice, and a better set-up
 //! with its picture. Both are looked for on a thread, with progress and cancel, and belong to one plan:
 //! with that they go.
 
@@ -11,8 +11,9 @@ use crate::document::Edit;
 use crate::part::{Digest, Hasher};
 use crate::picture::CellPicture;
 use crate::picture::palette::state;
+use crate::planning::advice::Help;
 use crate::planning::{Cache, Executor, Failure, PlannedJob, Stage, advice};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
 use std::convert::Infallible;
@@ -65,7 +66,7 @@ fn points(spots: impl Iterator<Item = Point3<f64>>, [r, g, b]: [u8; 3], size_px:
 #[derive(Default)]
 pub struct Remedy {
     /// What would help with what is refused.
-    advice: Stage<Vec<String>, Infallible>,
+    advice: Stage<Vec<Help>, Infallible>,
     /// A better set-up, if there is any.
     proposal: Stage<Option<Proposal>, Infallible>,
 }
@@ -83,7 +84,7 @@ impl Remedy {
         };
         self.proposal.only(planned.key);
         if self.advice.lacks(planned.key) {
-            self.advice.start(planned.key, "looking for what would help", executor, move |progress| {
+            self.advice.start(planned.key, Activity::LookingForHelp, executor, move |progress| {
                 let PlannedJob { part, plan, job, setup, .. } = &*planned;
                 Ok(advice::advice(part, plan, job, setup, progress)?)
             });
@@ -93,13 +94,13 @@ impl Remedy {
     /// Looks for a better set-up.
     pub fn propose(&mut self, planned: Arc<PlannedJob>, cache: Arc<Cache>, executor: &dyn Executor) {
         self.proposal.clear();
-        self.proposal.start(planned.key, "looking for a better set-up", executor, move |progress| {
+        self.proposal.start(planned.key, Activity::LookingForSetup, executor, move |progress| {
             Ok(Proposal::new(&planned, &cache, progress)?)
         });
     }
 
     /// What would help with a plan; `None`: that is being looked for.
-    pub fn advice(&self, plan: Digest) -> Option<Result<&[String], &Failure<Infallible>>> {
+    pub fn advice(&self, plan: Digest) -> Option<Result<&[Help], &Failure<Infallible>>> {
         let known = self.advice.of(plan).map(|told| Ok(told.as_slice()));
         known.or_else(|| self.advice.failure(plan).map(Err))
     }

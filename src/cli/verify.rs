@@ -1,11 +1,12 @@
 //! `clearbeam verify`: a program on disk against the plan of its job.
 
-use super::{Failure, Outcome, print};
+use super::{Failure, Outcome, print, print_json};
 use crate::document::files;
-use crate::planning::verify::{self, Kind, Verdict};
+use crate::planning::verify::{self, Finding, Kind, Verdict};
 use crate::planning::{Pipeline, PlannedJob};
 use crate::program::ProgramFile;
-use anyhow::{Context as _, anyhow};
+use crate::program::sweep::Proof;
+use crate::text::{Sentence as _, fixed, id, say};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,13 +14,11 @@ use std::sync::Arc;
 /// Options of `verify`.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
-    /// Program file; sub-programs are looked for in its folder
+    #[arg(help = say!(cli_verify_program))]
     program: PathBuf,
-    /// Job that the program was made from
-    #[arg(long, value_name = "JOB.toml")]
+    #[arg(long, value_name = "JOB.toml", help = say!(cli_verify_job))]
     job: PathBuf,
-    /// Print the findings as JSON
-    #[arg(long)]
+    #[arg(long, help = say!(cli_verify_json))]
     json: bool,
 }
 
@@ -30,13 +29,35 @@ const SHOWN: usize = 40;
 struct Answer<'a> {
     program: String,
     dialect: &'a str,
-    #[serde(flatten)]
-    verdict: &'a Verdict,
+    moves: usize,
+    lit_moves: usize,
+    worst_mm: f64,
+    worst_deg: f64,
+    proof: &'a Proof,
+    findings: Vec<Row<'a>>,
+}
+
+/// A finding: its kind for scripts, its text for people.
+#[derive(Serialize)]
+struct Row<'a> {
+    file: &'a str,
+    line: usize,
+    kind: Kind,
+    text: String,
+}
+
+impl<'a> Answer<'a> {
+    fn new(program: String, dialect: &'a str, v: &'a Verdict) -> Answer<'a> {
+        let row = |f: &'a Finding| Row { file: &f.file, line: f.line, kind: f.kind, text: f.sentence() };
+        let findings = v.findings.iter().map(row).collect();
+        let Verdict { moves, lit_moves, worst_mm, worst_deg, ref proof, .. } = *v;
+        Answer { program, dialect, moves, lit_moves, worst_mm, worst_deg, proof, findings }
+    }
 }
 
 /// Reads, plans, compares.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    let job = files::read(&a.job).map_err(anyhow::Error::from)?;
+    let job = files::read(&a.job).map_err(Failure::failed)?;
     let first = read(&a.program)?;
     let folder = a.program.parent().unwrap_or(Path::new("")).to_path_buf();
     let open = move |name: &str| {
@@ -44,15 +65,14 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let plain = Path::new(name).file_name().is_some_and(|n| n.to_string_lossy() == name);
         plain.then(|| read(&folder.join(name)).ok().map(|f| f.text)).flatten()
     };
-    let source = files::read_part(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
+    let source = files::read_part(&job, Some(&a.job)).map_err(Failure::failed)?;
     let (_, planned) = Pipeline::planned(Arc::new(source), &job, Some(&a.job))
-        .with_context(|| format!("{}: cannot be planned", a.job.display()))?;
+        .map_err(|e| say!(cli_not_planned, job = a.job.display().to_string(), reason = e.sentence()))
+        .map_err(Failure::Failed)?;
     let PlannedJob { part, setup, plan, .. } = &*planned;
-    let (dialect, verdict) = verify::check(part, plan, setup, &job, &first, &open, true).map_err(|e| anyhow!(e))?;
+    let (dialect, verdict) = verify::check(part, plan, setup, &job, &first, &open, true).map_err(Failure::failed)?;
     if a.json {
-        let answer = Answer { program: a.program.display().to_string(), dialect, verdict: &verdict };
-        let json = serde_json::to_string_pretty(&answer).map_err(anyhow::Error::from)?;
-        print(&format!("{json}\n"));
+        print_json(&Answer::new(a.program.display().to_string(), dialect, &verdict))?;
     } else {
         print(&text(dialect, &verdict));
     }
@@ -60,7 +80,8 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
 }
 
 fn read(path: &Path) -> Result<ProgramFile, Failure> {
-    let bytes = std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?;
+    let not_read = |e: std::io::Error| say!(file_not_read, file = path.display().to_string(), reason = e.to_string());
+    let bytes = std::fs::read(path).map_err(|e| Failure::Failed(not_read(e)))?;
     let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
     Ok(ProgramFile { name, text: String::from_utf8_lossy(&bytes).into_owned() })
 }
@@ -70,40 +91,39 @@ fn text(dialect: &str, v: &Verdict) -> String {
     let mut out = String::new();
     // Of what cannot be read there are no figures.
     if v.findings.iter().any(|f| f.kind == Kind::Unreadable) {
-        let _ = writeln!(out, "{dialect}: not compared with the plan, for it cannot be read");
+        let _ = writeln!(out, "{}", say!(verify_unreadable, dialect));
     } else {
-        let _ = writeln!(out, "{dialect}: {} moves, {} with the laser on", v.moves, v.lit_moves);
-        let _ = writeln!(out, "furthest from the plan: {:.4} mm, {:.4}\u{b0} at the spot", v.worst_mm, v.worst_deg);
+        let _ = writeln!(out, "{}", say!(verify_moves, dialect, moves = v.moves, lit = v.lit_moves));
+        let (mm, deg) = (fixed(v.worst_mm, 4), fixed(v.worst_deg, 4));
+        let _ = writeln!(out, "{}", say!(verify_furthest, mm, deg));
     }
     for f in v.findings.iter().take(SHOWN) {
         // What cannot be read names its place itself.
         let _ = match f.kind {
-            Kind::Unreadable => writeln!(out, "{}", f.text),
-            _ => writeln!(out, "{}:{}: {}", f.file, f.line, f.text),
+            Kind::Unreadable => writeln!(out, "{}", f.sentence()),
+            _ => writeln!(out, "{}", say!(verify_finding, file = &f.file, line = id(f.line), what = f.sentence())),
         };
     }
     if v.findings.len() > SHOWN {
-        let _ = writeln!(out, "and {} more", v.findings.len() - SHOWN);
+        let _ = writeln!(out, "{}", say!(verify_more, count = v.findings.len() - SHOWN));
     }
-    let _ = match v.findings.len() {
-        0 => writeln!(out, "nothing found"),
-        1 => writeln!(out, "1 finding"),
-        n => writeln!(out, "{n} findings"),
-    };
+    let _ = writeln!(out, "{}", say!(verify_count, count = v.findings.len()));
     out
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::planning::verify::Finding;
+    use crate::planning::verify::Difference;
+    use crate::program::dialect::ReadError;
 
     #[test]
     fn figures_are_told_of_what_was_read_alone() {
-        let finding = |kind| Finding { file: "a.src".into(), line: 3, kind, text: "a.src, line 3: odd".into() };
-        let with = |kind| text("kuka", &Verdict { findings: vec![finding(kind)], ..Verdict::default() });
-        assert!(with(Kind::Deviation).contains("furthest from the plan"));
-        let unreadable = with(Kind::Unreadable);
+        let finding = |what: Difference| Finding { file: "a.src".into(), line: 3, kind: what.kind(), what };
+        let odd = ReadError::Line { file: "a.src".into(), line: 3, what: "odd".into() };
+        let with = |what| text("kuka", &Verdict { findings: vec![finding(what)], ..Verdict::default() });
+        assert!(with(Difference::EndsLit).contains("furthest from the plan"));
+        let unreadable = with(Difference::Unreadable(Arc::new(odd)));
         assert!(!unreadable.contains("furthest") && !unreadable.contains("0 moves"), "{unreadable}");
         assert!(unreadable.contains("a.src, line 3: odd\n") && unreadable.ends_with("1 finding\n"), "{unreadable}");
     }

@@ -2,17 +2,18 @@
 //!
 //! It is computed apart from the plan, so that planning stays quick.
 
-use super::plan::{Plan, PlanError};
+use super::error::PlanError;
+use super::plan::Plan;
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
-use crate::pose::{Pass, Theirs};
+use crate::pose::{Obstruction, Pass};
 use crate::process::{Cause, DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
 use crate::program::Timeline;
 use crate::program::steps::{Pace, Step};
-use crate::progress::Progress;
-use serde::Serialize;
+use crate::progress::{Activity, Progress};
+use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
 /// Key `dose` of the report. Shares of the chosen area, areas mm² and cm², J/cm².
@@ -28,9 +29,9 @@ pub struct DoseReport {
     pub shaded: f64,
     /// Area of other surfaces that gets more than it may.
     pub collateral_mm2: f64,
-    /// The window.
+    /// The least that counts as enough.
     pub low_j_cm2: f64,
-    /// The window.
+    /// The most that does no harm.
     pub high_j_cm2: f64,
     /// What may land on other surfaces.
     pub collateral_j_cm2: f64,
@@ -48,7 +49,8 @@ pub struct PatchReport {
     /// Its area.
     pub area_cm2: f64,
     /// `blocked`, `shaded`, `missed` or `thin`.
-    pub cause: &'static str,
+    #[serde(serialize_with = "word")]
+    pub cause: Cause,
     /// What it is blocked or shaded by.
     pub by_surface: Option<u32>,
     /// A spacing below this would bring enough to a gap between lines, mm.
@@ -94,7 +96,7 @@ pub fn dose(
     let times = ends_s(plan);
     let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
     let task = Task { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
-    progress.begin("dose", 2 * light.runs.len());
+    progress.begin(Activity::SummingDose, 2 * light.runs.len());
     computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
 }
 
@@ -106,7 +108,7 @@ fn thresholds(job: &Job) -> Thresholds {
 
 /// The power of all passes over one place together.
 fn power_w(job: &Job) -> f64 {
-    job.beam.power_w * job.layers.passes * if job.layers.strategy == Strategy::Cross { 2.0 } else { 1.0 }
+    job.beam.power_w * f64::from(job.layers.passes) * if job.layers.strategy == Strategy::Cross { 2.0 } else { 1.0 }
 }
 
 fn spot(job: &Job) -> Spot {
@@ -134,9 +136,6 @@ fn ends_s(plan: &Plan) -> BTreeMap<(usize, usize), f64> {
     out
 }
 
-/// Patches that are told to people.
-const PATCHES_TOLD: usize = 8;
-
 impl DoseReport {
     /// What a dose comes to.
     pub fn new(map: &DoseMap, patches: &[Patch], surfaces: &Surfaces) -> DoseReport {
@@ -161,16 +160,20 @@ impl DoseReport {
     }
 }
 
+fn word<S: Serializer>(cause: &Cause, s: S) -> Result<S::Ok, S::Error> {
+    s.serialize_str(cause.word())
+}
+
 impl PatchReport {
     fn new(p: &Patch, surfaces: &Surfaces) -> PatchReport {
-        let wall = p.shaded_by.or(p.blocker.map(|b| b.theirs));
+        let wall = p.shaded_by.or(p.blocker.map(|b| b.obstruction));
         PatchReport {
             surface: p.surface,
             area_cm2: 0.01 * p.area_mm2,
-            cause: p.cause.word(),
+            cause: p.cause,
             by_surface: wall.and_then(|w| match w {
-                Theirs::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
-                Theirs::Clamp(_) => None,
+                Obstruction::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
+                Obstruction::Clamp(_) => None,
             }),
             closer_than_mm: p.closer_than_mm,
             centre_mm: p.centre.coords.map(|x| x + 0.0).into(),
@@ -179,20 +182,7 @@ impl PatchReport {
 
     /// Whether other values of the job would clean it.
     pub fn is_thin(&self) -> bool {
-        self.cause == Cause::Thin.word()
-    }
-
-    /// Why it stays unclean, and what helps where that is known.
-    pub fn why(&self) -> String {
-        match (self.closer_than_mm, self.by_surface) {
-            // Rounded down: what is said has to be enough.
-            (Some(mm), _) if mm >= 0.01 => {
-                format!("between lines, spacing too wide: give less than {:.2} mm", (100.0 * mm).floor() / 100.0)
-            }
-            _ if self.is_thin() => "lines come near, and too little lands".into(),
-            (_, Some(n)) => format!("{} by surface {n}", self.cause),
-            (_, None) => self.cause.into(),
-        }
+        self.cause == Cause::Thin
     }
 }
 
@@ -217,45 +207,6 @@ fn closer_than_mm(job: &Job, gap_mm: f64) -> Option<f64> {
         100.0 * power_w / speed_mm_s * least >= job.dose.thresholds(power_w, speed_mm_s, asked_mm).low_j_cm2
     };
     spot(job).closer_than(apart_mm, &enough).map(|mm| mm * planned_mm / apart_mm)
-}
-
-impl DoseReport {
-    /// A few lines for people.
-    pub fn text(&self) -> String {
-        let percent = |share: f64| 100.0 * share;
-        let mut out = format!(
-            "{:.1}% of the area within {:.0} to {:.0} J/cm², {:.1}% under, {:.1}% over, {:.1}% shaded\n",
-            percent(self.within),
-            self.low_j_cm2,
-            self.high_j_cm2,
-            percent(self.under),
-            percent(self.over),
-            percent(self.shaded)
-        );
-        if !self.collateral.is_empty() {
-            let list: Vec<String> = self.collateral.iter().map(|c| c.surface.to_string()).collect();
-            out.push_str(&format!(
-                "{:.1} mm² of surfaces that were not chosen get more than {:.0} J/cm²: {}\n",
-                self.collateral_mm2,
-                self.collateral_j_cm2,
-                list.join(" ")
-            ));
-        }
-        for p in self.not_cleanable.iter().take(PATCHES_TOLD) {
-            let [x, y, z] = p.centre_mm;
-            out.push_str(&format!(
-                "{}: {:.2} cm² of surface {} around ({x:.1}, {y:.1}, {z:.1}), {}\n",
-                if p.is_thin() { "too little" } else { "not cleanable" },
-                p.area_cm2,
-                p.surface,
-                p.why()
-            ));
-        }
-        if let Some(more) = self.not_cleanable.len().checked_sub(PATCHES_TOLD).filter(|n| *n > 0) {
-            out.push_str(&format!("and {more} smaller patches, in report.json\n"));
-        }
-        out
-    }
 }
 
 /// `dose.ply`: the samples as polygons, binary little endian; the values stand at their corners.

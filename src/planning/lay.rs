@@ -2,6 +2,7 @@
 //!
 //! Geometry alone: whether a beam gets there is asked afterwards.
 
+use super::remark::LayingRemark;
 use crate::document::model::{Job, Layers};
 use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
@@ -30,7 +31,7 @@ pub struct Laid {
     /// What they miss.
     pub coverage: Coverage,
     /// What is not as it was wanted.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<LayingRemark>,
     /// Layer of a build-up, from 0.
     pub layer: u32,
     /// How far closed lines begin behind their start, so that layers do not all begin at one place, mm.
@@ -88,7 +89,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
     let family = match strategy::across(mesh, surface, &family, l.spacing_mm, 90.0).filter(|_| is_across) {
         Some(turned) => turned,
         None if is_across => {
-            remarks.push("the planes' direction is the mean normal, or there is none: all layers run alike".into());
+            remarks.push(LayingRemark::LayersAlike);
             family
         }
         None => family,
@@ -103,9 +104,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
         let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
         found.lines = lines;
         if stopped > 0 {
-            remarks.push(format!(
-                "{stopped} line ends stop at the rim: a sharp edge or the part's end is there, and the spot must stay on the part"
-            ));
+            remarks.push(LayingRemark::StopsAtRim { ends: stopped });
         }
     } else {
         let normals = VertexNormals::new(mesh, surfaces, surface);
@@ -118,9 +117,9 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
     let lines = if l.join_mm > 0.0 { ends::joined(found.lines, l.join_mm) } else { found.lines };
     let (lines, Short { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
     if count > 0 {
-        remarks.push(format!("{count} pieces of {length_mm:.1} mm together are shorter than {} mm", l.shortest_mm));
+        remarks.push(LayingRemark::TooShort { pieces: count, length_mm, shortest_mm: l.shortest_mm });
     }
-    remarks.extend(found.reason);
+    remarks.extend(found.finding.map(LayingRemark::Lines));
     let mut coverage = coverage(mesh, surface, &found.planes, l.spacing_mm, &lines);
     if l.strategy != Strategy::Planes {
         coverage.spacing_min_mm = found.achieved.as_ref().map(|a| a.min_mm);
@@ -182,7 +181,7 @@ pub struct Ordered {
     pub lines: Vec<TransversalLine>,
     /// Length of the way between them, and from the surface before, mm.
     pub way_mm: f64,
-    /// The same in a plain zigzag.
+    /// Length of the way in a plain zigzag, mm.
     pub zigzag_way_mm: f64,
 }
 

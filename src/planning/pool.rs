@@ -1,6 +1,6 @@
 //! Who does the work of stages: a few threads, or the caller himself.
 
-use super::stage::{Executor, Task};
+use super::executor::{Executor, Task};
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex};
 
@@ -92,7 +92,8 @@ impl Executor for AtOnce {
 
 #[cfg(test)]
 mod tests {
-    use super::super::stage::{Failure, Stage};
+    use super::super::failure::Failure;
+    use super::super::stage::Stage;
     use super::*;
     use crate::part::Hasher;
     use std::sync::mpsc::channel;
@@ -105,7 +106,9 @@ mod tests {
         let mut stages: Vec<Stage<u32, ()>> = (0..20).map(|_| Stage::default()).collect();
         let key = Hasher::default().finish();
         for (n, stage) in (0u32..).zip(&mut stages) {
-            stage.start(key, "test", &pool, move |_| if n % 2 == 0 { panic!("even") } else { Ok(n) });
+            stage.start(key, crate::progress::Activity::Planning, &pool, move |_| {
+                if n % 2 == 0 { panic!("even") } else { Ok(n) }
+            });
         }
         for _ in 0..20 {
             woken.recv().expect("woken");

@@ -1,8 +1,9 @@
 //! The lines of a job before anything is asked of the beam: what is shown while a plan is being made.
 
+use super::error::PlanError;
 use super::lay::Laid;
 use super::layer;
-use super::plan::{PlanError, prepared};
+use super::prepared::prepared;
 use super::surface_plan::Cache;
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
@@ -28,7 +29,7 @@ pub fn preview(
 
 #[cfg(test)]
 mod tests {
-    use super::super::plan::plan;
+    use super::super::making::plan;
     use super::*;
     use crate::cell::Setup;
     use crate::document::{Recipe, segmented};
@@ -41,7 +42,7 @@ mod tests {
             Part::from_bytes(&stl_bytes(&solids::cube(20.0)), Units::Mm, &Placement::default(), &[]).expect("ok");
         let mut job = Job::default();
         job.settings.choose([5, 2]);
-        (job.layers.spacing_mm, job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 3.0, 0.9, 2.0);
+        (job.layers.spacing_mm, job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 3.0, 0.9, 2);
         let strategy = Some(crate::path::Strategy::Offset);
         job.recipes.push(Recipe { name: "Around".into(), strategy, ..Recipe::default() });
         job.settings.change(SurfaceId(2), |s| s.recipe = Some("Around".into()));

@@ -1,7 +1,7 @@
 //! One surface's share of a plan: its lines become passes. What has not changed is taken from the cache.
 
+use super::error::PlanError;
 use super::lay::{self, Laid, LayingRules, Ordered};
-use super::plan::PlanError;
 use crate::beam::{Body, Optics, Stance, Tool, Work};
 use crate::cell::Setup;
 use crate::document::model::Job;
@@ -24,7 +24,7 @@ pub struct SurfacePlan {
     pub laid: Arc<Laid>,
     /// Length of the way between its lines, mm, and from the surface before.
     pub way_mm: f64,
-    /// The same in a plain zigzag, mm.
+    /// Length of the way in a plain zigzag, mm.
     pub zigzag_way_mm: f64,
     /// Its passes in working order, once each.
     pub passes: Vec<Pass>,
@@ -111,7 +111,7 @@ pub(super) fn rules_of(surface: u32, job: &Job) -> LineRules {
     LineRules { tilt: own.tilt.clone(), pins: own.pins.clone(), ..rules(job) }
 }
 
-/// The same without what single surfaces ask for.
+/// What lines are planned by where no surface asks for anything of its own.
 pub(super) fn rules(job: &Job) -> LineRules {
     LineRules {
         max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm).min(job.path.max_step_mm),

@@ -1,7 +1,8 @@
 //! The proof of a plan's lit moves as its program is written, while the plan can still be changed. What is read
 //! from a file on disk is `verify`'s.
 
-use super::plan::{self, Plan};
+use super::plan::Plan;
+use super::proof::prover;
 use super::verify::{Poses, Verdict, driven, moves};
 use crate::cell::Setup;
 use crate::document::model::Job;
@@ -41,7 +42,7 @@ pub fn proven_as_written(part: &Part, plan: &Plan, setup: &Setup, job: &Job) -> 
     let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
     let driven = driven(&poses, &read, &of_plan, &mut Verdict::default());
     let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
-    let proof = plan::prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
+    let proof = prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
     let target = |at: usize| {
         let from = number.get(at).copied().flatten()?;
         // A move between two targets belongs to the one that it leads to.

@@ -5,19 +5,55 @@
 //! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
 //! Comments in programs are English whatever the language ([`Message::english`]).
 
+mod advice;
+mod beam;
 mod bundle;
+mod calibration;
 mod cell;
+mod changed_part;
 mod document;
+mod dose;
+mod edits;
+mod export;
+mod file;
+mod inspect;
+mod journal;
+mod library;
 pub(crate) mod messages;
+mod motion;
+mod naming;
+mod notice;
 mod number;
+pub mod parameter;
 mod part;
+mod path;
+mod picture;
 mod planning;
+mod pose;
 mod program;
+mod progress;
+pub(crate) mod recipe_table;
+mod remark;
+mod report;
+mod robot;
+mod sample;
+mod standing;
+mod values;
+mod verify;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
-pub(crate) use number::fixed;
+pub use changed_part::carried_lines;
+pub use dose::dose_lines;
+pub(crate) use inspect::{inspected, shape_label};
+pub use naming::{NamedSentence, Naming};
+pub use notice::{example, notice_line, remedy};
+pub(crate) use number::{clock, exact, fixed};
+pub(crate) use picture::{legend_entry, spacing_labels};
+pub use report::report_lines;
+pub(crate) use sample::about_sample;
+pub(crate) use view::name_view;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {
@@ -30,6 +66,11 @@ macro_rules! say {
     (@ $name:ident $value:expr) => { $value };
 }
 pub(crate) use say;
+
+/// Words of a file between quotation marks, as they would stand there.
+fn quoted(words: &str) -> String {
+    format!("{words:?}")
+}
 
 /// What people read of a finding or an error, in the language that was chosen.
 pub trait Sentence {

@@ -1,7 +1,6 @@
-//! Why there is no part, no plan, no export.
+//! Why there is no part and no plan.
 
-use super::{Sentence, say};
-use crate::planning::export::ExportError;
+use super::{Sentence, fixed, id, say};
 use crate::planning::{Failure, PartError, PlanError, PlanningError};
 
 impl<E: Sentence> Sentence for Failure<E> {
@@ -25,7 +24,22 @@ impl Sentence for PartError {
 
 impl Sentence for PlanError {
     fn sentence(&self) -> String {
-        self.to_string()
+        match self {
+            PlanError::Parameter(e) => e.sentence(),
+            PlanError::Unwritable(e) => e.sentence(),
+            PlanError::NoSurface { surface, last } => say!(plan_no_surface, surface = id(surface), last = id(last)),
+            PlanError::Nothing => say!(plan_nothing_chosen),
+            PlanError::SpacingTooLarge { spacing_mm, size_mm } => {
+                say!(plan_spacing_too_large, spacing = spacing_mm.to_string(), size = fixed(*size_mm, 3))
+            }
+            PlanError::SpacingTooSmall { spacing_mm, points } => {
+                // More than any count holds is said as the largest.
+                say!(plan_spacing_too_small, spacing = spacing_mm.to_string(), points = *points as u64)
+            }
+            PlanError::PartTooLarge { size_mm } => say!(plan_part_too_large, size = format!("{size_mm:e}")),
+            PlanError::Folds { surface, layers } => say!(plan_folds, surface = id(surface), layers = *layers),
+            PlanError::Cancelled => say!(text_cancelled),
+        }
     }
 }
 
@@ -35,15 +49,6 @@ impl Sentence for PlanningError {
             PlanningError::Part(e) => e.sentence(),
             PlanningError::Setup(e) => e.sentence(),
             PlanningError::Plan(e) => e.sentence(),
-        }
-    }
-}
-
-impl Sentence for ExportError {
-    fn sentence(&self) -> String {
-        match self {
-            ExportError::Document(e) => e.sentence(),
-            other => other.to_string(),
         }
     }
 }

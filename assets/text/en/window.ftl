@@ -30,7 +30,6 @@ menu_needs_robot = Choose a robot under Cell
 command_with_step = { $name } { $step }
 
 ## Status line
-status_progress = { $stage } { $percent } %
 status_cancel = Cancel
 status_size = { $passes ->
     [one] { $passes } pass
@@ -51,7 +50,7 @@ status_proven_by = { $moves ->
     [one] On { $moves } move with the laser on nothing can be touched, by { $margin_mm } mm
    *[other] On { $moves } moves with the laser on nothing can be touched, by { $margin_mm } mm
 }
-status_with_clearance = { $tip }, least clearance { $clearance_mm } mm
+status_with_clearance = { $line }, least clearance { $clearance_mm } mm
 
 ## View
 toolbar_show = Show ▼

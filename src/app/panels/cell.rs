@@ -4,7 +4,9 @@ use super::super::dialogs::Purpose;
 use super::super::{App, Command, theme};
 use crate::cell::{Mount, Robot, Spin};
 use crate::document::Edit;
+use crate::document::parameter::Group;
 use crate::program::dialects::DIALECTS;
+use crate::text::Sentence;
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;
 
@@ -17,7 +19,7 @@ impl App {
         self.robot(ui);
         self.mount(ui);
         self.spin(ui);
-        self.numbers(ui, &["cell.deviation_mm"]);
+        self.numbers(ui, Group::Cell);
         self.dialect(ui);
         self.cell_file(ui);
         self.frames(ui);
@@ -71,7 +73,7 @@ impl App {
         }
         match Robot::load(name, self.document.file().and_then(Path::parent)) {
             Ok(robot) => self.edit(Edit::Robot(name.into(), robot.dialect)),
-            Err(e) => self.session.error = Some(e.to_string()),
+            Err(e) => self.session.error = Some(e.sentence()),
         }
     }
 
@@ -122,7 +124,7 @@ impl App {
         });
         match self.derived.pipeline.setup() {
             Some(Ok(setup)) => ui.label(RichText::new(&setup.cell.name).small().weak()),
-            Some(Err(why)) => ui.label(RichText::new(why.to_string()).color(theme::WRONG)),
+            Some(Err(why)) => ui.label(RichText::new(why.sentence()).color(theme::WRONG)),
             None => return,
         };
     }

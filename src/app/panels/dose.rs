@@ -7,8 +7,8 @@ use super::super::{App, theme};
 use crate::document::Edit;
 use crate::picture::dose::{DoseLook, Legend, OVER, SHADED, UNDER, legend};
 use crate::picture::viridis;
-use crate::planning::report::hours;
 use crate::process::{Patch, Thresholds};
+use crate::text::{NamedSentence as _, Naming, clock, language, legend_entry};
 use eframe::egui::{self, Color32, Rect, RichText, Sense, Stroke, pos2, vec2};
 use std::sync::Arc;
 
@@ -76,7 +76,7 @@ impl App {
             ui.label("no beam comes here");
         }
         for h in c.hits.iter().take(ROWS) {
-            let text = format!("pass {} at {}, {:.0}°, {}", h.pass, hours(h.at_s), h.angle_deg, j_cm2(h.j_cm2));
+            let text = format!("pass {} at {}, {:.0}°, {}", h.pass, clock(h.at_s), h.angle_deg, j_cm2(h.j_cm2));
             if ui.link(RichText::new(text).small()).on_hover_text("Go to this pass").clicked() {
                 self.go_to_target((h.pass as usize, 0));
             }
@@ -108,7 +108,8 @@ impl App {
         let whole: f64 = list.iter().map(|(p, _)| p.area_mm2).sum();
         theme::heading(ui, &format!("{title}: {:.2} cm²", 0.01 * whole));
         for (p, told) in list.iter().take(ROWS) {
-            let text = format!("{:.2} cm² of surface {}: {}", told.area_cm2, told.surface, told.why());
+            let why = told.sentence_with(&Naming::of(self.document.job()));
+            let text = format!("{:.2} cm² of surface {}: {why}", told.area_cm2, told.surface);
             if ui.link(RichText::new(text).small()).on_hover_text("Show it").clicked() {
                 self.look_at(p);
             }
@@ -160,19 +161,19 @@ pub(super) fn bar(ui: &mut egui::Ui, width: f32, told: &str, way: impl Fn(f64) -
 fn scale(ui: &mut egui::Ui, legend: &Legend) {
     let width = ui.available_width().min(260.0);
     // Incidence is lightest where the light stands upright.
-    bar(ui, width, "colour scale", |share| if legend.unit == "deg" { 1.0 - share } else { share });
+    bar(ui, width, "colour scale", |share| if legend.look == DoseLook::Incidence { 1.0 - share } else { share });
     ui.horizontal(|ui| {
         let [low, high] = legend.range;
-        let said = |v: f64| if legend.unit == "deg" { format!("{v:.0}°") } else { j_cm2(v) };
+        let said = |v: f64| if legend.look == DoseLook::Incidence { format!("{v:.0}°") } else { j_cm2(v) };
         ui.label(RichText::new(said(low)).small());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.label(RichText::new(said(high)).small());
         });
     });
     ui.horizontal_wrapped(|ui| {
-        for key in &legend.keys {
-            theme::swatch(ui, key.color);
-            ui.label(RichText::new(&key.label).small());
+        for entry in legend.entries {
+            theme::swatch(ui, entry.color());
+            ui.label(RichText::new(legend_entry(*entry, language())).small());
         }
     });
 }

@@ -3,7 +3,7 @@
 use super::super::actions::Actions;
 use super::super::command::{Command, Menu, Toggle};
 use super::super::context::Context;
-use crate::text::say;
+use crate::text::{Sentence as _, say};
 use eframe::egui::{self, Align, Layout};
 
 /// Commands that are always in sight.
@@ -70,10 +70,13 @@ impl Context<'_> {
     /// The name of a command with what it would do now: "Undo move 3 surfaces to clean".
     fn name_now(self, command: Command) -> String {
         let step = match command {
-            Command::Undo => self.document.undo_name(),
-            Command::Redo => self.document.redo_name(),
+            Command::Undo => self.document.undo_step(),
+            Command::Redo => self.document.redo_step(),
             _ => None,
         };
-        step.map_or_else(|| command.name(), |step| say!(command_with_step, name = command.name(), step))
+        step.map_or_else(
+            || command.name(),
+            |step| say!(command_with_step, name = command.name(), step = step.sentence()),
+        )
     }
 }

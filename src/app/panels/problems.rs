@@ -4,7 +4,10 @@ use super::super::command::Toggle;
 use super::super::{App, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
-use crate::planning::report::Problem;
+use crate::planning::advice::Help;
+use crate::planning::remark::Remark;
+use crate::planning::report::{Notice, Problem};
+use crate::text::{NamedSentence as _, Naming, Sentence as _};
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -12,8 +15,8 @@ use std::collections::BTreeMap;
 
 /// Why a target is not done, as people say it.
 fn because(problem: &Problem) -> String {
-    if let Some(detail) = &problem.detail {
-        return detail.clone();
+    if let Some(why) = &problem.why {
+        return why.sentence();
     }
     match (problem.by_surface, problem.by_facet) {
         (Some(surface), Some(facet)) => format!("the beam hits surface {surface} (facet {facet})"),
@@ -35,12 +38,6 @@ fn refused(cause: &str) -> &str {
     }
 }
 
-/// A remark on how lines lie, with the surface unless it names that itself.
-fn remark_on(surface: u32, remark: &str) -> String {
-    let names_it = remark.contains(&format!("surface {surface} "));
-    if names_it { remark.into() } else { format!("surface {surface}: {remark}") }
-}
-
 /// As a sentence begins.
 fn capital(text: &str) -> String {
     let mut rest = text.chars();
@@ -59,9 +56,10 @@ impl App {
         // Neighbouring targets share their cause: one row for a surface and what blocks it.
         let mut groups: BTreeMap<(u32, &str, Option<u32>), Vec<&Problem>> = BTreeMap::new();
         for p in &report.problems {
-            groups.entry((p.surface, p.cause, p.by_surface)).or_default().push(p);
+            groups.entry((p.surface, p.cause.word(), p.by_surface)).or_default().push(p);
         }
-        let remarks: Vec<(u32, &str)> = plan.remarks().collect();
+        let naming = Naming::of(&of.job);
+        let remarks: Vec<(SurfaceId, Remark)> = plan.remarks().collect();
         let title = match groups.len() + remarks.len() {
             // Those of a plan that is out of date say nothing of the one to come.
             _ if self.plan().is_none() => "Problems: out of date".into(),
@@ -77,12 +75,12 @@ impl App {
                     format!("surface {surface}: {:.1} mm² missed by the {why}", row.missed_area_mm2)
                 }
                 (_, Some(by), _) => {
-                    let ours = if list[0].cause == "head" { ", which the head would hit" } else { "" };
+                    let ours = if list[0].cause.word() == "head" { ", which the head would hit" } else { "" };
                     format!("surface {surface}: {} targets blocked by surface {by}{ours}", list.len())
                 }
-                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause)),
+                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause.word())),
             };
-            let why = list[0].detail.as_deref().map_or_else(String::new, |d| format!("{d}\n"));
+            let why = list[0].why.as_ref().map_or_else(String::new, |why| format!("{}\n", why.sentence()));
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
             if link.on_hover_text(format!("{why}Go there")).clicked() {
@@ -90,11 +88,12 @@ impl App {
             }
         }
         for (surface, remark) in remarks {
-            let text = RichText::new(remark_on(surface, remark)).color(theme::ATTENTION);
+            let notice = Notice::Remark { surface, remark };
+            let text = RichText::new(notice.sentence_with(&naming)).color(theme::ATTENTION);
             if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text("Show it").clicked() {
-                self.session.selected = [surface].into();
-                self.session.scroll_to = Some(surface);
-                self.focus_surface(surface);
+                self.session.selected = [surface.0].into();
+                self.session.scroll_to = Some(surface.0);
+                self.focus_surface(surface.0);
             }
         }
         self.what_would_help(ui);
@@ -123,12 +122,11 @@ impl App {
                 let text = "No single change that was tried; look for a better set-up, under Cell";
                 ui.label(RichText::new(text).weak());
             }
-            Some(Ok(sentences)) => {
-                for sentence in sentences {
-                    // What is said in brackets is about the others.
-                    let text = match sentence.starts_with('(') {
-                        true => RichText::new(sentence).small().weak(),
-                        false => RichText::new(format!("• {}", capital(sentence))),
+            Some(Ok(list)) => {
+                for help in list {
+                    let text = match help {
+                        Help::Sampled { .. } => RichText::new(help.sentence()).small().weak(),
+                        _ => RichText::new(format!("• {}", capital(&help.sentence()))),
                     };
                     ui.add(egui::Label::new(text).wrap());
                 }

@@ -4,14 +4,18 @@ use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
-use crate::planning::report::Grade;
+use crate::planning::PlannedJob;
+use crate::planning::report::{Grade, Severity, first_things_first};
 use crate::program::Timeline;
-use crate::text::{fixed, say};
+use crate::text::{Naming, Sentence as _, fixed, notice_line, say};
 use eframe::egui::{self, ProgressBar, RichText};
 use std::time::Duration;
 
 /// Progress is shown anew after this time.
 const SHOWN_AGAIN: Duration = Duration::from_millis(100);
+
+/// Findings that are told on hover.
+const WORST: usize = 3;
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     ui.horizontal(|ui| {
@@ -24,8 +28,8 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
 }
 
 fn progress(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let Some((stage, share)) = context.progress() else { return };
-    let text = say!(status_progress, stage, percent = fixed(f64::from(share) * 100.0, 0));
+    let Some((activity, share)) = context.progress() else { return };
+    let text = say!(progress, activity = activity.sentence(), percent = fixed(f64::from(share) * 100.0, 0));
     ui.add(ProgressBar::new(share).desired_width(190.0).text(text));
     if ui.small_button(say!(status_cancel)).clicked() {
         actions.command(Command::Cancel);
@@ -51,26 +55,39 @@ fn plan(ui: &mut egui::Ui, context: Context<'_>) {
     }
 }
 
-/// What is left out, and what is proven of the moves with the laser on. Of what is out of date nothing is called
-/// proven.
+/// What is not proven and what is left out, then what is proven; the worst of it on hover. Of what is out of date
+/// nothing is called proven.
 fn standing(ui: &mut egui::Ui, context: Context<'_>) {
-    let Some(report) = context.plan().map(|of| &of.report) else { return };
-    let (Some(standing), Some(proof)) = (report.standing(), &report.proof) else { return };
-    let color = match standing.grade {
+    let Some(of) = context.plan() else { return };
+    let Some(standing) = of.report.standing() else { return };
+    let color = match standing.grade() {
         Grade::Unproven | Grade::Nothing => theme::WRONG,
         Grade::LeftOut => theme::ATTENTION,
         Grade::Free => theme::ACCENT,
     };
-    let label = ui.label(RichText::new(standing.text).color(color));
-    if proof.proven == 0 {
-        return;
+    ui.label(RichText::new(standing.sentence()).color(color)).on_hover_ui(|ui| {
+        ui.label(worst(of).join("\n"));
+    });
+}
+
+/// The worst findings with what helps, then what the moves with the laser on keep clear.
+fn worst(of: &PlannedJob) -> Vec<String> {
+    let (report, naming) = (&of.report, Naming::of(&of.job));
+    let mut lines: Vec<String> = first_things_first(report, &of.job, &[])
+        .iter()
+        .filter(|notice| notice.severity() <= Severity::NotDone)
+        .take(WORST)
+        .map(|notice| notice_line(notice, &naming))
+        .collect();
+    if let Some(proof) = report.proof.as_ref().filter(|p| p.proven > 0) {
+        let mut line = match proof.margin_mm > 0.0 {
+            true => say!(status_proven_by, moves = proof.proven, margin_mm = fixed(proof.margin_mm, 2)),
+            false => say!(status_proven, moves = proof.proven),
+        };
+        if let Some(mm) = report.min_clearance_mm {
+            line = say!(status_with_clearance, line, clearance_mm = fixed(mm, 2));
+        }
+        lines.push(line);
     }
-    let mut tip = match proof.margin_mm > 0.0 {
-        true => say!(status_proven_by, moves = proof.proven, margin_mm = fixed(proof.margin_mm, 2)),
-        false => say!(status_proven, moves = proof.proven),
-    };
-    if let Some(mm) = report.min_clearance_mm {
-        tip = say!(status_with_clearance, tip, clearance_mm = fixed(mm, 2));
-    }
-    label.on_hover_text(tip);
+    lines
 }

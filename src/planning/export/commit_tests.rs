@@ -5,7 +5,7 @@ use super::contents::{OutputFile, REPORT};
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::{CommitStep, ExportIntent};
-use super::ownership::ExportOf;
+use super::ownership::{ConflictReason, ExportOf, FileConflict};
 use super::recovery::Pending;
 use crate::planning::report::WrittenFiles;
 use crate::progress::Progress;
@@ -240,8 +240,9 @@ fn a_list_that_leads_out_of_the_folder_is_none() {
     std::fs::write(dir.join(REPORT), &report).expect("writes");
     std::fs::write(dir.join(NOTES), "mine").expect("writes");
     let new = export("new", "new", 1..3, &[]);
-    let said = put_here(&dir, &new, false).expect_err("not ours").to_string();
-    assert!(said.contains("report.json was not exported"), "{said}");
+    let why = put_here(&dir, &new, false).expect_err("not ours");
+    let of_none = FileConflict { name: REPORT.into(), reason: ConflictReason::NoExports };
+    assert!(matches!(&why, ExportError::Conflicts { conflicts, .. } if conflicts.contains(&of_none)), "{why:?}");
     put_here(&dir, &new, true).expect("replaced");
     assert_eq!((stands(&dir), victim.exists()), (expected(&new), true));
 }

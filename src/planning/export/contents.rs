@@ -14,7 +14,8 @@ use crate::planning::PlanError;
 use crate::planning::dose::{self, DoseReport, dose};
 use crate::planning::plan::Plan;
 use crate::planning::report::{FileDigest, PlanFinding, Report, WrittenFiles};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
+use std::path::Path;
 
 /// The job as it was exported.
 pub(super) const JOB: &str = "job.toml";
@@ -85,7 +86,7 @@ pub fn files(
     let patches = dose::not_cleanable(part, surfaces, plan, job, &map);
     report.dose = Some(DoseReport::new(&map, &patches, surfaces));
     progress.check()?;
-    progress.begin("program", 2);
+    progress.begin(Activity::WritingProgram, 2);
     let written = program(job, &of.part, setup, plan, &report)?;
     progress.step()?;
     read_back(part, job, setup, plan, &written)?;
@@ -113,8 +114,7 @@ pub(super) fn names_ahead(job: &Job, setup: &Setup) -> Vec<String> {
 }
 
 fn json(report: &Report) -> Result<Vec<u8>, JobError> {
-    let mut json = serde_json::to_vec_pretty(report)
-        .map_err(|e| JobError::Write { what: format!("the report cannot be written: {e}") })?;
+    let mut json = serde_json::to_vec_pretty(report).map_err(|e| JobError::write(Path::new(REPORT), e.into()))?;
     json.push(b'\n');
     Ok(json)
 }
@@ -142,8 +142,8 @@ mod tests {
         };
         assert!(check_names(&files(&["job.toml", "A.001", "A.002"])).is_ok());
         for bad in ["../A.001", "a/b", "", "..", ".hidden", "c:\\x", "PATH.csv", "Report.JSON"] {
-            let said = check_names(&files(&["path.csv", bad])).expect_err("refused").to_string();
-            assert!(said.contains("cell file"), "{said}");
+            let why = check_names(&files(&["path.csv", bad])).expect_err("refused");
+            assert!(matches!(&why, ExportError::Name { name } if name == bad), "{why}");
         }
     }
 }

@@ -1,8 +1,10 @@
-//! Why a plan was not exported.
+//! Why a plan was not exported. Sentences of it stand in `text`.
 
 use super::ownership::FileConflict;
 use crate::document::JobError;
 use crate::planning::PlanError;
+use crate::planning::verify::{Finding, VerifyError};
+use crate::program::dialect::WriteError;
 use crate::progress::Cancelled;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -14,7 +16,7 @@ pub enum ExportError {
     #[error(transparent)]
     Document(#[from] JobError),
     /// Files of the folder are not this export's to replace or remove.
-    #[error("{}: nothing was written: {}", .dir.display(), listed(.conflicts))]
+    #[error("{}: {} files in the way", .dir.display(), .conflicts.len())]
     Conflicts {
         /// The folder.
         dir: PathBuf,
@@ -22,43 +24,34 @@ pub enum ExportError {
         conflicts: Vec<FileConflict>,
     },
     /// Another export holds the folder.
-    #[error("{}: another export into this folder is under way; wait for it, or choose another folder", .dir.display())]
+    #[error("{}: busy", .dir.display())]
     Busy {
         /// The folder.
         dir: PathBuf,
     },
     /// A file would have a name that leads elsewhere, or that another file of the export has.
-    #[error(
-        "the program would be written as {name:?}, which is no name of its own within a folder; \
-         give another in the cell file"
-    )]
+    #[error("file name {name:?}")]
     Name {
         /// The name.
         name: String,
     },
     /// The controller could not take the program.
-    #[error("the program cannot be written: {0}")]
-    Unwritable(String),
+    #[error("program unwritable: {0}")]
+    Unwritable(#[from] WriteError),
     /// The program that was just made cannot be read.
-    #[error("the program cannot be read back: {0}")]
-    Unreadable(String),
+    #[error("program unreadable: {0}")]
+    Unreadable(#[from] VerifyError),
     /// The program would not do what was planned.
-    #[error(
-        "the program, read back, is not the plan: {file}:{line}: {what} ({findings} findings); nothing was written"
-    )]
+    #[error("program is not the plan: {findings} findings, first {first:?}")]
     NotThePlan {
-        /// File of the first finding.
-        file: String,
-        /// Its line, from 1.
-        line: usize,
-        /// What is wrong with it.
-        what: String,
+        /// The first thing that is wrong with it.
+        first: Box<Finding>,
         /// How many there are.
         findings: usize,
     },
     /// The dose cannot be computed.
-    #[error("the dose: {0}")]
-    Dose(PlanError),
+    #[error("dose: {0}")]
+    Dose(#[source] PlanError),
     /// The user ended it.
     #[error("cancelled")]
     Cancelled,
@@ -68,8 +61,4 @@ impl From<Cancelled> for ExportError {
     fn from(_: Cancelled) -> Self {
         ExportError::Cancelled
     }
-}
-
-fn listed(conflicts: &[FileConflict]) -> String {
-    conflicts.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }

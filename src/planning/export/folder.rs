@@ -3,6 +3,7 @@
 
 use super::error::ExportError;
 use crate::document::files::JobError;
+use crate::file::FileError;
 use crate::part::digest_of;
 use std::fs::{self, File, TryLockError};
 use std::io::{ErrorKind, Write as _};
@@ -95,7 +96,7 @@ impl ExportFolder {
         match fs::read(&file) {
             Ok(bytes) => Ok(Some(bytes)),
             Err(e) if e.kind() == ErrorKind::NotFound => Ok(None),
-            Err(source) => Err(JobError::Read { file: file.display().to_string(), source }),
+            Err(source) => Err(FileError::Read { file: file.display().to_string(), source }.into()),
         }
     }
 
@@ -104,7 +105,7 @@ impl ExportFolder {
     /// # Errors
     /// The folder cannot be read.
     pub(super) fn all_staged(&self) -> Result<Vec<String>, JobError> {
-        let failed = |source| JobError::Read { file: self.path.display().to_string(), source };
+        let failed = |source| FileError::Read { file: self.path.display().to_string(), source };
         let mut out = Vec::new();
         for entry in fs::read_dir(&self.path).map_err(failed)? {
             let name = entry.map_err(failed)?.file_name();
@@ -124,7 +125,7 @@ impl ExportFolder {
             file.write_all(bytes)?;
             file.sync_all()
         };
-        attempt().map_err(|e| JobError::write(&self.path.join(name), &e))
+        attempt().map_err(|e| JobError::write(&self.path.join(name), e))
     }
 
     /// Puts what is staged for a name in its place, over what stands there.
@@ -133,7 +134,7 @@ impl ExportFolder {
     /// It cannot be written.
     pub(super) fn place(&self, name: &str) -> Result<(), JobError> {
         let to = self.path.join(name);
-        fs::rename(self.path.join(staged(name)), &to).map_err(|e| JobError::write(&to, &e))
+        fs::rename(self.path.join(staged(name)), &to).map_err(|e| JobError::write(&to, e))
     }
 
     /// Removes a file, if it is there.
@@ -143,9 +144,7 @@ impl ExportFolder {
     pub(super) fn remove(&self, name: &str) -> Result<(), JobError> {
         let file = self.path.join(name);
         match fs::remove_file(&file) {
-            Err(e) if e.kind() != ErrorKind::NotFound => Err(JobError::Write {
-                what: format!("{}: cannot be removed: {e}; choose another folder", file.display()),
-            }),
+            Err(source) if source.kind() != ErrorKind::NotFound => Err(JobError::Remove { file, source }),
             _ => Ok(()),
         }
     }

@@ -10,7 +10,6 @@ use crate::document::model::Job;
 use crate::planning::report::FileDigest;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use std::path::Path;
 
 /// What an export is of. Two exports are of the same job if both names agree.
@@ -50,21 +49,6 @@ impl FileConflict {
     /// Whether it is replaced if the user says so.
     pub fn can_be_overwritten(&self) -> bool {
         self.reason != ConflictReason::Folder
-    }
-}
-
-impl fmt::Display for FileConflict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = &self.name;
-        match &self.reason {
-            ConflictReason::ChangedByHand => write!(f, "{name} was changed by hand since it was exported"),
-            ConflictReason::OtherJob(of) => write!(f, "{name} is of the job {} on {}", of.job, of.part),
-            ConflictReason::NoExports => write!(f, "{name} was not exported from here"),
-            ConflictReason::EarlierVersion => {
-                write!(f, "{name} is of an earlier version, which did not list what it wrote")
-            }
-            ConflictReason::Folder => write!(f, "{name} is a folder"),
-        }
     }
 }
 

@@ -8,6 +8,7 @@ use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::planning::report::{Report, is_dark};
 use crate::planning::verify;
+use crate::program::dialect::WriteError;
 use crate::program::{Program, ProgramFile, Step, Steps, dialects, lines};
 
 /// The program's files as they would be written, the one to start first; none of a plan that never lights.
@@ -26,8 +27,8 @@ pub fn program(
     }
     let lines = lines(&plan.steps, setup);
     let program = Program { head: head(job, part_name, setup, (&plan.steps, report)), lines, setup };
-    let dialect = dialects::known(&job.cell.dialect).map_err(ExportError::Unwritable)?;
-    dialect.write(&program).map_err(|e| ExportError::Unwritable(e.to_string()))
+    let dialect = dialects::known(&job.cell.dialect).map_err(WriteError::Rule)?;
+    Ok(dialect.write(&program)?)
 }
 
 /// Names of the files that a program of this job has, however long it is; none where it cannot be written.
@@ -48,15 +49,11 @@ pub(super) fn read_back(
     plan: &Plan,
     written: &[ProgramFile],
 ) -> Result<(), ExportError> {
-    let verdict = verify::check_own(part, plan, setup, job, written).map_err(ExportError::Unreadable)?;
-    match verdict.findings.as_slice() {
-        [] => Ok(()),
-        [first, ..] => Err(ExportError::NotThePlan {
-            file: first.file.clone(),
-            line: first.line,
-            what: first.text.clone(),
-            findings: verdict.findings.len(),
-        }),
+    let found = verify::check_own(part, plan, setup, job, written)?.findings;
+    let findings = found.len();
+    match found.into_iter().next() {
+        None => Ok(()),
+        Some(first) => Err(ExportError::NotThePlan { first: Box::new(first), findings }),
     }
 }
 

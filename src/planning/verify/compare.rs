@@ -1,10 +1,8 @@
 //! A program's lines against those of the plan, one by one: what is gone, new, or otherwise.
 
-use super::likeness::{
-    deviation, elsewhere, is_near, is_same, is_same_kind, is_same_pace, off_joint, pace, said, turn_deg, turned_joint,
-    way,
-};
-use super::{Expected, Kind, Poses, Verdict, finding};
+use super::expected::{Expected, Poses};
+use super::likeness::{elsewhere, is_same, is_same_kind, is_same_pace, off_joint, turn_deg};
+use super::verdict::{Difference, JointOff, SpotOff, Verdict};
 use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
 use crate::program::{Move, lit};
 
@@ -46,21 +44,20 @@ pub(super) fn compare<'a>(
         }
         for w in want.iter().skip(i + new).take(gone.saturating_sub(new)) {
             let at = have.get(k + new).or(have.last()).copied().unwrap_or(w);
-            let text = format!("before this line the plan has: {}", said(w));
-            verdict.findings.push(finding(at, Kind::Missing, text));
+            verdict.findings.push(Difference::Missing { planned: w.what.clone() }.at(at));
         }
         for h in have.iter().skip(k + gone).take(new.saturating_sub(gone)) {
-            verdict.findings.push(finding(h, Kind::Extra, format!("the plan does not have: {}", said(h))));
+            verdict.findings.push(Difference::Extra { found: h.what.clone() }.at(h));
         }
         (i, k) = (i + gone, k + new);
     }
     if let Some(first) = want.get(i) {
         let at = have.last().unwrap_or(first);
-        let text = format!("{} more lines of the plan are not there, the first: {}", want.len() - i, said(first));
-        verdict.findings.push(finding(at, Kind::Missing, text));
+        let missing = Difference::EndMissing { lines: want.len() - i, first: first.what.clone() };
+        verdict.findings.push(missing.at(at));
     }
     for h in have.iter().skip(k) {
-        verdict.findings.push(finding(h, Kind::Extra, format!("behind the plan's end: {}", said(h))));
+        verdict.findings.push(Difference::BehindEnd { found: h.what.clone() }.at(h));
     }
     found_moves
 }
@@ -108,14 +105,14 @@ impl<'a, 'r> Sides<'a, 'r> {
             }
             _ if is_same => {}
             (Read::Move(w), Read::Move(h)) if is_same_kind(w, h) => {
-                if let Some(text) = elsewhere(self.poses, &w.goal, &h.goal) {
-                    verdict.findings.push(finding(have, Kind::Deviation, text));
+                if let Some(difference) = elsewhere(self.poses, &w.goal, &h.goal) {
+                    verdict.findings.push(difference.at(have));
                 }
                 words(w, have, h, verdict);
             }
             _ => {
-                let text = format!("{} where the plan has {}", said(have), said(want));
-                verdict.findings.push(finding(have, Kind::Setting, text));
+                let (found, planned) = (have.what.clone(), want.what.clone());
+                verdict.findings.push(Difference::OtherLine { found, planned }.at(have));
             }
         }
         is_same
@@ -129,7 +126,8 @@ impl<'a, 'r> Sides<'a, 'r> {
         let planned = match (&have.goal, home) {
             (Goal::Joints(joints), Some(home)) => {
                 if let Some(j) = off_joint(&Goal::Joints(home), &have.goal, COARSEST_DEG) {
-                    verdict.findings.push(finding(at, Kind::Deviation, turned_joint(j, home[j], joints[j])));
+                    let joint = Some(JointOff::new(j, &home, joints));
+                    verdict.findings.push(Difference::Elsewhere { spot: None, joint }.at(at));
                 }
                 None
             }
@@ -140,13 +138,13 @@ impl<'a, 'r> Sides<'a, 'r> {
             let mm = (lit::foot(&planned, defocus_mm) - lit::foot(&focus, defocus_mm)).norm();
             let deg = turn_deg(&planned, &focus);
             (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
-            if !is_near((mm, deg)) {
-                verdict.findings.push(finding(at, Kind::Deviation, deviation((mm, deg))));
+            let off = SpotOff { mm, deg };
+            if !off.is_near() {
+                verdict.findings.push(Difference::Elsewhere { spot: Some(off), joint: None }.at(at));
             }
         }
         if plan.way != have.way {
-            let text = format!("the dialect's words give {} where the plan has {}", way(have.way), way(plan.way));
-            verdict.findings.push(finding(at, Kind::Setting, text));
+            verdict.findings.push(Difference::OtherWay { found: have.way, planned: plan.way }.at(at));
         }
     }
 }
@@ -154,20 +152,17 @@ impl<'a, 'r> Sides<'a, 'r> {
 /// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`words`].
 fn in_time(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
     if !is_same_pace(&plan.pace, &have.pace) && is_same_pace(&want.pace, &have.pace) {
-        let (gives, has) = (pace(&have.pace), pace(&plan.pace));
-        let text = format!("the dialect's words give {gives} where the plan has {has}");
-        verdict.findings.push(finding(at, Kind::Time, text));
+        verdict.findings.push(Difference::OtherPace { found: have.pace, planned: plan.pace }.at(at));
     }
 }
 
 /// What the words of a move say beside its target.
 fn words(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
     if want.rest != have.rest {
-        let text = format!("{:?} where the plan has {:?}", have.rest, want.rest);
-        verdict.findings.push(finding(at, Kind::Setting, text));
+        let (found, planned) = (have.rest.clone(), want.rest.clone());
+        verdict.findings.push(Difference::OtherWords { found, planned }.at(at));
     }
     if !is_same_pace(&want.pace, &have.pace) {
-        let text = format!("{} where the plan has {}", pace(&have.pace), pace(&want.pace));
-        verdict.findings.push(finding(at, Kind::Time, text));
+        verdict.findings.push(Difference::OtherTime { found: have.pace, planned: want.pace }.at(at));
     }
 }

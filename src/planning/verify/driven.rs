@@ -1,6 +1,7 @@
 //! A program as the robot drives it: ranges, speeds, and what its beam meets on the way.
 
-use super::{Expected, Finding, Kind, Poses, Verdict, finding};
+use super::expected::{Expected, Poses};
+use super::verdict::{Difference, Finding, Verdict};
 use crate::beam::Work;
 use crate::cell::Joints;
 use crate::pose::Beam;
@@ -56,16 +57,11 @@ pub(in super::super) fn driven<'a>(
                 _ => None,
             };
             match &next {
-                None => {
-                    let text = format!("the {} cannot go there", robot.name);
-                    verdict.findings.push(finding(line, Kind::Limit, text));
-                }
+                None => verdict.findings.push(Difference::OutOfReach { robot: robot.name.clone() }.at(line)),
                 Some(j) => {
                     if let Some(i) = robot.beyond(j) {
-                        let [low, high] = robot.limits_deg[i];
-                        let text =
-                            format!("J{} = {:.2}\u{b0} is beyond its range, {low:.0} to {high:.0}\u{b0}", i + 1, j[i]);
-                        verdict.findings.push(finding(line, Kind::Limit, text));
+                        let beyond = Difference::BeyondRange { joint: i, at_deg: j[i], range_deg: robot.limits_deg[i] };
+                        verdict.findings.push(beyond.at(line));
                     }
                     if let (Pace::Seconds(s), Some(before)) = (&m.pace, &joints) {
                         speed(poses, line, before, j, *s, verdict);
@@ -86,20 +82,18 @@ pub(in super::super) fn driven<'a>(
                     out.push(Driven { at: line, place, lit: LitMove { from, to, by_focus, work } });
                 }
                 (way, ..) => {
-                    let text = match way {
-                        Way::Joint => "a move by joints with the laser on",
-                        Way::Linear => {
-                            "a move from or to joint angles with the laser on: where is known with a robot only"
-                        }
+                    let difference = match way {
+                        Way::Joint => Difference::LitByJoints,
+                        Way::Linear => Difference::LitToUnknown,
                     };
-                    verdict.findings.push(finding(line, Kind::Interference, text.into()));
+                    verdict.findings.push(difference.at(line));
                 }
             }
         }
         at = here;
     }
     if lit && let Some(last) = read.last() {
-        verdict.findings.push(finding(last, Kind::Setting, "the program ends with the laser on".into()));
+        verdict.findings.push(Difference::EndsLit.at(last));
     }
     out
 }
@@ -110,9 +104,8 @@ fn speed(poses: &Poses<'_>, line: &ReadLine, from: &Joints, to: &Joints, seconds
     let fast = (0..6)
         .find(|&j| (to[j] - from[j]).abs() > robot.speeds_deg_s[j] * (1.0 + SPEED_SHARE) * seconds.max(0.001) + 2e-4);
     if let Some(j) = fast {
-        let (deg_s, can) = ((to[j] - from[j]).abs() / seconds.max(0.001), robot.speeds_deg_s[j]);
-        let text = format!("J{} turns at {deg_s:.0}\u{b0}/s, it can {can:.0}\u{b0}/s", j + 1);
-        verdict.findings.push(finding(line, Kind::Speed, text));
+        let (deg_s, most_deg_s) = ((to[j] - from[j]).abs() / seconds.max(0.001), robot.speeds_deg_s[j]);
+        verdict.findings.push(Difference::TooFast { joint: j, deg_s, most_deg_s }.at(line));
     }
 }
 
@@ -127,8 +120,7 @@ pub(super) fn interference(
     let moves: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
     verdict.proof = expected.prover.prove(&moves);
     for (n, blocker) in &verdict.proof.refuted {
-        let text = format!("{blocker} with the laser on");
-        verdict.findings.push(finding(driven[*n].at, Kind::Interference, text));
+        verdict.findings.push(Difference::Touches(*blocker).at(driven[*n].at));
     }
     if !with_checker {
         return;
@@ -149,8 +141,7 @@ pub(super) fn interference(
             let layer = d.lit.work.layer;
             let (p, a) = expected.prover.spot(&Beam::on(expected.prover.part_of(layer)), &end, &d.lit.work);
             let facet = checkers.get(layer as usize)?.hit(&p, &a, lit::FROM_MM)?;
-            let text = format!("the beam to ({:.2}, {:.2}, {:.2}) hits facet {facet} with the laser on", p.x, p.y, p.z);
-            Some(finding(d.at, Kind::Interference, text))
+            Some(Difference::HitsFacet { spot: p, facet }.at(d.at))
         })
         .collect();
     for hit in hits {

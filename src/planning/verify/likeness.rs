@@ -1,16 +1,21 @@
-//! A line that was read and a line of the plan: whether they are the same one, and in what words they differ.
+//! A line that was read and a line of the plan: whether they are the same one, and by how much they differ.
 //!
 //! What kind of target a move has counts as much as where it is. Joint angles in place of a pose, or a move by
 //! joints in place of a straight one, may bring the arm to the same place on another branch, and without a robot
 //! nobody knows where they lead; so kind and way are compared before any place is.
 
-use super::{MOST_OFF_MM, MOST_TURNED_DEG, Poses};
-use crate::part::{angle, rpy};
+use super::expected::Poses;
+use super::verdict::{Difference, JointOff, SpotOff};
+use crate::part::angle;
+use crate::program::Pace;
 use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
-use crate::program::{Pace, Way};
 use nalgebra::Isometry3;
 use std::mem::discriminant;
 
+/// The spot may stand so far from where it was planned, mm.
+pub const MOST_OFF_MM: f64 = 0.01;
+/// And the beam with its spin may be turned by so much, degrees.
+pub const MOST_TURNED_DEG: f64 = 0.01;
 /// Share by which a time may differ: speeds are written with few digits.
 const MOST_SLOWER: f64 = 0.02;
 
@@ -20,7 +25,7 @@ pub(super) fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bo
         (Read::Move(w), Read::Move(h)) => {
             is_same_kind(w, h)
                 && off_joint(&w.goal, &h.goal, MOST_TURNED_DEG).is_none()
-                && off(poses, &w.goal, &h.goal).is_none_or(is_near)
+                && off(poses, &w.goal, &h.goal).is_none_or(SpotOff::is_near)
         }
         (w, h) => w == h,
     }
@@ -39,15 +44,17 @@ pub(super) fn off_joint(a: &Goal, b: &Goal, most_deg: f64) -> Option<usize> {
     (0..6).find(|j| !is_within(j))
 }
 
-/// How far the spot is off, mm, and turned, degrees; `None` for joints without a robot.
-pub(super) fn off(poses: &Poses<'_>, a: &Goal, b: &Goal) -> Option<(f64, f64)> {
+/// How far the spot is off; `None` for joints without a robot.
+pub(super) fn off(poses: &Poses<'_>, a: &Goal, b: &Goal) -> Option<SpotOff> {
     let (a, b) = (poses.focus(a)?, poses.focus(b)?);
-    Some(((poses.spot(&a) - poses.spot(&b)).norm(), turn_deg(&a, &b)))
+    Some(SpotOff { mm: (poses.spot(&a) - poses.spot(&b)).norm(), deg: turn_deg(&a, &b) })
 }
 
-/// Whether that is no more than rounding.
-pub(super) fn is_near((mm, deg): (f64, f64)) -> bool {
-    mm <= MOST_OFF_MM && deg <= MOST_TURNED_DEG
+impl SpotOff {
+    /// Whether that is no more than rounding.
+    pub(super) fn is_near(self) -> bool {
+        self.mm <= MOST_OFF_MM && self.deg <= MOST_TURNED_DEG
+    }
 }
 
 /// Angle between two poses, degrees.
@@ -56,23 +63,13 @@ pub(super) fn turn_deg(a: &Isometry3<f64>, b: &Isometry3<f64>) -> f64 {
 }
 
 /// Where two moves to the same kind of target differ in place; `None` where they do not.
-pub(super) fn elsewhere(poses: &Poses<'_>, want: &Goal, have: &Goal) -> Option<String> {
-    let spot = off(poses, want, have).filter(|o| !is_near(*o)).map(deviation);
+pub(super) fn elsewhere(poses: &Poses<'_>, want: &Goal, have: &Goal) -> Option<Difference> {
+    let spot = off(poses, want, have).filter(|o| !o.is_near());
     let joint = match (off_joint(want, have, MOST_TURNED_DEG), want, have) {
-        (Some(j), Goal::Joints(w), Goal::Joints(h)) => Some(turned_joint(j, w[j], h[j])),
+        (Some(j), Goal::Joints(w), Goal::Joints(h)) => Some(JointOff::new(j, w, h)),
         _ => None,
     };
-    spot.into_iter().chain(joint).reduce(|a, b| format!("{a}; {b}"))
-}
-
-/// A spot that is off, in words.
-pub(super) fn deviation((mm, deg): (f64, f64)) -> String {
-    format!("the spot is {mm:.3} mm off and turned by {deg:.3}\u{b0}")
-}
-
-/// A joint that stands otherwise, in words; `joint` from 0.
-pub(super) fn turned_joint(joint: usize, planned_deg: f64, found_deg: f64) -> String {
-    format!("J{} stands at {found_deg:.3}\u{b0}, the plan has {planned_deg:.3}\u{b0}", joint + 1)
+    (spot.is_some() || joint.is_some()).then_some(Difference::Elsewhere { spot, joint })
 }
 
 /// Whether two paces are the same but for written digits.
@@ -86,53 +83,11 @@ pub(super) fn is_same_pace(a: &Pace, b: &Pace) -> bool {
     }
 }
 
-/// A pace in words.
-pub(super) fn pace(p: &Pace) -> String {
-    match p {
-        Pace::Seconds(s) => format!("{s:.3} s"),
-        Pace::Percent(p) => format!("{p} %"),
-    }
-}
-
-/// A way in words.
-pub(super) fn way(way: Way) -> &'static str {
-    match way {
-        Way::Joint => "a move by joints",
-        Way::Linear => "a straight move",
-    }
-}
-
-/// A line in a few words.
-pub(super) fn said(l: &ReadLine) -> String {
-    match &l.what {
-        Read::Move(m) => format!("{} to {}", way(m.way), goal(&m.goal)),
-        Read::Output { number, on } => format!("output {number} {}", if *on { "on" } else { "off" }),
-        Read::Level { number, value, group } => {
-            format!("{} {number} to {value}", if *group { "group" } else { "analogue output" })
-        }
-        Read::Wait(s) => format!("a wait of {s} s"),
-        Read::Say(text) | Read::Other(text) => text.clone(),
-    }
-}
-
-/// A target in words: mm, then turns about Z, Y and X in degrees.
-fn goal(goal: &Goal) -> String {
-    let list = |numbers: &[f64]| numbers.iter().map(|v| format!("{:.2}", v + 0.0)).collect::<Vec<_>>().join(", ");
-    let pose = |at: &Isometry3<f64>| {
-        let turns = rpy::from_rotation(&at.rotation.to_rotation_matrix());
-        format!("({}; {})", list(at.translation.vector.as_slice()), list(&turns))
-    };
-    match goal {
-        Goal::Joints(joints) => format!("the joint angles ({})", list(joints)),
-        Goal::Flange(at) => format!("the flange pose {}", pose(at)),
-        Goal::Focus(at) => format!("the focus pose {}", pose(at)),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::cell::{Robot, Setup};
+    use crate::program::Way;
 
     fn line(way: Way, goal: Goal) -> ReadLine {
         let what = Read::Move(ReadMove { way, goal, pace: Pace::Percent(10.0), rest: String::new() });
@@ -170,10 +125,11 @@ mod tests {
         let mut turned = home;
         turned[5] += 360.0;
         let (was, is) = (Goal::Joints(home), Goal::Joints(turned));
-        assert!(off(&poses, &was, &is).is_some_and(is_near));
+        assert!(off(&poses, &was, &is).is_some_and(SpotOff::is_near));
         assert!(!is_same(&poses, &line(Way::Joint, was), &line(Way::Joint, is)));
-        let said = elsewhere(&poses, &was, &is).expect("a turn");
-        assert_eq!(said, format!("J6 stands at {:.3}\u{b0}, the plan has {:.3}\u{b0}", turned[5], home[5]));
+        let turned = JointOff { joint: 5, planned_deg: home[5], found_deg: turned[5] };
+        let found = Difference::Elsewhere { spot: None, joint: Some(turned) };
+        assert_eq!(elsewhere(&poses, &was, &is), Some(found));
         assert_eq!(elsewhere(&poses, &was, &was), None);
     }
 }

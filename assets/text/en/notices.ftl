@@ -1,0 +1,83 @@
+### What people are to know of a plan, the worst first, and what helps.
+
+## Not proven
+notice_unproven_beam = { $moves ->
+    [one] 1 lit move is not proven: the beam would hit { $surface }
+   *[other] { $moves } lit moves are not proven: the beam would hit { $surface }
+}
+notice_unproven_head = { $moves ->
+    [one] 1 lit move is not proven: the head would hit { $surface }
+   *[other] { $moves } lit moves are not proven: the head would hit { $surface }
+}
+notice_unproven_beam_clamp = { $moves ->
+    [one] 1 lit move is not proven: the beam would hit a clamp
+   *[other] { $moves } lit moves are not proven: the beam would hit a clamp
+}
+notice_unproven_head_clamp = { $moves ->
+    [one] 1 lit move is not proven: the head would hit a clamp
+   *[other] { $moves } lit moves are not proven: the head would hit a clamp
+}
+remedy_not_proven = do not run the program; `clearbeam verify` names the lines; try another correction, or leave the surface out
+
+## Not done
+notice_no_lines = nothing to do, so there is no program: no line lies on the chosen surfaces
+notice_all_left_out = nothing to do, so there is no program: all targets are left out: { $list }
+notice_by_surface = { $targets } (blocked by { $surface })
+notice_by_cause = { $targets } ({ $cause })
+notice_blocked_by = { $surface }: { $targets ->
+    [one] 1 target
+   *[other] { $targets } targets
+} blocked by { $by }
+notice_blocked_for_head = { $surface }: { $targets ->
+    [one] 1 target
+   *[other] { $targets } targets
+} blocked by { $by }, which the head would hit
+notice_blocked = { $surface }: { $targets ->
+    [one] 1 target
+   *[other] { $targets } targets
+} blocked
+notice_refused = { $surface }: { $targets ->
+    [one] 1 target
+   *[other] { $targets } targets
+} refused: { $why }
+notice_example = such as pass { $pass }, point { $point }: { $why }
+notice_missed_by_planes = { $surface }: { $missed } of { $area } mm² missed by the planes
+notice_missed_by_lines = { $surface }: { $missed } of { $area } mm² missed by the lines
+why_beam = the beam would hit something
+why_robot = the arm or the part would hit something
+why_head = the head would hit something
+why_obstacle = an obstacle would be hit
+why_reach = out of the robot's reach
+why_limit = a joint would leave its limits
+why_speed = a joint would be too fast
+why_singularity = the arm would be singular
+remedy_no_lines = choose other surfaces, a smaller spacing, or another direction
+remedy_correct = let the beam be tilted: choose the correction section-plane or clearance
+remedy_clearance = choose the correction clearance
+remedy_tilt = allow a greater tilt, or clean it in another set-up
+remedy_obstacle = move the obstacle or the part
+remedy_turn_part = turn or move the part a little
+remedy_reach = move the part nearer to the middle of the robot's reach
+remedy_limit = turn or move the part, or let the spin be free
+remedy_speed = choose a lower speed
+remedy_missed_by_planes = try direction auto
+remedy_missed_by_lines = choose a smaller spacing or another strategy
+
+## Not as wanted
+notice_remark = { $surface }: { $remark }
+remark_layers_alike = all layers run alike: there is no direction across its planes
+remark_stops_at_rim = { $ends ->
+    [one] 1 line end stops
+   *[other] { $ends } line ends stop
+} at the rim: there is a sharp edge or the end of the part, and the spot must stay on the part
+remark_too_short = { $pieces ->
+    [one] 1 piece of { $length } mm is shorter
+   *[other] { $pieces } pieces of { $length } mm together are shorter
+} than { $shortest } mm and left out
+
+## Found
+notice_part_changed = the part's file has changed since the job was saved; all that is to be cleaned was found again
+notice_renumbered = { $old } is { $new } now
+notice_surfaces_renumbered = surface { $list }
+notice_surfaces_lost = not found: surface { $list }
+remedy_part_changed = look at the surfaces in the window, and save the job

@@ -1,0 +1,64 @@
+//! Whether files have changed since they were read, told by their time and size: the part's, and those of cell, robot,
+//! head and obstacles that a job names.
+
+use super::paths::resolved;
+use crate::cell::{Cell, Robot};
+use crate::document::model::Job;
+use std::fs::metadata;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+/// Time and size of a file: where neither changes it is taken for unchanged. `None`: it is not there.
+pub type Stamp = Option<(SystemTime, u64)>;
+
+/// The stamp of a file as it is now.
+pub fn stamp_of(file: &Path) -> Stamp {
+    let data = metadata(file).ok()?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+/// Files with the stamps that they had when they were read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stamps(Vec<(PathBuf, Stamp)>);
+
+impl Stamps {
+    /// Those of all files but the part's that a job in `job_file` names; `cell` is the one that it names, if that can be
+    /// read.
+    pub fn of(job: &Job, job_file: Option<&Path>, cell: Option<&Cell>) -> Stamps {
+        let robot_file = Some(&job.cell.robot).filter(|r| !Robot::is_shipped(r));
+        let named = [Some(&job.cell.file), Some(&job.beam.head), robot_file];
+        let named = named.into_iter().flatten().chain(job.clamps.iter().map(|c| &c.file));
+        let mut files: Vec<PathBuf> = named.filter(|f| !f.is_empty()).map(|f| resolved(job_file, f)).collect();
+        let cell_file = resolved(job_file, &job.cell.file);
+        let obstacles = cell.into_iter().flat_map(|c| &c.bodies.obstacles);
+        files.extend(obstacles.map(|o| resolved(Some(&cell_file), &o.file)));
+        Stamps(files.into_iter().map(|file| (file.clone(), stamp_of(&file))).collect())
+    }
+
+    /// Whether a file is another one by now.
+    pub fn have_changed(&self) -> bool {
+        self.0.iter().any(|(file, stamp)| stamp_of(file) != *stamp)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_head_that_is_written_anew_or_gone_is_noticed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (file, head) = (folder.path().join("job.toml"), folder.path().join("head.toml"));
+        let mut job = Job::default();
+        job.beam.head = "head.toml".into();
+        let missing = Stamps::of(&job, Some(&file), None);
+        assert!(!missing.have_changed());
+        std::fs::write(&head, "a").expect("writes");
+        assert!(missing.have_changed());
+        let there = Stamps::of(&job, Some(&file), None);
+        assert!(!there.have_changed());
+        std::fs::write(&head, "longer").expect("writes");
+        assert!(there.have_changed());
+        assert!(!Stamps::of(&Job::default(), Some(&file), None).have_changed(), "a shipped cell is no file");
+    }
+}

@@ -1,0 +1,112 @@
+//! Passes become steps with a robot: spins and branches are chosen, the way is driven, and what cannot be driven is
+//! refused, until the rest can.
+
+use super::error::PlanError;
+use super::plan::Plan;
+use super::proof::straight;
+use crate::cell::collision::Collision;
+use crate::cell::motion::{Arm, Memory, Refusal, Watch, choose_again};
+use crate::cell::{Joints, Robot, Setup};
+use crate::document::model::Job;
+use crate::part::Part;
+use crate::program::Timeline;
+use crate::program::drive::{Drive, Known};
+use crate::program::steps::Steps;
+use crate::progress::{Activity, Progress};
+use std::collections::BTreeSet;
+
+/// So often other branches are tried for passes that no way leads to; the eight branches of an arm, and
+/// a few for passes that are shut out only then.
+const MOST_ROUNDS: usize = 12;
+
+/// Spin, branch and joints of every target, and the program's steps with them. What the robot cannot
+/// do is blocked, with its reason.
+pub(super) fn drive(
+    plan: &mut Plan,
+    part: &Part,
+    setup: &Setup,
+    robot: &Robot,
+    job: &Job,
+    progress: &Progress,
+) -> Result<(), PlanError> {
+    let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
+    progress.begin(Activity::ChoosingSpins, 2);
+    let grown = plan.grown.clone();
+    // Arm and head keep clear of all that will be there, from the first layer on.
+    let whole = grown.last().map_or(part, |g| &g.part);
+    let collision = Collision::new(setup, whole);
+    let touches = |joints: &Joints| collision.as_ref()?.first(joints);
+    let go_on = || progress.goes_on();
+    let beam_free = plan.passes.clone();
+    let mut memory = Memory::default();
+    let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
+    // What driving refused stays refused, whatever branch is chosen then.
+    let mut refused: Vec<Refusal> = Vec::new();
+    let mut best: Option<Plan> = None;
+    let drive = Drive {
+        part: whole,
+        setup,
+        mounted: setup.mounted(),
+        robot,
+        air_mm_s: job.beam.air_speed_mm_s,
+        straight: straight(part, &grown, setup, job),
+        collision: collision.as_ref(),
+        go_on: &go_on,
+        known: Known::default(),
+    };
+    for round in 0.. {
+        plan.passes.clone_from(&beam_free);
+        (plan.choice, plan.refusals) = (None, Vec::new());
+        plan.refuse(&refused);
+        let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
+        let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
+        let choice = choose_again(&arm, &plan.passes, &watch, &mut memory);
+        let choice = choice.ok_or(PlanError::Cancelled)?;
+        plan.refuse(&choice.refusals);
+        plan.choice = Some(choice);
+        let mut shut = Vec::new();
+        settle(plan, progress, |plan| {
+            let Some(choice) = &plan.choice else { return Ok(Steps::default()) };
+            drive.steps(&plan.passes, choice).map_err(|undriven| {
+                if undriven.closed.is_empty() {
+                    refused.extend_from_slice(&undriven.refused);
+                }
+                shut.extend(undriven.closed);
+                undriven.refused
+            })
+        })?;
+        if best.as_ref().is_none_or(|b| plan.refusals.len() < b.refusals.len()) {
+            best = Some(plan.clone());
+        }
+        if shut.is_empty() || round == MOST_ROUNDS {
+            break;
+        }
+        closed.extend(shut);
+    }
+    // Closing a branch for a whole pass may lose pieces of it that could be reached.
+    if let Some(best) = best {
+        *plan = best;
+    }
+    plan.timeline = Timeline::new(&plan.steps, setup);
+    Ok(())
+}
+
+/// Makes the steps, again and again without what cannot be driven: there is less each time.
+pub(super) fn settle(
+    plan: &mut Plan,
+    progress: &Progress,
+    mut make: impl FnMut(&Plan) -> Result<Steps, Vec<Refusal>>,
+) -> Result<(), PlanError> {
+    loop {
+        match make(plan) {
+            Ok(steps) => {
+                plan.steps = steps;
+                plan.refusals.sort_by_key(|r| (r.pass, r.point));
+                progress.step()?;
+                return Ok(());
+            }
+            Err(refused) => plan.refuse(&refused),
+        }
+        progress.step()?;
+    }
+}

@@ -1,0 +1,92 @@
+//! A plan is made: lines and poses layer by layer, the moves between, and the proof of the lit ones as they are
+//! written. What a surface's plan is made of is taken from the cache where its inputs have not changed.
+
+use super::cell_report::CellReport;
+use super::driving::{drive, settle};
+use super::error::PlanError;
+use super::plan::Plan;
+use super::prepared::prepared;
+use super::proof::{prover, straight};
+use super::surface_plan::{Cache, Kept};
+use super::{layer, written};
+use crate::cell::Setup;
+use crate::cell::motion::{Cause, Refusal, Why};
+use crate::document::model::Job;
+use crate::part::{Part, Surfaces};
+use crate::program::dialect::WriteError;
+use crate::program::dialects;
+use crate::program::steps::steps;
+use crate::progress::{Activity, Progress};
+
+/// So often targets are refused whose moves hit something only as they are written.
+const MOST_WRITTEN: usize = 6;
+
+fn as_written(r: &written::Refuted) -> Refusal {
+    let ((pass, point), hit) = (r.target, r.blocker);
+    Refusal { pass, point, cause: Cause::of_blocker(&hit), why: Why::HitAsWritten { hit } }
+}
+
+/// Computes the plan of a job.
+///
+/// # Errors
+/// What in the job cannot be planned on; [`PlanError::Cancelled`] when `progress` says so.
+pub fn plan(
+    part: &Part,
+    surfaces: &Surfaces,
+    job: &Job,
+    setup: &Setup,
+    cache: &Cache,
+    progress: &Progress,
+) -> Result<Plan, PlanError> {
+    let (list, own) = prepared(part, surfaces, job)?;
+    dialects::check(&job.cell.dialect, setup).map_err(|what| PlanError::Unwritable(WriteError::Rule(what)))?;
+    let grown = layer::parts(part, surfaces, &own)?;
+    let mut kept = Kept::default();
+    let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
+    for number in 0..layer::count(&own) {
+        let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
+        let on = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
+        let with = (&setup.tool, cache);
+        let made = layer::planned(on, &list, &own, with, number, &mut kept, progress)?;
+        passes.extend(made.iter().flat_map(|s| {
+            let times = own.get(&s.laid.surface).map_or(1, |j| j.layers.passes as usize);
+            (0..times).flat_map(|_| s.passes.iter().cloned())
+        }));
+        surface_plans.extend(made);
+    }
+    cache.keep(kept);
+    let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
+    let mut plan = Plan { surfaces: surface_plans, passes, grown, cell, ..Plan::default() };
+    for round in 0.. {
+        connect(&mut plan, part, setup, job, progress)?;
+        let lit = || plan.steps.lit_moves(&setup.mounted());
+        // What cannot be written is said when it is; the moves themselves can still be proven.
+        let (proof, refuted) = written::proven_as_written(part, &plan, setup, job)
+            .unwrap_or_else(|_| (prover(part, setup, job).on_layers(&plan.grown).prove(&lit()), Vec::new()));
+        plan.proof = Some(proof);
+        if refuted.is_empty() || round == MOST_WRITTEN {
+            break;
+        }
+        let refusals: Vec<Refusal> = refuted.iter().map(as_written).collect();
+        plan.refuse(&refusals);
+    }
+    Ok(plan)
+}
+
+/// Makes the steps between and over the passes; what was refused before stays so.
+fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Progress) -> Result<(), PlanError> {
+    let before = std::mem::take(&mut plan.refusals);
+    match &setup.robot {
+        Some(robot) => drive(plan, part, setup, robot, job, progress)?,
+        None => {
+            progress.begin(Activity::ConnectingMoves, 1);
+            let grown = plan.grown.clone();
+            let straight = straight(part, &grown, setup, job);
+            let air_mm_s = job.beam.air_speed_mm_s;
+            settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, air_mm_s))?;
+        }
+    }
+    plan.refusals.extend(before);
+    plan.refusals.sort_by_key(|r| (r.pass, r.point));
+    Ok(())
+}

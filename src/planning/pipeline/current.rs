@@ -1,0 +1,94 @@
+//! What there is of the job that the pipeline was synced to last. What is named *newest* may be out of date, the rest
+//! is current.
+
+use super::super::error::PlanningError;
+use super::super::failure::Failure;
+use super::super::key::Keys;
+use super::super::lay::Laid;
+use super::super::planned::PlannedJob;
+use super::super::stage::Stage;
+use super::Pipeline;
+use crate::cell::{Cell, Setup};
+use crate::document::files::JobError;
+use crate::part::{Digest, Part, Surfaces};
+use crate::progress::Progress;
+use std::sync::Arc;
+
+impl Pipeline {
+    fn keys(&self) -> Option<&Keys> {
+        self.wanted.as_ref().map(|w| &w.keys)
+    }
+
+    /// The newest plan.
+    pub fn newest_plan(&self) -> Option<&Arc<PlannedJob>> {
+        self.plan.newest().map(|(_, planned)| planned)
+    }
+
+    /// Part and surfaces of the job that was synced last; `None` while they are being made.
+    pub fn surfaces(&self) -> Option<(&Arc<Part>, &Arc<Surfaces>)> {
+        let keys = self.keys()?;
+        Some((self.part.of(keys.part)?, self.surfaces.of(keys.surfaces)?))
+    }
+
+    /// Key of its surfaces.
+    pub fn surfaces_key(&self) -> Option<Digest> {
+        self.keys().map(|keys| keys.surfaces)
+    }
+
+    /// The cell of the job that was synced last, with its file's frames, or why there is none.
+    pub fn cell(&self) -> Option<Result<&Arc<Cell>, &Failure<Arc<JobError>>>> {
+        outcome(&self.cell, self.keys()?.cell)
+    }
+
+    /// Robot, cell and head of the job that was synced last, or why there are none.
+    pub fn setup(&self) -> Option<Result<&Arc<Setup>, &Failure<Arc<JobError>>>> {
+        outcome(&self.setup, self.keys()?.setup)
+    }
+
+    /// Key of that.
+    pub fn setup_key(&self) -> Option<Digest> {
+        self.keys().map(|keys| keys.setup)
+    }
+
+    /// Lines of the job that was synced last, while its plan is not there.
+    pub fn lines(&self) -> Option<(Digest, &Arc<Vec<Arc<Laid>>>)> {
+        let key = self.keys()?.plan;
+        self.lines.of(key).filter(|_| self.plan.of(key).is_none()).map(|lines| (key, lines))
+    }
+
+    /// The plan of the job that was synced last: what may be called proven, and exported.
+    pub fn plan(&self) -> Option<&Arc<PlannedJob>> {
+        self.plan.of(self.keys()?.plan)
+    }
+
+    /// Key of the dose of that plan.
+    pub fn dose_key(&self) -> Option<Digest> {
+        self.keys().map(|keys| keys.dose)
+    }
+
+    /// Why there is no plan of it.
+    pub fn error(&self) -> Option<PlanningError> {
+        let keys = self.keys()?;
+        if let Some(why) = self.part.failure(keys.part) {
+            return Some(why.clone().into());
+        }
+        if let Some(Err(why)) = self.setup() {
+            return Some(why.clone().into());
+        }
+        self.plan.failure(keys.plan).map(|why| why.clone().into())
+    }
+
+    /// Whether nothing is being computed.
+    pub fn is_at_rest(&self) -> bool {
+        !self.part.is_running() && !self.lines.is_running() && !self.plan.is_running()
+    }
+
+    /// How far the work is that is going on.
+    pub fn progress(&self) -> Option<&Progress> {
+        self.part.progress().or(self.lines.progress()).or(self.plan.progress())
+    }
+}
+
+fn outcome<V, E>(stage: &Stage<V, E>, key: Digest) -> Option<Result<&Arc<V>, &Failure<E>>> {
+    stage.of(key).map(Ok).or_else(|| stage.failure(key).map(Err))
+}

@@ -1,0 +1,127 @@
+//! The pipeline is brought up to date with a job: what has arrived is taken, and what is out of date is started.
+
+use super::super::error::PartError;
+use super::super::failure::Failure;
+use super::super::key::Keys;
+use super::super::making::plan;
+use super::super::planned::PlannedJob;
+use super::super::preview::preview;
+use super::super::report::Report;
+use super::super::stage::Stage;
+use super::{Changes, Pipeline, Wanted};
+use crate::document::files::{self, JobError};
+use crate::document::stamps::Stamps;
+use crate::document::{Job, segmented};
+use crate::part::{Digest, Source};
+use crate::progress::Activity;
+use std::path::Path;
+use std::sync::Arc;
+
+impl Pipeline {
+    /// Whether it was synced to this job last, and what it calls current is current.
+    pub fn is_synced(&self, job: &Job, job_file: Option<&Path>) -> bool {
+        self.wanted.as_ref().is_some_and(|w| w.job == *job && w.file.as_deref() == job_file)
+    }
+
+    /// Takes what has arrived for a job in its file, and starts what is out of date.
+    pub fn sync(&mut self, job: &Job, job_file: Option<&Path>) -> Changes {
+        let mut changes = Changes::default();
+        let Some(source) = self.source.clone() else { return changes };
+        let keys = self.want(&source, job, job_file);
+        self.sync_part(&source, job, &keys, &mut changes);
+        self.sync_setup(job, job_file, &keys, &mut changes);
+        self.sync_plan(job, &keys);
+        changes
+    }
+
+    /// The keys of what is wanted: those of the last time, while nothing has changed.
+    fn want(&mut self, source: &Source, job: &Job, job_file: Option<&Path>) -> Keys {
+        if let Some(known) = self.wanted.as_ref().filter(|_| self.is_synced(job, job_file)) {
+            return known.keys;
+        }
+        let keys = Keys::new(source, job, job_file, self.reading);
+        self.wanted = Some(Wanted { job: job.clone(), file: job_file.map(Path::to_path_buf), keys });
+        keys
+    }
+
+    fn sync_part(&mut self, source: &Arc<Source>, job: &Job, keys: &Keys, changes: &mut Changes) {
+        self.part.poll();
+        if self.part.lacks(keys.part) {
+            let (source, of) = (source.clone(), job.part.clone());
+            self.part.start(keys.part, Activity::BuildingPart, &*self.executor, move |progress| {
+                if of.is_of_another_file(&source.sha256) {
+                    return Err(Failure::Refused(PartError::Changed));
+                }
+                let made = source.part(of.units, &of.placement, &of.flipped_shells, progress);
+                made.map_err(|e| Failure::Refused(e.into()))?.ok_or(Failure::Cancelled)
+            });
+        }
+        let Some(part) = self.part.of(keys.part) else { return };
+        if self.surfaces.lacks(keys.surfaces) {
+            self.surfaces.fill(keys.surfaces, || Ok(segmented(part, job)));
+            changes.surfaces = true;
+        }
+    }
+
+    /// Files are small and read at once; each is read again only where its own key changes, as frames are
+    /// dragged.
+    fn sync_setup(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys, changes: &mut Changes) {
+        if !self.setup.lacks(keys.setup) {
+            return;
+        }
+        let refused = |e: JobError| Failure::Refused(Arc::new(e));
+        let is_read = self.tool.lacks(keys.tool) || self.cell.lacks(keys.cell);
+        if self.tool.lacks(keys.tool) {
+            self.tool.fill(keys.tool, || files::load_tool(job, job_file).map_err(refused));
+        }
+        if self.cell.lacks(keys.cell) {
+            self.cell.fill(keys.cell, || files::load_cell(job, job_file).map_err(refused));
+        }
+        if is_read {
+            self.stamps = Stamps::of(job, job_file, self.cell.of(keys.cell).map(|cell| &**cell));
+        }
+        let (tool, cell) = (current(&self.tool, keys.tool), current(&self.cell, keys.cell));
+        self.setup.fill(keys.setup, || {
+            let robot = files::load_robot(job, job_file).map_err(refused)?;
+            files::set_up(job, robot, (*cell?).clone(), (*tool?).clone()).map_err(refused)
+        });
+        changes.setup = true;
+    }
+
+    fn sync_plan(&mut self, job: &Job, keys: &Keys) {
+        self.lines.poll();
+        self.plan.poll();
+        let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
+        if job.chosen(surfaces).is_empty() {
+            self.lines.clear();
+            self.plan.clear();
+            return;
+        }
+        let Some(setup) = self.setup.of(keys.setup) else { return };
+        let (part, surfaces, setup) = (part.clone(), surfaces.clone(), setup.clone());
+        if self.with_lines && self.lines.lacks(keys.plan) {
+            let (part, surfaces, job, cache) = (part.clone(), surfaces.clone(), job.clone(), self.cache.clone());
+            self.plan.only(keys.plan);
+            self.lines.start(keys.plan, Activity::LayingLines, &*self.executor, move |progress| {
+                Ok(preview(&part, &surfaces, &job, &cache, progress)?)
+            });
+        }
+        let is_laid = !self.with_lines || !self.lines.is_running();
+        if is_laid && self.plan.lacks(keys.plan) {
+            let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
+            self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
+                let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
+                let report = Report::new(&plan, &surfaces);
+                Ok(PlannedJob { key, job, part, surfaces, setup, plan, report })
+            });
+        }
+    }
+}
+
+fn current<V, E: Clone>(stage: &Stage<V, E>, key: Digest) -> Result<Arc<V>, Failure<E>> {
+    match (stage.of(key), stage.failure(key)) {
+        (Some(value), _) => Ok(value.clone()),
+        (None, Some(why)) => Err(why.clone()),
+        (None, None) => Err(Failure::Cancelled),
+    }
+}

@@ -1,0 +1,33 @@
+//! What proves the lit moves of a job, in its plan and in its program. The sweep itself is `program::sweep`'s.
+
+use super::surface_plan::stances;
+use crate::beam::Stance;
+use crate::cell::Setup;
+use crate::document::model::Job;
+use crate::part::{Grown, Part};
+use crate::program::lit::Straight;
+use crate::program::sweep::Prover;
+use std::sync::Arc;
+
+/// What proves the lit moves of a job.
+pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
+    let deviation_mm = job.cell.deviation_mm;
+    let mut all: Vec<Stance<'_>> = stances(job, &setup.tool);
+    let mut sag_mm = job.path.chord_error_mm;
+    for recipe in &job.recipes {
+        let own = recipe.applied(job);
+        sag_mm = sag_mm.max(own.path.chord_error_mm);
+        for stance in stances(&own, &setup.tool) {
+            if !all.iter().any(|s| s.work == stance.work) {
+                all.push(stance);
+            }
+        }
+    }
+    Prover::new(part, &all, setup.mounted(), deviation_mm, sag_mm)
+}
+
+/// What finds straight lit moves, with something to spare for the digits of the program.
+pub(super) fn straight<'a>(part: &'a Part, grown: &'a [Arc<Grown>], setup: &'a Setup, job: &Job) -> Straight<'a> {
+    let prover = prover(part, setup, job).on_layers(grown);
+    Straight { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
+}

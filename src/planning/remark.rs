@@ -1,0 +1,40 @@
+//! What of lines and program is not as it was wanted, though they are there. Sentences of it stand in `text`.
+
+use crate::path::LinesFinding;
+use serde::Serialize;
+
+/// What is said of a surface's lines, or of its share of the program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Remark {
+    /// Of its lines.
+    Laying(LayingRemark),
+    /// Of the program that works on it.
+    Program(String),
+}
+
+/// What of a surface's lines is not as it was wanted. In `report.json` by its code.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+pub enum LayingRemark {
+    /// Every second layer was to run across the others, and all run alike: the planes lie across the mean normal,
+    /// or the surface has none.
+    LayersAlike,
+    /// Ends that were to run on over the rim, and stop there: at a sharp edge, or the part's end.
+    StopsAtRim {
+        /// How many.
+        ends: usize,
+    },
+    /// Pieces of lines that are left out as too short.
+    TooShort {
+        /// How many.
+        pieces: usize,
+        /// Their length together, mm.
+        length_mm: f64,
+        /// The least length that was asked for, mm.
+        shortest_mm: f64,
+    },
+    /// What the strategy could not do as it was asked.
+    #[serde(untagged)]
+    Lines(LinesFinding),
+}

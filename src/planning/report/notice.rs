@@ -1,0 +1,165 @@
+//! What people are to know of a plan, in one list: what is unsafe first, then what is not done, then what is not as it
+//! was wanted, then what was found in the file.
+//!
+//! A new finding is a variant here, with its severity and where it is found, and its sentence in `text::notice`.
+
+use super::problem::{NotDone, Problem};
+use super::{NothingReason, PlanFinding, Report, Unproven};
+use crate::cell::motion::{Cause, Why};
+use crate::document::Job;
+use crate::part::{PartFinding, SurfaceId};
+use crate::path::Strategy;
+use crate::planning::remark::Remark;
+use crate::pose::Correction;
+
+/// How bad a finding is; the worst comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Something may be harmed if the program is run.
+    Unsafe,
+    /// Something that was chosen is not worked on.
+    NotDone,
+    /// It is done, but not as it was wanted.
+    NotAsWanted,
+    /// What was found in the part's file, or done to it.
+    Found,
+}
+
+/// One finding of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Notice {
+    /// Moves with the laser on that are not proven to touch nothing.
+    NotProven(Unproven),
+    /// No move has the laser on, so there is no program.
+    NothingPlanned(NothingReason),
+    /// Targets of a surface that are left out for the same cause.
+    LeftOut {
+        /// The surface.
+        surface: SurfaceId,
+        /// Why.
+        cause: Cause,
+        /// The surface in the way.
+        by_surface: Option<SurfaceId>,
+        /// How the beam may be tilted on it.
+        correction: Correction,
+        /// How many.
+        targets: usize,
+        /// The first of them: pass and point.
+        first: (usize, usize),
+        /// What stands against that one, where a move or the robot does.
+        why: Option<Why>,
+    },
+    /// Area of a surface that no line reaches.
+    Missed {
+        /// The surface.
+        surface: SurfaceId,
+        /// The area that is missed, mm².
+        missed_mm2: f64,
+        /// Its whole area, mm².
+        area_mm2: f64,
+        /// Whether planes cut its lines, which can be turned.
+        by_planes: bool,
+    },
+    /// Lines or program of a surface are not as they were wanted.
+    Remark {
+        /// The surface.
+        surface: SurfaceId,
+        /// What is said.
+        remark: Remark,
+    },
+    /// The part's file is another one than when the job was saved.
+    PartChanged {
+        /// Surfaces that have another number now: old, new.
+        renumbered: Vec<[SurfaceId; 2]>,
+        /// Surfaces that the job speaks of and that were not found again.
+        lost: Vec<SurfaceId>,
+    },
+    /// What is to be known of the part's file.
+    InFile(PartFinding),
+}
+
+impl Notice {
+    /// How bad it is.
+    pub fn severity(&self) -> Severity {
+        match self {
+            Notice::NotProven(_) => Severity::Unsafe,
+            Notice::NothingPlanned(_) | Notice::LeftOut { .. } | Notice::Missed { .. } => Severity::NotDone,
+            Notice::Remark { .. } => Severity::NotAsWanted,
+            Notice::PartChanged { .. } | Notice::InFile(_) => Severity::Found,
+        }
+    }
+
+    /// The surface that it is about, where it is about one.
+    pub fn surface(&self) -> Option<SurfaceId> {
+        match self {
+            Notice::NotProven(u) => u.surface,
+            Notice::LeftOut { surface, .. } | Notice::Missed { surface, .. } | Notice::Remark { surface, .. } => {
+                Some(*surface)
+            }
+            Notice::NothingPlanned(_) | Notice::PartChanged { .. } | Notice::InFile(_) => None,
+        }
+    }
+
+    /// The target to look at first: pass and point.
+    pub fn target(&self) -> Option<(usize, usize)> {
+        match self {
+            Notice::LeftOut { first, .. } => Some(*first),
+            _ => None,
+        }
+    }
+}
+
+/// All findings of a job's plan, the worst first; of one severity in the order of work. `in_file`: what was found in
+/// the part's file.
+pub fn first_things_first(report: &Report, job: &Job, in_file: &[PartFinding]) -> Vec<Notice> {
+    let mut out: Vec<Notice> = report.unproven.iter().cloned().map(Notice::NotProven).collect();
+    out.extend(report.findings.iter().map(of_finding));
+    for problem in &report.problems {
+        match problem.cause {
+            NotDone::Blocked(cause) => left_out(&mut out, problem, cause, job),
+            NotDone::Missed => out.extend(missed(report, SurfaceId(problem.surface), job)),
+        }
+    }
+    let rows = report.surfaces.iter();
+    let remarks = rows.flat_map(|s| s.remarks.iter().map(|r| (SurfaceId(s.surface), r.clone())));
+    out.extend(remarks.map(|(surface, remark)| Notice::Remark { surface, remark }));
+    out.extend(in_file.iter().cloned().map(Notice::InFile));
+    out.sort_by_key(Notice::severity);
+    out
+}
+
+fn of_finding(finding: &PlanFinding) -> Notice {
+    match finding {
+        PlanFinding::NothingPlanned { reason } => Notice::NothingPlanned(reason.clone()),
+        PlanFinding::PartChanged { kept, lost, .. } => {
+            let moved = kept.iter().filter(|[old, new]| old != new);
+            Notice::PartChanged {
+                renumbered: moved.map(|pair| pair.map(SurfaceId)).collect(),
+                lost: lost.iter().copied().map(SurfaceId).collect(),
+            }
+        }
+    }
+}
+
+/// Counts a target that is left out, with those of its surface that have the same cause.
+fn left_out(out: &mut Vec<Notice>, problem: &Problem, cause: Cause, job: &Job) {
+    let (surface, by_surface) = (SurfaceId(problem.surface), problem.by_surface.map(SurfaceId));
+    let is_same = |n: &&mut Notice| {
+        matches!(n, Notice::LeftOut { surface: s, cause: c, by_surface: b, .. }
+            if (*s, *c, *b) == (surface, cause, by_surface))
+    };
+    if let Some(Notice::LeftOut { targets, .. }) = out.iter_mut().find(is_same) {
+        *targets += 1;
+        return;
+    }
+    let (Some(pass), Some(point)) = (problem.pass, problem.point) else { return };
+    let correction = job.of_surface(surface).path.correction;
+    let why = problem.why.clone();
+    out.push(Notice::LeftOut { surface, cause, by_surface, correction, targets: 1, first: (pass, point), why });
+}
+
+fn missed(report: &Report, surface: SurfaceId, job: &Job) -> Option<Notice> {
+    let row = report.surfaces.iter().find(|s| s.surface == surface.0)?;
+    let by_planes = !matches!(job.of_surface(surface).layers.strategy, Strategy::Offset | Strategy::Spiral);
+    Some(Notice::Missed { surface, missed_mm2: row.missed_area_mm2, area_mm2: row.area_mm2, by_planes })
+}

@@ -1,0 +1,139 @@
+//! What people are to know of a plan, finding by finding, and what helps.
+
+use super::{NamedSentence, Naming, Sentence, fixed, id, say};
+use crate::cell::motion::Cause;
+use crate::part::SurfaceId;
+use crate::planning::report::{BlockedBy, NothingReason, Notice, Unproven};
+use crate::pose::{Correction, ToolBody};
+
+impl NamedSentence for Notice {
+    fn sentence_with(&self, naming: &Naming<'_>) -> String {
+        match self {
+            Notice::NotProven(unproven) => not_proven(unproven, naming),
+            Notice::NothingPlanned(reason) => reason.sentence_with(naming),
+            Notice::LeftOut { surface, cause, by_surface, targets, .. } => {
+                left_out(&naming.surface(*surface), *cause, by_surface.map(|s| naming.surface(s)), *targets)
+            }
+            Notice::Missed { surface, missed_mm2, area_mm2, by_planes } => {
+                let (surface, missed, area) = (naming.surface(*surface), fixed(*missed_mm2, 2), fixed(*area_mm2, 2));
+                match by_planes {
+                    true => say!(notice_missed_by_planes, surface, missed, area),
+                    false => say!(notice_missed_by_lines, surface, missed, area),
+                }
+            }
+            Notice::Remark { surface, remark } => {
+                say!(notice_remark, surface = naming.surface(*surface), remark = remark.sentence())
+            }
+            Notice::PartChanged { renumbered, lost } => part_changed(renumbered, lost),
+            Notice::InFile(finding) => finding.sentence(),
+        }
+    }
+}
+
+/// What helps against a finding, where that is known.
+pub fn remedy(notice: &Notice) -> Option<String> {
+    Some(match notice {
+        Notice::NotProven(_) => say!(remedy_not_proven),
+        Notice::NothingPlanned(NothingReason::NoLines) => say!(remedy_no_lines),
+        Notice::LeftOut { cause, correction, .. } => against(*cause, *correction),
+        Notice::Missed { by_planes: true, .. } => say!(remedy_missed_by_planes),
+        Notice::Missed { by_planes: false, .. } => say!(remedy_missed_by_lines),
+        Notice::PartChanged { .. } => say!(remedy_part_changed),
+        // Remarks and findings of the file say it themselves, and what is blocked is told by surface.
+        Notice::Remark { .. } | Notice::InFile(_) | Notice::NothingPlanned(NothingReason::AllBlocked { .. }) => {
+            return None;
+        }
+    })
+}
+
+/// The first target that a finding is about, and what the robot has against it.
+pub fn example(notice: &Notice) -> Option<String> {
+    let Notice::LeftOut { first: (pass, point), why: Some(why), .. } = notice else { return None };
+    Some(say!(notice_example, pass = id(pass), point = id(point), why = why.sentence()))
+}
+
+/// A finding with its example and what helps, in one line.
+pub fn notice_line(notice: &Notice, naming: &Naming<'_>) -> String {
+    let sentence = notice.sentence_with(naming);
+    let more = [example(notice), remedy(notice)].into_iter().flatten();
+    more.fold(sentence, |line, more| format!("{line}; {more}"))
+}
+
+impl NamedSentence for NothingReason {
+    fn sentence_with(&self, naming: &Naming<'_>) -> String {
+        match self {
+            NothingReason::NoLines => say!(notice_no_lines),
+            NothingReason::AllBlocked { by } => {
+                let list: Vec<String> = by.iter().map(|b| blocked_by(b, naming)).collect();
+                say!(notice_all_left_out, list = list.join(", "))
+            }
+        }
+    }
+}
+
+fn blocked_by(b: &BlockedBy, naming: &Naming<'_>) -> String {
+    match b.by_surface {
+        Some(n) => say!(notice_by_surface, targets = b.targets, surface = naming.surface(SurfaceId(n))),
+        None => say!(notice_by_cause, targets = b.targets, cause = why(b.cause)),
+    }
+}
+
+fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
+    let moves = unproven.moves;
+    match (unproven.tool_body, unproven.surface.map(|s| naming.surface(s))) {
+        (ToolBody::Beam, Some(surface)) => say!(notice_unproven_beam, moves, surface),
+        (ToolBody::Head, Some(surface)) => say!(notice_unproven_head, moves, surface),
+        (ToolBody::Beam, None) => say!(notice_unproven_beam_clamp, moves),
+        (ToolBody::Head, None) => say!(notice_unproven_head_clamp, moves),
+    }
+}
+
+fn left_out(surface: &str, cause: Cause, by: Option<String>, targets: usize) -> String {
+    match (cause, by) {
+        (Cause::Head, Some(by)) => say!(notice_blocked_for_head, surface, targets, by),
+        (_, Some(by)) => say!(notice_blocked_by, surface, targets, by),
+        (Cause::Beam, None) => say!(notice_blocked, surface, targets),
+        (_, None) => say!(notice_refused, surface, targets, why = why(cause)),
+    }
+}
+
+/// What would be if such a target were worked.
+fn why(cause: Cause) -> String {
+    match cause {
+        Cause::Beam => say!(why_beam),
+        Cause::Robot => say!(why_robot),
+        Cause::Head => say!(why_head),
+        Cause::Obstacle => say!(why_obstacle),
+        Cause::Reach => say!(why_reach),
+        Cause::Limit => say!(why_limit),
+        Cause::Speed => say!(why_speed),
+        Cause::Singularity => say!(why_singularity),
+    }
+}
+
+fn against(cause: Cause, correction: Correction) -> String {
+    match (cause, correction) {
+        (Cause::Beam | Cause::Head, Correction::None) => say!(remedy_correct),
+        (Cause::Beam | Cause::Head, Correction::SectionPlane) => say!(remedy_clearance),
+        (Cause::Beam | Cause::Head, Correction::Clearance) => say!(remedy_tilt),
+        (Cause::Obstacle, _) => say!(remedy_obstacle),
+        (Cause::Robot | Cause::Singularity, _) => say!(remedy_turn_part),
+        (Cause::Reach, _) => say!(remedy_reach),
+        (Cause::Limit, _) => say!(remedy_limit),
+        (Cause::Speed, _) => say!(remedy_speed),
+    }
+}
+
+fn part_changed(renumbered: &[[SurfaceId; 2]], lost: &[SurfaceId]) -> String {
+    let mut parts = vec![say!(notice_part_changed)];
+    let moved: Vec<String> =
+        renumbered.iter().map(|[old, new]| say!(notice_renumbered, old = id(old), new = id(new))).collect();
+    if !moved.is_empty() {
+        parts.push(say!(notice_surfaces_renumbered, list = moved.join(", ")));
+    }
+    if !lost.is_empty() {
+        let list: Vec<String> = lost.iter().map(ToString::to_string).collect();
+        parts.push(say!(notice_surfaces_lost, list = list.join(", ")));
+    }
+    parts.join("; ")
+}

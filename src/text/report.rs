@@ -1,0 +1,48 @@
+//! The report in a few lines for people, first things first.
+
+use super::dose::dose_lines;
+use super::notice::notice_line;
+use super::{Naming, Sentence, clock, fixed, say};
+use crate::document::Job;
+use crate::part::SurfaceId;
+use crate::planning::report::{Report, first_things_first};
+
+/// How a plan stands, its findings with what helps, then figures; what was found in the file is told apart from it.
+/// `job`: what was planned. Each line ends.
+pub fn report_lines(report: &Report, job: &Job) -> String {
+    let naming = Naming::of(job);
+    let mut lines: Vec<String> = report.standing().iter().map(Sentence::sentence).collect();
+    lines.extend(first_things_first(report, job, &[]).iter().map(|notice| notice_line(notice, &naming)));
+    lines.extend(figures(report));
+    if let Some(dose) = &report.dose {
+        lines.extend(dose_lines(dose, &naming));
+    }
+    for s in report.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
+        let (blocked, whole) = (fixed(s.blocked_mm, 1), fixed(s.blocked_mm + s.work_mm, 1));
+        lines.push(say!(report_surface_blocked, surface = naming.surface(SurfaceId(s.surface)), blocked, whole));
+    }
+    lines.into_iter().map(|line| line + "\n").collect()
+}
+
+fn figures(r: &Report) -> Vec<String> {
+    let free = r.points.saturating_sub(r.corrected + r.blocked);
+    let [work, blocked, air] = [r.work_mm, r.blocked_mm, r.air_mm].map(|mm| fixed(mm, 1));
+    let tilt = fixed(r.max_tilt_deg, 1);
+    let (chord, spacing) = (fixed(r.max_chord_error_mm, 4), fixed(r.max_surface_spacing_mm, 3));
+    let (passes, targets, corrected) = (r.passes, r.points, r.corrected);
+    let mut lines = vec![
+        say!(report_targets, passes, targets, free, corrected, blocked = r.blocked),
+        say!(report_lengths, work, blocked, air, time = clock(r.time_s)),
+        say!(report_extremes, tilt, chord, spacing),
+    ];
+    if r.layers > 1 {
+        lines.push(say!(report_layers, layers = r.layers));
+    }
+    if !r.splits.is_empty() {
+        lines.push(say!(report_splits, splits = r.splits.len()));
+    }
+    if r.order.way_mm < r.order.zigzag_way_mm {
+        lines.push(say!(report_order, way = fixed(r.order.way_mm, 1), zigzag = fixed(r.order.zigzag_way_mm, 1)));
+    }
+    lines
+}
