@@ -7,6 +7,7 @@ use crate::planning::{Plan, PlannedJob, export};
 use crate::pose::State;
 use crate::program::dialect::{Read, Reading};
 use crate::program::{Line, ProgramFile, Sample, Timeline, dialects, lines, series};
+use crate::text::Sentence as _;
 use std::collections::BTreeMap;
 
 /// A plan in motion.
@@ -86,7 +87,7 @@ impl Motion {
         let marks = marks(plan, &move_to);
         let (files, why_none) = match export::program(job, part_name, setup, plan, report) {
             Ok(files) => (files, None),
-            Err(why) => (Vec::new(), Some(why.to_string())),
+            Err(why) => (Vec::new(), Some(why.sentence())),
         };
         let line_of_move = lines_of_moves(&files, setup, &job.cell.dialect);
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();

@@ -89,7 +89,7 @@ impl App {
                 self.set_pins(Vec::new());
             }
         });
-        let at = self.session.at.1;
+        let at = self.session.playback.at.1;
         let pins = self.pins();
         let Some(strip) = self.access_strip(over) else { return };
         let strip = strip.clone();
@@ -114,7 +114,7 @@ impl App {
                 off(x).total_cmp(&off(y))
             });
             if let Some(c) = nearest {
-                self.go_to_target((self.session.at.0, c.point));
+                self.go_to_target((self.session.playback.at.0, c.point));
             }
             return;
         }

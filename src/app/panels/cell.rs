@@ -135,13 +135,12 @@ impl App {
             return;
         }
         ui.add_space(2.0);
-        let button = egui::Button::new(super::name_of(Command::BetterSetup));
+        let button = egui::Button::new(Command::BetterSetup.name());
         let response = ui.add_enabled(self.is_enabled(Command::BetterSetup), button);
         let response = response.on_hover_text(say!(cell_panel_better_tip));
         let why = if self.is_proposing() { say!(cell_panel_better_running) } else { say!(cell_panel_nothing_refused) };
         if response.on_disabled_hover_text(why).clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::BetterSetup, &ctx);
+            self.run(Command::BetterSetup);
         }
         ui.add_space(4.0);
     }
@@ -152,12 +151,11 @@ impl App {
         let ready = self.plan().is_some();
         let text = RichText::new(say!(cell_panel_export)).strong();
         let button = egui::Button::new(text).fill(theme::ACCENT.gamma_multiply(0.6));
-        let tip = say!(cell_panel_export_tip, keys = super::keys_of(ui.ctx(), Command::Export));
+        let tip = say!(cell_panel_export_tip, keys = Command::Export.keys_text(ui.ctx()));
         let size = egui::vec2(ui.available_width(), 28.0);
         let response = ui.add_enabled_ui(ready, |ui| ui.add_sized(size, button)).inner;
         if response.on_hover_text(tip).on_disabled_hover_text(say!(cell_panel_not_planned)).clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::Export, &ctx);
+            self.run(Command::Export);
         }
         ui.add_space(2.0);
     }

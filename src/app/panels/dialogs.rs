@@ -1,7 +1,7 @@
 //! Small windows: unsaved changes, errors, and the page of shortcuts.
 
 use super::super::App;
-use super::super::command::{COMMANDS, Menu};
+use super::super::command::Menu;
 use super::super::session::AfterGuard;
 use crate::text::say;
 use eframe::egui::{self, Id, Modal, RichText};
@@ -70,13 +70,12 @@ impl App {
         let window = egui::Window::new(say!(ask_shortcuts)).id(Id::unique("shortcuts")).open(&mut open);
         window.resizable(false).collapsible(false).show(ctx, |ui| {
             egui::ScrollArea::vertical().max_height(520.0).show(ui, |ui| {
-                for (menu, title) in Menu::ALL {
-                    ui.label(RichText::new(title).strong());
-                    egui::Grid::new(title).num_columns(2).min_col_width(150.0).show(ui, |ui| {
-                        for row in COMMANDS.iter().filter(|r| r.menu == menu) {
-                            let Some(keys) = row.keys else { continue };
-                            ui.label(row.name);
-                            ui.monospace(ctx.format_shortcut(&keys));
+                for menu in Menu::ALL {
+                    ui.label(RichText::new(menu.title()).strong());
+                    egui::Grid::new(menu.title()).num_columns(2).min_col_width(150.0).show(ui, |ui| {
+                        for command in menu.commands().filter(|c| c.keys().is_some()) {
+                            ui.label(command.name());
+                            ui.monospace(command.keys_text(ctx));
                             ui.end_row();
                         }
                     });

@@ -241,7 +241,7 @@ impl App {
         if response.double_clicked() && same_row {
             self.session.selected = [n].into();
             let command = if is_clean { Command::Unclean } else { Command::Clean };
-            self.run(command, &response.ctx.clone());
+            self.run(command);
         } else if response.clicked() {
             let from = self.session.anchor.and_then(|a| rows.iter().position(|&r| r == a));
             let to = rows.iter().position(|&r| r == n);
@@ -297,14 +297,13 @@ impl App {
             let buttons = [
                 (say!(lists_clean), Command::Clean),
                 (say!(lists_back), Command::Unclean),
-                (say!(lists_earlier), Command::Earlier),
-                (say!(lists_later), Command::Later),
+                (say!(lists_earlier), Command::CleanEarlier),
+                (say!(lists_later), Command::CleanLater),
             ];
             for (text, command) in buttons {
-                let tip = format!("{}  {}", super::name_of(command), super::keys_of(ui.ctx(), command));
+                let tip = format!("{}  {}", command.name(), command.keys_text(ui.ctx()));
                 if ui.add_enabled(self.is_enabled(command), egui::Button::new(text)).on_hover_text(tip).clicked() {
-                    let ctx = ui.ctx().clone();
-                    self.run(command, &ctx);
+                    self.run(command);
                 }
             }
         });

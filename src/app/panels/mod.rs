@@ -1,4 +1,4 @@
-//! The panels: each shows a part of the state and sends commands and edits.
+//! The panels: each shows a part of the state and sends commands and edits; `context` says how.
 
 mod access;
 mod bead;
@@ -15,7 +15,7 @@ mod layers;
 mod laying;
 mod library;
 mod lists;
-mod menu;
+pub(super) mod menu;
 mod own;
 mod parameters;
 mod plots;
@@ -27,23 +27,9 @@ mod recipe;
 mod scrub;
 mod spacing;
 mod start;
-mod status;
+pub(super) mod status;
 mod timeline;
+pub(super) mod toolbar;
 
 pub(super) use compare::Compare;
 pub(super) use recipe::Draft;
-
-use super::command::{COMMANDS, Command};
-use crate::text::clock;
-use eframe::egui;
-
-/// Name of a command.
-pub(super) fn name_of(command: Command) -> &'static str {
-    COMMANDS.iter().find(|r| r.command == command).map_or("", |r| r.name)
-}
-
-/// Its keys, as written on this system.
-pub(super) fn keys_of(ctx: &egui::Context, command: Command) -> String {
-    let keys = COMMANDS.iter().find(|r| r.command == command).and_then(|r| r.keys);
-    keys.map_or_else(String::new, |k| ctx.format_shortcut(&k))
-}

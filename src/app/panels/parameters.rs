@@ -39,8 +39,7 @@ impl App {
                 ui.horizontal(|ui| {
                     let button = egui::Button::new(say!(parameters_split));
                     if ui.add_enabled(self.is_enabled(Command::Split), button).clicked() {
-                        let ctx = ui.ctx().clone();
-                        self.run(Command::Split, &ctx);
+                        self.run(Command::Split);
                     }
                     let value = DragValue::new(&mut self.session.split_angle_deg).range(0.1..=180.0);
                     let told = || say!(parameters_split_angle);
@@ -126,9 +125,8 @@ impl App {
             self.edit_dragging(&Edit::Place(placement), "place");
         }
         for command in [Command::PickOrigin, Command::LayFlat] {
-            if ui.button(super::name_of(command)).clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(command, &ctx);
+            if ui.button(command.name()).clicked() {
+                self.run(command);
             }
         }
         if let Some(part) = &self.derived.part {

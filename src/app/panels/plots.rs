@@ -110,9 +110,9 @@ impl App {
 
     /// The stretch of time in sight; while playing it follows.
     fn plot_span(&mut self, total_s: f64) -> [f64; 2] {
-        let time_s = self.session.time_s;
+        let time_s = self.session.playback.time_s;
         if let Some([from, to]) = &mut self.session.plot_span
-            && self.session.playing
+            && self.session.playback.is_playing
             && !(*from..=*to).contains(&time_s)
         {
             (*from, *to) = (time_s, time_s + (*to - *from));
@@ -129,7 +129,7 @@ impl App {
         total_s: f64,
     ) {
         ui.add(egui::Label::new(RichText::new(&d.title).strong()).truncate());
-        let time_s = self.session.time_s;
+        let time_s = self.session.playback.time_s;
         let now = samples.get(samples.partition_point(|s| s.time_s() < time_s)).or(samples.last());
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;

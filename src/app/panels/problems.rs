@@ -1,5 +1,6 @@
 //! What is blocked or missed, grouped by surface and by what is in the way; a click goes there.
 
+use super::super::command::Toggle;
 use super::super::{App, Command, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
@@ -109,7 +110,7 @@ impl App {
                 ui.label(RichText::new(say!(problems_help_looking)).weak());
             }
             Some(Err(_)) => {
-                let keys = super::keys_of(ui.ctx(), Command::Plan);
+                let keys = Command::Plan.keys_text(ui.ctx());
                 ui.label(RichText::new(say!(problems_help_cancelled, keys)).weak());
             }
             Some(Ok([])) => {
@@ -144,7 +145,7 @@ impl App {
             return;
         };
         self.go_to_target((pass, point));
-        self.session.show.section = false;
+        self.session.show.set(Toggle::SectionPlane, false);
         if let Some(t) = plan.passes.get(pass).and_then(|p| p.targets.get(point)) {
             // Wide enough to see the beam and what it hits.
             let reach = Vector3::repeat(self.document.job().beam.defocus_mm.abs().max(10.0));

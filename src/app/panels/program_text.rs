@@ -7,7 +7,7 @@ use eframe::egui::{self, RichText, ScrollArea, Sense, TextStyle};
 impl App {
     pub(in super::super) fn program_text(&mut self, ui: &mut egui::Ui) {
         let Some(motion) = self.derived.motion().cloned() else { return };
-        let current = motion.current_line(self.session.time_s, self.session.at);
+        let current = motion.current_line(self.session.playback.time_s, self.session.playback.at);
         // The file follows the simulation, until another is looked at.
         let moved = current.is_some() && current != self.session.text_line;
         if let (true, Some((file, _))) = (moved, current) {

@@ -28,7 +28,7 @@ impl App {
     /// The question that waits, if there is one.
     pub(in super::super) fn questions(&mut self, ctx: &egui::Context) {
         // A file is being picked or read for it.
-        if !self.answers.is_empty() || self.reading.looking.is_running() {
+        if !self.answers.is_empty() || self.reading.is_looking() {
             return;
         }
         let Some(question) = &self.question else { return };

@@ -15,7 +15,7 @@ impl App {
         let Some(timeline) = self.timeline() else { return };
         let total_s = timeline.total_s().max(1e-9);
         let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
-        let time_s = self.session.time_s;
+        let time_s = self.session.playback.time_s;
         response.widget_info(|| egui::WidgetInfo::slider(true, time_s, say!(scrub_name)));
         let track = rect.shrink2(vec2(2.0, 6.0));
         let x_of = |t: f64| track.left() + (t / total_s) as f32 * track.width();

@@ -1,6 +1,7 @@
 //! The legend of the achieved spacing, in a corner of the view: scale, and the two places to go to.
 
 use super::super::App;
+use super::super::command::Toggle;
 use super::dose::bar;
 use crate::picture::spacing::Place;
 use crate::text::{fixed, id, say, spacing_labels};
@@ -12,7 +13,10 @@ const WIDTH: f32 = 200.0;
 
 impl App {
     pub(in super::super) fn spacing_legend(&mut self, ui: &egui::Ui, view: Rect) {
-        if !self.session.show.spacing || self.session.show.section || self.derived.plan_on_part().is_none() {
+        if !self.session.show.is_on(Toggle::Spacing)
+            || self.session.show.is_on(Toggle::SectionPlane)
+            || self.derived.plan_on_part().is_none()
+        {
             return;
         }
         let scale = self.spacing_scale().cloned();

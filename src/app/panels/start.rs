@@ -22,8 +22,7 @@ impl App {
                     ui.label(RichText::new(say!(start_drop)).size(20.0));
                     ui.add_space(6.0);
                     if ui.button(RichText::new(say!(start_open)).size(16.0)).clicked() {
-                        let ctx = ui.ctx().clone();
-                        self.run(Command::Open, &ctx);
+                        self.run(Command::Open);
                     }
                 });
             });

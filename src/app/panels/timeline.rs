@@ -43,7 +43,7 @@ impl App {
             let width = (ui.available_width() - 330.0).max(80.0);
             self.scrub(ui, width);
             let Some(total_s) = self.timeline().map(Timeline::total_s) else { return };
-            let text = say!(timeline_times, now = clock(self.session.time_s), total = clock(total_s));
+            let text = say!(timeline_times, now = clock(self.session.playback.time_s), total = clock(total_s));
             ui.monospace(RichText::new(text).strong()).on_hover_text(say!(timeline_times_tip));
             self.play_speed(ui);
         });
@@ -72,27 +72,26 @@ impl App {
     }
 
     fn play_button(&mut self, ui: &mut egui::Ui) {
-        let text = if self.session.playing { say!(timeline_pause) } else { say!(timeline_play) };
-        if ui.button(text).on_hover_text(super::keys_of(ui.ctx(), Command::Play)).clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::Play, &ctx);
+        let text = if self.session.playback.is_playing { say!(timeline_pause) } else { say!(timeline_play) };
+        if ui.button(text).on_hover_text(Command::Play.keys_text(ui.ctx())).clicked() {
+            self.run(Command::Play);
         }
     }
 
     fn play_speed(&mut self, ui: &mut egui::Ui) {
-        let speed = egui::DragValue::new(&mut self.session.play_speed)
+        let speed = egui::DragValue::new(&mut self.session.playback.speed)
             .range(0.1..=20.0)
             .speed(0.05)
             .prefix(say!(timeline_speed_prefix));
         ui.add(speed)
             .on_hover_text(say!(timeline_speed_tip))
             .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, say!(timeline_speed_name)));
-        ui.checkbox(&mut self.session.play_loop, say!(timeline_loop));
+        ui.checkbox(&mut self.session.playback.repeats, say!(timeline_loop));
     }
 
     fn pass_row(&mut self, ui: &mut egui::Ui, plan: &Plan) {
         let passes = plan.passes.len();
-        let (mut pass, mut point) = self.session.at;
+        let (mut pass, mut point) = self.session.playback.at;
         pass = pass.min(passes - 1);
         let points = plan.passes[pass].targets.len();
         point = point.min(points.saturating_sub(1));
@@ -112,9 +111,9 @@ impl App {
             self.play_speed(ui);
         });
         if (pass, point) != shown {
-            self.session.at = (pass, if pass == shown.0 { point } else { 0 });
+            self.session.playback.at = (pass, if pass == shown.0 { point } else { 0 });
         } else {
-            self.session.at = shown;
+            self.session.playback.at = shown;
         }
     }
 
@@ -125,7 +124,7 @@ impl App {
             State::Corrected => (say!(timeline_corrected), state::CORRECTED),
             State::Blocked => (say!(timeline_blocked), [240, 70, 70]),
         };
-        let (pass, point) = self.session.at;
+        let (pass, point) = self.session.playback.at;
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(word).strong().color(Color32::from_rgb(r, g, b)));
             ui.label(say!(timeline_place, pass = id(pass), point = id(point)));
