@@ -10,7 +10,8 @@ use crate::document::{IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
-use crate::text::Sentence;
+use crate::progress::Activity;
+use crate::text::Sentence as _;
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -118,7 +119,7 @@ impl App {
         self.session.said = format!("writing into {}…", dir.display());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
-        self.exporting.start(planned.key, "exporting", &*executor, move |progress| {
+        self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
             let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {

@@ -1,13 +1,12 @@
 //! A job whose part's file has changed: planned on all the same where all that is to be cleaned is found again in
 //! its place, refused with the list where not.
 
-use super::{Failure, failed};
+use super::Failure;
 use crate::document::{CarriedOver, Job, files};
 use crate::part::Source;
 use crate::planning::report::PlanFinding;
 use crate::progress::Progress;
 use crate::text::{carried_lines, say};
-use anyhow::anyhow;
 use std::path::Path;
 
 /// The part's file of a job as it is, the job for it, and what is to be said.
@@ -15,25 +14,20 @@ use std::path::Path;
 /// # Errors
 /// The part is gone, is no usable STL, or has changed so that work of the job is not where it was.
 pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), Failure> {
-    let file = files::part_file(&job, job_file).map_err(failed)?;
-    let source = Source::read(&file).map_err(failed)?;
+    let file = files::part_file(&job, job_file).map_err(Failure::failed)?;
+    let source = Source::read(&file).map_err(Failure::failed)?;
     if !job.part.is_of_another_file(&source.sha256) {
         let mut job = job;
         job.part.sha256.clone_from(&source.sha256);
         return Ok((job, source, Vec::new()));
     }
-    let carried = CarriedOver::to_file(&job, &source, &file, &Progress::default()).map_err(failed)?;
-    let carried = carried.ok_or_else(|| Failure::Failed(anyhow!(say!(text_cancelled))))?;
-    let told = carried_lines(&carried);
+    let carried = CarriedOver::to_file(&job, &source, &file, &Progress::default()).map_err(Failure::failed)?;
+    let carried = carried.ok_or_else(|| Failure::Failed(say!(text_cancelled)))?;
+    let (name, told) = (|| file.display().to_string(), carried_lines(&carried).join("; "));
     if !carried.is_work_in_place() {
-        return Err(Failure::Failed(anyhow!(
-            "the part {} has changed since the job was saved, and what the job says cannot be carried over whole: {}; \
-             open the job in the window to see it and to choose again",
-            file.display(),
-            told.join("; ")
-        )));
+        return Err(Failure::Failed(say!(cli_part_changed, file = name(), told)));
     }
-    eprintln!("{}: has changed since the job was saved; {}", file.display(), told.join("; "));
+    eprintln!("{}", say!(cli_part_carried_over, file = name(), told));
     let finding = PlanFinding::PartChanged {
         was: carried.was.clone(),
         is: carried.is.clone(),

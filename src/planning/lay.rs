@@ -120,7 +120,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
     if count > 0 {
         remarks.push(format!("{count} pieces of {length_mm:.1} mm together are shorter than {} mm", l.shortest_mm));
     }
-    remarks.extend(found.reason);
+    remarks.extend(found.finding.map(|f| crate::text::Sentence::sentence(&f)));
     let mut coverage = coverage(mesh, surface, &found.planes, l.spacing_mm, &lines);
     if l.strategy != Strategy::Planes {
         coverage.spacing_min_mm = found.achieved.as_ref().map(|a| a.min_mm);

@@ -6,7 +6,7 @@ use super::surface_plan::{Cache, Kept, SurfacePlan, rules, stances};
 use super::{layer, written};
 use crate::beam::Stance;
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, choose_again};
+use crate::cell::motion::{Arm, Cause, Choice, Memory, Refusal, Watch, Why, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::document::parameter;
@@ -17,7 +17,7 @@ use crate::program::lit::Straight;
 use crate::program::steps::{Steps, steps};
 use crate::program::sweep::{Proof, Prover};
 use crate::program::{Timeline, dialects};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -190,9 +190,8 @@ pub fn plan(
 const MOST_WRITTEN: usize = 6;
 
 fn as_written(r: &written::Refuted) -> Refusal {
-    let ((pass, point), blocker) = (r.target, r.blocker);
-    let detail = format!("as the program is written, {blocker}");
-    Refusal { pass, point, cause: Cause::of_blocker(&blocker), detail }
+    let ((pass, point), hit) = (r.target, r.blocker);
+    Refusal { pass, point, cause: Cause::of_blocker(&hit), why: Why::HitAsWritten { hit } }
 }
 
 /// Makes the steps between and over the passes; what was refused before stays so.
@@ -201,7 +200,7 @@ fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Pr
     match &setup.robot {
         Some(robot) => drive(plan, part, setup, robot, job, progress)?,
         None => {
-            progress.begin("connecting moves", 1);
+            progress.begin(Activity::ConnectingMoves, 1);
             let grown = plan.grown.clone();
             let straight = straight(part, &grown, setup, job);
             let air_mm_s = job.beam.air_speed_mm_s;
@@ -246,12 +245,12 @@ pub(super) fn drive(
     progress: &Progress,
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
-    progress.begin("choosing spins", 2);
+    progress.begin(Activity::ChoosingSpins, 2);
     let grown = plan.grown.clone();
     // Arm and head keep clear of all that will be there, from the first layer on.
     let whole = grown.last().map_or(part, |g| &g.part);
     let collision = Collision::new(setup, whole);
-    let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
+    let touches = |joints: &Joints| collision.as_ref()?.first(joints);
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
     let mut memory = Memory::default();

@@ -5,7 +5,7 @@
 //! Which key is wanted, the pipeline says.
 
 use crate::part::Digest;
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
@@ -22,13 +22,13 @@ type Run = Box<dyn FnOnce(&dyn Fn()) + Send>;
 
 /// A piece of work for an [`Executor`].
 pub struct Task {
-    stage: &'static str,
+    stage: Activity,
     run: Run,
 }
 
 impl Task {
     /// What it computes.
-    pub fn stage(&self) -> &'static str {
+    pub fn stage(&self) -> Activity {
         self.stage
     }
 
@@ -215,7 +215,7 @@ impl<V: Send + 'static, E: Send + 'static> Stage<V, E> {
     pub fn start(
         &mut self,
         key: Digest,
-        stage: &'static str,
+        stage: Activity,
         executor: &dyn Executor,
         work: impl FnOnce(&Progress) -> Result<V, Failure<E>> + Send + 'static,
     ) {
@@ -294,7 +294,7 @@ mod tests {
                     0 => {
                         wanted = n;
                         if stage.lacks(key(n)) {
-                            stage.start(key(n), "test", &held, move |_| Ok(n));
+                            stage.start(key(n), Activity::Planning, &held, move |_| Ok(n));
                         }
                     }
                     1 => held.run(which),
@@ -318,14 +318,14 @@ mod tests {
     fn a_panic_is_a_failure_with_its_words_and_can_be_tried_again() {
         let held = Held::default();
         let mut stage: Stage<u32, String> = Stage::default();
-        stage.start(key(1), "test", &held, |_| Ok(7));
+        stage.start(key(1), Activity::Planning, &held, |_| Ok(7));
         let task = held.0.lock().expect("no panic").pop().expect("a task");
         task.run_after(|| panic!("planted"));
         assert!(stage.poll());
         assert_eq!(stage.failure(key(1)), Some(&Failure::Panicked("planted".into())));
         assert!(!stage.lacks(key(1)) && stage.lacks(key(2)) && !stage.is_running());
         stage.try_again();
-        stage.start(key(1), "test", &held, |_| Ok(7));
+        stage.start(key(1), Activity::Planning, &held, |_| Ok(7));
         held.run(0);
         stage.poll();
         assert_eq!(stage.of(key(1)).map(|v| **v), Some(7));
@@ -336,7 +336,7 @@ mod tests {
         let held = Held::default();
         let mut stage: Stage<u32, String> = Stage::default();
         stage.fill(key(1), || Ok(1));
-        stage.start(key(2), "test", &held, |_| Ok(2));
+        stage.start(key(2), Activity::Planning, &held, |_| Ok(2));
         assert_eq!((stage.of(key(1)), stage.newest().map(|(of, v)| (of, **v))), (None, Some((key(1), 1))));
         stage.cancel();
         assert_eq!(stage.failure(key(2)), Some(&Failure::Cancelled));

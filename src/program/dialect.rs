@@ -5,6 +5,7 @@
 use super::lines::Line;
 use super::steps::{Pace, Way};
 use crate::cell::Setup;
+use crate::cell::controllers::words::TemplateError;
 use nalgebra::Isometry3;
 use thiserror::Error;
 
@@ -34,6 +35,9 @@ pub enum WriteError {
     /// The controller takes joint angles, and without a robot there are none.
     #[error("a {0} program needs a robot; give --robot")]
     NoRobot(&'static str),
+    /// A template of the cell file cannot be used.
+    #[error(transparent)]
+    Template(#[from] TemplateError),
     /// A name or number of the cell file breaks the controller's rule.
     #[error("{0}")]
     Rule(String),

@@ -12,8 +12,7 @@ use super::remarks::remarks;
 use super::steps::{Go, Pace, Station, Step, Steps, Way, space};
 use super::{pieces, round};
 use crate::cell::collision::Collision;
-use crate::cell::motion::choice::NO_WAY;
-use crate::cell::motion::{Cause, Choice, Refusal};
+use crate::cell::motion::{Cause, Choice, Refusal, Why};
 use crate::cell::mounting::Mounted;
 use crate::cell::{Joints, Robot, Setup};
 use crate::part::Part;
@@ -122,8 +121,8 @@ impl Drive<'_> {
     pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
         let pieces: Vec<Piece> = pieces::lit(passes);
         if let Some(contact) = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg())) {
-            let detail = format!("{contact} already at home: hold the part elsewhere, or change air.home_joints_deg");
-            let refuse = |(pass, point)| Refusal { pass, point, cause: Cause::Robot, detail: detail.clone() };
+            let why = Why::ContactAtHome(contact);
+            let refuse = |(pass, point)| Refusal { pass, point, cause: Cause::Robot, why: why.clone() };
             let all = pieces.iter().flat_map(|&(pass, first, last)| (first..=last).map(move |point| (pass, point)));
             let refused: Vec<Refusal> = all.map(refuse).collect();
             return if refused.is_empty() {
@@ -254,7 +253,7 @@ impl Drive<'_> {
         // The ways to a piece and from it may both be missing: it is refused once.
         for &(pass, first, last) in BTreeSet::from_iter(pieces) {
             out.closed.extend(choice.rows[pass][first].as_ref().map(|c| (pass, c.branch)));
-            let refuse = |point| Refusal { pass, point, cause: Cause::Robot, detail: NO_WAY.into() };
+            let refuse = |point| Refusal { pass, point, cause: Cause::Robot, why: Why::NoWay };
             out.refused.extend((first..=last).map(refuse));
         }
         out

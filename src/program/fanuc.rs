@@ -30,7 +30,7 @@ impl Dialect for Fanuc {
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         let cell = &program.setup.cell;
         let words = &cell.fanuc;
-        check(words).map_err(WriteError::Rule)?;
+        check(words)?;
         let most = words.max_lines as usize;
         let mut head: Vec<String> = program.head.iter().flat_map(|t| said(t)).collect();
         head.push(format!("  UFRAME_NUM={} ;", words.user_frame));
@@ -71,13 +71,15 @@ pub(super) fn is_coupled(setup: &Setup) -> bool {
     setup.robot.as_ref().is_none_or(|r| r.couples_j2_j3)
 }
 
-fn check(words: &Words) -> Result<(), String> {
+fn check(words: &Words) -> Result<(), WriteError> {
     check_template("fanuc.output_on", &words.output_on, &["n"])?;
     check_template("fanuc.output_off", &words.output_off, &["n"])?;
     check_template("fanuc.analogue", &words.analogue, &["n", "v"])?;
     check_template("fanuc.group", &words.group, &["n", "v"])?;
     if words.output_on == words.output_off {
-        return Err("fanuc.output_off is the same as fanuc.output_on; the laser would stay on".into());
+        return Err(WriteError::Rule(
+            "fanuc.output_off is the same as fanuc.output_on; the laser would stay on".into(),
+        ));
     }
     Ok(())
 }

@@ -36,7 +36,7 @@ impl Dialect for Nachi {
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         let cell = &program.setup.cell;
         let words = &cell.nachi;
-        check(words).map_err(WriteError::Rule)?;
+        check(words)?;
         let head: Vec<String> = program.head.iter().map(|t| said(words, t)).collect();
         let pages = pages(&program.lines, cell.outputs.laser.number, words.max_moves as usize, moves);
         let file = |number: u32, mut lines: Vec<String>| {
@@ -73,7 +73,7 @@ impl Dialect for Nachi {
 }
 
 /// Whether the templates can be written and told apart.
-fn check(words: &Words) -> Result<(), String> {
+fn check(words: &Words) -> Result<(), WriteError> {
     let levels = [("nachi.analogue", &words.analogue), ("nachi.group", &words.group)];
     for (name, template) in levels.into_iter().filter(|(_, t)| !t.is_empty()) {
         check_template(name, template, &["n", "v"])?;
@@ -84,7 +84,9 @@ fn check(words: &Words) -> Result<(), String> {
     check_template("nachi.call", &words.call, &["n"])?;
     check_template("nachi.comment", &words.comment, &["text"])?;
     if words.output_on == words.output_off {
-        return Err("nachi.output_off is the same as nachi.output_on; the laser would stay on".into());
+        return Err(WriteError::Rule(
+            "nachi.output_off is the same as nachi.output_on; the laser would stay on".into(),
+        ));
     }
     Ok(())
 }
@@ -152,6 +154,7 @@ fn numbers(base_from_flange: &Isometry3<f64>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::controllers::words::TemplateFault;
 
     #[test]
     fn the_file_name_follows_nachis_rule() {
@@ -167,8 +170,14 @@ mod tests {
             check(&words)
         };
         assert_eq!(words(|_| {}), Ok(()));
-        assert!(words(|w| w.output_off = w.output_on.clone()).is_err_and(|e| e.contains("stay on")));
-        assert!(words(|w| w.comment = "REM".into()).is_err_and(|e| e.contains("nachi.comment")));
-        assert!(words(|w| w.analogue = "AO {n}".into()).is_err_and(|e| e.contains("{v}")));
+        let refused = |refused: Result<(), WriteError>| match refused.expect_err("refused") {
+            WriteError::Template(e) => (e.key, e.fault),
+            other => panic!("{other}"),
+        };
+        let same = words(|w| w.output_off = w.output_on.clone());
+        assert!(same.is_err_and(|e| matches!(e, WriteError::Rule(said) if said.contains("stay on"))));
+        let lacks = |key: &str, name| (key.to_owned(), TemplateFault::Lacks(name));
+        assert_eq!(refused(words(|w| w.comment = "REM".into())), lacks("nachi.comment", "text"));
+        assert_eq!(refused(words(|w| w.analogue = "AO {n}".into())), lacks("nachi.analogue", "v"));
     }
 }

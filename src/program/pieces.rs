@@ -5,7 +5,7 @@ use super::air::Space;
 use super::lead::{Leads, leads};
 use super::steps::Station;
 use super::sweep::Prover;
-use crate::cell::motion::{Cause, Refusal};
+use crate::cell::motion::{Cause, Refusal, Why};
 use crate::pose::{Blocker, Pass};
 use rayon::prelude::*;
 
@@ -83,7 +83,7 @@ pub fn stuck(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[Piece], hops: &[boo
 }
 
 fn refused(piece: &Piece, b: &Blocker) -> Vec<Refusal> {
-    let detail = format!("as the head is drawn back, {b}");
-    let refuse = |point| Refusal { pass: piece.pass, point, cause: Cause::of_blocker(b), detail: detail.clone() };
+    let why = Why::HitDrawnBack { hit: *b };
+    let refuse = |point| Refusal { pass: piece.pass, point, cause: Cause::of_blocker(b), why: why.clone() };
     (piece.first..=piece.last).map(refuse).collect()
 }

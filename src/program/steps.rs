@@ -205,7 +205,7 @@ pub fn steps(straight: &Straight<'_>, setup: &Setup, passes: &[Pass], air_mm_s: 
                         done = share;
                     }
                 }
-                Err((cause, detail)) => refused.push(Refusal { pass: number, point: i, cause, detail }),
+                Err((cause, why)) => refused.push(Refusal { pass: number, point: i, cause, why }),
             }
             out.go(next, seconds * (1.0 - done), Some((number, i)));
             here = next;

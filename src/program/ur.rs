@@ -30,7 +30,7 @@ impl Dialect for Ur {
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         let cell = &program.setup.cell;
         let words = &cell.ur;
-        check(words).map_err(WriteError::Rule)?;
+        check(words)?;
         let mut out: Vec<String> = program.head.iter().map(|t| said(t)).collect();
         out.extend([format!("def {}():", words.program), format!("  {TCP}")]);
         let pages = pages(&program.lines, cell.outputs.laser.number, words.max_moves as usize, moves);
@@ -58,13 +58,13 @@ impl Dialect for Ur {
     }
 }
 
-fn check(words: &Words) -> Result<(), String> {
+fn check(words: &Words) -> Result<(), WriteError> {
     check_template("ur.output_on", &words.output_on, &["n"])?;
     check_template("ur.output_off", &words.output_off, &["n"])?;
     check_template("ur.analogue", &words.analogue, &["n", "v"])?;
     check_template("ur.group", &words.group, &["n", "v"])?;
     if words.output_on == words.output_off {
-        return Err("ur.output_off is the same as ur.output_on; the laser would stay on".into());
+        return Err(WriteError::Rule("ur.output_off is the same as ur.output_on; the laser would stay on".into()));
     }
     Ok(())
 }

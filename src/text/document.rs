@@ -1,15 +1,16 @@
 //! Why a job cannot be read or saved, and what its surfaces start from or lose.
 
+use super::file::one_line;
 use super::{Sentence, id, say};
 use crate::document::job_file::{JobFileError, WRITTEN};
 use crate::document::{JobError, Lost, StartFrom};
+use crate::pose::ToolBody;
 use std::path::Path;
 
 impl Sentence for JobError {
     fn sentence(&self) -> String {
         match self {
-            JobError::Read { file, source } => say!(file_not_read, file, reason = source.to_string()),
-            JobError::Toml { file, message } => say!(in_file, file, what = message),
+            JobError::File(e) => e.sentence(),
             JobError::NoJob { file, source } => say!(in_file, file, what = source.sentence()),
             JobError::PartGone { file } => say!(job_part_gone, file),
             JobError::PartChanged { file } => say!(job_part_changed, file),
@@ -17,9 +18,8 @@ impl Sentence for JobError {
             JobError::Cell(e) => e.sentence(),
             JobError::Robot(e) => e.sentence(),
             JobError::Head(e) => e.sentence(),
-            JobError::LaserBlocked { cell, obstacle, by } => {
-                say!(job_laser_blocked, cell, obstacle, by = by.to_string())
-            }
+            JobError::LaserBlocked { cell, obstacle, by: ToolBody::Beam } => say!(laser_beam_blocked, cell, obstacle),
+            JobError::LaserBlocked { cell, obstacle, by: ToolBody::Head } => say!(laser_head_blocked, cell, obstacle),
             JobError::ChangedOnDisk { file } => say!(job_changed_on_disk, file),
             JobError::Unwritable(source) => say!(job_not_serialized, reason = source.to_string()),
             JobError::Write { file, source } => {
@@ -35,7 +35,6 @@ impl Sentence for JobError {
 impl Sentence for JobFileError {
     fn sentence(&self) -> String {
         match self {
-            JobFileError::NoText(source) => say!(job_file_no_text, reason = source.to_string()),
             JobFileError::Toml(source) => one_line(source),
             JobFileError::Later(version) => say!(job_file_later, version = id(version), known = id(WRITTEN)),
             JobFileError::NoVersion(version) => say!(job_file_no_version, version, known = id(WRITTEN)),
@@ -69,11 +68,6 @@ impl Sentence for Lost {
 /// A path as people read it.
 pub(super) fn path(path: &Path) -> String {
     path.display().to_string()
-}
-
-/// Where a TOML text is wrong, and how, in one line.
-pub(super) fn one_line(e: &toml::de::Error) -> String {
-    e.to_string().trim_end().replace('\n', " ")
 }
 
 #[cfg(test)]

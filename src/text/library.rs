@@ -1,6 +1,7 @@
 //! Why the library of recipes cannot be changed, and why a file of it is no recipe.
 
-use super::document::{one_line, path};
+use super::document::path;
+use super::file::one_line;
 use super::{Sentence, say};
 use crate::document::library::{BrokenRecipe, LibraryError, RecipeFileError};
 

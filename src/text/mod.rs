@@ -5,24 +5,40 @@
 //! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
 //! Comments in programs are English whatever the language ([`Message::english`]).
 
+mod advice;
+mod beam;
 mod bundle;
+mod calibration;
 mod cell;
 mod changed_part;
 mod document;
 mod edits;
+mod file;
+mod inspect;
 mod journal;
 mod library;
 pub(crate) mod messages;
+mod motion;
 mod number;
 mod part;
+mod path;
+mod picture;
 mod planning;
+mod pose;
 mod program;
+mod progress;
+mod robot;
+mod sample;
 mod view;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
 pub use changed_part::carried_lines;
-pub(crate) use number::fixed;
+pub(crate) use inspect::{inspected, shape_label};
+pub(crate) use number::{exact, fixed};
+pub(crate) use picture::{legend_entry, spacing_labels};
+pub(crate) use sample::about_sample;
+pub(crate) use view::name_view;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {
@@ -35,6 +51,11 @@ macro_rules! say {
     (@ $name:ident $value:expr) => { $value };
 }
 pub(crate) use say;
+
+/// Words of a file between quotation marks, as they would stand there.
+fn quoted(words: &str) -> String {
+    format!("{words:?}")
+}
 
 /// What people read of a finding or an error, in the language that was chosen.
 pub trait Sentence {

@@ -9,6 +9,11 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// With all digits that it has.
+pub(crate) fn exact(value: f64) -> String {
+    value.to_string()
+}
+
 /// `1 426`: a blank before every three digits.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();

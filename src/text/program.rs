@@ -5,7 +5,10 @@ use crate::program::dialect::{ReadError, WriteError};
 
 impl Sentence for WriteError {
     fn sentence(&self) -> String {
-        self.to_string()
+        match self {
+            WriteError::Template(e) => e.sentence(),
+            other => other.to_string(),
+        }
     }
 }
 

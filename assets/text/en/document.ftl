@@ -4,7 +4,8 @@
 
 job_part_gone = the part { $file } is not there; put it back, or correct `part.file` in the job
 job_part_changed = the part { $file } has changed since the job was saved, so its surfaces may have other numbers; open the job in the window, or plan it: both say which surfaces were found again
-job_laser_blocked = { $cell }: bodies.obstacles: { $obstacle } stands in the way of { $by }, which does not move; move one of them
+laser_beam_blocked = { $cell }: bodies.obstacles: { $obstacle } stands in the way of the beam, which stands still; move one of them
+laser_head_blocked = { $cell }: bodies.obstacles: { $obstacle } stands in the way of the head, which stands still; move one of them
 job_changed_on_disk = { $file }: another window or program has changed it since it was opened here; save under another name, open it again, or overwrite it: the file as it is now becomes { $file }.bak
 job_not_serialized = the job cannot be written: { $reason }
 job_not_written = { $file }: cannot be written: { $reason }; choose another folder
@@ -12,7 +13,6 @@ job_not_removed = { $file }: cannot be removed: { $reason }; choose another fold
 
 ## Text of a job file
 
-job_file_no_text = is not UTF-8 text: { $reason }
 job_file_later = version = { $version }: the job was made by a later clearbeam, and this one knows jobs up to version { $known }; open it with a newer clearbeam
 job_file_no_version = version = { $version }: give { $known }, or leave the line out for a job of version 1
 job_file_twice = { $key }: surface { $surface } is listed twice; name it once
@@ -53,6 +53,7 @@ journal_not_written = { $file }: unsaved changes cannot be kept there: { $reason
 journal_no_job = unsaved changes cannot be kept in the journal: { $what }
 journal_bad_name = unsaved changes cannot be kept in the journal: { $reason }; save the job under a plain name
 journal_unreadable = { $file }: was left behind by a program that ended early, and cannot be read: { $what }; look into it, then remove it
+journal_no_text = it is not text: { $reason }
 journal_no_owner = its first line does not say which job it belongs to
 journal_bad_owner = first line: { $reason }
 journal_damaged = it is not as it was written

@@ -3,7 +3,8 @@
 use super::super::{App, theme};
 use crate::planning::report::{Grade, grouped};
 use crate::program::Timeline;
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
+use crate::text::{Sentence as _, fixed, say};
 use eframe::egui::{self, ProgressBar, RichText};
 use std::time::Duration;
 
@@ -11,11 +12,11 @@ use std::time::Duration;
 const SHOWN_AGAIN: Duration = Duration::from_millis(100);
 
 impl App {
-    /// Stage and share of what can be cancelled: planning, else a search for what would help.
-    pub(in super::super) fn progress(&self) -> Option<(&'static str, f32)> {
+    /// What can be cancelled, and its share done: planning, else a search for what would help.
+    pub(in super::super) fn progress(&self) -> Option<(Activity, f32)> {
         let planning = self.derived.pipeline.progress();
         let works = [planning, self.exporting.progress(), self.search(), self.dose_progress()];
-        works.into_iter().flatten().map(Progress::now).find(|p| !p.0.is_empty())
+        works.into_iter().flatten().find_map(Progress::now)
     }
 
     /// Ends that.
@@ -52,8 +53,9 @@ impl App {
 
     pub(in super::super) fn status(&mut self, ui: &mut egui::Ui) {
         ui.horizontal(|ui| {
-            if let Some((stage, share)) = self.progress() {
-                ui.add(ProgressBar::new(share).desired_width(190.0).text(format!("{stage} {:.0} %", share * 100.0)));
+            if let Some((activity, share)) = self.progress() {
+                let text = say!(progress, activity = activity.sentence(), percent = fixed(f64::from(share) * 100.0, 0));
+                ui.add(ProgressBar::new(share).desired_width(190.0).text(text));
                 if ui.small_button("Cancel").clicked() {
                     self.cancel();
                 }

@@ -3,30 +3,18 @@
 use crate::beam::HeadError;
 use crate::cell::{CellError, RobotError};
 use crate::document::job_file::JobFileError;
+use crate::file::FileError;
 use crate::part::LoadError;
-use crate::pose::Ours;
+use crate::pose::ToolBody;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// Why a job, or a file that it names, cannot be read or written.
 #[derive(Debug, Error)]
 pub enum JobError {
-    /// The job file cannot be read.
-    #[error("{file}: cannot be read: {source}")]
-    Read {
-        /// The file.
-        file: String,
-        /// What the system said.
-        source: std::io::Error,
-    },
-    /// It is no TOML, or has a key or value that no job has.
-    #[error("{file}: {message}")]
-    Toml {
-        /// The file.
-        file: String,
-        /// Where and what.
-        message: String,
-    },
+    /// A file cannot be read, or is no TOML of a job.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// It is no job.
     #[error("{file}: no job")]
     NoJob {
@@ -67,7 +55,7 @@ pub enum JobError {
         /// The obstacle's file.
         obstacle: String,
         /// What of the tool it touches.
-        by: Ours,
+        by: ToolBody,
     },
     /// Somebody else has saved meanwhile.
     #[error("{file}: changed on disk")]

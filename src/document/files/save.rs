@@ -6,6 +6,7 @@ use super::error::JobError;
 use super::paths::{rebased, whole};
 use crate::document::job_file::{self, JobFileError};
 use crate::document::model::Job;
+use crate::file::{self, FileError};
 use crate::part::digest_of;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
@@ -61,9 +62,9 @@ impl JobFile {
 /// It cannot be read, or is no job (with line and column).
 pub fn open(path: &Path) -> Result<(Job, JobFile), JobError> {
     let name = || path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|source| JobError::Read { file: name(), source })?;
-    let job = job_file::from_bytes(&bytes).map_err(|e| match e {
-        JobFileError::Toml(e) => JobError::Toml { file: name(), message: e.to_string().trim_end().replace('\n', " ") },
+    let bytes = file::bytes(path)?;
+    let job = job_file::parse(file::text(&bytes, &name())?).map_err(|e| match e {
+        JobFileError::Toml(e) => FileError::Toml { file: name(), source: Box::new(e) }.into(),
         source => JobError::NoJob { file: name(), source },
     })?;
     Ok((job, JobFile { path: path.to_path_buf(), sha256: digest_of(&bytes) }))

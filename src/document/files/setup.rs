@@ -3,10 +3,11 @@
 use super::error::JobError;
 use super::paths::resolved;
 use crate::beam::{Body, Head, Tool};
+use crate::cell::robot::RobotFigureError;
 use crate::cell::{Cell, Mount, Robot, RobotError, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::pose::{Beam, Blocker, Theirs};
+use crate::pose::{Beam, Blocker, Obstruction};
 use crate::program::dialects;
 use nalgebra::{Point3, Vector3};
 use std::path::Path;
@@ -29,8 +30,11 @@ pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, J
         "" => None,
         name => {
             let robot = Robot::load(name, job_file.and_then(Path::parent))?;
-            dialects::known(&robot.dialect)
-                .map_err(|what| RobotError::Figure { file: name.into(), what: format!("{what} (the controller's)") })?;
+            if dialects::by_name(&robot.dialect).is_none() {
+                let known = dialects::DIALECTS.iter().map(|d| d.name()).collect();
+                let what = RobotFigureError::Dialect { dialect: robot.dialect, known };
+                return Err(RobotError::Figure { file: name.into(), what: Box::new(what) }.into());
+            }
             Some(robot)
         }
     })
@@ -90,7 +94,7 @@ fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let a = laser.rotation * Vector3::z();
     let spot = Point3::from(laser.translation.vector) - a * b.defocus_mm;
     let blocker = Beam::with(&nothing, body.as_ref()).blocker(&spot, &a);
-    let Some(Blocker { ours, theirs: Theirs::Clamp(i), .. }) = blocker else { return Ok(()) };
+    let Some(Blocker { tool_body, obstruction: Obstruction::Clamp(i), .. }) = blocker else { return Ok(()) };
     let obstacle = obstacles.get(i as usize).map_or(String::new(), |o| o.file.clone());
-    Err(JobError::LaserBlocked { cell: setup.cell.name.clone(), obstacle, by: ours })
+    Err(JobError::LaserBlocked { cell: setup.cell.name.clone(), obstacle, by: tool_body })
 }

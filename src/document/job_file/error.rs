@@ -6,9 +6,6 @@ use thiserror::Error;
 /// Why a text is no job.
 #[derive(Debug, Error)]
 pub enum JobFileError {
-    /// It is no UTF-8.
-    #[error("no text")]
-    NoText(#[from] std::str::Utf8Error),
     /// It is no TOML, or has a key or value that no job has.
     #[error(transparent)]
     Toml(#[from] toml::de::Error),

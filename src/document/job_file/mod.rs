@@ -53,14 +53,6 @@ struct JobTables {
     starts: Vec<StartRow>,
 }
 
-/// The job that the bytes of a file hold.
-///
-/// # Errors
-/// They are no job (with line and column).
-pub fn from_bytes(bytes: &[u8]) -> Result<Job, JobFileError> {
-    parse(std::str::from_utf8(bytes)?)
-}
-
 /// The job that a text holds.
 ///
 /// # Errors

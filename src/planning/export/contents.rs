@@ -14,7 +14,7 @@ use crate::planning::PlanError;
 use crate::planning::dose::{self, DoseReport, dose};
 use crate::planning::plan::Plan;
 use crate::planning::report::{FileDigest, PlanFinding, Report, WrittenFiles};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use std::path::Path;
 
 /// The job as it was exported.
@@ -86,7 +86,7 @@ pub fn files(
     let patches = dose::not_cleanable(part, surfaces, plan, job, &map);
     report.dose = Some(DoseReport::new(&map, &patches, surfaces));
     progress.check()?;
-    progress.begin("program", 2);
+    progress.begin(Activity::WritingProgram, 2);
     let written = program(job, &of.part, setup, plan, &report)?;
     progress.step()?;
     read_back(part, job, setup, plan, &written)?;

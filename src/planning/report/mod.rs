@@ -11,7 +11,7 @@ use super::plan::Plan;
 use super::surface_plan::SurfacePlan;
 use crate::cell::{Frame, Mount, Setup};
 use crate::part::Surfaces;
-use crate::pose::{Correction, Pass, Split, State, Target, Theirs};
+use crate::pose::{Correction, Obstruction, Pass, Split, State, Target};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
 use finding::nothing_planned;
@@ -243,9 +243,9 @@ fn corrections(plan: &Plan) -> Vec<Outcome> {
 fn splits(passes: &[Pass], surfaces: &Surfaces) -> Vec<SplitReport> {
     let of_pass = |(pass, p): (usize, &Pass)| -> Vec<SplitReport> {
         let one = |s: &Split| {
-            let by_facet = s.wall.and_then(|b| match b.theirs {
-                Theirs::Facet(f) => Some(f),
-                Theirs::Clamp(_) => None,
+            let by_facet = s.wall.and_then(|b| match b.obstruction {
+                Obstruction::Facet(f) => Some(f),
+                Obstruction::Clamp(_) => None,
             });
             let by_surface = by_facet.map(|f| surfaces.of_facet[f as usize]);
             SplitReport { pass, point: s.point, surface: p.surface, by_facet, by_surface }

@@ -1,16 +1,17 @@
 //! The report in a few lines for people.
 
 use super::{OrderReport, Report};
+use crate::text::Sentence as _;
 
 impl Report {
     /// What the robot refuses: cause, how many targets, and the first of them in words.
     pub fn refused(&self) -> Vec<(&'static str, usize, String)> {
         let mut out: Vec<(&'static str, usize, String)> = Vec::new();
         for p in &self.problems {
-            let (Some(detail), Some(pass), Some(point)) = (&p.detail, p.pass, p.point) else { continue };
+            let (Some(why), Some(pass), Some(point)) = (&p.why, p.pass, p.point) else { continue };
             match out.iter_mut().find(|(cause, ..)| *cause == p.cause) {
                 Some((_, count, _)) => *count += 1,
-                None => out.push((p.cause, 1, format!("pass {pass}, point {point}: {detail}"))),
+                None => out.push((p.cause, 1, format!("pass {pass}, point {point}: {}", why.sentence()))),
             }
         }
         out
