@@ -170,11 +170,9 @@ fn wrong_usage_is_2() {
 fn a_language_is_taken_anywhere_and_an_unknown_one_names_those_there_are() {
     let (_folder, file) = cube();
     let plain = run(&["inspect", &file]);
-    for with in [
-        &["--lang", "en", "inspect", &file][..],
-        &["inspect", "--lang=en", &file],
-        &["inspect", &file, "--lang", "en"],
-    ] {
+    for with in
+        [&["--lang", "en", "inspect", &file][..], &["inspect", "--lang=en", &file], &["inspect", &file, "--lang", "en"]]
+    {
         let output = run(with);
         assert_eq!((output.status.code(), &output.stdout), (Some(0), &plain.stdout), "{with:?}");
     }
