@@ -24,6 +24,8 @@ pub(crate) mod messages;
 mod motion;
 mod naming;
 mod notice;
+#[cfg(test)]
+mod notice_tests;
 mod number;
 pub mod parameter;
 mod part;
