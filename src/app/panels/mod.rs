@@ -34,8 +34,4 @@ pub(super) mod toolbar;
 pub(super) use compare::Compare;
 pub(super) use recipe::Draft;
 
-/// Hours, minutes and seconds.
-pub(super) fn clock(seconds: f64) -> String {
-    let s = seconds.max(0.0).round() as u64;
-    format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
-}
+use crate::text::clock;

@@ -7,7 +7,7 @@ use super::super::theme;
 use crate::planning::PlannedJob;
 use crate::planning::report::{Grade, Severity, first_things_first};
 use crate::program::Timeline;
-use crate::text::{Naming, Sentence as _, fixed, notice_line, say};
+use crate::text::{Naming, Sentence as _, clock, fixed, notice_line, say};
 use eframe::egui::{self, ProgressBar, RichText};
 use std::time::Duration;
 
@@ -48,7 +48,7 @@ fn plan(ui: &mut egui::Ui, context: Context<'_>) {
         ui.label(RichText::new(text).color(theme::ATTENTION));
     }
     let time_s = context.timeline().map_or(report.time_s, Timeline::total_s);
-    ui.label(say!(status_work, length_mm = fixed(report.work_mm, 1), time = super::clock(time_s)));
+    ui.label(say!(status_work, length_mm = fixed(report.work_mm, 1), time = clock(time_s)));
     if !context.derived.is_current(context.document) {
         let text = RichText::new(say!(status_out_of_date)).color(theme::ATTENTION);
         ui.label(text).on_hover_text(say!(status_out_of_date_tip));
