@@ -33,5 +33,3 @@ pub(super) mod toolbar;
 
 pub(super) use compare::Compare;
 pub(super) use recipe::Draft;
-
-use crate::text::clock;
