@@ -1,7 +1,6 @@
 //! What is blocked or missed, grouped by surface and by what is in the way; a click goes there.
 
-use super::super::command::Toggle;
-use super::super::{App, Command, theme};
+use super::super::{App, Command, Toggle, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
 use crate::planning::advice::Help;
