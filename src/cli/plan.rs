@@ -7,7 +7,7 @@ use crate::document::{Chosen, Job, files};
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
-use crate::text::{Sentence as _, clock, report_lines};
+use crate::text::{Sentence as _, clock, program_comment, report_lines};
 use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -71,7 +71,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
     }
     let progress = Progress::default();
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings };
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording: program_comment };
     let exported = export::write(&a.out, &input, job_file, a.overwrite, &progress).map_err(not_exported)?;
     let report = &exported.report;
     if a.json {

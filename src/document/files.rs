@@ -176,8 +176,10 @@ pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, J
         "" => None,
         name => {
             let robot = Robot::load(name, job_file.and_then(Path::parent))?;
-            dialects::known(&robot.dialect)
-                .map_err(|what| RobotError::Figure { file: name.into(), what: format!("{what} (the controller's)") })?;
+            dialects::known(&robot.dialect).map_err(|e| RobotError::Figure {
+                file: name.into(),
+                what: format!("dialect = {:?}: give one of {} (the controller's)", e.0, dialects::names()),
+            })?;
             Some(robot)
         }
     })

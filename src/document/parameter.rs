@@ -521,7 +521,8 @@ pub fn check_all(job: &Job) -> Result<(), String> {
     if job.layers.passes.fract() != 0.0 {
         return Err(format!("passes = {}: give a whole number", job.layers.passes));
     }
-    dialects::known(&job.cell.dialect)?;
+    dialects::known(&job.cell.dialect)
+        .map_err(|e| format!("dialect = {:?}: give one of {}", e.0, dialects::names()))?;
     if let Some(offset) = job.layers.offset_mm.mm()
         && !(0.0..=job.layers.spacing_mm).contains(&offset)
     {

@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use crate::document::JobError;
 use crate::part::stl::StlError;
+use crate::program::DialectError;
 use crate::progress::Cancelled;
 use std::sync::Arc;
 use thiserror::Error;
@@ -24,6 +25,9 @@ pub enum PlanError {
     /// A number is out of range.
     #[error("{0}")]
     Parameter(String),
+    /// Nothing can be written in the dialect.
+    #[error(transparent)]
+    Dialect(#[from] DialectError),
     /// A surface that is not there.
     #[error("no surface {surface}")]
     NoSurface {

@@ -17,6 +17,8 @@ mod number;
 mod part;
 mod planning;
 mod program;
+mod program_comment;
+mod reading;
 mod remark;
 mod report;
 mod standing;
@@ -28,7 +30,8 @@ pub use bundle::{Language, choose, language, languages};
 pub use dose::dose_lines;
 pub use naming::{NamedSentence, Naming};
 pub use notice::{example, notice_line, remedy};
-pub(crate) use number::{clock, fixed, grouped};
+pub(crate) use number::{clock, fixed, grouped, shortest};
+pub use program_comment::program_comment;
 pub use report::report_lines;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.

@@ -11,6 +11,11 @@ pub(crate) fn clock(seconds: f64) -> String {
     format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
+/// With as many decimals as the number has: `0.25`, `20`.
+pub(crate) fn shortest(value: f64) -> String {
+    value.to_string()
+}
+
 /// `1 426`: a blank before every three digits.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();

@@ -143,16 +143,18 @@ impl<'a, 'r> Sides<'a, 'r> {
                 verdict.findings.push(Difference::Elsewhere { spot: Some(off), joint: None }.at(at));
             }
         }
-        if plan.way != have.way {
-            verdict.findings.push(Difference::OtherWay { found: have.way, planned: plan.way }.at(at));
+        if plan.interpolation != have.interpolation {
+            verdict
+                .findings
+                .push(Difference::OtherWay { found: have.interpolation, planned: plan.interpolation }.at(at));
         }
     }
 }
 
 /// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`words`].
 fn in_time(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
-    if !is_same_pace(&plan.pace, &have.pace) && is_same_pace(&want.pace, &have.pace) {
-        verdict.findings.push(Difference::OtherPace { found: have.pace, planned: plan.pace }.at(at));
+    if !is_same_pace(&plan.timing, &have.timing) && is_same_pace(&want.timing, &have.timing) {
+        verdict.findings.push(Difference::OtherPace { found: have.timing, planned: plan.timing }.at(at));
     }
 }
 
@@ -162,7 +164,7 @@ fn words(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict)
         let (found, planned) = (have.rest.clone(), want.rest.clone());
         verdict.findings.push(Difference::OtherWords { found, planned }.at(at));
     }
-    if !is_same_pace(&want.pace, &have.pace) {
-        verdict.findings.push(Difference::OtherTime { found: have.pace, planned: want.pace }.at(at));
+    if !is_same_pace(&want.timing, &have.timing) {
+        verdict.findings.push(Difference::OtherTime { found: have.timing, planned: want.timing }.at(at));
     }
 }

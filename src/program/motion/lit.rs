@@ -1,0 +1,117 @@
+//! The beam on a lit move as a controller makes it: between two targets the flange goes straight, and
+//! the spot a little beside its line. Planner and verification look at it in the same way.
+
+use super::sweep::{LitMove, Prover};
+use crate::beam::Work;
+use crate::cell::motion::Cause;
+use crate::pose::Beam;
+use crate::pose::motion::Swept;
+use crate::program::neutral::steps::Station;
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// The beam is looked at from here on, mm above the spot: nearer, the facets that the spot stands on
+/// answer at random where the spot is a rounding off.
+pub const FROM_MM: f64 = 0.1;
+/// Where the spot of a path frame should be: D below the focus, on the part or on the chord between two
+/// targets.
+pub fn foot(part_from_focus: &Isometry3<f64>, defocus_mm: f64) -> Point3<f64> {
+    Point3::from(part_from_focus.translation.vector) - part_from_focus.rotation * Vector3::z() * defocus_mm
+}
+
+/// Where the beam of a path frame stands on the part, and its axis. The part is looked for no farther than
+/// `window_mm` from where the spot should be: past a rim the axis meets what lies beneath.
+pub fn spot(
+    beam: &Beam<'_>,
+    part_from_focus: &Isometry3<f64>,
+    defocus_mm: f64,
+    window_mm: f64,
+) -> (Point3<f64>, Vector3<f64>) {
+    let a = part_from_focus.rotation * Vector3::z();
+    (beam.spot(&foot(part_from_focus, defocus_mm), &a, window_mm), a)
+}
+
+/// What keeps a lit move of the flange to the planned line of the spot.
+#[derive(Clone, Debug)]
+pub struct StraightFlange<'a> {
+    /// Part and frames, and what sweeps a move that keeps to its line.
+    pub prover: Prover<'a>,
+    /// How far the spot may leave its line, mm.
+    pub deviation_mm: f64,
+}
+
+/// A move is cut in halves at most so often: 64 pieces.
+const MOST_HALVINGS: usize = 6;
+
+impl StraightFlange<'_> {
+    /// Stations to be put between two targets, with their shares of the way: none where the flange may
+    /// go straight.
+    ///
+    /// # Errors
+    /// Even the shortest pieces leave the line, or hit something.
+    pub fn between(&self, from: &Station, to: &Station, work: &Work) -> Result<Vec<(f64, Station)>, (Cause, String)> {
+        let mut out = Vec::new();
+        self.halved((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
+        Ok(out)
+    }
+
+    fn halved(
+        &self,
+        from: (&Station, f64),
+        to: (&Station, f64),
+        (work, halvings): (&Work, usize),
+        out: &mut Vec<(f64, Station)>,
+    ) -> Result<(), (Cause, String)> {
+        let off_mm = self.deviation(from.0, to.0, work);
+        let keeps = off_mm <= self.deviation_mm;
+        let met = if keeps { self.beam_hits(from.0, to.0, work) } else { None };
+        if keeps && met.is_none() {
+            return Ok(());
+        }
+        if halvings == 0 {
+            return Err(match met {
+                Some(hit) => {
+                    let p = hit.pose.p;
+                    let at = format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z);
+                    let (cause, what) = (Cause::of_blocker(&hit.blocker), hit.blocker);
+                    (cause, format!("as the flange goes straight, the spot at {at}, {what}"))
+                }
+                None => (Cause::Singularity, format!("the spot would leave its line by {off_mm:.2} mm")),
+            });
+        }
+        let (middle, t) = (self.midway(from.0, to.0, work), 0.5 * (from.1 + to.1));
+        self.halved(from, (&middle, t), (work, halvings - 1), out)?;
+        out.push((t, middle));
+        self.halved((&middle, t), to, (work, halvings - 1), out)
+    }
+
+    /// What beam or head hits on a lit move, as the flange goes.
+    fn beam_hits(&self, from: &Station, to: &Station, work: &Work) -> Option<Swept> {
+        let [from, to] = [from, to].map(|s| self.prover.mounted.flange_for(&s.frame()));
+        self.prover.hit(&LitMove { from, to, by_focus: false, work: *work })
+    }
+
+    /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
+    fn midway(&self, from: &Station, to: &Station, work: &Work) -> Station {
+        let (a, b) = (from.frame(), to.frame());
+        let foot = nalgebra::center(&foot(&a, work.defocus_mm), &foot(&b, work.defocus_mm));
+        let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
+        middle.x = foot + middle.a * work.defocus_mm;
+        middle
+    }
+
+    /// How far the spot leaves the straight line where the flange goes straight, mm.
+    fn deviation(&self, from: &Station, to: &Station, work: &Work) -> f64 {
+        let (a, b) = (self.prover.mounted.flange_for(&from.frame()), self.prover.mounted.flange_for(&to.frame()));
+        let (start, end) = (foot(&from.frame(), work.defocus_mm), foot(&to.frame(), work.defocus_mm));
+        let line = end - start;
+        let length2 = line.norm_squared();
+        [0.25, 0.5, 0.75]
+            .into_iter()
+            .map(|t| {
+                let foot = foot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)), work.defocus_mm);
+                let along = if length2 > 0.0 { ((foot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
+                (foot - (start + line * along)).norm()
+            })
+            .fold(0.0, f64::max)
+    }
+}
