@@ -8,7 +8,7 @@
 use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::{Part, Placement, Source, Units};
 use clearbeam::planning::{AtOnce, Cache, Executor, Pipeline, Task, preview};
-use clearbeam::progress::Progress;
+use clearbeam::progress::{Activity, Progress};
 use clearbeam::sample::solids::helical_gear;
 use clearbeam::sample::stl_bytes;
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -81,7 +81,7 @@ struct LinesAlone;
 
 impl Executor for LinesAlone {
     fn start(&self, task: Task) {
-        if task.stage() != "planning" {
+        if task.stage() != Activity::Planning {
             AtOnce.start(task);
         }
     }

@@ -1,11 +1,10 @@
 //! Window or command line; nothing else.
 
-use clap::Parser as _;
 use clearbeam::cli;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = cli::Arguments::parse();
+    let arguments = cli::arguments();
     match &arguments.command {
         Some(command) => cli::run(command),
         None => match clearbeam::app::run(arguments.file) {

@@ -1,13 +1,60 @@
 //! Progress of long work, and the wish to end it: shared between the thread that works and the one
-//! that shows.
+//! that shows. What is being done is data; its words stand in `text`.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
-/// Named stage, done and whole, cancelled.
+/// What long work is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Activity {
+    /// A part's or a job's file is read.
+    Reading,
+    /// Facets are welded, oriented and cut into surfaces.
+    BuildingPart,
+    /// Shapes of surfaces are told apart.
+    NamingShapes,
+    /// Lines are laid on the surfaces.
+    LayingLines,
+    /// Poses and moves are planned.
+    Planning,
+    /// The arm's spins and branches are chosen.
+    ChoosingSpins,
+    /// Moves with the laser off are looked for.
+    ConnectingMoves,
+    /// The motion of the arm over time is worked out.
+    WorkingOutMotion,
+    /// Clearances over time are measured.
+    MeasuringClearances,
+    /// A plan is exported.
+    Exporting,
+    /// The program is written and read back.
+    WritingProgram,
+    /// Files are put into the folder.
+    WritingFiles,
+    /// The dose is summed up.
+    SummingDose,
+    /// What would help is looked for.
+    LookingForHelp,
+    /// Lower speeds are tried, for advice.
+    TryingSpeeds,
+    /// Single changes of the set-up are tried, for advice.
+    TryingChanges,
+    /// A better set-up is looked for.
+    LookingForSetup,
+    /// Set-ups on a grid are tried.
+    TryingSetups,
+    /// Set-ups around the best one are tried.
+    ImprovingSetup,
+    /// Set-ups near the present one are tried.
+    TryingSmallChanges,
+    /// Some passes are planned with each set-up found.
+    PlanningSamples,
+}
+
+/// What is being done and how far it is, and whether it should end.
 #[derive(Debug, Default)]
 pub struct Progress {
-    stage: Mutex<&'static str>,
+    activity: Mutex<Option<Activity>>,
     done: AtomicUsize,
     whole: AtomicUsize,
     cancelled: Arc<AtomicBool>,
@@ -18,16 +65,16 @@ pub struct Progress {
 pub struct Cancelled;
 
 impl Progress {
-    /// Begins a stage of so many pieces.
-    pub fn begin(&self, stage: &'static str, whole: usize) {
-        if let Ok(mut s) = self.stage.lock() {
-            *s = stage;
+    /// Begins something of so many pieces.
+    pub fn begin(&self, activity: Activity, whole: usize) {
+        if let Ok(mut now) = self.activity.lock() {
+            *now = Some(activity);
         }
         self.done.store(0, Ordering::Relaxed);
         self.whole.store(whole, Ordering::Relaxed);
     }
 
-    /// Of work within this one: it ends with this, and its stages are not shown.
+    /// Of work within this one: it ends with this, and what it does is not shown.
     pub fn within(&self) -> Progress {
         Progress { cancelled: self.cancelled.clone(), ..Progress::default() }
     }
@@ -57,10 +104,11 @@ impl Progress {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// Stage and share done, 0 to 1.
-    pub fn now(&self) -> (&'static str, f32) {
+    /// What is being done, and its share done, 0 to 1; `None` before anything has begun.
+    pub fn now(&self) -> Option<(Activity, f32)> {
         let whole = self.whole.load(Ordering::Relaxed).max(1);
         let share = self.done.load(Ordering::Relaxed) as f32 / whole as f32;
-        (self.stage.lock().map_or("", |s| *s), share.min(1.0))
+        let activity = self.activity.lock().ok().and_then(|now| *now)?;
+        Some((activity, share.min(1.0)))
     }
 }

@@ -5,10 +5,12 @@
 mod parts;
 
 use clearbeam::beam::Tool;
+use clearbeam::cell::motion::Why;
 use clearbeam::document::{Job, segmented};
 use clearbeam::planning::remark::Remark;
 use clearbeam::planning::report::Report;
 use clearbeam::pose::checker::CutCone;
+use clearbeam::pose::{Obstruction, ToolBody};
 use clearbeam::program::{Go, MoveTiming, Shortfall, Station, Step};
 use clearbeam::sample::Triangles;
 use clearbeam::text::Sentence;
@@ -204,7 +206,8 @@ fn what_the_head_cannot_be_drawn_back_from_is_refused() {
     let p = plate_and(&roofs, 3.0, &job, &setup);
     assert!(!p.plan.refusals.is_empty());
     for r in &p.plan.refusals {
-        assert!(r.detail.starts_with("as the head is drawn back, the head hits facet"), "{}", r.detail);
+        let Why::HitDrawnBack { hit } = &r.why else { panic!("{:?}", r.why) };
+        assert!(matches!((hit.tool_body, hit.obstruction), (ToolBody::Head, Obstruction::Facet(_))), "{hit:?}");
     }
     assert!(!p.plan.steps.list.contains(&Step::Laser(true)), "nothing is lit");
     let free = plate_and(&roofs, 3.0, &job, &clearbeam::cell::Setup { tool: Tool::default(), ..setup });

@@ -167,6 +167,32 @@ fn wrong_usage_is_2() {
 }
 
 #[test]
+fn a_language_is_taken_anywhere_and_an_unknown_one_names_those_there_are() {
+    let (_folder, file) = cube();
+    let plain = run(&["inspect", &file]);
+    for with in
+        [&["--lang", "en", "inspect", &file][..], &["inspect", "--lang=en", &file], &["inspect", &file, "--lang", "en"]]
+    {
+        let output = run(with);
+        assert_eq!((output.status.code(), &output.stdout), (Some(0), &plain.stdout), "{with:?}");
+    }
+    for wrong in [
+        &["--lang", "xx", "inspect", &file][..],
+        &["inspect", &file, "--lang=xx"],
+        &["inspect", &file, "--lang"],
+        &["--lang", "xx"],
+    ] {
+        let output = run(wrong);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{wrong:?}: {said}");
+        assert!(said.contains("--lang") && said.contains("[possible values: en"), "{wrong:?}: {said}");
+    }
+    for help in [&["--help"][..], &["plan", "--help"]] {
+        assert!(String::from_utf8_lossy(&run(help).stdout).contains("--lang <LANG>"), "{help:?}");
+    }
+}
+
+#[test]
 fn bad_input_is_1_with_one_line_that_names_it() {
     let (folder, file) = cube();
     let good = std::fs::read(&file).expect("reads");

@@ -9,7 +9,7 @@ use clearbeam::document::{Document, Edit, Job, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces};
 use clearbeam::planning;
 use clearbeam::pose::target::travel;
-use clearbeam::pose::{Correction, Pass, State, Target, Theirs};
+use clearbeam::pose::{Correction, Obstruction, Pass, State, Target};
 use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
@@ -246,7 +246,9 @@ fn a_roof_shades_what_lies_under_it() {
         let expected = if x > 0.0 { bare } else { 0.0 };
         assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak, "{x}: {}", s.fluence_j_cm2);
         if x < 0.0 && bare > 0.1 * peak {
-            assert!(matches!(s.shaded_by, Some(Theirs::Facet(f)) if surfaces.of_facet[f as usize] != plate_surface));
+            assert!(
+                matches!(s.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate_surface)
+            );
         }
     }
     let top: f64 = map
@@ -333,7 +335,7 @@ fn a_clamp_shades_as_the_part_does() {
         let expected = if x > 0.0 { 100.0 * POWER_W / SPEED * gauss(x, 0.6) } else { 0.0 };
         assert!((f64::from(s.fluence_j_cm2) - expected).abs() < 1e-4 * peak);
         if x > 0.0 || f64::from(s.unshaded_j_cm2) > 1e-3 * peak {
-            assert_eq!(s.shaded_by, (x < 0.0).then_some(Theirs::Clamp(0)), "{x}");
+            assert_eq!(s.shaded_by, (x < 0.0).then_some(Obstruction::Clamp(0)), "{x}");
         }
     }
 }
@@ -534,9 +536,9 @@ fn what_stays_unclean_has_its_cause() {
     let patch = &patches_of(&blocked)[0];
     assert_eq!(patch.cause, Cause::Blocked);
     assert!((patch.area_mm2 - 128.0).abs() < 10.0, "{}", patch.area_mm2);
-    let wall = patch.blocker.map(|b| b.theirs);
+    let wall = patch.blocker.map(|b| b.obstruction);
     let plate = blocked.surface_at([5.0, 10.0, 0.0]);
-    assert!(matches!(wall, Some(Theirs::Facet(f)) if blocked.surfaces.of_facet[f as usize] != plate), "{wall:?}");
+    assert!(matches!(wall, Some(Obstruction::Facet(f)) if blocked.surfaces.of_facet[f as usize] != plate), "{wall:?}");
 
     // Light that is meant for the plate and falls on the roof.
     let body = part(&roofed());
@@ -552,7 +554,7 @@ fn what_stays_unclean_has_its_cause() {
     let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6)[0];
     assert_eq!(patch.cause, Cause::Shaded);
     near("area", patch.area_mm2, 128.0, 0.05);
-    assert!(matches!(patch.shaded_by, Some(Theirs::Facet(f)) if surfaces.of_facet[f as usize] != plate));
+    assert!(matches!(patch.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate));
     let shares = map.shares(&surfaces);
     near("shaded", shares.shaded, 128.0 / 400.0, 0.06);
     let top = surface_of(&body, &surfaces, [-4.0, 10.0, 6.0]);

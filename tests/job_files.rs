@@ -7,6 +7,7 @@ use clearbeam::part::{Placement, SurfaceEdit, SurfaceId, Units};
 use clearbeam::path::{Direction, Strategy};
 use clearbeam::pose::tilt::Side;
 use clearbeam::pose::{Correction, Pin, Tilt, TiltRule};
+use clearbeam::text::Sentence as _;
 use std::path::{Path, PathBuf};
 
 fn file(name: &str) -> PathBuf {
@@ -137,8 +138,8 @@ fn what_is_no_job_is_refused_with_file_key_reason_and_remedy() {
     ] {
         std::fs::write(&bad, text).expect("writes");
         let refused = files::read(&bad).expect_err(text);
-        assert!(matches!(refused, JobError::Toml { .. }));
-        let said = refused.to_string();
+        assert!(matches!(refused, JobError::File(_) | JobError::NoJob { .. }));
+        let said = refused.sentence();
         assert!(said.starts_with(&bad.display().to_string()) && said.lines().count() == 1, "{said}");
         assert!(parts.iter().all(|part| said.contains(part)), "{said}");
     }

@@ -6,8 +6,8 @@ mod all_pairs;
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::cell::motion::{Arm, Cause, Watch, choose};
-use clearbeam::cell::{Mount, Robot, Setup, Spin};
+use clearbeam::cell::motion::{Arm, Cause, Watch, Why, choose};
+use clearbeam::cell::{BodyId, Contact, Link, Mount, Robot, Setup, Spin};
 use clearbeam::part::angle;
 use clearbeam::planning::{Cache, advice};
 use clearbeam::pose::{Pass, State};
@@ -156,13 +156,19 @@ fn what_cannot_be_done_says_why() {
     narrow.robot.as_mut().expect("a robot").limits_deg[4] = [-20.0, 20.0];
     let limit = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &narrow);
     let refusals = limit.plan.refusals;
-    assert!(refusals.iter().any(|r| r.cause == Cause::Limit && r.detail.contains("J5 would need")), "{refusals:?}");
+    assert!(
+        refusals.iter().any(|r| r.cause == Cause::Limit && matches!(r.why, Why::JointLimit { joint: 5, .. })),
+        "{refusals:?}"
+    );
 
     let mut fast = on(job("z", 8.0), &[1]);
     fast.beam.speed_mm_s = 9000.0;
     let speed = planned_in(part(&sample("worm_gear")), fast, &setup("mz04", Mount::PartInHand));
     let refusals = speed.plan.refusals;
-    assert!(refusals.iter().any(|r| r.cause == Cause::Speed && r.detail.contains("\u{b0}/s, it can")), "{refusals:?}");
+    assert!(
+        refusals.iter().any(|r| r.cause == Cause::Speed && matches!(r.why, Why::JointSpeed { .. })),
+        "{refusals:?}"
+    );
 }
 
 /// A contact is avoided where another spin avoids it, and named where none does.
@@ -176,14 +182,17 @@ fn what_touches_is_avoided_or_named() {
     let is_left = |joints: &[f64; 6]| (joints[5] - 360.0 * (joints[5] / 360.0).floor()) < 180.0;
     let used: Vec<bool> = free.rows.iter().flatten().flatten().map(|c| is_left(&c.joints_deg)).collect();
     let mostly = used.iter().filter(|left| **left).count() * 2 > used.len();
-    let half = move |joints: &[f64; 6]| (is_left(joints) == mostly).then(|| "forearm touches part".to_owned());
+    let half = move |joints: &[f64; 6]| {
+        (is_left(joints) == mostly).then(|| Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part })
+    };
     let avoided = choose(&arm, &p.plan.passes, &Watch { touches: &half, ..Watch::default() }).expect("goes on");
     assert!(avoided.rows.iter().flatten().flatten().all(|c| half(&c.joints_deg).is_none()));
     assert!(avoided.rows.iter().flatten().flatten().count() > used.len() / 2);
-    let named =
-        choose(&arm, &p.plan.passes, &Watch { touches: &|_| Some("part touches head".into()), ..Watch::default() })
-            .expect("goes on");
-    assert!(named.refusals.iter().all(|r| r.cause == Cause::Head && r.detail == "part touches head"));
+    let contact = Contact { a: BodyId::Part, b: BodyId::Head };
+    let touching = Watch { touches: &|_| Some(contact.clone()), ..Watch::default() };
+    let named = choose(&arm, &p.plan.passes, &touching).expect("goes on");
+    let why = Why::Contact(contact.clone());
+    assert!(named.refusals.iter().all(|r| r.cause == Cause::Head && r.why == why));
     assert_eq!(named.rows.iter().flatten().flatten().count(), 0);
 }
 

@@ -73,7 +73,7 @@ impl Alone {
 
     /// What holds for all lines: points on the surface, apart from each other, ranks ascending.
     fn check(&self, made: &SurfaceLines) {
-        assert!(!made.lines.is_empty() || made.reason.is_some(), "lines or a reason");
+        assert!(!made.lines.is_empty() || made.finding.is_some(), "lines, or why there are none");
         assert!(made.lines.windows(2).all(|w| w[0].plane <= w[1].plane));
         let count: usize = made.lines.iter().map(|l| l.points.len()).sum();
         for (i, q) in made.lines.iter().flat_map(|l| &l.points).enumerate() {
@@ -289,7 +289,7 @@ fn turns_of_a_spiral_lie_one_spacing_apart() {
             let pieces = made.lines.len();
             println!(
                 "{name} {spacing}: {}..{} {pieces} pieces, {:?} {} {}",
-                a.min_mm, a.max_mm, made.reason, a.min_at, a.max_at
+                a.min_mm, a.max_mm, made.finding, a.min_at, a.max_at
             );
             assert!(a.max_mm < 1.01 * spacing, "{name}: {} for {spacing} at {}", a.max_mm, a.max_at);
             // Next to the far pole of a closed surface the curves run together again.
@@ -368,11 +368,11 @@ fn odd_surfaces_give_lines_or_a_reason() {
     for (name, of, spacing) in cases {
         for (made, strategy) in all(&of, spacing).iter().zip(Strategy::ALL) {
             let figures = made.achieved.as_ref().map(|a| (a.min_mm, a.max_mm, a.min_at, a.max_at));
-            println!("{name} {}: {} lines, {figures:?}, {:?}", strategy.word(), made.lines.len(), made.reason);
+            println!("{name} {}: {} lines, {figures:?}, {:?}", strategy.word(), made.lines.len(), made.finding);
         }
     }
     let made = square(5).laid(&layout(Strategy::Planes, f64::NAN), Direction::Auto);
-    assert!(made.lines.is_empty() && made.reason.is_some());
+    assert!(made.lines.is_empty() && made.finding.is_some());
 }
 
 /// A plate of 110 by 60 with so many round holes, of slivers from hole to hole.

@@ -6,13 +6,13 @@ mod parts;
 
 use clearbeam::beam::{Body, Frustum, Head, Obstacle, Optics, Tool};
 use clearbeam::cell::{Cell, Frame, Mount};
-use clearbeam::document::Job;
 use clearbeam::document::files::set_up;
+use clearbeam::document::{Job, JobError};
 use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
 use clearbeam::pose::checker::{Checker, CutCone};
 use clearbeam::pose::motion::{self, Pose};
-use clearbeam::pose::{Beam, Ours, Theirs, Tilt};
+use clearbeam::pose::{Beam, Obstruction, Tilt, ToolBody};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 use parts::{block, cylinder, part};
@@ -238,8 +238,11 @@ fn a_fin_that_only_the_head_touches_refutes_that_interval_alone() {
     let beam = Beam::with(&p, Some(&b));
     refutes_the_third_move_alone(&beam);
     let hit = beam.blocker(&Point3::new(12.5, 0.0, 0.0), &Vector3::z()).expect("in the way");
-    assert_eq!(hit.ours, Ours::Head);
-    assert!(matches!(hit.theirs, Theirs::Facet(f) if f >= 12), "the fin's facets come behind the floor's: {hit:?}");
+    assert_eq!(hit.tool_body, ToolBody::Head);
+    assert!(
+        matches!(hit.obstruction, Obstruction::Facet(f) if f >= 12),
+        "the fin's facets come behind the floor's: {hit:?}"
+    );
 }
 
 #[test]
@@ -278,7 +281,7 @@ fn a_clamp_is_in_the_way_like_the_part() {
     let tool = Tool { head: None, clamps: vec![clamp.clone()] };
     let b = Body::new(&tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a clamp");
     let beam = Beam::with(&plate, Some(&b));
-    assert_eq!(beam.blocker(&at(30.0).0, &at(30.0).1).map(|h| h.theirs), Some(Theirs::Clamp(0)));
+    assert_eq!(beam.blocker(&at(30.0).0, &at(30.0).1).map(|h| h.obstruction), Some(Obstruction::Clamp(0)));
     assert!(beam.is_free(&at(31.1).0, &at(31.1).1) && !beam.is_free(&at(30.9).0, &at(30.9).1));
     assert!(!motion::is_free(&beam, &pose(0.0), &pose(60.0), 0.0), "on the way");
     assert_eq!(beam.clearance_mm(&at(0.0).0, &at(0.0).1), None);
@@ -288,7 +291,7 @@ fn a_clamp_is_in_the_way_like_the_part() {
     let beam = Beam::with(&plate, Some(&b));
     assert!(beam.is_free(&at(46.6).0, &at(46.6).1) && !beam.is_free(&at(46.4).0, &at(46.4).1));
     let hit = beam.blocker(&at(46.4).0, &at(46.4).1).expect("in the way");
-    assert_eq!((hit.ours, hit.theirs), (Ours::Head, Theirs::Clamp(0)));
+    assert_eq!((hit.tool_body, hit.obstruction), (ToolBody::Head, Obstruction::Clamp(0)));
 
     fn pose(x: f64) -> Pose {
         Pose { p: Point3::new(x, 0.0, 0.0), a: Vector3::z() }
@@ -317,7 +320,7 @@ fn what_stands_in_the_cell_is_in_the_way_of_a_carried_head() {
             let body = clearbeam::planning::surface_plan::body(&job, &setup);
             let plate = floor_and(&[]);
             let hit = Beam::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());
-            assert_eq!(hit.map(|b| b.theirs), Some(Theirs::Clamp(0)));
+            assert_eq!(hit.map(|b| b.obstruction), Some(Obstruction::Clamp(0)));
         }
     }
 }
@@ -482,14 +485,15 @@ fn what_stands_in_a_beam_that_stands_still_is_refused() {
         post.position_mm = (laser * Point3::new(beside_mm, 0.0, up_mm)).coords.into();
         post.load(Some(dir.path())).expect("an STL");
         cell.bodies.obstacles.push(post);
-        set_up(&job, None, cell, tool).map(|_| ()).map_err(|e| e.to_string())
+        set_up(&job, None, cell, tool).map(|_| ()).map_err(|e| match e {
+            JobError::LaserBlocked { obstacle, by, .. } => (obstacle, by),
+            other => panic!("{other}"),
+        })
     };
-    let said = stands(50.0, 0.0, Tool::default()).expect_err("in the ray");
-    assert!(said.contains("post.stl") && said.contains("the beam"), "{said}");
+    assert_eq!(stands(50.0, 0.0, Tool::default()), Err(("post.stl".into(), ToolBody::Beam)));
     assert_eq!(stands(50.0, 12.0, Tool::default()), Ok(()));
     // The head's radius and margin reach to 10.5 mm, the post from 8.6 mm (its far corner 2√2 nearer).
-    let said = stands(60.0, 12.0, cylinder(10.0)).expect_err("in the head");
-    assert!(said.contains("the head"), "{said}");
+    assert_eq!(stands(60.0, 12.0, cylinder(10.0)), Err(("post.stl".into(), ToolBody::Head)));
     assert_eq!(stands(60.0, 14.0, cylinder(10.0)), Ok(()));
     assert_eq!(stands(-60.0, 0.0, cylinder(10.0)), Ok(()), "below the spot nothing counts");
 }

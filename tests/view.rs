@@ -63,6 +63,9 @@ impl TinyApp {
     fn new(cc: &eframe::CreationContext<'_>) -> Self {
         let gl = cc.gl.clone().expect("the harness hands out its context");
         let mut viewport = Viewport::new(gl).expect("OpenGL 3.3");
+        viewport.name = "3D view".to_owned();
+        viewport.labels.name = "View cube".to_owned();
+        viewport.labels.faces = ["Front", "Back", "Left", "Right", "Top", "Bottom"].map(str::to_owned);
         viewport.reset(cube_bounds());
         let scene = Arc::new(scene(vec![cube(GREEN)]));
         Self { viewport, scene, clicks: Vec::new(), last: None }

@@ -8,6 +8,7 @@ use clearbeam::document::save::save;
 use clearbeam::document::{Edit, IfChanged, files};
 use clearbeam::part::Units;
 use clearbeam::planning::Pipeline;
+use clearbeam::progress::Activity;
 use common::held::Bare;
 use common::window::{Answers, job_on, sample};
 use eframe::egui;
@@ -114,7 +115,7 @@ fn a_head_that_was_changed_on_disk_makes_the_plan_stale() {
 #[test]
 fn a_panic_on_a_thread_is_told_and_the_window_goes_on() {
     let folder = tempfile::tempdir().expect("a folder");
-    for stage in ["building the part", "laying lines", "planning"] {
+    for stage in [Activity::BuildingPart, Activity::LayingLines, Activity::Planning] {
         let mut bare = opened(&folder, &Answers::default());
         bare.app.send(Edit::Set("part.placement.scale", 2.0));
         bare.step();
@@ -122,11 +123,11 @@ fn a_panic_on_a_thread_is_told_and_the_window_goes_on() {
             if let Some(task) = bare.held.take_stage(stage) {
                 break task;
             }
-            assert!(bare.held.run(0), "{stage} never came");
+            assert!(bare.held.run(0), "{stage:?} never came");
             bare.step();
         };
-        planted.run_after(|| panic!("planted in {stage}"));
-        if stage != "laying lines" {
+        planted.run_after(|| panic!("planted in {stage:?}"));
+        if stage != Activity::LayingLines {
             bare.settle();
             let why = bare.app.why_no_plan().expect("told");
             assert!(why.contains("planted in") && why.contains("Ctrl+R"), "{why}");
@@ -135,7 +136,7 @@ fn a_panic_on_a_thread_is_told_and_the_window_goes_on() {
         }
         bare.settle();
         let work_mm = bare.app.plan().expect("a plan").report.work_mm;
-        assert_eq!(work_mm, work_mm_by_command_line(&bare, folder.path()), "{stage}");
+        assert_eq!(work_mm, work_mm_by_command_line(&bare, folder.path()), "{stage:?}");
     }
 }
 

@@ -210,7 +210,7 @@ impl App {
             _ => None,
         };
         let same_shape = |a: u32, b: u32| match (d.shape(a), d.shape(b)) {
-            (Some(x), Some(y)) => x.label() == y.label(),
+            (Some(x), Some(y)) => x.is_like(y),
             _ => false,
         };
         let near = |a: Vector3<f64>, b: u32| normal(b).is_some_and(|v| angle::between_deg(&a, &v) < 1.0);

@@ -4,6 +4,7 @@
 use super::App;
 use crate::cell::Collision;
 use crate::program::{Clearance, clearances};
+use crate::progress::Activity;
 use std::sync::Arc;
 
 /// A curve of clearance.
@@ -34,7 +35,7 @@ impl App {
             return;
         }
         let executor = d.pipeline.executor().clone();
-        d.clearance.start(planned.key, "looking at clearances", &*executor, move |_| {
+        d.clearance.start(planned.key, Activity::MeasuringClearances, &*executor, move |_| {
             // As the plan asks for arm and head: with all that will be laid, from the first layer on.
             let whole = planned.plan.grown.last().map_or(&*planned.part, |g| &g.part);
             let collision = motion.timeline.as_ref().and_then(|t| Collision::new(t.setup(), whole));

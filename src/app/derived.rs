@@ -11,6 +11,7 @@ use crate::document::model::PartFile;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
+use crate::planning::advice::Help;
 use crate::planning::{Executor, Pipeline, PlanError, PlannedJob, PlanningError, Stage};
 use crate::view::LineItem;
 use std::collections::BTreeMap;
@@ -42,7 +43,7 @@ pub struct Derived {
     /// How far everything keeps from everything over it.
     pub(super) clearance: Stage<ClearanceCurve, Infallible>,
     /// What would help with what is refused.
-    pub(super) advice: Stage<Vec<String>, Infallible>,
+    pub(super) advice: Stage<Vec<Help>, Infallible>,
     /// A better set-up, if there is any.
     pub(super) proposal: Stage<Option<Proposal>, Infallible>,
     /// What lands.
@@ -149,7 +150,7 @@ impl Derived {
     /// Name of a surface in lists and at the cursor.
     pub fn label(&self, job: &Job, surface: u32) -> String {
         match job.settings.of(SurfaceId(surface)).name.as_str() {
-            "" => self.shape(surface).map_or_else(|| "…".into(), Shape::label),
+            "" => self.shape(surface).map_or_else(|| "…".into(), crate::text::shape_label),
             name => name.into(),
         }
     }

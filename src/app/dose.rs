@@ -8,7 +8,7 @@ use crate::picture::dose::{DoseLook, dose_item};
 use crate::planning::PlannedJob;
 use crate::planning::dose::{DoseReport, dose, not_cleanable};
 use crate::process::{DoseMap, Patch, SpotHit};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use crate::view::MeshItem;
 use nalgebra::Point3;
 use std::sync::Arc;
@@ -78,7 +78,7 @@ impl App {
         // Thresholds are those of the job as it is; all else of it is the plan's.
         let job = self.document.job().clone();
         let executor = self.derived.pipeline.executor().clone();
-        self.derived.dose.start(key, "dose", &*executor, move |progress| {
+        self.derived.dose.start(key, Activity::SummingDose, &*executor, move |progress| {
             let PlannedJob { part, surfaces, plan, setup, .. } = &*planned;
             let map = dose(part, surfaces, plan, &job, setup, progress)?;
             let patches = not_cleanable(part, surfaces, plan, &job, &map);

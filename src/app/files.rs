@@ -10,6 +10,7 @@ use crate::document::{IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
+use crate::progress::Activity;
 use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment};
 use eframe::egui;
 use std::path::{Path, PathBuf};
@@ -100,7 +101,7 @@ impl App {
             Err(JobError::ChangedOnDisk { .. }) => self.question = Some(Question::SaveOver(path)),
             Err(e) => {
                 self.session.after_guard = None;
-                self.session.error = Some(e.to_string());
+                self.session.error = Some(e.sentence());
             }
         }
     }
@@ -118,7 +119,7 @@ impl App {
         self.session.said = format!("writing into {}…", dir.display());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
-        self.exporting.start(planned.key, "exporting", &*executor, move |progress| {
+        self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
             let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {

@@ -84,7 +84,9 @@ impl App {
         // Buttons act while they are drawn: a frame drawn twice over, as egui does when a table is
         // measured first, would act twice and move a second surface.
         cc.egui_ctx.options_mut(|o| o.max_passes = std::num::NonZeroUsize::MIN);
-        let viewport = cc.gl.clone().and_then(|gl| Viewport::new(gl).ok()).unwrap_or_else(Viewport::without_picture);
+        let mut viewport =
+            cc.gl.clone().and_then(|gl| Viewport::new(gl).ok()).unwrap_or_else(Viewport::without_picture);
+        crate::text::name_view(&mut viewport);
         let recent = cc.storage.and_then(|s| eframe::get_value(s, RECENT_KEY)).unwrap_or_default();
         let mut app = App {
             document: Document::default(),

@@ -7,9 +7,10 @@ use crate::document::beside::{Stamp, stamp_of};
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
 use crate::document::{CarriedOver, Document, Edit, Job, JobFile, save};
-use crate::part::{Hasher, LoadError, Part, Source};
+use crate::part::{Hasher, LoadError, Part, PartFinding, Source};
 use crate::planning::{Failure, Stage};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
+use crate::text::Sentence;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -97,7 +98,7 @@ impl App {
     fn start_opening(&mut self, work: impl FnOnce(&Progress) -> Result<Opened, Refused> + Send + 'static) {
         let executor = self.derived.pipeline.executor().clone();
         self.reading.opening.clear();
-        self.reading.opening.start(Hasher::default().finish(), "reading", &*executor, work);
+        self.reading.opening.start(Hasher::default().finish(), Activity::Reading, &*executor, work);
     }
 
     /// Takes what was read.
@@ -117,7 +118,7 @@ impl App {
     fn not_read(&mut self, why: &Refused) {
         self.session.said.clear();
         if !matches!(why, Failure::Cancelled) {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
     }
 
@@ -126,12 +127,9 @@ impl App {
         match part {
             PartThere::Same(source, part, stamp) => {
                 self.session.forget_part();
-                self.session.said = part
-                    .findings
-                    .sentences(&part.mesh, &part.orientation)
+                self.session.said = PartFinding::of(&part)
                     .first()
-                    .cloned()
-                    .unwrap_or_else(|| format!("{} facets read", part.mesh.facets.len()));
+                    .map_or_else(|| format!("{} facets read", part.mesh.facets.len()), Sentence::sentence);
                 self.show(document, source, Some(*part), stamp, leftover);
             }
             PartThere::Changed(looked) => {
@@ -226,7 +224,7 @@ impl App {
         let executor = self.derived.pipeline.executor().clone();
         let loaded = self.derived.part_of.clone();
         self.reading.looking.clear();
-        self.reading.looking.start(Hasher::default().finish(), "reading", &*executor, move |progress| {
+        self.reading.looking.start(Hasher::default().finish(), Activity::Reading, &*executor, move |progress| {
             if let Some(part) = shown {
                 job.part.landmarks = crate::document::Remembered::of(&job, &part, &loaded);
             }

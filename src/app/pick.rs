@@ -5,6 +5,7 @@ use super::command::Command;
 use super::session::Tool;
 use crate::document::Edit;
 use crate::part::Shape;
+use crate::text::Sentence as _;
 use crate::view::{Bounds, ViewportResponse};
 use eframe::egui::{self, Color32, RichText};
 use nalgebra::{Point2, Point3, Vector3};
@@ -32,7 +33,7 @@ impl App {
             ui.painter().text(
                 response.response.rect.center(),
                 egui::Align2::CENTER_CENTER,
-                why,
+                why.sentence(),
                 egui::FontId::proportional(14.0),
                 ui.visuals().warn_fg_color,
             );

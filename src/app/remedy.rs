@@ -1,4 +1,4 @@
-//! What would help with the targets that the robot refuses: sentences of advice, and a better set-up
+//! What would help with the targets that the robot refuses: advice, and a better set-up
 //! with its picture. Both are looked for on a thread, with progress and cancel, and belong to one plan:
 //! with that they go.
 
@@ -10,8 +10,9 @@ use crate::document::Edit;
 use crate::part::Hasher;
 use crate::picture::CellPicture;
 use crate::picture::palette::state;
+use crate::planning::advice::Help;
 use crate::planning::{Cache, Failure, PlannedJob, advice};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
 use std::convert::Infallible;
@@ -72,7 +73,7 @@ impl App {
     }
 
     /// What would help with the plan as it is; `None`: that is being looked for.
-    pub(super) fn advice(&self) -> Option<Result<&[String], &Failure<Infallible>>> {
+    pub(super) fn advice(&self) -> Option<Result<&[Help], &Failure<Infallible>>> {
         let key = self.refusing_plan()?.key;
         let known = self.derived.advice.of(key).map(|told| Ok(told.as_slice()));
         known.or_else(|| self.derived.advice.failure(key).map(Err))
@@ -122,7 +123,7 @@ impl App {
         d.proposal.only(planned.key);
         if d.advice.lacks(planned.key) {
             let executor = d.pipeline.executor().clone();
-            d.advice.start(planned.key, "looking for what would help", &*executor, move |progress| {
+            d.advice.start(planned.key, Activity::LookingForHelp, &*executor, move |progress| {
                 let PlannedJob { part, plan, job, setup, .. } = &*planned;
                 Ok(advice::advice(part, plan, job, setup, progress)?)
             });
@@ -135,7 +136,7 @@ impl App {
         let (cache, executor) = (self.derived.pipeline.cache.clone(), self.derived.pipeline.executor().clone());
         self.derived.proposal.clear();
         let key = planned.key;
-        self.derived.proposal.start(key, "looking for a better set-up", &*executor, move |progress| {
+        self.derived.proposal.start(key, Activity::LookingForSetup, &*executor, move |progress| {
             Ok(Proposal::new(&planned, &cache, progress)?)
         });
     }

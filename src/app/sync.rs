@@ -7,6 +7,7 @@ use crate::part::Shape;
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
+use crate::progress::Activity;
 use crate::text::Sentence as _;
 use std::sync::Arc;
 
@@ -55,7 +56,7 @@ impl App {
         if d.shapes.lacks(key) {
             let (part, surfaces) = (part.clone(), surfaces.clone());
             let executor = d.pipeline.executor().clone();
-            d.shapes.start(key, "naming shapes", &*executor, move |_| {
+            d.shapes.start(key, Activity::NamingShapes, &*executor, move |_| {
                 use rayon::prelude::*;
                 Ok(surfaces.list.par_iter().map(|s| (s.number, Shape::of(&part.mesh, s))).collect())
             });
@@ -110,7 +111,7 @@ impl App {
         if d.motion.lacks(planned.key) {
             let executor = d.pipeline.executor().clone();
             let key = planned.key;
-            d.motion.start(key, "working out the motion", &*executor, move |_| Ok(Motion::new(&planned, &part_name)));
+            d.motion.start(key, Activity::WorkingOutMotion, &*executor, move |_| Ok(Motion::new(&planned, &part_name)));
             arrived |= d.motion.of(key).is_some();
         }
         if arrived && self.derived.motion().is_some() {

@@ -102,7 +102,7 @@ impl<'a> Body<'a> {
         Some(Body { beam: Vec::new(), ..body })
     }
 
-    /// The same, that keeps a little less: by so much of its margin, and by so many steps of half a degree of
+    /// A body that keeps a little less: by so much of its margin, and by so many steps of half a degree of
     /// the cone of its own neighbourhood. What just passes with the one must not just hit with the other.
     pub fn eased(&self, less_mm: f64, steps: u8) -> Body<'a> {
         let margin_mm = (self.margin_mm - less_mm).max(0.0);

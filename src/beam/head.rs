@@ -5,6 +5,7 @@
 
 use super::envelope::envelope;
 use super::obstacle::Obstacle;
+use crate::file::{self, FileError};
 use crate::part::{Hasher, Keyed, LoadError, Part};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -58,24 +59,50 @@ struct StackFile {
 #[derive(Debug, Error)]
 pub enum HeadError {
     /// It cannot be read.
-    #[error("{file}: cannot be read: {source}")]
-    Read {
-        /// The file.
-        file: String,
-        /// What the system said.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// It is no stack, or has absurd figures.
-    #[error("{file}: {what}; a head is a list of [[part]] with from_mm, to_mm, r0_mm and r1_mm, or an STL")]
+    #[error("{file}: {what}")]
     Stack {
         /// The file.
         file: String,
-        /// What and where.
-        what: String,
+        /// What is wrong with it.
+        what: StackError,
     },
     /// It is no STL.
     #[error(transparent)]
     Solid(#[from] LoadError),
+}
+
+/// Why a text is no stack of cylinders and cones.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum StackError {
+    /// It is no TOML, or has a key or a value that does not belong there, or lacks one.
+    #[error("not parsed")]
+    Toml(#[source] Box<toml::de::Error>),
+    /// It has no piece.
+    #[error("no part")]
+    Empty,
+    /// A piece ends before it begins, or beyond all reason.
+    #[error("part {part} from {from_mm} to {to_mm}")]
+    Span {
+        /// The piece, from 1.
+        part: usize,
+        /// Where it begins.
+        from_mm: f64,
+        /// Where it ends.
+        to_mm: f64,
+    },
+    /// The radii of a piece are none, or both 0.
+    #[error("part {part}, radii {r0_mm} and {r1_mm}")]
+    Radii {
+        /// The piece, from 1.
+        part: usize,
+        /// Radius where it begins.
+        r0_mm: f64,
+        /// Radius where it ends.
+        r1_mm: f64,
+    },
 }
 
 impl Head {
@@ -91,30 +118,28 @@ impl Head {
             let stack = envelope(&solid.solid().mesh);
             return Ok(Head::Solid(solid, stack));
         }
-        let text = std::fs::read_to_string(file).map_err(|source| HeadError::Read { file: name.clone(), source })?;
-        Head::from_toml(&text).map_err(|what| HeadError::Stack { file: name, what })
+        let bytes = file::bytes(file)?;
+        Head::from_toml(file::text(&bytes, &name)?).map_err(|what| HeadError::Stack { file: name, what })
     }
 
     /// A stack from the text of its file.
     ///
     /// # Errors
     /// What is missing or absurd.
-    pub fn from_toml(text: &str) -> Result<Head, String> {
-        let file: StackFile = toml::from_str(text).map_err(|e| e.to_string().trim_end().replace('\n', " "))?;
+    pub fn from_toml(text: &str) -> Result<Head, StackError> {
+        let file: StackFile = toml::from_str(text).map_err(|e| StackError::Toml(Box::new(e)))?;
         if file.part.is_empty() {
-            return Err("it has no part".into());
+            return Err(StackError::Empty);
         }
         for (i, p) in file.part.iter().enumerate() {
             let HeadPart { from_mm, to_mm, r0_mm, r1_mm } = *p;
+            let part = i + 1;
             if !(from_mm < to_mm && from_mm >= -1000.0 && to_mm <= 10_000.0) {
-                return Err(format!(
-                    "part {}: from_mm = {from_mm}, to_mm = {to_mm}: give -1000 to 10000, the lower first",
-                    i + 1
-                ));
+                return Err(StackError::Span { part, from_mm, to_mm });
             }
             let good = |r: f64| (0.0..=2000.0).contains(&r);
             if !(good(r0_mm) && good(r1_mm) && r0_mm + r1_mm > 0.0) {
-                return Err(format!("part {}: r0_mm = {r0_mm}, r1_mm = {r1_mm}: give 0 to 2000, not both 0", i + 1));
+                return Err(StackError::Radii { part, r0_mm, r1_mm });
             }
         }
         Ok(Head::Stack(file.part))
@@ -145,17 +170,19 @@ mod tests {
         let good = "[[part]]\nfrom_mm = 10\nto_mm = 60\nr0_mm = 4\nr1_mm = 20\n";
         let Ok(Head::Stack(parts)) = Head::from_toml(good) else { panic!("a good stack") };
         assert_eq!(parts, [HeadPart { from_mm: 10.0, to_mm: 60.0, r0_mm: 4.0, r1_mm: 20.0 }]);
-        for (bad, why) in [
-            ("", "part"),
-            ("part = []", "no part"),
-            ("[[part]]\nfrom_mm = 10\nto_mm = 5\nr0_mm = 4\nr1_mm = 20\n", "the lower first"),
-            ("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = nan\nr1_mm = 20\n", "r0_mm"),
-            ("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = 0\nr1_mm = 0\n", "not both 0"),
-            ("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = 1\n", "r1_mm"),
-            ("[[part]]\nfrom = 0\n", "from"),
-        ] {
-            let said = Head::from_toml(bad).expect_err(bad);
-            assert!(said.contains(why), "{said}");
+        let refused = |text: &str| Head::from_toml(text).expect_err(text);
+        assert_eq!(refused("part = []"), StackError::Empty);
+        let back = refused("[[part]]\nfrom_mm = 10\nto_mm = 5\nr0_mm = 4\nr1_mm = 20\n");
+        assert_eq!(back, StackError::Span { part: 1, from_mm: 10.0, to_mm: 5.0 });
+        let nan = refused("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = nan\nr1_mm = 20\n");
+        assert!(matches!(nan, StackError::Radii { part: 1, r0_mm, .. } if r0_mm.is_nan()), "{nan}");
+        let thin = refused("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = 0\nr1_mm = 0\n");
+        assert_eq!(thin, StackError::Radii { part: 1, r0_mm: 0.0, r1_mm: 0.0 });
+        for (bad, why) in
+            [("", "part"), ("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = 1\n", "r1_mm"), ("[[part]]\nfrom = 0\n", "from")]
+        {
+            let StackError::Toml(source) = refused(bad) else { panic!("read: {bad}") };
+            assert!(source.to_string().contains(why), "{source}");
         }
     }
 }

@@ -13,7 +13,7 @@ pub mod work;
 
 pub use body::Body;
 pub use frustum::Frustum;
-pub use head::{Head, HeadError, HeadPart};
+pub use head::{Head, HeadError, HeadPart, StackError};
 pub use obstacle::Obstacle;
 pub use optics::Optics;
 pub use work::{Stance, Work};

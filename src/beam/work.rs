@@ -42,7 +42,7 @@ impl Default for Work {
 }
 
 impl Work {
-    /// The same with the head drawn back along the beam by so much (pushed forward where negative): the
+    /// The work with the head drawn back along the beam by so much (pushed forward where negative): the
     /// spot gets as wide as the optics make it, in proportion.
     pub fn lifted(&self, optics: &Optics, lift_mm: f64) -> Work {
         let defocus_mm = self.defocus_mm + lift_mm;

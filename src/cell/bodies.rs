@@ -2,7 +2,8 @@
 //!
 //! Read from the cell file; what may touch what is told in `collision`.
 
-use super::mounting::CellError;
+use super::CellError;
+use super::check::{FigureError, ranges};
 use crate::beam::Obstacle;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -49,32 +50,26 @@ impl Bodies {
         self.obstacles.iter_mut().try_for_each(|o| o.load(folder)).map_err(CellError::Obstacle)
     }
 
+    /// Whether each body can stand where it is.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
+    /// The first figure that makes no sense.
+    pub fn check(&self) -> Result<(), FigureError> {
         for h in &self.head {
             let HeadCapsule { from_mm, to_mm, radius_mm } = *h;
             if !(from_mm <= to_mm && from_mm >= -1000.0 && to_mm <= 10_000.0) {
-                return Err(format!(
-                    "bodies.head from_mm = {from_mm}, to_mm = {to_mm}: give mm from the focus against the light, \
-                     the lower first"
-                ));
+                return Err(FigureError::HeadPiece { from_mm, to_mm });
             }
             if !(radius_mm > 0.0 && radius_mm <= 2000.0) {
-                return Err(format!("bodies.head radius_mm = {radius_mm}: give more than 0, up to 2000"));
+                return Err(FigureError::NotPositive { key: "bodies.head.radius_mm", value: radius_mm, high: 2000.0 });
             }
         }
-        if let Some(z) = self.table_z_mm.filter(|z| !(-10_000.0..=10_000.0).contains(z)) {
-            return Err(format!("bodies.table_z_mm = {z}: give mm in the robot's base, within ±10000"));
-        }
+        ranges(&[("bodies.table_z_mm", self.table_z_mm.unwrap_or(0.0), -10_000.0, 10_000.0)])?;
         if let Some(o) =
             self.obstacles.iter().find(|o| !o.position_mm.iter().chain(&o.rz_ry_rx_deg).all(|x| x.is_finite()))
         {
-            return Err(format!("bodies.obstacles: {} stands at no number", o.file));
+            return Err(FigureError::Obstacle { file: o.file.clone() });
         }
-        if !(0.5..=200.0).contains(&self.margin_mm) {
-            return Err(format!("bodies.margin_mm = {}: give 0.5 to 200", self.margin_mm));
-        }
-        Ok(())
+        ranges(&[("bodies.margin_mm", self.margin_mm, 0.5, 200.0)])
     }
 }

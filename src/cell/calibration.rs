@@ -7,6 +7,7 @@ use crate::fit::{self, PlacedPair};
 use crate::part::rpy;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 /// Points nearer than this to each other, or to a line, tell no direction, mm.
 const APART_MM: f64 = 5.0;
@@ -57,7 +58,7 @@ pub struct TipFit {
     pub residuals_mm: Vec<f64>,
 }
 
-/// A frame's fit, to be shown.
+/// How well a frame fits what was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CalibrationNote {
     /// Its key in the cell file.
@@ -82,34 +83,85 @@ impl CalibrationNote {
     }
 }
 
-impl std::fmt::Display for CalibrationNote {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let CalibrationNote { frame, method, rms_mm, worst_mm, residuals_mm } = self;
-        write!(f, "{frame} from {method}: {rms_mm:.3} mm rms, {worst_mm:.3} mm at worst")?;
-        let each: Vec<String> = residuals_mm.iter().map(|r| format!("{r:.3}")).collect();
-        if each.is_empty() { Ok(()) } else { write!(f, " ({})", each.join(", ")) }
-    }
+/// Why measurements tell no frame.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum FitError {
+    /// A figure that nobody can have measured.
+    #[error("{value} measured")]
+    Figure {
+        /// It.
+        value: f64,
+    },
+    /// Three points: x lies too near to the origin.
+    #[error("three_points: x {off_mm} mm from origin")]
+    XNearOrigin {
+        /// Distance of the two.
+        off_mm: f64,
+    },
+    /// Three points: xy lies too near to the x axis.
+    #[error("three_points: xy {off_mm} mm off the x axis")]
+    XyNearAxis {
+        /// Distance from the axis.
+        off_mm: f64,
+    },
+    /// Too few poses touch with the tip.
+    #[error("tip_poses: {count} poses")]
+    FewPoses {
+        /// How many there are.
+        count: usize,
+    },
+    /// The poses hardly turn the flange but about one direction of its own.
+    #[error("tip_poses: turned about {direction:?} only")]
+    OneDirection {
+        /// That direction.
+        direction: [f64; 3],
+    },
+    /// No tip fits the poses.
+    #[error("tip_poses: no tip")]
+    NoTip,
+    /// Too few points of a model.
+    #[error("points: {count} pairs")]
+    FewPairs {
+        /// How many there are.
+        count: usize,
+    },
+    /// All points lie on one line.
+    #[error("points: {side:?} on one line within {width_mm} mm")]
+    OneLine {
+        /// Which of the points.
+        side: Side,
+        /// How far off the line they are.
+        width_mm: f64,
+    },
+    /// No frame fits the points.
+    #[error("points: no frame")]
+    NoFrame,
+}
+
+/// A side of pairs of points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Points of the model.
+    Model,
+    /// Measured ones.
+    Measured,
 }
 
 /// The frame of three points.
 ///
 /// # Errors
 /// Two points are too near to each other, or all three on one line.
-pub fn three_points(t: &ThreePoints) -> Result<Fit, String> {
+pub fn three_points(t: &ThreePoints) -> Result<Fit, FitError> {
     finite(t.origin.iter().chain(&t.x).chain(&t.xy))?;
     let [origin, x, xy] = [t.origin, t.x, t.xy].map(Vector3::from);
     let (along, aside) = (x - origin, xy - origin);
     if along.norm() < APART_MM {
-        let off = along.norm();
-        return Err(format!(
-            "three_points: x is {off:.1} mm from origin: measure x again, as far out as there is room"
-        ));
+        return Err(FitError::XNearOrigin { off_mm: along.norm() });
     }
     let x_axis = along.normalize();
     let aside = aside - x_axis * x_axis.dot(&aside);
     if aside.norm() < APART_MM {
-        let off = aside.norm();
-        return Err(format!("three_points: xy is {off:.1} mm off the x axis: measure xy again, well beside the axis"));
+        return Err(FitError::XyNearAxis { off_mm: aside.norm() });
     }
     let y_axis = aside.normalize();
     let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x_axis, y_axis, x_axis.cross(&y_axis)]));
@@ -122,13 +174,11 @@ pub fn three_points(t: &ThreePoints) -> Result<Fit, String> {
 ///
 /// # Errors
 /// There are fewer than four poses, or they do not turn enough.
-pub fn tool_tip(base_from_flange: &[[f64; 6]]) -> Result<TipFit, String> {
+pub fn tool_tip(base_from_flange: &[[f64; 6]]) -> Result<TipFit, FitError> {
     finite(base_from_flange.iter().flatten())?;
     let count = base_from_flange.len();
     if count < 4 {
-        return Err(format!(
-            "tip_poses has {count} poses: touch the same tip in four at least, turned about different directions"
-        ));
+        return Err(FitError::FewPoses { count });
     }
     let poses: Vec<(Matrix3<f64>, Vector3<f64>)> = base_from_flange
         .iter()
@@ -148,14 +198,9 @@ pub fn tool_tip(base_from_flange: &[[f64; 6]]) -> Result<TipFit, String> {
     let weakest = eigen.eigenvalues.imin();
     if eigen.eigenvalues[weakest] < LEAST_TURN * LEAST_TURN {
         let v = eigen.eigenvectors.column(weakest).map(|x| if x.abs() < 5e-3 { 0.0 } else { x });
-        return Err(format!(
-            "tip_poses turn the flange about its direction ({:.2}, {:.2}, {:.2}) only, or hardly at all: measure \
-             again with poses tilted by 20 degrees and more to different sides",
-            v[0], v[1], v[2]
-        ));
+        return Err(FitError::OneDirection { direction: [v[0], v[1], v[2]] });
     }
-    let unsolved = || "tip_poses: no tip fits: measure again".to_string();
-    let solved = square.cholesky().ok_or_else(unsolved)?;
+    let solved = square.cholesky().ok_or(FitError::NoTip)?;
     let mut tip = solved.solve(&right);
     // Squaring costs half of the digits; this step brings them back.
     let left = poses.iter().fold(Vector3::zeros(), |s: Vector3<f64>, (r, p)| {
@@ -172,10 +217,10 @@ pub fn tool_tip(base_from_flange: &[[f64; 6]]) -> Result<TipFit, String> {
 ///
 /// # Errors
 /// There are fewer than three points, or they lie on one line.
-pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, String> {
+pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, FitError> {
     finite(pairs.iter().flat_map(|p| p.model.iter().chain(&p.measured)))?;
     if pairs.len() < 3 {
-        return Err(format!("points has {} pairs: measure three at least, better six", pairs.len()));
+        return Err(FitError::FewPairs { count: pairs.len() });
     }
     let share = 1.0 / pairs.len() as f64;
     let middle = |of: fn(&PointPair) -> [f64; 3]| {
@@ -188,28 +233,25 @@ pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, String> {
         spreads[0] += m * m.transpose() * share;
         spreads[1] += d * d.transpose() * share;
     }
-    for (spread, which) in spreads.into_iter().zip(["model", "measured"]) {
+    for (spread, side) in spreads.into_iter().zip([Side::Model, Side::Measured]) {
         let mut widths = SymmetricEigen::new(spread).eigenvalues.map(|v| v.max(0.0).sqrt());
         widths.as_mut_slice().sort_by(f64::total_cmp);
         if widths[1] < APART_MM.min(0.01 * widths[2]).max(0.5) {
-            return Err(format!(
-                "points: the {which} points lie on one line within {:.1} mm: measure another one, well beside it",
-                widths[1]
-            ));
+            return Err(FitError::OneLine { side, width_mm: widths[1] });
         }
     }
     let places: Vec<PlacedPair> = pairs
         .iter()
         .map(|p| PlacedPair { from: Point3::from(p.model), onto: Point3::from(p.measured), weight: 1.0 })
         .collect();
-    let frame = fit::rigid(&places).ok_or("points: no frame fits: measure again")?;
+    let frame = fit::rigid(&places).ok_or(FitError::NoFrame)?;
     let off = |p: &PointPair| (frame * Point3::from(p.model) - Point3::from(p.measured)).norm();
     Ok(Fit { frame, residuals_mm: pairs.iter().map(off).collect() })
 }
 
-fn finite<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> Result<(), String> {
+fn finite<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> Result<(), FitError> {
     match numbers.find(|x| !(-1e6..=1e6).contains(*x)) {
-        Some(bad) => Err(format!("{bad} is not a number that can have been measured")),
+        Some(&value) => Err(FitError::Figure { value }),
         None => Ok(()),
     }
 }

@@ -1,7 +1,9 @@
 //! Exact data gives the exact frame; noise is not made worse; what cannot tell a frame is refused.
 
 use super::*;
-use crate::cell::{Cell, Frame};
+use crate::cell::check::FigureError;
+use crate::cell::frame::FrameError;
+use crate::cell::{Cell, CellError, Frame};
 use proptest::prelude::*;
 
 const TURN: std::ops::Range<f64> = -180.0..180.0;
@@ -108,28 +110,29 @@ proptest! {
 #[test]
 fn what_tells_no_frame_is_refused_with_what_to_measure() {
     let near = ThreePoints { origin: [0.0; 3], x: [1.0, 0.0, 0.0], xy: [0.0, 50.0, 0.0] };
-    assert!(three_points(&near).expect_err("refused").contains("measure x again"));
+    assert_eq!(three_points(&near), Err(FitError::XNearOrigin { off_mm: 1.0 }));
     let line = ThreePoints { origin: [0.0; 3], x: [100.0, 0.0, 0.0], xy: [-80.0, 1.0, 0.0] };
-    assert!(three_points(&line).expect_err("refused").contains("measure xy again"));
+    assert_eq!(three_points(&line), Err(FitError::XyNearAxis { off_mm: 1.0 }));
     let (tip, point) = (Vector3::new(10.0, 20.0, 150.0), Vector3::new(400.0, 0.0, 100.0));
     let poses = |turns: &[[f64; 3]]| touching(&tip, &point, turns, &[[0.0; 3]; 9]);
     let few = poses(&[[0.0; 3], [0.0, 30.0, 0.0], [0.0, 0.0, 30.0]]);
-    assert!(tool_tip(&few).expect_err("refused").contains("four"));
+    assert_eq!(tool_tip(&few), Err(FitError::FewPoses { count: 3 }));
     let about_z = poses(&[[0.0; 3], [30.0, 0.0, 0.0], [60.0, 0.0, 0.0], [90.0, 0.0, 0.0], [170.0, 0.0, 0.0]]);
-    let said = tool_tip(&about_z).expect_err("refused");
-    assert!(said.contains("(0.00, 0.00, 1.00)") || said.contains("(0.00, 0.00, -1.00)"), "{said}");
+    let refused = tool_tip(&about_z).expect_err("refused");
+    let FitError::OneDirection { direction: [x, y, z] } = refused else { panic!("{refused}") };
+    assert!(x == 0.0 && y == 0.0 && (z.abs() - 1.0).abs() < 1e-9, "{refused}");
     let hardly = poses(&[[0.0; 3], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0], [3.0, 3.0, 0.0]]);
-    assert!(tool_tip(&hardly).expect_err("refused").contains("20 degrees"));
+    assert!(matches!(tool_tip(&hardly), Err(FitError::OneDirection { .. })));
     let pair = |x: f64, y: f64| PointPair { model: [x, y, 0.0], measured: [x, y, 5.0] };
-    assert!(best_fit(&[pair(0.0, 0.0), pair(90.0, 0.0)]).expect_err("refused").contains("three"));
+    assert_eq!(best_fit(&[pair(0.0, 0.0), pair(90.0, 0.0)]), Err(FitError::FewPairs { count: 2 }));
     let line = [pair(0.0, 0.0), pair(90.0, 0.0), pair(50.0, 0.1), pair(-70.0, 0.0)];
-    assert!(best_fit(&line).expect_err("refused").contains("beside"));
+    assert!(matches!(best_fit(&line), Err(FitError::OneLine { side: Side::Model, .. })));
     let nan = PointPair { model: [0.0; 3], measured: [f64::NAN, 0.0, 0.0] };
-    assert!(best_fit(&[nan, nan, nan]).expect_err("refused").contains("NaN"));
+    assert!(matches!(best_fit(&[nan, nan, nan]), Err(FitError::Figure { value }) if value.is_nan()));
 }
 
 /// The shipped cell with one frame given in another way.
-fn cell_with(frame: &str, text: &str) -> Result<Cell, String> {
+fn cell_with(frame: &str, text: &str) -> Result<Cell, CellError> {
     let shipped = include_str!("../../assets/cells/mz04.toml");
     let start = shipped.find(&format!("[{frame}]")).expect("there");
     let end = start + shipped[start..].find("\n\n").expect("a next table");
@@ -137,7 +140,14 @@ fn cell_with(frame: &str, text: &str) -> Result<Cell, String> {
     let file = folder.path().join("cell.toml");
     let text = format!("{}[{frame}]\n{text}\n{}", &shipped[..start], &shipped[end..]);
     std::fs::write(&file, text).expect("written");
-    Cell::load(&file).map_err(|e| e.to_string())
+    Cell::load(&file)
+}
+
+/// What is wrong with a figure of a cell file called `cell.toml`.
+fn refused(cell: Result<Cell, CellError>) -> FigureError {
+    let CellError::Figure { file, what } = cell.expect_err("refused") else { panic!("no figure") };
+    assert!(file.ends_with("cell.toml"), "{file}");
+    *what
 }
 
 #[test]
@@ -179,13 +189,13 @@ fn a_cell_file_takes_measurements_and_gives_them_back() {
 
 #[test]
 fn a_cell_file_with_useless_measurements_says_so() {
-    let said = cell_with("base_from_laser", "position_mm = [0.0, 0.0, 0.0]").expect_err("refused");
-    assert!(said.contains("three_points") && said.contains("cell.toml"), "{said}");
-    let said = cell_with("base_from_part", "three_points = { origin = [0, 0, 0], x = [9, 0, 0], xy = [50, 1, 0] }");
-    assert!(said.clone().is_err_and(|e| e.contains("measure xy again")), "{said:?}");
+    let half = refused(cell_with("base_from_laser", "position_mm = [0.0, 0.0, 0.0]"));
+    assert_eq!(half, FigureError::Frame { frame: "base_from_laser", source: FrameError::Keys });
+    let three = "three_points = { origin = [0, 0, 0], x = [9, 0, 0], xy = [50, 1, 0] }";
+    let source = FrameError::Fit(FitError::XyNearAxis { off_mm: 1.0 });
+    assert_eq!(refused(cell_with("base_from_part", three)), FigureError::Frame { frame: "base_from_part", source });
     let tip = "tip_poses = [[400.0, 0.0, 250.0, 0.0, 0.0, 0.0], [325.0, 0.0, 270.096, 0.0, 30.0, 0.0], \
                [400.0, 75.0, 270.096, 0.0, 0.0, 30.0], [400.0, 0.0, 250.0, 90.0, 0.0, 0.0]]\n\
                rz_ry_rx_deg = [0.0, 45.0, 0.0]";
-    let said = cell_with("base_from_part", tip).expect_err("refused");
-    assert!(said.contains("base_from_part") && said.contains("tip_poses"), "{said}");
+    assert_eq!(refused(cell_with("base_from_part", tip)), FigureError::TipPoses { frame: "base_from_part" });
 }

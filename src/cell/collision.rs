@@ -5,30 +5,18 @@
 //! What stands is not tested against what stands (the robot's base among it), nor a link against its
 //! neighbours, nor the wrist against what it carries.
 
+mod contact;
 mod shapes;
 
 use super::robot::LinkCapsule;
 use super::{Joints, Mount, Robot, Setup};
+use crate::beam::Obstacle;
 use crate::part::Part;
 use nalgebra::Isometry3;
 use shapes::{Body, Capsule, Solid};
-use std::fmt;
 use std::ops::ControlFlow;
 
-/// Two bodies that touch, or come nearer than the margin.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Contact {
-    /// A link, `part` or `head`.
-    pub a: &'static str,
-    /// `part`, `head`, `table`, a link, or `obstacle` and its file.
-    pub b: String,
-}
-
-impl fmt::Display for Contact {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} against {}", self.a, self.b)
-    }
-}
+pub use contact::{BodyId, Contact};
 
 /// Everything that can touch, made ready for many poses.
 #[derive(Clone, Debug)]
@@ -52,32 +40,41 @@ enum Carried<'a> {
     Head(Vec<Capsule>),
 }
 
-/// A look at two bodies and their names.
-type Look<'l, B> = dyn FnMut(&'static str, &str, &Body<'_, '_>, &Body<'_, '_>) -> ControlFlow<B> + 'l;
+/// A look at two bodies: which they are, and their shapes.
+type Look<'l, B> = dyn FnMut(Pair<'_>, &Body<'_, '_>, &Body<'_, '_>) -> ControlFlow<B> + 'l;
+
+/// Two bodies that may touch.
+#[derive(Clone, Copy)]
+struct Pair<'p>(&'p BodyId, &'p BodyId);
+
+impl From<Pair<'_>> for Contact {
+    fn from(Pair(a, b): Pair<'_>) -> Contact {
+        Contact { a: a.clone(), b: b.clone() }
+    }
+}
 
 /// Clearance is told up to here, mm: nothing that keeps a hand's width away is in danger, and the
 /// search for what is nearest ends early.
 pub const CLEARANCE_REACH_MM: f64 = 100.0;
-
-const PART: &str = "part";
-const HEAD: &str = "head";
-const TABLE: &str = "table";
 
 impl<'a> Collision<'a> {
     /// Of a cell with a robot and a part; `None`: there is no robot that could touch anything.
     pub fn new(setup: &'a Setup, part: &'a Part) -> Option<Collision<'a>> {
         let robot = setup.robot.as_ref()?;
         let (cell, bodies) = (&setup.cell, &setup.cell.bodies);
-        let obstacle = |o: &'a crate::beam::Obstacle| Solid::new(format!("obstacle {}", o.file), o.solid(), o.at());
-        let mut standing: Vec<Solid<'a>> = bodies.obstacles.iter().filter_map(obstacle).collect();
+        let obstacle = |(index, o): (usize, &'a Obstacle)| {
+            let id = BodyId::Obstacle { index, file: o.file.as_str().into() };
+            Solid::new(id, o.solid(), o.at())
+        };
+        let mut standing: Vec<Solid<'a>> = bodies.obstacles.iter().enumerate().filter_map(obstacle).collect();
         let head = |focus: Isometry3<f64>| bodies.head.iter().map(|h| Capsule::of(h, &focus)).collect::<Vec<_>>();
         let (standing_head, carried) = match setup.mount {
             Mount::PartInHand => {
-                let part = Solid::new(PART, part, cell.flange_from_part.isometry());
+                let part = Solid::new(BodyId::Part, part, cell.flange_from_part.isometry());
                 (head(cell.base_from_laser.isometry()), part.map_or(Carried::Head(Vec::new()), Carried::Part))
             }
             Mount::ToolInHand => {
-                standing.extend(Solid::new(PART, part, cell.base_from_part.isometry()));
+                standing.extend(Solid::new(BodyId::Part, part, cell.base_from_part.isometry()));
                 (Vec::new(), Carried::Head(head(cell.flange_from_focus())))
             }
         };
@@ -96,11 +93,11 @@ impl<'a> Collision<'a> {
     /// The first contact at a pose of the robot, in an order that is always the same; joints in
     /// degrees.
     pub fn first(&self, joints_deg: &Joints) -> Option<Contact> {
-        let met = self.each_pair(joints_deg, &mut |a, b, one, other| {
+        let met = self.each_pair(joints_deg, &mut |pair, one, other| {
             if !one.is_near(other, self.margin_mm) {
                 return ControlFlow::Continue(());
             }
-            ControlFlow::Break(Contact { a, b: b.into() })
+            ControlFlow::Break(Contact::from(pair))
         });
         met.break_value()
     }
@@ -111,10 +108,10 @@ impl<'a> Collision<'a> {
     pub fn clearance(&self, joints_deg: &Joints) -> Option<(f64, Contact)> {
         let mut nearest = None;
         let mut within_mm = CLEARANCE_REACH_MM;
-        let _: ControlFlow<()> = self.each_pair(joints_deg, &mut |a, b, one, other| {
+        let _: ControlFlow<()> = self.each_pair(joints_deg, &mut |pair, one, other| {
             if let Some(mm) = one.distance_mm(other, within_mm) {
                 within_mm = mm;
-                nearest = Some((mm, Contact { a, b: b.into() }));
+                nearest = Some((mm, pair.into()));
             }
             ControlFlow::Continue(())
         });
@@ -132,17 +129,17 @@ impl<'a> Collision<'a> {
         let base_from_flange = self.robot.forward(joints_deg);
         let [_, moving @ ..] = &links;
         for l in moving {
-            self.each_beside(l.name, &Body::Capsule(Capsule::of_link(l)), &[], look)?;
+            self.each_beside(&BodyId::Link(l.link), &Body::Capsule(Capsule::of_link(l)), &[], look)?;
         }
         // What is carried may touch all but the wrist that carries it.
         let [rest @ .., _] = &links;
         match &self.carried {
             Carried::Part(part) => {
-                self.each_beside(PART, &Body::Solid(&part.moved(&base_from_flange)), rest, look)?;
+                self.each_beside(&BodyId::Part, &Body::Solid(&part.moved(&base_from_flange)), rest, look)?;
             }
             Carried::Head(head) => {
                 for c in head {
-                    self.each_beside(HEAD, &Body::Capsule(c.moved(&base_from_flange)), rest, look)?;
+                    self.each_beside(&BodyId::Head, &Body::Capsule(c.moved(&base_from_flange)), rest, look)?;
                 }
             }
         }
@@ -152,22 +149,22 @@ impl<'a> Collision<'a> {
     /// A body with all that stands, and with links.
     fn each_beside<B>(
         &self,
-        name: &'static str,
+        id: &BodyId,
         body: &Body<'_, 'a>,
         links: &[LinkCapsule],
         look: &mut Look<'_, B>,
     ) -> ControlFlow<B> {
         if let Some(z_mm) = self.table_z_mm {
-            look(name, TABLE, body, &Body::Below(z_mm))?;
+            look(Pair(id, &BodyId::Table), body, &Body::Below(z_mm))?;
         }
         for h in &self.standing_head {
-            look(name, HEAD, body, &Body::Capsule(*h))?;
+            look(Pair(id, &BodyId::Head), body, &Body::Capsule(*h))?;
         }
         for l in links {
-            look(name, l.name, body, &Body::Capsule(Capsule::of_link(l)))?;
+            look(Pair(id, &BodyId::Link(l.link)), body, &Body::Capsule(Capsule::of_link(l)))?;
         }
         for s in &self.standing {
-            look(name, &s.name, body, &Body::Solid(s))?;
+            look(Pair(id, &s.id), body, &Body::Solid(s))?;
         }
         ControlFlow::Continue(())
     }
@@ -185,7 +182,8 @@ impl<'a> Collision<'a> {
         })
     }
 
-    /// The same for joints given over 0 to 1; they may not turn back within a sixteenth of it.
+    /// The first contact on a motion of the joints given over 0 to 1, and where on it; they may not turn back within a
+    /// sixteenth of it.
     pub fn first_along(&self, at: impl Fn(f64) -> Joints) -> Option<(f64, Contact)> {
         let start = at(0.0);
         if let Some(contact) = self.first(&start) {
@@ -200,7 +198,7 @@ impl<'a> Collision<'a> {
         })
     }
 
-    /// Of a piece whose start is free.
+    /// The first contact on a piece of the motion whose start is free.
     fn first_within(
         &self,
         at: &impl Fn(f64) -> Joints,

@@ -2,9 +2,11 @@
 
 use super::*;
 use crate::cell::bodies::HeadCapsule;
-use crate::cell::{Cell, Frame};
+use crate::cell::check::FigureError;
+use crate::cell::motion::Cause;
+use crate::cell::{Cell, CellError, Frame, Link};
 use crate::part::distance::point_triangle;
-use crate::part::{Placement, Units};
+use crate::part::{LoadError, Placement, Units};
 use crate::sample::{Triangles, solids, stl_bytes};
 use nalgebra::Point3;
 use proptest::prelude::*;
@@ -26,8 +28,24 @@ fn at(position_mm: [f64; 3]) -> Frame {
     Frame::new(position_mm, [0.0; 3])
 }
 
-fn first(setup: &Setup, part: &Part) -> Option<String> {
-    Collision::new(setup, part).expect("a robot").first(&FORWARD).map(|c| c.to_string())
+fn first(setup: &Setup, part: &Part) -> Option<Contact> {
+    Collision::new(setup, part).expect("a robot").first(&FORWARD)
+}
+
+const PART: BodyId = BodyId::Part;
+const HEAD: BodyId = BodyId::Head;
+const TABLE: BodyId = BodyId::Table;
+
+fn link(link: Link) -> BodyId {
+    BodyId::Link(link)
+}
+
+fn obstacle(index: usize, file: &str) -> BodyId {
+    BodyId::Obstacle { index, file: file.into() }
+}
+
+fn touch(a: BodyId, b: BodyId) -> Option<Contact> {
+    Some(Contact { a, b })
 }
 
 #[test]
@@ -37,13 +55,13 @@ fn a_link_keeps_its_radius_and_the_margin_from_a_fixed_part() {
     let links = setup.robot.as_ref().expect("one").links;
     let reach = links.upper_arm_mm + 5.0;
     setup.cell.base_from_part = at([reach - 0.001, -10.0, 400.0]);
-    assert_eq!(first(&setup, &cube).as_deref(), Some("upper arm against part"));
+    assert_eq!(first(&setup, &cube), touch(link(Link::UpperArm), PART));
     setup.cell.base_from_part = at([reach + 0.001, -10.0, 400.0]);
     assert_eq!(first(&setup, &cube), None);
     // Under the middle of the wrist capsule, which the tool in hand does not excuse.
     setup.cell.base_from_part = at([310.0, -10.0, 625.0 - links.wrist_mm - 5.0 - 20.0 + 0.001]);
-    let said = first(&setup, &cube).expect("touches");
-    assert!(said == "wrist against part" || said == "forearm against part", "{said}");
+    let contact = first(&setup, &cube).expect("touches");
+    assert!([link(Link::Wrist), link(Link::Forearm)].contains(&contact.a) && contact.b == PART, "{contact:?}");
 }
 
 #[test]
@@ -54,21 +72,21 @@ fn a_carried_part_keeps_the_margin_from_head_table_and_arm() {
     setup.cell.flange_from_part = at([-10.0, -10.0, 60.0]);
     setup.cell.bodies.head = vec![HeadCapsule { from_mm: -50.0, to_mm: 200.0, radius_mm: 25.0 }];
     setup.cell.base_from_laser = at([432.0 + 30.0 - 0.001, 0.0, 600.0]);
-    assert_eq!(first(&setup, &cube).as_deref(), Some("part against head"));
+    assert_eq!(first(&setup, &cube), touch(PART, HEAD));
     setup.cell.base_from_laser = at([432.0 + 30.0 + 0.001, 0.0, 600.0]);
     assert_eq!(first(&setup, &cube), None);
     // The flange's x points up: this hangs from 225 to 245 mm, below the lowest link but the base.
     setup.cell.flange_from_part = at([-400.0, -10.0, 60.0]);
-    for (table_z_mm, said) in [(220.001, Some("part against table")), (219.999, None)] {
+    for (table_z_mm, contact) in [(220.001, touch(PART, TABLE)), (219.999, None)] {
         setup.cell.bodies.table_z_mm = Some(table_z_mm);
-        assert_eq!(first(&setup, &cube).as_deref(), said);
+        assert_eq!(first(&setup, &cube), contact);
     }
     setup.cell.bodies.table_z_mm = None;
     // Beside the upper arm, 352 mm back along the flange's axis.
     let arm = setup.robot.as_ref().expect("one").links.upper_arm_mm;
-    for (off, said) in [(-0.001, Some("part against upper arm")), (0.001, None)] {
+    for (off, contact) in [(-0.001, touch(PART, link(Link::UpperArm))), (0.001, None)] {
         setup.cell.flange_from_part = at([-200.0, -10.0, -352.0 + arm + 5.0 + off]);
-        assert_eq!(first(&setup, &cube).as_deref(), said);
+        assert_eq!(first(&setup, &cube), contact);
     }
 }
 
@@ -86,11 +104,11 @@ fn what_carries_and_what_stands_is_exempt() {
     tool.cell.flange_from_tool = at([0.0, 0.0, 100.0]);
     tool.cell.bodies.head = vec![HeadCapsule { from_mm: 0.0, to_mm: 50.0, radius_mm: 20.0 }];
     tool.cell.base_from_part = at([440.0, -10.0, 615.0]);
-    assert_eq!(first(&tool, &cube).as_deref(), Some("head against part"), "but not the wrist that carries the head");
+    assert_eq!(first(&tool, &cube), touch(HEAD, PART), "but not the wrist that carries the head");
     tool.cell.bodies.head = vec![HeadCapsule { from_mm: 40.0, to_mm: 90.0, radius_mm: 20.0 }];
     assert_eq!(first(&tool, &cube), None, "the wrist carries the head");
     tool.cell.bodies.head = vec![HeadCapsule { from_mm: 0.0, to_mm: 200.0, radius_mm: 20.0 }];
-    assert_eq!(first(&tool, &cube).as_deref(), Some("head against forearm"));
+    assert_eq!(first(&tool, &cube), touch(HEAD, link(Link::Forearm)));
     let mut none = tool;
     none.robot = None;
     assert!(Collision::new(&none, &cube).is_none());
@@ -100,34 +118,31 @@ fn what_carries_and_what_stands_is_exempt() {
 fn clearance_is_the_distance_of_head_and_box_and_of_what_is_nearer() {
     let cube = part(&solids::cube(20.0));
     let mut tool = setup("mz04", Mount::ToolInHand);
-    let told = |setup: &Setup| {
-        let told = Collision::new(setup, &cube).expect("a robot").clearance(&FORWARD);
-        told.map(|(mm, pair)| (mm, pair.to_string()))
-    };
-    let is = |told: Option<(f64, String)>, mm: f64, pair: &str| {
+    let told = |setup: &Setup| Collision::new(setup, &cube).expect("a robot").clearance(&FORWARD);
+    let is = |told: Option<(f64, Contact)>, mm: f64, pair: Option<Contact>| {
         let (found, between) = told.expect("something is near");
-        assert!((found - mm).abs() < 1e-9 && between == pair, "{found} mm, {between}");
+        assert!((found - mm).abs() < 1e-9 && Some(&between) == pair.as_ref(), "{found} mm, {between:?}");
     };
     // The head goes on along the flange's axis: its ball ends at x = 352 + 100 - 10 + 8.
     tool.cell.flange_from_tool = at([0.0, 0.0, 100.0]);
     tool.cell.bodies.head = vec![HeadCapsule { from_mm: 10.0, to_mm: 60.0, radius_mm: 8.0 }];
     tool.cell.base_from_part = at([450.0 + 12.5, -10.0, 615.0]);
-    is(told(&tool), 12.5, "head against part");
+    is(told(&tool), 12.5, touch(HEAD, PART));
     // Beside an edge that is 30 mm to the side and 40 mm ahead of the ball's middle.
     tool.cell.base_from_part = at([442.0 + 40.0, 30.0, 615.0]);
-    is(told(&tool), 50.0 - 8.0, "head against part");
+    is(told(&tool), 50.0 - 8.0, touch(HEAD, PART));
     tool.cell.bodies.table_z_mm = Some(625.0 - 8.0 - 30.0);
     // Axis 2 of this arm is lower than that: the upper arm reaches through the table.
-    is(told(&tool), 0.0, "shoulder against table");
+    is(told(&tool), 0.0, touch(link(Link::Shoulder), TABLE));
     tool.cell.bodies.table_z_mm = None;
     tool.cell.base_from_part = at([442.0, -10.0, 615.0]);
-    is(told(&tool), 0.0, "head against part");
+    is(told(&tool), 0.0, touch(HEAD, PART));
     // Far enough out for the forearm not to count.
     tool.cell.flange_from_tool = at([0.0, 0.0, 300.0]);
     for (off, mm) in [(-0.5, Some(CLEARANCE_REACH_MM - 0.5)), (0.001, None)] {
         tool.cell.base_from_part = at([650.0 + CLEARANCE_REACH_MM + off, -10.0, 615.0]);
         match mm {
-            Some(mm) => is(told(&tool), mm, "head against part"),
+            Some(mm) => is(told(&tool), mm, touch(HEAD, PART)),
             None => assert_eq!(told(&tool), None, "nothing is near"),
         }
     }
@@ -136,20 +151,20 @@ fn clearance_is_the_distance_of_head_and_box_and_of_what_is_nearer() {
     let mut hand = setup("mz04", Mount::PartInHand);
     let arm_mm = hand.robot.as_ref().expect("one").links.upper_arm_mm;
     hand.cell.flange_from_part = at([-200.0, -10.0, -352.0 + arm_mm + 21.0]);
-    is(told(&hand), 21.0, "part against upper arm");
+    is(told(&hand), 21.0, touch(PART, link(Link::UpperArm)));
     hand.cell.flange_from_part = at([-400.0, -10.0, 60.0]);
     hand.cell.bodies.table_z_mm = Some(218.0);
-    is(told(&hand), 7.0, "part against table");
+    is(told(&hand), 7.0, touch(PART, TABLE));
 }
 
-/// A cell file beside an STL file.
-fn cell_with_cube(edge: f64, bodies: &str) -> Result<Cell, String> {
+/// A cell file beside the STL file of a cube.
+fn cell_with_cube(file_of_cube: &str, edge: f64, bodies: &str) -> Result<Cell, CellError> {
     let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("fixture.stl"), stl_bytes(&solids::cube(edge))).expect("written");
+    std::fs::write(folder.path().join(file_of_cube), stl_bytes(&solids::cube(edge))).expect("written");
     let text = include_str!("../../assets/cells/mz04.toml").replace("table_z_mm = 0.0", bodies);
     let file = folder.path().join("cell.toml");
     std::fs::write(&file, text).expect("written");
-    Cell::load(&file).map_err(|e| e.to_string())
+    Cell::load(&file)
 }
 
 #[test]
@@ -158,25 +173,48 @@ fn fixtures_are_read_beside_the_cell_file_and_are_solid() {
     let mut hand = setup("mz04", Mount::PartInHand);
     let flange_from_part = at([-10.0, -10.0, 60.0]);
     let mut with = |edge: f64, table: &str| {
-        hand.cell = cell_with_cube(edge, table).expect("a cell");
+        hand.cell = cell_with_cube("fixture.stl", edge, table).expect("a cell");
         hand.cell.flange_from_part = flange_from_part.clone();
         first(&hand, &cube)
     };
     let near = |x: f64| format!("obstacles = [{{ file = \"fixture.stl\", position_mm = [{x}, -20.0, 600.0] }}]");
     assert_eq!(with(40.0, &near(437.001)), None);
-    assert_eq!(with(40.0, &near(436.999)).as_deref(), Some("part against obstacle fixture.stl"));
+    assert_eq!(with(40.0, &near(436.999)), touch(PART, obstacle(0, "fixture.stl")));
     let turned = "obstacles = [{ file = \"fixture.stl\", position_mm = [477.001, -20.0, 600.0], \
                   rz_ry_rx_deg = [90.0, 0.0, 0.0] }]\nmargin_mm = 4.99";
     assert_eq!(with(40.0, turned), None);
     // No facet is near, but all of it is inside.
     let around = "obstacles = [{ file = \"fixture.stl\", position_mm = [-1.0, -1.0, -1.0], units = \"m\" }]";
-    assert_eq!(with(2.0, around).as_deref(), Some("shoulder against obstacle fixture.stl"));
-    let said = cell_with_cube(40.0, "obstacles = [{ file = \"fence.stl\" }]").expect_err("is not there");
-    assert!(said.contains("fence.stl") && said.contains("obstacle"), "{said}");
-    let said = cell_with_cube(40.0, "margin_mm = 0.0").expect_err("refused");
-    assert!(said.contains("bodies.margin_mm") && said.contains("cell.toml"), "{said}");
-    let said = cell_with_cube(40.0, "head = [{ from_mm = 9.0, to_mm = 3.0, radius_mm = 5.0 }]").expect_err("refused");
-    assert!(said.contains("from_mm = 9"), "{said}");
+    assert_eq!(with(2.0, around), touch(link(Link::Shoulder), obstacle(0, "fixture.stl")));
+    let refused = |bodies: &str| cell_with_cube("fixture.stl", 40.0, bodies).expect_err("refused");
+    let gone = refused("obstacles = [{ file = \"fence.stl\" }]");
+    assert!(
+        matches!(&gone, CellError::Obstacle(LoadError::Io { file, .. }) if file.ends_with("fence.stl")),
+        "{gone:?}"
+    );
+    let figure = |bodies: &str| match refused(bodies) {
+        CellError::Figure { file, what } if file.ends_with("cell.toml") => *what,
+        other => panic!("{other}"),
+    };
+    let range = FigureError::Range { key: "bodies.margin_mm".into(), value: 0.0, low: 0.5, high: 200.0 };
+    assert_eq!(figure("margin_mm = 0.0"), range);
+    let piece = FigureError::HeadPiece { from_mm: 9.0, to_mm: 3.0 };
+    assert_eq!(figure("head = [{ from_mm = 9.0, to_mm = 3.0, radius_mm = 5.0 }]"), piece);
+}
+
+/// What an obstacle's file is called does not make it another body.
+#[test]
+fn an_obstacle_is_one_whatever_its_file_is_called() {
+    let cube = part(&solids::cube(20.0));
+    let mut hand = setup("mz04", Mount::PartInHand);
+    for file in ["headstock.stl", "tablet.stl", "part.stl"] {
+        let near = format!("obstacles = [{{ file = \"{file}\", position_mm = [430.0, -20.0, 600.0] }}]");
+        hand.cell = cell_with_cube(file, 40.0, &near).expect("a cell");
+        hand.cell.flange_from_part = at([-10.0, -10.0, 60.0]);
+        let contact = first(&hand, &cube).expect("touches");
+        assert_eq!(contact.b, obstacle(0, file));
+        assert_eq!(Cause::of_contact(&contact), Cause::Obstacle, "{file}");
+    }
 }
 
 /// Distance of two bodies given as points on one and anything on the other, by sampling.
@@ -234,36 +272,36 @@ proptest! {
         let to_head = |p: &Point3<f64>| crate::part::distance::point_segment(p, &head.from, &head.to) - head.radius_mm;
         let table_z = table * size;
         let to_table = |p: &Point3<f64>| p.z - table_z;
-        let mut pairs: Vec<(&str, &str, f64)> = Vec::new();
+        let mut pairs: Vec<(BodyId, BodyId, f64)> = Vec::new();
         let ball_at = if carried { flange * setup.cell.flange_from_part.isometry() } else { setup.cell.base_from_part.isometry() };
         let lowest = ball.mesh.vertices.iter().map(|v| (ball_at * v).z).fold(f64::INFINITY, f64::min);
         for (i, l) in links.iter().enumerate() {
             let c = Capsule::of_link(l);
             if i > 0 {
-                pairs.push((l.name, "table", sampled(&c, to_table)));
+                pairs.push((link(l.link), TABLE, sampled(&c, to_table)));
             }
             if if carried { i > 0 } else { i < 4 } {
-                pairs.push((l.name, "head", sampled(&c, to_head)));
+                pairs.push((link(l.link), HEAD, sampled(&c, to_head)));
             }
             if if carried { i < 4 } else { i > 0 } {
-                pairs.push((l.name, "part", sampled(&c, to_ball(ball_at))));
+                pairs.push((link(l.link), PART, sampled(&c, to_ball(ball_at))));
             }
         }
         if carried {
-            pairs.push(("part", "table", lowest - table_z));
+            pairs.push((PART, TABLE, lowest - table_z));
         } else {
-            pairs.push(("head", "table", sampled(&head, to_table)));
+            pairs.push((HEAD, TABLE, sampled(&head, to_table)));
         }
-        pairs.push(("head", "part", sampled(&head, to_ball(ball_at))));
+        pairs.push((HEAD, PART, sampled(&head, to_ball(ball_at))));
         match found {
             None => for (a, b, off) in pairs {
-                prop_assert!(off > 5.0 - 1e-9, "{key}: {a} and {b} are {off} apart");
+                prop_assert!(off > 5.0 - 1e-9, "{key}: {a:?} and {b:?} are {off} apart");
             },
             Some(c) => {
-                let same = |p: &&(&str, &str, f64)| (p.0 == c.a && p.1 == c.b) || (p.1 == c.a && p.0 == c.b);
+                let same = |p: &&(BodyId, BodyId, f64)| (p.0 == c.a && p.1 == c.b) || (p.1 == c.a && p.0 == c.b);
                 let off = pairs.iter().find(same).expect("a pair that counts").2;
                 // Half of the coarsest step, squared against the nearest distance, is below this.
-                prop_assert!(off < 5.0 + size / 100.0, "{key}: {c}, {off} apart");
+                prop_assert!(off < 5.0 + size / 100.0, "{key}: {c:?}, {off} apart");
             }
         }
     }

@@ -2,10 +2,11 @@
 //!
 //! What the operator wrote is kept and written back.
 
-use super::calibration::{self, CalibrationNote, Fit, PointPair, ThreePoints};
+use super::calibration::{self, CalibrationNote, Fit, FitError, PointPair, ThreePoints};
 use crate::part::{Hasher, Keyed, rpy};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 /// A frame in another frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,10 +38,21 @@ enum Measured {
     TipPoses(Vec<[f64; 6]>, [f64; 3]),
 }
 
-/// As it stands in the file.
+/// Why a frame cannot be told from what a file has of it.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum FrameError {
+    /// Neither figures nor one kind of measurements, or both.
+    #[error("not figures, three_points, points or tip_poses alone")]
+    Keys,
+    /// The measurements tell no frame.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+}
+
+/// A frame as it stands in a file.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct FrameText {
+pub(super) struct FrameText {
     #[serde(skip_serializing_if = "Option::is_none")]
     position_mm: Option<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -92,7 +104,7 @@ impl Measured {
         }
     }
 
-    fn fit(&self) -> Result<Fit, String> {
+    fn fit(&self) -> Result<Fit, FitError> {
         match self {
             Measured::ThreePoints(t) => calibration::three_points(t),
             Measured::Points(pairs) => calibration::best_fit(pairs),
@@ -104,7 +116,7 @@ impl Measured {
         }
     }
 
-    fn frame(&self) -> Result<Frame, String> {
+    fn frame(&self) -> Result<Frame, FitError> {
         let Fit { frame, .. } = self.fit()?;
         let rz_ry_rx_deg = match self {
             Measured::TipPoses(_, turned) => *turned,
@@ -115,18 +127,16 @@ impl Measured {
 }
 
 impl TryFrom<FrameText> for Frame {
-    type Error = String;
+    type Error = FrameError;
 
-    fn try_from(text: FrameText) -> Result<Frame, String> {
+    fn try_from(text: FrameText) -> Result<Frame, FrameError> {
         let FrameText { position_mm, rz_ry_rx_deg, three_points, points, tip_poses } = text;
         match (position_mm, rz_ry_rx_deg, three_points, points, tip_poses) {
             (Some(position_mm), Some(turned), None, None, None) => Ok(Frame::new(position_mm, turned)),
-            (None, None, Some(three), None, None) => Measured::ThreePoints(three).frame(),
-            (None, None, None, Some(points), None) => Measured::Points(points).frame(),
-            (None, Some(turned), None, None, Some(poses)) => Measured::TipPoses(poses, turned).frame(),
-            _ => Err("a frame is position_mm and rz_ry_rx_deg, or three_points, or points, or tip_poses and \
-                      rz_ry_rx_deg"
-                .into()),
+            (None, None, Some(three), None, None) => Ok(Measured::ThreePoints(three).frame()?),
+            (None, None, None, Some(points), None) => Ok(Measured::Points(points).frame()?),
+            (None, Some(turned), None, None, Some(poses)) => Ok(Measured::TipPoses(poses, turned).frame()?),
+            _ => Err(FrameError::Keys),
         }
     }
 }

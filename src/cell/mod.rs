@@ -15,6 +15,8 @@ use shipped_files;
 
 pub mod bodies;
 pub mod calibration;
+pub mod cell_file;
+pub mod check;
 pub mod collision;
 pub mod controllers;
 pub mod frame;
@@ -27,10 +29,11 @@ pub mod setup;
 pub mod timing;
 pub mod ur;
 
-pub use collision::{Collision, Contact};
+pub use cell_file::{Air, Cell, CellError};
+pub use collision::{BodyId, Collision, Contact};
 pub use frame::Frame;
-pub use mounting::{Cell, CellError, Mount, Spin};
+pub use mounting::{Mount, Spin};
 pub use outputs::Outputs;
-pub use robot::{Joints, Robot, RobotError};
-pub use setup::Setup;
+pub use robot::{Joints, Link, Robot, RobotError};
+pub use setup::{PlaceError, Setup};
 pub use timing::Timing;

@@ -1,6 +1,7 @@
 //! The `[outputs]` table of a cell file: what the program switches beside the moves, whatever the
-//! controller. The words for it are in the controllers' own tables.
+//! controller. The templates for it are in the controllers' own tables.
 
+use super::check::{FigureError, ranges};
 use serde::{Deserialize, Serialize};
 
 /// Everything that is switched or set.
@@ -116,6 +117,9 @@ pub enum LevelForm {
     Group,
 }
 
+/// No controller numbers its outputs higher.
+const MOST_NUMBER: f64 = 9999.0;
+
 impl Outputs {
     /// Every digital output with its name, in the order in which they go on.
     pub fn switches(&self) -> impl Iterator<Item = (&'static str, Switch)> {
@@ -129,36 +133,32 @@ impl Outputs {
         .filter_map(|(name, switch)| Some((name, switch?)))
     }
 
+    /// Whether each output has a number of its own, and figures within their ranges.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
-        let mut taken: Vec<(&str, u32)> = Vec::new();
+    /// The first figure that makes no sense.
+    pub fn check(&self) -> Result<(), FigureError> {
+        let range = |name: &str, key: &str, value: f64, low: f64, high: f64| {
+            ranges(&[(&format!("outputs.{name}.{key}"), value, low, high)])
+        };
+        let taken = |name, number, by| FigureError::Taken { key: format!("outputs.{name}.number"), number, by };
+        let mut before: Vec<(&'static str, u32)> = Vec::new();
         for (name, s) in self.switches() {
-            if s.number > 9999 {
-                return Err(format!("outputs.{name}.number = {}: give 0 to 9999", s.number));
+            range(name, "number", f64::from(s.number), 0.0, MOST_NUMBER)?;
+            if let Some((by, _)) = before.iter().find(|(_, n)| *n == s.number) {
+                return Err(taken(name, s.number, by));
             }
-            if let Some((other, _)) = taken.iter().find(|(_, n)| *n == s.number) {
-                return Err(format!("outputs.{name}.number = {}: {other} has it already; give another", s.number));
-            }
-            taken.push((name, s.number));
-            for (wait, seconds) in [("on_wait_s", s.on_wait_s), ("off_wait_s", s.off_wait_s)] {
-                if !(0.0..=600.0).contains(&seconds) {
-                    return Err(format!("outputs.{name}.{wait} = {seconds}: give 0 to 600"));
-                }
-            }
+            before.push((name, s.number));
+            range(name, "on_wait_s", s.on_wait_s, 0.0, 600.0)?;
+            range(name, "off_wait_s", s.off_wait_s, 0.0, 600.0)?;
         }
-        for (name, unit, level) in [("power", "W", &self.power), ("frequency", "kHz", &self.frequency)] {
-            if level.number > 9999 {
-                return Err(format!("outputs.{name}.number = {}: give 0 to 9999", level.number));
-            }
-            if !(1e-6..=1e6).contains(&level.scale) {
-                let scale = level.scale;
-                return Err(format!("outputs.{name}.scale = {scale}: give 0.000001 to 1000000 units per {unit}"));
-            }
+        for (name, level) in [("power", &self.power), ("frequency", &self.frequency)] {
+            range(name, "number", f64::from(level.number), 0.0, MOST_NUMBER)?;
+            range(name, "scale", level.scale, 1e-6, 1e6)?;
         }
         let (power, frequency) = (&self.power, &self.frequency);
         if power.form != LevelForm::Comment && (power.form, power.number) == (frequency.form, frequency.number) {
-            return Err(format!("outputs.frequency.number = {}: power has it already; give another", frequency.number));
+            return Err(taken("frequency", frequency.number, "power"));
         }
         Ok(())
     }
@@ -168,23 +168,30 @@ impl Outputs {
 mod tests {
     use super::*;
 
-    fn checked(text: &str) -> Result<(), String> {
-        toml::from_str::<Outputs>(text).map_err(|e| e.to_string())?.check()
+    fn refused(text: &str) -> FigureError {
+        toml::from_str::<Outputs>(text).expect("outputs").check().expect_err("refused")
+    }
+
+    fn is_read(text: &str) -> bool {
+        toml::from_str::<Outputs>(text).is_ok()
     }
 
     #[test]
     fn bad_outputs_are_named() {
-        assert_eq!(checked("laser = { number = 3 }"), Ok(()));
-        let twice = checked("laser = { number = 3 }\npowder = { number = 3 }").expect_err("refused");
-        assert!(twice.contains("outputs.laser") && twice.contains("powder has it"), "{twice}");
-        let wait = checked("laser = { number = 3, on_wait_s = -1.0 }").expect_err("refused");
-        assert!(wait.contains("outputs.laser.on_wait_s = -1"), "{wait}");
-        let scale = checked("laser = { number = 3 }\npower = { as = \"group\", scale = 0.0 }").expect_err("refused");
-        assert!(scale.contains("outputs.power.scale"), "{scale}");
+        let good: Outputs = toml::from_str("laser = { number = 3 }").expect("outputs");
+        assert_eq!(good.check(), Ok(()));
+        let taken = |key: &str, number, by| FigureError::Taken { key: key.into(), number, by };
+        let twice = refused("laser = { number = 3 }\npowder = { number = 3 }");
+        assert_eq!(twice, taken("outputs.laser.number", 3, "powder"));
+        let range = |key: &str, value, low, high| FigureError::Range { key: key.into(), value, low, high };
+        let wait = refused("laser = { number = 3, on_wait_s = -1.0 }");
+        assert_eq!(wait, range("outputs.laser.on_wait_s", -1.0, 0.0, 600.0));
+        let scale = refused("laser = { number = 3 }\npower = { as = \"group\", scale = 0.0 }");
+        assert_eq!(scale, range("outputs.power.scale", 0.0, 1e-6, 1e6));
         let both = "power = { as = \"group\", number = 2 }\nfrequency = { as = \"group\", number = 2 }";
-        let both = checked(&format!("laser = {{ number = 3 }}\n{both}")).expect_err("refused");
-        assert!(both.contains("outputs.frequency.number = 2: power has it"), "{both}");
-        assert!(checked("powder = { number = 3 }").is_err(), "a cell without a laser");
-        assert!(checked("laser = { number = 3, during = \"program\" }").is_err(), "the laser is no supply");
+        let both = refused(&format!("laser = {{ number = 3 }}\n{both}"));
+        assert_eq!(both, taken("outputs.frequency.number", 2, "power"));
+        assert!(!is_read("powder = { number = 3 }"), "a cell without a laser");
+        assert!(!is_read("laser = { number = 3, during = \"program\" }"), "the laser is no supply");
     }
 }

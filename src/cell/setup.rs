@@ -5,6 +5,38 @@ use super::{Cell, CellError, Joints, Mount, Robot};
 use crate::beam::Tool;
 use crate::part::distance::segments;
 use nalgebra::{Isometry3, Point3};
+use thiserror::Error;
+
+/// Why a robot cannot stand in a cell.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum PlaceError {
+    /// A stand of the program is beyond the robot's joints.
+    #[error("{key}: J{joint} = {deg}, range {range_deg:?}")]
+    BeyondJoint {
+        /// The stand's key in the cell file.
+        key: &'static str,
+        /// The joint; the first is 1.
+        joint: usize,
+        /// Its angle there, degrees.
+        deg: f64,
+        /// Least and greatest angle, degrees.
+        range_deg: [f64; 2],
+        /// The robot's name for people.
+        robot: String,
+    },
+    /// The table is as high as the robot's shoulder.
+    #[error("table at {table_z_mm} mm")]
+    HighTable {
+        /// Its height in the base, mm.
+        table_z_mm: f64,
+    },
+    /// The laser stands inside the robot's base.
+    #[error("laser inside the base")]
+    LaserInBase {
+        /// Width of the base about axis 1, mm.
+        base_mm: f64,
+    },
+}
 
 /// Cell, robot and mount.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,27 +65,27 @@ impl Setup {
     /// # Errors
     /// Home is beyond its joints, or the laser or the table stands inside its base.
     pub fn check(&self) -> Result<(), CellError> {
-        let said = |what: String| CellError::Figure { file: self.cell.name.clone(), what };
-        self.robot.as_ref().map_or(Ok(()), |robot| self.stands(robot).map_err(said))
+        let refused = |what| CellError::Place { cell: self.cell.name.clone(), what };
+        self.robot.as_ref().map_or(Ok(()), |robot| self.stands(robot).map_err(refused))
     }
 
-    fn stands(&self, robot: &Robot) -> Result<(), String> {
+    fn stands(&self, robot: &Robot) -> Result<(), PlaceError> {
         let (air, home) = (&self.cell.air, self.home_joints_deg());
         let stands = [
-            ("home_joints_deg", Some(home)),
-            ("entry_joints_deg", air.entry_joints_deg),
-            ("exit_joints_deg", air.exit_joints_deg),
+            ("air.home_joints_deg", Some(home)),
+            ("air.entry_joints_deg", air.entry_joints_deg),
+            ("air.exit_joints_deg", air.exit_joints_deg),
         ];
         for (key, joints) in stands.into_iter().filter_map(|(key, joints)| Some((key, joints?))) {
             if let Some(j) = robot.beyond(&joints) {
-                let ([low, high], deg, name) = (robot.limits_deg[j], joints[j], &robot.name);
-                return Err(format!("air.{key}: J{} = {deg} is beyond {low} to {high} of {name}", j + 1));
+                let (range_deg, robot) = (robot.limits_deg[j], robot.name.clone());
+                return Err(PlaceError::BeyondJoint { key, joint: j + 1, deg: joints[j], range_deg, robot });
             }
         }
         let [base, ..] = robot.capsules(&home);
         let bodies = &self.cell.bodies;
-        if let Some(z) = bodies.table_z_mm.filter(|z| *z > base.to.z - base.radius_mm) {
-            return Err(format!("bodies.table_z_mm = {z}: the table stands as high as the robot's shoulder; lower it"));
+        if let Some(table_z_mm) = bodies.table_z_mm.filter(|z| *z > base.to.z - base.radius_mm) {
+            return Err(PlaceError::HighTable { table_z_mm });
         }
         let at = self.cell.base_from_laser.isometry();
         let inside = |from_mm: f64, to_mm: f64, radius_mm: f64| {
@@ -62,10 +94,7 @@ impl Setup {
         };
         let head = bodies.head.iter().any(|h| inside(h.from_mm, h.to_mm, h.radius_mm));
         if self.mount == Mount::PartInHand && (head || inside(0.0, 0.0, 0.0)) {
-            return Err(format!(
-                "base_from_laser: the laser stands inside the robot's base, which is {} mm wide about axis 1; move it out",
-                2.0 * base.radius_mm
-            ));
+            return Err(PlaceError::LaserInBase { base_mm: 2.0 * base.radius_mm });
         }
         Ok(())
     }
@@ -90,7 +119,7 @@ impl Setup {
         self.cell.air.home_joints_deg
     }
 
-    /// The word of the robot's name for people, and `no robot`.
+    /// The robot's name for people, or `no robot`.
     pub fn robot_name(&self) -> &str {
         self.robot.as_ref().map_or("no robot", |r| &r.name)
     }
@@ -113,46 +142,50 @@ mod tests {
         let base_mm = robot.links.base_mm;
         let good = Setup { robot: Some(robot), ..Setup::shipped().expect("shipped") };
         good.check().expect("the shipped cell stands");
-        let said = |change: &dyn Fn(&mut Setup)| {
+        let refused = |change: &dyn Fn(&mut Setup)| {
             let mut setup = good.clone();
             change(&mut setup);
-            setup.check().err().map(|e| e.to_string()).unwrap_or_default()
+            match setup.check() {
+                Ok(()) => None,
+                Err(CellError::Place { what, .. }) => Some(what),
+                Err(other) => panic!("{other}"),
+            }
         };
         let laser = |x: f64| Frame::new([x, 0.0, 100.0], [0.0; 3]);
-        assert!(
-            said(&|s| s.cell.base_from_laser = laser(base_mm - 0.1))
-                .contains("the laser stands inside the robot's base")
-        );
+        let inside = Some(PlaceError::LaserInBase { base_mm: 2.0 * base_mm });
+        assert_eq!(refused(&|s| s.cell.base_from_laser = laser(base_mm - 0.1)), inside);
         assert_eq!(
-            said(&|s| {
+            refused(&|s| {
                 s.cell.bodies.head.clear();
                 s.cell.base_from_laser = laser(base_mm + 0.1)
             }),
-            ""
+            None
         );
         let head = HeadCapsule { from_mm: 20.0, to_mm: 100.0, radius_mm: 30.0 };
         let headed = |s: &mut Setup, x: f64| {
             s.cell.bodies.head = vec![head];
             s.cell.base_from_laser = laser(x)
         };
-        assert!(said(&|s| headed(s, base_mm + 29.9)).contains("inside the robot's base"));
-        assert_eq!(said(&|s| headed(s, base_mm + 30.1)), "");
+        assert_eq!(refused(&|s| headed(s, base_mm + 29.9)), inside);
+        assert_eq!(refused(&|s| headed(s, base_mm + 30.1)), None);
         assert_eq!(
-            said(&|s| {
+            refused(&|s| {
                 headed(s, 0.0);
                 s.mount = Mount::ToolInHand
             }),
-            "",
+            None,
             "it hangs on the flange"
         );
-        assert!(said(&|s| s.cell.bodies.table_z_mm = Some(300.0)).contains("bodies.table_z_mm = 300"));
-        assert!(said(&|s| s.cell.air.home_joints_deg[1] = 200.0).contains("J2 = 200"));
+        let table = refused(&|s| s.cell.bodies.table_z_mm = Some(300.0));
+        assert_eq!(table, Some(PlaceError::HighTable { table_z_mm: 300.0 }));
+        let home = refused(&|s| s.cell.air.home_joints_deg[1] = 200.0);
+        assert!(matches!(home, Some(PlaceError::BeyondJoint { joint: 2, deg: 200.0, .. })), "{home:?}");
         assert_eq!(
-            said(&|s| {
+            refused(&|s| {
                 s.robot = None;
                 s.cell.base_from_laser = laser(0.0)
             }),
-            "",
+            None,
             "nothing stands there"
         );
     }

@@ -1,6 +1,7 @@
 //! The `[timing]` table of a cell file: how long laser and controller take to answer, for the
 //! estimate of time. It slows nothing down: waits that the program makes are in `[outputs]`.
 
+use super::check::{FigureError, ranges};
 use serde::{Deserialize, Serialize};
 
 /// Latencies, s.
@@ -16,13 +17,15 @@ pub struct Timing {
 }
 
 impl Timing {
+    /// Whether each latency is one.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
-        let figures = [("laser_on_s", self.laser_on_s), ("laser_off_s", self.laser_off_s), ("move_s", self.move_s)];
-        match figures.into_iter().find(|(_, s)| !(0.0..=60.0).contains(s)) {
-            Some((name, s)) => Err(format!("timing.{name} = {s}: give 0 to 60 seconds")),
-            None => Ok(()),
-        }
+    /// The first that is out of its range.
+    pub fn check(&self) -> Result<(), FigureError> {
+        ranges(&[
+            ("timing.laser_on_s", self.laser_on_s, 0.0, 60.0),
+            ("timing.laser_off_s", self.laser_off_s, 0.0, 60.0),
+            ("timing.move_s", self.move_s, 0.0, 60.0),
+        ])
     }
 }

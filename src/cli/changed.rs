@@ -2,11 +2,11 @@
 //! its place, refused with the list where not.
 
 use super::Failure;
-use crate::document::{CarriedOver, Job, JobError, files};
+use crate::document::{CarriedOver, Job, files};
 use crate::part::{LoadError, Source};
 use crate::planning::report::PlanFinding;
 use crate::progress::Progress;
-use anyhow::anyhow;
+use crate::text::say;
 use std::path::Path;
 
 /// The part's file of a job as it is, the job for it, and what is to be said.
@@ -14,28 +14,22 @@ use std::path::Path;
 /// # Errors
 /// The part is gone, is no usable STL, or has changed so that work of the job is not where it was.
 pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), Failure> {
-    let failed = |e: JobError| Failure::Failed(e.into());
-    let file = files::part_file(&job, job_file).map_err(failed)?;
-    let source = Source::read(&file).map_err(|e| failed(e.into()))?;
+    let file = files::part_file(&job, job_file).map_err(Failure::failed)?;
+    let source = Source::read(&file).map_err(Failure::failed)?;
     if !job.part.is_of_another_file(&source.sha256) {
         let mut job = job;
         job.part.sha256.clone_from(&source.sha256);
         return Ok((job, source, Vec::new()));
     }
     let built = source.part(job.part.units, &job.part.placement, &[], &Progress::default());
-    let named = |source| failed(LoadError::Stl { file: file.display().to_string(), source }.into());
+    let name = || file.display().to_string();
+    let named = |source| Failure::failed(LoadError::Stl { file: name(), source });
     let carried = CarriedOver::new(&job, &built.map_err(named)?.unwrap_or_default());
-    let told = carried.to_string();
-    let told: Vec<&str> = told.lines().collect();
+    let told = carried.to_string().lines().collect::<Vec<_>>().join("; ");
     if !carried.is_work_in_place() {
-        return Err(Failure::Failed(anyhow!(
-            "the part {} has changed since the job was saved, and what the job says cannot be carried over whole: {}; \
-             open the job in the window to see it and to choose again",
-            file.display(),
-            told.join("; ")
-        )));
+        return Err(Failure::Failed(say!(cli_part_changed, file = name(), told)));
     }
-    eprintln!("{}: has changed since the job was saved; {}", file.display(), told.join("; "));
+    eprintln!("{}", say!(cli_part_carried_over, file = name(), told));
     let finding = PlanFinding::PartChanged {
         was: carried.was.clone(),
         is: carried.is.clone(),

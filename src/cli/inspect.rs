@@ -1,24 +1,22 @@
-//! `clearbeam inspect`.
+//! `clearbeam inspect`: what a part file holds.
 
-use super::{Failure, Outcome, print};
+use super::{Failure, Outcome, print, print_json, tell};
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
-use crate::part::{Placement, Units, load};
+use crate::part::{PartFinding, Placement, Units, load};
+use crate::text::{Sentence as _, inspected, say};
 use std::path::PathBuf;
 
 /// Options of `inspect`.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
-    /// The part
+    #[arg(help = say!(cli_inspect_part))]
     part: PathBuf,
-    /// Crease angle, degrees
-    #[arg(long, value_name = "DEG", default_value_t = 20.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG", default_value_t = 20.0, allow_negative_numbers = true, help = say!(cli_inspect_angle))]
     angle: f64,
-    /// Unit of the file: mm, m or inch
-    #[arg(long, default_value = "mm", value_parser = super::options::units)]
+    #[arg(long, default_value = "mm", value_parser = super::options::units, help = say!(cli_inspect_units))]
     units: Units,
-    /// Print JSON
-    #[arg(long)]
+    #[arg(long, help = say!(cli_json))]
     json: bool,
 }
 
@@ -27,21 +25,18 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     if let Some(p) = Parameter::by_option("angle") {
         p.check(a.angle).map_err(Failure::Usage)?;
     }
-    let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(anyhow::Error::from)?;
+    let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(Failure::failed)?;
     let mut job = Job::default();
     job.surfaces.angle_deg = a.angle;
     let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
-    let sentences = part.findings.sentences(&part.mesh, &part.orientation);
+    let findings = PartFinding::of(&part);
     if a.json {
-        let json = serde_json::to_string_pretty(&report).map_err(anyhow::Error::from)?;
-        print(&format!("{json}\n"));
-        for s in sentences {
-            eprintln!("{}: {s}", a.part.display());
-        }
+        print_json(&report)?;
+        tell(&a.part, &findings);
     } else {
-        let mut text = report.text();
-        for s in sentences {
-            text.push_str(&format!("! {s}\n"));
+        let mut text = inspected(&report);
+        for finding in findings {
+            text.push_str(&format!("! {}\n", finding.sentence()));
         }
         print(&text);
     }

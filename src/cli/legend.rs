@@ -1,8 +1,9 @@
 //! The legend of a scale, painted into a picture: a bar with its marks, and colours beside it. Dots
-//! instead of a font, so that the picture is the same everywhere.
+//! instead of a font, and English, so that the picture is the same everywhere.
 
-use crate::picture::dose::Legend;
+use crate::picture::dose::{DoseLook, Legend};
 use crate::picture::viridis;
+use crate::text::{Language, legend_entry};
 use image::{Rgba, RgbaImage};
 
 /// Five columns of seven dots, the lowest bit on top.
@@ -48,12 +49,12 @@ pub fn paint(image: &mut RgbaImage, legend: &Legend) {
     // So many pixels a dot.
     let dot = (image.height() / 400).clamp(1, 6);
     let (width, bar, height) = (78 * dot, 12 * dot, 150 * dot);
-    let rows = legend.keys.len() as u32 + 2;
+    let rows = legend.entries.len() as u32 + 2;
     if image.width() < 3 * width || image.height() < height + (rows + 2) * LINE * dot {
         return;
     }
     let (left, top) = (image.width() - width, 2 * LINE * dot);
-    write(image, [left, top], dot, legend.unit);
+    write(image, [left, top], dot, unit(legend.look));
     let top = top + LINE * dot;
     for y in 0..height {
         let [r, g, b] = viridis(legend.share(1.0 - f64::from(y) / f64::from(height)));
@@ -65,11 +66,19 @@ pub fn paint(image: &mut RgbaImage, legend: &Legend) {
         fill(image, [left + bar, y], [3 * dot, dot], INK);
         write(image, [left + bar + 5 * dot, y.saturating_sub(3 * dot)], dot, &format!("{mark:.0}"));
     }
-    for (row, key) in legend.keys.iter().enumerate() {
+    for (row, entry) in legend.entries.iter().enumerate() {
         let y = top + height + (row as u32 + 1) * LINE * dot;
-        let [r, g, b] = key.color;
+        let [r, g, b] = entry.color();
         fill(image, [left, y], [bar, 8 * dot], Rgba([r, g, b, 255]));
-        write(image, [left + bar + 5 * dot, y], dot, &key.label);
+        write(image, [left + bar + 5 * dot, y], dot, &legend_entry(*entry, Language::english()));
+    }
+}
+
+/// The unit of the numbers, in letters that there are dots for.
+fn unit(look: DoseLook) -> &'static str {
+    match look {
+        DoseLook::Dose => "J/cm2",
+        DoseLook::Incidence => "deg",
     }
 }
 
@@ -96,17 +105,17 @@ fn write(image: &mut RgbaImage, [mut x, y]: [u32; 2], dot: u32, text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::dose::Key;
+    use crate::picture::dose::{LegendEntry, OVER};
 
     #[test]
     fn it_stays_inside_and_keeps_out_of_small_pictures() {
-        let key = |label: &str| Key { color: [9, 8, 7], label: label.into() };
+        use LegendEntry::{NoLight, Over, Shaded, Under};
         let legend = Legend {
-            unit: "J/cm2",
+            look: DoseLook::Dose,
             range: [0.0, 66_667.0],
             marks: vec![0.0, 16_667.0, 66_667.0],
             falls: false,
-            keys: vec![key("over"), key("no light")],
+            entries: &[Over, Under, Shaded, NoLight],
         };
         let blank = |w, h| RgbaImage::from_pixel(w, h, Rgba([1, 2, 3, 255]));
         let mut small = blank(200, 100);
@@ -117,7 +126,10 @@ mod tests {
         let touched: Vec<u32> =
             large.enumerate_pixels().filter(|(.., p)| p.0 != [1, 2, 3, 255]).map(|(x, ..)| x).collect();
         assert!(touched.iter().all(|x| *x > 1100) && touched.len() > 5000);
-        assert!(large.pixels().any(|p| p.0 == [9, 8, 7, 255]));
-        assert!((legend.keys.iter().flat_map(|k| k.label.chars())).all(|c| GLYPHS.iter().any(|g| g.0 == c)));
+        let [r, g, b] = OVER;
+        assert!(large.pixels().any(|p| p.0 == [r, g, b, 255]));
+        let words = legend.entries.iter().map(|e| legend_entry(*e, Language::english()));
+        let said: String = words.chain([unit(DoseLook::Dose).into(), unit(DoseLook::Incidence).into()]).collect();
+        assert!(said.chars().all(|c| GLYPHS.iter().any(|g| g.0 == c)), "{said}");
     }
 }

@@ -5,23 +5,26 @@
 
 mod changed;
 mod inspect;
+mod language;
 mod legend;
 mod options;
 mod plan;
 mod render;
 mod verify;
 
-use clap::{Parser, Subcommand};
-use std::path::PathBuf;
+use crate::text::{Sentence, say};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 pub use options::PlanOptions;
 
-/// Plans robot laser cleaning of chosen surfaces of a part: from an STL file to a robot program.
+/// What `clearbeam` was called with.
 #[derive(Parser, Debug)]
-#[command(name = "clearbeam", version, about, args_conflicts_with_subcommands = true)]
+#[command(name = "clearbeam", version, about = say!(cli_about), args_conflicts_with_subcommands = true)]
 pub struct Arguments {
     /// Part or job to open in the window
+    #[arg(help = say!(cli_file))]
     pub file: Option<PathBuf>,
     /// What to do without a window
     #[command(subcommand)]
@@ -31,13 +34,17 @@ pub struct Arguments {
 /// What to do without a window.
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Say what a part file holds: topology, faults, feature surfaces
+    /// Says what a part file holds.
+    #[command(about = say!(cli_inspect))]
     Inspect(inspect::Arguments),
-    /// Plan a job and write job, program, report and path into a folder
+    /// Plans a job and writes its files.
+    #[command(about = say!(cli_plan))]
     Plan(Box<plan::Arguments>),
-    /// Read a program back and compare it with the plan of its job
+    /// Compares a program with the plan of its job.
+    #[command(about = say!(cli_verify))]
     Verify(verify::Arguments),
-    /// Draw a part, or a planned job, into a picture
+    /// Draws a part or a planned job.
+    #[command(about = say!(cli_render))]
     Render(render::Arguments),
 }
 
@@ -49,15 +56,28 @@ pub enum Outcome {
     Found,
 }
 
-/// Why a command did not do its work.
-#[derive(Debug, thiserror::Error)]
+/// Why a command did not do its work, in a sentence for its user.
+#[derive(Debug)]
 pub enum Failure {
     /// An option cannot be taken.
-    #[error("{0}")]
     Usage(String),
     /// The work failed.
-    #[error("{0}")]
-    Failed(#[from] anyhow::Error),
+    Failed(String),
+}
+
+impl Failure {
+    /// The work failed, for this reason.
+    fn failed(why: impl Sentence) -> Failure {
+        Failure::Failed(why.sentence())
+    }
+}
+
+/// The arguments of this program. Where they cannot be read, or ask for help or version, that is said and the
+/// program ends.
+pub fn arguments() -> Arguments {
+    let given = language::taken(std::env::args_os());
+    let command = Arguments::command().arg(language::option());
+    Arguments::from_arg_matches(&command.get_matches_from(given)).unwrap_or_else(|e| e.exit())
 }
 
 /// Runs a command and says how it ended.
@@ -68,13 +88,20 @@ pub fn run(command: &Command) -> ExitCode {
         Command::Verify(a) => verify::run(a),
         Command::Render(a) => render::run(a),
     };
-    match result {
-        Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::Found) => ExitCode::from(3),
-        Err(failure) => {
-            eprintln!("clearbeam: {}", failure.to_string().replace('\n', " "));
-            ExitCode::from(if matches!(failure, Failure::Usage(_)) { 2 } else { 1 })
-        }
+    let (status, why) = match result {
+        Ok(Outcome::Done) => return ExitCode::SUCCESS,
+        Ok(Outcome::Found) => return ExitCode::from(3),
+        Err(Failure::Usage(why)) => (2, why),
+        Err(Failure::Failed(why)) => (1, why),
+    };
+    eprintln!("clearbeam: {}", why.replace('\n', " "));
+    ExitCode::from(status)
+}
+
+/// Says on stderr what was found in a file.
+fn tell<F: Sentence>(file: &Path, findings: &[F]) {
+    for finding in findings {
+        eprintln!("{}", say!(in_file, file = file.display().to_string(), what = finding.sentence()));
     }
 }
 
@@ -82,4 +109,12 @@ pub fn run(command: &Command) -> ExitCode {
 fn print(text: &str) {
     use std::io::Write as _;
     let _ = std::io::stdout().write_all(text.as_bytes());
+}
+
+/// Prints a value as JSON.
+fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+    let json =
+        serde_json::to_string_pretty(value).map_err(|e| Failure::Failed(say!(cli_no_json, reason = e.to_string())))?;
+    print(&format!("{json}\n"));
+    Ok(())
 }

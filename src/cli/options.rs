@@ -4,9 +4,10 @@ use super::Failure;
 use crate::cell::{Mount, Spin};
 use crate::document::{Chosen, Edit, Job, Offset, Parameter, RecutAnchor, segmented};
 use crate::part::{Source, Units};
-use crate::path::{Direction, Order, Strategy};
+use crate::path::{Direction, DirectionError, Order, Strategy};
 use crate::pose::Correction;
 use crate::progress::Progress;
+use crate::text::Sentence as _;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -173,7 +174,7 @@ fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<()
     let of = &job.part;
     let built = source.part(of.units, &of.placement, &of.flipped_shells, &Progress::default());
     // Nobody can have cancelled it.
-    let part = built.map_err(|e| Failure::Failed(e.into()))?.unwrap_or_default();
+    let part = built.map_err(Failure::failed)?.unwrap_or_default();
     let anchor = RecutAnchor { job: job.clone(), surfaces: Arc::new(segmented(&part, job)) };
     for lost in Edit::recut(&part, &anchor, p, value).apply(job, &[]) {
         eprintln!("{lost}");
@@ -210,7 +211,7 @@ fn spin(text: &str) -> Result<Spin, String> {
 }
 
 fn direction(text: &str) -> Result<Direction, String> {
-    text.parse()
+    text.parse().map_err(|e: DirectionError| e.sentence())
 }
 
 fn offset(text: &str) -> Result<Offset, String> {

@@ -1,32 +1,29 @@
-//! `clearbeam plan`.
+//! `clearbeam plan`: from a part or a job to a folder with its program.
 
 use super::changed::part_of;
-use super::{Failure, Outcome, PlanOptions, print};
-use crate::cell::Robot;
+use super::{Failure, Outcome, PlanOptions, print, print_json, tell};
+use crate::cell::{Robot, Setup};
 use crate::document::{Chosen, Job, files};
+use crate::part::PartFinding;
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
-use crate::text::{Sentence as _, clock, program_comment, report_lines};
-use anyhow::anyhow;
+use crate::text::{Sentence as _, clock, program_comment, report_lines, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Options of `plan`.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
-    /// Part or job
+    #[arg(help = say!(cli_plan_input))]
     input: PathBuf,
-    /// Folder for the files of the plan
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", help = say!(cli_plan_out))]
     out: PathBuf,
     #[command(flatten)]
     options: PlanOptions,
-    /// Replace files of the folder that were changed by hand, are another job's, or no export's
-    #[arg(long)]
+    #[arg(long, help = say!(cli_plan_overwrite))]
     overwrite: bool,
-    /// Print the report as JSON
-    #[arg(long)]
+    #[arg(long, help = say!(cli_plan_json))]
     json: bool,
 }
 
@@ -37,75 +34,86 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     // Under the job's own numbers, before options give others.
     let (mut job, source, findings) = part_of(job, job_file)?;
     a.options.apply(&mut job, &source)?;
-    if let Some(cell) = a.options.cell() {
-        let file = std::path::absolute(cell).map_err(anyhow::Error::from)?;
-        job.cell.file = file.display().to_string();
-    }
-    if let Some(head) = a.options.head() {
-        let file = std::path::absolute(head).map_err(anyhow::Error::from)?;
-        job.beam.head = file.display().to_string();
-    }
-    if let Some(robot) = a.options.robot() {
-        job.cell.robot = if Robot::is_shipped(robot) {
-            robot.clone()
-        } else {
-            std::path::absolute(robot).map_err(anyhow::Error::from)?.display().to_string()
-        };
-    }
+    take_files(&a.options, &mut job)?;
     // Known before the work is done, as far as names are.
-    let setup = files::load_setup(&job, job_file).map_err(anyhow::Error::from)?;
+    let setup = files::load_setup(&job, job_file).map_err(Failure::failed)?;
     export::conflicts(&a.out, &job, job_file, &setup)
         .and_then(|met| export::allowed(&a.out, met, a.overwrite))
         .map_err(not_exported)?;
     // Nobody cancels it: a key that ends the program ends all.
     let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
     let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-    for s in part.findings.sentences(&part.mesh, &part.orientation) {
-        eprintln!("{}: {s}", a.input.display());
-    }
-    for note in setup.cell.calibrations() {
-        eprintln!("{}: {note}", setup.cell.name);
-    }
-    let own = setup.robot.as_ref().map(|r| r.dialect.as_str()).filter(|d| *d != "csv" && *d != job.cell.dialect);
-    if let Some(own) = own {
-        eprintln!("the {} speaks {own}: give --dialect {own}", setup.robot_name());
-    }
-    let progress = Progress::default();
+    tell(&a.input, &PartFinding::of(part));
+    tell_of_cell(&job, setup);
     let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording: program_comment };
-    let exported = export::write(&a.out, &input, job_file, a.overwrite, &progress).map_err(not_exported)?;
+    let exported = export::write(&a.out, &input, job_file, a.overwrite, &Progress::default()).map_err(not_exported)?;
     let report = &exported.report;
     if a.json {
-        let json = serde_json::to_string_pretty(report).map_err(anyhow::Error::from)?;
-        print(&format!("{json}\n"));
+        print_json(report)?;
     } else {
         let mut text = report_lines(report, &job);
         if let Some(timeline) = &plan.timeline {
             let t = timeline.breakdown();
             let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(clock);
-            text.push_str(&format!("{work} of work, {travel} of travel, {waiting} of waiting\n"));
+            text.push_str(&format!("{}\n", say!(cli_times, work, travel, waiting)));
         }
-        for sentence in advice::advice(part, plan, &job, setup, &progress).unwrap_or_default() {
-            text.push_str(&format!("to help: {sentence}\n"));
-        }
-        let better = advice::better_setup(part, surfaces, plan, &job, setup, &pipeline.cache, &progress);
-        if let Ok(Some((better, left))) = better {
-            let before = plan.refusals.len();
-            text.push_str(&format!(
-                "a better set-up: {left} targets refused instead of {before}, with this in the job's [cell]\n"
-            ));
-            for line in advice::as_toml(setup.mount, &better) {
-                text.push_str(&format!("  {line}\n"));
-            }
-        }
+        text.push_str(&advised(&input, &pipeline));
         for path in &exported.removed {
-            text.push_str(&format!("removed {}\n", path.display()));
+            text.push_str(&format!("{}\n", say!(cli_removed, file = path.display().to_string())));
         }
         for path in &exported.written {
-            text.push_str(&format!("wrote {}\n", path.display()));
+            text.push_str(&format!("{}\n", say!(cli_wrote, file = path.display().to_string())));
         }
         print(&text);
     }
     Ok(if report.is_complete() { Outcome::Done } else { Outcome::Found })
+}
+
+/// Cell, head and robot that are named on the command line, by their full paths.
+fn take_files(options: &PlanOptions, job: &mut Job) -> Result<(), Failure> {
+    let full = |path: &Path| match std::path::absolute(path) {
+        Ok(full) => Ok(full.display().to_string()),
+        Err(e) => Err(Failure::Failed(say!(cli_no_path, file = path.display().to_string(), reason = e.to_string()))),
+    };
+    if let Some(cell) = options.cell() {
+        job.cell.file = full(cell)?;
+    }
+    if let Some(head) = options.head() {
+        job.beam.head = full(head)?;
+    }
+    if let Some(robot) = options.robot() {
+        job.cell.robot = if Robot::is_shipped(robot) { robot.clone() } else { full(Path::new(robot))? };
+    }
+    Ok(())
+}
+
+/// Says on stderr how well the cell's frames were measured, and where another dialect is the robot's own.
+fn tell_of_cell(job: &Job, setup: &Setup) {
+    for note in setup.cell.calibrations() {
+        eprintln!("{}: {}", setup.cell.name, note.sentence());
+    }
+    let own = setup.robot.as_ref().map(|r| r.dialect.as_str()).filter(|d| *d != "csv" && *d != job.cell.dialect);
+    if let Some(own) = own {
+        eprintln!("{}", say!(cli_speaks_own_dialect, robot = setup.robot_name(), own));
+    }
+}
+
+/// What would help where something is left out, a line each.
+fn advised(of: &ExportInput<'_>, pipeline: &Pipeline) -> String {
+    let ExportInput { job, part, surfaces, setup, plan, .. } = *of;
+    let progress = Progress::default();
+    let mut text = String::new();
+    for advice in advice::advice(part, plan, job, setup, &progress).unwrap_or_default() {
+        text.push_str(&format!("{}\n", say!(cli_to_help, advice = advice.sentence())));
+    }
+    let better = advice::better_setup(part, surfaces, plan, job, setup, &pipeline.cache, &progress);
+    if let Ok(Some((better, left))) = better {
+        text.push_str(&format!("{}\n", say!(cli_better_setup, left, before = plan.refusals.len())));
+        for line in advice::as_toml(setup.mount, &better) {
+            text.push_str(&format!("  {line}\n"));
+        }
+    }
+    text
 }
 
 /// What the options ask for and cannot be is wrong usage.
@@ -117,26 +125,26 @@ fn refused(e: PlanningError) -> Failure {
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },
         )) => Failure::Usage(e.sentence()),
-        _ => Failure::Failed(anyhow!(e.sentence())),
+        _ => Failure::failed(e),
     }
 }
 
 /// Why nothing was exported, and what helps.
 fn not_exported(e: ExportError) -> Failure {
-    let help = match &e {
+    let why = e.sentence();
+    Failure::Failed(match e {
         ExportError::Conflicts { conflicts, .. } if conflicts.iter().all(FileConflict::can_be_overwritten) => {
-            "; give --overwrite to replace them, or choose another folder"
+            say!(cli_help_overwrite, why)
         }
-        ExportError::Conflicts { .. } => "; choose another folder",
-        _ => "",
-    };
-    Failure::Failed(anyhow!("{}{help}", e.sentence()))
+        ExportError::Conflicts { .. } => say!(cli_help_other_folder, why),
+        _ => why,
+    })
 }
 
 /// A job from a job file, or the job that cleans all of a part.
 pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
     if files::is_job(input) {
-        let job = files::read(input).map_err(anyhow::Error::from)?;
+        let job = files::read(input).map_err(Failure::failed)?;
         return Ok((job, Some(input.to_path_buf())));
     }
     let mut job = Job::default();

@@ -6,9 +6,8 @@ use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
-use crate::text::Sentence as _;
+use crate::text::say;
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
-use anyhow::{Context as _, anyhow};
 use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,23 +15,19 @@ use std::sync::Arc;
 /// Options of `render`.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
-    /// Part, or job to plan first
+    #[arg(help = say!(cli_render_input))]
     input: PathBuf,
-    /// Picture to write
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_name = "FILE.png", help = say!(cli_render_out))]
     out: PathBuf,
-    /// Size in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x800", value_parser = size)]
+    #[arg(long, value_name = "WxH", default_value = "1280x800", value_parser = size, help = say!(cli_render_size))]
     size: [u32; 2],
-    /// iso, front, back, left, right, top or bottom
-    #[arg(long, default_value = "iso", value_parser = view)]
+    #[arg(long, default_value = "iso", value_parser = view, help = say!(cli_render_view))]
     view: StandardView,
-    /// What the colours tell: surface, dose or incidence
-    #[arg(long, default_value = "surface", value_parser = color)]
+    #[arg(long, default_value = "surface", value_parser = color, help = say!(cli_render_color))]
     color: Color,
 }
 
-/// What the colours tell.
+/// What the colours show.
 #[derive(Clone, Copy, Debug)]
 enum Color {
     Surface,
@@ -44,21 +39,18 @@ fn color(text: &str) -> Result<Color, String> {
         "surface" => Ok(Color::Surface),
         "dose" => Ok(Color::Dose(DoseLook::Dose)),
         "incidence" => Ok(Color::Dose(DoseLook::Incidence)),
-        _ => Err(format!("{text:?}: give surface, dose or incidence")),
+        _ => Err(say!(cli_not_a_color, text)),
     }
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    parsed
-        .filter(|s| s.iter().all(|x| (16..=8192).contains(x)))
-        .ok_or(format!("{text:?}: give WxH, 16 to 8192 pixels each"))
+    parsed.filter(|s| s.iter().all(|x| (16..=8192).contains(x))).ok_or_else(|| say!(cli_not_a_size, text))
 }
 
 fn view(text: &str) -> Result<StandardView, String> {
-    let names = ["iso", "front", "back", "left", "right", "top", "bottom"];
-    let index = names.iter().position(|n| *n == text);
-    index.map(|i| StandardView::ALL[i]).ok_or(format!("{text:?}: give one of {}", names.join(", ")))
+    let found = StandardView::ALL.into_iter().find(|v| v.word() == text);
+    found.ok_or_else(|| say!(cli_not_a_view, text, views = StandardView::ALL.map(StandardView::word).join(", ")))
 }
 
 /// Draws and writes.
@@ -67,13 +59,12 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     // A part alone is drawn as it is; what lands on it needs a plan.
     let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
     let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
-        let source = files::read_part(&job, job_file.as_deref()).map_err(|e| anyhow!(e.sentence()))?;
-        let (_, planned) =
-            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(|e| anyhow!(e.sentence()))?;
+        let source = files::read_part(&job, job_file.as_deref()).map_err(Failure::failed)?;
+        let (_, planned) = Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(Failure::failed)?;
         let (scene, legend) = planned_scene(&planned, a.color)?;
         (scene, legend, planned.part.mesh.bounds())
     } else {
-        let part = files::load_part(&job, job_file.as_deref()).map_err(|e| anyhow!(e.sentence()))?;
+        let part = files::load_part(&job, job_file.as_deref()).map_err(Failure::failed)?;
         let surfaces = segmented(&part, &job);
         let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
         (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())
@@ -83,17 +74,18 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let mut camera = Camera::fitted(bounds, pixels);
     camera.look(a.view);
     camera.fit(&bounds, pixels);
-    let gl = HeadlessGl::new().map_err(anyhow::Error::from)?;
-    let mut renderer = Renderer::new(gl.gl()).map_err(anyhow::Error::from)?;
-    renderer.draw(&scene, &camera, a.size).map_err(anyhow::Error::from)?;
+    let gl = HeadlessGl::new().map_err(Failure::failed)?;
+    let mut renderer = Renderer::new(gl.gl()).map_err(Failure::failed)?;
+    renderer.draw(&scene, &camera, a.size).map_err(Failure::failed)?;
     let mut png = Cursor::new(Vec::new());
     let mut image = renderer.read_rgba();
     if let Some(legend) = &legend {
         super::legend::paint(&mut image, legend);
     }
-    image.write_to(&mut png, image::ImageFormat::Png).context("the picture cannot be packed")?;
-    files::write_atomic(&a.out, png.get_ref()).map_err(|e| anyhow!(e))?;
-    print(&format!("wrote {}\n", a.out.display()));
+    let not_packed = |e: image::ImageError| Failure::Failed(say!(cli_no_picture, reason = e.to_string()));
+    image.write_to(&mut png, image::ImageFormat::Png).map_err(not_packed)?;
+    files::write_atomic(&a.out, png.get_ref()).map_err(Failure::failed)?;
+    print(&format!("{}\n", say!(cli_wrote, file = a.out.display().to_string())));
     Ok(Outcome::Done)
 }
 
@@ -103,8 +95,7 @@ fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Le
     let picture = PartPicture::new(part, surfaces);
     let mut scene = Scene::default();
     if let Color::Dose(look) = color {
-        let map =
-            planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(anyhow::Error::from)?;
+        let map = planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(Failure::failed)?;
         let edges = picture.item(surfaces, &PartLook::default()).edges;
         scene.meshes.push(MeshItem { edges, ..dose_item(&map, surfaces, look) });
         return Ok((scene, Some(legend(&map, look))));

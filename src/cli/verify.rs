@@ -1,13 +1,12 @@
 //! `clearbeam verify`: a program on disk against the plan of its job.
 
-use super::{Failure, Outcome, print};
+use super::{Failure, Outcome, print, print_json};
 use crate::document::files;
 use crate::planning::verify::{self, Finding, Kind, Verdict};
 use crate::planning::{Pipeline, PlannedJob};
 use crate::program::ProgramFile;
 use crate::program::sweep::Proof;
-use crate::text::Sentence as _;
-use anyhow::{Context as _, anyhow};
+use crate::text::{Sentence as _, fixed, id, say};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,13 +14,11 @@ use std::sync::Arc;
 /// Options of `verify`.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
-    /// Program file; sub-programs are looked for in its folder
+    #[arg(help = say!(cli_verify_program))]
     program: PathBuf,
-    /// Job that the program was made from
-    #[arg(long, value_name = "JOB.toml")]
+    #[arg(long, value_name = "JOB.toml", help = say!(cli_verify_job))]
     job: PathBuf,
-    /// Print the findings as JSON
-    #[arg(long)]
+    #[arg(long, help = say!(cli_verify_json))]
     json: bool,
 }
 
@@ -60,7 +57,7 @@ impl<'a> Answer<'a> {
 
 /// Reads, plans, compares.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    let job = files::read(&a.job).map_err(anyhow::Error::from)?;
+    let job = files::read(&a.job).map_err(Failure::failed)?;
     let first = read(&a.program)?;
     let folder = a.program.parent().unwrap_or(Path::new("")).to_path_buf();
     let open = move |name: &str| {
@@ -68,16 +65,14 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let plain = Path::new(name).file_name().is_some_and(|n| n.to_string_lossy() == name);
         plain.then(|| read(&folder.join(name)).ok().map(|f| f.text)).flatten()
     };
-    let source = files::read_part(&job, Some(&a.job)).map_err(anyhow::Error::from)?;
+    let source = files::read_part(&job, Some(&a.job)).map_err(Failure::failed)?;
     let (_, planned) = Pipeline::planned(Arc::new(source), &job, Some(&a.job))
-        .map_err(|e| anyhow!("{}: cannot be planned: {}", a.job.display(), e.sentence()))?;
+        .map_err(|e| say!(cli_not_planned, job = a.job.display().to_string(), reason = e.sentence()))
+        .map_err(Failure::Failed)?;
     let PlannedJob { part, setup, plan, .. } = &*planned;
-    let (dialect, verdict) =
-        verify::check(part, plan, setup, &job, &first, &open, true).map_err(|e| anyhow!(e.sentence()))?;
+    let (dialect, verdict) = verify::check(part, plan, setup, &job, &first, &open, true).map_err(Failure::failed)?;
     if a.json {
-        let answer = Answer::new(a.program.display().to_string(), dialect, &verdict);
-        let json = serde_json::to_string_pretty(&answer).map_err(anyhow::Error::from)?;
-        print(&format!("{json}\n"));
+        print_json(&Answer::new(a.program.display().to_string(), dialect, &verdict))?;
     } else {
         print(&text(dialect, &verdict));
     }
@@ -85,7 +80,8 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
 }
 
 fn read(path: &Path) -> Result<ProgramFile, Failure> {
-    let bytes = std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?;
+    let not_read = |e: std::io::Error| say!(file_not_read, file = path.display().to_string(), reason = e.to_string());
+    let bytes = std::fs::read(path).map_err(|e| Failure::Failed(not_read(e)))?;
     let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
     Ok(ProgramFile { name, text: String::from_utf8_lossy(&bytes).into_owned() })
 }
@@ -95,26 +91,23 @@ fn text(dialect: &str, v: &Verdict) -> String {
     let mut out = String::new();
     // Of what cannot be read there are no figures.
     if v.findings.iter().any(|f| f.kind == Kind::Unreadable) {
-        let _ = writeln!(out, "{dialect}: not compared with the plan, for it cannot be read");
+        let _ = writeln!(out, "{}", say!(verify_unreadable, dialect));
     } else {
-        let _ = writeln!(out, "{dialect}: {} moves, {} with the laser on", v.moves, v.lit_moves);
-        let _ = writeln!(out, "furthest from the plan: {:.4} mm, {:.4}\u{b0} at the spot", v.worst_mm, v.worst_deg);
+        let _ = writeln!(out, "{}", say!(verify_moves, dialect, moves = v.moves, lit = v.lit_moves));
+        let (mm, deg) = (fixed(v.worst_mm, 4), fixed(v.worst_deg, 4));
+        let _ = writeln!(out, "{}", say!(verify_furthest, mm, deg));
     }
     for f in v.findings.iter().take(SHOWN) {
         // What cannot be read names its place itself.
         let _ = match f.kind {
             Kind::Unreadable => writeln!(out, "{}", f.sentence()),
-            _ => writeln!(out, "{}:{}: {}", f.file, f.line, f.sentence()),
+            _ => writeln!(out, "{}", say!(verify_finding, file = &f.file, line = id(f.line), what = f.sentence())),
         };
     }
     if v.findings.len() > SHOWN {
-        let _ = writeln!(out, "and {} more", v.findings.len() - SHOWN);
+        let _ = writeln!(out, "{}", say!(verify_more, count = v.findings.len() - SHOWN));
     }
-    let _ = match v.findings.len() {
-        0 => writeln!(out, "nothing found"),
-        1 => writeln!(out, "1 finding"),
-        n => writeln!(out, "{n} findings"),
-    };
+    let _ = writeln!(out, "{}", say!(verify_count, count = v.findings.len()));
     out
 }
 

@@ -1,11 +1,13 @@
 //! Job files: reading, atomic writing, and paths relative to where the job stands.
 
-use super::job_file;
+use super::job_file::{self, JobFileError};
 use super::model::Job;
 use crate::beam::{Body, Head, HeadError, Tool};
+use crate::cell::robot::RobotFigureError;
 use crate::cell::{Cell, CellError, Mount, Robot, RobotError, Setup};
+use crate::file::{self, FileError};
 use crate::part::{LoadError, Part, Source};
-use crate::pose::{Beam, Blocker, Theirs};
+use crate::pose::{Beam, Blocker, Obstruction, ToolBody};
 use crate::program::dialects;
 use crate::progress::Progress;
 use nalgebra::{Point3, Vector3};
@@ -16,21 +18,16 @@ use thiserror::Error;
 /// Why a job cannot be opened or saved.
 #[derive(Debug, Error)]
 pub enum JobError {
-    /// The job file cannot be read.
-    #[error("{file}: cannot be read: {source}")]
-    Read {
-        /// The file.
-        file: String,
-        /// What the system said.
-        source: std::io::Error,
-    },
+    /// A file cannot be read, or is no TOML of a job.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// It is no job.
-    #[error("{file}: {message}")]
-    Toml {
+    #[error("{file}: no job")]
+    NoJob {
         /// The file.
         file: String,
-        /// Where and what.
-        message: String,
+        /// What is wrong with it.
+        source: JobFileError,
     },
     /// The part is not where the job says.
     #[error("the part {file} is not there; put it back, or write its place into `part.file` of the job")]
@@ -59,6 +56,16 @@ pub enum JobError {
     /// The head cannot be used.
     #[error(transparent)]
     Head(#[from] HeadError),
+    /// The laser stands still, and an obstacle of the cell stands in its way.
+    #[error("{cell}: {obstacle} blocks the laser")]
+    LaserBlocked {
+        /// Name of the cell.
+        cell: String,
+        /// The obstacle's file.
+        obstacle: String,
+        /// What of the tool it touches.
+        by: ToolBody,
+    },
     /// Somebody else has saved meanwhile.
     #[error(
         "{file}: has changed since it was opened here, by another window or program; save under another name, \
@@ -100,9 +107,11 @@ pub fn read(file: &Path) -> Result<Job, JobError> {
 /// # Errors
 /// They are no job (with line and column); `name` is what the file is called.
 pub(super) fn from_bytes(bytes: &[u8], name: &str) -> Result<Job, JobError> {
-    let wrong = |message: String| JobError::Toml { file: name.to_owned(), message };
-    let text = std::str::from_utf8(bytes).map_err(|e| wrong(format!("is no text: {e}")))?;
-    job_file::parse(text).map_err(|e| wrong(e.to_string().trim_end().replace('\n', " ")))
+    let file = || name.to_owned();
+    job_file::parse(file::text(bytes, name)?).map_err(|e| match e {
+        JobFileError::Toml(e) => FileError::Toml { file: file(), source: Box::new(e) }.into(),
+        source => JobError::NoJob { file: file(), source },
+    })
 }
 
 /// The job as text.
@@ -176,10 +185,11 @@ pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, J
         "" => None,
         name => {
             let robot = Robot::load(name, job_file.and_then(Path::parent))?;
-            dialects::known(&robot.dialect).map_err(|e| RobotError::Figure {
-                file: name.into(),
-                what: format!("dialect = {:?}: give one of {} (the controller's)", e.0, dialects::names()),
-            })?;
+            if dialects::by_name(&robot.dialect).is_none() {
+                let known = dialects::DIALECTS.iter().map(|d| d.name()).collect();
+                let what = RobotFigureError::Dialect { dialect: robot.dialect, known };
+                return Err(RobotError::Figure { file: name.into(), what: Box::new(what) }.into());
+            }
             Some(robot)
         }
     })
@@ -239,10 +249,9 @@ fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let a = laser.rotation * Vector3::z();
     let spot = Point3::from(laser.translation.vector) - a * b.defocus_mm;
     let blocker = Beam::with(&nothing, body.as_ref()).blocker(&spot, &a);
-    let Some(Blocker { ours, theirs: Theirs::Clamp(i), .. }) = blocker else { return Ok(()) };
-    let file = obstacles.get(i as usize).map_or("", |o| o.file.as_str());
-    let what = format!("bodies.obstacles: {file} stands in the way of {ours}, which stands still; move one of them");
-    Err(CellError::Figure { file: setup.cell.name.clone(), what }.into())
+    let Some(Blocker { tool_body, obstruction: Obstruction::Clamp(i), .. }) = blocker else { return Ok(()) };
+    let obstacle = obstacles.get(i as usize).map_or_else(String::new, |o| o.file.clone());
+    Err(JobError::LaserBlocked { cell: setup.cell.name.clone(), obstacle, by: tool_body })
 }
 
 /// A path of a job, seen from the current folder.

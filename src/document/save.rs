@@ -3,6 +3,7 @@
 
 use super::files::{self, JobError, rebased, to_toml, write_atomic};
 use super::model::Job;
+use crate::file;
 use crate::part::digest_of;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
@@ -58,7 +59,7 @@ impl JobFile {
 /// It cannot be read, or is no job (with line and column).
 pub fn open(path: &Path) -> Result<(Job, JobFile), JobError> {
     let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|source| JobError::Read { file: name.clone(), source })?;
+    let bytes = file::bytes(path)?;
     let job = files::from_bytes(&bytes, &name)?;
     Ok((job, JobFile { path: path.to_path_buf(), sha256: digest_of(&bytes) }))
 }

@@ -4,6 +4,7 @@
 //! rounding; what a hit means (own neighbourhood, interference) is decided by the caller.
 
 mod near;
+mod prepared;
 
 use super::topology::{Dead, Mesh};
 use nalgebra::{Point3, Vector3};

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 pub struct Grown {
     /// The part; what is known of its file and its merge tree are those of the bare part.
     pub part: Part,
-    /// The same surfaces on it.
+    /// The surfaces of the bare part, with the areas that they have on this one.
     pub surfaces: Surfaces,
 }
 

@@ -3,10 +3,10 @@
 use super::inspect::Findings;
 use super::merge_tree::{MergeTree, dihedral_angles};
 use super::orient::{Orientation, orient};
-use super::stl::StlError;
+use super::stl::{FacetFault, StlError};
 use super::topology::Dead;
 use super::{Bvh, Digest, Hasher, Mesh, Placement, Source, Units};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use std::path::Path;
 use thiserror::Error;
 
@@ -35,7 +35,7 @@ pub struct Part {
 #[derive(Debug, Error)]
 pub enum LoadError {
     /// The file cannot be read.
-    #[error("{file}: cannot be read: {source}")]
+    #[error("{file}: not read: {source}")]
     Io {
         /// The file.
         file: String,
@@ -80,7 +80,7 @@ impl Part {
         flipped_shells: &[u32],
         progress: &Progress,
     ) -> Result<Option<Part>, StlError> {
-        progress.begin("building the part", 5);
+        progress.begin(Activity::BuildingPart, 5);
         let mut mesh = Mesh::weld(&source.raw.facets, units.mm());
         if progress.step().is_err() {
             return Ok(None);
@@ -92,7 +92,7 @@ impl Part {
             mesh.update_geometry();
         }
         if mesh.dead.iter().all(|d| *d != Dead::No) {
-            return Err(StlError::NoFacet { dropped: mesh.facets.len(), first: "no area" });
+            return Err(StlError::NoFacet { dropped: mesh.facets.len(), first: Some(FacetFault::NoArea) });
         }
         let orientation = orient(&mut mesh);
         for f in 0..mesh.facets.len() {

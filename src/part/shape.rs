@@ -55,14 +55,18 @@ impl Shape {
         }
     }
 
-    /// The word with its size: `cylinder Ø12.00`.
-    pub fn label(&self) -> String {
-        match self {
-            Shape::Cylinder { diameter_mm, .. } | Shape::Sphere { diameter_mm, .. } => {
-                format!("{} Ø{diameter_mm:.2}", self.word())
+    /// Whether another is of this kind and as large: diameters to 0.01 mm, angles to 0.1°.
+    pub fn is_like(&self, other: &Shape) -> bool {
+        match (self, other) {
+            (Shape::Plane { .. }, Shape::Plane { .. }) | (Shape::Freeform, Shape::Freeform) => true,
+            (Shape::Cylinder { diameter_mm: one, .. }, Shape::Cylinder { diameter_mm: two, .. })
+            | (Shape::Sphere { diameter_mm: one, .. }, Shape::Sphere { diameter_mm: two, .. }) => {
+                (one - two).abs() < 0.01
             }
-            Shape::Cone { half_angle_deg, .. } => format!("cone {half_angle_deg:.1}°"),
-            _ => self.word().into(),
+            (Shape::Cone { half_angle_deg: one, .. }, Shape::Cone { half_angle_deg: two, .. }) => {
+                (one - two).abs() < 0.1
+            }
+            _ => false,
         }
     }
 

@@ -5,6 +5,7 @@
 //! off is refused. Writing is left to `stl_io`.
 
 use super::stl_text;
+use serde::Serialize;
 use thiserror::Error;
 
 /// Corners of one facet as stored, file units.
@@ -26,14 +27,32 @@ pub struct RawPart {
 }
 
 /// A dropped facet.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct InvalidFacet {
     /// Number in the file, from 0.
     pub facet: usize,
     /// Where it stands in the file.
     pub byte: usize,
     /// What is wrong with it.
-    pub why: &'static str,
+    pub fault: FacetFault,
+}
+
+/// Why a facet cannot be used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FacetFault {
+    /// A coordinate is no number (NaN).
+    Nan,
+    /// A coordinate is infinite.
+    Infinite,
+    /// A coordinate's text cannot be read as a number.
+    Unreadable,
+    /// The next facet begins, or the solid ends, before its `endfacet`.
+    NoEnd,
+    /// It has fewer or more than three vertices.
+    NotThreeVertices,
+    /// Its vertices lie in one point or on one line.
+    NoArea,
 }
 
 /// Form of an STL file.
@@ -50,13 +69,10 @@ pub enum Form {
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum StlError {
     /// Nothing in it.
-    #[error("the file is empty")]
+    #[error("empty file")]
     Empty,
     /// The header promises more facets than there are bytes.
-    #[error(
-        "the header promises {promised} facets ({needed} bytes), but the file has {present} bytes: \
-         it was cut off, or is not an STL file; export it again"
-    )]
+    #[error("binary cut off: {promised} facets promised, {needed} bytes needed, {present} present")]
     CutOff {
         /// Facets by the header.
         promised: u64,
@@ -66,7 +82,7 @@ pub enum StlError {
         present: u64,
     },
     /// A text without its `endsolid`.
-    #[error("the text ends inside a solid, after {facets} facets (byte {byte}): it was cut off; export it again")]
+    #[error("text cut off after {facets} facets, byte {byte}")]
     TextCutOff {
         /// Whole facets read before.
         facets: usize,
@@ -74,15 +90,15 @@ pub enum StlError {
         byte: usize,
     },
     /// Neither form.
-    #[error("this is not an STL file: neither `solid` text nor a binary facet count is found")]
+    #[error("not an STL file")]
     NotStl,
     /// Read, but nothing usable in it.
-    #[error("no usable facet: {dropped} facets were read and all dropped (first: {first})")]
+    #[error("no usable facet: {dropped} dropped, first: {first:?}")]
     NoFacet {
         /// Facets dropped.
         dropped: usize,
-        /// What was wrong with the first.
-        first: &'static str,
+        /// What is wrong with the first; `None`: the file holds none.
+        first: Option<FacetFault>,
     },
 }
 
@@ -105,7 +121,7 @@ pub fn read(bytes: &[u8]) -> Result<RawPart, StlError> {
         _ => return Err(StlError::NotStl),
     };
     if part.facets.is_empty() {
-        let first = part.invalid.first().map_or("the file holds none", |i| i.why);
+        let first = part.invalid.first().map(|i| i.fault);
         return Err(StlError::NoFacet { dropped: part.invalid.len(), first });
     }
     Ok(part)
@@ -126,15 +142,15 @@ fn read_binary(bytes: &[u8], count: usize) -> RawPart {
     part
 }
 
-/// Keeps a facet of finite numbers; names the others. The stored normal is not looked at.
+/// Keeps a facet of finite numbers; lists the others. The stored normal is not looked at.
 pub(super) fn push_checked(part: &mut RawPart, facet: RawFacet, number: usize, byte: usize) {
     if facet.as_flattened().iter().all(|x| x.is_finite()) {
         part.facets.push(facet);
         return;
     }
     let nan = facet.as_flattened().iter().any(|x| x.is_nan());
-    let why = if nan { "a NaN vertex" } else { "an infinite vertex" };
-    part.invalid.push(InvalidFacet { facet: number, byte, why });
+    let fault = if nan { FacetFault::Nan } else { FacetFault::Infinite };
+    part.invalid.push(InvalidFacet { facet: number, byte, fault });
 }
 
 #[cfg(test)]
@@ -181,7 +197,7 @@ mod tests {
         bad[1][2] = f32::NAN;
         let part = read(&binary(b"x", 2, &[bad, F])).expect("reads");
         assert_eq!(part.facets, vec![F]);
-        assert_eq!(part.invalid, vec![InvalidFacet { facet: 0, byte: 84, why: "a NaN vertex" }]);
+        assert_eq!(part.invalid, vec![InvalidFacet { facet: 0, byte: 84, fault: FacetFault::Nan }]);
         assert!(matches!(read(&binary(b"x", 1, &[bad])), Err(StlError::NoFacet { dropped: 1, .. })));
     }
 

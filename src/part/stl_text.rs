@@ -1,7 +1,7 @@
 //! The text form of STL: tokens, any case, any white space, any bytes in names (GBK occurs),
 //! several solids in one file.
 
-use super::stl::{Form, InvalidFacet, RawFacet, RawPart, StlError, push_checked};
+use super::stl::{FacetFault, Form, InvalidFacet, RawFacet, RawPart, StlError, push_checked};
 
 /// Whether the bytes begin like the text form: `solid`, no NUL early on (binary headers are padded
 /// with them), and `facet` or `endsolid` further on.
@@ -93,7 +93,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, StlError> {
             match facet(&mut tokens) {
                 Ok(f) => push_checked(&mut part, f, number, token.byte),
                 Err(Bad::Ends) => return Err(StlError::TextCutOff { facets: number, byte: bytes.len() }),
-                Err(Bad::Facet(why)) => part.invalid.push(InvalidFacet { facet: number, byte: token.byte, why }),
+                Err(Bad::Facet(fault)) => part.invalid.push(InvalidFacet { facet: number, byte: token.byte, fault }),
             }
             number += 1;
         }
@@ -108,7 +108,7 @@ enum Bad {
     /// The file ends inside the facet.
     Ends,
     /// This facet is unusable; the next may be good.
-    Facet(&'static str),
+    Facet(FacetFault),
 }
 
 /// Reads up to `endfacet`; a bad facet is read to its end too, so that the next one is found.
@@ -131,13 +131,13 @@ fn facet(tokens: &mut Tokens<'_>) -> Result<RawFacet, Bad> {
             break;
         } else if is(token.word, "facet") || is(token.word, "endsolid") {
             tokens.at = before;
-            return Err(Bad::Facet("no endfacet"));
+            return Err(Bad::Facet(FacetFault::NoEnd));
         }
     }
     match (count, readable) {
         (3, true) => Ok(corners),
-        (3, false) => Err(Bad::Facet("a vertex that is not a number")),
-        _ => Err(Bad::Facet("other than three vertices")),
+        (3, false) => Err(Bad::Facet(FacetFault::Unreadable)),
+        _ => Err(Bad::Facet(FacetFault::NotThreeVertices)),
     }
 }
 
@@ -204,8 +204,8 @@ mod tests {
         );
         let part = read_any(text.as_bytes()).expect("reads");
         assert_eq!(part.facets.len(), 2);
-        let why: Vec<_> = part.invalid.iter().map(|i| (i.facet, i.why)).collect();
-        let expected = [(1, "a NaN vertex"), (2, "a vertex that is not a number"), (3, "other than three vertices")];
-        assert_eq!(why, expected);
+        let faults: Vec<_> = part.invalid.iter().map(|i| (i.facet, i.fault)).collect();
+        let expected = [(1, FacetFault::Nan), (2, FacetFault::Unreadable), (3, FacetFault::NotThreeVertices)];
+        assert_eq!(faults, expected);
     }
 }

@@ -18,6 +18,6 @@ pub mod tour;
 pub use dense::DensePoint;
 pub use neighbour_axes::Axis;
 pub use order::Order;
-pub use planes::{Direction, SurfacePlanes};
+pub use planes::{Direction, DirectionError, SurfacePlanes};
 pub use section::{SectionPoint, TransversalLine};
-pub use strategy::Strategy;
+pub use strategy::{LinesFinding, Strategy};

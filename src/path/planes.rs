@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::fmt;
 use std::str::FromStr;
+use thiserror::Error;
 
 /// Normal of the section planes, as the operator chooses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,10 +50,27 @@ impl fmt::Display for Direction {
     }
 }
 
-impl FromStr for Direction {
-    type Err = String;
+/// Why a text names no direction.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum DirectionError {
+    /// It is neither an axis, nor `auto`, nor three numbers.
+    #[error("{text:?} is not x, y, z, auto or DX,DY,DZ")]
+    Unknown {
+        /// The text.
+        text: String,
+    },
+    /// All three numbers are zero, or one is not finite.
+    #[error("direction {text} has no length")]
+    NoLength {
+        /// The text.
+        text: String,
+    },
+}
 
-    fn from_str(text: &str) -> Result<Self, String> {
+impl FromStr for Direction {
+    type Err = DirectionError;
+
+    fn from_str(text: &str) -> Result<Self, DirectionError> {
         let text = text.trim();
         if let Some((_, d)) = Direction::AXES.iter().find(|(name, _)| name.eq_ignore_ascii_case(text)) {
             return Ok(*d);
@@ -60,12 +78,12 @@ impl FromStr for Direction {
         if text.eq_ignore_ascii_case("auto") {
             return Ok(Direction::Auto);
         }
-        let wrong = || format!("{text:?} is no direction: give x, y, z, auto or three numbers DX,DY,DZ");
+        let wrong = || DirectionError::Unknown { text: text.to_owned() };
         let numbers: Vec<f64> =
             text.split(',').map(|n| n.trim().parse()).collect::<Result<_, _>>().map_err(|_| wrong())?;
         let v: [f64; 3] = numbers.try_into().map_err(|_| wrong())?;
         if angle::unit(Vector3::from(v)).is_none() {
-            return Err(format!("the direction {text} has no length: give three numbers that are not all zero"));
+            return Err(DirectionError::NoLength { text: text.to_owned() });
         }
         Ok(Direction::Along(v))
     }
@@ -272,7 +290,8 @@ mod tests {
         for text in ["x", "auto", "1,0.5,-2"] {
             assert_eq!(text.parse::<Direction>().expect("reads").to_string(), text);
         }
-        assert!("0,0,0".parse::<Direction>().is_err());
-        assert!("up".parse::<Direction>().is_err());
+        let refused = |text: &str| text.parse::<Direction>().expect_err("no direction");
+        assert_eq!(refused("0,0,0"), DirectionError::NoLength { text: "0,0,0".into() });
+        assert_eq!(refused("up"), DirectionError::Unknown { text: "up".into() });
     }
 }

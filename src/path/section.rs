@@ -34,7 +34,7 @@ pub struct TransversalLine {
 }
 
 impl TransversalLine {
-    /// The same line run the other way.
+    /// This line, run the other way.
     pub fn reversed(mut self) -> TransversalLine {
         self.points.reverse();
         let count = self.points.len();

@@ -27,20 +27,36 @@ pub const UNDER: Rgb = [30, 32, 36];
 /// A chosen surface that gets too little because something shades it.
 pub const SHADED: Rgb = state::MISSED;
 
-/// One step of a legend.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Key {
+/// What a colour beside a scale stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LegendEntry {
+    /// More light than is allowed.
+    Over,
+    /// Too little, for want of light.
+    Under,
+    /// Too little, because something shades it.
+    Shaded,
+    /// No light lands there.
+    NoLight,
+}
+
+impl LegendEntry {
     /// Its colour.
-    pub color: Rgb,
-    /// What it stands for.
-    pub label: String,
+    pub fn color(self) -> Rgb {
+        match self {
+            LegendEntry::Over => OVER,
+            LegendEntry::Under => UNDER,
+            LegendEntry::Shaded => SHADED,
+            LegendEntry::NoLight => UNLIT,
+        }
+    }
 }
 
 /// A scale of even colours, and what has a colour of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Legend {
-    /// What the numbers are.
-    pub unit: &'static str,
+    /// What the numbers are: J/cm², or degrees.
+    pub look: DoseLook,
     /// The ends of the scale.
     pub range: [f64; 2],
     /// Numbers to be marked on it: the thresholds.
@@ -48,7 +64,7 @@ pub struct Legend {
     /// Bright is low, dark is high.
     pub falls: bool,
     /// Colours beside the scale.
-    pub keys: Vec<Key>,
+    pub entries: &'static [LegendEntry],
 }
 
 impl Legend {
@@ -60,23 +76,19 @@ impl Legend {
 
 /// The legend of a look.
 pub fn legend(map: &DoseMap, look: DoseLook) -> Legend {
-    let key = |color: Rgb, label: &str| Key { color, label: label.into() };
+    use LegendEntry::{NoLight, Over, Shaded, Under};
     let t = &map.thresholds;
     match look {
         DoseLook::Dose => Legend {
-            unit: "J/cm2",
+            look,
             range: [0.0, t.high_j_cm2],
             marks: vec![0.0, t.low_j_cm2, t.high_j_cm2],
             falls: false,
-            keys: vec![key(OVER, "over"), key(UNDER, "under"), key(SHADED, "shaded"), key(UNLIT, "no light")],
+            entries: &[Over, Under, Shaded, NoLight],
         },
-        DoseLook::Incidence => Legend {
-            unit: "deg",
-            range: [0.0, 90.0],
-            marks: vec![0.0, 30.0, 60.0, 90.0],
-            falls: true,
-            keys: vec![key(UNLIT, "no light")],
-        },
+        DoseLook::Incidence => {
+            Legend { look, range: [0.0, 90.0], marks: vec![0.0, 30.0, 60.0, 90.0], falls: true, entries: &[NoLight] }
+        }
     }
 }
 

@@ -50,15 +50,6 @@ impl SpacingScale {
         let [low, high] = self.ends;
         if ratio < 1.0 { 0.5 * (ratio - low) / (1.0 - low) } else { 0.5 + 0.5 * (ratio - 1.0) / (high - 1.0) }
     }
-
-    /// The ends and the middle in words.
-    pub fn labels(&self) -> [String; 3] {
-        let [low, high] = self.ends;
-        [low, 1.0, high].map(|share| match self.wanted_mm {
-            Some(mm) => format!("{:.2} mm", share * mm),
-            None => format!("{:.0} %", 100.0 * share),
-        })
-    }
 }
 
 /// All places of a plan that were measured; `job` is what it was made for.
@@ -119,11 +110,8 @@ mod tests {
     fn what_is_wanted_stands_in_the_middle() {
         let scale = of(0.4, 1.5);
         assert_eq!([0.8, 1.0, 3.0].map(|r| scale.share(r)), [0.0, 0.5, 1.0]);
-        assert_eq!(scale.labels(), ["0.40 mm", "0.50 mm", "1.50 mm"]);
         // Next to nothing is not blown up to the whole scale.
         let even = of(0.4999, 0.5001);
         assert!((even.share(0.9998) - 0.5).abs() < 0.01 && even.share(1.0002) < 0.51);
-        let many = SpacingScale { wanted_mm: None, ..scale };
-        assert_eq!(many.labels(), ["80 %", "100 %", "300 %"]);
     }
 }

@@ -12,7 +12,7 @@ use crate::cell::{Mount, Setup};
 use crate::document::model::{CellFile, Job};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, State};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use nalgebra::{Isometry3, Point3};
 
 /// Passes that are driven again, slower.
@@ -41,31 +41,43 @@ fn frames(plan: &Plan) -> [Vec<Isometry3<f64>>; 2] {
     [done, refused]
 }
 
-/// Sentences that say what would help, the best first; none where nothing was refused, or nothing helps.
+/// Something that would help, or how far that was looked into.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Help {
+    /// A change of the set-up.
+    Change(Advice),
+    /// A slower spot, with which no joint is too fast.
+    Slower {
+        /// Its speed on the part.
+        speed_mm_s: f64,
+    },
+    /// The changes were tried on some of the refused targets only.
+    Sampled {
+        /// On so many.
+        tried: usize,
+        /// Of so many.
+        of: usize,
+    },
+}
+
+/// What would help, the best first; nothing where nothing was refused, or nothing helps.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.
-pub fn advice(
-    part: &Part,
-    plan: &Plan,
-    job: &Job,
-    setup: &Setup,
-    progress: &Progress,
-) -> Result<Vec<String>, Cancelled> {
+pub fn advice(part: &Part, plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<Vec<Help>, Cancelled> {
     let [done, refused] = frames(plan);
     let samples = [&done, &refused].map(|all| sampled(all, SAMPLE));
     let found = advice::changes(setup, part, job.cell.spin, &samples[0], &samples[1], progress)?;
-    let all = refused.len().min(SAMPLE);
-    let mut out: Vec<String> = found.iter().map(Advice::to_string).collect();
-    out.extend(slower(plan, job, setup, progress)?);
-    if refused.len() > all && !found.is_empty() {
-        out.push(format!("(tried on {SAMPLE} of the {} refused targets)", refused.len()));
-    }
+    let on_some = Help::Sampled { tried: SAMPLE, of: refused.len() };
+    let is_sampled = refused.len() > SAMPLE && !found.is_empty();
+    let mut out: Vec<Help> = found.into_iter().map(Help::Change).collect();
+    out.extend(slower(plan, job, setup, progress)?.map(|speed_mm_s| Help::Slower { speed_mm_s }));
+    out.extend(is_sampled.then_some(on_some));
     Ok(out)
 }
 
-/// The highest speed at which passes that are too fast can be driven.
-fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<Option<String>, Cancelled> {
+/// The highest of some lower speeds of the spot, mm/s, at which passes that are too fast can be driven.
+fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<Option<f64>, Cancelled> {
     let mut numbers: Vec<usize> = refusals(plan).iter().filter(|r| r.cause == Cause::Speed).map(|r| r.pass).collect();
     numbers.dedup();
     let again: Vec<Pass> = sampled(&numbers, PASSES)
@@ -86,7 +98,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
     let Some(arm) = Arm::new(setup, job.cell.spin).filter(|_| !again.is_empty()) else { return Ok(None) };
     let go_on = || progress.goes_on();
     let watch = Watch { go_on: &go_on, ..Watch::default() };
-    progress.begin("trying lower speeds", SLOWER.len());
+    progress.begin(Activity::TryingSpeeds, SLOWER.len());
     for share in SLOWER {
         let slower: Vec<Pass> = again
             .iter()
@@ -95,7 +107,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
         let choice = choose(&arm, &slower, &watch).ok_or(Cancelled)?;
         if !choice.refusals.iter().any(|r| r.cause == Cause::Speed) {
             let speed_mm_s = slower.iter().map(|p| p.work.speed_mm_s).fold(f64::INFINITY, f64::min);
-            return Ok(Some(format!("move the spot at {speed_mm_s:.2} mm/s: no joint is too fast then")));
+            return Ok(Some(speed_mm_s));
         }
         progress.step()?;
     }
@@ -132,7 +144,7 @@ pub fn better_setup(
         (job, setup)
     };
     let found = advice::better_setups(setup, part, &sampled(&done, 3 * SAMPLE), progress)?;
-    progress.begin("planning some passes", found.len());
+    progress.begin(Activity::PlanningSamples, found.len());
     let mut tried = Vec::new();
     for better in found {
         let (job, setup) = changed(&better);
@@ -178,9 +190,9 @@ pub fn spots(better: &BetterSetup, defocus_mm: f64) -> Vec<(Point3<f64>, bool)> 
     better.sample.iter().map(spot).zip(better.possible.iter().copied()).collect()
 }
 
-/// The same as lines of a job file, for people.
+/// The frames of a better set-up as lines of a job's `[cell]` table.
 pub fn as_toml(mount: Mount, better: &BetterSetup) -> Vec<String> {
-    let line = |name: &str, frame| format!("{name} = {{ {} }}", advice::said(frame));
+    let line = |name: &str, frame| format!("{name} = {{ {} }}", advice::as_toml(frame));
     match mount {
         Mount::PartInHand => {
             vec![line("flange_from_part", &better.part), line("base_from_laser", &better.base_from_laser)]

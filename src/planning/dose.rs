@@ -8,11 +8,11 @@ use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
-use crate::pose::{Pass, Theirs};
+use crate::pose::{Obstruction, Pass};
 use crate::process::{Cause, DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
 use crate::program::Timeline;
 use crate::program::{MoveTiming, Step};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
@@ -96,7 +96,7 @@ pub fn dose(
     let times = ends_s(plan);
     let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
     let task = Task { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
-    progress.begin("dose", 2 * light.runs.len());
+    progress.begin(Activity::SummingDose, 2 * light.runs.len());
     computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
 }
 
@@ -166,14 +166,14 @@ fn word<S: Serializer>(cause: &Cause, s: S) -> Result<S::Ok, S::Error> {
 
 impl PatchReport {
     fn new(p: &Patch, surfaces: &Surfaces) -> PatchReport {
-        let wall = p.shaded_by.or(p.blocker.map(|b| b.theirs));
+        let wall = p.shaded_by.or(p.blocker.map(|b| b.obstruction));
         PatchReport {
             surface: p.surface,
             area_cm2: 0.01 * p.area_mm2,
             cause: p.cause,
             by_surface: wall.and_then(|w| match w {
-                Theirs::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
-                Theirs::Clamp(_) => None,
+                Obstruction::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
+                Obstruction::Clamp(_) => None,
             }),
             closer_than_mm: p.closer_than_mm,
             centre_mm: p.centre.coords.map(|x| x + 0.0).into(),

@@ -10,7 +10,7 @@ use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
 use crate::program::{Drive, Known, Steps, Timeline};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use std::collections::BTreeSet;
 
 /// So often other branches are tried for passes that no way leads to; the eight branches of an arm, and
@@ -28,12 +28,12 @@ pub(super) fn drive(
     progress: &Progress,
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
-    progress.begin("choosing spins", 2);
+    progress.begin(Activity::ChoosingSpins, 2);
     let grown = plan.grown.clone();
     // Arm and head keep clear of all that will be there, from the first layer on.
     let whole = grown.last().map_or(part, |g| &g.part);
     let collision = Collision::new(setup, whole);
-    let touches = |joints: &Joints| collision.as_ref()?.first(joints).map(|contact| contact.to_string());
+    let touches = |joints: &Joints| collision.as_ref()?.first(joints);
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
     let mut memory = Memory::default();

@@ -1,5 +1,7 @@
 //! A piece of a stage's work, and who does it. What a piece computes and where its result goes, `stage` says.
 
+use crate::progress::Activity;
+
 /// Runs the work of stages: on threads, at once, or when a test says so.
 pub trait Executor: Send + Sync {
     /// Takes a piece of work. It must be run once, or dropped when nobody waits for anything any more.
@@ -11,18 +13,18 @@ type Run = Box<dyn FnOnce(&dyn Fn()) + Send>;
 
 /// A piece of work for an [`Executor`].
 pub struct Task {
-    stage: &'static str,
+    stage: Activity,
     run: Run,
 }
 
 impl Task {
     /// A piece of the work of a stage.
-    pub(super) fn new(stage: &'static str, run: impl FnOnce(&dyn Fn()) + Send + 'static) -> Task {
+    pub(super) fn new(stage: Activity, run: impl FnOnce(&dyn Fn()) + Send + 'static) -> Task {
         Task { stage, run: Box::new(run) }
     }
 
     /// Name of the stage whose value it computes.
-    pub fn stage(&self) -> &'static str {
+    pub fn stage(&self) -> Activity {
         self.stage
     }
 

@@ -119,7 +119,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
     if count > 0 {
         remarks.push(LayingRemark::TooShort { pieces: count, length_mm, shortest_mm: l.shortest_mm });
     }
-    remarks.extend(found.reason.map(LayingRemark::Lines));
+    remarks.extend(found.finding.map(LayingRemark::Lines));
     let mut coverage = coverage(mesh, surface, &found.planes, l.spacing_mm, &lines);
     if l.strategy != Strategy::Planes {
         coverage.spacing_min_mm = found.achieved.as_ref().map(|a| a.min_mm);

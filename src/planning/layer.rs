@@ -11,7 +11,7 @@ use crate::document::model::Job;
 use crate::part::{Digest, Grown, Part, Surfaces, grown};
 use crate::path::Order;
 use crate::path::planes::{self, Raster};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -59,7 +59,7 @@ pub(super) fn laid(
     let list = list.iter().filter(|n| layer < mine(**n).layer_count());
     let rasters: Vec<Raster> = list.map(|n| raster(*n, mine(*n))).collect();
     let families = planes::planes(&part.mesh, surfaces, &rasters);
-    progress.begin("laying lines", families.len());
+    progress.begin(Activity::LayingLines, families.len());
     let laid = families.into_par_iter().map(|family| {
         progress.step()?;
         Ok(cache.laid(part, surfaces, family, mine, layer))
@@ -88,7 +88,7 @@ pub(super) fn planned(
         spot = lay::end_of(&ordered.lines).or(spot);
         lines.push((*key, from, laid.clone(), ordered));
     }
-    progress.begin("planning", lines.iter().map(|l| l.3.lines.len()).sum());
+    progress.begin(Activity::Planning, lines.iter().map(|l| l.3.lines.len()).sum());
     let planned: Vec<(Digest, Arc<SurfacePlan>)> = lines
         .into_par_iter()
         .map(|(key, from, laid, ordered)| {

@@ -10,19 +10,18 @@ use super::proof::{prover, straight};
 use super::surface_plan::{Cache, Kept};
 use super::{layer, written};
 use crate::cell::Setup;
-use crate::cell::motion::{Cause, Refusal};
+use crate::cell::motion::{Cause, Refusal, Why};
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
 use crate::program::{dialects, steps};
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 
 /// So often targets are refused whose moves hit something only as they are written.
 const MOST_WRITTEN: usize = 6;
 
 fn as_written(r: &written::Refuted) -> Refusal {
-    let ((pass, point), blocker) = (r.target, r.blocker);
-    let detail = format!("as the program is written, {blocker}");
-    Refusal { pass, point, cause: Cause::of_blocker(&blocker), detail }
+    let ((pass, point), hit) = (r.target, r.blocker);
+    Refusal { pass, point, cause: Cause::of_blocker(&hit), why: Why::HitAsWritten { hit } }
 }
 
 /// Computes the plan of a job.
@@ -78,7 +77,7 @@ fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Pr
     match &setup.robot {
         Some(robot) => drive(plan, part, setup, robot, job, progress)?,
         None => {
-            progress.begin("connecting moves", 1);
+            progress.begin(Activity::ConnectingMoves, 1);
             let grown = plan.grown.clone();
             let straight = straight(part, &grown, setup, job);
             let air_mm_s = job.beam.air_speed_mm_s;

@@ -106,7 +106,9 @@ mod tests {
         let mut stages: Vec<Stage<u32, ()>> = (0..20).map(|_| Stage::default()).collect();
         let key = Hasher::default().finish();
         for (n, stage) in (0u32..).zip(&mut stages) {
-            stage.start(key, "test", &pool, move |_| if n % 2 == 0 { panic!("even") } else { Ok(n) });
+            stage.start(key, crate::progress::Activity::Planning, &pool, move |_| {
+                if n % 2 == 0 { panic!("even") } else { Ok(n) }
+            });
         }
         for _ in 0..20 {
             woken.recv().expect("woken");

@@ -1,5 +1,6 @@
 //! What of lines and program is not as it was wanted, though they are there. Sentences of it stand in `text`.
 
+use crate::path::LinesFinding;
 use crate::program::Shortfall;
 use serde::Serialize;
 
@@ -36,5 +37,5 @@ pub enum LayingRemark {
     },
     /// What the strategy could not do as it was asked.
     #[serde(untagged)]
-    Lines(String),
+    Lines(LinesFinding),
 }

@@ -6,7 +6,7 @@
 use super::executor::{Executor, Task};
 use super::failure::{Failure, guarded};
 use crate::part::Digest;
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use std::sync::{Arc, Mutex};
 
 type Slot<V, E> = Arc<Mutex<Option<Result<V, Failure<E>>>>>;
@@ -161,7 +161,7 @@ impl<V: Send + 'static, E: Send + 'static> Stage<V, E> {
     pub fn start(
         &mut self,
         key: Digest,
-        stage: &'static str,
+        stage: Activity,
         executor: &dyn Executor,
         work: impl FnOnce(&Progress) -> Result<V, Failure<E>> + Send + 'static,
     ) {

@@ -4,6 +4,7 @@ use super::executor::{Executor, Task};
 use super::failure::Failure;
 use super::stage::Stage;
 use crate::part::{Digest, Hasher};
+use crate::progress::Activity;
 use proptest::prelude::*;
 use std::sync::Mutex;
 
@@ -45,7 +46,7 @@ proptest! {
                 0 => {
                     wanted = n;
                     if stage.lacks(key(n)) {
-                        stage.start(key(n), "test", &held, move |_| Ok(n));
+                        stage.start(key(n), Activity::Planning, &held, move |_| Ok(n));
                     }
                 }
                 1 => held.run(which),
@@ -69,14 +70,14 @@ proptest! {
 fn a_panic_is_a_failure_with_its_words_and_can_be_tried_again() {
     let held = Held::default();
     let mut stage: Stage<u32, String> = Stage::default();
-    stage.start(key(1), "test", &held, |_| Ok(7));
+    stage.start(key(1), Activity::Planning, &held, |_| Ok(7));
     let task = held.0.lock().expect("no panic").pop().expect("a task");
     task.run_after(|| panic!("planted"));
     assert!(stage.poll());
     assert_eq!(stage.failure(key(1)), Some(&Failure::Panicked("planted".into())));
     assert!(!stage.lacks(key(1)) && stage.lacks(key(2)) && !stage.is_running());
     stage.try_again();
-    stage.start(key(1), "test", &held, |_| Ok(7));
+    stage.start(key(1), Activity::Planning, &held, |_| Ok(7));
     held.run(0);
     stage.poll();
     assert_eq!(stage.of(key(1)).map(|v| **v), Some(7));
@@ -87,7 +88,7 @@ fn what_is_out_of_date_stays_to_be_shown() {
     let held = Held::default();
     let mut stage: Stage<u32, String> = Stage::default();
     stage.fill(key(1), || Ok(1));
-    stage.start(key(2), "test", &held, |_| Ok(2));
+    stage.start(key(2), Activity::Planning, &held, |_| Ok(2));
     assert_eq!((stage.of(key(1)), stage.newest().map(|(of, v)| (of, **v))), (None, Some((key(1), 1))));
     stage.cancel();
     assert_eq!(stage.failure(key(2)), Some(&Failure::Cancelled));

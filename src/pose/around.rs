@@ -1,10 +1,10 @@
 //! What stands around the ray: the cone of the beam, the head behind it, and clamps on the part.
 //!
-//! The same questions as for the ray are asked of cut cones: is a pose free, what is in its way, may a
+//! Cut cones are asked what `interference` asks of the ray: is a pose free, what is in its way, may a
 //! motion touch anything. The margin is kept from everything; what the spot stands on is told from a
 //! wall by direction (see [`crate::beam::body`]).
 
-use super::interference::{Beam, Blocker, FAR_MM, Ours, Theirs};
+use super::interference::{Beam, Blocker, FAR_MM, Obstruction, RISE_MM, ToolBody};
 use super::motion::Pose;
 use crate::beam::body::OWN_SINE;
 use crate::beam::frustum::Placed;
@@ -20,23 +20,24 @@ pub(super) enum Conflict {
     None,
     /// Something may be touched, by a body that moves so little that the middle stands for the motion.
     Short,
-    /// Who knows: look at the halves.
+    /// Undecided: bisect the motion.
     Wide,
 }
 
 /// One of the tool's bodies at a pose.
 #[derive(Clone, Copy)]
 struct Limb<'f> {
-    ours: Ours,
+    tool_body: ToolBody,
     shape: &'f Frustum,
     /// What it keeps, mm; the beam's margin is in its shape.
     keeps_mm: f64,
 }
 
 impl<'a> Beam<'a> {
+    /// The tool's bodies, the head's first.
     fn limbs<'f>(body: &'f Body<'a>) -> impl Iterator<Item = Limb<'f>> {
-        let head = body.head.iter().map(|shape| Limb { ours: Ours::Head, shape, keeps_mm: body.margin_mm });
-        head.chain(body.beam.iter().map(|shape| Limb { ours: Ours::Beam, shape, keeps_mm: 0.0 }))
+        let head = body.head.iter().map(|shape| Limb { tool_body: ToolBody::Head, shape, keeps_mm: body.margin_mm });
+        head.chain(body.beam.iter().map(|shape| Limb { tool_body: ToolBody::Beam, shape, keeps_mm: 0.0 }))
     }
 
     /// All that can be hit: what it is, its facets, and where it stands in the part frame.
@@ -62,8 +63,9 @@ impl<'a> Beam<'a> {
             let among = |of: u32| (0..limbs.len()).filter(move |i| of >> i & 1 == 1);
             let hits = |corners: &[Point3<f64>; 3], of: u32| {
                 let own = clamp.is_none() && leaves(&p, &a, corners);
-                among(of)
-                    .any(|i| (!own || limbs[i].ours == Ours::Head) && placed[i].is_near(corners, limbs[i].keeps_mm))
+                among(of).any(|i| {
+                    (!own || limbs[i].tool_body == ToolBody::Head) && placed[i].is_near(corners, limbs[i].keeps_mm)
+                })
             };
             // What stopped one last is likely to stop the next as well.
             if self.last_of_body.get().is_some_and(|corners| clamp.is_none() && hits(&corners, all as u32)) {
@@ -93,11 +95,11 @@ impl<'a> Beam<'a> {
 
     /// The first of the tool's bodies that does not keep its margin, and from what.
     pub fn body_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
-        let (limb, theirs) = Self::limbs(self.body?).find_map(|limb| Some((limb, self.hit_of(&limb, p, a)?)))?;
-        Some(Blocker { ours: limb.ours, theirs, t_mm: limb.shape.t0_mm })
+        let (limb, obstruction) = Self::limbs(self.body?).find_map(|limb| Some((limb, self.hit_of(&limb, p, a)?)))?;
+        Some(Blocker { tool_body: limb.tool_body, obstruction, t_mm: limb.shape.t0_mm })
     }
 
-    fn hit_of(&self, limb: &Limb<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Theirs> {
+    fn hit_of(&self, limb: &Limb<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Obstruction> {
         self.things().find_map(|(clamp, bvh, at)| {
             let (p, a) = moved(at.as_ref(), p, a);
             let placed = limb.shape.placed(&p, &a);
@@ -105,9 +107,9 @@ impl<'a> Beam<'a> {
             bvh.visit_near_boxes(
                 |lo, hi| placed.near_box(lo, hi, limb.keeps_mm),
                 |facet, corners| {
-                    let counts = limb.ours == Ours::Head || clamp.is_some() || !leaves(&p, &a, corners);
+                    let counts = limb.tool_body == ToolBody::Head || clamp.is_some() || !leaves(&p, &a, corners);
                     if counts && placed.is_near(corners, limb.keeps_mm) {
-                        hit = Some(clamp.map_or(Theirs::Facet(facet), Theirs::Clamp));
+                        hit = Some(clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp));
                     }
                     hit.is_none()
                 },
@@ -122,7 +124,8 @@ impl<'a> Beam<'a> {
         self.clearance_within_mm(p, a, FAR_MM)
     }
 
-    /// The same, at most `most_mm`: the less that is, the fewer facets are looked at.
+    /// What beam and head keep from everything, mm, at most `most_mm`; `None` without a head. The less
+    /// `most_mm` is, the fewer facets are looked at.
     pub(super) fn clearance_within_mm(&self, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> Option<f64> {
         let body = self.body.filter(|b| b.has_head)?;
         let mut least = most_mm;
@@ -208,7 +211,7 @@ impl<'a> Beam<'a> {
                 bvh.visit_near_boxes(
                     |lo, hi| placed.near_box(lo, hi, keeps_mm),
                     |_, corners| {
-                        let own = limb.ours == Ours::Beam && clamp.is_none();
+                        let own = limb.tool_body == ToolBody::Beam && clamp.is_none();
                         let harmless = own
                             && (leaves(&from.p, &from.a, corners) && leaves(&to.p, &to.a, corners)
                                 || !rises(&from, corners, sag_mm) && !rises(&to, corners, sag_mm));
@@ -249,6 +252,3 @@ fn rises(q: &Pose, corners: &[Point3<f64>; 3], sag_mm: f64) -> bool {
 
 /// Margins are told apart to this, mm.
 const MARGIN_STEP_MM: f64 = 0.002;
-
-/// What rises less than this above the spot is below the start of the beam's first piece.
-const RISE_MM: f64 = 0.01;

@@ -28,8 +28,8 @@ const STRETCHES_MM: [f64; 5] = [1.146, 0.6, 0.2, 0.05, 0.01];
 const LEAVES_SINE: f64 = 0.035;
 
 /// A facet that rises less than this above the spot stands in no beam's way, mm: the start of the
-/// test, `STRETCHES_MM`.
-const RISE_MM: f64 = 0.01;
+/// ray's test, `STRETCHES_MM`. The moving cone is held to it as well.
+pub(super) const RISE_MM: f64 = 0.01;
 
 /// Clearances are measured up to here, mm: farther away nothing depends on them.
 pub const FAR_MM: f64 = 100.0;
@@ -41,18 +41,18 @@ const STANDS_SINE: f64 = 0.087;
 /// Length of the first stretch of a moving beam that is looked at by itself, mm.
 const FIRST_STRETCH_MM: f64 = 1.0;
 
-/// What of the tool hits something.
+/// The part of the tool that collides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ours {
+pub enum ToolBody {
     /// The beam.
     Beam,
     /// The head.
     Head,
 }
 
-/// What is hit.
+/// What the tool collides with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Theirs {
+pub enum Obstruction {
     /// A facet of the part.
     Facet(u32),
     /// A clamp, by its place in the job's list.
@@ -63,28 +63,28 @@ pub enum Theirs {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blocker {
     /// Which of the tool's bodies.
-    pub ours: Ours,
+    pub tool_body: ToolBody,
     /// What it hits.
-    pub theirs: Theirs,
+    pub obstruction: Obstruction,
     /// Distance along the beam, mm.
     pub t_mm: f64,
 }
 
-impl std::fmt::Display for Ours {
+impl std::fmt::Display for ToolBody {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            Ours::Beam => "the beam",
-            Ours::Head => "the head",
+            ToolBody::Beam => "the beam",
+            ToolBody::Head => "the head",
         })
     }
 }
 
 impl std::fmt::Display for Blocker {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let ours = self.ours;
-        match self.theirs {
-            Theirs::Facet(facet) => write!(f, "{ours} hits facet {facet}"),
-            Theirs::Clamp(clamp) => write!(f, "{ours} hits clamp {}", clamp + 1),
+        let body = self.tool_body;
+        match self.obstruction {
+            Obstruction::Facet(facet) => write!(f, "{body} hits facet {facet}"),
+            Obstruction::Clamp(clamp) => write!(f, "{body} hits clamp {}", clamp + 1),
         }
     }
 }
@@ -150,8 +150,8 @@ impl<'a> Beam<'a> {
             .things()
             .filter_map(|(clamp, bvh, at)| {
                 let (facet, t_mm) = first_in(bvh, at.as_ref(), p, a)?;
-                let theirs = clamp.map_or(Theirs::Facet(facet), Theirs::Clamp);
-                Some(Blocker { ours: Ours::Beam, theirs, t_mm })
+                let obstruction = clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp);
+                Some(Blocker { tool_body: ToolBody::Beam, obstruction, t_mm })
             })
             .min_by(|x, y| x.t_mm.total_cmp(&y.t_mm));
         first.or_else(|| self.body_blocker(p, a))

@@ -1,18 +1,21 @@
-//! From a transversal line to the targets of a pass: dense line, detection, correction, the test of
-//! the result and of the motion between, and the arch height reduction.
+//! From a transversal line to the targets of a pass: dense line, detection, correction; then, in `planned`, the
+//! test of the result and of the motion between, and the arch height reduction.
+
+mod planned;
 
 use super::correction::Correction;
-use super::interference::{Beam, Blocker};
+use super::interference::Beam;
 use super::motion::{self, Pose};
-use super::target::{Pass, Split, State, Target, against_normal_deg, travel};
+use super::target::{Pass, Split};
 use super::tilt::{Pin, TiltRule};
 use super::{clearance, section_plane};
 use crate::beam::{Stance, Work};
-use crate::part::{Part, angle};
-use crate::path::chord::{self, ChordLimits, Place};
+use crate::part::Part;
+use crate::path::chord::ChordLimits;
 use crate::path::dense::{self, DensePoint};
 use crate::path::{SectionPoint, TransversalLine};
 use nalgebra::Vector3;
+use planned::Planned;
 
 /// What a line is planned by.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,16 +51,6 @@ crate::part::keyed!(LineRules {
 
 /// Ends of an interfering run are found to this, mm.
 const RUN_END_MM: f64 = 0.05;
-/// A corrected axis that was dropped lies within this of the motion that replaces it, degrees.
-const AXIS_ERROR_DEG: f64 = 1.0;
-
-/// A move beside something that the beam was tilted away from turns the axis by no more than this,
-/// degrees. Controllers move the flange straight, not the spot: at a lever of 100 mm from flange to
-/// spot the spot then strays 0.02 mm, the beam's own margin; with 5° it strays 0.1 mm.
-const CORRECTED_TURN_DEG: f64 = 2.5;
-
-/// The wall that a beam would run into behind a split is looked for this far, mm.
-const WALL_MM: f64 = 20.0;
 
 /// A line to be planned.
 #[derive(Clone, Copy, Debug)]
@@ -91,8 +84,7 @@ pub fn plan_line(part: &Part, stances: &[Stance<'_>], line: &Line<'_>, rules: &L
     best.map_or_else(|| planned(part, &Stance::ray(Work::default()), line, rules, (Correction::None, None)), |b| b.1)
 }
 
-/// The same line by the section plane within the greatest tilt of `rules`: what the search is compared
-/// with.
+/// Plans a line by the section plane within the greatest tilt of `rules`: what the search is compared with.
 pub fn plan_line_by_section_plane(part: &Part, stance: &Stance<'_>, line: &Line<'_>, rules: &LineRules) -> Pass {
     planned(part, stance, line, rules, (Correction::SectionPlane, Some(rules.max_tilt_deg)))
 }
@@ -152,7 +144,7 @@ fn plane_normal(line: &TransversalLine, m: Option<Vector3<f64>>) -> Vector3<f64>
     m.or_else(local).unwrap_or_else(Vector3::z)
 }
 
-/// The same for a line without gaps.
+/// Plans a line without gaps.
 fn planned_piece(
     part: &Part,
     stance: &Stance<'_>,
@@ -178,7 +170,7 @@ fn planned_piece(
             Planned::of_rows(&rows, rules.tilt_rate_deg_mm)
         }
     };
-    planned.test_motion(&beam, rules.chord.max_turn_deg.min(CORRECTED_TURN_DEG));
+    planned.test_motion(&beam, rules.chord.max_turn_deg);
     let kept = planned.reduce(&beam, &rules.chord);
     let pass = Pass {
         surface: *surface,
@@ -230,188 +222,4 @@ fn detected(beam: &Beam<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<b
         free.push(q_free);
     }
     (out, free)
-}
-
-/// A dense line with its axes.
-struct Planned {
-    points: Vec<DensePoint>,
-    /// `None` where the beam is blocked.
-    axes: Vec<Option<Vector3<f64>>>,
-    /// What the axes would be if nothing were in the way.
-    aims: Vec<Vector3<f64>>,
-    /// The same point as the one before; the laser is off between the two.
-    splits: Vec<bool>,
-    /// How fast a corrected beam may turn against the normal, degrees/mm.
-    rate_deg_mm: f64,
-}
-
-impl Planned {
-    fn along_normals(points: Vec<DensePoint>, axes: Vec<Option<Vector3<f64>>>) -> Planned {
-        // What a correction leaves within rounding of the normal is the normal.
-        let snapped =
-            |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
-        let axes = points.iter().zip(axes).map(snapped).collect();
-        let (aims, splits) = (points.iter().map(|q| q.n).collect(), vec![false; points.len()]);
-        Planned { points, axes, aims, splits, rate_deg_mm: f64::INFINITY }
-    }
-
-    fn of_rows(rows: &[clearance::Row], rate_deg_mm: f64) -> Planned {
-        Planned {
-            points: rows.iter().map(|r| r.q).collect(),
-            axes: rows.iter().map(|r| r.axis).collect(),
-            aims: rows.iter().map(|r| r.aim).collect(),
-            splits: rows.iter().map(|r| r.is_split).collect(),
-            rate_deg_mm,
-        }
-    }
-
-    fn pose(&self, i: usize) -> Option<Pose> {
-        self.axes[i].map(|a| Pose { p: self.points[i].p, a })
-    }
-
-    fn state(&self, i: usize) -> State {
-        match self.axes[i] {
-            None => State::Blocked,
-            Some(a) if a == self.aims[i] => State::Free,
-            Some(_) => State::Corrected,
-        }
-    }
-
-    /// Where the beam hits something between two neighbours that are free, a blocked point is put;
-    /// where it turns more than a move may, points between.
-    fn test_motion(&mut self, beam: &Beam<'_>, max_turn_deg: f64) {
-        let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new()));
-        self.rate_deg_mm = old.rate_deg_mm;
-        for i in 0..old.points.len() {
-            self.push(old.points[i], old.axes[i], old.aims[i], old.splits[i]);
-            let Some(next) = (i + 1 < old.points.len() && !old.splits[i + 1]).then_some(i + 1) else { continue };
-            let Some((from, to)) = old.pose(i).zip(old.pose(next)) else { continue };
-            let between = |t: f64| dense::midway(&old.points[i], &old.points[next], t);
-            if let Some(t) = motion::hit(beam, &from, &to, 0.0) {
-                self.push(between(t), None, between(t).n, false);
-                continue;
-            }
-            // A hair of tolerance: turns are found in whole fractions of a degree.
-            let steps = (angle::between_deg(&from.a, &to.a) / max_turn_deg - 1e-6).ceil().max(1.0);
-            let tilted = old.aims[i] != old.points[i].n || old.aims[next] != old.points[next].n;
-            for k in 1..steps as usize {
-                let t = k as f64 / steps;
-                let q = between(t);
-                let aim = if tilted { angle::slerp(&old.aims[i], &old.aims[next], t) } else { q.n };
-                self.push(q, Some(motion::midway(&from, &to, t).a), aim, false);
-            }
-        }
-    }
-
-    fn push(&mut self, q: DensePoint, axis: Option<Vector3<f64>>, aim: Vector3<f64>, is_split: bool) {
-        self.points.push(q);
-        self.axes.push(axis);
-        self.aims.push(aim);
-        self.splits.push(is_split);
-    }
-
-    /// The places that become targets.
-    fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<Place> {
-        let last = self.points.len() - 1;
-        // Points at which the state changes stay, on both sides; and those of a split.
-        let fixed: Vec<bool> = (0..=last)
-            .map(|i| {
-                let state = self.state(i);
-                i > 0 && (self.state(i - 1) != state || self.splits[i])
-                    || i < last && (self.state(i + 1) != state || self.splits[i + 1])
-            })
-            .collect();
-        chord::simplify(&self.points, &fixed, limits, |from, to| self.may_span(beam, from, to, limits.max_turn_deg))
-    }
-
-    /// Axis at a place; between two points of one state.
-    fn axis(&self, place: Place) -> Option<Vector3<f64>> {
-        let a = self.axes[place.index]?;
-        if place.share == 0.0 {
-            return Some(a);
-        }
-        if a == self.points[place.index].n && self.state(place.index) == State::Free {
-            return Some(place.on(&self.points).n);
-        }
-        Some(angle::slerp(&a, &self.axes[place.index + 1]?, place.share))
-    }
-
-    /// Whether the straight motion between two places can stand for the points between.
-    fn may_span(&self, beam: &Beam<'_>, i: Place, j: Place, max_turn_deg: f64) -> bool {
-        let pose = |place: Place| self.axis(place).map(|a| Pose { p: place.on(&self.points).p, a });
-        let (Some(from), Some(to)) = (pose(i), pose(j)) else {
-            // Blocked rows only say where; nothing moves along them with the laser on.
-            return self.axes[i.index].is_none() && self.axes[j.index].is_none();
-        };
-        let whole = (to.p - from.p).norm().max(1e-12);
-        let between = i.index + 1..j.index + usize::from(j.share > 0.0);
-        let same_axis = from.a == to.a && between.clone().all(|k| self.axes[k] == Some(from.a));
-        let sag = chord::chord_error_mm(&self.points, i, j);
-        if same_axis && sag < 1e-7 {
-            return true; // a flat: the detection has looked at this very motion
-        }
-        let arc = angle::Arc::new(&from.a, &to.a);
-        let on_axis = |k: usize| {
-            let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
-            self.axes[k].is_some_and(|a| angle::between_deg(&arc.at(share), &a) <= AXIS_ERROR_DEG)
-        };
-        let corrected = self.state(i.index) == State::Corrected || self.state(j.index) == State::Corrected;
-        let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };
-        let (n, to_n) = (i.on(&self.points).n, j.on(&self.points).n);
-        angle::between_deg(&from.a, &to.a) <= max_turn_deg + 1e-6
-            && (!corrected || against_normal_deg((&n, &from.a), (&to_n, &to.a)) <= self.rate_deg_mm * whole)
-            && between.clone().all(on_axis)
-            && motion::is_free(beam, &from, &to, sag)
-    }
-
-    fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[Place]) -> Pass {
-        let tangents = dense::tangents(&self.points, pass.closed);
-        let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
-        let mut splits = Vec::new();
-        for &place in kept {
-            let q = place.on(&self.points);
-            let axis = self.axis(place);
-            let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
-            let is_split = place.share == 0.0 && self.splits[place.index];
-            let laser =
-                !is_split && state != State::Blocked && targets.last().is_some_and(|t| t.state != State::Blocked);
-            if is_split {
-                splits.push(Split { point: targets.len(), wall: self.wall(beam, place.index) });
-            }
-            let normal_hits = beam.blocker(&q.p, &q.n);
-            let clearance_mm = beam.clearance_mm(&q.p, &a);
-            let tangent = match place.share {
-                0.0 => tangents[place.index],
-                _ => self.points[place.index + 1].p - self.points[place.index].p,
-            };
-            targets.push(Target {
-                p: q.p,
-                n: q.n,
-                a,
-                o: travel(&tangent, &a),
-                state,
-                laser,
-                normal_hits,
-                clearance_mm,
-            });
-        }
-        let chord_error_mm =
-            kept.windows(2).map(|w| chord::chord_error_mm(&self.points, w[0], w[1])).fold(0.0, f64::max);
-        Pass { targets, chord_error_mm, splits, ..pass }
-    }
-
-    /// What keeps the beam from turning at the split `i`: on the way from one beam to the other, or where
-    /// the one before would come to if it were kept on.
-    fn wall(&self, beam: &Beam<'_>, i: usize) -> Option<Blocker> {
-        let (q, from, to) = (self.points[i], self.axes[i.checked_sub(1)?]?, self.axes[i]?);
-        let arc = angle::Arc::new(&from, &to);
-        let steps = angle::between_deg(&from, &to).ceil().max(2.0);
-        let across = (1..steps as usize).find_map(|k| beam.blocker(&q.p, &arc.at(k as f64 / steps)));
-        let kept_on = || {
-            let ahead = self.points[i..].iter().take_while(|s| (s.p - q.p).norm() <= WALL_MM);
-            let mut there = ahead.map(|s| (s.p, angle::rotation_between(&q.n, &s.n) * from));
-            there.find_map(|(p, a)| beam.blocker(&p, &a))
-        };
-        across.or_else(kept_on).or_else(|| beam.blocker(&q.p, &q.n))
-    }
 }

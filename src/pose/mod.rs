@@ -16,7 +16,7 @@ pub mod target;
 pub mod tilt;
 
 pub use correction::Correction;
-pub use interference::{Beam, Blocker, Ours, Theirs};
+pub use interference::{Beam, Blocker, Obstruction, ToolBody};
 pub use line::{Line, LineRules, plan_line, plan_line_by_section_plane};
 pub use target::{Pass, Split, State, Target};
 pub use tilt::{Pin, Tilt, TiltRule};

@@ -1,7 +1,7 @@
 //! P1's correction in the section plane (3.2, Algorithm 3), with the cases that the paper leaves
 //! open decided: no common point O, runs at a line's end, closed lines, and the test of the result.
 
-use super::interference::{Beam, Theirs};
+use super::interference::{Beam, Obstruction};
 use super::motion::{self, Pose};
 use crate::part::{Part, angle};
 use crate::path::DensePoint;
@@ -250,7 +250,7 @@ impl Line<'_> {
             let mesh = &self.part.mesh;
             // A positive turn about m moves the axis along m × a.
             let turn = self.m.cross(start);
-            let Theirs::Facet(facet) = b.theirs else { return 1.0 };
+            let Obstruction::Facet(facet) = b.obstruction else { return 1.0 };
             let by_face = mesh.normals[facet as usize].dot(&turn);
             let by_place = (q.p - mesh.centroid(facet as usize)).dot(&turn);
             if (if by_face.abs() > 0.05 { by_face } else { by_place }) < 0.0 { -1.0 } else { 1.0 }

@@ -11,7 +11,7 @@ use super::samples::{MOST_SAMPLES, Plot, Sample, cut, parcel};
 use super::shade::{Last, Shade};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::Dead};
-use crate::pose::Theirs;
+use crate::pose::Obstruction;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -38,7 +38,7 @@ pub struct Task<'a> {
     pub chosen: Vec<u32>,
     /// What is little and what is much.
     pub thresholds: Thresholds,
-    /// The same for surfaces that are worked on otherwise, by their numbers.
+    /// Thresholds of surfaces that have their own, by their numbers.
     pub own: BTreeMap<u32, Thresholds>,
 }
 
@@ -57,7 +57,7 @@ pub struct DoseMap {
     pub coarsened: bool,
     /// What is little and what is much.
     pub thresholds: Thresholds,
-    /// The same for facets of surfaces that are worked on otherwise.
+    /// Thresholds of facets whose surfaces have their own, by facet.
     pub(super) own: BTreeMap<u32, Thresholds>,
     /// The surfaces that are to be cleaned.
     pub chosen: Vec<u32>,
@@ -87,7 +87,7 @@ struct Sum {
     last_pass: Option<u32>,
     passes: u16,
     /// What shades, and how much.
-    walls: Vec<(Theirs, f64)>,
+    walls: Vec<(Obstruction, f64)>,
 }
 
 impl Sum {
@@ -118,7 +118,7 @@ struct Landed {
     angle_deg: f64,
     /// The spot itself went over it.
     covered: bool,
-    by: Option<Theirs>,
+    by: Option<Obstruction>,
 }
 
 fn landed(

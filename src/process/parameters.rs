@@ -9,7 +9,7 @@ pub enum Profile {
     /// Gaussian; the spot's diameter is where 1/e² of the peak is left.
     #[default]
     Gaussian,
-    /// The same everywhere in the spot.
+    /// Even power everywhere in the spot.
     TopHat,
     /// A line across the travel direction, of even power along it and Gaussian across, as a scanner
     /// draws it.

@@ -3,7 +3,7 @@
 use super::dose::DoseMap;
 use super::statistics::Verdict;
 use crate::part::{Mesh, Surfaces, merge_tree::Sets};
-use crate::pose::{Blocker, Pass, State, Theirs};
+use crate::pose::{Blocker, Obstruction, Pass, State};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
 
@@ -52,7 +52,7 @@ pub struct Patch {
     /// go there.
     pub blocker: Option<Blocker>,
     /// What shades it, for most of its area.
-    pub shaded_by: Option<Theirs>,
+    pub shaded_by: Option<Obstruction>,
     /// Twice as far as any of it lies from the nearest line, mm: between two lines that is their distance here.
     /// Infinite where there is no line.
     pub gap_mm: f64,
@@ -143,7 +143,7 @@ impl DoseMap {
 
     fn patch(&self, mesh: &Mesh, surface: u32, group: &[usize], lines: &[Stretch], reach_mm: f64) -> Patch {
         let mut causes: BTreeMap<Cause, f64> = BTreeMap::new();
-        let mut walls: BTreeMap<Theirs, f64> = BTreeMap::new();
+        let mut walls: BTreeMap<Obstruction, f64> = BTreeMap::new();
         let mut blockers: Vec<(Option<Blocker>, f64)> = Vec::new();
         let mut of_facet: BTreeMap<u32, f64> = BTreeMap::new();
         let (mut area_mm2, mut sum, mut gap_mm) = (0.0, Vector3::zeros(), 0.0f64);
@@ -205,7 +205,7 @@ impl DoseMap {
 const MOST_JUDGED: usize = 2000;
 
 fn same(a: &Option<Blocker>, b: &Option<Blocker>) -> bool {
-    a.map(|b| (b.ours, b.theirs)) == b.map(|b| (b.ours, b.theirs))
+    a.map(|b| (b.tool_body, b.obstruction)) == b.map(|b| (b.tool_body, b.obstruction))
 }
 
 fn of_pass(pass: &Pass) -> impl Iterator<Item = Stretch> {

@@ -4,7 +4,7 @@
 use super::cell::{Cell, Plane};
 use super::light::Light;
 use super::reach::Near;
-use crate::pose::Theirs;
+use crate::pose::Obstruction;
 use nalgebra::Point3;
 
 /// So many samples at most, then they are cut more coarsely: some 400 MB.
@@ -32,7 +32,7 @@ pub struct Sample {
     /// Angle between light and normal, degrees, weighed by energy; −1 where nothing lands.
     pub incidence_deg: f32,
     /// What keeps most off.
-    pub shaded_by: Option<Theirs>,
+    pub shaded_by: Option<Obstruction>,
 }
 
 /// A piece of a facet that is to be cut, and the light that comes near it.

@@ -5,7 +5,7 @@
 use super::light::{Light, Passing, Piece};
 use crate::beam::Obstacle;
 use crate::part::{Bvh, Part, bvh::meet};
-use crate::pose::Theirs;
+use crate::pose::Obstruction;
 use nalgebra::{Isometry3, Point3, Vector3};
 
 /// Rays start so far above their point, mm. From below: twenty times the rounding of f32 coordinates
@@ -37,7 +37,7 @@ pub struct Last {
     /// The facet that shaded is likely to shade the next point too.
     facet: Option<(u32, [Point3<f64>; 3])>,
     /// What stood in the way at this point: of which pass, at which place about the axis.
-    look: Option<(u32, [f64; 2], Option<Theirs>)>,
+    look: Option<(u32, [f64; 2], Option<Obstruction>)>,
 }
 
 impl Last {
@@ -53,7 +53,7 @@ pub struct Landing {
     /// Share of the passing's energy.
     pub share: f64,
     /// What keeps the rest off.
-    pub by: Option<Theirs>,
+    pub by: Option<Obstruction>,
 }
 
 impl<'a> Shade<'a> {
@@ -90,7 +90,7 @@ impl<'a> Shade<'a> {
         let mut look = |t: f64| self.wall(light, piece, (q, own), passing, t, last);
         let time =
             |k: usize| if stretches == 0 { 0.5 * (t0 + t1) } else { t0 + (t1 - t0) * k as f64 / stretches as f64 };
-        let mut looks: [Option<Theirs>; MOST_LOOKS] = [None; MOST_LOOKS];
+        let mut looks: [Option<Obstruction>; MOST_LOOKS] = [None; MOST_LOOKS];
         let looks = &mut looks[..=stretches];
         for (k, found) in looks.iter_mut().enumerate() {
             *found = look(time(k));
@@ -135,7 +135,7 @@ impl<'a> Shade<'a> {
         passing: &Passing,
         t: f64,
         last: &mut Last,
-    ) -> Option<Theirs> {
+    ) -> Option<Obstruction> {
         let z_mm = passing.seen.z_mm;
         let [along, across] = light.spot(piece).slope(passing.seen.at(t), z_mm);
         let mix = |u: &Vector3<f64>, v: &Vector3<f64>| u * (1.0 - t) + v * t;
@@ -150,12 +150,12 @@ impl<'a> Shade<'a> {
             && facet != own
             && stops(&corners)
         {
-            return Some(Theirs::Facet(facet));
+            return Some(Obstruction::Facet(facet));
         }
         let mut wall = None;
         self.part.visit_ray(q, &dir, START_MM, until, 0.0, |facet, corners| {
             if facet != own && stops(corners) {
-                wall = Some(Theirs::Facet(facet));
+                wall = Some(Obstruction::Facet(facet));
                 last.facet = Some((facet, *corners));
                 return -1.0;
             }
@@ -163,7 +163,7 @@ impl<'a> Shade<'a> {
         });
         wall.or_else(|| {
             self.clamps.iter().enumerate().find_map(|(i, (solid, at))| {
-                solid.bvh.nearest_hit(&(at * q), &(at * dir), START_MM, until).map(|_| Theirs::Clamp(i as u32))
+                solid.bvh.nearest_hit(&(at * q), &(at * dir), START_MM, until).map(|_| Obstruction::Clamp(i as u32))
             })
         })
     }

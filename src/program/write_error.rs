@@ -1,5 +1,6 @@
 //! Why a program cannot be written in a dialect, as data.
 
+use crate::cell::controllers::words::TemplateError;
 use thiserror::Error;
 
 /// There is no dialect of that name.
@@ -25,8 +26,8 @@ pub enum WriteError {
     #[error("{0}: no robot")]
     NoRobot(&'static str),
     /// A template of the cell file cannot be used.
-    #[error("bad template: {0}")]
-    Template(String),
+    #[error(transparent)]
+    Template(#[from] TemplateError),
     /// Outputs go on and off by one and the same line, so the laser would stay on.
     #[error("{0}: output_off is output_on")]
     OffIsOn(&'static str),

@@ -24,48 +24,39 @@ mod worm_gear;
 pub use shell::Triangles;
 use stl_io::{Normal, Triangle, Vertex};
 
+/// The sample parts by kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SamplePart {
+    /// The test workpiece of P1 (Fig. 2d).
+    Workpiece,
+    /// The worm gear of P1 (Fig. 2a, 7, 8).
+    WormGear,
+    /// The acetabular cup of P2.
+    AcetabularCup,
+    /// The connecting rod of P1 (Fig. 2c).
+    ConnectingRod,
+    /// The front shaft of P1 (Fig. 2b).
+    FrontShaft,
+}
+
 /// A sample part.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// The file's name without `.stl`.
     pub name: &'static str,
-    /// What it is and what it shows, one sentence.
-    pub about: &'static str,
+    /// Which one it is.
+    pub part: SamplePart,
     /// Makes its facets, mm.
     pub triangles: fn() -> Triangles,
 }
 
 /// All sample parts.
 pub const SAMPLES: [Sample; 5] = [
-    Sample {
-        name: "workpiece",
-        about: "Test workpiece of P1 (Fig. 2d): upright plate, 100 x 80 x 12 mm, with a lug boss, holes, and a crater \
-                beside a square convex plate that blocks the beam along the normal.",
-        triangles: workpiece::triangles,
-    },
-    Sample {
-        name: "worm_gear",
-        about: "Worm gear of P1 (Fig. 2a, 7, 8), diameter 60 mm: 26 helical teeth whose root normals meet the \
-                opposite tooth; shaft hole and six pin holes.",
-        triangles: worm_gear::triangles,
-    },
-    Sample {
-        name: "acetabular_cup",
-        about: "Acetabular cup of P2: an open sheet, hemisphere of diameter 46 mm on a 5 mm skirt, open rim at z = 0, \
-                pole at z = 28.",
-        triangles: cup::triangles,
-    },
-    Sample {
-        name: "connecting_rod",
-        about: "Connecting rod of P1 (Fig. 2c): two end rings 110 mm apart and a shank with a pocket on each side.",
-        triangles: connecting_rod::triangles,
-    },
-    Sample {
-        name: "front_shaft",
-        about: "Front shaft of P1 (Fig. 2b), 180 mm: stepped journal, shaft tube, and a yoke with two ears and \
-                coaxial cross holes.",
-        triangles: front_shaft::triangles,
-    },
+    Sample { name: "workpiece", part: SamplePart::Workpiece, triangles: workpiece::triangles },
+    Sample { name: "worm_gear", part: SamplePart::WormGear, triangles: worm_gear::triangles },
+    Sample { name: "acetabular_cup", part: SamplePart::AcetabularCup, triangles: cup::triangles },
+    Sample { name: "connecting_rod", part: SamplePart::ConnectingRod, triangles: connecting_rod::triangles },
+    Sample { name: "front_shaft", part: SamplePart::FrontShaft, triangles: front_shaft::triangles },
 ];
 
 /// Binary STL. Corners are exact (they are f32 already); normals are computed from them.

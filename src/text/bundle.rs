@@ -17,7 +17,8 @@ impl Language {
         LANGUAGES[self.0].0
     }
 
-    fn english() -> Language {
+    /// English: what stands where the language must not matter.
+    pub(crate) fn english() -> Language {
         Language(LANGUAGES.iter().position(|l| l.0 == "en").unwrap_or_default())
     }
 }

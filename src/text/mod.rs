@@ -5,22 +5,34 @@
 //! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
 //! Comments in programs are English whatever the language ([`Message::english`]).
 
+mod advice;
+mod beam;
 mod bundle;
+mod calibration;
 mod cell;
 mod document;
 mod dose;
 mod export;
-mod messages;
+mod file;
+mod inspect;
+pub(crate) mod messages;
+mod motion;
 mod naming;
 mod notice;
 mod number;
 mod part;
+mod path;
+mod picture;
 mod planning;
+mod pose;
 mod program;
 mod program_comment;
+mod progress;
 mod reading;
 mod remark;
 mod report;
+mod robot;
+mod sample;
 mod standing;
 mod verify;
 mod view;
@@ -28,11 +40,15 @@ mod view;
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};
 pub use dose::dose_lines;
+pub(crate) use inspect::{inspected, shape_label};
 pub use naming::{NamedSentence, Naming};
 pub use notice::{example, notice_line, remedy};
-pub(crate) use number::{clock, fixed, grouped, shortest};
+pub(crate) use number::{clock, exact, fixed, grouped};
+pub(crate) use picture::{legend_entry, spacing_labels};
 pub use program_comment::program_comment;
 pub use report::report_lines;
+pub(crate) use sample::about_sample;
+pub(crate) use view::name_view;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {
@@ -45,6 +61,11 @@ macro_rules! say {
     (@ $name:ident $value:expr) => { $value };
 }
 pub(crate) use say;
+
+/// Words of a file between quotation marks, as they would stand there.
+fn quoted(words: &str) -> String {
+    format!("{words:?}")
+}
 
 /// What people read of a finding or an error, in the language that was chosen.
 pub trait Sentence {

@@ -4,7 +4,7 @@ use super::{NamedSentence, Naming, Sentence, fixed, id, say};
 use crate::cell::motion::Cause;
 use crate::part::SurfaceId;
 use crate::planning::report::{BlockedBy, NothingReason, Notice, Unproven};
-use crate::pose::{Correction, Ours};
+use crate::pose::{Correction, ToolBody};
 
 impl NamedSentence for Notice {
     fn sentence_with(&self, naming: &Naming<'_>) -> String {
@@ -25,6 +25,7 @@ impl NamedSentence for Notice {
                 say!(notice_remark, surface = naming.surface(*surface), remark = remark.sentence())
             }
             Notice::PartChanged { renumbered, lost } => part_changed(renumbered, lost),
+            Notice::InFile(finding) => finding.sentence(),
         }
     }
 }
@@ -38,15 +39,17 @@ pub fn remedy(notice: &Notice) -> Option<String> {
         Notice::Missed { by_planes: true, .. } => say!(remedy_missed_by_planes),
         Notice::Missed { by_planes: false, .. } => say!(remedy_missed_by_lines),
         Notice::PartChanged { .. } => say!(remedy_part_changed),
-        // Remarks say it themselves, and what is blocked is told by surface.
-        Notice::Remark { .. } | Notice::NothingPlanned(NothingReason::AllBlocked { .. }) => return None,
+        // Remarks and findings of the file say it themselves, and what is blocked is told by surface.
+        Notice::Remark { .. } | Notice::InFile(_) | Notice::NothingPlanned(NothingReason::AllBlocked { .. }) => {
+            return None;
+        }
     })
 }
 
 /// The first target that a finding is about, and what the robot has against it.
 pub fn example(notice: &Notice) -> Option<String> {
-    let Notice::LeftOut { first: (pass, point), detail: Some(detail), .. } = notice else { return None };
-    Some(say!(notice_example, pass = id(pass), point = id(point), detail))
+    let Notice::LeftOut { first: (pass, point), why: Some(why), .. } = notice else { return None };
+    Some(say!(notice_example, pass = id(pass), point = id(point), why = why.sentence()))
 }
 
 /// A finding with its example and what helps, in one line.
@@ -77,11 +80,11 @@ fn blocked_by(b: &BlockedBy, naming: &Naming<'_>) -> String {
 
 fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
     let moves = unproven.moves;
-    match (unproven.ours, unproven.surface.map(|s| naming.surface(s))) {
-        (Ours::Beam, Some(surface)) => say!(notice_unproven_beam, moves, surface),
-        (Ours::Head, Some(surface)) => say!(notice_unproven_head, moves, surface),
-        (Ours::Beam, None) => say!(notice_unproven_beam_clamp, moves),
-        (Ours::Head, None) => say!(notice_unproven_head_clamp, moves),
+    match (unproven.tool_body, unproven.surface.map(|s| naming.surface(s))) {
+        (ToolBody::Beam, Some(surface)) => say!(notice_unproven_beam, moves, surface),
+        (ToolBody::Head, Some(surface)) => say!(notice_unproven_head, moves, surface),
+        (ToolBody::Beam, None) => say!(notice_unproven_beam_clamp, moves),
+        (ToolBody::Head, None) => say!(notice_unproven_head_clamp, moves),
     }
 }
 

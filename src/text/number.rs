@@ -5,15 +5,15 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// With all digits that it has.
+pub(crate) fn exact(value: f64) -> String {
+    value.to_string()
+}
+
 /// Hours, minutes and seconds: `01:02:03`.
 pub(crate) fn clock(seconds: f64) -> String {
     let s = seconds.max(0.0).round() as u64;
     format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
-}
-
-/// With as many decimals as the number has: `0.25`, `20`.
-pub(crate) fn shortest(value: f64) -> String {
-    value.to_string()
 }
 
 /// `1 426`: a blank before every three digits.

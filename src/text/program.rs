@@ -1,6 +1,6 @@
 //! Why a program cannot be written, and what of it is not as it was wanted.
 
-use super::{Sentence, id, say, shortest};
+use super::{Sentence, exact, id, say};
 use crate::program::{ByHand, DialectError, Shortfall, UnknownDialect, WriteError, dialects};
 
 impl Sentence for UnknownDialect {
@@ -22,7 +22,7 @@ impl Sentence for WriteError {
     fn sentence(&self) -> String {
         match self {
             WriteError::NoRobot(dialect) => say!(write_no_robot, dialect = *dialect),
-            WriteError::Template(why) => why.clone(),
+            WriteError::Template(e) => e.sentence(),
             WriteError::OffIsOn(dialect) => say!(write_off_is_on, dialect = *dialect),
             WriteError::NoTemplate { dialect, kind } => say!(write_no_template, dialect = *dialect, key = kind.key()),
             WriteError::TimedJointMove(dialect) => say!(write_timed_joint_move, dialect = *dialect),
@@ -42,8 +42,8 @@ impl Sentence for Shortfall {
     fn sentence(&self) -> String {
         match *self {
             Shortfall::LeadsLeftOut { leads } => say!(shortfall_leads, count = leads),
-            Shortfall::SetByHand(ByHand::PowerW(value)) => say!(shortfall_power, value = shortest(value)),
-            Shortfall::SetByHand(ByHand::FrequencyKhz(value)) => say!(shortfall_frequency, value = shortest(value)),
+            Shortfall::SetByHand(ByHand::PowerW(value)) => say!(shortfall_power, value = exact(value)),
+            Shortfall::SetByHand(ByHand::FrequencyKhz(value)) => say!(shortfall_frequency, value = exact(value)),
         }
     }
 }

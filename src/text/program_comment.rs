@@ -1,6 +1,6 @@
 //! The words of comments in programs: English, whatever the language of the window.
 
-use super::{Arg, Message, id, messages, shortest};
+use super::{Arg, Message, exact, id, messages};
 use crate::program::{ByHand, Caveat, Comment, WorkFigures};
 
 /// The words of a message in English.
@@ -19,7 +19,7 @@ pub fn program_comment(comment: &Comment) -> String {
         Comment::Laid { direction, spacing_mm, order } => english!(
             comment_laid,
             direction = direction.to_string(),
-            spacing = shortest(*spacing_mm),
+            spacing = exact(*spacing_mm),
             order = order.word()
         ),
         Comment::Targets { all, corrected, blocked } => {
@@ -39,8 +39,8 @@ pub fn program_comment(comment: &Comment) -> String {
         Comment::Pass { number, surface, layer } => {
             english!(comment_pass_of_layer, number = id(number), surface = id(surface), layer = id(layer + 1))
         }
-        Comment::Set(ByHand::PowerW(value)) => english!(comment_set_power, value = shortest(*value)),
-        Comment::Set(ByHand::FrequencyKhz(value)) => english!(comment_set_frequency, value = shortest(*value)),
+        Comment::Set(ByHand::PowerW(value)) => english!(comment_set_power, value = exact(*value)),
+        Comment::Set(ByHand::FrequencyKhz(value)) => english!(comment_set_frequency, value = exact(*value)),
     }
 }
 
@@ -53,9 +53,9 @@ fn surfaces(shown: &[u32], more: usize) -> String {
 }
 
 fn worked_with(w: &WorkFigures) -> String {
-    let [power, spot, defocus, speed] = [w.power_w, w.spot_mm, w.defocus_mm, w.speed_mm_s].map(shortest);
+    let [power, spot, defocus, speed] = [w.power_w, w.spot_mm, w.defocus_mm, w.speed_mm_s].map(exact);
     if w.frequency_khz > 0.0 {
-        let frequency = shortest(w.frequency_khz);
+        let frequency = exact(w.frequency_khz);
         return english!(
             comment_worked_with_pulses,
             power = power,

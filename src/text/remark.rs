@@ -21,7 +21,7 @@ impl Sentence for LayingRemark {
                 let (length, shortest) = (fixed(*length_mm, 1), shortest_mm.to_string());
                 say!(remark_too_short, pieces = *pieces, length, shortest)
             }
-            LayingRemark::Lines(words) => words.clone(),
+            LayingRemark::Lines(finding) => finding.sentence(),
         }
     }
 }

@@ -58,7 +58,7 @@ impl Sentence for Difference {
             Difference::LitByJoints => say!(verify_lit_by_joints),
             Difference::LitToUnknown => say!(verify_lit_to_unknown),
             Difference::EndsLit => say!(verify_ends_lit),
-            Difference::Touches(blocker) => say!(verify_touches, what = blocker.to_string()),
+            Difference::Touches(blocker) => say!(verify_touches, what = blocker.sentence()),
             Difference::HitsFacet { spot: p, facet } => {
                 say!(verify_hits_facet, x = fixed(p.x, 2), y = fixed(p.y, 2), z = fixed(p.z, 2), facet = id(facet))
             }

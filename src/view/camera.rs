@@ -164,7 +164,7 @@ impl Default for Camera {
     }
 }
 
-/// The same direction within half a turn of zero.
+/// The angle of the same direction that is within half a turn of zero.
 fn wrap_turn(angle_rad: f64) -> f64 {
     angle_rad - TAU * (angle_rad / TAU).round()
 }

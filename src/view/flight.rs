@@ -24,7 +24,7 @@ impl Flight {
         &self.to
     }
 
-    /// The same glide to another place.
+    /// This glide, to another place.
     pub fn redirected(&self, to: Camera) -> Self {
         Self { to, ..*self }
     }

@@ -1,6 +1,6 @@
 //! Facets on the graphics card: positions and normals once, colours whenever they change.
 
-use super::error::ViewError;
+use super::error::{DriverObject, ViewError};
 use super::scene::{MeshItem, Rgba};
 use super::to_three_d::CameraUniforms;
 use three_d::{Blend, Context, DepthTest, Program, RenderStates, VertexBuffer, Viewport, WriteMask};
@@ -67,7 +67,7 @@ impl MeshProgram {
     pub fn new(context: &Context) -> Result<Self, ViewError> {
         let [vertex, fragment] = [include_str!("shaders/mesh.vert"), include_str!("shaders/mesh.frag")];
         let program = Program::from_source(context, vertex, fragment)
-            .map_err(|error| ViewError::Driver { what: "the shader for facets", reason: error.to_string() })?;
+            .map_err(|error| ViewError::Driver { what: DriverObject::FacetShader, reason: error.to_string() })?;
         Ok(Self(program))
     }
 

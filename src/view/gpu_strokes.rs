@@ -3,7 +3,7 @@
 //! Quads with explicit corners instead of instances: software OpenGL starts anew for every
 //! instance, which is slow when each has four vertices only.
 
-use super::error::ViewError;
+use super::error::{DriverObject, ViewError};
 use super::scene::{Depth, LineSegment, Rgba};
 use super::to_three_d::CameraUniforms;
 use three_d::{Blend, Context, DepthTest, ElementBuffer, Program, RenderStates, VertexBuffer, Viewport, WriteMask};
@@ -93,12 +93,12 @@ impl StrokePrograms {
         };
         Ok(Self {
             line: program(
-                "the shader for lines",
+                DriverObject::LineShader,
                 include_str!("shaders/line.vert"),
                 include_str!("shaders/line.frag"),
             )?,
             point: program(
-                "the shader for dots",
+                DriverObject::DotShader,
                 include_str!("shaders/point.vert"),
                 include_str!("shaders/point.frag"),
             )?,

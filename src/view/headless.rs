@@ -4,7 +4,7 @@
 //! same picture on every machine), else on any device. Drawing goes to framebuffer objects;
 //! framebuffer 0 does not exist.
 
-use super::error::ViewError;
+use super::error::{NoEgl, ViewError};
 use std::sync::Arc;
 use three_d::context as gl;
 
@@ -25,7 +25,7 @@ impl HeadlessGl {
     /// Makes a context and makes it current.
     ///
     /// # Errors
-    /// Without EGL or a device that serves OpenGL 3.3; the message names the packages to install.
+    /// Without EGL, or without a device that serves OpenGL 3.3.
     #[cfg(not(target_vendor = "apple"))]
     pub fn new() -> Result<Self, ViewError> {
         let (context, gl) = egl::open()?;
@@ -38,7 +38,7 @@ impl HeadlessGl {
     /// Always.
     #[cfg(target_vendor = "apple")]
     pub fn new() -> Result<Self, ViewError> {
-        Err(ViewError::NoHeadlessGl { reason: "macOS has no EGL".to_owned() })
+        Err(ViewError::NoHeadlessGl(NoEgl::NotOnMacOs))
     }
 
     /// For three-d, egui_glow and [`super::Renderer`].
@@ -61,7 +61,8 @@ impl HeadlessGl {
 mod egl {
     //! The conversation with EGL.
 
-    use super::{ViewError, gl};
+    use super::{NoEgl, ViewError, gl};
+    use crate::view::error::DeviceAnswer;
     use glutin::api::egl::config::Config;
     use glutin::api::egl::context::PossiblyCurrentContext;
     use glutin::api::egl::device::Device;
@@ -80,9 +81,7 @@ mod egl {
 
     pub fn open() -> Result<(Current, gl::Context), ViewError> {
         let _queue = OPENING.lock().unwrap_or_else(PoisonError::into_inner);
-        let no_gl = |reason: String| ViewError::NoHeadlessGl { reason };
-        let mut devices: Vec<Device> =
-            Device::query_devices().map_err(|error| no_gl(format!("EGL: {error}")))?.collect();
+        let mut devices: Vec<Device> = Device::query_devices().map_err(failed)?.collect();
         // Stable: among equals, EGL's own order.
         devices.sort_by_key(|device| !device.extensions().contains("EGL_MESA_device_software"));
         let mut answers = Vec::new();
@@ -90,12 +89,15 @@ mod egl {
             match open_on(device) {
                 Ok(opened) => return Ok(opened),
                 Err(error) => {
-                    answers.push(format!("{}: {error}", device.name().unwrap_or("device")));
+                    answers.push(DeviceAnswer { device: device.name().map(str::to_owned), answer: error.to_string() })
                 }
             }
         }
-        let none = || "EGL knows no device".to_owned();
-        Err(no_gl(if answers.is_empty() { none() } else { answers.join("; ") }))
+        Err(ViewError::NoHeadlessGl(if answers.is_empty() { NoEgl::NoDevice } else { NoEgl::Devices(answers) }))
+    }
+
+    fn failed(error: Error) -> ViewError {
+        ViewError::NoHeadlessGl(NoEgl::Failed { answer: error.to_string() })
     }
 
     fn open_on(device: &Device) -> Result<(Current, gl::Context), Error> {
@@ -123,6 +125,6 @@ mod egl {
     }
 
     pub fn make_current(context: &Current) -> Result<(), ViewError> {
-        context.make_current_surfaceless().map_err(|error| ViewError::NoHeadlessGl { reason: error.to_string() })
+        context.make_current_surfaceless().map_err(failed)
     }
 }

@@ -33,10 +33,11 @@ mod to_three_d;
 
 pub use bounds::Bounds;
 pub use camera::Camera;
-pub use error::ViewError;
+pub use error::{DeviceAnswer, DriverObject, NoEgl, ViewError};
 pub use flight::Flight;
 pub use headless::HeadlessGl;
 pub use lens::{Projection, ViewSize};
+pub use overlay::CubeLabels;
 pub use renderer::Renderer;
 pub use scene::{Depth, LineItem, LineSegment, MeshItem, PointItem, Scene};
 pub use standard_view::StandardView;

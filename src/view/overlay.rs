@@ -18,22 +18,13 @@ const LABEL_FACING: f64 = 0.38;
 const AXIS_COLORS: [Color32; 3] =
     [Color32::from_rgb(226, 74, 66), Color32::from_rgb(78, 178, 72), Color32::from_rgb(70, 128, 240)];
 
-/// Words on the faces of the cube, so that they may be in any language.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// Words of the cube, given by its owner.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct CubeLabels {
     /// Accessible name of the whole cube.
     pub name: String,
     /// Front, back, left, right, top, bottom.
     pub faces: [String; 6],
-}
-
-impl Default for CubeLabels {
-    fn default() -> Self {
-        Self {
-            name: "View cube".to_owned(),
-            faces: ["Front", "Back", "Left", "Right", "Top", "Bottom"].map(str::to_owned),
-        }
-    }
 }
 
 /// What was done to the cube.

@@ -6,7 +6,7 @@
 //! while the context still lives (eframe: in `App::on_exit`).
 
 use super::camera::Camera;
-use super::error::ViewError;
+use super::error::{DriverObject, ViewError};
 use super::gl_state::SavedState;
 use super::gpu_cache::{GpuCache, color_key};
 use super::gpu_mesh::{MeshProgram, Pass};
@@ -53,10 +53,10 @@ impl Renderer {
         check_version(&gl)?;
         let _restored_on_return = SavedState::save(&gl);
         let refuse = |what| move |error: three_d::CoreError| ViewError::Driver { what, reason: error.to_string() };
-        let context = Context::from_gl_context(gl).map_err(refuse("a vertex array"))?;
+        let context = Context::from_gl_context(gl).map_err(refuse(DriverObject::VertexArray))?;
         let [vertex, fragment] = [include_str!("shaders/background.vert"), include_str!("shaders/background.frag")];
         let background =
-            Program::from_source(&context, vertex, fragment).map_err(refuse("the shader for the background"))?;
+            Program::from_source(&context, vertex, fragment).map_err(refuse(DriverObject::BackgroundShader))?;
         let covering = [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]];
         // SAFETY: queries only.
         let largest_side_px = unsafe {

@@ -25,6 +25,19 @@ impl StandardView {
     /// All, in the order of the keys 0-6.
     pub const ALL: [Self; 7] = [Self::Iso, Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
+    /// The word used on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Iso => "iso",
+            Self::Front => "front",
+            Self::Back => "back",
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Top => "top",
+            Self::Bottom => "bottom",
+        }
+    }
+
     /// Yaw and pitch of the view.
     pub fn angles_rad(self) -> (f64, f64) {
         match self {

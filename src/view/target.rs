@@ -3,7 +3,7 @@
 //! Plain glow instead of three-d's render targets: those make and delete a framebuffer object
 //! at every use and hide the one that the window must copy from.
 
-use super::error::ViewError;
+use super::error::{DriverObject, ViewError};
 use std::sync::Arc;
 use three_d::context::{self as gl, HasContext as _};
 
@@ -22,7 +22,7 @@ pub(super) struct Target {
 impl Target {
     /// Allocates; the size must be at least 1 × 1 and within the driver's limit.
     pub fn new(gl: &Arc<gl::Context>, size_px: [u32; 2]) -> Result<Self, ViewError> {
-        let refuse = |reason: String| ViewError::Driver { what: "a framebuffer", reason };
+        let refuse = |reason: String| ViewError::Driver { what: DriverObject::Framebuffer, reason };
         // SAFETY: fresh objects of a current context; the caller holds a SavedState, which
         // undoes the bindings. Objects leak on the error path, which ends the 3D view anyway.
         unsafe {
@@ -51,7 +51,7 @@ impl Target {
                 gl.bind_framebuffer(gl::FRAMEBUFFER, Some(framebuffer));
                 let status = gl.check_framebuffer_status(gl::FRAMEBUFFER);
                 if status != gl::FRAMEBUFFER_COMPLETE {
-                    return Err(refuse(format!("status 0x{status:04x} at {size_px:?} pixels")));
+                    return Err(ViewError::Framebuffer { status, size_px });
                 }
             }
             Ok(target)

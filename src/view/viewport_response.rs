@@ -1,5 +1,6 @@
 //! What the view tells its owner in each frame, in physical pixels.
 
+use super::error::ViewError;
 use super::lens::ViewSize;
 use super::standard_view::StandardView;
 use eframe::egui::{self, Pos2, Rect, Response, emath::GuiRounding as _};
@@ -26,8 +27,8 @@ pub struct ViewportResponse {
     pub view_chosen: Option<StandardView>,
     /// Size of the view, for the camera's methods.
     pub size: ViewSize,
-    /// Why there is no picture, in words for the user.
-    pub failure: Option<String>,
+    /// Why there is no picture.
+    pub failure: Option<ViewError>,
     /// For a context menu, a tooltip, or the place of labels (in points).
     pub response: Response,
 }

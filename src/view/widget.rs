@@ -34,9 +34,9 @@ pub type Pick<'a> = &'a dyn Fn(Point3<f64>, Vector3<f64>) -> Option<Point3<f64>>
 pub struct Viewport {
     /// From where the scene is seen now. Set it to jump, call the methods to glide.
     pub camera: Camera,
-    /// Words on the view cube.
+    /// Words on the view cube; none until its owner gives them.
     pub labels: CubeLabels,
-    /// Accessible name of the view.
+    /// Accessible name of the view; empty until its owner gives one.
     pub name: String,
     flight: Option<Flight>,
     moves: Vec<Move>,
@@ -58,7 +58,7 @@ enum Move {
 #[derive(Debug)]
 struct Drawing {
     renderer: Renderer,
-    failure: Option<String>,
+    failure: Option<ViewError>,
 }
 
 impl Viewport {
@@ -78,7 +78,7 @@ impl Viewport {
         Self {
             camera: Camera::default(),
             labels: CubeLabels::default(),
-            name: "3D view".to_owned(),
+            name: String::new(),
             flight: None,
             moves: Vec::new(),
             size: None,
@@ -149,7 +149,7 @@ impl Viewport {
         self.show_with_pick(ui, scene, &|_, _| None)
     }
 
-    /// The same, zooming at the point of the part under the cursor.
+    /// Shows the scene as [`Self::show`] does, and zooms at the point of the part under the cursor.
     pub fn show_with_pick(&mut self, ui: &mut egui::Ui, scene: &Arc<Scene>, pick: Pick<'_>) -> ViewportResponse {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, self.name.clone()));
@@ -257,7 +257,7 @@ impl Viewport {
             let mut drawing = drawing.lock().unwrap_or_else(PoisonError::into_inner);
             let size_px = [size.width_px as u32, size.height_px as u32];
             let drawn = drawing.renderer.draw(&scene, &camera, size_px);
-            drawing.failure = drawn.err().map(|error| error.to_string());
+            drawing.failure = drawn.err();
             // Not `info.viewport_in_pixels()`: that one shrinks at the window's edge.
             let left_px = (rect.min.x * info.pixels_per_point).round() as i32;
             let bottom_px = (rect.max.y * info.pixels_per_point).round() as i32;

@@ -3,10 +3,10 @@
 #![allow(dead_code, reason = "each test file uses its own share")]
 
 use clearbeam::cell::Joints;
-use clearbeam::cell::motion::choice::{
-    AT_LIMIT, AT_SINGULARITY, Choice, MOST_SPEED, MOST_SPIN_STEP_DEG, MOST_STEP_DEG, NEAR_LIMIT_DEG, NEAR_SINGULAR,
+use clearbeam::cell::motion::chain::{
+    AT_LIMIT, AT_SINGULARITY, MOST_SPEED, MOST_SPIN_STEP_DEG, MOST_STEP_DEG, NEAR_LIMIT_DEG, NEAR_SINGULAR,
 };
-use clearbeam::cell::motion::{Arm, State};
+use clearbeam::cell::motion::{Arm, Choice, State};
 use clearbeam::pose::Pass;
 
 /// What it costs to stand somewhere.

@@ -4,6 +4,7 @@
 use super::window::Answers;
 use clearbeam::app::App;
 use clearbeam::planning::{Executor, Task};
+use clearbeam::progress::Activity;
 use eframe::egui;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
@@ -36,7 +37,7 @@ impl Held {
     }
 
     /// Takes the first piece of work of a stage.
-    pub fn take_stage(&self, stage: &str) -> Option<Task> {
+    pub fn take_stage(&self, stage: Activity) -> Option<Task> {
         let mut tasks = self.0.lock().expect("no panic");
         let at = tasks.iter().position(|t| t.stage() == stage)?;
         Some(tasks.remove(at))

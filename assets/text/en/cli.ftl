@@ -1,1 +1,67 @@
-### cli
+### The command line.
+
+## Help. Options of `plan` that set parameters are told in the table of parameters.
+cli_about = Plans robot laser cleaning of chosen surfaces of a part: from an STL file to a robot program
+cli_file = Part or job to open in the window
+cli_lang = Language of messages and help
+cli_json = Print JSON
+cli_inspect = Say what a part file holds: topology, faults, feature surfaces
+cli_inspect_part = The part
+cli_inspect_angle = Crease angle, degrees
+cli_inspect_units = Unit of the file: mm, m or inch
+cli_plan = Plan a job and write job, program, report and path into a folder
+cli_plan_input = Part or job
+cli_plan_out = Folder for the files of the plan
+cli_plan_overwrite = Replace files in the folder that were changed by hand, belong to another job, or were not exported
+cli_plan_json = Print the report as JSON
+cli_verify = Read a program back and compare it with the plan of its job
+cli_verify_program = Program file; sub-programs are looked for in its folder
+cli_verify_job = Job that the program was made from
+cli_verify_json = Print the findings as JSON
+cli_render = Draw a part, or a planned job, into a picture
+cli_render_input = Part, or job to plan first
+cli_render_out = Picture to write
+cli_render_size = Size in pixels
+cli_render_view = iso, front, back, left, right, top or bottom
+cli_render_color = What the colours show: surface, dose or incidence
+
+## Values that are refused
+cli_not_a_color = "{ $text }": give surface, dose or incidence
+cli_not_a_size = "{ $text }": give WxH, 16 to 8192 pixels each
+cli_not_a_view = "{ $text }": give one of { $views }
+
+## Failures
+cli_no_json = the result cannot be written as JSON: { $reason }
+cli_no_path = { $file }: its full path cannot be found: { $reason }
+cli_no_picture = the picture cannot be packed: { $reason }
+cli_not_planned = { $job }: cannot be planned: { $reason }
+cli_part_changed = the part { $file } has changed since the job was saved, and what the job says cannot be carried over completely: { $told }; open the job in the window to see it and to choose again
+cli_help_overwrite = { $why }; give --overwrite to replace them, or choose another folder
+cli_help_other_folder = { $why }; choose another folder
+
+## What is printed
+cli_part_carried_over = { $file }: has changed since the job was saved; { $told }
+cli_speaks_own_dialect = the { $robot } uses { $own }: give --dialect { $own }
+cli_times = { $work } of work, { $travel } of travel, { $waiting } of waiting
+cli_to_help = to help: { $advice }
+cli_better_setup = a better set-up, with this in the job's [cell]: { $left ->
+    [one] 1 target refused
+   *[other] { $left } targets refused
+} instead of { $before }
+cli_removed = removed { $file }
+cli_wrote = wrote { $file }
+
+## What `verify` prints
+verify_unreadable = { $dialect }: not compared with the plan, as it cannot be read
+verify_moves = { $dialect }: { $moves ->
+    [one] 1 move
+   *[other] { $moves } moves
+}, { $lit } with the laser on
+verify_furthest = furthest from the plan: { $mm } mm, { $deg }° at the spot
+verify_finding = { $file }:{ $line }: { $what }
+verify_more = and { $count } more
+verify_count = { $count ->
+    [0] nothing found
+    [one] 1 finding
+   *[other] { $count } findings
+}

@@ -7,3 +7,4 @@ text_facets = { $count ->
 text_cancelled = cancelled
 file_not_read = { $file }: cannot be read: { $reason }
 in_file = { $file }: { $what }
+file_no_text = { $file }: is not text: { $reason }

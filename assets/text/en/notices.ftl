@@ -40,7 +40,7 @@ notice_refused = { $surface }: { $targets ->
     [one] 1 target
    *[other] { $targets } targets
 } refused: { $why }
-notice_example = such as pass { $pass }, point { $point }: { $detail }
+notice_example = such as pass { $pass }, point { $point }: { $why }
 notice_missed_by_planes = { $surface }: { $missed } of { $area } mm² missed by the planes
 notice_missed_by_lines = { $surface }: { $missed } of { $area } mm² missed by the lines
 why_beam = the beam would hit something

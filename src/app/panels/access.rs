@@ -6,7 +6,7 @@ use super::super::{App, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::pose::access::{Access, AccessMap, AccessStrip, Over};
-use crate::pose::{Correction, Ours, Pin, Theirs, Tilt};
+use crate::pose::{Correction, Obstruction, Pin, Tilt, ToolBody};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, pos2, vec2};
 
 /// Free, told from the others by lightness as well.
@@ -22,10 +22,10 @@ fn color(a: Access) -> Color32 {
     match a {
         Access::Free => FREE,
         Access::Forbidden => FORBIDDEN,
-        Access::Blocked(b) => match (b.theirs, b.ours) {
-            (Theirs::Clamp(_), _) => BY_CLAMP,
-            (_, Ours::Head) => BY_HEAD,
-            (_, Ours::Beam) => BY_BEAM,
+        Access::Blocked(b) => match (b.obstruction, b.tool_body) {
+            (Obstruction::Clamp(_), _) => BY_CLAMP,
+            (_, ToolBody::Head) => BY_HEAD,
+            (_, ToolBody::Beam) => BY_BEAM,
         },
     }
 }
@@ -199,9 +199,9 @@ fn said(tilt: Tilt, cell: Access, surface_of: &dyn Fn(u32) -> Option<u32>) -> St
     let what = match cell {
         Access::Free => "free".into(),
         Access::Forbidden => "not allowed by the surface's rule".into(),
-        Access::Blocked(b) => match b.theirs {
-            Theirs::Facet(f) => format!("{b} of surface {}", surface_of(f).map_or("?".into(), |n| n.to_string())),
-            Theirs::Clamp(_) => b.to_string(),
+        Access::Blocked(b) => match b.obstruction {
+            Obstruction::Facet(f) => format!("{b} of surface {}", surface_of(f).map_or("?".into(), |n| n.to_string())),
+            Obstruction::Clamp(_) => b.to_string(),
         },
     };
     format!("lead {}°, lean {}°: {what}", round(tilt.lead_deg), round(tilt.lean_deg))

@@ -5,6 +5,7 @@ use super::super::{App, Command, theme};
 use crate::cell::{Mount, Robot, Spin};
 use crate::document::Edit;
 use crate::program::dialects::DIALECTS;
+use crate::text::Sentence as _;
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;
 
@@ -71,7 +72,7 @@ impl App {
         }
         match Robot::load(name, self.document.file().and_then(Path::parent)) {
             Ok(robot) => self.edit(Edit::Robot(name.into(), robot.dialect)),
-            Err(e) => self.session.error = Some(e.to_string()),
+            Err(e) => self.session.error = Some(e.sentence()),
         }
     }
 
@@ -122,7 +123,7 @@ impl App {
         });
         match self.derived.pipeline.setup() {
             Some(Ok(setup)) => ui.label(RichText::new(&setup.cell.name).small().weak()),
-            Some(Err(why)) => ui.label(RichText::new(why.to_string()).color(theme::WRONG)),
+            Some(Err(why)) => ui.label(RichText::new(why.sentence()).color(theme::WRONG)),
             None => return,
         };
     }

@@ -8,7 +8,7 @@ use crate::document::Edit;
 use crate::picture::dose::{DoseLook, Legend, OVER, SHADED, UNDER, legend};
 use crate::picture::viridis;
 use crate::process::{Patch, Thresholds};
-use crate::text::{NamedSentence as _, Naming, clock};
+use crate::text::{NamedSentence as _, Naming, clock, language, legend_entry};
 use eframe::egui::{self, Color32, Rect, RichText, Sense, Stroke, pos2, vec2};
 use std::sync::Arc;
 
@@ -161,19 +161,19 @@ pub(super) fn bar(ui: &mut egui::Ui, width: f32, told: &str, way: impl Fn(f64) -
 fn scale(ui: &mut egui::Ui, legend: &Legend) {
     let width = ui.available_width().min(260.0);
     // Incidence is lightest where the light stands upright.
-    bar(ui, width, "colour scale", |share| if legend.unit == "deg" { 1.0 - share } else { share });
+    bar(ui, width, "colour scale", |share| if legend.look == DoseLook::Incidence { 1.0 - share } else { share });
     ui.horizontal(|ui| {
         let [low, high] = legend.range;
-        let said = |v: f64| if legend.unit == "deg" { format!("{v:.0}°") } else { j_cm2(v) };
+        let said = |v: f64| if legend.look == DoseLook::Incidence { format!("{v:.0}°") } else { j_cm2(v) };
         ui.label(RichText::new(said(low)).small());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.label(RichText::new(said(high)).small());
         });
     });
     ui.horizontal_wrapped(|ui| {
-        for key in &legend.keys {
-            theme::swatch(ui, key.color);
-            ui.label(RichText::new(&key.label).small());
+        for entry in legend.entries {
+            theme::swatch(ui, entry.color());
+            ui.label(RichText::new(legend_entry(*entry, language())).small());
         }
     });
 }

@@ -4,8 +4,9 @@
 use super::super::{App, Command, quantity, theme};
 use super::fields::{self, Change};
 use crate::document::{Edit, PARAMETERS, Parameter};
-use crate::part::Units;
+use crate::part::{PartFinding, Units};
 use crate::pose::Correction;
+use crate::text::Sentence as _;
 use eframe::egui::{self, DragValue, RichText};
 
 impl App {
@@ -145,8 +146,8 @@ impl App {
             }
         }
         if let Some(part) = &self.derived.part {
-            for s in part.findings.sentences(&part.mesh, &part.orientation) {
-                ui.label(RichText::new(s).small());
+            for finding in PartFinding::of(part) {
+                ui.label(RichText::new(finding.sentence()).small());
             }
         }
     }

@@ -6,6 +6,7 @@ use super::super::App;
 use super::super::clearance::ClearanceCurve;
 use crate::cell::collision::CLEARANCE_REACH_MM;
 use crate::program::{Clearance, CurveSample, Timeline};
+use crate::text::Sentence as _;
 use eframe::egui::{self, Color32, RichText, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotBounds, PlotUi, VLine};
 
@@ -262,11 +263,11 @@ fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearan
     let title = match (curve, least) {
         (None, _) => "Clearance, mm · …".into(),
         (_, None) => format!("Clearance, mm · all beyond {CLEARANCE_REACH_MM:.0} mm"),
-        (_, Some((mm, pair))) => format!("Clearance, mm · least {mm:.1} {pair}"),
+        (_, Some((mm, pair))) => format!("Clearance, mm · least {mm:.1} {}", pair.sentence()),
     };
     let mm = |s: &Clearance| s.nearest.as_ref().map_or(CLEARANCE_REACH_MM, |n| n.0);
     let words: fn(&Clearance) -> String = |s| match &s.nearest {
-        Some((_, pair)) => pair.to_string(),
+        Some((_, pair)) => pair.sentence(),
         None => "or more".into(),
     };
     Diagram {

@@ -3,9 +3,10 @@
 use super::super::{App, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
+use crate::planning::advice::Help;
 use crate::planning::remark::Remark;
 use crate::planning::report::{Notice, Problem};
-use crate::text::{NamedSentence as _, Naming};
+use crate::text::{NamedSentence as _, Naming, Sentence as _};
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -13,8 +14,8 @@ use std::collections::BTreeMap;
 
 /// Why a target is not done, as people say it.
 fn because(problem: &Problem) -> String {
-    if let Some(detail) = &problem.detail {
-        return detail.clone();
+    if let Some(why) = &problem.why {
+        return why.sentence();
     }
     match (problem.by_surface, problem.by_facet) {
         (Some(surface), Some(facet)) => format!("the beam hits surface {surface} (facet {facet})"),
@@ -78,7 +79,7 @@ impl App {
                 }
                 _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause.word())),
             };
-            let why = list[0].detail.as_deref().map_or_else(String::new, |d| format!("{d}\n"));
+            let why = list[0].why.as_ref().map_or_else(String::new, |why| format!("{}\n", why.sentence()));
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
             if link.on_hover_text(format!("{why}Go there")).clicked() {
@@ -120,12 +121,11 @@ impl App {
                 let text = "No single change that was tried; look for a better set-up, under Cell";
                 ui.label(RichText::new(text).weak());
             }
-            Some(Ok(sentences)) => {
-                for sentence in sentences {
-                    // What is said in brackets is about the others.
-                    let text = match sentence.starts_with('(') {
-                        true => RichText::new(sentence).small().weak(),
-                        false => RichText::new(format!("• {}", capital(sentence))),
+            Some(Ok(list)) => {
+                for help in list {
+                    let text = match help {
+                        Help::Sampled { .. } => RichText::new(help.sentence()).small().weak(),
+                        _ => RichText::new(format!("• {}", capital(&help.sentence()))),
                     };
                     ui.add(egui::Label::new(text).wrap());
                 }

@@ -3,6 +3,7 @@
 use super::super::App;
 use super::dose::bar;
 use crate::picture::spacing::Place;
+use crate::text::spacing_labels;
 use crate::view::Bounds;
 use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
 use nalgebra::Vector3;
@@ -25,7 +26,7 @@ impl App {
                     return;
                 };
                 bar(ui, WIDTH, "scale of the spacing", |share| share);
-                thirds(ui, scale.labels().each_ref().map(String::as_str));
+                thirds(ui, spacing_labels(&scale).each_ref().map(String::as_str));
                 thirds(ui, ["closer", "as wanted", "farther"]);
                 for (word, place) in [("least", scale.least), ("greatest", scale.greatest)] {
                     let text = format!("{word} {:.2} mm on surface {}", place.mm, place.surface);

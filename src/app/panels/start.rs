@@ -34,7 +34,7 @@ impl App {
             ui.add_space(18.0);
             ui.label(RichText::new("Samples").strong());
             for s in SAMPLES {
-                if ui.link(s.name.replace('_', " ")).on_hover_text(s.about).clicked() {
+                if ui.link(s.name.replace('_', " ")).on_hover_text(crate::text::about_sample(s.part)).clicked() {
                     self.open_sample(s.name);
                 }
             }

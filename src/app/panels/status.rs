@@ -4,8 +4,8 @@ use super::super::{App, theme};
 use crate::planning::PlannedJob;
 use crate::planning::report::{Grade, Severity, first_things_first};
 use crate::program::Timeline;
-use crate::progress::Progress;
-use crate::text::{Naming, Sentence as _, grouped, notice_line};
+use crate::progress::{Activity, Progress};
+use crate::text::{Naming, Sentence as _, fixed, grouped, notice_line, say};
 use eframe::egui::{self, ProgressBar, RichText};
 use std::time::Duration;
 
@@ -18,7 +18,7 @@ const WORST: usize = 3;
 /// The worst findings with what helps, then what the moves with the laser on keep clear.
 fn worst(of: &PlannedJob) -> Vec<String> {
     let (report, naming) = (&of.report, Naming::of(&of.job));
-    let mut lines: Vec<String> = first_things_first(report, &of.job)
+    let mut lines: Vec<String> = first_things_first(report, &of.job, &[])
         .iter()
         .filter(|notice| notice.severity() <= Severity::NotDone)
         .take(WORST)
@@ -34,11 +34,11 @@ fn worst(of: &PlannedJob) -> Vec<String> {
 }
 
 impl App {
-    /// Stage and share of what can be cancelled: planning, else a search for what would help.
-    pub(in super::super) fn progress(&self) -> Option<(&'static str, f32)> {
+    /// What can be cancelled, and its share done: planning, else a search for what would help.
+    pub(in super::super) fn progress(&self) -> Option<(Activity, f32)> {
         let planning = self.derived.pipeline.progress();
         let works = [planning, self.exporting.progress(), self.search(), self.dose_progress()];
-        works.into_iter().flatten().map(Progress::now).find(|p| !p.0.is_empty())
+        works.into_iter().flatten().find_map(Progress::now)
     }
 
     /// Ends that.
@@ -72,8 +72,9 @@ impl App {
 
     pub(in super::super) fn status(&mut self, ui: &mut egui::Ui) {
         ui.horizontal(|ui| {
-            if let Some((stage, share)) = self.progress() {
-                ui.add(ProgressBar::new(share).desired_width(190.0).text(format!("{stage} {:.0} %", share * 100.0)));
+            if let Some((activity, share)) = self.progress() {
+                let text = say!(progress, activity = activity.sentence(), percent = fixed(f64::from(share) * 100.0, 0));
+                ui.add(ProgressBar::new(share).desired_width(190.0).text(text));
                 if ui.small_button("Cancel").clicked() {
                     self.cancel();
                 }

@@ -1,12 +1,12 @@
 //! Shapes that may touch: capsules, facets with a place, and all that lies below a height. Whether two
 //! are near each other, and how far apart they are.
 
+use super::BodyId;
 use crate::cell::bodies::HeadCapsule;
 use crate::cell::robot::LinkCapsule;
 use crate::part::distance::{point_segment, segments};
 use crate::part::{Bvh, Part};
 use nalgebra::{Isometry3, Point3, Vector3};
-use std::borrow::Cow;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Capsule {
@@ -18,7 +18,7 @@ pub(super) struct Capsule {
 /// Facets with a place, and a sphere around them.
 #[derive(Clone, Debug)]
 pub(super) struct Solid<'a> {
-    pub name: Cow<'a, str>,
+    pub id: BodyId,
     bvh: &'a Bvh,
     /// Whether it has an inside.
     closed: bool,
@@ -88,20 +88,13 @@ impl Capsule {
 }
 
 impl<'a> Solid<'a> {
-    pub fn new(name: impl Into<Cow<'a, str>>, part: &'a Part, at: Isometry3<f64>) -> Option<Solid<'a>> {
+    pub fn new(id: BodyId, part: &'a Part, at: Isometry3<f64>) -> Option<Solid<'a>> {
         let (centre, radius_mm) = part.bvh.sphere()?;
-        Some(Solid {
-            name: name.into(),
-            bvh: &part.bvh,
-            closed: part.orientation.watertight,
-            at,
-            centre: at * centre,
-            radius_mm,
-        })
+        Some(Solid { id, bvh: &part.bvh, closed: part.orientation.watertight, at, centre: at * centre, radius_mm })
     }
 
     pub fn moved(&self, by: &Isometry3<f64>) -> Solid<'a> {
-        Solid { name: self.name.clone(), at: by * self.at, centre: by * self.centre, ..*self }
+        Solid { id: self.id.clone(), at: by * self.at, centre: by * self.centre, ..*self }
     }
 
     /// Whether the spheres around solid and capsule keep farther apart than this.

@@ -1,7 +1,7 @@
 //! The `[abb]` table of a cell file.
 
-use super::check::{identifier, plain_lines, ranges};
 use super::words::check_template;
+use crate::cell::check::{FigureError, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the RAPID program needs; words that sources disagree on are templates.
@@ -66,15 +66,17 @@ impl Default for Abb {
 }
 
 impl Abb {
+    /// Whether the controller can take all of it.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
-        identifier("abb.module", &self.module, 32)?;
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), FigureError> {
+        name("abb.module", &self.module, Letters::Identifier, 32)?;
         // 32 letters, and numbered parts add up to four.
-        identifier("abb.procedure", &self.procedure, 28)?;
-        identifier("abb.tool", &self.tool, 32)?;
-        identifier("abb.work_object", &self.work_object, 32)?;
-        identifier("abb.zone", &self.zone, 32)?;
+        name("abb.procedure", &self.procedure, Letters::Identifier, 28)?;
+        name("abb.tool", &self.tool, Letters::Identifier, 32)?;
+        name("abb.work_object", &self.work_object, Letters::Identifier, 32)?;
+        name("abb.zone", &self.zone, Letters::Identifier, 32)?;
         plain_lines("abb.start", &self.start)?;
         ranges(&[
             ("abb.mass_kg", self.mass_kg, 0.001, 2000.0),
@@ -86,6 +88,7 @@ impl Abb {
         check_template("abb.analogue", &self.analogue, &["n", "v"])?;
         check_template("abb.group", &self.group, &["n", "v"])?;
         check_template("abb.wait", &self.wait, &["s"])?;
-        check_template("abb.comment", &self.comment, &["text"])
+        check_template("abb.comment", &self.comment, &["text"])?;
+        Ok(())
     }
 }

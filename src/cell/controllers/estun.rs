@@ -1,7 +1,7 @@
 //! The `[estun]` table of a cell file.
 
-use super::check::{identifier, plain_lines, ranges};
 use super::words::check_template;
+use crate::cell::check::{FigureError, Form, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the ESTUN program needs; words that sources disagree on are templates.
@@ -57,14 +57,17 @@ impl Default for Estun {
 }
 
 impl Estun {
+    /// Whether the controller can take all of it.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
-        identifier("estun.name", &self.name, 32)?;
-        identifier("estun.zone", &self.zone, 32)?;
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), FigureError> {
+        name("estun.name", &self.name, Letters::Identifier, 32)?;
+        name("estun.zone", &self.zone, Letters::Identifier, 32)?;
         plain_lines("estun.start", &self.start)?;
         if !self.version.starts_with("//") || !self.version.chars().all(|c| c.is_ascii_graphic() || c == ' ') {
-            return Err(format!("estun.version = {:?}: give a line of ASCII that begins with //", self.version));
+            let value = format!("{:?}", self.version);
+            return Err(FigureError::Form { key: "estun.version", value, form: Form::Version });
         }
         ranges(&[
             ("estun.max_mm_s", self.max_mm_s, 10.0, 10_000.0),
@@ -75,6 +78,7 @@ impl Estun {
         check_template("estun.analogue", &self.analogue, &["n", "v"])?;
         check_template("estun.group", &self.group, &["n", "v"])?;
         check_template("estun.wait", &self.wait, &["s"])?;
-        check_template("estun.comment", &self.comment, &["text"])
+        check_template("estun.comment", &self.comment, &["text"])?;
+        Ok(())
     }
 }

@@ -1,5 +1,6 @@
 //! The `[fanuc]` table of a cell file.
 
+use crate::cell::check::{FigureError, Form, Letters, name, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the program needs; words that sources disagree on are templates.
@@ -49,29 +50,25 @@ impl Default for Fanuc {
 }
 
 impl Fanuc {
+    /// Whether the controller can take all of it.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
-        let ranges = [
-            ("fanuc.user_frame", self.user_frame, 0, 61),
-            ("fanuc.user_tool", self.user_tool, 0, 29),
-            ("fanuc.max_lines", self.max_lines, 50, 9999),
-        ];
-        if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
-            return Err(format!("{name} = {value}: give {low} to {high}"));
-        }
-        let name = &self.program;
-        let plain = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
-        if !name.starts_with(|c: char| c.is_ascii_uppercase()) || !name.chars().all(plain) || name.len() > 32 {
-            return Err(format!("fanuc.program = {name:?}: give a capital, then capitals, digits and _, 32 at most"));
-        }
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), FigureError> {
+        ranges(&[
+            ("fanuc.user_frame", f64::from(self.user_frame), 0.0, 61.0),
+            ("fanuc.user_tool", f64::from(self.user_tool), 0.0, 29.0),
+            ("fanuc.max_lines", f64::from(self.max_lines), 50.0, 9999.0),
+        ])?;
+        name("fanuc.program", &self.program, Letters::CapitalIdentifier, 32)?;
+        let wrong = |key, value: &str, form| FigureError::Form { key, value: format!("{value:?}"), form };
         let share = self.termination.strip_prefix("CNT").and_then(|n| n.parse().ok());
         if self.termination != "FINE" && share.is_none_or(|n: u32| n > 100) {
-            return Err(format!("fanuc.termination = {:?}: give FINE, or CNT0 to CNT100", self.termination));
+            return Err(wrong("fanuc.termination", &self.termination, Form::Termination));
         }
         let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, ' ' | ',' | '-');
         if self.configuration.is_empty() || !self.configuration.chars().all(plain) {
-            return Err(format!("fanuc.configuration = {:?}: give the like of N U T, 0, 0, 0", self.configuration));
+            return Err(wrong("fanuc.configuration", &self.configuration, Form::Configuration));
         }
         Ok(())
     }

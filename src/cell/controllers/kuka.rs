@@ -1,7 +1,7 @@
 //! The `[kuka]` table of a cell file.
 
-use super::check::{identifier, plain_lines, ranges};
 use super::words::check_template;
+use crate::cell::check::{FigureError, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the KRL program needs; words that sources disagree on are templates.
@@ -72,11 +72,13 @@ impl Default for Kuka {
 }
 
 impl Kuka {
+    /// Whether the controller can take all of it.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), FigureError> {
         // 24 letters, and sub-programs add up to four.
-        identifier("kuka.name", &self.name, 20)?;
+        name("kuka.name", &self.name, Letters::Identifier, 20)?;
         plain_lines("kuka.attributes", &self.attributes)?;
         plain_lines("kuka.start", &self.start)?;
         plain_lines("kuka.data", &self.data)?;
@@ -92,6 +94,7 @@ impl Kuka {
         check_template("kuka.analogue", &self.analogue, &["n", "v"])?;
         check_template("kuka.group", &self.group, &["n", "v"])?;
         check_template("kuka.wait", &self.wait, &["s"])?;
-        check_template("kuka.comment", &self.comment, &["text"])
+        check_template("kuka.comment", &self.comment, &["text"])?;
+        Ok(())
     }
 }

@@ -1,7 +1,6 @@
 //! What each controller's program needs beside the moves: names, numbers, templates.
 
 mod abb;
-mod check;
 mod estun;
 mod fanuc;
 mod kuka;

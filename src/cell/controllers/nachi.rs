@@ -1,5 +1,6 @@
 //! The `[nachi]` table of a cell file.
 
+use crate::cell::check::{FigureError, Form, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the NACHI program needs; words that sources disagree on are templates.
@@ -70,21 +71,21 @@ impl Default for Nachi {
 }
 
 impl Nachi {
+    /// Whether the controller can take all of it.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
-        let ranges = [
-            ("nachi.number", self.number, 0, 999),
-            ("nachi.accuracy", self.accuracy, 1, 8),
-            ("nachi.tool", self.tool, 0, 32),
-            ("nachi.max_moves", self.max_moves, 10, 1_000_000),
-        ];
-        if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
-            return Err(format!("{name} = {value}: give {low} to {high}"));
-        }
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), FigureError> {
+        ranges(&[
+            ("nachi.number", f64::from(self.number), 0.0, 999.0),
+            ("nachi.accuracy", f64::from(self.accuracy), 1.0, 8.0),
+            ("nachi.tool", f64::from(self.tool), 0.0, 32.0),
+            ("nachi.max_moves", f64::from(self.max_moves), 10.0, 1e6),
+        ])?;
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if self.unit.is_empty() || !self.unit.chars().all(plain) {
-            return Err(format!("nachi.unit = {:?}: give letters, digits, - and _; it becomes a file name", self.unit));
+            let value = format!("{:?}", self.unit);
+            return Err(FigureError::Form { key: "nachi.unit", value, form: Form::Unit });
         }
         Ok(())
     }

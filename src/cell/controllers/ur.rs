@@ -1,5 +1,6 @@
 //! The `[ur]` table of a cell file.
 
+use crate::cell::check::{FigureError, Letters, name, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the program needs; words that sources disagree on are templates.
@@ -52,25 +53,19 @@ impl Default for Ur {
 }
 
 impl Ur {
+    /// Whether the controller can take all of it.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
-        let ranges = [
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), FigureError> {
+        ranges(&[
             ("ur.max_moves", f64::from(self.max_moves), 10.0, 1e6),
             ("ur.full_speed_deg_s", self.full_speed_deg_s, 1.0, 1000.0),
             ("ur.full_speed_mm_s", self.full_speed_mm_s, 1.0, 10000.0),
             ("ur.acceleration_deg_s2", self.acceleration_deg_s2, 1.0, 10000.0),
             ("ur.acceleration_mm_s2", self.acceleration_mm_s2, 1.0, 100_000.0),
             ("ur.blend_mm", self.blend_mm, 0.0, 100.0),
-        ];
-        if let Some((name, value, low, high)) = ranges.into_iter().find(|(_, v, lo, hi)| !(lo..=hi).contains(&v)) {
-            return Err(format!("{name} = {value}: give {low} to {high}"));
-        }
-        let name = &self.program;
-        let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        if !name.starts_with(|c: char| c.is_ascii_alphabetic()) || !name.chars().all(plain) || name.len() > 32 {
-            return Err(format!("ur.program = {name:?}: give a letter, then letters, digits and _, 32 at most"));
-        }
-        Ok(())
+        ])?;
+        name("ur.program", &self.program, Letters::Identifier, 32)
     }
 }

@@ -1,6 +1,8 @@
 //! Words that all dialects share: numbers, plain text, templates of the cell file in both
 //! directions, long lines, line ends. What the words mean is each dialect's.
 
+use thiserror::Error;
+
 /// Fixed decimals, '.' always, never `-0.000`.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
@@ -101,30 +103,59 @@ pub fn matched_key<'l>(template: &str, key: &str, line: &'l str) -> Option<&'l s
     matched(template, line)?.into_iter().find(|(k, _)| *k == key).map(|(_, v)| v)
 }
 
-/// Why a template cannot be used: a key is missing, is unknown, touches another, or the template
-/// is longer than a line or not plain.
+/// A template that cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{key} = {template:?}: {fault:?}")]
+pub struct TemplateError {
+    /// Its key in the cell file, with its table's.
+    pub key: String,
+    /// What stands there.
+    pub template: String,
+    /// What is wrong with it.
+    pub fault: TemplateFault,
+}
+
+/// What is wrong with a template.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TemplateFault {
+    /// The name of a value that it has to say.
+    Lacks(&'static str),
+    /// The name of a value that there is none of.
+    Unknown {
+        /// What stands in the braces.
+        name: String,
+        /// What may.
+        known: &'static [&'static str],
+    },
+    /// Two values with nothing between them could not be told apart in a program.
+    Touching,
+    /// It is more than a line, or has other characters than ASCII.
+    NotPlain,
+}
+
+/// Whether a template says all values of `names`, and can be read back.
 ///
 /// # Errors
-/// A sentence that begins with `name`.
-pub fn check_template(name: &str, template: &str, keys: &[&str]) -> Result<(), String> {
+/// What is wrong with it; `key` is where it stands.
+pub fn check_template(key: &str, template: &str, names: &'static [&'static str]) -> Result<(), TemplateError> {
+    let refused = |fault| Err(TemplateError { key: key.to_owned(), template: template.to_owned(), fault });
     let list = parts(template);
     let has = |key: &str| list.iter().any(|p| matches!(p, Part::Key(k) if *k == key));
-    if let Some(missing) = keys.iter().find(|k| !has(k)) {
-        return Err(format!("{name} = {template:?} has no {{{missing}}}"));
+    if let Some(missing) = names.iter().find(|n| !has(n)) {
+        return refused(TemplateFault::Lacks(missing));
     }
     let unknown = list.iter().find_map(|p| match p {
-        Part::Key(k) if !keys.contains(k) => Some(*k),
+        Part::Key(k) if !names.contains(k) => Some(*k),
         _ => None,
     });
-    if let Some(key) = unknown {
-        let known: Vec<String> = keys.iter().map(|k| format!("{{{k}}}")).collect();
-        return Err(format!("{name} = {template:?} has {{{key}}}: give {}", known.join(" and ")));
+    if let Some(name) = unknown {
+        return refused(TemplateFault::Unknown { name: name.to_owned(), known: names });
     }
     if list.windows(2).any(|w| matches!(w, [Part::Key(_), Part::Key(_)])) {
-        return Err(format!("{name} = {template:?}: put something between the braces, or it cannot be read back"));
+        return refused(TemplateFault::Touching);
     }
     if plain(template, &[]) != template {
-        return Err(format!("{name} = {template:?}: give one line of ASCII"));
+        return refused(TemplateFault::NotPlain);
     }
     Ok(())
 }
@@ -203,12 +234,19 @@ mod tests {
     #[test]
     fn templates_that_cannot_work_are_named() {
         assert!(check_template("x", "SET O{n}", &["n"]).is_ok());
-        for (bad, why) in [("SET O3", "no {n}"), ("SET {n}{m}", "{m}"), ("SET\n{n}", "one line"), ("SÉT {n}", "ASCII")]
-        {
-            let said = check_template("nachi.output_on", bad, &["n"]).expect_err("refused");
-            assert!(said.starts_with("nachi.output_on") && said.contains(why), "{said}");
+        let refused = |bad, names| check_template("nachi.output_on", bad, names).expect_err("refused");
+        for (bad, fault) in [
+            ("SET O3", TemplateFault::Lacks("n")),
+            ("SET {n}{m}", TemplateFault::Unknown { name: "m".into(), known: &["n"] }),
+            ("SET\n{n}", TemplateFault::NotPlain),
+            ("SÉT {n}", TemplateFault::NotPlain),
+        ] {
+            assert_eq!(
+                refused(bad, &["n"]),
+                TemplateError { key: "nachi.output_on".into(), template: bad.into(), fault }
+            );
         }
-        assert!(check_template("x", "A{n}{v}", &["n", "v"]).is_err());
+        assert_eq!(refused("A{n}{v}", &["n", "v"]).fault, TemplateFault::Touching);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The `[yaskawa]` table of a cell file.
 
-use super::check::{plain_lines, ranges};
 use super::words::check_template;
+use crate::cell::check::{FigureError, Form, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the INFORM job needs; words that sources disagree on are templates.
@@ -66,24 +66,20 @@ impl Default for Yaskawa {
 }
 
 impl Yaskawa {
+    /// Whether the controller can take all of it.
+    ///
     /// # Errors
-    /// Which figure makes no sense, and what it may be.
-    pub fn check(&self) -> Result<(), String> {
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), FigureError> {
+        let wrong = |key, value, form| FigureError::Form { key, value, form };
         if !matches!(self.longest_name, 8 | 32) {
-            return Err(format!("yaskawa.longest_name = {}: give 8 or 32", self.longest_name));
+            return Err(wrong("yaskawa.longest_name", self.longest_name.to_string(), Form::LongestName));
         }
         // Parts add up to three digits.
-        let longest = self.longest_name - 3;
-        let plain = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || matches!(c, '-' | '_');
-        if !(1..=longest).contains(&self.name.len()) || !self.name.chars().all(plain) {
-            return Err(format!(
-                "yaskawa.name = {:?}: give capitals, digits, - and _, at most {longest} in all",
-                self.name
-            ));
-        }
+        name("yaskawa.name", &self.name, Letters::Capitals, self.longest_name - 3)?;
         plain_lines("yaskawa.start", &self.start)?;
         if let Some(bad) = self.start.iter().find(|l| !l.starts_with("///")) {
-            return Err(format!("yaskawa.start has {bad:?}: lines before NOP begin with ///"));
+            return Err(wrong("yaskawa.start", format!("{bad:?}"), Form::Attributes));
         }
         ranges(&[
             ("yaskawa.tool", f64::from(self.tool), 0.0, 63.0),
@@ -93,7 +89,7 @@ impl Yaskawa {
         ])?;
         for pulses in self.pulses_per_deg.iter().flatten() {
             if !(10.0..=1e6).contains(&pulses.abs()) {
-                return Err(format!("yaskawa.pulses_per_deg has {pulses}: give 10 to 1000000, or less than -10"));
+                return Err(wrong("yaskawa.pulses_per_deg", pulses.to_string(), Form::Pulses));
             }
         }
         check_template("yaskawa.output_on", &self.output_on, &["n"])?;
@@ -101,6 +97,7 @@ impl Yaskawa {
         check_template("yaskawa.analogue", &self.analogue, &["n", "v"])?;
         check_template("yaskawa.group", &self.group, &["n", "v"])?;
         check_template("yaskawa.wait", &self.wait, &["s"])?;
-        check_template("yaskawa.comment", &self.comment, &["text"])
+        check_template("yaskawa.comment", &self.comment, &["text"])?;
+        Ok(())
     }
 }

@@ -1,17 +1,19 @@
-//! What would help where the arm cannot do a target: changes of the set-up, tried one by one.
+//! What would help where the arm cannot do a target: small changes of the set-up (another spin, the part turned, the
+//! laser or the part moved), tried one by one. Whole set-ups are looked for in [`set_ups`].
 //!
-//! Small changes first (another spin, the part turned, the laser or the part moved); then a search over
-//! whole mountings that maximises what can be done. Reach, limits and singularities of single targets
-//! are looked at; the chain between them is the planner's.
+//! Reach, limits and singularities of single targets are looked at; the chain between them is the planner's.
+
+mod set_ups;
+
+pub use set_ups::{BetterSetup, better_setups};
 
 use super::states::Arm;
 use crate::cell::collision::Collision;
-use crate::cell::{Frame, Mount, Robot, Setup, Spin};
+use crate::cell::{Frame, Mount, Setup, Spin};
 use crate::part::{Part, rpy};
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Activity, Cancelled, Progress};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
-use std::collections::BTreeSet;
 
 /// Spins looked at, degrees apart.
 const SPINS_DEG: f64 = 15.0;
@@ -19,31 +21,80 @@ const SPINS_DEG: f64 = 15.0;
 pub const SAMPLE: usize = 60;
 /// A target counts as done only with so much to spare of every range, degrees: a plan has to move on.
 const SPARE_DEG: f64 = 3.0;
-/// Small changes that are planned as better set-ups.
-const SMALL_CHANGES: usize = 3;
+/// Changes that are offered.
+const OFFERED: usize = 3;
 /// Turns of the part that are tried, degrees.
 const TURNS_DEG: [f64; 12] = [10.0, -10.0, 20.0, -20.0, 30.0, -30.0, 45.0, -45.0, 90.0, -90.0, 135.0, 180.0];
 /// Moves of laser or part that are tried, mm.
 const MOVES_MM: [f64; 12] = [20.0, -20.0, 50.0, -50.0, 100.0, -100.0, 150.0, -150.0, 200.0, -200.0, 300.0, -300.0];
 
+/// A direction of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FrameAxis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
+}
+
+/// One change of a set-up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    /// The spin is left free.
+    FreeSpin,
+    /// The part is turned about an axis of its own.
+    TurnPart {
+        /// Where it is: on the flange or on the table.
+        mount: Mount,
+        /// The axis.
+        axis: FrameAxis,
+        /// By so much.
+        deg: f64,
+    },
+    /// What stands is moved: the laser where the robot holds the part, else the part.
+    Move {
+        /// What the robot carries.
+        mount: Mount,
+        /// Along this axis of the base.
+        axis: FrameAxis,
+        /// By so much.
+        mm: f64,
+    },
+    /// The part is held further from the flange.
+    HoldFurther {
+        /// By so much.
+        mm: f64,
+    },
+}
+
+impl Change {
+    /// Whether another change is the same thing in the same direction, by another amount.
+    pub fn is_like(&self, other: &Change) -> bool {
+        let alike = |a: f64, b: f64| (a > 0.0) == (b > 0.0);
+        match (*self, *other) {
+            (Change::TurnPart { axis: a, deg: x, .. }, Change::TurnPart { axis: b, deg: y, .. }) => {
+                a == b && alike(x, y)
+            }
+            (Change::Move { axis: a, mm: x, .. }, Change::Move { axis: b, mm: y, .. }) => a == b && alike(x, y),
+            (Change::FreeSpin, Change::FreeSpin) | (Change::HoldFurther { .. }, Change::HoldFurther { .. }) => true,
+            _ => false,
+        }
+    }
+}
+
 /// A change that helps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advice {
     /// What to do.
-    pub text: String,
+    pub change: Change,
     /// Refused targets of the sample that become possible.
     pub gained: usize,
     /// Refused targets of the sample.
     pub of: usize,
     /// Targets of the sample that were possible and are not any more.
     pub lost: usize,
-}
-
-impl std::fmt::Display for Advice {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {} of {} refused targets become possible", self.text, self.gained, self.of)?;
-        if self.lost > 0 { write!(f, ", {} others are lost", self.lost) } else { Ok(()) }
-    }
 }
 
 /// Evenly every k-th, at most `most`.
@@ -103,18 +154,16 @@ pub fn changes(
         .filter(|(_, possible)| !possible)
         .map(|(f, _)| *f)
         .collect();
-    let mut tried: Vec<(String, Setup, f64)> = Vec::new();
+    let mut tried: Vec<(Change, Setup, f64)> = Vec::new();
     if spin == Spin::Travel {
-        tried.push(("leave the spin free".into(), setup.clone(), SPINS_DEG));
+        tried.push((Change::FreeSpin, setup.clone(), SPINS_DEG));
     }
-    for (text, changed) in variants(setup) {
-        tried.push((text, changed, now_deg));
-    }
-    progress.begin("trying changes", tried.len());
+    tried.extend(variants(setup).into_iter().map(|(change, changed)| (change, changed, now_deg)));
+    progress.begin(Activity::TryingChanges, tried.len());
     let found = tried
         .into_par_iter()
         .enumerate()
-        .map(|(rank, (text, changed, step_deg))| {
+        .map(|(rank, (change, changed, step_deg))| {
             let gained = count(&possible(&changed, part, &stuck, step_deg, progress)?);
             let mut lost = 0;
             if gained > 0 {
@@ -122,54 +171,43 @@ pub fn changes(
                 lost = before.iter().zip(&after).filter(|(b, a)| **b && !**a).count();
             }
             progress.step()?;
-            Ok((rank, Advice { text, gained, of: refused.len(), lost }))
+            Ok((rank, Advice { change, gained, of: refused.len(), lost }))
         })
         .collect::<Result<Vec<(usize, Advice)>, Cancelled>>();
     let mut found = found?;
     let worth = |a: &Advice| a.gained as i64 - 2 * a.lost as i64;
     found.retain(|(_, a)| worth(a) > 0);
     found.sort_by(|(i, a), (j, b)| worth(b).cmp(&worth(a)).then(i.cmp(j)));
-    // The same by another number says nothing new.
-    let kind = |a: &Advice| a.text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
-    let mut kinds = BTreeSet::new();
-    Ok(found.into_iter().map(|(_, a)| a).filter(|a| kinds.insert(kind(a))).take(3).collect())
+    let mut offered: Vec<Advice> = Vec::new();
+    for (_, advice) in found {
+        // Another amount of what is offered already says nothing new.
+        if offered.len() < OFFERED && !offered.iter().any(|o| o.change.is_like(&advice.change)) {
+            offered.push(advice);
+        }
+    }
+    Ok(offered)
 }
 
 /// One thing changed, the smallest changes first.
-fn variants(setup: &Setup) -> Vec<(String, Setup)> {
+fn variants(setup: &Setup) -> Vec<(Change, Setup)> {
+    use FrameAxis::{X, Y, Z};
     let mut out = Vec::new();
-    let change = |edit: &dyn Fn(&mut Setup)| {
+    let mount = setup.mount;
+    let changed = |edit: &dyn Fn(&mut Setup)| {
         let mut changed = setup.clone();
         edit(&mut changed);
         changed
     };
-    let (part, what) = match setup.mount {
-        Mount::PartInHand => ("on the flange", "the laser"),
-        Mount::ToolInHand => ("on the table", "the part"),
-    };
-    for k in 0..TURNS_DEG.len() {
-        let deg = TURNS_DEG[k];
-        for (axis, name) in [(Vector3::z_axis(), "z"), (Vector3::x_axis(), "x"), (Vector3::y_axis(), "y")] {
-            let turn = UnitQuaternion::from_axis_angle(&axis, deg.to_radians());
-            let text = format!("turn the part {part} about its {name} by {deg:.0}\u{b0}");
-            out.push((text, change(&|s| turned(part_frame(s), &turn))));
+    for (deg, mm) in TURNS_DEG.into_iter().zip(MOVES_MM) {
+        for (axis, direction) in [(Z, Vector3::z_axis()), (X, Vector3::x_axis()), (Y, Vector3::y_axis())] {
+            let turn = UnitQuaternion::from_axis_angle(&direction, deg.to_radians());
+            out.push((Change::TurnPart { mount, axis, deg }, changed(&|s| turned(part_frame(s), &turn))));
         }
-        let mm = MOVES_MM[k];
-        let way = |i: usize| match (i, mm > 0.0) {
-            (2, true) => "higher",
-            (2, false) => "lower",
-            (0, true) => "further from the robot",
-            (0, false) => "nearer to the robot",
-            (_, true) => "to the left (+y)",
-            (_, false) => "to the right (\u{2212}y)",
-        };
-        for i in [2, 0, 1] {
-            let text = format!("put {what} {:.0} mm {}", mm.abs(), way(i));
-            out.push((text, change(&|s| moved(fixed_frame(s), i, mm))));
+        for (axis, i) in [(Z, 2), (X, 0), (Y, 1)] {
+            out.push((Change::Move { mount, axis, mm }, changed(&|s| moved(fixed_frame(s), i, mm))));
         }
-        if setup.mount == Mount::PartInHand && mm > 0.0 {
-            let text = format!("hold the part {mm:.0} mm further from the flange");
-            out.push((text, change(&|s| moved(part_frame(s), 2, mm))));
+        if mount == Mount::PartInHand && mm > 0.0 {
+            out.push((Change::HoldFurther { mm }, changed(&|s| moved(part_frame(s), 2, mm))));
         }
     }
     out
@@ -206,156 +244,24 @@ fn angles(rotation: &UnitQuaternion<f64>) -> [f64; 3] {
     rpy::from_rotation(&rotation.to_rotation_matrix()).map(|deg| libm::round(deg * 1000.0) / 1000.0 + 0.0)
 }
 
-/// A whole set-up that was found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BetterSetup {
-    /// Share of the sample that is possible now.
-    pub share_before: f64,
-    /// And with these frames.
-    pub share_after: f64,
-    /// Part on the flange, or part in the base.
-    pub part: Frame,
-    /// Laser in the base; as it was where the tool is in hand.
-    pub base_from_laser: Frame,
-    /// The sample: path frames in the part.
-    pub sample: Vec<Isometry3<f64>>,
-    /// Which of the sample are possible with them.
-    pub possible: Vec<bool>,
-}
-
-/// Mountings (turn, tilt, position) with which most of the targets are possible, to be planned and
-/// compared: single targets say nothing of the ways between them.
-///
-/// The first is found on a coarse grid over how the part is held and where laser or part stands, then by
-/// single steps from the best, ever smaller; the others are the best small changes of what there is.
-/// `frames`: a sample of path frames, evenly over the work.
-///
-/// # Errors
-/// [`Cancelled`] when `progress` says so.
-pub fn better_setups(
-    setup: &Setup,
-    part: &Part,
-    frames: &[Isometry3<f64>],
-    progress: &Progress,
-) -> Result<Vec<BetterSetup>, Cancelled> {
-    if frames.is_empty() || setup.robot.is_none() {
-        return Ok(Vec::new());
-    }
-    let score = |s: &Setup| Ok(count(&possible(s, part, frames, 2.0 * SPINS_DEG, progress)?));
-    let start = score(setup)?;
-    let scored = |stage, list: Vec<Setup>| -> Result<Vec<(usize, Setup)>, Cancelled> {
-        progress.begin(stage, list.len());
-        let one = |s: &Setup| {
-            let score = score(s)?;
-            progress.step().map(|()| score)
-        };
-        let scores = list.par_iter().map(one).collect::<Result<Vec<usize>, Cancelled>>()?;
-        let mut out: Vec<(usize, Setup)> = scores.into_iter().zip(list).collect();
-        out.sort_by_key(|s| std::cmp::Reverse(s.0));
-        Ok(out)
-    };
-    let mut found = Vec::new();
-    if let Some(mut best) = scored("trying set-ups", grid(setup))?.into_iter().next() {
-        for step_mm in [60.0, 30.0, 10.0] {
-            let next = |best: &(usize, Setup)| -> Result<_, Cancelled> {
-                let list = scored("improving the set-up", around(&best.1, step_mm))?;
-                Ok(list.into_iter().next().filter(|n| n.0 > best.0))
-            };
-            while let Some(next) = next(&best)? {
-                best = next;
-            }
-        }
-        found.push(best);
-    }
-    let small = scored("trying small changes", variants(setup).into_iter().map(|(_, s)| s).collect())?;
-    found.extend(small.into_iter().take(SMALL_CHANGES));
-    let share = |n: usize| n as f64 / frames.len() as f64;
-    let better = |(n, mut s): (usize, Setup)| {
-        Ok(BetterSetup {
-            share_before: share(start),
-            share_after: share(n),
-            part: part_frame(&mut s).clone(),
-            base_from_laser: s.cell.base_from_laser.clone(),
-            sample: frames.to_vec(),
-            possible: possible(&s, part, frames, SPINS_DEG, progress)?,
-        })
-    };
-    found.into_iter().filter(|f| f.0 >= start).map(better).collect()
-}
-
-/// Quarter turns of the part, at places of the laser (or the part) over the arm's reach.
-fn grid(setup: &Setup) -> Vec<Setup> {
-    let reach = setup.robot.as_ref().map_or(500.0, Robot::reach_mm);
-    let mut out = Vec::new();
-    for turn in quarter_turns(setup.mount) {
-        for x in [0.45, 0.6, 0.75] {
-            for z in [0.0, 0.2, 0.4, 0.6] {
-                let mut s = setup.clone();
-                let here = fixed_frame(&mut s).clone();
-                *fixed_frame(&mut s) = Frame::new(
-                    [libm::round(x * reach), here.position_mm[1], libm::round(z * reach)],
-                    here.rz_ry_rx_deg,
-                );
-                turned(part_frame(&mut s), &turn);
-                out.push(s);
-            }
-        }
-    }
-    out
-}
-
-/// How a part may be held: any face to the flange; on a table it stands as it is and is turned.
-fn quarter_turns(mount: Mount) -> Vec<UnitQuaternion<f64>> {
-    let about = |axis, quarters: i32| UnitQuaternion::from_axis_angle(&axis, f64::from(quarters * 90).to_radians());
-    let z = (0..4).map(|k| about(Vector3::z_axis(), k));
-    match mount {
-        Mount::ToolInHand => z.collect(),
-        Mount::PartInHand => {
-            let tilts = [
-                UnitQuaternion::identity(),
-                about(Vector3::x_axis(), 1),
-                about(Vector3::x_axis(), -1),
-                about(Vector3::x_axis(), 2),
-                about(Vector3::y_axis(), 1),
-                about(Vector3::y_axis(), -1),
-            ];
-            // With the spin free a turn about the flange changes little but the last joint.
-            tilts.to_vec()
-        }
-    }
-}
-
-/// One step along each axis, of what stands and of what is held, and small turns.
-fn around(setup: &Setup, step_mm: f64) -> Vec<Setup> {
-    let mut out = Vec::new();
-    for sign in [1.0, -1.0] {
-        for axis in 0..3 {
-            let mut s = setup.clone();
-            moved(fixed_frame(&mut s), axis, sign * step_mm);
-            out.push(s);
-            let turn = UnitQuaternion::from_axis_angle(
-                &nalgebra::Unit::new_unchecked(Vector3::ith(axis, 1.0)),
-                (sign * 0.5 * step_mm).to_radians(),
-            );
-            let mut s = setup.clone();
-            if setup.mount == Mount::PartInHand || axis == 2 {
-                turned(part_frame(&mut s), &turn);
-                out.push(s);
-            }
-        }
-        if setup.mount == Mount::PartInHand {
-            let mut s = setup.clone();
-            moved(part_frame(&mut s), 2, sign * step_mm);
-            if part_frame(&mut s).position_mm[2] >= 0.0 {
-                out.push(s);
-            }
-        }
-    }
-    out
-}
-
-/// A frame as it stands in a job file: mm and degrees.
-pub fn said(frame: &Frame) -> String {
+/// The keys of a frame as they stand in a job file: mm and degrees.
+pub fn as_toml(frame: &Frame) -> String {
     let list = |v: &[f64; 3]| v.map(|x| format!("{:?}", x + 0.0)).join(", ");
     format!("position_mm = [{}], rz_ry_rx_deg = [{}]", list(&frame.position_mm), list(&frame.rz_ry_rx_deg))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every change is itself again by another amount, and nothing else, or it would be offered in vain.
+    #[test]
+    fn changes_differ_by_more_than_their_amount() {
+        let setup = Setup::shipped().expect("shipped");
+        let all: Vec<Change> = variants(&setup).into_iter().map(|(change, _)| change).collect();
+        let kinds = all.iter().enumerate().filter(|(i, c)| !all[..*i].iter().any(|before| before.is_like(c)));
+        // Three turns and three moves, each to either side, and further from the flange.
+        assert_eq!(kinds.count(), 13);
+        assert!(all.iter().all(|c| c.is_like(c) && !c.is_like(&Change::FreeSpin)));
+    }
 }

@@ -1,18 +1,20 @@
 //! How the arm does the passes: spin and branch for every target, chosen together.
 //!
 //! The spot is round, so the part (or the tool) may be turned about the beam axis by any *spin*. A
-//! *state* is one spin with one solution of the arm and its turns ([`states`]). The cheapest chain of
-//! states is found by dynamic programming over all of them ([`choice`]); where there is none, the
-//! reason is looked for ([`refusal`]), and what would help ([`advice`]). Connecting moves are not chosen here.
+//! *state* is one spin with one solution of the arm and its turns ([`states`]). The cheapest [`chain`] of
+//! states is found by dynamic programming over all of them, and one that touches nothing is chosen ([`choice`]);
+//! where there is none, a [`refusal`] says why, and [`advice`] what would help. Connecting moves are not chosen here.
 
 pub mod advice;
+pub mod chain;
 pub mod choice;
 mod crowds;
 pub mod memory;
+mod reason;
 pub mod refusal;
 pub mod states;
 
 pub use choice::{Choice, Chosen, Watch, choose, choose_again};
 pub use memory::Memory;
-pub use refusal::{Cause, Refusal};
+pub use refusal::{Cause, Refusal, Why};
 pub use states::{Arm, State};

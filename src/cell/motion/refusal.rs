@@ -1,12 +1,12 @@
-//! Why the arm cannot do a target, in the words of the report.
+//! What the arm does not do, and why: kind of reason, bodies, joints and figures. Sentences are made of it elsewhere.
 
-use super::choice::{MOST_SPEED, MOST_STEP_DEG, most_deg};
-use super::states::{Arm, Lack, State};
-use crate::pose::{Blocker, Ours, Theirs};
-use nalgebra::Isometry3;
+use crate::cell::{BodyId, Contact};
+use crate::pose::{Blocker, Obstruction, ToolBody};
+use serde::Serialize;
+use serde::ser::{SerializeMap as _, Serializer};
 
-/// What kind of thing is in the way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// What kind of thing is in the way; what does harm comes before what cannot be reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Cause {
     /// The beam hits the part on the way between two targets, as the controller goes.
     Beam,
@@ -43,18 +43,18 @@ impl Cause {
 
     /// The cause of something in the way of beam or head.
     pub fn of_blocker(b: &Blocker) -> Cause {
-        match (b.ours, b.theirs) {
-            (_, Theirs::Clamp(_)) => Cause::Obstacle,
-            (Ours::Head, _) => Cause::Head,
-            (Ours::Beam, _) => Cause::Beam,
+        match (b.tool_body, b.obstruction) {
+            (_, Obstruction::Clamp(_)) => Cause::Obstacle,
+            (ToolBody::Head, _) => Cause::Head,
+            (ToolBody::Beam, _) => Cause::Beam,
         }
     }
 
-    /// The cause of a contact, by what is named in it.
-    pub fn of_contact(contact: &str) -> Cause {
-        if contact.contains("head") {
+    /// The cause of a contact, by the bodies that touch.
+    pub fn of_contact(contact: &Contact) -> Cause {
+        if contact.any(|b| matches!(b, BodyId::Head)) {
             Cause::Head
-        } else if contact.contains("table") || contact.contains("obstacle") {
+        } else if contact.any(|b| matches!(b, BodyId::Table | BodyId::Obstacle { .. })) {
             Cause::Obstacle
         } else {
             Cause::Robot
@@ -71,75 +71,146 @@ pub struct Refusal {
     pub point: usize,
     /// Kind of reason.
     pub cause: Cause,
-    /// The joint, or the pair that collides, with its figures.
-    pub detail: String,
+    /// The reason, with its figures.
+    pub why: Why,
 }
 
-/// Why a target has no state.
-pub(super) fn of_lack(arm: &Arm<'_>, lack: &Lack) -> (Cause, String) {
-    match *lack {
-        Lack::Reach => (Cause::Reach, format!("out of reach of the {} at any spin", arm.robot.name)),
-        Lack::Limit { joint, needs_deg } => (Cause::Limit, beyond(arm, joint, needs_deg)),
-        Lack::Singularity => {
-            (Cause::Singularity, "every pose of the arm is next to a singularity, where joints would race".into())
-        }
+/// Why the arm does not do a target. Joints are counted from 1, as their names are: J1.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+pub enum Why {
+    /// No pose of the arm leads there, at any spin.
+    OutOfReach {
+        /// The robot's name for people.
+        robot: String,
+    },
+    /// A joint would have to go beyond its range.
+    JointLimit {
+        /// The joint.
+        joint: usize,
+        /// Angle that it would need, degrees.
+        needs_deg: f64,
+        /// Least and greatest that it can, degrees.
+        range_deg: [f64; 2],
+    },
+    /// Between two targets some joint would leave its range.
+    LimitBetween,
+    /// A joint would have to turn faster than it can.
+    JointSpeed {
+        /// The joint.
+        joint: usize,
+        /// Speed that it would need, degrees per second.
+        needs_deg_s: f64,
+        /// The greatest that it can, degrees per second.
+        can_deg_s: f64,
+    },
+    /// A joint would jump: the wrist flips.
+    WristFlip {
+        /// The joint.
+        joint: usize,
+        /// How far it would jump, degrees.
+        jump_deg: f64,
+    },
+    /// Every pose of the arm is next to a singularity.
+    Singular,
+    /// The arm would have to change its branch in the middle of a pass.
+    BranchChange,
+    /// No continuous motion of the arm leads on.
+    NoMotion,
+    /// Something touches.
+    Contact(Contact),
+    /// Something touches already where the program begins and ends.
+    ContactAtHome(Contact),
+    /// No way leads there on which arm and part keep clear of everything.
+    NoWay,
+    /// No pose was chosen for the target.
+    NotChosen,
+    /// As the flange goes straight, beam or head hits something.
+    HitOnMove {
+        /// Where the spot is then, in the part, mm.
+        spot_mm: [f64; 3],
+        /// What hits what.
+        #[serde(serialize_with = "blocker")]
+        hit: Blocker,
+    },
+    /// As the program is written, rounded to its digits, beam or head hits something.
+    HitAsWritten {
+        /// What hits what.
+        #[serde(serialize_with = "blocker")]
+        hit: Blocker,
+    },
+    /// As the head is drawn back, it hits something.
+    HitDrawnBack {
+        /// What hits what.
+        #[serde(serialize_with = "blocker")]
+        hit: Blocker,
+    },
+    /// As the flange goes straight, the spot leaves its line.
+    OffLine {
+        /// How far, mm.
+        off_mm: f64,
+    },
+}
+
+impl Why {
+    /// The reason that a contact is, with its cause.
+    pub fn contact(contact: Contact) -> (Cause, Why) {
+        (Cause::of_contact(&contact), Why::Contact(contact))
     }
 }
 
-fn beyond(arm: &Arm<'_>, joint: usize, needs_deg: f64) -> String {
-    let [low, high] = arm.robot.limits_deg[joint];
-    format!("J{} would need {needs_deg:.1}\u{b0}, its range is {low:.0} to {high:.0}\u{b0}", joint + 1)
+/// What hits what: `beam` or `head`, the facet or the clamp from 0, and how far along the beam.
+fn blocker<S: Serializer>(b: &Blocker, serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(3))?;
+    map.serialize_entry(
+        "ours",
+        match b.tool_body {
+            ToolBody::Beam => "beam",
+            ToolBody::Head => "head",
+        },
+    )?;
+    match b.obstruction {
+        Obstruction::Facet(facet) => map.serialize_entry("facet", &facet)?,
+        Obstruction::Clamp(clamp) => map.serialize_entry("clamp", &clamp)?,
+    }
+    map.serialize_entry("t_mm", &b.t_mm)?;
+    map.end()
 }
 
-/// Why no move leads to a target that has states, from the state before it.
-pub(super) fn of_move(
-    arm: &Arm<'_>,
-    part_from_focus: &Isometry3<f64>,
-    before: Option<&State>,
-    lit_s: Option<f64>,
-) -> (Cause, String) {
-    let (Some(before), Some(seconds)) = (before, lit_s) else {
-        return (Cause::Singularity, "no continuous motion of the arm leads on from here".into());
-    };
-    let speeds = &arm.robot.speeds_deg_s;
-    let most = most_deg(speeds, seconds);
-    // The pose that carries on most nearly, limits not looked at.
-    let mut nearest: Option<(f64, [f64; 6])> = None;
-    for k in 0..arm.spins() {
-        let solutions = arm.robot.inverse(&arm.flange_for(&arm.turned(part_from_focus, k as u8)));
-        if let Some(joints) = solutions[usize::from(before.branch)] {
-            let on = std::array::from_fn(|j| {
-                let d: f64 = joints[j] - before.joints_deg[j];
-                before.joints_deg[j] + d - 360.0 * (d / 360.0).round()
-            });
-            let excess = (0..6).map(|j| (on[j] - before.joints_deg[j]).abs() / most[j]).fold(0.0, f64::max);
-            if nearest.is_none_or(|n| excess < n.0) {
-                nearest = Some((excess, on));
-            }
-        }
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::Link;
+    use serde_json::json;
+
+    fn json(why: &Why) -> serde_json::Value {
+        serde_json::to_value(why).expect("JSON")
     }
-    let Some((_, on)) = nearest else {
-        return (Cause::Reach, "the arm would have to change its branch in the middle of a pass".into());
-    };
-    let worst = (0..6)
-        .map(|j| ((on[j] - before.joints_deg[j]).abs() / most[j], j))
-        .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
-    let j = worst.1;
-    let moved = (on[j] - before.joints_deg[j]).abs();
-    if worst.0 > 1.0 && moved <= MOST_STEP_DEG {
-        let detail = format!(
-            "J{} would turn at {:.0}\u{b0}/s, it can {:.0}\u{b0}/s",
-            j + 1,
-            moved / seconds,
-            MOST_SPEED * speeds[j]
-        );
-        return (Cause::Speed, detail);
+
+    #[test]
+    fn the_cause_of_a_contact_is_in_its_bodies() {
+        let obstacle = |file: &str| BodyId::Obstacle { index: 0, file: file.into() };
+        let cause = |a, b| Cause::of_contact(&Contact { a, b });
+        let arm = || BodyId::Link(Link::UpperArm);
+        assert_eq!(cause(BodyId::Part, obstacle("headstock.stl")), Cause::Obstacle);
+        assert_eq!(cause(BodyId::Head, obstacle("fence.stl")), Cause::Head);
+        assert_eq!(cause(arm(), BodyId::Head), Cause::Head);
+        assert_eq!(cause(BodyId::Part, BodyId::Table), Cause::Obstacle);
+        assert_eq!(cause(arm(), BodyId::Part), Cause::Robot);
     }
-    if worst.0 > 1.0 {
-        return (Cause::Singularity, format!("J{} would jump by {moved:.0}\u{b0} in one step: the wrist flips", j + 1));
-    }
-    match arm.robot.beyond(&on) {
-        Some(j) => (Cause::Limit, beyond(arm, j, on[j])),
-        None => (Cause::Singularity, "no continuous motion of the arm leads on from here".into()),
+
+    #[test]
+    fn reasons_are_codes_and_figures() {
+        let limit = Why::JointLimit { joint: 5, needs_deg: 127.25, range_deg: [-120.0, 120.0] };
+        let told = json!({ "code": "joint_limit", "joint": 5, "needs_deg": 127.25, "range_deg": [-120.0, 120.0] });
+        assert_eq!(json(&limit), told);
+        assert_eq!(json(&Why::NoWay), json!({ "code": "no_way" }));
+        let touch = Why::contact(Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part }).1;
+        assert_eq!(json(&touch), json!({ "code": "contact", "a": { "body": "forearm" }, "b": { "body": "part" } }));
+        let hit = Blocker { tool_body: ToolBody::Head, obstruction: Obstruction::Facet(12), t_mm: 40.5 };
+        let back = json!({ "code": "hit_drawn_back", "hit": { "ours": "head", "facet": 12, "t_mm": 40.5 } });
+        assert_eq!(json(&Why::HitDrawnBack { hit }), back);
+        let moved = json(&Why::HitOnMove { spot_mm: [1.0, 2.0, 3.5], hit });
+        assert_eq!(moved["spot_mm"], json!([1.0, 2.0, 3.5]));
     }
 }

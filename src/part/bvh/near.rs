@@ -4,9 +4,10 @@
 //! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
 //! box first, and no box is entered that keeps farther away than what was found.
 
-use super::{Bounds, Bvh, Node, meet};
-use crate::part::distance::{segment_triangle, triangles};
-use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
+use super::prepared::{Sides, Slender, Turn};
+use super::{Bvh, Node, meet};
+use crate::part::distance::triangles;
+use nalgebra::{Isometry3, Point3, Vector3};
 
 impl Bvh {
     /// Centre and radius of a sphere around all facets, mm; `None`: there are none.
@@ -68,8 +69,9 @@ impl Bvh {
         }
     }
 
-    /// The same for several bodies at once, one bit each: of those that a box was not ruled out for, `near`
-    /// tells which a box within it is not ruled out for, and `visit` gets them with the facet.
+    /// Visits every facet of a leaf whose box is near one of several bodies, one bit each, until `visit` says no.
+    /// Of the bodies that a box was not ruled out for, `near` tells which a box within it is not ruled out for;
+    /// `visit` gets those with the facet.
     pub fn visit_near_boxes_of(
         &self,
         all: u32,
@@ -244,104 +246,11 @@ fn push_nearer_last<I>(open: &mut Vec<(f64, I)>, one: (f64, I), other: (f64, I))
     open.extend(if one.0 < other.0 { [other, one] } else { [one, other] });
 }
 
-/// A segment made ready for facets.
-struct Slender {
-    from: Point3<f64>,
-    to: Point3<f64>,
-    dir: Vector3<f64>,
-    length: f64,
-}
-
-impl Slender {
-    fn new(from: &Point3<f64>, to: &Point3<f64>) -> Slender {
-        let along = to - from;
-        let length = along.norm();
-        let dir = if length > 0.0 { along / length } else { Vector3::z() };
-        Slender { from: *from, to: *to, dir, length }
-    }
-
-    fn distance(&self, corners: &[Point3<f64>; 3]) -> f64 {
-        let through = meet(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t));
-        if through { 0.0 } else { segment_triangle(&self.from, &self.to, corners) }
-    }
-}
-
-/// A segment made ready for boxes.
-struct Sides {
-    from: Point3<f64>,
-    bounds: Bounds,
-    /// Square to the segment and to an axis each.
-    across: [Vector3<f64>; 3],
-}
-
-impl Sides {
-    fn new(s: &Slender) -> Sides {
-        let across = [0, 1, 2].map(|k| {
-            let square = s.dir.cross(&Vector3::ith(k, 1.0));
-            let norm = square.norm();
-            if norm > 1e-6 { square / norm } else { Vector3::zeros() }
-        });
-        Sides { from: s.from, bounds: Bounds::of(&[s.from, s.to, s.to]), across }
-    }
-
-    /// A box is at least so far away: as far as the gap between the two seen along any line.
-    fn gap(&self, b: &Bounds) -> f64 {
-        let middle = Vector3::from_fn(|k, _| b.middle(k)) - self.from.coords;
-        let half = Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
-        let beside = self.across.iter().map(|u| less(u.dot(&middle).abs() - u.abs().dot(&half)));
-        beside.fold(self.bounds.gap(b), f64::max)
-    }
-}
-
-/// A gap, less by more than the rounding of turned boxes.
-fn less(gap: f64) -> f64 {
-    gap * (1.0 - 1e-9) - 1e-9
-}
-
-/// A motion made ready for boxes.
-struct Turn {
-    rotation: Matrix3<f64>,
-    spread: Matrix3<f64>,
-    shift: Vector3<f64>,
-}
-
-impl Turn {
-    fn new(motion: &Isometry3<f64>) -> Turn {
-        let rotation = *motion.rotation.to_rotation_matrix().matrix();
-        Turn { rotation, spread: rotation.abs(), shift: motion.translation.vector }
-    }
-
-    /// The box around a moved box.
-    fn bounds(&self, b: &Bounds) -> Bounds {
-        let middle = self.rotation * Vector3::from_fn(|k, _| b.middle(k)) + self.shift;
-        let half = self.spread * Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
-        Bounds { lo: (middle - half).into(), hi: (middle + half).into() }
-    }
-}
-
-impl Bounds {
-    fn is_near(&self, o: &Bounds, reach_mm: f64) -> bool {
-        // Wider by more than the rounding of a turned box.
-        let reach = reach_mm * (1.0 + 1e-9) + 1e-9;
-        (0..3).all(|k| self.lo[k] <= o.hi[k] + reach && o.lo[k] <= self.hi[k] + reach)
-    }
-
-    /// Distance of two boxes, less by more than the rounding of a turned one.
-    fn gap(&self, o: &Bounds) -> f64 {
-        let apart = Vector3::from_fn(|k, _| (o.lo[k] - self.hi[k]).max(self.lo[k] - o.hi[k]).max(0.0));
-        less(apart.norm())
-    }
-
-    /// The least `dir·p` of a box.
-    fn lowest(&self, dir: &Vector3<f64>) -> f64 {
-        (0..3).map(|k| dir[k] * if dir[k] > 0.0 { self.lo[k] } else { self.hi[k] }).sum()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::part::Mesh;
+    use crate::part::distance::segment_triangle;
     use crate::part::topology::Dead;
     use crate::sample::solids;
     use proptest::prelude::*;

@@ -21,8 +21,8 @@ const CONE_DEG: f64 = 2.0;
 /// Distance of centroids, share of the square root of the area. Within: half a pipe as long as wide,
 /// in 9 facets and many, 0.3 %. Beyond: a bore Ø20 of depth 50 moved by 2 mm, 3.6 %.
 const PLACE: f64 = 0.03;
-/// The same of planes within their own plane. Within: that plate with its boss 40 mm from the middle,
-/// 2.9 %. Beyond: a pad of 20 × 20 moved by 2 mm.
+/// Distance of the centroids of planes within their own plane, share of the square root of the area. Within:
+/// that plate with its boss 40 mm from the middle, 2.9 %. Beyond: a pad of 20 × 20 moved by 2 mm.
 const PLACE_IN_PLANE: f64 = 0.05;
 /// Distance of planes along their normal, share of the part's diagonal: no tessellation changes it.
 /// Within: a face of a 128 mm part ground by 0.1 mm. Beyond: milled by 0.3 mm.

@@ -35,7 +35,7 @@ pub(super) struct Fingerprint {
 }
 
 impl Fingerprint {
-    /// The same thing after a motion, made larger by its scale.
+    /// What it is after a motion, made larger by its scale.
     pub(super) fn moved(&self, new_from_old: &Similarity3<f64>) -> Fingerprint {
         let scale = new_from_old.scaling();
         Fingerprint {

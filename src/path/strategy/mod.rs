@@ -4,6 +4,7 @@
 //! [`lines`] is the one entry; it knows geometry alone. Working order and sense are `path::order`'s.
 
 pub mod adaptive;
+mod finding;
 mod march;
 mod net;
 pub mod offset;
@@ -17,6 +18,7 @@ use super::normals::VertexNormals;
 use super::planes::{self, SurfacePlanes};
 use super::section::{TransversalLine, sections};
 use crate::part::{Mesh, angle, surfaces::Surface};
+pub use finding::LinesFinding;
 use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
 pub use spacing::Achieved;
@@ -96,8 +98,8 @@ pub struct SurfaceLines {
     pub achieved: Option<Achieved>,
     /// The planes that cut them, for `coverage`: none for offset and spiral, two for a cross.
     pub planes: Vec<SurfacePlanes>,
-    /// What is not as wanted, and what to do; without lines: why there are none.
-    pub reason: Option<String>,
+    /// What is not as wanted; without lines: why there are none.
+    pub finding: Option<LinesFinding>,
 }
 
 /// Lays the lines of a surface by a rule. `family` is its family of equal planes: of it `Planes` and
@@ -113,19 +115,17 @@ pub fn lines(
     merge_mm: f64,
 ) -> SurfaceLines {
     if !(rule.spacing_mm.is_finite() && rule.spacing_mm > 0.0) {
-        return none(format!("a spacing of {} mm gives no lines: choose one greater than 0", rule.spacing_mm));
+        return none(LinesFinding::SpacingNotPositive { spacing_mm: rule.spacing_mm });
     }
     if planes::live(mesh, surface).next().is_none() {
-        return none(format!("surface {} has no proper facet: leave it out", surface.number));
+        return none(LinesFinding::NoProperFacet);
     }
     let cut = |planes: &SurfacePlanes| sections(mesh, surface, normals, &planes.normal, &planes.heights_mm, merge_mm);
     let raster = |planes: SurfacePlanes| {
         let lines = cut(&planes);
         SurfaceLines {
             achieved: spacing::achieved(&lines, Some(&planes.normal), rule.spacing_mm),
-            reason: lines
-                .is_empty()
-                .then(|| format!("no plane crosses surface {}: turn the planes' direction into it", surface.number)),
+            finding: lines.is_empty().then_some(LinesFinding::NoPlaneCrosses),
             lines,
             planes: vec![planes],
         }
@@ -140,13 +140,7 @@ pub fn lines(
         Strategy::Spiral => spiral::lines(mesh, surface, normals, rule, merge_mm),
         Strategy::Cross => {
             let Some(second) = across(mesh, surface, family, rule.spacing_mm, rule.cross_deg) else {
-                return SurfaceLines {
-                    reason: Some(format!(
-                        "surface {} has no mean normal to turn the second raster about: choose another strategy",
-                        surface.number
-                    )),
-                    ..raster(family.clone())
-                };
+                return SurfaceLines { finding: Some(LinesFinding::NoMeanNormal), ..raster(family.clone()) };
             };
             crossed(raster(family.clone()), raster(second))
         }
@@ -175,7 +169,7 @@ fn crossed(one: SurfaceLines, mut two: SurfaceLines) -> SurfaceLines {
         lines: [one.lines, two.lines].concat(),
         achieved: Achieved::both(one.achieved, two.achieved),
         planes: [one.planes, two.planes].concat(),
-        reason: one.reason.or(two.reason),
+        finding: one.finding.or(two.finding),
     }
 }
 
@@ -186,6 +180,6 @@ fn mean_normal(mesh: &Mesh, surface: &Surface) -> Option<Vector3<f64>> {
     angle::unit(sum).filter(|_| sum.norm() > 1e-3 * area)
 }
 
-fn none(reason: String) -> SurfaceLines {
-    SurfaceLines { reason: Some(reason), ..Default::default() }
+fn none(finding: LinesFinding) -> SurfaceLines {
+    SurfaceLines { finding: Some(finding), ..Default::default() }
 }

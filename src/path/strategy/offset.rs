@@ -11,7 +11,7 @@ use super::super::normals::VertexNormals;
 use super::super::section::{SectionPoint, TransversalLine, chained, merged};
 use super::march::{Along, Field};
 use super::net::Net;
-use super::{Layout, SurfaceLines, none, spacing};
+use super::{Layout, LinesFinding, SurfaceLines, none, spacing};
 use crate::part::merge_tree::Sets;
 use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::Point3;
@@ -48,17 +48,10 @@ pub(super) fn lines(
     let net = Net::new(mesh, surface, normals);
     let count = net.loops().len();
     if count == 0 {
-        return none(format!(
-            "surface {} is closed and has no border to keep a distance from: choose planes or a spiral",
-            surface.number
-        ));
+        return none(LinesFinding::NoBorder);
     }
-    if let Some(chosen) = rule.border.filter(|&b| b >= count) {
-        return none(format!(
-            "surface {} has no border {}: it has {count}; choose one of them or the whole outline",
-            surface.number,
-            chosen + 1
-        ));
+    if let Some(border) = rule.border.filter(|&b| b >= count) {
+        return none(LinesFinding::NoSuchBorder { border, borders: count });
     }
     let size_mm = (PIECE * rule.spacing_mm).min(0.15 * surface.area_mm2.sqrt());
     let net = net.refined(true, |_| size_mm);
@@ -73,17 +66,14 @@ pub(super) fn lines(
         .filter(|&f| net.mesh.facets[f].iter().any(|&v| !field.mm[v as usize].is_finite()))
         .map(|f| net.mesh.areas[f])
         .sum();
-    let reason = if lines.is_empty() {
-        Some(format!("surface {} is too small for a line: leave it out", surface.number))
+    let finding = if lines.is_empty() {
+        Some(LinesFinding::NoLineFits)
     } else if unreached > 1e-9 * surface.area_mm2 {
-        Some(format!(
-            "{unreached:.1} mm² of surface {} hang together with no facet of the border: choose the whole outline",
-            surface.number
-        ))
+        Some(LinesFinding::ApartFromBorder { area_mm2: unreached })
     } else {
         None
     };
-    SurfaceLines { achieved: spacing::achieved(&lines, None, rule.spacing_mm), lines, planes: Vec::new(), reason }
+    SurfaceLines { achieved: spacing::achieved(&lines, None, rule.spacing_mm), lines, planes: Vec::new(), finding }
 }
 
 /// Rank, distance and facets of one level.

@@ -56,9 +56,9 @@ pub fn achieved(lines: &[TransversalLine], planes_normal: Option<&Vector3<f64>>,
     measured(lines, &ranks, planes_normal, |_| true, spacing_mm)
 }
 
-/// The same with a rank for each point, ascending from line to line or along them: the turn of a
-/// spiral. The neighbour is what is half a rank to one and a half before; points
-/// of which `counts` says no are not measured.
+/// Measures lines with a rank for each point, ascending from line to line or along them: the turn of a spiral.
+/// The neighbour is what is half a rank to one and a half before; points of which `counts` says no are not
+/// measured.
 pub(super) fn measured(
     lines: &[TransversalLine],
     ranks: &[Vec<f64>],

@@ -8,7 +8,7 @@ use super::super::normals::VertexNormals;
 use super::net::Net;
 use super::radial::Axis;
 use super::winding::Winding;
-use super::{Layout, SurfaceLines, mean_normal, spacing};
+use super::{Layout, LinesFinding, SurfaceLines, mean_normal, spacing};
 use crate::part::{Mesh, angle, surfaces::Surface};
 use crate::path::planes::live;
 use nalgebra::{Point3, Vector3};
@@ -37,20 +37,14 @@ pub(super) fn lines(
         lines.iter_mut().for_each(|l| l.points.reverse());
     }
     let missed: f64 = (0..net.mesh.facets.len()).filter(|&f| !winding.reaches(f)).map(|f| net.mesh.areas[f]).sum();
-    let reason = if lines.is_empty() {
-        Some(format!(
-            "no turn of a spiral {} mm apart fits on surface {}: choose a smaller spacing or another strategy",
-            rule.spacing_mm, surface.number
-        ))
+    let finding = if lines.is_empty() {
+        Some(LinesFinding::NoTurnFits { spacing_mm: rule.spacing_mm })
     } else if missed > rule.spacing_mm * rule.spacing_mm {
-        Some(format!(
-            "{missed:.1} mm² of surface {} are not reached by its spiral: choose another centre or another strategy",
-            surface.number
-        ))
+        Some(LinesFinding::BeyondSpiral { area_mm2: missed })
     } else {
         None
     };
-    SurfaceLines { lines, achieved, planes: Vec::new(), reason }
+    SurfaceLines { lines, achieved, planes: Vec::new(), finding }
 }
 
 /// Where the spiral turns about, its centre a vertex of the net.

@@ -64,7 +64,7 @@ impl<'a> Stops<'a> {
         Stop { line, entry, enter, leave }
     }
 
-    /// The same line run the other way; a closed line has one sense only.
+    /// This line, run the other way; a closed line has one sense only.
     pub fn turned(&self, stop: Stop) -> Stop {
         if self.is_closed(stop.line) {
             return stop;

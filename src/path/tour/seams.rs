@@ -9,7 +9,7 @@ const SPREAD: usize = 12;
 /// Rounds over all seams; each goes on only where a neighbour has moved.
 const ROUNDS: usize = 8;
 
-/// The same order with other entries; never longer.
+/// Chooses where closed lines are entered; the order stays, and the way gets no longer.
 pub(super) fn chosen(stops: &Stops<'_>, order: Vec<Stop>) -> Vec<Stop> {
     if !order.iter().any(|s| stops.is_closed(s.line)) {
         return order;

@@ -7,7 +7,7 @@ use super::intent::ExportIntent;
 use super::ownership::{ExportOf, allowed, meet};
 use super::recovery::recover;
 use crate::document::files::JobError;
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 use std::path::Path;
 
 /// Puts files into a folder, which is made if it is not there; names of those of the earlier export that went.
@@ -30,7 +30,7 @@ pub(super) fn put(
     recover(&folder, (reads_job, overwrite))?;
     let intent = intended(&folder, files, of, (reads_job, overwrite))?;
     let staging = intent.staging(files);
-    progress.begin("writing", staging.len());
+    progress.begin(Activity::WritingFiles, staging.len());
     let staged = staging.iter().try_for_each(|step| {
         progress.step()?;
         intent.take(&folder, files, step).map_err(ExportError::from)

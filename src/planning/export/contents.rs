@@ -15,7 +15,7 @@ use crate::planning::dose::{self, DoseReport, dose};
 use crate::planning::plan::Plan;
 use crate::planning::report::{FileDigest, PlanFinding, Report, WrittenFiles};
 use crate::program::Wording;
-use crate::progress::Progress;
+use crate::progress::{Activity, Progress};
 
 /// The job as it was exported.
 pub(super) const JOB: &str = "job.toml";
@@ -88,7 +88,7 @@ pub fn files(
     let patches = dose::not_cleanable(part, surfaces, plan, job, &map);
     report.dose = Some(DoseReport::new(&map, &patches, surfaces));
     progress.check()?;
-    progress.begin("program", 2);
+    progress.begin(Activity::WritingProgram, 2);
     let written = program(job, &of.part, setup, plan, &report, wording)?;
     progress.step()?;
     read_back(part, job, setup, plan, &written)?;

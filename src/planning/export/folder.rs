@@ -3,6 +3,7 @@
 
 use super::error::ExportError;
 use crate::document::files::JobError;
+use crate::file::FileError;
 use crate::part::digest_of;
 use std::fs::{self, File, TryLockError};
 use std::io::{ErrorKind, Write as _};
@@ -95,7 +96,7 @@ impl ExportFolder {
         match fs::read(&file) {
             Ok(bytes) => Ok(Some(bytes)),
             Err(e) if e.kind() == ErrorKind::NotFound => Ok(None),
-            Err(source) => Err(JobError::Read { file: file.display().to_string(), source }),
+            Err(source) => Err(FileError::Read { file: file.display().to_string(), source }.into()),
         }
     }
 
@@ -104,7 +105,7 @@ impl ExportFolder {
     /// # Errors
     /// The folder cannot be read.
     pub(super) fn all_staged(&self) -> Result<Vec<String>, JobError> {
-        let failed = |source| JobError::Read { file: self.path.display().to_string(), source };
+        let failed = |source| FileError::Read { file: self.path.display().to_string(), source };
         let mut out = Vec::new();
         for entry in fs::read_dir(&self.path).map_err(failed)? {
             let name = entry.map_err(failed)?.file_name();

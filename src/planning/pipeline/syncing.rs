@@ -13,6 +13,7 @@ use crate::document::beside::Stamps;
 use crate::document::files::{self, JobError};
 use crate::document::{Job, segmented};
 use crate::part::{Digest, Source};
+use crate::progress::Activity;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -47,7 +48,7 @@ impl Pipeline {
         self.part.poll();
         if self.part.lacks(keys.part) {
             let (source, of) = (source.clone(), job.part.clone());
-            self.part.start(keys.part, "building the part", &*self.executor, move |progress| {
+            self.part.start(keys.part, Activity::BuildingPart, &*self.executor, move |progress| {
                 if of.is_of_another_file(&source.sha256) {
                     return Err(Failure::Refused(PartError::Changed));
                 }
@@ -101,14 +102,14 @@ impl Pipeline {
         if self.with_lines && self.lines.lacks(keys.plan) {
             let (part, surfaces, job, cache) = (part.clone(), surfaces.clone(), job.clone(), self.cache.clone());
             self.plan.only(keys.plan);
-            self.lines.start(keys.plan, "laying lines", &*self.executor, move |progress| {
+            self.lines.start(keys.plan, Activity::LayingLines, &*self.executor, move |progress| {
                 Ok(preview(&part, &surfaces, &job, &cache, progress)?)
             });
         }
         let is_laid = !self.with_lines || !self.lines.is_running();
         if is_laid && self.plan.lacks(keys.plan) {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
-            self.plan.start(key, "planning", &*self.executor, move |progress| {
+            self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let report = Report::new(&plan, &surfaces);
                 Ok(PlannedJob { key, job, part, surfaces, setup, plan, report })

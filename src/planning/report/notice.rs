@@ -5,9 +5,9 @@
 
 use super::problem::{NotDone, Problem};
 use super::{NothingReason, PlanFinding, Report, Unproven};
-use crate::cell::motion::Cause;
+use crate::cell::motion::{Cause, Why};
 use crate::document::Job;
-use crate::part::SurfaceId;
+use crate::part::{PartFinding, SurfaceId};
 use crate::path::Strategy;
 use crate::planning::remark::Remark;
 use crate::pose::Correction;
@@ -46,8 +46,8 @@ pub enum Notice {
         targets: usize,
         /// The first of them: pass and point.
         first: (usize, usize),
-        /// What of the robot stands against that one.
-        detail: Option<String>,
+        /// What stands against that one, where a move or the robot does.
+        why: Option<Why>,
     },
     /// Area of a surface that no line reaches.
     Missed {
@@ -74,6 +74,8 @@ pub enum Notice {
         /// Surfaces that the job speaks of and that were not found again.
         lost: Vec<SurfaceId>,
     },
+    /// What is to be known of the part's file.
+    InFile(PartFinding),
 }
 
 impl Notice {
@@ -83,7 +85,7 @@ impl Notice {
             Notice::NotProven(_) => Severity::Unsafe,
             Notice::NothingPlanned(_) | Notice::LeftOut { .. } | Notice::Missed { .. } => Severity::NotDone,
             Notice::Remark { .. } => Severity::NotAsWanted,
-            Notice::PartChanged { .. } => Severity::Found,
+            Notice::PartChanged { .. } | Notice::InFile(_) => Severity::Found,
         }
     }
 
@@ -94,7 +96,7 @@ impl Notice {
             Notice::LeftOut { surface, .. } | Notice::Missed { surface, .. } | Notice::Remark { surface, .. } => {
                 Some(*surface)
             }
-            Notice::NothingPlanned(_) | Notice::PartChanged { .. } => None,
+            Notice::NothingPlanned(_) | Notice::PartChanged { .. } | Notice::InFile(_) => None,
         }
     }
 
@@ -107,8 +109,9 @@ impl Notice {
     }
 }
 
-/// All findings of a job's plan, the worst first; of the same severity in the order of work.
-pub fn first_things_first(report: &Report, job: &Job) -> Vec<Notice> {
+/// All findings of a job's plan, the worst first; of one severity in the order of work. `in_file`: what was found in
+/// the part's file.
+pub fn first_things_first(report: &Report, job: &Job, in_file: &[PartFinding]) -> Vec<Notice> {
     let mut out: Vec<Notice> = report.unproven.iter().cloned().map(Notice::NotProven).collect();
     out.extend(report.findings.iter().map(of_finding));
     for problem in &report.problems {
@@ -120,6 +123,7 @@ pub fn first_things_first(report: &Report, job: &Job) -> Vec<Notice> {
     let rows = report.surfaces.iter();
     let remarks = rows.flat_map(|s| s.remarks.iter().map(|r| (SurfaceId(s.surface), r.clone())));
     out.extend(remarks.map(|(surface, remark)| Notice::Remark { surface, remark }));
+    out.extend(in_file.iter().cloned().map(Notice::InFile));
     out.sort_by_key(Notice::severity);
     out
 }
@@ -150,8 +154,8 @@ fn left_out(out: &mut Vec<Notice>, problem: &Problem, cause: Cause, job: &Job) {
     }
     let (Some(pass), Some(point)) = (problem.pass, problem.point) else { return };
     let correction = job.of_surface(surface).path.correction;
-    let detail = problem.detail.clone();
-    out.push(Notice::LeftOut { surface, cause, by_surface, correction, targets: 1, first: (pass, point), detail });
+    let why = problem.why.clone();
+    out.push(Notice::LeftOut { surface, cause, by_surface, correction, targets: 1, first: (pass, point), why });
 }
 
 fn missed(report: &Report, surface: SurfaceId, job: &Job) -> Option<Notice> {

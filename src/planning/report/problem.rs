@@ -1,10 +1,10 @@
 //! What is blocked or missed, and why.
 
-use crate::cell::motion::Cause;
+use crate::cell::motion::{Cause, Why};
 use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
-use crate::pose::{State, Theirs};
+use crate::pose::{Obstruction, State};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -25,9 +25,9 @@ pub struct Problem {
     pub by_facet: Option<u32>,
     /// Its surface.
     pub by_surface: Option<u32>,
-    /// What of the robot stands against it, in words.
+    /// What stands against it, where a move or the robot does.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub detail: Option<String>,
+    pub why: Option<Why>,
 }
 
 /// Why something is not done.
@@ -66,9 +66,9 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
         for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
             let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
             let wall = if refused.is_some() { None } else { t.normal_hits };
-            let by_facet = wall.and_then(|b| match b.theirs {
-                Theirs::Facet(f) => Some(f),
-                Theirs::Clamp(_) => None,
+            let by_facet = wall.and_then(|b| match b.obstruction {
+                Obstruction::Facet(f) => Some(f),
+                Obstruction::Clamp(_) => None,
             });
             let cause = refused.map(|r| r.cause).or(wall.map(|b| Cause::of_blocker(&b))).unwrap_or(Cause::Beam);
             out.push(Problem {
@@ -78,7 +78,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
                 cause: NotDone::Blocked(cause),
                 by_facet,
                 by_surface: by_facet.map(|f| surfaces.of_facet[f as usize]),
-                detail: refused.map(|r| r.detail.clone()),
+                why: refused.map(|r| r.why.clone()),
             });
         }
     }
@@ -93,7 +93,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
             cause: NotDone::Missed,
             by_facet: None,
             by_surface: None,
-            detail: None,
+            why: None,
         });
     }
     out

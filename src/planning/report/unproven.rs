@@ -1,14 +1,14 @@
 //! Moves with the laser on that are not proven to touch nothing, by what they would touch.
 
 use crate::part::{SurfaceId, Surfaces};
-use crate::pose::{Ours, Theirs};
+use crate::pose::{Obstruction, ToolBody};
 use crate::program::sweep::Proof;
 
 /// Moves with the laser on that would touch the same.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unproven {
     /// What of the tool would touch it.
-    pub ours: Ours,
+    pub tool_body: ToolBody,
     /// The surface that would be touched; `None`: a clamp.
     pub surface: Option<SurfaceId>,
     /// How many moves.
@@ -19,13 +19,13 @@ pub struct Unproven {
 pub(super) fn unproven(proof: &Proof, surfaces: &Surfaces) -> Vec<Unproven> {
     let mut out: Vec<Unproven> = Vec::new();
     for (_, blocker) in &proof.refuted {
-        let surface = match blocker.theirs {
-            Theirs::Facet(f) => surfaces.of_facet.get(f as usize).map(|n| SurfaceId(*n)),
-            Theirs::Clamp(_) => None,
+        let surface = match blocker.obstruction {
+            Obstruction::Facet(f) => surfaces.of_facet.get(f as usize).map(|n| SurfaceId(*n)),
+            Obstruction::Clamp(_) => None,
         };
-        match out.iter_mut().find(|u| (u.ours, u.surface) == (blocker.ours, surface)) {
+        match out.iter_mut().find(|u| (u.tool_body, u.surface) == (blocker.tool_body, surface)) {
             Some(known) => known.moves += 1,
-            None => out.push(Unproven { ours: blocker.ours, surface, moves: 1 }),
+            None => out.push(Unproven { tool_body: blocker.tool_body, surface, moves: 1 }),
         }
     }
     out

@@ -37,7 +37,7 @@ pub struct Row {
     pub axis: Option<Vector3<f64>>,
     /// The beam that would be best here.
     pub aim: Vector3<f64>,
-    /// The same point as the one before with another beam: the laser is off between the two.
+    /// Whether it is the point of the row before, with another beam; the laser is off between the two.
     pub is_split: bool,
 }
 

@@ -37,7 +37,7 @@ pub struct Site {
     pub arc_mm: f64,
     /// What the surface's rule prefers.
     pub base: Lean,
-    /// The same with the pins.
+    /// What rule and pins together prefer.
     pub aim: Lean,
     /// How much a degree away from the aim weighs.
     pub pull: f64,
@@ -54,7 +54,7 @@ impl Site {
         angle::unit(self.q.n * cos + (self.e1 * tilt.x + self.e2 * tilt.y) * (sin / whole)).unwrap_or(self.q.n)
     }
 
-    /// The same with the point.
+    /// The pose of the beam with a tilt.
     pub fn pose(&self, tilt: &Lean) -> Pose {
         Pose { p: self.q.p, a: self.axis(tilt) }
     }

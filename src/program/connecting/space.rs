@@ -6,8 +6,8 @@
 //! all of these but those outside the sphere, which is wider by it.
 
 use crate::beam::Body;
-use crate::cell::Setup;
-use crate::cell::mounting::{Air, Mounted};
+use crate::cell::mounting::Mounted;
+use crate::cell::{Air, Setup};
 use crate::part::{Part, angle, distance};
 use crate::pose::motion::{Motion, Pose, head_hit, is_free};
 use crate::pose::{Beam, Blocker, Pass};

@@ -119,7 +119,7 @@ impl Walk<'_> {
                         done = share;
                     }
                 }
-                Err((cause, detail)) => self.refused.push(Refusal { pass: piece.of.pass, point: i, cause, detail }),
+                Err((cause, why)) => self.refused.push(Refusal { pass: piece.of.pass, point: i, cause, why }),
             }
             self.go(next, seconds * (1.0 - done), Some((piece.of.pass, i)));
             here = next;

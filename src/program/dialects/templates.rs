@@ -42,7 +42,7 @@ impl SignalTemplates<'_> {
     /// # Errors
     /// The first that cannot.
     pub fn check(&self) -> Result<(), WriteError> {
-        let list: [(&str, &str, &[&str]); 6] = [
+        let list: [(&str, &str, &'static [&'static str]); 6] = [
             ("output_on", self.output_on, &["n"]),
             ("output_off", self.output_off, &["n"]),
             (SignalKind::Analogue.key(), self.analogue, &["n", "v"]),
@@ -52,7 +52,7 @@ impl SignalTemplates<'_> {
         ];
         let may_lack = |key: &str| key == SignalKind::Analogue.key() || key == SignalKind::Group.key();
         for (key, template, keys) in list.into_iter().filter(|(key, t, _)| !t.is_empty() || !may_lack(key)) {
-            check_template(&format!("{}.{key}", self.dialect), template, keys).map_err(WriteError::Template)?;
+            check_template(&format!("{}.{key}", self.dialect), template, keys)?;
         }
         if self.output_on == self.output_off { Err(WriteError::OffIsOn(self.dialect)) } else { Ok(()) }
     }

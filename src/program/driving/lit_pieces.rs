@@ -3,7 +3,7 @@
 
 use super::Drive;
 use crate::beam::Work;
-use crate::cell::motion::{Cause, Choice, Refusal};
+use crate::cell::motion::{Cause, Choice, Refusal, Why};
 use crate::pose::Pass;
 use crate::program::connecting::lead::{self, Lead, Leads};
 use crate::program::connecting::memo::ArmStand;
@@ -71,7 +71,7 @@ impl Drive<'_> {
     ) -> Result<DrivenPiece, Refusal> {
         let (number, first, last) = (of.pass, of.first, of.last);
         let pass = &passes[number];
-        let refuse = |point, cause, detail: &str| Refusal { pass: number, point, cause, detail: detail.into() };
+        let refuse = |point, (cause, why)| Refusal { pass: number, point, cause, why };
         let stand = |point: usize| {
             let chosen = choice.rows[number][point].as_ref();
             chosen
@@ -79,7 +79,7 @@ impl Drive<'_> {
                     at: Station::spun(&pass.targets[point], &pass.work, c.spin_deg),
                     joints_deg: c.joints_deg,
                 })
-                .ok_or_else(|| refuse(point, Cause::Reach, "was not chosen"))
+                .ok_or_else(|| refuse(point, (Cause::Reach, Why::NotChosen)))
         };
         let start = stand(first)?;
         let mut here = start;
@@ -88,8 +88,7 @@ impl Drive<'_> {
             let to = stand(point)?;
             let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.work.speed_mm_s;
             let before = lit.len();
-            self.between(&here, &to, (&pass.work, seconds), &mut lit)
-                .map_err(|(cause, detail)| refuse(point, cause, &detail))?;
+            self.between(&here, &to, (&pass.work, seconds), &mut lit).map_err(|reason| refuse(point, reason))?;
             if let Some(l) = lit[before..].last_mut() {
                 l.target = Some((number, point));
             }
@@ -121,12 +120,12 @@ impl Drive<'_> {
         to: &ArmStand,
         (work, seconds): (&Work, f64),
         out: &mut Vec<WorkMove>,
-    ) -> Result<(), (Cause, String)> {
+    ) -> Result<(), (Cause, Why)> {
         let (mut here, mut done) = (*from, 0.0);
         for (share, at) in self.straight.between(&from.at, &to.at, work)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
             let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
-                return Err((Cause::Limit, "between two targets a joint would leave its range".into()));
+                return Err((Cause::Limit, Why::LimitBetween));
             };
             let next = ArmStand { at, joints_deg };
             self.lit(&here, &next, seconds * (share - done), out)?;
@@ -136,26 +135,18 @@ impl Drive<'_> {
     }
 
     /// One lit move, if arm and part keep clear and no joint is too fast.
-    fn lit(
-        &self,
-        from: &ArmStand,
-        to: &ArmStand,
-        seconds: f64,
-        out: &mut Vec<WorkMove>,
-    ) -> Result<(), (Cause, String)> {
+    fn lit(&self, from: &ArmStand, to: &ArmStand, seconds: f64, out: &mut Vec<WorkMove>) -> Result<(), (Cause, Why)> {
         let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
         if let Some((_, contact)) = touched {
-            let contact = contact.to_string();
-            return Err((Cause::of_contact(&contact), contact));
+            return Err(Why::contact(contact));
         }
         for j in 0..6 {
             let moved = (to.joints_deg[j] - from.joints_deg[j]).abs();
-            let can = self.robot.speeds_deg_s[j];
+            let can_deg_s = self.robot.speeds_deg_s[j];
             // The ends were chosen by the mean speed; between them a joint may go faster.
-            if moved > can * seconds + 1e-6 {
-                let deg_s = moved / seconds.max(1e-9);
-                let detail = format!("J{} would turn at {deg_s:.0}\u{b0}/s, it can {can:.0}\u{b0}/s", j + 1);
-                return Err((Cause::Speed, detail));
+            if moved > can_deg_s * seconds + 1e-6 {
+                let needs_deg_s = moved / seconds.max(1e-9);
+                return Err((Cause::Speed, Why::JointSpeed { joint: j + 1, needs_deg_s, can_deg_s }));
             }
         }
         out.push(WorkMove { to: *to, seconds, target: None });

@@ -3,7 +3,7 @@
 
 use super::sweep::{LitMove, Prover};
 use crate::beam::Work;
-use crate::cell::motion::Cause;
+use crate::cell::motion::{Cause, Why};
 use crate::pose::Beam;
 use crate::pose::motion::Swept;
 use crate::program::neutral::steps::Station;
@@ -48,7 +48,7 @@ impl StraightFlange<'_> {
     ///
     /// # Errors
     /// Even the shortest pieces leave the line, or hit something.
-    pub fn between(&self, from: &Station, to: &Station, work: &Work) -> Result<Vec<(f64, Station)>, (Cause, String)> {
+    pub fn between(&self, from: &Station, to: &Station, work: &Work) -> Result<Vec<(f64, Station)>, (Cause, Why)> {
         let mut out = Vec::new();
         self.halved((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
         Ok(out)
@@ -60,7 +60,7 @@ impl StraightFlange<'_> {
         to: (&Station, f64),
         (work, halvings): (&Work, usize),
         out: &mut Vec<(f64, Station)>,
-    ) -> Result<(), (Cause, String)> {
+    ) -> Result<(), (Cause, Why)> {
         let off_mm = self.deviation(from.0, to.0, work);
         let keeps = off_mm <= self.deviation_mm;
         let met = if keeps { self.beam_hits(from.0, to.0, work) } else { None };
@@ -69,13 +69,10 @@ impl StraightFlange<'_> {
         }
         if halvings == 0 {
             return Err(match met {
-                Some(hit) => {
-                    let p = hit.pose.p;
-                    let at = format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z);
-                    let (cause, what) = (Cause::of_blocker(&hit.blocker), hit.blocker);
-                    (cause, format!("as the flange goes straight, the spot at {at}, {what}"))
+                Some(Swept { pose, blocker: hit, .. }) => {
+                    (Cause::of_blocker(&hit), Why::HitOnMove { spot_mm: pose.p.into(), hit })
                 }
-                None => (Cause::Singularity, format!("the spot would leave its line by {off_mm:.2} mm")),
+                None => (Cause::Singularity, Why::OffLine { off_mm }),
             });
         }
         let (middle, t) = (self.midway(from.0, to.0, work), 0.5 * (from.1 + to.1));

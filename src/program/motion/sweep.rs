@@ -11,7 +11,7 @@ use crate::beam::{Body, Stance, Work};
 use crate::cell::mounting::Mounted;
 use crate::part::{Grown, Part, angle};
 use crate::pose::motion::{Motion, Pose, Swept, swept};
-use crate::pose::{Beam, Blocker, Ours, Theirs};
+use crate::pose::{Beam, Blocker, Obstruction, ToolBody};
 use crate::program::neutral::steps::{Step, Steps};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
@@ -227,7 +227,7 @@ impl Motion for Going<'_> {
     /// [`FROM_MM`] on.
     fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
         if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
-            return Some(Blocker { ours: Ours::Beam, theirs: Theirs::Facet(facet), t_mm: FROM_MM });
+            return Some(Blocker { tool_body: ToolBody::Beam, obstruction: Obstruction::Facet(facet), t_mm: FROM_MM });
         }
         beam.body_blocker(&middle.p, &middle.a)
     }

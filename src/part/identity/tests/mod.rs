@@ -35,7 +35,7 @@ fn sought(old: &Triangles, new: &Triangles, edits: &[SurfaceEdit], needed: &BTre
     find(&landmarks, &loaded(new, &AS_IS), &AS_IS, &RULE, edits, needed)
 }
 
-/// The same for all surfaces.
+/// Looks for all surfaces of one part on another.
 fn sought_all(old: &Triangles, new: &Triangles, edits: &[SurfaceEdit]) -> FoundAgain {
     sought(old, new, edits, &all(&loaded(old, &AS_IS), edits))
 }

@@ -16,7 +16,7 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     let cell = &program.setup.cell;
     let nachi = &cell.nachi;
     templates(nachi).check()?;
-    check_template("nachi.call", &nachi.call, &["n"]).map_err(WriteError::Template)?;
+    check_template("nachi.call", &nachi.call, &["n"])?;
     let mut main = templates(nachi).head(&program.head, program.wording);
     let pages = pages(&program.lines, cell.outputs.laser.number, nachi.max_moves as usize, moves);
     let file = |number: u32, mut lines: Vec<String>| {
@@ -74,6 +74,7 @@ fn movex(nachi: &Nachi, m: &Move) -> Result<String, WriteError> {
 mod tests {
     use super::*;
     use crate::cell::Cell;
+    use crate::cell::controllers::words::{TemplateError, TemplateFault};
     use crate::program::dialects::nachi::file_name;
 
     #[test]
@@ -91,9 +92,11 @@ mod tests {
         };
         assert_eq!(checked(|_| {}), Ok(()));
         assert_eq!(checked(|n| n.output_off = n.output_on.clone()), Err(WriteError::OffIsOn("nachi")));
-        let names =
-            |found, named: &str| matches!(found, Err(WriteError::Template(why)) if format!("{why:?}").contains(named));
-        assert!(names(checked(|n| n.comment = "REM".into()), "nachi.comment"));
-        assert!(names(checked(|n| n.analogue = "AO {n}".into()), "nachi.analogue"));
+        let lacks = |key: &str, template: &str, name| {
+            let fault = TemplateFault::Lacks(name);
+            Err(WriteError::Template(TemplateError { key: key.into(), template: template.into(), fault }))
+        };
+        assert_eq!(checked(|n| n.comment = "REM".into()), lacks("nachi.comment", "REM", "text"));
+        assert_eq!(checked(|n| n.analogue = "AO {n}".into()), lacks("nachi.analogue", "AO {n}", "v"));
     }
 }

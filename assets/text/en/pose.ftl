@@ -1,0 +1,6 @@
+### What stands in the way of the tool.
+
+beam_hits_facet = the beam hits facet { $facet }
+head_hits_facet = the head hits facet { $facet }
+beam_hits_clamp = the beam hits clamp { $clamp }
+head_hits_clamp = the head hits clamp { $clamp }

@@ -1,0 +1,26 @@
+### What long work is doing.
+
+activity_reading = reading
+activity_building_part = building the part
+activity_naming_shapes = naming shapes
+activity_laying_lines = laying lines
+activity_planning = planning
+activity_choosing_spins = choosing spins
+activity_connecting_moves = connecting moves
+activity_working_out_motion = working out the motion
+activity_measuring_clearances = measuring clearances
+activity_exporting = exporting
+activity_writing_program = writing the program
+activity_writing_files = writing files
+activity_summing_dose = computing the dose
+activity_looking_for_help = looking for what would help
+activity_trying_speeds = trying lower speeds
+activity_trying_changes = trying changes
+activity_looking_for_setup = looking for a better set-up
+activity_trying_setups = trying set-ups
+activity_improving_setup = improving the set-up
+activity_trying_small_changes = trying small changes
+activity_planning_samples = planning some passes
+
+## In the status line
+progress = { $activity } { $percent } %

@@ -1,0 +1,267 @@
+//! The cell file: what stands in it, reading and checking it.
+//!
+//! What single tables may say is checked by their own types.
+
+use super::bodies::Bodies;
+use super::calibration::CalibrationNote;
+use super::check::{FigureError, ranges};
+use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
+use super::frame::{Frame, FrameText};
+use super::outputs::Outputs;
+use super::setup::PlaceError;
+use super::{Mount, Timing};
+use crate::file::{self, FileError};
+use crate::part::LoadError;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use thiserror::Error;
+
+/// Moves with the laser off.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Air {
+    /// How far the focus is drawn back along the beam before a move, mm.
+    #[serde(default = "ten")]
+    pub retreat_mm: f64,
+    /// How far outside the part's sphere long moves go, mm.
+    #[serde(default = "twenty")]
+    pub clearance_mm: f64,
+    /// How fast the part may be turned, degrees per second.
+    #[serde(default = "ninety")]
+    pub turn_deg_s: f64,
+    /// Where the program begins and ends, joint angles in degrees.
+    pub home_joints_deg: [f64; 6],
+    /// Where the arm goes first from home, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entry_joints_deg: Option<[f64; 6]>,
+    /// Where it goes last before home, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exit_joints_deg: Option<[f64; 6]>,
+    /// Tool in hand: height in the base on which the focus crosses the part, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub safe_plane_mm: Option<f64>,
+    /// Speed from and to home, per cent.
+    #[serde(default = "ten")]
+    pub home_percent: f64,
+}
+
+fn ten() -> f64 {
+    10.0
+}
+
+fn twenty() -> f64 {
+    20.0
+}
+
+fn ninety() -> f64 {
+    90.0
+}
+
+/// A robot cell.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cell {
+    /// Name for people.
+    pub name: String,
+    /// What the robot carries, unless the job says otherwise.
+    #[serde(default)]
+    pub mount: Mount,
+    /// Part in hand: laser frame in the base, z against the light (L of P2).
+    pub base_from_laser: Frame,
+    /// Part in hand: part frame on the flange (G).
+    pub flange_from_part: Frame,
+    /// Tool in hand: part frame in the base (B).
+    pub base_from_part: Frame,
+    /// Tool in hand: tool frame on the flange (H), its origin in the focus, z with the light.
+    pub flange_from_tool: Frame,
+    /// Moves with the laser off.
+    pub air: Air,
+    /// What is switched and set beside the moves.
+    #[serde(default)]
+    pub outputs: Outputs,
+    /// What stands in the cell.
+    #[serde(default)]
+    pub bodies: Bodies,
+    /// How long laser and controller take to answer.
+    #[serde(default)]
+    pub timing: Timing,
+    /// The NACHI program.
+    #[serde(default)]
+    pub nachi: Nachi,
+    /// The KUKA program.
+    #[serde(default)]
+    pub kuka: Kuka,
+    /// The ABB program.
+    #[serde(default)]
+    pub abb: Abb,
+    /// The FANUC program.
+    #[serde(default)]
+    pub fanuc: Fanuc,
+    /// The program for Universal Robots.
+    #[serde(default)]
+    pub ur: Ur,
+    /// The Yaskawa program.
+    #[serde(default)]
+    pub yaskawa: Yaskawa,
+    /// The ESTUN program.
+    #[serde(default)]
+    pub estun: Estun,
+}
+
+/// Why a cell file cannot be used.
+#[derive(Debug, Error)]
+pub enum CellError {
+    /// A robot of the operator's own has no cell here.
+    #[error("no shipped cell for {robot:?}")]
+    NoneFor {
+        /// The robot.
+        robot: String,
+    },
+    /// It cannot be read, or is not a cell file.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A body of the cell cannot be read.
+    #[error("obstacle: {0}")]
+    Obstacle(LoadError),
+    /// A figure makes no sense.
+    #[error("{file}: {what}")]
+    Figure {
+        /// The file.
+        file: String,
+        /// Which.
+        what: Box<FigureError>,
+    },
+    /// The robot cannot stand in it.
+    #[error("{cell}: {what}")]
+    Place {
+        /// Name of the cell.
+        cell: String,
+        /// Why.
+        what: PlaceError,
+    },
+}
+
+/// Keys of the robots with a shipped cell, and the cells.
+const SHIPPED: &[(&str, &str)] = super::shipped_files!("cells");
+
+impl Cell {
+    /// The cell that is taken when none is named, by the key of its robot.
+    ///
+    /// # Errors
+    /// There is none for that robot.
+    pub fn shipped(robot: &str) -> Result<Cell, CellError> {
+        let Some((key, text)) = SHIPPED.iter().find(|(key, _)| *key == robot) else {
+            return Err(CellError::NoneFor { robot: robot.into() });
+        };
+        Cell::parse(text, &format!("assets/cells/{key}.toml"))
+    }
+
+    /// Reads a cell file.
+    pub fn load(file: &Path) -> Result<Cell, CellError> {
+        let (name, bytes) = (file.display().to_string(), file::bytes(file)?);
+        let mut cell = Cell::parse(file::text(&bytes, &name)?, &name)?;
+        cell.bodies.load(file.parent())?;
+        Ok(cell)
+    }
+
+    fn parse(text: &str, file: &str) -> Result<Cell, CellError> {
+        let refused = |what| CellError::Figure { file: file.into(), what: Box::new(what) };
+        FrameTexts::check(text).map_err(refused)?;
+        let cell: Cell = file::toml(text, file)?;
+        cell.check().map_err(refused)?;
+        Ok(cell)
+    }
+
+    fn check(&self) -> Result<(), FigureError> {
+        let air = &self.air;
+        let frames = self.frames();
+        if let Some((frame, _)) = frames.iter().find(|(name, f)| f.is_of_a_tip() && *name != "flange_from_tool") {
+            return Err(FigureError::TipPoses { frame });
+        }
+        let home = air.home_joints_deg.iter().map(|x| ("air.home_joints_deg", *x));
+        let mut figures = frames
+            .iter()
+            .flat_map(|(name, f)| f.position_mm.iter().chain(&f.rz_ry_rx_deg).map(|x| (*name, *x)))
+            .chain(home);
+        if let Some((key, value)) = figures.find(|(_, x)| !x.is_finite()) {
+            return Err(FigureError::NotFinite { key, value });
+        }
+        ranges(&[
+            ("air.retreat_mm", air.retreat_mm, 0.0, 1000.0),
+            ("air.clearance_mm", air.clearance_mm, 1.0, 1000.0),
+            ("air.turn_deg_s", air.turn_deg_s, 1.0, 1000.0),
+            ("air.home_percent", air.home_percent, 0.1, 100.0),
+            ("air.safe_plane_mm", air.safe_plane_mm.unwrap_or(0.0), -10_000.0, 10_000.0),
+        ])?;
+        self.outputs.check()?;
+        self.timing.check()?;
+        self.nachi.check()?;
+        self.kuka.check()?;
+        self.abb.check()?;
+        self.yaskawa.check()?;
+        self.estun.check()?;
+        self.fanuc.check()?;
+        self.ur.check()?;
+        self.bodies.check()
+    }
+
+    /// The frames by their keys.
+    pub fn frames(&self) -> [(&'static str, &Frame); 4] {
+        [
+            ("base_from_laser", &self.base_from_laser),
+            ("flange_from_part", &self.flange_from_part),
+            ("base_from_part", &self.base_from_part),
+            ("flange_from_tool", &self.flange_from_tool),
+        ]
+    }
+
+    /// How well each frame fits what was measured; those given by figures are left out.
+    pub fn calibrations(&self) -> Vec<CalibrationNote> {
+        self.frames().iter().filter_map(|(name, frame)| frame.calibration(name)).collect()
+    }
+}
+
+/// The frames of a cell file as they stand there: what is wrong with one is told before the file is read as a
+/// whole, where it would be a message of the reader's.
+#[derive(Deserialize)]
+struct FrameTexts {
+    base_from_laser: FrameText,
+    flange_from_part: FrameText,
+    base_from_part: FrameText,
+    flange_from_tool: FrameText,
+}
+
+impl FrameTexts {
+    fn check(text: &str) -> Result<(), FigureError> {
+        // Text that does not even have frames is for the reader of the whole to refuse, by its line.
+        let Ok(of) = toml::from_str::<FrameTexts>(text) else { return Ok(()) };
+        let frames = [
+            ("base_from_laser", of.base_from_laser),
+            ("flange_from_part", of.flange_from_part),
+            ("base_from_part", of.base_from_part),
+            ("flange_from_tool", of.flange_from_tool),
+        ];
+        frames.into_iter().try_for_each(|(frame, text)| {
+            Frame::try_from(text).map(drop).map_err(|source| FigureError::Frame { frame, source })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bad_figures_are_named() {
+        let bad = SHIPPED[0].1.replace("clearance_mm = 20.0", "clearance_mm = -3.0");
+        let refused = |text: &str| match Cell::parse(text, "cell.toml").expect_err("refused") {
+            CellError::Figure { file, what } if file == "cell.toml" => *what,
+            other => panic!("{other}"),
+        };
+        let range = |key: &str, value, low, high| FigureError::Range { key: key.into(), value, low, high };
+        assert_eq!(refused(&bad), range("air.clearance_mm", -3.0, 1.0, 1000.0));
+        let slow = SHIPPED[0].1.replace("laser_on_s = 0.0", "laser_on_s = -1.0");
+        assert_eq!(refused(&slow), range("timing.laser_on_s", -1.0, 0.0, 60.0));
+        assert!(matches!(Cell::parse("name = 3", "cell.toml"), Err(CellError::File(FileError::Toml { .. }))));
+    }
+}

@@ -1,0 +1,83 @@
+//! The links of an arm as capsules: how thick they are, and where they are at some joints.
+
+use super::{Joints, Robot};
+use nalgebra::Point3;
+use serde::Deserialize;
+
+/// A link of the arm, from the base to the flange.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Link {
+    /// Base to axis 2.
+    Base,
+    /// Around axis 2.
+    Shoulder,
+    /// Axis 2 to axis 3.
+    UpperArm,
+    /// Axis 3 to the wrist.
+    Forearm,
+    /// Wrist to flange.
+    Wrist,
+}
+
+impl Link {
+    /// The word in `report.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Link::Base => "base",
+            Link::Shoulder => "shoulder",
+            Link::UpperArm => "upper_arm",
+            Link::Forearm => "forearm",
+            Link::Wrist => "wrist",
+        }
+    }
+}
+
+/// Radii of the capsules that stand for the arm, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Links {
+    /// Base to axis 2.
+    pub base_mm: f64,
+    /// Around axis 2.
+    pub shoulder_mm: f64,
+    /// Axis 2 to axis 3.
+    pub upper_arm_mm: f64,
+    /// Axis 3 to the wrist.
+    pub forearm_mm: f64,
+    /// Wrist to flange.
+    pub wrist_mm: f64,
+}
+
+/// A link as a capsule in the base.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkCapsule {
+    /// Which.
+    pub link: Link,
+    /// One end of its axis, mm.
+    pub from: Point3<f64>,
+    /// The other.
+    pub to: Point3<f64>,
+    /// mm.
+    pub radius_mm: f64,
+}
+
+impl Robot {
+    /// The arm as capsules in the base, from the base to the flange.
+    pub fn capsules(&self, joints_deg: &Joints) -> [LinkCapsule; 5] {
+        let [shoulder, elbow, wrist, flange] = match (&self.opw, &self.ur) {
+            (Some(opw), _) => opw.points(joints_deg),
+            (None, Some(ur)) => ur.points(joints_deg),
+            (None, None) => [Point3::origin(); 4],
+        };
+        let column = Point3::new(0.0, 0.0, shoulder.z);
+        let l = &self.links;
+        let link = |link, from, to, radius_mm| LinkCapsule { link, from, to, radius_mm };
+        [
+            link(Link::Base, Point3::origin(), column, l.base_mm),
+            link(Link::Shoulder, column, shoulder, l.shoulder_mm),
+            link(Link::UpperArm, shoulder, elbow, l.upper_arm_mm),
+            link(Link::Forearm, elbow, wrist, l.forearm_mm),
+            link(Link::Wrist, wrist, flange, l.wrist_mm),
+        ]
+    }
+}

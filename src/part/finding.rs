@@ -1,0 +1,138 @@
+//! What an operator should know of a part's file, as data, the worst first; its sentences stand in `text`.
+
+use super::inspect::Findings;
+use super::stl::InvalidFacet;
+use super::{Part, Units};
+use serde::Serialize;
+
+/// Something about a part's file that an operator should know. The order of the variants is how bad they are.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+pub enum PartFinding {
+    /// In the given unit the part is far larger or smaller than anything that a robot carries.
+    ImplausibleSize {
+        /// Unit that was taken.
+        units: Units,
+        /// Size of the box around the part in it, mm.
+        size_mm: [f64; 3],
+        /// Unit in which the size would be plausible.
+        better_units: Units,
+        /// Size in that, mm.
+        better_size_mm: [f64; 3],
+    },
+    /// Facets that cannot be used are missing from the part.
+    FacetsDropped {
+        /// How many.
+        count: usize,
+        /// The first of them, at most [`NAMED`].
+        first: Vec<InvalidFacet>,
+    },
+    /// Edges with one facet: the surface is not closed there.
+    OpenEdges {
+        /// How many.
+        count: usize,
+    },
+    /// Edges with more than two facets.
+    NonManifoldEdges {
+        /// How many.
+        count: usize,
+    },
+    /// Facets whose winding was turned.
+    FlippedFacets {
+        /// How many.
+        count: usize,
+    },
+    /// Facets with the vertices of an earlier one.
+    DuplicateFacets {
+        /// How many.
+        count: usize,
+    },
+    /// Facets without area.
+    DegenerateFacets {
+        /// How many.
+        count: usize,
+    },
+    /// Bytes behind the last facet of a binary file.
+    BytesPassedOver {
+        /// How many.
+        count: usize,
+    },
+    /// Several solids of one file became one part.
+    SolidsJoined {
+        /// How many.
+        count: usize,
+    },
+}
+
+/// So many dropped facets are named singly.
+pub const NAMED: usize = 3;
+
+impl PartFinding {
+    /// What there is to say of a part's file, the worst first; empty for a clean one.
+    pub fn of(part: &Part) -> Vec<PartFinding> {
+        let Findings { invalid, .. } = &part.findings;
+        let found = &part.findings;
+        let dropped = (!invalid.is_empty()).then(|| PartFinding::FacetsDropped {
+            count: invalid.len(),
+            first: invalid.iter().take(NAMED).copied().collect(),
+        });
+        let counted = [
+            (found.boundary_edges, (|count| PartFinding::OpenEdges { count }) as fn(usize) -> PartFinding),
+            (found.non_manifold_edges, |count| PartFinding::NonManifoldEdges { count }),
+            (part.orientation.flipped_facets, |count| PartFinding::FlippedFacets { count }),
+            (found.duplicate_facets, |count| PartFinding::DuplicateFacets { count }),
+            (found.degenerate_facets, |count| PartFinding::DegenerateFacets { count }),
+            (found.tail_bytes, |count| PartFinding::BytesPassedOver { count }),
+        ];
+        let joined = (found.solids > 1).then_some(PartFinding::SolidsJoined { count: found.solids });
+        let counted = counted.into_iter().filter(|(count, _)| *count > 0).map(|(count, finding)| finding(count));
+        implausible_size(part).into_iter().chain(dropped).chain(counted).chain(joined).collect()
+    }
+}
+
+fn implausible_size(part: &Part) -> Option<PartFinding> {
+    let (units, better_units) = (part.findings.units, part.findings.better_units?);
+    let (lo, hi) = part.mesh.bounds();
+    let size = hi - lo;
+    let better = size / units.mm() * better_units.mm();
+    Some(PartFinding::ImplausibleSize { units, size_mm: size.into(), better_units, better_size_mm: better.into() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::Placement;
+    use crate::sample::{solids, stl_bytes};
+
+    fn codes(bytes: &[u8], units: Units) -> Vec<String> {
+        let part = Part::from_bytes(bytes, units, &Placement::default(), &[]).expect("a part");
+        let code = |f: &PartFinding| serde_json::to_value(f).expect("plain data")["code"].as_str().map(str::to_owned);
+        PartFinding::of(&part).iter().filter_map(code).collect()
+    }
+
+    #[test]
+    fn a_clean_file_has_none_and_the_worst_comes_first() {
+        let mut cube = solids::cube(10.0);
+        assert_eq!(codes(&stl_bytes(&cube), Units::Mm), Vec::<String>::new());
+        // Without a side, the other one twice, one that is no number, and a tail.
+        cube.truncate(10);
+        cube.push(cube[0]);
+        cube.push([[f64::NAN; 3]; 3]);
+        let mut bytes = stl_bytes(&cube);
+        bytes.extend([7; 5]);
+        let expected = [
+            "implausible_size",
+            "facets_dropped",
+            "open_edges",
+            "non_manifold_edges",
+            "duplicate_facets",
+            "bytes_passed_over",
+        ];
+        let found = codes(&bytes, Units::M);
+        let order: Vec<_> = found.iter().map(|c| expected.iter().position(|e| e == c)).collect();
+        assert!(order.is_sorted() && order.iter().all(Option::is_some), "{found:?}");
+        for code in ["implausible_size", "facets_dropped", "open_edges", "duplicate_facets", "bytes_passed_over"] {
+            assert!(found.iter().any(|f| f == code), "{code}: {found:?}");
+        }
+    }
+}

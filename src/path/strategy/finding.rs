@@ -1,0 +1,46 @@
+//! Why the lines of a surface are not as they were wanted, or why there are none. Sentences stand in `text`.
+
+use serde::Serialize;
+
+/// What is not as wanted of a surface's lines.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+pub enum LinesFinding {
+    /// There are no lines: the spacing is not greater than 0.
+    SpacingNotPositive {
+        /// The spacing, mm.
+        spacing_mm: f64,
+    },
+    /// There are no lines: no facet of the surface has an area.
+    NoProperFacet,
+    /// There are no lines: the planes pass beside the surface.
+    NoPlaneCrosses,
+    /// There are no lines: the surface is closed, and lines at equal distance need a border.
+    NoBorder,
+    /// There are no lines: the surface has fewer borders.
+    NoSuchBorder {
+        /// The border that was chosen, from 0.
+        border: usize,
+        /// How many there are.
+        borders: usize,
+    },
+    /// There are no lines: not even one fits within the border.
+    NoLineFits,
+    /// There are no lines: not even one turn of a spiral fits.
+    NoTurnFits {
+        /// Wanted distance of its turns, mm.
+        spacing_mm: f64,
+    },
+    /// The second raster of a cross is left out: the surface has no mean normal to turn it about.
+    NoMeanNormal,
+    /// A part of the surface hangs together with no facet of the chosen border, and has no lines.
+    ApartFromBorder {
+        /// Its area, mm².
+        area_mm2: f64,
+    },
+    /// A part of the surface is not reached by its spiral.
+    BeyondSpiral {
+        /// Its area, mm².
+        area_mm2: f64,
+    },
+}

@@ -1,0 +1,30 @@
+//! What is wrong with a head's file.
+
+use super::file::one_line;
+use super::{Sentence, exact, id, say};
+use crate::beam::{HeadError, StackError};
+
+impl Sentence for HeadError {
+    fn sentence(&self) -> String {
+        match self {
+            HeadError::File(e) => e.sentence(),
+            HeadError::Stack { file, what } => say!(head_stack, file, what = what.sentence()),
+            HeadError::Solid(e) => e.sentence(),
+        }
+    }
+}
+
+impl Sentence for StackError {
+    fn sentence(&self) -> String {
+        match self {
+            StackError::Toml(e) => one_line(e),
+            StackError::Empty => say!(stack_empty),
+            StackError::Span { part, from_mm, to_mm } => {
+                say!(stack_span, part = id(part), from = exact(*from_mm), to = exact(*to_mm))
+            }
+            StackError::Radii { part, r0_mm, r1_mm } => {
+                say!(stack_radii, part = id(part), r0 = exact(*r0_mm), r1 = exact(*r1_mm))
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Words of the scales in pictures.
+
+use super::messages::{legend_no_light, legend_over, legend_shaded, legend_under};
+use super::{Language, Message as _, fixed, say};
+use crate::picture::dose::LegendEntry;
+use crate::picture::spacing::SpacingScale;
+
+/// What a colour beside the scale of the dose stands for.
+pub(crate) fn legend_entry(entry: LegendEntry, language: Language) -> String {
+    match entry {
+        LegendEntry::Over => legend_over {}.text_in(language),
+        LegendEntry::Under => legend_under {}.text_in(language),
+        LegendEntry::Shaded => legend_shaded {}.text_in(language),
+        LegendEntry::NoLight => legend_no_light {}.text_in(language),
+    }
+}
+
+/// The ends and the middle of the scale of the spacing.
+pub(crate) fn spacing_labels(scale: &SpacingScale) -> [String; 3] {
+    let [low, high] = scale.ends;
+    [low, 1.0, high].map(|share| match scale.wanted_mm {
+        Some(mm) => say!(legend_spacing, mm = fixed(share * mm, 2)),
+        None => say!(legend_spacing_share, percent = fixed(100.0 * share, 0)),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::spacing::Place;
+    use nalgebra::Point3;
+
+    #[test]
+    fn a_scale_is_told_in_mm_or_in_shares_of_what_each_surface_wants() {
+        let place = Place { surface: 1, at: Point3::origin(), mm: 0.5, wanted_mm: 0.5 };
+        let scale = SpacingScale { ends: [0.8, 3.0], wanted_mm: Some(0.5), least: place, greatest: place };
+        assert_eq!(spacing_labels(&scale), ["0.40 mm", "0.50 mm", "1.50 mm"]);
+        assert_eq!(spacing_labels(&SpacingScale { wanted_mm: None, ..scale }), ["80 %", "100 %", "300 %"]);
+    }
+}
