@@ -9,7 +9,7 @@ use clearbeam::part::{Mesh, Part, Surfaces, rpy};
 use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf};
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, Cache, Plan};
-use clearbeam::program::{ProgramFile, ProgramLine, lines, lit};
+use clearbeam::program::{ProgramFile, ProgramLine, lines, spot};
 use clearbeam::progress::Progress;
 use clearbeam::text::program_comment;
 use nalgebra::Isometry3;
@@ -141,7 +141,7 @@ fn angles(plan: &Plan, setup: &Setup, defocus_mm: f64) {
         pass = began.or(pass);
     }
     for (number, frames) in &runs {
-        let spots: Vec<_> = frames.iter().map(|f| lit::foot(f, defocus_mm)).collect();
+        let spots: Vec<_> = frames.iter().map(|f| spot::foot(f, defocus_mm)).collect();
         let mut along_mm = vec![0.0];
         for w in spots.windows(2) {
             along_mm.push(along_mm.last().copied().unwrap_or(0.0) + (w[1] - w[0]).norm());

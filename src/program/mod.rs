@@ -21,7 +21,7 @@ pub use dialect::{Dialect, Program, ProgramFile};
 pub use driving::{Drive, Known, Undriven};
 pub use motion::series::{Clearance, CurveSample, clearances, series};
 pub use motion::timeline::{Breakdown, Moment, Timeline, TimelineStop};
-pub use motion::{lit, sweep};
+pub use motion::{lit, spot, sweep};
 pub use neutral::comment::{Caveat, Comment, WITHOUT_WORDS, Wording, WorkFigures};
 pub use neutral::lines::{Move, ProgramLine, lines};
 pub use neutral::shortfall::{ByHand, Shortfall};

@@ -4,7 +4,7 @@ use super::expected::{Expected, Poses};
 use super::likeness::{elsewhere, is_same, is_same_kind, is_same_pace, off_joint, turn_deg};
 use super::verdict::{Difference, JointOff, SpotOff, Verdict};
 use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
-use crate::program::{Move, lit};
+use crate::program::{Move, spot};
 
 /// Lines looked ahead to find where two programs meet again.
 const LOOK_AHEAD: usize = 40;
@@ -135,7 +135,7 @@ impl<'a, 'r> Sides<'a, 'r> {
         };
         if let (Some(planned), Some(focus)) = (planned, poses.focus(&have.goal)) {
             let defocus_mm = plan.work.defocus_mm;
-            let mm = (lit::foot(&planned, defocus_mm) - lit::foot(&focus, defocus_mm)).norm();
+            let mm = (spot::foot(&planned, defocus_mm) - spot::foot(&focus, defocus_mm)).norm();
             let deg = turn_deg(&planned, &focus);
             (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
             let off = SpotOff { mm, deg };

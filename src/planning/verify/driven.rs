@@ -8,7 +8,7 @@ use crate::pose::Beam;
 use crate::pose::checker::Checker;
 use crate::program::dialect::{Goal, Read, ReadLine};
 use crate::program::sweep::LitMove;
-use crate::program::{Interpolation, Move, MoveTiming, lit};
+use crate::program::{Interpolation, Move, MoveTiming, spot};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
 
@@ -140,7 +140,7 @@ pub(super) fn interference(
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
             let layer = d.lit.work.layer;
             let (p, a) = expected.prover.spot(&Beam::on(expected.prover.part_of(layer)), &end, &d.lit.work);
-            let facet = checkers.get(layer as usize)?.hit(&p, &a, lit::FROM_MM)?;
+            let facet = checkers.get(layer as usize)?.hit(&p, &a, spot::FROM_MM)?;
             Some(Difference::HitsFacet { spot: p, facet }.at(d.at))
         })
         .collect();

@@ -4,7 +4,7 @@ use crate::cell::Setup;
 use crate::part::Part;
 use crate::program::dialect::{Goal, ReadLine};
 use crate::program::sweep::Prover;
-use crate::program::{Move, ProgramLine, lit};
+use crate::program::{Move, ProgramLine, spot};
 use nalgebra::{Isometry3, Point3};
 
 /// A part, the setup, and what the program should be.
@@ -55,6 +55,6 @@ impl Poses<'_> {
 
     /// Where the spot is.
     pub(super) fn spot(&self, focus: &Isometry3<f64>) -> Point3<f64> {
-        lit::foot(focus, self.defocus_mm)
+        spot::foot(focus, self.defocus_mm)
     }
 }

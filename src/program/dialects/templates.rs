@@ -101,16 +101,17 @@ impl SignalTemplates<'_> {
 
     /// What a line does, if it is one of these.
     pub fn read(&self, line: &str) -> Option<Read> {
-        self.output(line).or_else(|| self.level(line)).or_else(|| self.dwell(line)).or_else(|| self.said(line))
+        let output = self.read_output(line).or_else(|| self.read_level(line));
+        output.or_else(|| self.read_wait(line)).or_else(|| self.read_comment(line))
     }
 
-    fn output(&self, line: &str) -> Option<Read> {
+    fn read_output(&self, line: &str) -> Option<Read> {
         let number = |template| matched_key(template, "n", line)?.trim().parse().ok();
         let on = number(self.output_on).map(|number| Read::Output { number, on: true });
         on.or_else(|| number(self.output_off).map(|number| Read::Output { number, on: false }))
     }
 
-    fn level(&self, line: &str) -> Option<Read> {
+    fn read_level(&self, line: &str) -> Option<Read> {
         let level = |template, group| {
             let keys = matched(template, line)?;
             let value = |key: &str| keys.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
@@ -119,12 +120,12 @@ impl SignalTemplates<'_> {
         level(self.group, true).or_else(|| level(self.analogue, false))
     }
 
-    fn dwell(&self, line: &str) -> Option<Read> {
+    fn read_wait(&self, line: &str) -> Option<Read> {
         let count = number(matched_key(self.wait, "s", line)?).filter(|count| *count >= 0.0)?;
         Some(Read::Wait(count / self.wait_per_s))
     }
 
-    fn said(&self, line: &str) -> Option<Read> {
+    fn read_comment(&self, line: &str) -> Option<Read> {
         let text = matched_key(self.comment, "text", line).or((self.comment("") == line).then_some(""))?;
         Some(Read::Say(text.trim().into()))
     }

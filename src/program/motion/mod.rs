@@ -2,6 +2,7 @@
 
 pub mod lit;
 pub mod series;
+pub mod spot;
 pub mod sweep;
 pub mod timeline;
 mod trapezoid;

@@ -2,11 +2,11 @@
 //! flange goes straight (or the path frame, where the controller moves that), and the spot a little
 //! beside its line.
 //!
-//! Planner and verification prove in the same way, by [`swept`]. What is proven is a little less than
+//! Planner and verification both prove by [`swept`]. What is proven is a little less than
 //! the margin that was planned with: the spot may leave its line by the allowed deviation, and short
 //! pieces are told by their middle.
 
-use super::lit::{FROM_MM, spot};
+use super::spot::{self, FROM_MM};
 use crate::beam::{Body, Stance, Work};
 use crate::cell::mounting::Mounted;
 use crate::part::{Grown, Part, angle};
@@ -132,7 +132,7 @@ impl<'a> Prover<'a> {
     /// Where the beam of a path frame stands on the part, and its axis: no farther from where it should be
     /// than it may deviate, and than the part may lie from a chord.
     pub fn spot(&self, beam: &Beam<'_>, part_from_focus: &Isometry3<f64>, work: &Work) -> (Point3<f64>, Vector3<f64>) {
-        spot(beam, part_from_focus, work.defocus_mm, self.window_mm)
+        spot::on_part(beam, part_from_focus, work.defocus_mm, self.window_mm)
     }
 
     /// A prover that asks for a little more, for a plan.

@@ -18,7 +18,7 @@ pub struct Move {
     pub base_from_flange: Option<Isometry3<f64>>,
     /// Where the joints go, as in the robot file, degrees; `None` without a robot.
     pub joints_deg: Option<[f64; 6]>,
-    /// The same pose as focus in the part, turned by the spin; `None` for home.
+    /// Where that brings the focus in the part, turned by the spin; `None` for home.
     pub part_from_focus: Option<Isometry3<f64>>,
     /// How fast.
     pub timing: MoveTiming,

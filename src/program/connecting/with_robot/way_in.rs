@@ -65,7 +65,7 @@ impl MovingArm<'_> {
             }));
         }
         gates.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // The gates are the same for every piece.
+        // All pieces share the gates.
         let is_open = |gate: &Joints| self.known.clear.get([&home, gate].map(bits), || self.joints_clear(&home, gate));
         let open = gates.iter().filter(|g| is_open(&g.1.joints_deg)).take(MOST_TRIED);
         open.into_iter().find_map(|(_, gate)| {
