@@ -27,7 +27,7 @@ pub fn steps(
     let pieces = pieces::pieces(&spaces, passes);
     let hops = pieces::hops(&spaces, passes, &pieces);
     let refused = pieces::stuck(&spaces, passes, &pieces, &hops);
-    let mut walk = Walk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
+    let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
     walk.out.list.push(Step::Home);
     let mut at: Option<Station> = None;
     let mut said = None;
@@ -48,14 +48,14 @@ pub fn steps(
     if let Some(end) = at {
         walk.air(end, space.outside(&end), None);
     }
-    let Walk { mut out, refused, .. } = walk;
+    let FocusWalk { mut out, refused, .. } = walk;
     out.list.push(Step::Home);
     out.shortfalls = shortfalls(pieces.iter().map(|p| (&passes[p.of.pass], p.leads.left_out)), &setup.cell.outputs);
     if refused.is_empty() { Ok(out) } else { Err(refused) }
 }
 
 /// Steps as they are added, piece by piece. Stations are turned so that the part need not make half a turn.
-struct Walk<'a> {
+struct FocusWalk<'a> {
     straight: &'a StraightFlange<'a>,
     setup: &'a Setup,
     space: &'a Space<'a>,
@@ -64,7 +64,7 @@ struct Walk<'a> {
     refused: Vec<Refusal>,
 }
 
-impl Walk<'_> {
+impl FocusWalk<'_> {
     /// From home to outside the first piece, by joints: how far that is, is not known without a robot.
     fn from_home(&mut self, piece: &LitPiece) -> Station {
         let to = self.space.outside(&piece.entry);

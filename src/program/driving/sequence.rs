@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// The way to each piece from the one before or home, and from the last one home; `None`: there is none.
-type Ways = Vec<Option<Vec<Go>>>;
+type WaysBetween = Vec<Option<Vec<Go>>>;
 
 impl Drive<'_> {
     /// The steps of what was chosen.
@@ -85,7 +85,7 @@ impl Drive<'_> {
     }
 
     /// The ways. Where nothing leads to the far end of a lead, the piece does without.
-    fn ways_without_leads(&self, space: &Space<'_>, whole: &mut [DrivenPiece]) -> Ways {
+    fn ways_without_leads(&self, space: &Space<'_>, whole: &mut [DrivenPiece]) -> WaysBetween {
         loop {
             let ways = self.ways(space, whole);
             let closed = (0..ways.len()).filter(|&i| ways[i].is_none());
@@ -97,7 +97,7 @@ impl Drive<'_> {
         }
     }
 
-    fn ways(&self, space: &Space<'_>, whole: &[DrivenPiece]) -> Ways {
+    fn ways(&self, space: &Space<'_>, whole: &[DrivenPiece]) -> WaysBetween {
         (0..=whole.len())
             .into_par_iter()
             .map(|i| {
@@ -117,7 +117,7 @@ impl Drive<'_> {
     }
 
     /// Pieces that nothing leads to, or from.
-    fn closed(&self, space: &Space<'_>, ranges: &[LitRange], whole: &[DrivenPiece], ways: &Ways) -> Vec<LitRange> {
+    fn closed(&self, space: &Space<'_>, ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Vec<LitRange> {
         let mut out = Vec::new();
         for (i, _) in ways.iter().enumerate().take(ranges.len()).filter(|(_, way)| way.is_none()) {
             // Home is on every way that is tried last: the piece that has none to it is in a pocket.
@@ -144,7 +144,7 @@ fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
 }
 
 /// Home, all pieces with the ways to them, and home.
-fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &Ways) -> Steps {
+fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Steps {
     let mut out = Steps::default();
     out.list.push(Step::Home);
     let mut said = None;
