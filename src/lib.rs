@@ -72,6 +72,7 @@ pub mod cli;
 pub mod document;
 pub mod file;
 pub mod fit;
+pub mod number_fields;
 pub mod part;
 pub mod path;
 pub mod picture;

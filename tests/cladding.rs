@@ -1,7 +1,7 @@
 //! Beads in layers: each on the part as those before have made it, proven on that part, and read back.
 
 use clearbeam::cell::Setup;
-use clearbeam::document::{self, Job, files, segmented};
+use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces, Units, angle};
 use clearbeam::path::Axis;
 use clearbeam::planning::proof::prover;
@@ -25,7 +25,7 @@ struct Case {
 
 impl Case {
     /// A solid of which the surface that looks along `n` is clad with beads of 2 × 0.5 mm.
-    fn new(solid: &Triangles, n: [f64; 3], layers: f64) -> Case {
+    fn new(solid: &Triangles, n: [f64; 3], layers: u32) -> Case {
         let part = Part::from_bytes(&stl_bytes(solid), Units::Mm, &Placement::default(), &[]).expect("a part");
         let mut job = Job::default();
         let surfaces = segmented(&part, &job);
@@ -58,7 +58,7 @@ impl Case {
 
 #[test]
 fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
-    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3.0);
+    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3);
     case.job.bead.alternate = true;
     let plan = case.plan();
     let report = Report::new(&plan, &case.surfaces);
@@ -91,7 +91,7 @@ fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
 
 #[test]
 fn a_move_below_the_metal_of_its_layer_is_refuted() {
-    let case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3.0);
+    let case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3);
     let plan = case.plan();
     let moves = plan.steps.lit_moves(&case.setup.mounted());
     let prover = prover(&case.part, &case.setup, &case.job).on_layers(&plan.grown);
@@ -104,7 +104,7 @@ fn a_move_below_the_metal_of_its_layer_is_refuted() {
 
 #[test]
 fn closed_lines_begin_elsewhere_in_each_layer() {
-    let mut case = Case::new(&solids::cylinder(15.0, 12.0, 120), [1.0, 0.0, 0.0], 3.0);
+    let mut case = Case::new(&solids::cylinder(15.0, 12.0, 120), [1.0, 0.0, 0.0], 3);
     case.job.layers.direction = "z".parse().expect("a direction");
     let start = |plan: &Plan, layer: u32| {
         let lowest = plan
@@ -130,13 +130,13 @@ fn closed_lines_begin_elsewhere_in_each_layer() {
 
 #[test]
 fn a_bore_that_would_close_is_refused() {
-    let mut case = Case::new(&solids::cylinder(3.0, 12.0, 60), [1.0, 0.0, 0.0], 4.0);
+    let mut case = Case::new(&solids::cylinder(3.0, 12.0, 60), [1.0, 0.0, 0.0], 4);
     let flipped = case.job.chosen(&case.surfaces);
     case.job.settings.change(SurfaceId(flipped[0]), |s| s.flipped = true);
     case.surfaces = segmented(&case.part, &case.job);
     case.job.path.correction = Correction::None;
     assert!(case.plan_with(&Cache::default()).is_ok(), "2 of 3 mm");
-    case.job.bead.layers = 9.0;
+    case.job.bead.layers = 9;
     let refused = case.plan_with(&Cache::default()).expect_err("4.5 of 3 mm");
     let PlanError::Folds { surface, layers } = refused else { panic!("{refused}") };
     assert_eq!((surface, layers), (flipped[0], 6), "3 mm");
@@ -144,10 +144,10 @@ fn a_bore_that_would_close_is_refused() {
 
 #[test]
 fn another_layer_leaves_those_below_as_they_are() {
-    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2.0);
+    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2);
     let cache = Cache::default();
     let two = case.plan_with(&cache).expect("plans");
-    case.job.bead.layers = 3.0;
+    case.job.bead.layers = 3;
     let three = case.plan_with(&cache).expect("plans");
     assert_eq!((two.surfaces.len(), three.surfaces.len()), (2, 3));
     assert!(two.surfaces.iter().zip(&three.surfaces).all(|(a, b)| Arc::ptr_eq(a, b)));
@@ -164,7 +164,7 @@ fn a_robot_lays_layers_too() {
     let mut job = files::read(&file).expect("reads");
     job.settings.choose(vec![3]);
     job.cell.robot = "mz04".into();
-    (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (3.0, 0.6, 2.0);
+    (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (3.0, 0.6, 2);
     job.layers.spacing_mm = job.bead_spacing_mm().expect("a bead");
     let part = files::load_part(&job, Some(&file)).expect("loads");
     let setup = files::load_setup(&job, Some(&file)).expect("a cell");
@@ -199,7 +199,7 @@ fn axes_from_neighbours_stand_on_the_cup_as_its_radii_do() {
 
 #[test]
 fn a_least_tilt_lets_nothing_return_into_the_head() {
-    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2.0);
+    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2);
     case.job.path.correction = Correction::Clearance;
     let surface = SurfaceId(case.job.chosen(&case.surfaces)[0]);
     case.job.settings.change(surface, |s| s.tilt.least_deg = 5.0);
@@ -215,7 +215,7 @@ fn the_readme_tells_a_job_that_can_be_planned() {
     let (_, rest) = readme.split_once("## Cladding").expect("a section");
     let text = rest.split_once("```toml\n").and_then(|(_, t)| t.split_once("```")).expect("a job").0;
     let job: Job = toml::from_str(text).expect("reads");
-    document::parameter::check_all(&job).expect("sound");
+    job.check().expect("sound");
     assert_eq!(job.layer_count(), 3);
     let spacing_mm = job.bead_spacing_mm().expect("a bead");
     assert!((spacing_mm - job.layers.spacing_mm).abs() < 1e-3, "{spacing_mm}");

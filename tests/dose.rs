@@ -13,7 +13,7 @@ use clearbeam::pose::{Correction, Obstruction, Pass, State, Target};
 use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
-use clearbeam::text::{Naming, dose_lines};
+use clearbeam::text::{Naming, Sentence, dose_lines};
 use nalgebra::{Point3, Vector3};
 use parts::{block, near, part, placed, planned_at, sheet};
 use std::collections::BTreeMap;
@@ -623,7 +623,7 @@ fn what_stays_unclean_can_be_put_aside() {
     assert_eq!(patches[0].facets.len(), 16, "the strips under the roof");
     let edit = Edit::aside(&patches[..1], &blocked.surfaces).expect("whole facets");
     let new = blocked.surfaces.last_number + 1;
-    assert_eq!(edit.name(), format!("put surface {new} aside"));
+    assert_eq!(edit.sentence(), format!("put surface {new} aside"));
     let all: Vec<SurfaceId> = blocked.surfaces.ids().collect();
     let mut document = Document::new(blocked.job.clone(), None);
     assert!(document.apply(&edit, &all, None));

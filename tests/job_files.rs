@@ -7,7 +7,7 @@ use clearbeam::part::{Placement, SurfaceEdit, SurfaceId, Units};
 use clearbeam::path::{Direction, Strategy};
 use clearbeam::pose::tilt::Side;
 use clearbeam::pose::{Correction, Pin, Tilt, TiltRule};
-use clearbeam::text::Sentence as _;
+use clearbeam::text::Sentence;
 use std::path::{Path, PathBuf};
 
 fn file(name: &str) -> PathBuf {
@@ -131,9 +131,9 @@ fn what_is_no_job_is_refused_with_file_key_reason_and_remedy() {
     let folder = tempfile::tempdir().expect("a folder");
     let bad = folder.path().join("bad.toml");
     for (text, parts) in [
-        ("[clean]\nsurfaces = [4, 4]\n", ["clean.surfaces", "surface 4 stands twice", "name it once"]),
+        ("[clean]\nsurfaces = [4, 4]\n", ["clean.surfaces", "surface 4 is listed twice", "name it once"]),
         ("version = 7\n", ["version = 7", "made by a later clearbeam", "open it with a newer clearbeam"]),
-        ("[recipe_of]\nfour = \"Fine\"\n", ["recipe_of", "\"four\" is no surface number", "give a number"]),
+        ("[recipe_of]\nfour = \"Fine\"\n", ["recipe_of", "\"four\" is not a surface number", "give a number"]),
         ("[clean]\nsurface = [4]\n", ["line 2", "unknown field `surface`", "`surfaces`"]),
     ] {
         std::fs::write(&bad, text).expect("writes");

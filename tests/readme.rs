@@ -1,6 +1,7 @@
 //! The README's table of parameters is made from the table in the program.
 
 use clearbeam::document::PARAMETERS;
+use clearbeam::text::parameter::{label, meaning};
 use std::fmt::Write as _;
 
 #[test]
@@ -8,20 +9,21 @@ fn the_readme_holds_the_parameter_table() {
     let mut table = String::from(
         "| parameter | option | key in the job | range | default | meaning |\n|---|---|---|---|---|---|\n",
     );
-    for p in &PARAMETERS {
+    for p in PARAMETERS {
         let option = p.option.map_or(String::new(), |o| format!("`--{o}`"));
-        let dots = if p.least_allowed { ".." } else { "<.." };
+        let dots = if p.limits.is_above_least { "<.." } else { ".." };
         let symbol = if p.symbol.is_empty() { String::new() } else { format!(" ({})", p.symbol) };
-        let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
+        let unit = p.kind.unit();
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         let _ = writeln!(
             table,
             "| {}{symbol} | {option} | `{}` | {} {dots} {}{unit} | {} | {} |",
-            p.label,
+            label(p),
             p.key,
-            p.range.0,
-            p.range.1,
-            p.default(),
-            p.meaning
+            p.limits.least,
+            p.limits.greatest,
+            p.default,
+            meaning(p)
         );
     }
     let readme = include_str!("../README.md");

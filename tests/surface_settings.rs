@@ -10,6 +10,7 @@ use clearbeam::document::{
 use clearbeam::part::{Part, SurfaceId, Surfaces};
 use clearbeam::pose::tilt::Side;
 use clearbeam::pose::{Pin, TiltRule};
+use clearbeam::text::Sentence;
 use parts::{part, sheet};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -88,10 +89,10 @@ fn forbidding(sides: &[Side]) -> TiltRule {
 
 #[test]
 fn parameters_that_recut_are_those_of_the_rule() {
-    for p in &clearbeam::document::PARAMETERS {
+    for p in clearbeam::document::PARAMETERS {
         let mut job = Job::default();
-        (p.set)(&mut job, p.range.1);
-        assert_eq!(p.recuts, job.surfaces != Job::default().surfaces, "{}", p.key);
+        job.set_number(p, p.limits.greatest);
+        assert_eq!(p.recuts(), job.surfaces != Job::default().surfaces, "{}", p.key);
     }
 }
 
@@ -128,7 +129,7 @@ fn a_drag_there_and_back_loses_nothing() {
     set_pins(&mut desk, 1);
     let (anchor, before) = (desk.anchor(), desk.doc.job().clone());
     let lost = desk.recut(&anchor, 60.0);
-    let said: Vec<String> = lost.iter().map(Lost::to_string).collect();
+    let said: Vec<String> = lost.iter().map(Lost::sentence).collect();
     assert_eq!(
         said,
         ["1 pinned tilt of surface 1 was dropped", "2 pinned tilts and the border of surface 3 were dropped"]
@@ -305,8 +306,8 @@ fn edit_of(deed: &Deed, desk: &Desk) -> Option<Edit> {
         Deed::Rename(n, k) => Edit::Rename(id(n), "x".repeat(usize::from(*k))),
         Deed::Tilt(n, side) => Edit::Tilt(id(n), forbidding(&[*side])),
         Deed::Pin(n) => Edit::Pins(id(n), vec![Pin { line: 1, at_mm: 2.0, ..Pin::default() }]),
-        Deed::Border(n, k) => Edit::OwnBorder(id(n), (*k > 0).then_some(StartFrom::Border(*k))),
-        Deed::Centre(n) => Edit::OwnCentre(id(n), Some([1.0, 0.5, 0.25])),
+        Deed::Border(n, k) => Edit::SurfaceBorder(id(n), (*k > 0).then_some(StartFrom::Border(*k))),
+        Deed::Centre(n) => Edit::SurfaceCentre(id(n), Some([1.0, 0.5, 0.25])),
         Deed::Flip(n) => Edit::FlipSurface(id(n)),
         Deed::Recipe(n, k) => Edit::GiveRecipe(vec![id(n)], (*k > 0).then(|| recipe(k))),
     })

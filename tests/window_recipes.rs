@@ -207,10 +207,10 @@ fn remarks_stand_among_the_problems() {
     let folder = tempfile::tempdir().expect("a folder");
     let more = "[layers]\nspacing_mm = 2.0\nstrategy = \"offset\"\nborder = 9\n";
     let mut h = window(Some(job(&folder, more)), &Answers::default());
-    assert!(says(&h, "surface 2 has no border 10").ends_with("whole outline"));
+    assert!(says(&h, "surface 2: there is no border 10").ends_with("whole outline"));
     click(&mut h, "strategy");
     click(&mut h, "planes – parallel planes, equally far apart");
-    assert!(h.query_by_label_contains("has no border 10").is_none());
+    assert!(h.query_by_label_contains("there is no border 10").is_none());
 }
 
 #[test]

@@ -6,6 +6,7 @@ use super::dialogs::Purpose;
 use super::session::{AfterGuard, Tool};
 use crate::document::{Edit, Lost, Parameter, RecutAnchor};
 use crate::part::{Placement, Shape, SurfaceId, angle};
+use crate::text::Sentence;
 use crate::view::{Bounds, Projection, StandardView};
 use eframe::egui;
 use nalgebra::Vector3;
@@ -24,7 +25,7 @@ impl App {
     /// Applies an edit, and says what surfaces lost by it; a drag that brings it back takes the word back.
     fn apply(&mut self, edit: &Edit, gesture: Option<&str>) {
         let all: Vec<SurfaceId> = self.derived.surfaces.ids().collect();
-        let told = |lost: &[Lost]| lost.iter().map(Lost::to_string).collect::<Vec<_>>().join("; ");
+        let told = |lost: &[Lost]| lost.iter().map(Lost::sentence).collect::<Vec<_>>().join("; ");
         let before = told(self.document.lost());
         self.document.apply(edit, &all, gesture);
         let now = told(self.document.lost());
@@ -45,8 +46,8 @@ impl App {
         let clean = || self.clean_list();
         match command {
             C::Open | C::Help | C::Escape | C::Theme => true,
-            C::Undo => self.document.undo_name().is_some(),
-            C::Redo => self.document.redo_name().is_some(),
+            C::Undo => self.document.undo_step().is_some(),
+            C::Redo => self.document.redo_step().is_some(),
             C::Cancel => self.progress().is_some(),
             C::Export => self.plan().is_some(),
             C::Play
@@ -265,7 +266,7 @@ impl App {
 
     /// Sets a number of the parameter table. One that cuts the surfaces anew carries over what is said of them.
     pub(super) fn set_parameter(&mut self, p: &'static Parameter, value: f64) {
-        if !p.recuts {
+        if !p.recuts() {
             self.edit_dragging(&Edit::Set(p.key, value), p.key);
             return;
         }

@@ -6,6 +6,7 @@ use crate::document::StartFrom;
 use crate::part::{SurfaceId, Surfaces};
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;
+use crate::text::Sentence;
 use crate::view::LineItem;
 use nalgebra::Point3;
 use std::collections::BTreeMap;
@@ -71,7 +72,7 @@ impl App {
     pub(super) fn border_words(&self, surface: u32, index: u32) -> Option<String> {
         let all = self.borders.known.get(&surface)?;
         let border = all.get(index as usize)?;
-        let name = StartFrom::Border(index);
+        let name = StartFrom::Border(index).sentence();
         Some(format!("{name} of {} of surface {surface}, {:.1} mm long", all.len(), border.length_mm))
     }
 }

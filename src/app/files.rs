@@ -11,7 +11,7 @@ use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
 use crate::progress::Activity;
-use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment};
+use crate::text::{NamedSentence as _, Naming, Sentence, program_comment};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 

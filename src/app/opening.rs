@@ -3,11 +3,11 @@
 use super::App;
 use super::derived::Derived;
 use super::questions::Question;
-use crate::document::beside::{Stamp, stamp_of};
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
+use crate::document::stamps::{Stamp, stamp_of};
 use crate::document::{CarriedOver, Document, Edit, Job, JobFile, save};
-use crate::part::{Hasher, LoadError, Part, PartFinding, Source};
+use crate::part::{Hasher, Part, PartFinding, Source};
 use crate::planning::{Failure, Stage};
 use crate::progress::{Activity, Progress};
 use crate::text::Sentence;
@@ -164,7 +164,7 @@ impl App {
         if let Some(leftover) = leftover
             && let Err(why) = leftover.take_over(&mut self.journal)
         {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
         self.keep_journal();
     }
@@ -295,10 +295,8 @@ fn part_there(job: &Job, job_file: Option<&Path>, progress: &Progress) -> Result
     if job.part.is_of_another_file(&source.sha256) {
         return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
     }
-    let p = &job.part;
-    let built = source.part(p.units, &p.placement, &p.flipped_shells, progress);
-    let named = |source| refused(LoadError::Stl { file: file.display().to_string(), source }.into());
-    let part = built.map_err(named)?.ok_or(Failure::Cancelled)?;
+    let built = files::build_part(&source, &job.part, &file, progress).map_err(|e| refused(e.into()))?;
+    let part = built.ok_or(Failure::Cancelled)?;
     Ok(PartThere::Same(source, Box::new(part), stamp))
 }
 
@@ -313,9 +311,7 @@ fn looked_at(
     if !job.part.is_of_another_file(&source.sha256) {
         return Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried: None });
     }
-    let built = source.part(job.part.units, &job.part.placement, &[], progress);
-    let named = |source| refused(LoadError::Stl { file: file.display().to_string(), source }.into());
-    let part = built.map_err(named)?.ok_or(Failure::Cancelled)?;
-    let carried = Some(Box::new(CarriedOver::new(job, &part)));
+    let carried = CarriedOver::to_file(job, &source, &file, progress).map_err(|e| refused(e.into()))?;
+    let carried = Some(Box::new(carried.ok_or(Failure::Cancelled)?));
     Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried })
 }

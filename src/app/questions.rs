@@ -6,6 +6,7 @@ use super::opening::LookedAt;
 use crate::document::journal::{LeftBehind, Leftover};
 use crate::document::{Document, Forgotten, Journal, journal};
 use crate::planning::export::FileConflict;
+use crate::text::Sentence;
 use std::path::{Path, PathBuf};
 
 /// A question.
@@ -44,11 +45,11 @@ impl App {
     pub fn with_journal(mut self, folder: Option<PathBuf>) -> App {
         match Journal::open(folder.as_deref()) {
             Ok(journal) => self.journal = journal,
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
         let found = folder.as_deref().map(journal::left_behind).unwrap_or_default();
         if let Some(why) = found.unreadable.first() {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
         if !found.leftovers.is_empty() {
             self.question = Some(Question::Restore(found));
@@ -59,7 +60,7 @@ impl App {
     /// Keeps the unsaved changes, so that a killed program loses nothing.
     pub(super) fn keep_journal(&mut self) {
         if let Err(why) = self.journal.record(&self.document) {
-            let why = why.to_string();
+            let why = why.sentence();
             // Once is enough: it is tried again with every edit.
             if self.session.journal_error.as_ref() != Some(&why) {
                 self.session.error = Some(why.clone());
@@ -71,7 +72,7 @@ impl App {
     /// Nothing of the unsaved changes is wanted any more.
     pub(super) fn clear_journal(&mut self) {
         if let Err(why) = self.journal.clear() {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
     }
 
@@ -89,7 +90,7 @@ impl App {
     pub(super) fn forget_recipe(&mut self, name: &str) {
         match self.recipes.forget(name) {
             Ok(forgotten) => self.session.forgotten = Some(forgotten),
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
     }
 
@@ -97,7 +98,7 @@ impl App {
     pub(super) fn bring_recipe_back(&mut self, forgotten: &Forgotten) {
         self.session.forgotten = None;
         if let Err(why) = self.recipes.bring_back(forgotten) {
-            self.session.error = Some(why.to_string());
+            self.session.error = Some(why.sentence());
         }
     }
 

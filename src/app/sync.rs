@@ -8,7 +8,7 @@ use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
 use crate::progress::Activity;
-use crate::text::Sentence as _;
+use crate::text::Sentence;
 use std::sync::Arc;
 
 impl App {

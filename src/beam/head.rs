@@ -17,7 +17,7 @@ use thiserror::Error;
 pub struct HeadPart {
     /// Where it begins, mm from the focus along a.
     pub from_mm: f64,
-    /// Where it ends.
+    /// Where it ends, mm from the focus along a.
     pub to_mm: f64,
     /// Radius where it begins, mm.
     pub r0_mm: f64,

@@ -63,7 +63,7 @@ impl Obstacle {
         Isometry3::from_parts(Translation3::from(self.position_mm), turn)
     }
 
-    /// It as another frame sees it, into which `frame_from_its` leads.
+    /// The obstacle as it stands in another frame, into which `frame_from_its` leads.
     pub fn seen_in(&self, frame_from_its: &Isometry3<f64>) -> Obstacle {
         let at = frame_from_its * self.at();
         let rz_ry_rx_deg = rpy::from_rotation(&at.rotation.to_rotation_matrix());

@@ -4,6 +4,7 @@
 //! `d(z) = d0·√(1 + (z/zR)²)` (ISO 11146-1); z from the focus, mm, to either side. Spots are diameters
 //! at 1/e². Aberrations and the laser's pulse are not looked at.
 
+use crate::number_fields::number_fields;
 use serde::{Deserialize, Serialize};
 
 /// The `[optics]` table of a job.
@@ -27,22 +28,26 @@ pub struct Optics {
 
 impl Default for Optics {
     fn default() -> Self {
-        Optics {
-            lens_to_focus_mm: 200.0,
-            aperture_mm: 10.0,
-            focus_spot_mm: 0.1,
-            rayleigh_mm: 2.0,
-            wavelength_nm: 1064.0,
-        }
+        Optics::DEFAULT
     }
 }
 
 crate::part::keyed!(Optics { lens_to_focus_mm, aperture_mm, focus_spot_mm, rayleigh_mm, wavelength_nm });
+number_fields!(Optics { lens_to_focus_mm, aperture_mm, focus_spot_mm, rayleigh_mm, wavelength_nm });
 
 /// The spot may be wrong by this share where a tolerance of the defocus is stated.
 pub const SPOT_TOLERANCE: f64 = 0.1;
 
 impl Optics {
+    /// Those of a new job.
+    pub const DEFAULT: Optics = Optics {
+        lens_to_focus_mm: 200.0,
+        aperture_mm: 10.0,
+        focus_spot_mm: 0.1,
+        rayleigh_mm: 2.0,
+        wavelength_nm: 1064.0,
+    };
+
     /// Diameter of the spot at `z_mm` from the focus, mm.
     pub fn spot_mm(&self, z_mm: f64) -> f64 {
         let x = z_mm / self.rayleigh_mm;

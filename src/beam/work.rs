@@ -19,7 +19,7 @@ pub struct Work {
     pub frequency_khz: f64,
     /// The spot comes so far along the line at that speed before the laser goes on, mm.
     pub lead_in_mm: f64,
-    /// And goes on so far behind its end, mm.
+    /// The spot goes on so far behind the line's end, mm.
     pub lead_out_mm: f64,
     /// Layer of a build-up, from 0: the part has grown by those before.
     pub layer: u32,

@@ -35,7 +35,7 @@ impl Default for Bodies {
 pub struct HeadCapsule {
     /// Where the stretch begins, mm from the focus against the light.
     pub from_mm: f64,
-    /// Where it ends.
+    /// Where the stretch ends, mm.
     pub to_mm: f64,
     /// Radius, mm.
     pub radius_mm: f64,

@@ -1,7 +1,6 @@
 //! Frames from what was measured: three points, one tip touched in several poses, points of a model.
 //!
-//! Each fit keeps its residuals, and refuses points that cannot tell the frame, with what to measure
-//! again. Where the figures come from and what frame they become is the cell file's business.
+//! Each fit keeps its residuals, and refuses points that cannot tell the frame, with what is wrong with them. Where the figures come from and what frame they become is the cell file's business.
 
 use crate::fit::{self, PlacedPair};
 use crate::part::rpy;
@@ -61,9 +60,9 @@ pub struct TipFit {
 /// How well a frame fits what was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CalibrationNote {
-    /// Its key in the cell file.
+    /// The frame's key in the cell file.
     pub frame: &'static str,
-    /// The key of its method.
+    /// The key of what it was measured by.
     pub method: &'static str,
     /// Root of the mean square of the residuals, mm; 0 where nothing is left over.
     pub rms_mm: f64,
@@ -74,7 +73,7 @@ pub struct CalibrationNote {
 }
 
 impl CalibrationNote {
-    /// Of the residuals of a fit.
+    /// The note of a fit with these residuals.
     pub fn new(frame: &'static str, method: &'static str, residuals_mm: Vec<f64>) -> CalibrationNote {
         let squares = residuals_mm.iter().fold(0.0, |s, r| s + r * r);
         let rms_mm = (squares / residuals_mm.len().max(1) as f64).sqrt();
@@ -89,7 +88,7 @@ pub enum FitError {
     /// A figure that nobody can have measured.
     #[error("{value} measured")]
     Figure {
-        /// It.
+        /// The figure.
         value: f64,
     },
     /// Three points: x lies too near to the origin.
@@ -113,7 +112,7 @@ pub enum FitError {
     /// The poses hardly turn the flange but about one direction of its own.
     #[error("tip_poses: turned about {direction:?} only")]
     OneDirection {
-        /// That direction.
+        /// The direction in the flange, of unit length.
         direction: [f64; 3],
     },
     /// No tip fits the poses.
@@ -128,7 +127,7 @@ pub enum FitError {
     /// All points lie on one line.
     #[error("points: {side:?} on one line within {width_mm} mm")]
     OneLine {
-        /// Which of the points.
+        /// The points that do.
         side: Side,
         /// How far off the line they are.
         width_mm: f64,

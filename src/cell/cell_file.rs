@@ -34,7 +34,7 @@ pub struct Air {
     /// Where the arm goes first from home, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub entry_joints_deg: Option<[f64; 6]>,
-    /// Where it goes last before home, degrees.
+    /// Where the arm goes last before home, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exit_joints_deg: Option<[f64; 6]>,
     /// Tool in hand: height in the base on which the focus crosses the part, mm.
@@ -128,7 +128,7 @@ pub enum CellError {
     Figure {
         /// The file.
         file: String,
-        /// Which.
+        /// The figure, and what is wrong with it.
         what: Box<FigureError>,
     },
     /// The robot cannot stand in it.
@@ -156,7 +156,10 @@ impl Cell {
         Cell::parse(text, &format!("assets/cells/{key}.toml"))
     }
 
-    /// Reads a cell file.
+    /// Reads a cell file, and the files of its obstacles.
+    ///
+    /// # Errors
+    /// One of the files cannot be read, or a figure makes no sense.
     pub fn load(file: &Path) -> Result<Cell, CellError> {
         let (name, bytes) = (file.display().to_string(), file::bytes(file)?);
         let mut cell = Cell::parse(file::text(&bytes, &name)?, &name)?;

@@ -58,7 +58,7 @@ impl From<Pair<'_>> for Contact {
 pub const CLEARANCE_REACH_MM: f64 = 100.0;
 
 impl<'a> Collision<'a> {
-    /// Of a cell with a robot and a part; `None`: there is no robot that could touch anything.
+    /// What may touch in a cell with this part; `None`: there is no robot that could touch anything.
     pub fn new(setup: &'a Setup, part: &'a Part) -> Option<Collision<'a>> {
         let robot = setup.robot.as_ref()?;
         let (cell, bodies) = (&setup.cell, &setup.cell.bodies);

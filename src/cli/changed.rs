@@ -3,10 +3,10 @@
 
 use super::Failure;
 use crate::document::{CarriedOver, Job, files};
-use crate::part::{LoadError, Source};
+use crate::part::Source;
 use crate::planning::report::PlanFinding;
 use crate::progress::Progress;
-use crate::text::say;
+use crate::text::{carried_lines, say};
 use std::path::Path;
 
 /// The part's file of a job as it is, the job for it, and what is to be said.
@@ -21,11 +21,10 @@ pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source,
         job.part.sha256.clone_from(&source.sha256);
         return Ok((job, source, Vec::new()));
     }
-    let built = source.part(job.part.units, &job.part.placement, &[], &Progress::default());
     let name = || file.display().to_string();
-    let named = |source| Failure::failed(LoadError::Stl { file: name(), source });
-    let carried = CarriedOver::new(&job, &built.map_err(named)?.unwrap_or_default());
-    let told = carried.to_string().lines().collect::<Vec<_>>().join("; ");
+    let carried = CarriedOver::to_file(&job, &source, &file, &Progress::default()).map_err(Failure::failed)?;
+    let carried = carried.ok_or_else(|| Failure::Failed(say!(text_cancelled)))?;
+    let told = carried_lines(&carried).join("; ");
     if !carried.is_work_in_place() {
         return Err(Failure::Failed(say!(cli_part_changed, file = name(), told)));
     }

@@ -4,17 +4,20 @@ use super::{Failure, Outcome, print, print_json, tell};
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
 use crate::part::{PartFinding, Placement, Units, load};
+use crate::text::parameter::refused_option;
 use crate::text::{Sentence as _, inspected, say};
 use std::path::PathBuf;
+
+const ANGLE: &Parameter = Parameter::named("surfaces.angle_deg");
 
 /// Options of `inspect`.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
     #[arg(help = say!(cli_inspect_part))]
     part: PathBuf,
-    #[arg(long, value_name = "DEG", default_value_t = 20.0, allow_negative_numbers = true, help = say!(cli_inspect_angle))]
+    #[arg(long, value_name = "DEG", default_value_t = ANGLE.default, allow_negative_numbers = true, help = say!(cli_inspect_angle))]
     angle: f64,
-    #[arg(long, default_value = "mm", value_parser = super::options::units, help = say!(cli_inspect_units))]
+    #[arg(long, default_value = "mm", value_parser = super::word_options::units, help = say!(cli_inspect_units))]
     units: Units,
     #[arg(long, help = say!(cli_json))]
     json: bool,
@@ -22,9 +25,7 @@ pub struct Arguments {
 
 /// Reads the part and prints what was found.
 pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    if let Some(p) = Parameter::by_option("angle") {
-        p.check(a.angle).map_err(Failure::Usage)?;
-    }
+    ANGLE.check(a.angle).map_err(|e| Failure::Usage(refused_option(&e)))?;
     let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(Failure::failed)?;
     let mut job = Job::default();
     job.surfaces.angle_deg = a.angle;

@@ -7,10 +7,12 @@ mod changed;
 mod inspect;
 mod language;
 mod legend;
+mod number_options;
 mod options;
 mod plan;
 mod render;
 mod verify;
+mod word_options;
 
 use crate::text::{Sentence, say};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};

@@ -121,6 +121,7 @@ fn refused(e: PlanningError) -> Failure {
     match &e {
         PlanningError::Plan(planning::Failure::Refused(
             PlanError::Parameter(_)
+            | PlanError::Unwritable(_)
             | PlanError::NoSurface { .. }
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },

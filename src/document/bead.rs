@@ -1,7 +1,29 @@
 //! What a job says of the bead: its section, the spacing that follows from it, its layers.
 
+use super::check::ValueError;
 use super::model::{BeadParameters, Job};
+use super::recipe::RecipeError;
 use crate::process::bead::Bead;
+use thiserror::Error;
+
+/// Why the values of a bead cannot be.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum BeadError {
+    /// It has a width or a height alone.
+    #[error("half a bead: {width_mm} by {height_mm}")]
+    Half {
+        /// Width, mm.
+        width_mm: f64,
+        /// Height, mm.
+        height_mm: f64,
+    },
+    /// Several layers where nothing is laid.
+    #[error("{layers} layers of no bead")]
+    LayersOfNothing {
+        /// How many.
+        layers: u32,
+    },
+}
 
 impl Job {
     /// The section of its bead; `None`: the beam lays nothing on the part.
@@ -21,7 +43,7 @@ impl Job {
 
     /// How many layers are laid on top of each other.
     pub fn layer_count(&self) -> u32 {
-        if self.section_of_bead().is_some() { self.bead.layers as u32 } else { 1 }
+        if self.section_of_bead().is_some() { self.bead.layers } else { 1 }
     }
 }
 
@@ -29,10 +51,11 @@ impl Job {
 const FLAT: f64 = 0.3;
 
 impl BeadParameters {
-    /// The same with no bead, and then no layers; or where there is none with a flat one of a width, mm.
+    /// Without a bead, and then without layers; or with one, flat and of a width in mm where there was none.
     pub fn laid(&self, is_laid: bool, width_mm: f64) -> BeadParameters {
         if !is_laid {
-            return BeadParameters { width_mm: 0.0, height_mm: 0.0, layers: 1.0, ..self.clone() };
+            let BeadParameters { start_shift_mm, alternate, .. } = *self;
+            return BeadParameters { start_shift_mm, alternate, ..BeadParameters::default() };
         }
         if self.width_mm > 0.0 && self.height_mm > 0.0 {
             return self.clone();
@@ -42,30 +65,22 @@ impl BeadParameters {
     }
 }
 
-/// What is wrong with the bead of a job or of one of its recipes, as a sentence.
-pub(super) fn check(job: &Job) -> Result<(), String> {
-    one(job).and_then(|()| {
-        let of = |r: &super::Recipe| one(&r.applied(job)).map_err(|e| format!("recipe {:?}: {e}", r.name));
-        job.recipes.iter().try_for_each(of)
-    })
+/// Checks the bead of a job, and what each of its recipes makes of it.
+pub(super) fn check(job: &Job) -> Result<(), ValueError> {
+    one(job)?;
+    for recipe in &job.recipes {
+        one(&recipe.applied(job)).map_err(|source| RecipeError::Bead { recipe: recipe.name.clone(), source })?;
+    }
+    Ok(())
 }
 
-fn one(job: &Job) -> Result<(), String> {
-    let b = &job.bead;
-    if (b.width_mm > 0.0) != (b.height_mm > 0.0) {
-        return Err(format!(
-            "bead.width_mm = {}, bead.height_mm = {}: give both above 0, or both 0 where nothing is laid",
-            b.width_mm, b.height_mm
-        ));
+fn one(job: &Job) -> Result<(), BeadError> {
+    let BeadParameters { width_mm, height_mm, layers, .. } = job.bead;
+    if (width_mm > 0.0) != (height_mm > 0.0) {
+        return Err(BeadError::Half { width_mm, height_mm });
     }
-    if b.layers.fract() != 0.0 {
-        return Err(format!("bead.layers = {}: give a whole number", b.layers));
-    }
-    if b.layers > 1.0 && b.width_mm == 0.0 {
-        return Err(format!(
-            "bead.layers = {}: give bead.width_mm and bead.height_mm too; without a bead use layers.passes",
-            b.layers
-        ));
+    if layers > 1 && width_mm == 0.0 {
+        return Err(BeadError::LayersOfNothing { layers });
     }
     Ok(())
 }
@@ -74,13 +89,14 @@ fn one(job: &Job) -> Result<(), String> {
 mod tests {
     use super::*;
     use crate::document::Recipe;
+    use crate::document::parameter::{NumberFault, Parameter};
 
     #[test]
     fn spacing_and_overlap_follow_the_bead() {
         let mut job = Job::default();
         assert_eq!((job.bead_spacing_mm(), job.track_mm(), job.layer_count()), (None, 1.0, 1));
         assert_eq!(job.spacing_of_overlap(50.0), Ok(0.5));
-        (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (4.0, 2.0, 3.0);
+        (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (4.0, 2.0, 3);
         // Half a circle: π/4 of the width apart.
         let spacing = job.bead_spacing_mm().expect("a bead");
         assert!((spacing - std::f64::consts::PI).abs() < 1e-12);
@@ -98,7 +114,7 @@ mod tests {
         let none = job.bead.clone();
         job.bead = none.laid(true, 3.0);
         assert_eq!((job.bead.width_mm, job.bead.height_mm, check(&job)), (3.0, 0.9, Ok(())));
-        job.bead.layers = 4.0;
+        job.bead.layers = 4;
         assert_eq!(job.bead.laid(true, 1.0), job.bead, "there is one");
         job.bead = job.bead.laid(false, 3.0);
         assert_eq!((job.bead.clone(), check(&job)), (none, Ok(())));
@@ -108,21 +124,26 @@ mod tests {
     fn half_a_bead_is_refused() {
         let mut job = Job::default();
         job.bead.width_mm = 2.0;
-        assert!(check(&job).is_err_and(|e| e.contains("give both above 0")));
+        assert_eq!(check(&job), Err(BeadError::Half { width_mm: 2.0, height_mm: 0.0 }.into()));
         job.bead.height_mm = 1.0;
         assert_eq!(check(&job), Ok(()));
-        job.bead.layers = 1.5;
-        assert!(check(&job).is_err_and(|e| e.contains("whole number")));
         job = Job::default();
-        job.bead.layers = 2.0;
-        assert!(check(&job).is_err_and(|e| e.contains("layers.passes")));
+        job.bead.layers = 2;
+        assert_eq!(check(&job), Err(BeadError::LayersOfNothing { layers: 2 }.into()));
         job = Job::default();
-        job.recipes.push(Recipe {
+        let thick = |key: &str, value: f64| Recipe {
             name: "thick".into(),
-            values: [("bead.height_mm".to_owned(), 1.0)].into(),
+            values: [(key.to_owned(), value)].into(),
             ..Recipe::default()
-        });
-        assert!(check(&job).is_err_and(|e| e.contains("recipe \"thick\"")));
-        assert!(Recipe::may_hold("bead.layers"));
+        };
+        job.recipes.push(thick("bead.height_mm", 1.0));
+        let source = BeadError::Half { width_mm: 0.0, height_mm: 1.0 };
+        assert_eq!(check(&job), Err(RecipeError::Bead { recipe: "thick".into(), source }.into()));
+        assert!(Parameter::named("bead.layers").is_for_recipes());
+        let fault = |r: &Recipe| match r.check() {
+            Err(RecipeError::Number { source, .. }) => Some(source.fault),
+            _ => None,
+        };
+        assert_eq!(fault(&thick("bead.layers", 1.5)), Some(NumberFault::NotWhole));
     }
 }

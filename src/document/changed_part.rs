@@ -1,14 +1,17 @@
 //! A job whose part's file has changed: what it says of surfaces is carried over to those that are found again.
 //! Nothing is guessed, and nothing goes in silence; whether to go on is for the operator to say.
 
-use super::model::Job;
-use super::remembered::{Remembered, loaded_as, named};
+use super::files::build_part;
+use super::landmarks::{loaded_as, mentioned};
+use super::model::{Job, PartFile};
+use super::remembered::Remembered;
 use super::renumber::Renumbering;
 use crate::part::identity::{Why, find};
-use crate::part::{Part, SurfaceId};
+use crate::part::{LoadError, Part, Source, SurfaceId};
+use crate::progress::Progress;
 use nalgebra::Isometry3;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
+use std::path::Path;
 
 /// A surface that was not found again.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,24 +52,37 @@ pub struct CarriedOver {
 }
 
 impl CarriedOver {
+    /// Carries a job over to what was read of the changed `file`. `None`: the work was cancelled.
+    ///
+    /// # Errors
+    /// No facet of the file has any area.
+    pub fn to_file(
+        job: &Job,
+        source: &Source,
+        file: &Path,
+        progress: &Progress,
+    ) -> Result<Option<CarriedOver>, LoadError> {
+        let part = build_part(source, &without_turned_shells(&job.part), file, progress)?;
+        Ok(part.map(|part| CarriedOver::new(job, &part)))
+    }
+
     /// Carries a job over. `part` is built from the changed file as the job says, but with no shell turned.
     pub fn new(job: &Job, part: &Part) -> CarriedOver {
         let landmarks = job.part.landmarks.landmarks().cloned().unwrap_or_default();
-        let mut needed = named(job);
+        let mut needed = mentioned(job);
         if job.settings.cleans_all() {
             needed.extend(landmarks.numbers());
         }
-        let mut bare = job.part.clone();
-        bare.flipped_shells.clear();
         let s = &job.surfaces;
-        let found = find(&landmarks, part, &loaded_as(&bare), &s.rule(), &s.edits, &needed);
+        let loaded = without_turned_shells(&job.part);
+        let found = find(&landmarks, part, &loaded_as(&loaded), &s.rule(), &s.edits, &needed);
         let numbers: BTreeMap<SurfaceId, SurfaceId> = found
             .numbers
             .iter()
             .filter(|(old, _)| needed.contains(old))
             .map(|(old, new)| (SurfaceId(*old), SurfaceId(*new)))
             .collect();
-        let lost = found.lost.iter().map(|l| lost(job, SurfaceId(l.number), l.why)).collect();
+        let lost = found.lost.iter().map(|l| LostSurface::new(job, SurfaceId(l.number), l.why)).collect();
         let mut after = job.clone();
         after.renumber(&Renumbering::found(&numbers));
         after.surfaces.edits = found.edits;
@@ -106,67 +122,17 @@ impl CarriedOver {
     }
 }
 
-fn lost(job: &Job, surface: SurfaceId, why: Why) -> LostSurface {
-    let own = job.settings.of(surface);
-    let is_chosen = own.work.is_some() || job.settings.cleans_all() && !own.later;
-    LostSurface { surface, name: own.name.clone(), is_chosen, why }
-}
-
-/// `surface 4 (Rim): nothing like it is there`.
-impl fmt::Display for LostSurface {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let LostSurface { surface, name, why, .. } = self;
-        let name = if name.is_empty() { String::new() } else { format!(" ({name})") };
-        let why = match why {
-            Why::NothingAlike => "nothing like it is there",
-            Why::SeveralAlike => "several are so much alike that none can be told to be it",
-            Why::EditNotRepeated => "it comes of a merge, split or cut that cannot be repeated",
-            Why::OtherFacets => "it was cut out facet by facet, and the facets are others now",
-            Why::NotRemembered => "the job does not say what it looked like; it was saved by an earlier version",
-            Why::SeveralMotions => "the part has moved, and fits itself in several ways",
-            Why::PartMoved => "the part has moved, and not everything is at its new place",
-        };
-        write!(f, "surface {surface}{name}: {why}")
+impl LostSurface {
+    fn new(job: &Job, surface: SurfaceId, why: Why) -> LostSurface {
+        let settings = job.settings.of(surface);
+        let is_chosen = settings.work.is_some() || job.settings.cleans_all() && !settings.later;
+        LostSurface { surface, name: settings.name.clone(), is_chosen, why }
     }
 }
 
-/// What there is to know, a line each.
-impl fmt::Display for CarriedOver {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(motion) = &self.motion {
-            // No minus before a zero.
-            let t = motion.translation.vector.map(|mm| (mm * 1e3).round() * 1e-3 + 0.0);
-            let turn = motion.rotation.angle().to_degrees();
-            write!(f, "the whole part has moved by ({:.3}, {:.3}, {:.3}) in its file", t.x, t.y, t.z)?;
-            if turn > 1e-3 {
-                write!(f, " and turned by {turn:.2}°")?;
-            }
-            writeln!(f)?;
-        }
-        if let Some(scale) = self.scale {
-            writeln!(f, "everything is {scale:.4} times as large: another unit?")?;
-        }
-        if self.knows_no_surface {
-            writeln!(f, "the job cleans all surfaces, and does not say what they looked like; they are others now")?;
-        }
-        let renumbered = self.kept.iter().filter(|(old, new)| old != new).count();
-        match self.kept.len() {
-            1 => write!(f, "found again: 1 surface")?,
-            count => write!(f, "found again: {count} surfaces")?,
-        }
-        match renumbered {
-            0 => writeln!(f)?,
-            count => writeln!(f, ", {count} of them under another number")?,
-        }
-        self.lost.iter().try_for_each(|lost| writeln!(f, "not found: {lost}"))?;
-        if self.lost_edits > 0 {
-            writeln!(f, "not repeated: {} merges, splits or cuts", self.lost_edits)?;
-        }
-        if self.lost_shells > 0 {
-            writeln!(f, "not found: {} turned shells", self.lost_shells)?;
-        }
-        Ok(())
-    }
+/// How a changed file is read: which of its shells are those that were turned is not known yet.
+fn without_turned_shells(part: &PartFile) -> PartFile {
+    PartFile { flipped_shells: Vec::new(), ..part.clone() }
 }
 
 #[cfg(test)]
@@ -216,7 +182,7 @@ mod tests {
         let after = part(&turned);
         assert_ne!(before.sha256, after.sha256);
         let carried = CarriedOver::new(&job, &after);
-        assert!(carried.is_complete() && carried.is_work_in_place(), "{carried}");
+        assert!(carried.is_complete() && carried.is_work_in_place(), "{carried:?}");
         assert_eq!(carried.job.part.sha256, after.sha256);
         for (old, new) in &carried.kept {
             let ((a0, c0), (a1, c1)) = (place(&before, &job, *old), place(&after, &carried.job, *new));
@@ -235,7 +201,7 @@ mod tests {
         let after = part(&solids::v_groove(30.0, 8.0, 9.0, 40.0));
         let carried = CarriedOver::new(&job, &after);
         assert!(!carried.is_work_in_place());
-        assert!(carried.lost.iter().all(|l| l.name.is_empty() || l.to_string().contains("(Flank)")), "{carried}");
+        assert!(carried.lost.iter().all(|l| (l.name == "Flank") == (l.surface == SurfaceId(4))), "{carried:?}");
     }
 
     #[test]
@@ -245,7 +211,7 @@ mod tests {
         let shifted: Triangles = groove().into_iter().map(|t| t.map(|[x, y, z]| [x + 100.0, y, z])).collect();
         let carried = CarriedOver::new(&job, &part(&shifted));
         let motion = carried.motion.expect("moved");
-        assert!((motion.translation.vector.x - 100.0).abs() < 0.01, "{carried}");
+        assert!((motion.translation.vector.x - 100.0).abs() < 0.01, "{carried:?}");
         assert!(carried.is_complete() && !carried.is_work_in_place());
     }
 
@@ -258,7 +224,7 @@ mod tests {
         turned.reverse();
         let carried = CarriedOver::new(&job, &part(&turned));
         assert_eq!((carried.kept.len(), carried.lost.len()), (0, 3));
-        assert!(carried.lost.iter().all(|l| l.to_string().contains("earlier version")), "{carried}");
+        assert!(carried.lost.iter().all(|l| l.why == Why::NotRemembered), "{carried:?}");
         let none = Job { settings: Default::default(), ..job.clone() };
         assert!(CarriedOver::new(&none, &part(&turned)).is_complete(), "there is nothing to lose");
         let mut all = none;
@@ -276,9 +242,9 @@ mod tests {
         let mut turned = groove();
         turned.reverse();
         let carried = CarriedOver::new(&all, &part(&turned));
-        assert!(carried.is_work_in_place() && carried.job.settings.cleans_all(), "{carried}");
+        assert!(carried.is_work_in_place() && carried.job.settings.cleans_all(), "{carried:?}");
         assert_eq!(carried.kept.len(), segmented(&before, &all).list.len());
         let other = CarriedOver::new(&all, &part(&solids::v_groove(20.0, 8.0, 9.0, 40.0)));
-        assert!(!other.is_work_in_place() && other.lost.iter().any(|l| l.is_chosen), "{other}");
+        assert!(!other.is_work_in_place() && other.lost.iter().any(|l| l.is_chosen), "{other:?}");
     }
 }

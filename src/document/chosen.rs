@@ -22,7 +22,7 @@ impl Default for Chosen {
 
 impl Chosen {
     /// The first surface that stands twice in the list.
-    pub fn twice(&self) -> Option<SurfaceId> {
+    pub fn repeated(&self) -> Option<SurfaceId> {
         let Chosen::These(list) = self else { return None };
         let mut seen = BTreeSet::new();
         list.iter().copied().find(|id| !seen.insert(*id))

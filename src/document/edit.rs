@@ -14,6 +14,7 @@ use crate::part::{Placement, SurfaceEdit, SurfaceId, Units};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::{Correction, Pin, TiltRule};
 use crate::process::Profile;
+use std::mem::discriminant;
 
 /// A change of the document.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,9 +97,9 @@ pub enum Edit {
     /// A name for a surface; empty takes it away.
     Rename(SurfaceId, String),
     /// What the offset lines of one surface start from; `None`: as recipe or job say.
-    OwnBorder(SurfaceId, Option<StartFrom>),
+    SurfaceBorder(SurfaceId, Option<StartFrom>),
     /// The centre of one surface's spiral, mm, part frame; `None`: as recipe or job say.
-    OwnCentre(SurfaceId, Option<[f64; 3]>),
+    SurfaceCentre(SurfaceId, Option<[f64; 3]>),
     /// The other side of a surface.
     FlipSurface(SurfaceId),
     /// The other side of a shell.
@@ -136,62 +137,71 @@ pub enum Edit {
     Profile(Profile),
 }
 
+/// What an edit changes a property of.
+#[derive(PartialEq)]
+enum Subject<'a> {
+    Job,
+    Parameter(&'a str),
+    Recipe(&'a str),
+    Surfaces(&'a [SurfaceId]),
+    Shell(u32),
+}
+
 impl Edit {
-    /// What *Undo* calls it.
-    pub fn name(&self) -> String {
-        let some = |list: &[SurfaceId]| match list {
-            [one] => format!("surface {one}"),
-            many => format!("{} surfaces", many.len()),
-        };
+    /// Whether two edits within one drag are one step of undo: they change one property of one subject.
+    pub(super) fn goes_on_from(&self, earlier: &Edit) -> bool {
+        match (self.subject(), earlier.subject()) {
+            // Some values cut the surfaces anew, others do not.
+            (now @ Subject::Parameter(_), before @ Subject::Parameter(_)) => now == before,
+            (now, before) => discriminant(self) == discriminant(earlier) && now == before,
+        }
+    }
+
+    fn subject(&self) -> Subject<'_> {
         match self {
-            Edit::Set(key, _) | Edit::Recut { key, .. } => {
-                let label = Parameter::by_key(key).map_or(*key, |p| p.label);
-                format!("change {}", label.to_lowercase())
+            Edit::Set(key, _) | Edit::Recut { key, .. } => Subject::Parameter(key),
+            Edit::Recipe(recipe, _) => Subject::Recipe(&recipe.name),
+            Edit::RemoveRecipe(name) | Edit::DuplicateRecipe(name) | Edit::RenameRecipe(name, _) => {
+                Subject::Recipe(name)
             }
-            Edit::Direction(_) => "change direction".into(),
-            Edit::Offset(_) => "change first offset".into(),
-            Edit::Order(_) => "change order".into(),
-            Edit::Strategy(_) => "change strategy".into(),
-            Edit::Border(_) => "change border".into(),
-            Edit::Centre(_) => "change spiral centre".into(),
-            Edit::Inward(_) => "turn spiral".into(),
-            Edit::Recipe(recipe, _) => format!("change recipe {}", recipe.name),
-            Edit::RemoveRecipe(name) => format!("remove recipe {name}"),
-            Edit::DuplicateRecipe(name) => format!("duplicate recipe {name}"),
-            Edit::RenameRecipe(from, _) => format!("rename recipe {from}"),
-            Edit::GiveRecipe(list, Some(recipe)) => format!("give {} recipe {}", some(list), recipe.name),
-            Edit::GiveRecipe(list, None) => format!("take recipe of {} away", some(list)),
-            Edit::Correction(_) => "change correction".into(),
-            Edit::Clean(list) => format!("move {} to clean", some(list)),
-            Edit::Unclean(list) => format!("move {} back", some(list)),
-            Edit::Shift(list, _) => format!("move {} in the order", some(list)),
-            Edit::Reorder(_) => "change order of work".into(),
-            Edit::Merge(list) => format!("merge {}", some(list)),
-            Edit::Split { surface, .. } => format!("split surface {surface}"),
-            Edit::Cut(cut) => format!("cut {} facets off surface {}", cut.facets.len(), cut.of),
-            Edit::Later { surfaces, .. } => format!("put {} aside", some(surfaces)),
-            Edit::TakeBack(list) => format!("take {} back", some(list)),
-            Edit::Rename(n, _) => format!("rename surface {n}"),
-            Edit::OwnBorder(n, _) => format!("change border of surface {n}"),
-            Edit::OwnCentre(n, _) => format!("change spiral centre of surface {n}"),
-            Edit::FlipSurface(n) => format!("flip surface {n}"),
-            Edit::FlipShell(n) => format!("flip shell {n}"),
-            Edit::Place(_) => "place part".into(),
-            Edit::Units(_) => "change unit".into(),
-            Edit::ChangedPart(_) => "use the changed part".into(),
-            Edit::Cell(_) => "change cell".into(),
-            Edit::Robot(..) => "change robot".into(),
-            Edit::Mount(_) => "change mounting".into(),
-            Edit::Frames(_) => "change set-up".into(),
-            Edit::Dialect(_) => "change dialect".into(),
-            Edit::Bead(_) => "change bead".into(),
-            Edit::Spin(_) => "change spin".into(),
-            Edit::Head(file) if file.is_empty() => "take the head away".into(),
-            Edit::Head(_) => "change head".into(),
-            Edit::Clamps(_) => "change clamps".into(),
-            Edit::Tilt(surface, _) => format!("change tilt of surface {surface}"),
-            Edit::Pins(surface, _) => format!("change pinned tilts of surface {surface}"),
-            Edit::Profile(_) => "change beam profile".into(),
+            Edit::Clean(list)
+            | Edit::Unclean(list)
+            | Edit::Shift(list, _)
+            | Edit::GiveRecipe(list, _)
+            | Edit::Merge(list)
+            | Edit::Later { surfaces: list, .. }
+            | Edit::TakeBack(list) => Subject::Surfaces(list),
+            Edit::Split { surface: id, .. }
+            | Edit::Cut(Cut { of: id, .. })
+            | Edit::Rename(id, _)
+            | Edit::SurfaceBorder(id, _)
+            | Edit::SurfaceCentre(id, _)
+            | Edit::FlipSurface(id)
+            | Edit::Tilt(id, _)
+            | Edit::Pins(id, _) => Subject::Surfaces(std::slice::from_ref(id)),
+            Edit::FlipShell(shell) => Subject::Shell(*shell),
+            Edit::Direction(_)
+            | Edit::Offset(_)
+            | Edit::Order(_)
+            | Edit::Strategy(_)
+            | Edit::Border(_)
+            | Edit::Centre(_)
+            | Edit::Inward(_)
+            | Edit::Correction(_)
+            | Edit::Reorder(_)
+            | Edit::Place(_)
+            | Edit::Units(_)
+            | Edit::ChangedPart(_)
+            | Edit::Cell(_)
+            | Edit::Robot(..)
+            | Edit::Mount(_)
+            | Edit::Frames(_)
+            | Edit::Dialect(_)
+            | Edit::Bead(_)
+            | Edit::Spin(_)
+            | Edit::Head(_)
+            | Edit::Clamps(_)
+            | Edit::Profile(_) => Subject::Job,
         }
     }
 
@@ -216,8 +226,8 @@ impl Edit {
             Edit::Reorder(list) => settings.choose(Chosen::These(list.clone())),
             Edit::TakeBack(list) => settings.take_back(list, all),
             Edit::Rename(id, name) => settings.change(*id, |s| s.name = name.trim().into()),
-            Edit::OwnBorder(id, border) => settings.change(*id, |s| s.border = *border),
-            Edit::OwnCentre(id, centre) => settings.change(*id, |s| s.centre_mm = *centre),
+            Edit::SurfaceBorder(id, border) => settings.change(*id, |s| s.border = *border),
+            Edit::SurfaceCentre(id, centre) => settings.change(*id, |s| s.centre_mm = *centre),
             Edit::FlipSurface(id) => settings.change(*id, |s| s.flipped = !s.flipped),
             Edit::Tilt(id, rule) => settings.change(*id, |s| s.tilt.clone_from(rule)),
             Edit::Pins(id, pins) => settings.change(*id, |s| s.pins.clone_from(pins)),
@@ -259,7 +269,7 @@ impl Edit {
 
 fn set(job: &mut Job, key: &str, value: f64) {
     if let Some(p) = Parameter::by_key(key) {
-        (p.set)(job, value);
+        job.set_number(p, value);
     }
 }
 

@@ -1,19 +1,22 @@
 //! What is saved: the job, and every way to change it.
 //!
 //! [`Job`] is the document. It changes through [`Edit`] alone, and [`Document`] keeps what undo
-//! needs. [`Journal`] holds what is not saved yet, so that a killed program loses nothing. What can be computed from it is `planning`'s.
+//! needs. [`Journal`] holds what is not saved yet, so that a killed program loses nothing. What can be computed from
+//! the job is `planning`'s.
 
 pub mod bead;
-pub mod beside;
 pub mod changed_part;
+pub mod check;
 mod chosen;
+mod cutting;
 pub mod edit;
 pub mod files;
 pub mod job_file;
 pub mod journal;
-mod keys;
+mod landmarks;
 pub mod library;
 pub mod model;
+mod offset_start;
 mod order;
 pub mod parameter;
 pub mod recipe;
@@ -23,28 +26,28 @@ pub mod recut;
 pub mod remembered;
 pub mod renumber;
 mod reshape;
-pub mod save;
 pub mod settings;
 pub mod start_from;
 pub mod undo;
 pub mod users_folder;
-mod version;
 
+pub use bead::BeadError;
 pub use changed_part::{CarriedOver, LostSurface};
+pub use check::ValueError;
 pub use chosen::Chosen;
 pub use edit::Edit;
-pub use files::JobError;
+pub use files::save::{self, FileState, IfChanged, JobFile};
+pub use files::{JobError, stamps};
 pub use job_file::JobFileError;
 pub use journal::Journal;
 pub use library::{Forgotten, Library};
 pub use model::{Job, Offset, segmented};
-pub use parameter::{PARAMETERS, Parameter};
-pub use recipe::Recipe;
+pub use parameter::{PARAMETERS, Parameter, ParameterError};
+pub use recipe::{Recipe, RecipeError};
 pub use recut::RecutAnchor;
 pub use remembered::Remembered;
 pub use renumber::{Lost, Renumbering};
 pub use reshape::Cut;
-pub use save::{FileState, IfChanged, JobFile};
 pub use settings::{Settings, SurfaceSettings};
 pub use start_from::StartFrom;
-pub use undo::Document;
+pub use undo::{Document, Step};

@@ -1,21 +1,75 @@
 //! Recipes: named sets of values that surfaces are worked with in place of the job's own.
 //!
-//! A recipe names parameters by their keys, so whatever the table of parameters knows of layers, beam,
-//! path and bead can differ from surface to surface. What a recipe does not name is the job's.
+//! A recipe names parameters by their keys, so whatever the table of parameters allows for
+//! recipes can differ from surface to surface. What a recipe does not name is the job's.
 
+use super::bead::BeadError;
 use super::model::Job;
-use super::parameter::Parameter;
+use super::parameter::{Parameter, ParameterError};
 use super::start_from::StartFrom;
-use crate::part::SurfaceId;
+use crate::part::{SurfaceId, keyed};
 use crate::path::{Direction, Order, Strategy};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+use thiserror::Error;
 
-/// Tables of the job file whose numbers a recipe may hold.
-const TABLES: [&str; 4] = ["layers.", "beam.", "path.", "bead."];
-/// What of them is the same for the whole program.
-const WHOLE: [&str; 3] = ["beam.air_speed_mm_s", "beam.margin_mm", "path.tilt_rate_deg_s"];
+/// Per cent by which neighbouring spots or beads may overlap.
+pub const OVERLAP_PERCENT: RangeInclusive<f64> = 0.0..=95.0;
+
+/// What is wrong with the recipes of a job.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum RecipeError {
+    /// A key of a number that recipes do not hold, or of none.
+    #[error("recipe {recipe:?}: {key:?} is not for recipes")]
+    NotForRecipes {
+        /// Name of the recipe.
+        recipe: String,
+        /// The key.
+        key: String,
+    },
+    /// A number that cannot be.
+    #[error("recipe {recipe:?}: {source}")]
+    Number {
+        /// Name of the recipe.
+        recipe: String,
+        /// Which, and what is wrong with it.
+        source: ParameterError,
+    },
+    /// A bead that cannot be, with the job's values beside those of the recipe.
+    #[error("recipe {recipe:?}: {source}")]
+    Bead {
+        /// Name of the recipe.
+        recipe: String,
+        /// What is wrong with it.
+        source: BeadError,
+    },
+    /// Two of one name.
+    #[error("two recipes {name:?}")]
+    Twice {
+        /// The name.
+        name: String,
+    },
+    /// A surface has one that is not there.
+    #[error("surface {surface} has recipe {name:?}, which is not there")]
+    Missing {
+        /// The surface.
+        surface: SurfaceId,
+        /// The name.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+}
+
+/// An overlap that no spacing gives.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("an overlap of {percent} per cent")]
+pub struct OverlapError {
+    /// Per cent.
+    pub percent: f64,
+}
 
 /// A named set of values.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -50,12 +104,7 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    /// Whether recipes may hold a parameter.
-    pub fn may_hold(key: &str) -> bool {
-        TABLES.iter().any(|t| key.starts_with(t)) && !WHOLE.contains(&key)
-    }
-
-    /// The same for other parts: without the places of this one.
+    /// As it can be used on other parts: without the places of this one.
     pub fn without_places(&self) -> Recipe {
         let border = self.border.filter(|b| *b == StartFrom::Whole);
         Recipe { border, centre_mm: None, ..self.clone() }
@@ -72,26 +121,29 @@ impl Recipe {
         own.layers.inward = self.inward.unwrap_or(own.layers.inward);
         for (key, value) in &self.values {
             if let Some(p) = Parameter::by_key(key) {
-                (p.set)(&mut own, *value);
+                own.set_number(p, *value);
             }
         }
         own
     }
 
-    /// What is wrong with it, as a sentence.
+    /// Checks its numbers, each by itself.
     ///
     /// # Errors
-    /// A key that recipes do not hold, or a number out of range.
-    pub fn check(&self) -> Result<(), String> {
+    /// The first that recipes do not hold, or that cannot be.
+    pub fn check(&self) -> Result<(), RecipeError> {
+        let recipe = || self.name.clone();
         self.values.iter().try_for_each(|(key, value)| match Parameter::by_key(key) {
-            Some(p) if Recipe::may_hold(key) => p.check(*value).map_err(|e| format!("recipe {:?}: {e}", self.name)),
-            _ => Err(format!(
-                "recipe {:?}: {key:?} is nothing that a recipe can hold; see the keys in the README",
-                self.name
-            )),
+            Some(p) if p.is_for_recipes() => {
+                p.check(*value).map_err(|source| RecipeError::Number { recipe: recipe(), source })
+            }
+            _ => Err(RecipeError::NotForRecipes { recipe: recipe(), key: key.clone() }),
         })
     }
 }
+
+// What a recipe is good for changes nothing.
+keyed!(Recipe { name, strategy, direction, order, border, centre_mm, inward, values; note });
 
 impl Job {
     /// The recipe that a surface is worked with; `None`: the job's own values.
@@ -118,10 +170,10 @@ impl Job {
     /// their width, mm.
     ///
     /// # Errors
-    /// There is none for that.
-    pub fn spacing_of_overlap(&self, percent: f64) -> Result<f64, String> {
-        if !(0.0..=95.0).contains(&percent) {
-            return Err(format!("overlap = {percent}: give a number from 0 to 95 %"));
+    /// The overlap lies outside [`OVERLAP_PERCENT`].
+    pub fn spacing_of_overlap(&self, percent: f64) -> Result<f64, OverlapError> {
+        if !OVERLAP_PERCENT.contains(&percent) {
+            return Err(OverlapError { percent });
         }
         Ok(self.track_mm() * (1.0 - 0.01 * percent))
     }
@@ -132,25 +184,22 @@ impl Job {
         100.0 * (1.0 - self.layers.spacing_mm / self.track_mm())
     }
 
-    /// What is wrong with its recipes, as a sentence.
+    /// Checks its recipes, and which surfaces have them.
     ///
     /// # Errors
     /// Two of one name, one that is not there, a key or number that cannot be.
-    pub fn check_recipes(&self) -> Result<(), String> {
+    pub fn check_recipes(&self) -> Result<(), RecipeError> {
         for (i, r) in self.recipes.iter().enumerate() {
             r.check()?;
             if self.recipes[..i].iter().any(|other| other.name == r.name) {
-                return Err(format!("there are two recipes {:?}; give one another name", r.name));
+                return Err(RecipeError::Twice { name: r.name.clone() });
             }
         }
         for (surface, settings) in self.settings.iter() {
             let Some(name) = &settings.recipe else { continue };
             if !self.recipes.iter().any(|r| r.name == *name) {
-                let known: Vec<&str> = self.recipes.iter().map(|r| r.name.as_str()).collect();
-                return Err(format!(
-                    "surface {surface} has the recipe {name:?}, which the job does not have (it has: {})",
-                    known.join(", ")
-                ));
+                let known = self.recipes.iter().map(|r| r.name.clone()).collect();
+                return Err(RecipeError::Missing { surface, name: name.clone(), known });
             }
         }
         Ok(())

@@ -60,23 +60,23 @@ impl Job {
         Recipe { name, ..Recipe::default() }
     }
 
-    /// A recipe from elsewhere under a name that is free here, or that of an equal one of the job.
-    pub fn welcomed(&self, recipe: &Recipe) -> Recipe {
-        let mut guest = recipe.clone();
+    /// A recipe from elsewhere under a name that is free in the job, or that of an equal one of the job.
+    pub fn under_free_name(&self, recipe: &Recipe) -> Recipe {
+        let mut renamed = recipe.clone();
         for k in 2.. {
-            match self.recipes.iter().find(|r| r.name == guest.name) {
-                Some(known) if *known != guest => guest.name = format!("{} {k}", recipe.name),
+            match self.recipes.iter().find(|r| r.name == renamed.name) {
+                Some(known) if *known != renamed => renamed.name = format!("{} {k}", recipe.name),
                 _ => break,
             }
         }
-        guest
+        renamed
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Document, Edit};
+    use crate::document::{Document, Edit, Step};
     use crate::path::Strategy;
 
     fn ids(numbers: &[u32]) -> Vec<SurfaceId> {
@@ -89,31 +89,30 @@ mod tests {
     }
 
     #[test]
-    fn recipes_are_given_renamed_and_removed_with_a_name_for_undo() {
+    fn recipes_are_given_renamed_and_removed_in_steps_that_undo_knows() {
         let mut doc = Document::default();
-        let mut apply = |edit: Edit, undo: &str| {
+        let mut apply = |edit: Edit| {
             assert!(doc.apply(&edit, &ids(&[1, 2, 3]), None));
-            assert_eq!(doc.undo_name(), Some(undo));
-            assert_eq!(doc.job().check_recipes(), Ok(()), "{undo}");
+            assert_eq!(doc.job().check_recipes(), Ok(()), "{edit:?}");
+            assert_eq!(doc.undo_step(), Some(&Step::Edited(edit)));
             doc.job().clone()
         };
-        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.2)), ids(&[2, 3])), "change recipe Fine");
+        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.2)), ids(&[2, 3])));
         assert_eq!(job.surfaces_of_recipe("Fine"), ids(&[2, 3]));
         assert_eq!(job.of_surface(SurfaceId(2)).layers.spacing_mm, 0.2);
         assert_eq!(job.of_surface(SurfaceId(1)).layers.spacing_mm, 0.5);
-        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.3)), ids(&[])), "change recipe Fine");
+        let job = apply(Edit::Recipe(Box::new(named("Fine", 0.3)), ids(&[])));
         assert_eq!((job.recipes.len(), job.of_surface(SurfaceId(3)).layers.spacing_mm), (1, 0.3));
-        apply(Edit::GiveRecipe(ids(&[3]), None), "take recipe of surface 3 away");
-        let job = apply(Edit::RenameRecipe("Fine".into(), " Finish ".into()), "rename recipe Fine");
+        apply(Edit::GiveRecipe(ids(&[3]), None));
+        let job = apply(Edit::RenameRecipe("Fine".into(), " Finish ".into()));
         assert_eq!(job.recipe_of(SurfaceId(2)).map(|r| r.name.as_str()), Some("Finish"));
-        let finish = Box::new(named("Finish", 0.3));
-        apply(Edit::GiveRecipe(ids(&[1, 3]), Some(finish)), "give 2 surfaces recipe Finish");
-        let job = apply(Edit::RemoveRecipe("Finish".into()), "remove recipe Finish");
+        apply(Edit::GiveRecipe(ids(&[1, 3]), Some(Box::new(named("Finish", 0.3)))));
+        let job = apply(Edit::RemoveRecipe("Finish".into()));
         assert!(job.recipes.is_empty() && job.settings == Default::default());
-        apply(Edit::Strategy(Strategy::Spiral), "change strategy");
-        apply(Edit::Centre(Some([1.0, 2.0, 3.0])), "change spiral centre");
-        apply(Edit::Inward(true), "turn spiral");
-        let job = apply(Edit::Border(Some(1)), "change border");
+        apply(Edit::Strategy(Strategy::Spiral));
+        apply(Edit::Centre(Some([1.0, 2.0, 3.0])));
+        apply(Edit::Inward(true));
+        let job = apply(Edit::Border(Some(1)));
         assert_eq!((job.layers.border, job.layers.inward), (Some(1), true));
         for _ in 0..10 {
             doc.undo();
@@ -128,7 +127,7 @@ mod tests {
             doc.apply(&Edit::Recipe(Box::new(named(name, 1.0)), ids(&[1])), &ids(&[1]), None);
         }
         assert!(doc.apply(&Edit::DuplicateRecipe("A".into()), &ids(&[1]), None));
-        assert_eq!(doc.undo_name(), Some("duplicate recipe A"));
+        assert_eq!(doc.undo_step(), Some(&Step::Edited(Edit::DuplicateRecipe("A".into()))));
         let names = |doc: &Document| doc.job().recipes.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
         assert_eq!(names(&doc), ["A", "A 3", "B", "A 2"]);
         assert_eq!(doc.job().recipes[1], named("A 3", 1.0));
@@ -148,13 +147,13 @@ mod tests {
     }
 
     #[test]
-    fn a_guest_takes_a_free_name_unless_it_is_known() {
+    fn a_recipe_from_elsewhere_takes_a_free_name_unless_it_is_known() {
         let mut job = Job::default();
         job.put_recipe(&named("A", 1.0), &[]);
-        assert_eq!(job.welcomed(&named("A", 1.0)).name, "A");
-        assert_eq!(job.welcomed(&named("A", 2.0)).name, "A 2");
+        assert_eq!(job.under_free_name(&named("A", 1.0)).name, "A");
+        assert_eq!(job.under_free_name(&named("A", 2.0)).name, "A 2");
         job.put_recipe(&named("A 2", 3.0), &[]);
-        assert_eq!(job.welcomed(&named("A", 2.0)).name, "A 3");
+        assert_eq!(job.under_free_name(&named("A", 2.0)).name, "A 3");
         job.put_recipe(&named("Recipe 1", 1.0), &[]);
         assert_eq!(job.new_recipe().name, "Recipe 2");
     }

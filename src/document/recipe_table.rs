@@ -1,64 +1,122 @@
-//! Recipes beside each other: what a surface would be worked with under each of them.
+//! Recipes beside each other: what a surface would be worked with under each of them, as values.
 
 use super::model::Job;
-use super::parameter::PARAMETERS;
+use super::parameter::{PARAMETERS, Parameter};
 use super::recipe::Recipe;
 use super::start_from::StartFrom;
-use crate::path::Strategy;
+use crate::path::{Direction, Order, Strategy};
+
+/// What a row compares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Compared {
+    /// How lines are laid.
+    Strategy,
+    /// Normal of the section planes.
+    Direction,
+    /// Sense and order of lines.
+    Order,
+    /// What offset lines start from.
+    Start,
+    /// In which sense a spiral runs.
+    Sense,
+    /// Centre of a spiral.
+    Centre,
+    /// A number.
+    Number(&'static Parameter),
+}
+
+/// A value of that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ComparedValue {
+    /// How lines are laid.
+    Strategy(Strategy),
+    /// Normal of the section planes.
+    Direction(Direction),
+    /// Sense and order of lines.
+    Order(Order),
+    /// What offset lines start from.
+    Start(StartFrom),
+    /// Whether a spiral runs from the rim to its centre.
+    Inward(bool),
+    /// Centre of a spiral, part frame, mm; `None`: the middle of the surface.
+    Centre(Option<[f64; 3]>),
+    /// A number, in the unit of its parameter.
+    Number(f64),
+}
+
+impl Compared {
+    /// The value that a job has.
+    fn of(self, job: &Job) -> ComparedValue {
+        let l = &job.layers;
+        match self {
+            Compared::Strategy => ComparedValue::Strategy(l.strategy),
+            Compared::Direction => ComparedValue::Direction(l.direction),
+            Compared::Order => ComparedValue::Order(l.order),
+            Compared::Start => ComparedValue::Start(l.border.into()),
+            Compared::Sense => ComparedValue::Inward(l.inward),
+            Compared::Centre => ComparedValue::Centre(l.centre_mm),
+            Compared::Number(p) => ComparedValue::Number(job.number(p)),
+        }
+    }
+
+    /// Whether a recipe names a value of its own.
+    fn is_named_by(self, recipe: &Recipe) -> bool {
+        match self {
+            Compared::Strategy => recipe.strategy.is_some(),
+            Compared::Direction => recipe.direction.is_some(),
+            Compared::Order => recipe.order.is_some(),
+            Compared::Start => recipe.border.is_some(),
+            Compared::Sense => recipe.inward.is_some(),
+            Compared::Centre => recipe.centre_mm.is_some(),
+            Compared::Number(p) => recipe.values.contains_key(p.key),
+        }
+    }
+}
 
 /// One value under every recipe.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// What it is, with its unit.
-    pub label: String,
+pub struct ComparedRow {
+    /// What it is.
+    pub what: Compared,
     /// As it is under each of them.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<ComparedCell>,
 }
 
 /// A value under one recipe.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Cell {
-    /// As people read it.
-    pub text: String,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComparedCell {
+    /// The value.
+    pub value: ComparedValue,
     /// Whether the recipe names it; else it is the job's.
     pub is_own: bool,
 }
 
-impl Row {
+impl ComparedRow {
     /// Whether the recipes do not agree in it.
     pub fn differs(&self) -> bool {
-        self.cells.windows(2).any(|w| w[0].text != w[1].text)
+        self.cells.windows(2).any(|w| w[0].value != w[1].value)
     }
 }
 
 /// The rows for some recipes of a job; `None` stands for its own values.
-pub fn rows(job: &Job, recipes: &[Option<&Recipe>]) -> Vec<Row> {
+pub fn rows(job: &Job, recipes: &[Option<&Recipe>]) -> Vec<ComparedRow> {
     let under: Vec<(Option<&Recipe>, Job)> =
         recipes.iter().map(|r| (*r, r.map_or_else(|| job.clone(), |r| r.applied(job)))).collect();
-    let row = |label: &str, text: &dyn Fn(&Job) -> String, is_own: &dyn Fn(&Recipe) -> bool| Row {
-        label: label.into(),
-        cells: under.iter().map(|(r, job)| Cell { text: text(job), is_own: r.is_some_and(is_own) }).collect(),
+    let any = |strategy: Strategy| under.iter().any(|(_, j)| j.layers.strategy == strategy);
+    let mut compared = vec![Compared::Strategy, Compared::Direction, Compared::Order];
+    if any(Strategy::Offset) {
+        compared.push(Compared::Start);
+    }
+    if any(Strategy::Spiral) {
+        compared.extend([Compared::Sense, Compared::Centre]);
+    }
+    compared.extend(PARAMETERS.iter().filter(|p| p.is_for_recipes()).map(Compared::Number));
+    let cell = |what: Compared, recipe: Option<&Recipe>, job: &Job| ComparedCell {
+        value: what.of(job),
+        is_own: recipe.is_some_and(|r| what.is_named_by(r)),
     };
-    let mut rows = vec![
-        row("Strategy", &|j| j.layers.strategy.word().into(), &|r| r.strategy.is_some()),
-        row("Direction", &|j| j.layers.direction.to_string(), &|r| r.direction.is_some()),
-        row("Lines", &|j| j.layers.order.word().into(), &|r| r.order.is_some()),
-    ];
-    if under.iter().any(|(_, j)| j.layers.strategy == Strategy::Offset) {
-        let text = |j: &Job| StartFrom::from(j.layers.border).to_string();
-        rows.push(row("Starts from", &text, &|r| r.border.is_some()));
-    }
-    if under.iter().any(|(_, j)| j.layers.strategy == Strategy::Spiral) {
-        let sense = |j: &Job| if j.layers.inward { "inwards" } else { "outwards" }.to_owned();
-        rows.push(row("Spiral runs", &sense, &|r| r.inward.is_some()));
-        let centre = |j: &Job| j.layers.centre_mm.map_or_else(|| "middle".into(), place);
-        rows.push(row("Spiral centre", &centre, &|r| r.centre_mm.is_some()));
-    }
-    for p in PARAMETERS.iter().filter(|p| Recipe::may_hold(p.key)) {
-        let label = if p.unit.is_empty() { p.label.to_owned() } else { format!("{}, {}", p.label, p.unit) };
-        rows.push(row(&label, &|j| format!("{}", (p.get)(j)), &|r| r.values.contains_key(p.key)));
-    }
-    rows
+    let row = |what: Compared| ComparedRow { what, cells: under.iter().map(|(r, job)| cell(what, *r, job)).collect() };
+    compared.into_iter().map(row).collect()
 }
 
 /// A place as people read it, mm.
@@ -78,13 +136,14 @@ mod tests {
         let values = [("layers.spacing_mm".to_owned(), 0.25), ("beam.power_w".to_owned(), 500.0)].into();
         let fine = Recipe { name: "Fine".into(), strategy: Some(Strategy::Spiral), values, ..Recipe::default() };
         let rows = rows(&job, &[None, Some(&fine)]);
-        let differ: Vec<&str> = rows.iter().filter(|r| r.differs()).map(|r| r.label.as_str()).collect();
-        assert_eq!(differ, ["Strategy", "Spacing, mm"]);
-        let power = rows.iter().find(|r| r.label == "Power, W").expect("there");
+        let differ: Vec<Compared> = rows.iter().filter(|r| r.differs()).map(|r| r.what).collect();
+        assert_eq!(differ, [Compared::Strategy, Compared::Number(Parameter::named("layers.spacing_mm"))]);
+        let of = |key: &str| rows.iter().find(|r| r.what == Compared::Number(Parameter::named(key)));
+        let cells = &of("beam.power_w").expect("there").cells;
         assert_eq!(
-            power.cells.iter().map(|c| (c.text.as_str(), c.is_own)).collect::<Vec<_>>(),
-            [("500", false), ("500", true)]
+            cells.iter().map(|c| (c.value, c.is_own)).collect::<Vec<_>>(),
+            [(ComparedValue::Number(500.0), false), (ComparedValue::Number(500.0), true)]
         );
-        assert!(rows.iter().all(|r| r.label != "Air speed, mm/s"), "one for the whole program");
+        assert_eq!(of("beam.air_speed_mm_s"), None, "one for the whole program");
     }
 }

@@ -1,5 +1,5 @@
-//! Another crease angle, island area or hysteresis: the surfaces are others, and take over what is said of those
-//! that they were.
+//! Edits that cut the surfaces anew: another crease angle, island area or hysteresis. The new surfaces take over what
+//! is said of the old ones that they cover.
 
 use super::edit::Edit;
 use super::model::{Job, segmented};
@@ -23,7 +23,7 @@ impl Edit {
     /// other numbers and are gone, unless the value is the one that the anchor has.
     pub fn recut(part: &Part, anchor: &RecutAnchor, parameter: &Parameter, value: f64) -> Edit {
         let mut job = anchor.job.clone();
-        (parameter.set)(&mut job, value);
+        job.set_number(parameter, value);
         let mut lost = Vec::new();
         if job.surfaces != anchor.job.surfaces {
             job.surfaces.edits.clear();

@@ -1,14 +1,9 @@
 //! What a saved job remembers of its part's surfaces, so that they are found again when the part's file changes.
+//! What that is follows from job and part in `landmarks`.
 
-use super::model::{Job, PartFile, segmented};
-use crate::part::Part;
-use crate::part::identity::{Landmarks, LoadedAs};
+use crate::part::identity::Landmarks;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::collections::BTreeSet;
 use std::sync::Arc;
-
-/// Of a job that cleans all of more surfaces than this nothing is remembered: its file would have megabytes.
-const MOST: usize = 2000;
 
 /// Landmarks, shared between copies of a job.
 ///
@@ -35,41 +30,18 @@ impl<'de> Deserialize<'de> for Remembered {
 }
 
 impl Remembered {
-    /// What is to be remembered of a part for a job; nothing where the job says nothing of single surfaces or
-    /// shells. `loaded` is how the part was read.
-    pub fn of(job: &Job, part: &Part, loaded: &PartFile) -> Remembered {
-        let mut needed = named(job);
-        if job.settings.cleans_all() {
-            let all = segmented(part, job);
-            if all.list.len() > MOST {
-                return Remembered(None);
-            }
-            needed.extend(all.list.iter().map(|s| s.number));
-        }
-        if needed.is_empty() && job.surfaces.edits.is_empty() && loaded.flipped_shells.is_empty() {
-            return Remembered(None);
-        }
-        let s = &job.surfaces;
-        Remembered(Some(Arc::new(Landmarks::new(part, &loaded_as(loaded), &s.rule(), &s.edits, &needed))))
-    }
-
-    /// Whether nothing is.
+    /// Whether nothing is remembered.
     pub fn is_empty(&self) -> bool {
         self.0.is_none()
     }
 
-    /// What is.
+    /// Keeps landmarks.
+    pub(super) fn new(landmarks: Landmarks) -> Remembered {
+        Remembered(Some(Arc::new(landmarks)))
+    }
+
+    /// The landmarks, if there are any.
     pub(super) fn landmarks(&self) -> Option<&Landmarks> {
         self.0.as_deref()
     }
-}
-
-/// Numbers of the surfaces that a job says anything of.
-pub(super) fn named(job: &Job) -> BTreeSet<u32> {
-    job.settings.iter().map(|(id, _)| id.0).collect()
-}
-
-/// How a part is read for a job.
-pub(super) fn loaded_as(of: &PartFile) -> LoadedAs<'_> {
-    LoadedAs { units: of.units, placement: &of.placement, flipped_shells: &of.flipped_shells }
 }

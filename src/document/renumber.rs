@@ -8,7 +8,6 @@ use super::model::Job;
 use super::settings::{Settings, SurfaceSettings};
 use crate::part::{SurfaceId, Surfaces};
 use std::collections::BTreeMap;
-use std::fmt;
 
 /// What becomes of surfaces: old number → new ones.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,20 +43,6 @@ pub struct Lost {
     pub border: bool,
 }
 
-/// As a sentence without its full stop.
-impl fmt::Display for Lost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Lost { surface, pins, border } = self;
-        match (pins, border) {
-            (0, _) => write!(f, "the border of surface {surface} was dropped"),
-            (1, false) => write!(f, "1 pinned tilt of surface {surface} was dropped"),
-            (_, false) => write!(f, "{pins} pinned tilts of surface {surface} were dropped"),
-            (1, true) => write!(f, "1 pinned tilt and the border of surface {surface} were dropped"),
-            (_, true) => write!(f, "{pins} pinned tilts and the border of surface {surface} were dropped"),
-        }
-    }
-}
-
 impl Renumbering {
     /// Surfaces become one under the lowest of their numbers; all of them exist. One alone stays what it is.
     pub fn merged(surfaces: &[SurfaceId]) -> Renumbering {
@@ -80,7 +65,7 @@ impl Renumbering {
         Renumbering { heirs, others_stay: true }
     }
 
-    /// The same facets are cut into other surfaces: each takes over what most of its area was. Numbers that were no
+    /// The facets of a part are cut into other surfaces: each takes over what most of its area was. Numbers that were no
     /// surface's are gone. `areas_mm2` are those of the facets.
     pub fn by_area(areas_mm2: &[f64], before: &Surfaces, after: &Surfaces) -> Renumbering {
         let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>> = before.ids().map(|id| (id, Vec::new())).collect();
@@ -100,7 +85,7 @@ impl Renumbering {
         Renumbering { heirs, others_stay: false }
     }
 
-    /// The same surfaces on a part whose file has changed: old number → new one. Those that are not named are gone.
+    /// Surfaces of a part whose file has changed: old number → new one. Those that are not named are gone.
     pub fn found(numbers: &BTreeMap<SurfaceId, SurfaceId>) -> Renumbering {
         let heirs = numbers.iter().map(|(old, new)| (*old, vec![(*new, Takes::All)])).collect();
         Renumbering { heirs, others_stay: false }
@@ -115,16 +100,16 @@ impl Renumbering {
             }
         }
         let mut lost = Vec::new();
-        for (old, own) in settings.iter() {
+        for (old, before) in settings.iter() {
             match self.heirs.get(&old) {
                 // A number that was no surface's does not go before the piece that gets it.
                 None if self.others_stay && !parents.contains_key(&old) => {
-                    parents.entry(old).or_default().push((own, Takes::All))
+                    parents.entry(old).or_default().push((before, Takes::All))
                 }
                 heirs => {
                     let stays = heirs.is_some_and(|h| h.iter().any(|(_, takes)| *takes == Takes::All));
-                    if !stays && (own.border.is_some() || !own.pins.is_empty()) {
-                        lost.push(Lost { surface: old, pins: own.pins.len(), border: own.border.is_some() });
+                    if !stays && (before.border.is_some() || !before.pins.is_empty()) {
+                        lost.push(Lost { surface: old, pins: before.pins.len(), border: before.border.is_some() });
                     }
                 }
             }
@@ -145,29 +130,29 @@ impl Job {
 
 /// What a surface has from those that went into it, in the order of their numbers.
 fn inherited(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
-    if let Some((own, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
-        return (*own).clone();
+    if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
+        return (*parent).clone();
     }
-    if let Some((of, _)) = parents.iter().find(|(_, takes)| *takes == Takes::Cut) {
-        let (recipe, tilt) = (of.recipe.clone(), of.tilt.clone());
-        return SurfaceSettings { recipe, tilt, flipped: of.flipped, ..SurfaceSettings::default() };
+    if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::Cut) {
+        let (recipe, tilt) = (parent.recipe.clone(), parent.tilt.clone());
+        return SurfaceSettings { recipe, tilt, flipped: parent.flipped, ..SurfaceSettings::default() };
     }
-    let mut own = of_most(parents);
+    let mut merged = by_majority(parents);
     for (joined, _) in parents.iter().filter(|(_, takes)| *takes == Takes::Joined) {
-        if own.name.is_empty() {
-            own.name.clone_from(&joined.name);
+        if merged.name.is_empty() {
+            merged.name.clone_from(&joined.name);
         }
-        own.later = false;
-        own.work = own.work.into_iter().chain(joined.work).min();
-        own.tilt.forbidden.extend(&joined.tilt.forbidden);
-        own.tilt.forbidden.sort_unstable();
-        own.tilt.forbidden.dedup();
+        merged.later = false;
+        merged.work = merged.work.into_iter().chain(joined.work).min();
+        merged.tilt.forbidden.extend(&joined.tilt.forbidden);
+        merged.tilt.forbidden.sort_unstable();
+        merged.tilt.forbidden.dedup();
     }
-    own
+    merged
 }
 
-/// What most of the area had; nothing of what the smaller half or no half had.
-fn of_most(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
+/// What surfaces of more than half the area had, property by property; else the default.
+fn by_majority(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
     fn most<T: PartialEq + Clone + Default>(
         parents: &[(&SurfaceSettings, Takes)],
         get: impl Fn(&SurfaceSettings) -> T,

@@ -62,11 +62,10 @@ impl Keyed for Settings {
         let Settings { cleans_all, of } = self;
         cleans_all.feed(into);
         // A surface that only has a name is one that nothing is said of.
-        for (id, own) in
-            of.iter().filter(|(_, own)| SurfaceSettings { name: String::new(), ..(*own).clone() } != SILENT)
-        {
+        let says_more = |s: &SurfaceSettings| SurfaceSettings { name: String::new(), ..s.clone() } != SILENT;
+        for (id, settings) in of.iter().filter(|(_, settings)| says_more(settings)) {
             id.0.feed(into);
-            own.feed(into);
+            settings.feed(into);
         }
     }
 }
@@ -76,7 +75,7 @@ impl Settings {
     /// what is put aside has none.
     pub(super) fn new(cleans_all: bool, of: BTreeMap<SurfaceId, SurfaceSettings>) -> Settings {
         let mut settings = Settings { cleans_all, of: Arc::new(of) };
-        settings.tidy();
+        settings.normalize();
         settings
     }
 
@@ -100,11 +99,11 @@ impl Settings {
         self.change_each(&[surface], change);
     }
 
-    /// The same for several.
+    /// Changes what is said of several surfaces.
     pub fn change_each(&mut self, surfaces: &[SurfaceId], change: impl Fn(&mut SurfaceSettings)) {
         let of = Arc::make_mut(&mut self.of);
         surfaces.iter().for_each(|id| change(of.entry(*id).or_default()));
-        self.tidy();
+        self.normalize();
     }
 
     /// Whether all surfaces are cleaned, in the order of their numbers, but those put aside.
@@ -126,7 +125,7 @@ impl Settings {
         }
     }
 
-    /// The same as it is written.
+    /// Which surfaces are named to be cleaned, as it is written in a job.
     pub fn choice(&self) -> Chosen {
         if self.cleans_all {
             return Chosen::All;
@@ -150,11 +149,11 @@ impl Settings {
                 s.later = false;
             }
         }
-        self.tidy();
+        self.normalize();
     }
 
     /// Drops empty entries, and counts places anew.
-    fn tidy(&mut self) {
+    fn normalize(&mut self) {
         let cleans_all = self.cleans_all;
         let of = Arc::make_mut(&mut self.of);
         for s in of.values_mut().filter(|s| s.later || cleans_all) {

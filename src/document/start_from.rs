@@ -1,9 +1,7 @@
-//! What offset lines start from, as a recipe names it: one border of the surface, or its whole outline in place
-//! of the border that the job has.
+//! What offset lines start from, as a recipe or a surface names it: one border of the surface, or its whole outline
+//! in place of the border that the job has.
 
-use super::model::Job;
-use crate::part::SurfaceId;
-use crate::path::Strategy;
+use crate::part::{Hasher, Keyed};
 use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -30,19 +28,18 @@ impl StartFrom {
     }
 }
 
-impl From<Option<u32>> for StartFrom {
-    fn from(border: Option<u32>) -> StartFrom {
-        border.map_or(StartFrom::Whole, StartFrom::Border)
+impl Keyed for StartFrom {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            StartFrom::Whole => "whole".feed(into),
+            StartFrom::Border(border) => border.feed(into),
+        }
     }
 }
 
-/// As people read it: borders count from 1.
-impl fmt::Display for StartFrom {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            StartFrom::Whole => f.write_str("whole outline"),
-            StartFrom::Border(b) => write!(f, "border {}", b.saturating_add(1)),
-        }
+impl From<Option<u32>> for StartFrom {
+    fn from(border: Option<u32>) -> StartFrom {
+        border.map_or(StartFrom::Whole, StartFrom::Border)
     }
 }
 
@@ -81,23 +78,13 @@ impl<'de> Deserialize<'de> for StartFrom {
     }
 }
 
-impl Job {
-    /// Where the lines of a surface start; `None`: it is not worked in offset lines.
-    pub fn offset_start(&self, surface: SurfaceId) -> Option<StartFrom> {
-        let recipe = self.recipe_of(surface);
-        let strategy = recipe.and_then(|r| r.strategy).unwrap_or(self.layers.strategy);
-        let own = self.settings.of(surface).border.or(recipe.and_then(|r| r.border));
-        (strategy == Strategy::Offset).then(|| own.unwrap_or(self.layers.border.into()))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::document::Recipe;
 
-    fn read(text: &str) -> Result<Recipe, String> {
-        toml::from_str(&format!("name = \"R\"\nborder = {text}\n")).map_err(|e| e.to_string())
+    fn read(text: &str) -> Result<Recipe, toml::de::Error> {
+        toml::from_str(&format!("name = \"R\"\nborder = {text}\n"))
     }
 
     #[test]
@@ -110,34 +97,7 @@ mod tests {
             assert!(again.contains(&format!("border = {text}")), "{again}");
         }
         for text in ["-1", "\"all\"", "5000000000", "1.5"] {
-            assert!(read(text).is_err_and(|e| e.contains("for the whole outline")), "{text}");
+            assert!(read(text).is_err_and(|e| e.message().contains("for the whole outline")), "{text}");
         }
-    }
-
-    #[test]
-    fn the_whole_outline_of_a_recipe_goes_before_the_border_of_the_job() {
-        let mut job = Job::default();
-        assert_eq!(job.offset_start(SurfaceId(1)), None, "planes");
-        (job.layers.strategy, job.layers.border) = (Strategy::Offset, Some(2));
-        let whole = Recipe { name: "W".into(), border: Some(StartFrom::Whole), ..Recipe::default() };
-        let silent = Recipe { name: "S".into(), ..Recipe::default() };
-        let raster = Recipe { name: "P".into(), strategy: Some(Strategy::Planes), ..Recipe::default() };
-        job.put_recipe(&whole, &[SurfaceId(1)]);
-        job.put_recipe(&silent, &[SurfaceId(2)]);
-        job.put_recipe(&raster, &[SurfaceId(3)]);
-        let starts = |job: &Job| [1, 2, 4].map(|n| job.offset_start(SurfaceId(n)));
-        let worked = |job: &Job| [1, 2, 4].map(|n| job.of_surface(SurfaceId(n)).layers.border);
-        assert_eq!(starts(&job), [StartFrom::Whole, StartFrom::Border(2), StartFrom::Border(2)].map(Some));
-        assert_eq!(worked(&job), [None, Some(2), Some(2)]);
-        assert_eq!(job.offset_start(SurfaceId(3)), None);
-        assert_eq!(whole.without_places().border, Some(StartFrom::Whole), "that of any part");
-        // What is said of the surface itself goes before both.
-        job.settings.change(SurfaceId(1), |s| s.border = Some(StartFrom::Border(7)));
-        job.settings.change(SurfaceId(3), |s| s.border = Some(StartFrom::Border(7)));
-        job.settings.change(SurfaceId(4), |s| (s.border, s.centre_mm) = (Some(StartFrom::Whole), Some([1.0; 3])));
-        assert_eq!(starts(&job), [StartFrom::Border(7), StartFrom::Border(2), StartFrom::Whole].map(Some));
-        assert_eq!(worked(&job), [Some(7), Some(2), None]);
-        assert_eq!(job.offset_start(SurfaceId(3)), None, "it is not worked in offset lines");
-        assert_eq!(job.of_surface(SurfaceId(4)).layers.centre_mm, Some([1.0; 3]));
     }
 }

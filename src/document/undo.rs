@@ -1,13 +1,22 @@
 //! The job with its file, and undo and redo of every edit since it was opened.
 
 use super::edit::Edit;
+use super::files::save::{FileState, IfChanged, JobFile, save};
 use super::files::{JobError, rebased};
 use super::model::Job;
 use super::remembered::Remembered;
 use super::renumber::Lost;
-use super::save::{FileState, IfChanged, JobFile, save};
 use crate::part::SurfaceId;
 use std::path::Path;
+
+/// What a step of undo did.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// An edit; of a drag the last one.
+    Edited(Edit),
+    /// Changes that a killed program left behind came back.
+    Restored,
+}
 
 /// A job that is being worked on.
 #[derive(Clone, Debug, Default)]
@@ -16,11 +25,13 @@ pub struct Document {
     /// Where the job is kept; `None` until it is saved first.
     file: Option<JobFile>,
     saved: Job,
-    undo: Vec<(String, Job)>,
-    redo: Vec<(String, Job)>,
+    /// Steps with the job as it was before each.
+    undo: Vec<(Step, Job)>,
+    /// Steps with the job as it was after each.
+    redo: Vec<(Step, Job)>,
     /// What the last edit is a piece of: a drag, a run of key presses.
     gesture: Option<String>,
-    /// What it dropped.
+    /// What surfaces lost by the last edit.
     lost: Vec<Lost>,
 }
 
@@ -35,7 +46,7 @@ impl Document {
         let mut document = Document::new(saved, file);
         if unsaved != document.job {
             let saved = std::mem::replace(&mut document.job, unsaved);
-            document.undo.push(("restore unsaved changes".into(), saved));
+            document.undo.push((Step::Restored, saved));
         }
         document
     }
@@ -50,7 +61,7 @@ impl Document {
         self.file.as_ref().map(|f| f.path.as_path())
     }
 
-    /// The same with what the file held when it was last read or written.
+    /// Where the job is kept, and what the file held when it was last read or written.
     pub fn job_file(&self) -> Option<&JobFile> {
         self.file.as_ref()
     }
@@ -60,19 +71,18 @@ impl Document {
         self.file.as_ref().map_or(FileState::New, JobFile::state)
     }
 
-    /// Applies an edit and records undo. Edits of the same name within one `gesture` are one step.
-    /// Returns whether anything changed; [`Document::lost`] tells what went with it.
+    /// Applies an edit and records undo. Edits that change one property of one subject within one `gesture` are one
+    /// step. Returns whether anything changed; [`Document::lost`] tells what went with it.
     pub fn apply(&mut self, edit: &Edit, all_surfaces: &[SurfaceId], gesture: Option<&str>) -> bool {
         let before = self.job.clone();
         self.lost = edit.apply(&mut self.job, all_surfaces);
         if self.job == before {
             return false;
         }
-        let name = edit.name();
-        let goes_on =
-            gesture.is_some() && self.gesture.as_deref() == gesture && self.undo.last().is_some_and(|u| u.0 == name);
-        if !goes_on {
-            self.undo.push((name, before));
+        let is_same_gesture = gesture.is_some() && self.gesture.as_deref() == gesture;
+        match self.undo.last_mut() {
+            Some((Step::Edited(last), _)) if is_same_gesture && edit.goes_on_from(last) => last.clone_from(edit),
+            _ => self.undo.push((Step::Edited(edit.clone()), before)),
         }
         self.gesture = gesture.map(str::to_owned);
         self.redo.clear();
@@ -89,20 +99,20 @@ impl Document {
         self.gesture = None;
     }
 
-    /// Name of the step that undo would take back.
-    pub fn undo_name(&self) -> Option<&str> {
-        self.undo.last().map(|u| u.0.as_str())
+    /// The step that undo would take back.
+    pub fn undo_step(&self) -> Option<&Step> {
+        self.undo.last().map(|(step, _)| step)
     }
 
-    /// Name of the step that redo would bring again.
-    pub fn redo_name(&self) -> Option<&str> {
-        self.redo.last().map(|u| u.0.as_str())
+    /// The step that redo would bring again.
+    pub fn redo_step(&self) -> Option<&Step> {
+        self.redo.last().map(|(step, _)| step)
     }
 
     /// Takes the last step back.
     pub fn undo(&mut self) {
-        if let Some((name, job)) = self.undo.pop() {
-            self.redo.push((name, std::mem::replace(&mut self.job, job)));
+        if let Some((step, job)) = self.undo.pop() {
+            self.redo.push((step, std::mem::replace(&mut self.job, job)));
             self.gesture = None;
             self.lost.clear();
         }
@@ -110,8 +120,8 @@ impl Document {
 
     /// Brings the last undone step again.
     pub fn redo(&mut self) {
-        if let Some((name, job)) = self.redo.pop() {
-            self.undo.push((name, std::mem::replace(&mut self.job, job)));
+        if let Some((step, job)) = self.redo.pop() {
+            self.undo.push((step, std::mem::replace(&mut self.job, job)));
             self.gesture = None;
             self.lost.clear();
         }
@@ -134,8 +144,8 @@ impl Document {
     /// cannot be written, and why. The document stays as it was.
     pub fn save(&mut self, to: &Path, if_changed: IfChanged) -> Result<(), JobError> {
         let from = self.file();
-        let moved = |steps: &[(String, Job)]| -> Result<Vec<(String, Job)>, JobError> {
-            steps.iter().map(|(name, job)| Ok((name.clone(), rebased(job, from, to)?))).collect()
+        let moved = |steps: &[(Step, Job)]| -> Result<Vec<(Step, Job)>, JobError> {
+            steps.iter().map(|(step, job)| Ok((step.clone(), rebased(job, from, to)?))).collect()
         };
         let (undo, redo) = (moved(&self.undo)?, moved(&self.redo)?);
         let (job, file) = save(&self.job, self.file.as_ref(), to, if_changed)?;
@@ -148,6 +158,7 @@ impl Document {
 mod tests {
     use super::*;
     use crate::path::Order;
+    use crate::pose::{Pin, Tilt};
     use proptest::prelude::*;
 
     fn some() -> impl Strategy<Value = Vec<SurfaceId>> {
@@ -194,6 +205,7 @@ mod tests {
         for v in [1.0, 2.0, 3.0] {
             doc.apply(&Edit::Set("layers.spacing_mm", v), &[], Some("drag"));
         }
+        assert_eq!(doc.undo_step(), Some(&Step::Edited(Edit::Set("layers.spacing_mm", 3.0))));
         doc.end_gesture();
         doc.apply(&Edit::Set("layers.spacing_mm", 4.0), &[], Some("drag"));
         doc.undo();
@@ -203,15 +215,36 @@ mod tests {
     }
 
     #[test]
+    fn another_subject_within_a_drag_is_another_step() {
+        let mut doc = Document::default();
+        let pin = |at_mm| Pin { line: 0, at_mm, tilt: Tilt::default() };
+        let edits = [
+            Edit::Set("layers.spacing_mm", 1.0),
+            Edit::Set("beam.power_w", 1.0),
+            Edit::Pins(SurfaceId(1), vec![pin(1.0)]),
+            Edit::Pins(SurfaceId(2), vec![pin(1.0)]),
+            Edit::SurfaceCentre(SurfaceId(2), Some([1.0; 3])),
+        ];
+        for edit in &edits {
+            assert!(doc.apply(edit, &[], Some("drag")));
+        }
+        for edit in edits.iter().rev() {
+            assert_eq!(doc.undo_step(), Some(&Step::Edited(edit.clone())));
+            doc.undo();
+        }
+        assert_eq!(*doc.job(), Job::default());
+    }
+
+    #[test]
     fn what_was_not_saved_is_one_step_over_the_file() {
         let mut unsaved = Job::default();
         unsaved.layers.spacing_mm = 7.0;
         let mut doc = Document::restored(Job::default(), None, unsaved.clone());
-        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_name()), (&unsaved, true, Some("restore unsaved changes")));
+        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_step()), (&unsaved, true, Some(&Step::Restored)));
         doc.undo();
-        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_name()), (&Job::default(), false, None));
+        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_step()), (&Job::default(), false, None));
         let nothing = Document::restored(unsaved.clone(), None, unsaved);
-        assert_eq!((nothing.is_dirty(), nothing.undo_name()), (false, None));
+        assert_eq!((nothing.is_dirty(), nothing.undo_step()), (false, None));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! into the part frame; put the origin on a picked face, edge or hole; lay a face on a plane.
 
 use super::angle;
+use crate::number_fields::number_fields;
 use nalgebra::{Isometry3, Matrix4, Point3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -19,11 +20,14 @@ pub struct Placement {
 
 impl Default for Placement {
     fn default() -> Self {
-        Placement { scale: 1.0, rotation_deg: [0.0; 3], translation_mm: [0.0; 3] }
+        Placement::DEFAULT
     }
 }
 
 impl Placement {
+    /// As the file has it.
+    pub const DEFAULT: Placement = Placement { scale: 1.0, rotation_deg: [0.0; 3], translation_mm: [0.0; 3] };
+
     /// Rotation and translation.
     pub fn isometry(&self) -> Isometry3<f64> {
         let [x, y, z] = self.rotation_deg.map(f64::to_radians);
@@ -82,6 +86,7 @@ impl Placement {
 }
 
 super::keyed!(Placement { scale, rotation_deg, translation_mm });
+number_fields!(Placement { scale, rotation_deg: _, translation_mm: _ });
 
 #[cfg(test)]
 mod tests {

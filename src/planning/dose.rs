@@ -108,7 +108,7 @@ fn thresholds(job: &Job) -> Thresholds {
 
 /// The power of all passes over one place together.
 fn power_w(job: &Job) -> f64 {
-    job.beam.power_w * job.layers.passes * if job.layers.strategy == Strategy::Cross { 2.0 } else { 1.0 }
+    job.beam.power_w * f64::from(job.layers.passes) * if job.layers.strategy == Strategy::Cross { 2.0 } else { 1.0 }
 }
 
 fn spot(job: &Job) -> Spot {

@@ -1,7 +1,7 @@
 //! Why there is no part and no plan. Sentences of it stand in `text`.
 
 use super::failure::Failure;
-use crate::document::JobError;
+use crate::document::{JobError, ValueError};
 use crate::part::stl::StlError;
 use crate::program::DialectError;
 use crate::progress::Cancelled;
@@ -22,12 +22,12 @@ pub enum PartError {
 /// Why a job cannot be planned.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum PlanError {
-    /// A number is out of range.
-    #[error("{0}")]
-    Parameter(String),
-    /// Nothing can be written in the dialect.
+    /// A value of the job that cannot be.
     #[error(transparent)]
-    Dialect(#[from] DialectError),
+    Parameter(#[from] ValueError),
+    /// What the cell asks for cannot be written in the dialect.
+    #[error(transparent)]
+    Unwritable(#[from] DialectError),
     /// A surface that is not there.
     #[error("no surface {surface}")]
     NoSurface {

@@ -56,7 +56,6 @@ pub(super) fn part_key(source: &Source, part: &PartFile) -> Digest {
 }
 
 fn surfaces_key(part: Digest, surfaces: &SurfaceParameters, settings: &Settings) -> Digest {
-    let SurfaceParameters { angle_deg, min_area_mm2, hysteresis_deg, edits } = surfaces;
     let flipped: Vec<u32> = settings.having(|s| s.flipped).into_iter().map(|id| id.0).collect();
-    Hasher::default().of(&part).of(angle_deg).of(min_area_mm2).of(hysteresis_deg).of(&flipped).of(edits).finish()
+    Hasher::default().of(&part).of(surfaces).of(&flipped).finish()
 }

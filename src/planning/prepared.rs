@@ -4,7 +4,6 @@ use super::error::PlanError;
 use super::layer;
 use super::surface_plan::rules;
 use crate::document::model::Job;
-use crate::document::parameter;
 use crate::part::{Part, SurfaceId, Surfaces};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -15,7 +14,7 @@ pub(super) fn prepared<'a>(
     surfaces: &Surfaces,
     job: &'a Job,
 ) -> Result<(Vec<u32>, layer::Own<'a>), PlanError> {
-    parameter::check_all(job).map_err(PlanError::Parameter)?;
+    job.check()?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
     let own: layer::Own<'_> = list.iter().map(|&n| (n, job.of_surface(SurfaceId(n)))).collect();

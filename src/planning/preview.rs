@@ -42,7 +42,7 @@ mod tests {
             Part::from_bytes(&stl_bytes(&solids::cube(20.0)), Units::Mm, &Placement::default(), &[]).expect("ok");
         let mut job = Job::default();
         job.settings.choose([5, 2]);
-        (job.layers.spacing_mm, job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 3.0, 0.9, 2.0);
+        (job.layers.spacing_mm, job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 3.0, 0.9, 2);
         let strategy = Some(crate::path::Strategy::Offset);
         job.recipes.push(Recipe { name: "Around".into(), strategy, ..Recipe::default() });
         job.settings.change(SurfaceId(2), |s| s.recipe = Some("Around".into()));

@@ -1,5 +1,6 @@
 //! What a dose is computed and judged by: the `[dose]` table of a job.
 
+use crate::number_fields::number_fields;
 use serde::{Deserialize, Serialize};
 
 /// How the power is spread over the spot.
@@ -48,18 +49,13 @@ pub struct DoseParameters {
 
 impl Default for DoseParameters {
     fn default() -> Self {
-        DoseParameters {
-            profile: Profile::Gaussian,
-            line_mm: 10.0,
-            low_j_cm2: 0.0,
-            high_j_cm2: 0.0,
-            collateral_j_cm2: 0.0,
-        }
+        DoseParameters::DEFAULT
     }
 }
 
 crate::part::keyed_words!(Profile: Gaussian, TopHat, Line);
 crate::part::keyed!(DoseParameters { profile, line_mm, low_j_cm2, high_j_cm2, collateral_j_cm2 });
+number_fields!(DoseParameters { profile: _, line_mm, low_j_cm2, high_j_cm2, collateral_j_cm2 });
 
 /// What is little and what is much, J/cm².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +69,15 @@ pub struct Thresholds {
 }
 
 impl DoseParameters {
+    /// Those of a new job.
+    pub const DEFAULT: DoseParameters = DoseParameters {
+        profile: Profile::Gaussian,
+        line_mm: 10.0,
+        low_j_cm2: 0.0,
+        high_j_cm2: 0.0,
+        collateral_j_cm2: 0.0,
+    };
+
     /// The thresholds of a job: those given, or 0.5, 2 and 0.1 times `P/(v·d)`, what lands on a plate
     /// on the average with planes d apart.
     pub fn thresholds(&self, power_w: f64, speed_mm_s: f64, spacing_mm: f64) -> Thresholds {

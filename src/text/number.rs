@@ -1,8 +1,12 @@
 //! Numbers as people read them. Units stand in the messages.
 
-/// With so many decimals.
+/// With so many decimals, and no minus before a zero.
 pub(crate) fn fixed(value: f64, decimals: usize) -> String {
-    format!("{value:.decimals$}")
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|digit| matches!(digit, b'0' | b'.')) => zero.to_owned(),
+        _ => text,
+    }
 }
 
 /// With all digits that it has.
@@ -33,6 +37,12 @@ pub(crate) fn grouped(count: u64) -> String {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn zero_has_no_sign() {
+        assert_eq!([-0.0, -0.04, -0.06, 12.25].map(|v| fixed(v, 1)), ["0.0", "0.0", "-0.1", "12.2"]);
+        assert_eq!(fixed(-0.4, 0), "0");
+    }
 
     proptest! {
         #[test]

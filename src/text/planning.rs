@@ -25,8 +25,8 @@ impl Sentence for PartError {
 impl Sentence for PlanError {
     fn sentence(&self) -> String {
         match self {
-            PlanError::Parameter(what) => what.clone(),
-            PlanError::Dialect(e) => e.sentence(),
+            PlanError::Parameter(e) => e.sentence(),
+            PlanError::Unwritable(e) => e.sentence(),
             PlanError::NoSurface { surface, last } => say!(plan_no_surface, surface = id(surface), last = id(last)),
             PlanError::Nothing => say!(plan_nothing_chosen),
             PlanError::SpacingTooLarge { spacing_mm, size_mm } => {

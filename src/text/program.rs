@@ -5,7 +5,7 @@ use crate::program::{ByHand, DialectError, Shortfall, UnknownDialect, WriteError
 
 impl Sentence for UnknownDialect {
     fn sentence(&self) -> String {
-        say!(write_unknown_dialect, name = &self.0, names = dialects::names())
+        say!(dialect_unknown, name = &self.0, known = dialects::names())
     }
 }
 

@@ -1,9 +1,5 @@
 ### Why a program cannot be written or read, and what of it is not as it was wanted.
 
-## Dialects
-
-write_unknown_dialect = dialect = "{ $name }": give one of { $names }
-
 ## Writing
 
 write_no_robot = a { $dialect } program needs a robot; give --robot

@@ -3,16 +3,16 @@
 
 use super::super::{App, theme};
 use super::bead_section::bead_section;
-use super::fields::{self, Change, JOB, Owner, RECIPE, back, name};
+use super::fields::{self, Change, JOB, Owner, RECIPE, SPACING, back, name};
 use super::recipe;
+use crate::document::parameter::Group;
 use crate::document::{Edit, Job, Parameter, Recipe};
 use crate::process::bead::Bead;
 use eframe::egui::{self, CollapsingHeader, RichText, Role, WidgetInfo};
 
-/// Width and height: both, or neither.
-const SIZE: [&str; 2] = ["bead.width_mm", "bead.height_mm"];
-/// What is said of layers.
-const LAYERS: [&str; 2] = ["bead.layers", "bead.start_shift_mm"];
+const WIDTH: &Parameter = Parameter::named("bead.width_mm");
+const HEIGHT: &Parameter = Parameter::named("bead.height_mm");
+const LAYERS: &Parameter = Parameter::named("bead.layers");
 /// The least width and height that are set here, mm; none at all is the checkbox's.
 const LEAST_MM: f64 = 0.01;
 /// From this share on another distance of centres than that of the bead is worth a word.
@@ -29,12 +29,12 @@ impl App {
             if job.section_of_bead().is_none() {
                 return;
             }
-            for p in SIZE.into_iter().filter_map(Parameter::by_key) {
-                if let Some(Change::To(mm)) = fields::number_from(ui, JOB, p, LEAST_MM, (p.get)(&job), None) {
+            for p in Parameter::of_group(Group::BeadSize) {
+                if let Some(Change::To(mm)) = fields::number_from(ui, JOB, p, LEAST_MM, job.number(p), None) {
                     self.set_parameter(p, mm);
                 }
             }
-            self.numbers(ui, &LAYERS);
+            self.numbers(ui, Group::BeadLayers);
             ui.horizontal(|ui| {
                 name(ui, "Every second layer", job.bead.alternate);
                 let mut alternate = job.bead.alternate;
@@ -55,22 +55,25 @@ impl App {
 pub(super) fn of_recipe(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Recipe) -> Option<&'static str> {
     let mut what = None;
     header(RECIPE, own).show(ui, |ui| {
-        let is_own = SIZE.iter().any(|key| recipe.values.contains_key(*key));
+        let is_own = Parameter::of_group(Group::BeadSize).any(|p| recipe.values.contains_key(p.key));
         match laid(ui, RECIPE, own, is_own.then_some(job)) {
             Some(Change::To(on)) => {
-                let bead = own.bead.laid(on, own.beam.spot_mm);
-                let values = [(SIZE[0], bead.width_mm), (SIZE[1], bead.height_mm)];
-                recipe.values.extend(values.map(|(key, mm)| (key.to_owned(), mm)));
+                let with = Job { bead: own.bead.laid(on, own.beam.spot_mm), ..own.clone() };
+                for p in Parameter::of_group(Group::BeadSize) {
+                    recipe.values.insert(p.key.into(), with.number(p));
+                }
                 // No layers of nothing, the job's among them.
-                if bead.layers != own.bead.layers {
-                    recipe.values.insert(LAYERS[0].into(), bead.layers);
+                if with.bead.layers != own.bead.layers {
+                    recipe.values.insert(LAYERS.key.into(), with.number(LAYERS));
                 }
                 what = Some("recipe bead");
             }
             Some(Change::Back) => {
-                recipe.values.retain(|key, _| !SIZE.contains(&key.as_str()));
+                for p in Parameter::of_group(Group::BeadSize) {
+                    recipe.values.remove(p.key);
+                }
                 if job.section_of_bead().is_none() {
-                    recipe.values.remove(LAYERS[0]);
+                    recipe.values.remove(LAYERS.key);
                 }
                 what = Some("recipe bead");
             }
@@ -79,18 +82,18 @@ pub(super) fn of_recipe(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Re
         if own.section_of_bead().is_none() {
             return;
         }
-        for p in SIZE.into_iter().filter_map(Parameter::by_key) {
+        for p in Parameter::of_group(Group::BeadSize) {
             // To half a bead there is no way back.
             let can_go_back = recipe.values.contains_key(p.key) && job.section_of_bead().is_some();
-            let to = can_go_back.then(|| (p.get)(job));
-            match fields::number_from(ui, RECIPE, p, LEAST_MM, (p.get)(own), to) {
+            let to = can_go_back.then(|| job.number(p));
+            match fields::number_from(ui, RECIPE, p, LEAST_MM, own.number(p), to) {
                 Some(Change::To(mm)) => recipe.values.insert(p.key.into(), mm),
                 Some(Change::Back) => recipe.values.remove(p.key),
                 None => continue,
             };
             what = Some(p.key);
         }
-        for p in LAYERS.into_iter().filter_map(Parameter::by_key) {
+        for p in Parameter::of_group(Group::BeadLayers) {
             what = recipe::number(ui, job, own, recipe, p).or(what);
         }
         bead_section(ui, RECIPE, own);
@@ -153,32 +156,32 @@ fn fill(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<(&'static str, f64
     );
     ui.label(RichText::new(text).color(theme::ATTENTION));
     let ways = [
-        ("Spacing", "layers.spacing_mm", Some(own_mm), "Centres so far apart, with the bead as it is"),
+        ("Spacing", SPACING, Some(own_mm), "Centres so far apart, with the bead as it is"),
         (
             "Height",
-            SIZE[1],
+            HEIGHT,
             Bead::of_width(bead.width_mm(), spacing_mm).map(|b| b.height_mm()),
             "A bead so high, with width and spacing as they are",
         ),
         (
             "Width",
-            SIZE[0],
+            WIDTH,
             Bead::of_height(bead.height_mm(), spacing_mm).map(|b| b.width_mm()),
             "A bead so wide, with height and spacing as they are",
         ),
     ];
     let mut taken = None;
     ui.horizontal_wrapped(|ui| {
-        for (word, key, mm, tip) in ways {
+        for (word, p, mm, tip) in ways {
             // A micrometre is more than anybody can set.
             let mm = mm.map(|mm| (mm * 1e3).round() / 1e3);
-            let may = |mm: &f64| *mm >= LEAST_MM && Parameter::by_key(key).is_some_and(|p| p.check(*mm).is_ok());
+            let may = |mm: &f64| *mm >= LEAST_MM && p.check(*mm).is_ok();
             let Some(mm) = mm.filter(may) else { continue };
             let button = ui.button(format!("{word} {mm:.2} mm")).on_hover_text(format!("{tip} (P3 4.1)"));
             let told = format!("{}take {} {mm:.2} mm", owner.prefix, word.to_lowercase());
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
             if button.clicked() {
-                taken = Some((key, mm));
+                taken = Some((p.key, mm));
             }
         }
     });

@@ -5,6 +5,7 @@ use super::super::dialogs::Purpose;
 use super::super::{App, quantity, theme};
 use crate::beam::{Head, Obstacle};
 use crate::document::Edit;
+use crate::document::parameter::{Group, Parameter};
 use crate::part::SurfaceId;
 use crate::pose::Correction;
 use crate::pose::tilt::Side;
@@ -13,6 +14,8 @@ use eframe::egui::{self, DragValue, RichText};
 
 /// A spot that the optics would give is told from the one that is set from this share on.
 const OTHER_SPOT: f64 = 0.05;
+const SPOT: &Parameter = Parameter::named("beam.spot_mm");
+const DEFOCUS: &Parameter = Parameter::named("beam.defocus_mm");
 
 impl App {
     /// Head, clamps, optics and tilt, under the numbers of the beam.
@@ -20,11 +23,11 @@ impl App {
         self.head(ui);
         let clearance = self.document.job().path.correction == Correction::Clearance;
         if clearance || !self.document.job().beam.head.is_empty() {
-            self.numbers(ui, &["path.max_tilt_deg"]);
+            self.numbers(ui, Group::Tilt);
         }
         if clearance {
             egui::CollapsingHeader::new("Tilt").show(ui, |ui| {
-                self.numbers(ui, &["path.tilt_rate_deg_mm", "path.tilt_rate_deg_s"]);
+                self.numbers(ui, Group::TiltRates);
                 self.tilt_rule(ui);
             });
         }
@@ -50,7 +53,7 @@ impl App {
         if file.is_empty() {
             return;
         }
-        self.numbers(ui, &["beam.margin_mm", "path.standoff_mm"]);
+        self.numbers(ui, Group::Head);
         let Some(Ok(setup)) = self.derived.pipeline.setup() else { return };
         if let Some(Head::Solid(..)) = &setup.tool.head {
             ui.label(RichText::new("An STL counts as what it sweeps about the beam").small());
@@ -58,14 +61,7 @@ impl App {
     }
 
     fn optics(&mut self, ui: &mut egui::Ui) {
-        let keys = [
-            "optics.lens_to_focus_mm",
-            "optics.aperture_mm",
-            "optics.focus_spot_mm",
-            "optics.rayleigh_mm",
-            "optics.wavelength_nm",
-        ];
-        self.numbers(ui, &keys);
+        self.numbers(ui, Group::Optics);
         let (optics, beam) = (self.document.job().optics, self.document.job().beam.clone());
         let (spot, (low, high)) = (optics.spot_mm(beam.defocus_mm), optics.tolerance_mm(beam.defocus_mm));
         ui.label(format!("M² = {:.2}", optics.m_squared()));
@@ -78,14 +74,14 @@ impl App {
         ui.label(RichText::new(text).color(theme::ATTENTION));
         ui.horizontal_wrapped(|ui| {
             if ui.button(format!("Take {spot:.2} mm")).on_hover_text("The spot that these optics give").clicked() {
-                self.edit(Edit::Set("beam.spot_mm", (spot * 1000.0).round() / 1000.0));
+                self.edit(Edit::Set(SPOT.key, (spot * 1000.0).round() / 1000.0));
             }
             match optics.defocus_for(beam.spot_mm) {
                 Some(d) => {
                     for d in [d, -d] {
                         let side = if d < 0.0 { "The focus in the part" } else { "The focus above the surface" };
                         if ui.button(format!("D = {d:.1} mm")).on_hover_text(side).clicked() {
-                            self.edit(Edit::Set("beam.defocus_mm", (d * 1000.0).round() / 1000.0));
+                            self.edit(Edit::Set(DEFOCUS.key, (d * 1000.0).round() / 1000.0));
                         }
                     }
                 }
@@ -172,9 +168,9 @@ impl App {
                 }
             });
             if now == Profile::Line {
-                self.numbers(ui, &["dose.line_mm"]);
+                self.numbers(ui, Group::ScannedLine);
             }
-            self.numbers(ui, &["dose.low_j_cm2", "dose.high_j_cm2", "dose.collateral_j_cm2"]);
+            self.numbers(ui, Group::Dose);
         });
     }
 }

@@ -4,8 +4,9 @@ use super::super::dialogs::Purpose;
 use super::super::{App, Command, theme};
 use crate::cell::{Mount, Robot, Spin};
 use crate::document::Edit;
+use crate::document::parameter::Group;
 use crate::program::dialects::DIALECTS;
-use crate::text::Sentence as _;
+use crate::text::Sentence;
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;
 
@@ -18,7 +19,7 @@ impl App {
         self.robot(ui);
         self.mount(ui);
         self.spin(ui);
-        self.numbers(ui, &["cell.deviation_mm"]);
+        self.numbers(ui, Group::Cell);
         self.dialect(ui);
         self.cell_file(ui);
         self.frames(ui);

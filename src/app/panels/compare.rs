@@ -3,8 +3,9 @@
 use super::super::App;
 use super::library::Shelf;
 use crate::document::Recipe;
-use crate::document::recipe_table::{Row, rows};
+use crate::document::recipe_table::{ComparedRow, rows};
 use crate::part::SurfaceId;
+use crate::text::recipe_table::{row_label, value};
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use std::collections::BTreeSet;
 
@@ -54,7 +55,7 @@ impl App {
                 return;
             }
             let rows = rows(self.document.job(), &columns);
-            let shown: Vec<&Row> = rows.iter().filter(|r| compare.all_rows || r.differs()).collect();
+            let shown: Vec<&ComparedRow> = rows.iter().filter(|r| compare.all_rows || r.differs()).collect();
             if shown.is_empty() {
                 ui.label("They do not differ");
                 return;
@@ -92,7 +93,7 @@ impl App {
     }
 }
 
-fn table(ui: &mut egui::Ui, columns: &[Option<&Recipe>], rows: &[&Row]) {
+fn table(ui: &mut egui::Ui, columns: &[Option<&Recipe>], rows: &[&ComparedRow]) {
     egui::Grid::new("compared").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
         ui.label("");
         for column in columns {
@@ -100,10 +101,12 @@ fn table(ui: &mut egui::Ui, columns: &[Option<&Recipe>], rows: &[&Row]) {
         }
         ui.end_row();
         for row in rows {
-            ui.label(&row.label);
+            let title = row_label(row.what);
+            ui.label(&title);
             for cell in &row.cells {
-                let text = RichText::new(&cell.text);
-                let told = format!("{} {}", row.label, cell.text);
+                let value = value(cell.value);
+                let told = format!("{title} {value}");
+                let text = RichText::new(value);
                 let label = ui.label(if cell.is_own { text.strong() } else { text.weak() });
                 label.widget_info(|| WidgetInfo::labeled(Role::Label, true, told.clone()));
             }

@@ -1,7 +1,11 @@
 //! Fields that the job's panel and that of a recipe share: what they show, and what the operator wants.
 
 use super::super::{quantity, theme};
+use crate::document::parameter::Limits;
+use crate::document::recipe::OVERLAP_PERCENT;
 use crate::document::{Job, Parameter};
+use crate::text::Sentence as _;
+use crate::text::parameter::{hint, label, with_unit};
 use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo, vec2};
 
 /// What is wanted of a value.
@@ -30,8 +34,8 @@ pub(super) const RECIPE: Owner = Owner { prefix: "recipe ", back: "Back to the j
 /// Those of one surface.
 pub(super) const SURFACE: Owner = Owner { prefix: "surface ", back: "Back to what recipe or job say" };
 
-/// Numbers that are whole.
-const WHOLE: [&str; 2] = ["layers.passes", "bead.layers"];
+/// The distance of lines, which an overlap sets too.
+pub(super) const SPACING: &Parameter = Parameter::named("layers.spacing_mm");
 
 /// Width of the names.
 pub(super) const NAMES: f32 = 130.0;
@@ -60,12 +64,12 @@ pub(super) fn number(
     now: f64,
     to: Option<f64>,
 ) -> Option<Change<f64>> {
-    let (low, high) = p.range;
-    let low = if p.least_allowed { low } else { low + 1e-6 * (high - low).min(1000.0) };
+    let Limits { least, greatest, is_above_least } = p.limits;
+    let low = if is_above_least { least + 1e-6 * (greatest - least).min(1000.0) } else { least };
     number_from(ui, owner, p, low, now, to)
 }
 
-/// The same from another least value on.
+/// A number of the table that begins at another least value.
 pub(super) fn number_from(
     ui: &mut egui::Ui,
     owner: Owner,
@@ -75,45 +79,44 @@ pub(super) fn number_from(
     to: Option<f64>,
 ) -> Option<Change<f64>> {
     let (mut value, mut wanted) = (now, None);
-    let high = p.range.1;
-    let is_whole = WHOLE.contains(&p.key);
+    let (title, unit) = (label(p), p.kind.unit());
     let far = |to: f64| (now - to).abs() > 1e-12;
     ui.horizontal(|ui| {
-        let label = name(ui, p.label, to.is_some_and(far));
-        let suffix = match p.unit {
-            "°" | "" => p.unit.into(),
+        let label = name(ui, &title, to.is_some_and(far));
+        let suffix = match unit {
+            "°" | "" => unit.into(),
             unit => format!(" {unit}"),
         };
         let field = DragValue::new(&mut value)
-            .speed(if is_whole { 0.05 } else { (now.abs() * 0.01).clamp(0.001, 1.0) })
-            .range(low..=high)
-            .max_decimals(if is_whole { 0 } else { 4 })
+            .speed(p.kind.drag_step(now))
+            .range(low..=p.limits.greatest)
+            .max_decimals(p.kind.decimals())
             .suffix(suffix)
             .update_while_editing(false)
             .custom_parser(quantity::read);
-        let mut tip = format!("{}\n{low:.4} to {high} {}", p.meaning, p.unit);
-        if !p.symbol.is_empty() {
-            tip.push_str(&format!("\n{}", p.symbol));
-        }
+        let tip = hint(p, low);
         let response = ui.add_sized([96.0, 20.0], field).on_hover_text(&tip);
         if owner.prefix.is_empty() {
             response.clone().labelled_by(label.id);
         } else {
-            let told = format!("{}{}", owner.prefix, p.label);
+            let told = format!("{}{title}", owner.prefix);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
         }
         label.on_hover_text(tip);
+        if p.kind.is_whole() {
+            value = value.round();
+        }
         if response.changed() && value != now && value.is_finite() {
             wanted = Some(Change::To(value));
         }
         if let Some(to) = to
-            && back(ui, owner, p.label, &format!("{to} {}", p.unit))
+            && back(ui, owner, &title, &with_unit(to, p.kind))
         {
             wanted = Some(Change::Back);
         }
     });
     if let Err(why) = p.check(now) {
-        ui.label(RichText::new(why).small().color(theme::WRONG));
+        ui.label(RichText::new(why.sentence()).small().color(theme::WRONG));
     }
     wanted
 }
@@ -136,7 +139,7 @@ pub(super) fn overlap(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<f64>
         let label = name(ui, "Overlap", false).on_hover_text(tip);
         let field = DragValue::new(&mut percent)
             .speed(0.5)
-            .range(0.0..=95.0)
+            .range(OVERLAP_PERCENT)
             .clamp_existing_to_range(false)
             .max_decimals(1)
             .suffix(" %")

@@ -3,6 +3,7 @@
 use super::super::{App, quantity, theme};
 use super::fields::{self, Change, JOB};
 use super::laying;
+use crate::document::parameter::Group;
 use crate::document::{Edit, Offset, StartFrom};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
@@ -20,7 +21,7 @@ impl App {
             self.edit_dragging(&Edit::Direction(d), "direction");
         }
         match l.strategy {
-            Strategy::Cross => self.numbers(ui, &["layers.cross_deg"]),
+            Strategy::Cross => self.numbers(ui, Group::Cross),
             Strategy::Offset => {
                 if let Some(Change::To(start)) = laying::border(ui, JOB, l.border.into(), None) {
                     self.edit_dragging(&Edit::Border(start.border()), "border");
@@ -37,9 +38,9 @@ impl App {
             Strategy::Planes | Strategy::Adaptive => {}
         }
         self.own_starts(ui);
-        self.numbers(ui, &["layers.spacing_mm"]);
+        self.numbers(ui, Group::Spacing);
         if let Some(mm) = fields::overlap(ui, JOB, self.document.job()) {
-            self.edit_dragging(&Edit::Set("layers.spacing_mm", mm), "overlap");
+            self.edit_dragging(&Edit::Set(fields::SPACING.key, mm), "overlap");
         }
         if matches!(l.strategy, Strategy::Planes | Strategy::Cross) {
             self.offset(ui);
@@ -48,8 +49,7 @@ impl App {
             self.edit(Edit::Order(order));
         }
         egui::CollapsingHeader::new("Rim, joins, passes").show(ui, |ui| {
-            self.numbers(ui, &["layers.inset_mm", "layers.ignore_holes_mm", "layers.join_mm", "layers.shortest_mm"]);
-            self.numbers(ui, &["layers.seam_shift_mm", "layers.passes"]);
+            self.numbers(ui, Group::Rim);
         });
         self.bead(ui);
     }
@@ -82,13 +82,13 @@ impl App {
     /// The centre of the surface's spiral goes to the place that was right clicked.
     pub(in super::super) fn put_spiral_centre(&mut self) {
         let Some((surface, at)) = self.spiral_place() else { return };
-        self.edit(Edit::OwnCentre(SurfaceId(surface), Some(at)));
+        self.edit(Edit::SurfaceCentre(SurfaceId(surface), Some(at)));
     }
 
     /// The surface's offset lines start from the border nearest to the place that was right clicked.
     pub(in super::super) fn start_from_border(&mut self) {
         let Some((surface, index)) = self.border_place() else { return };
-        self.edit(Edit::OwnBorder(SurfaceId(surface), Some(StartFrom::Border(index))));
+        self.edit(Edit::SurfaceBorder(SurfaceId(surface), Some(StartFrom::Border(index))));
     }
 
     /// The place that was right clicked, if the surface there is worked in a spiral.

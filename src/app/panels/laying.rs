@@ -5,6 +5,7 @@ use super::fields::{Change, NAMES, Owner, back, name};
 use crate::document::StartFrom;
 use crate::document::recipe_table::place;
 use crate::path::{Direction, Order, Strategy};
+use crate::text::Sentence;
 use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo};
 
 /// What a strategy is for, in a few words.
@@ -153,7 +154,7 @@ pub(super) fn border(
             }
         }
         if let Some(to) = to
-            && back(ui, owner, "border", &to.to_string())
+            && back(ui, owner, "border", &to.sentence())
         {
             wanted = Some(Change::Back);
         }

@@ -4,6 +4,7 @@
 use super::super::{App, theme};
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
+use crate::text::Sentence;
 use eframe::egui::{self, DragAndDrop, RichText, Role, Sense, WidgetInfo};
 
 /// Where a recipe stands.
@@ -44,7 +45,7 @@ pub(super) struct DraggedRecipe(pub Recipe);
 impl App {
     /// All recipes at hand.
     pub(super) fn shelves(&self) -> [(Shelf, Vec<Recipe>); 3] {
-        let mine = self.recipes.own.iter().map(|(_, r)| r.clone()).collect();
+        let mine = self.recipes.kept.iter().map(|(_, r)| r.clone()).collect();
         [
             (Shelf::Job, self.document.job().recipes.clone()),
             (Shelf::Mine, mine),
@@ -69,7 +70,7 @@ impl App {
             }
             self.forgotten_row(ui);
             for why in &self.recipes.broken {
-                ui.label(RichText::new(why).small().color(theme::WRONG));
+                ui.label(RichText::new(why.sentence()).small().color(theme::WRONG));
             }
             if ui.button("Compare…").on_hover_text("Recipes side by side").clicked() {
                 self.open_compare();
@@ -133,7 +134,7 @@ impl App {
 
     /// Gives surfaces a recipe from any shelf.
     pub(super) fn apply_recipe(&mut self, recipe: &Recipe, surfaces: Vec<SurfaceId>) {
-        let guest = self.document.job().welcomed(recipe);
+        let guest = self.document.job().under_free_name(recipe);
         self.edit(Edit::GiveRecipe(surfaces, Some(Box::new(guest))));
     }
 
@@ -141,7 +142,7 @@ impl App {
     pub(super) fn keep_recipe(&mut self, recipe: &Recipe) {
         match self.recipes.keep(recipe) {
             Ok(file) => self.session.said = format!("saved {}", file.display()),
-            Err(why) => self.session.error = Some(why.to_string()),
+            Err(why) => self.session.error = Some(why.sentence()),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::super::App;
 use super::super::command::{COMMANDS, Command, Menu};
+use crate::text::Sentence;
 use eframe::egui::{self, Align, Layout};
 
 impl App {
@@ -66,11 +67,11 @@ impl App {
     /// The name with what it would do now: "Undo move 3 surfaces to clean".
     fn name_now(&self, command: Command) -> String {
         let step = match command {
-            Command::Undo => self.document.undo_name(),
-            Command::Redo => self.document.redo_name(),
+            Command::Undo => self.document.undo_step(),
+            Command::Redo => self.document.redo_step(),
             _ => None,
         };
         let name = super::name_of(command);
-        step.map_or_else(|| name.into(), |s| format!("{name} {s}"))
+        step.map_or_else(|| name.into(), |s| format!("{name} {}", s.sentence()))
     }
 }

@@ -6,6 +6,7 @@ use crate::document::Edit;
 use crate::document::recipe_table::place;
 use crate::part::SurfaceId;
 use crate::path::Strategy;
+use crate::text::Sentence;
 use eframe::egui::{self, RichText};
 
 /// Surfaces that are told, at most.
@@ -18,8 +19,8 @@ impl App {
         let told = |id: SurfaceId| {
             let (own, strategy) = (job.settings.of(id), job.of_surface(id).layers.strategy);
             match strategy {
-                Strategy::Offset => own.border.map(|b| (b.to_string(), Edit::OwnBorder(id, None))),
-                Strategy::Spiral => own.centre_mm.map(|at| (place(at), Edit::OwnCentre(id, None))),
+                Strategy::Offset => own.border.map(|b| (b.sentence(), Edit::SurfaceBorder(id, None))),
+                Strategy::Spiral => own.centre_mm.map(|at| (place(at), Edit::SurfaceCentre(id, None))),
                 Strategy::Planes | Strategy::Adaptive | Strategy::Cross => None,
             }
         };

@@ -3,7 +3,8 @@
 
 use super::super::{App, Command, quantity, theme};
 use super::fields::{self, Change};
-use crate::document::{Edit, PARAMETERS, Parameter};
+use crate::document::parameter::Group;
+use crate::document::{Edit, Parameter};
 use crate::part::{PartFinding, Units};
 use crate::pose::Correction;
 use crate::text::Sentence as _;
@@ -23,29 +24,18 @@ impl App {
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.layers(ui);
             theme::heading(ui, "Beam");
-            self.numbers(
-                ui,
-                &[
-                    "beam.defocus_mm",
-                    "beam.spot_mm",
-                    "beam.power_w",
-                    "beam.frequency_khz",
-                    "beam.speed_mm_s",
-                    "beam.air_speed_mm_s",
-                ],
-            );
+            self.numbers(ui, Group::Beam);
             self.correction(ui);
             self.tool(ui);
             self.recipe_panel(ui);
             self.library_panel(ui);
             egui::CollapsingHeader::new("Targets, leads").show(ui, |ui| {
-                self.numbers(ui, &["path.chord_error_mm", "path.max_step_mm", "path.max_turn_deg"]);
-                self.numbers(ui, &["path.lead_in_mm", "path.lead_out_mm"]);
+                self.numbers(ui, Group::Targets);
             });
             theme::heading(ui, "Feature surfaces");
-            self.numbers(ui, &["surfaces.angle_deg"]);
+            self.numbers(ui, Group::Crease);
             egui::CollapsingHeader::new("More on surfaces").show(ui, |ui| {
-                self.numbers(ui, &["surfaces.min_area_mm2", "surfaces.hysteresis_deg"]);
+                self.numbers(ui, Group::Islands);
                 ui.horizontal(|ui| {
                     let button = egui::Button::new("Split at");
                     if ui.add_enabled(self.is_enabled(Command::Split), button).clicked() {
@@ -64,18 +54,19 @@ impl App {
         });
     }
 
-    pub(super) fn numbers(&mut self, ui: &mut egui::Ui, keys: &[&str]) {
-        for p in PARAMETERS.iter().filter(|p| keys.contains(&p.key)) {
+    /// The job's numbers of a group.
+    pub(super) fn numbers(&mut self, ui: &mut egui::Ui, group: Group) {
+        for p in Parameter::of_group(group) {
             self.number(ui, p);
         }
     }
 
     fn number(&mut self, ui: &mut egui::Ui, p: &'static Parameter) {
-        let now = (p.get)(self.document.job());
-        let to = Some(p.default()).filter(|to| (now - to).abs() > 1e-12);
+        let now = self.document.job().number(p);
+        let to = Some(p.default).filter(|to| (now - to).abs() > 1e-12);
         match fields::number(ui, fields::JOB, p, now, to) {
             Some(Change::To(value)) => self.set_parameter(p, value),
-            Some(Change::Back) => self.set_parameter(p, p.default()),
+            Some(Change::Back) => self.set_parameter(p, p.default),
             None => {}
         }
     }
@@ -118,7 +109,7 @@ impl App {
                 self.edit(Edit::Units(better));
             }
         }
-        self.numbers(ui, &["part.placement.scale"]);
+        self.numbers(ui, Group::Part);
         let mut placement = self.document.job().part.placement;
         let mut changed = false;
         let rows = [("Turn", "°", &mut placement.rotation_deg), ("Move", " mm", &mut placement.translation_mm)];

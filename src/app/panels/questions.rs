@@ -6,7 +6,7 @@ use super::super::questions::Question;
 use crate::document::journal::LeftBehind;
 use crate::document::{CarriedOver, IfChanged};
 use crate::planning::export::FileConflict;
-use crate::text::Sentence as _;
+use crate::text::{Sentence, carried_lines};
 use eframe::egui::{self, Id, Modal, RichText, ScrollArea};
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -64,7 +64,7 @@ impl App {
             }
             (Answer::Discard(at), Some(Question::Restore(mut found))) if at < found.leftovers.len() => {
                 if let Err(why) = found.leftovers.remove(at).discard() {
-                    self.session.error = Some(why.to_string());
+                    self.session.error = Some(why.sentence());
                 }
                 self.question = (!found.leftovers.is_empty()).then_some(Question::Restore(found));
             }
@@ -104,7 +104,7 @@ fn part_changed(ui: &mut egui::Ui, file: &Path, carried: Option<&CarriedOver>) -
     };
     ui.label(RichText::new(verdict).strong());
     ScrollArea::vertical().max_height(220.0).show(ui, |ui| {
-        for line in carried.to_string().lines() {
+        for line in carried_lines(carried) {
             ui.label(line);
         }
     });

@@ -4,6 +4,7 @@
 use super::super::{App, theme};
 use super::fields::{self, Change, RECIPE};
 use super::{bead, laying};
+use crate::document::parameter::{Group, Scope};
 use crate::document::{Edit, Job, PARAMETERS, Parameter, Recipe};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
@@ -11,8 +12,6 @@ use crate::text::Sentence as _;
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
 use std::collections::BTreeSet;
 
-/// Numbers that are always shown.
-const CHIEF: [&str; 5] = ["layers.spacing_mm", "beam.defocus_mm", "beam.spot_mm", "beam.power_w", "beam.speed_mm_s"];
 /// Surfaces whose spacing is told, at most.
 const TOLD: usize = 4;
 
@@ -228,19 +227,19 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
         take(&mut recipe.border, change);
         what = Some("recipe border");
     }
-    let may =
-        |p: &&Parameter| Recipe::may_hold(p.key) && (p.key != "layers.cross_deg" || l.strategy == Strategy::Cross);
-    let chief = |p: &&Parameter| CHIEF.contains(&p.key) || p.key == "layers.cross_deg";
-    for p in PARAMETERS.iter().filter(may).filter(chief) {
+    let is_cross = l.strategy == Strategy::Cross;
+    let first = |p: &&Parameter| p.scope == Scope::SurfaceFirst && (is_cross || p.group != Group::Cross);
+    for p in PARAMETERS.iter().filter(first) {
         what = number(ui, job, &own, recipe, p).or(what);
-        if p.key == "layers.spacing_mm"
+        if p == fields::SPACING
             && let Some(mm) = fields::overlap(ui, RECIPE, &own)
         {
             recipe.values.insert(p.key.into(), mm);
             what = Some("recipe overlap");
         }
     }
-    let more = PARAMETERS.iter().filter(may).filter(|p| !chief(p) && !p.key.starts_with("bead."));
+    let of_bead = |p: &Parameter| matches!(p.group, Group::BeadSize | Group::BeadLayers);
+    let more = PARAMETERS.iter().filter(|p| p.scope == Scope::Surface && !of_bead(p));
     let held = more.clone().filter(|p| recipe.values.contains_key(p.key)).count();
     let title = if held > 0 { format!("More values ({held} of its own)") } else { "More values".into() };
     egui::CollapsingHeader::new(title).id_salt("more of a recipe").show(ui, |ui| {
@@ -259,8 +258,8 @@ pub(super) fn number(
     recipe: &mut Recipe,
     p: &'static Parameter,
 ) -> Option<&'static str> {
-    let to = recipe.values.contains_key(p.key).then(|| (p.get)(job));
-    match fields::number(ui, RECIPE, p, (p.get)(own), to)? {
+    let to = recipe.values.contains_key(p.key).then(|| job.number(p));
+    match fields::number(ui, RECIPE, p, own.number(p), to)? {
         Change::To(value) => recipe.values.insert(p.key.into(), value),
         Change::Back => recipe.values.remove(p.key),
     };

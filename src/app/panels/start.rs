@@ -3,6 +3,7 @@
 use super::super::App;
 use super::super::command::Command;
 use crate::sample::SAMPLES;
+use crate::text::Sentence;
 use eframe::egui::{self, RichText};
 use std::path::PathBuf;
 
@@ -59,7 +60,7 @@ impl App {
         let bytes = crate::sample::stl_bytes(&(sample.triangles)());
         let written = std::fs::create_dir_all(&folder)
             .map_err(|e| format!("{}: cannot be made: {e}", folder.display()))
-            .and_then(|()| crate::document::files::write_atomic(&file, &bytes).map_err(|e| e.to_string()));
+            .and_then(|()| crate::document::files::write_atomic(&file, &bytes).map_err(|e| e.sentence()));
         match written {
             Ok(()) => self.open(file),
             Err(why) => self.session.error = Some(why),

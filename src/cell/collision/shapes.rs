@@ -141,7 +141,7 @@ impl<'a> Solid<'a> {
         self.bvh.distance_to_mesh(o.bvh, &self_from_other, within_mm)
     }
 
-    /// Of two whose facets do not meet: whether one is inside the other.
+    /// Whether one of two solids whose facets do not meet is inside the other.
     fn is_around_or_in(&self, o: &Solid<'_>, self_from_other: &Isometry3<f64>) -> bool {
         self.holds_corner_of(o, self_from_other) || o.holds_corner_of(self, &self_from_other.inverse())
     }

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 /// What was chosen for a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chosen {
-    /// Degrees.
+    /// Joints, degrees.
     pub joints_deg: Joints,
     /// Rotation about the beam axis from the path frame, degrees.
     pub spin_deg: f64,

@@ -13,7 +13,7 @@ pub(super) struct Crowd {
     pub branch: u8,
     least: Joints,
     most: Joints,
-    /// Of the cheapest.
+    /// Cost of its cheapest state.
     pub cost: f64,
 }
 

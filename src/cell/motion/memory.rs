@@ -19,11 +19,11 @@ pub struct Memory {
     /// By pass and point; empty until a second search begins.
     states: Vec<Vec<OnceLock<Made>>>,
     kept: AtomicUsize,
-    /// Of the targets of passes where a chosen state touched.
+    /// By pass in which a chosen state touched: what is known of each of its targets.
     looks: BTreeMap<usize, Vec<Looks>>,
 }
 
-/// Of one target, by branch and spin: not looked at, free, or touching. Every reading of the turns is
+/// What is known of one target's states, by branch and spin: not looked at, free, or touching. Every reading of the turns is
 /// the same pose.
 pub(super) struct Looks(Vec<AtomicU8>);
 

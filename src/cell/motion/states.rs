@@ -31,18 +31,18 @@ pub struct State {
     pub spin: u8,
     /// Branch of the inverse.
     pub branch: u8,
-    /// Number of the reading of its turns.
+    /// Number of the reading of its turns, as [`turns`] counts them.
     pub turn: u8,
     /// Distance from a singular pose, 0 to 1.
     pub singularity: f64,
 }
 
-/// Why a pose that has solutions has no state.
+/// Why a path frame has no state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lack {
     /// No solution at any spin.
     Reach,
-    /// Solutions, but a joint is beyond its limits: the joint from 0, the least overrun found.
+    /// Solutions, but in each a joint is beyond its limits; the least overrun that was found.
     Limit {
         /// Joint, from 0.
         joint: usize,
@@ -64,7 +64,7 @@ impl<'a> Arm<'a> {
         Some(Arm::with_step(setup.robot.as_ref()?, setup, step))
     }
 
-    /// With spins so far apart: searches over many poses look at fewer.
+    /// The arm of a setup with spins so far apart: searches over many poses look at fewer.
     pub fn with_step(robot: &'a Robot, setup: &'a Setup, step_deg: f64) -> Arm<'a> {
         let count = (360.0 / step_deg).round() as usize;
         let spins = (0..count).map(|k| (k as f64 * step_deg, about_beam(k as f64 * step_deg))).collect();

@@ -12,7 +12,7 @@ pub enum RobotError {
     /// Neither a shipped robot nor a file.
     #[error("{name:?} unknown")]
     Unknown {
-        /// What was asked for.
+        /// The name that was asked for.
         name: String,
         /// Keys of those there are.
         shipped: Vec<&'static str>,
@@ -25,7 +25,7 @@ pub enum RobotError {
     Figure {
         /// The file.
         file: String,
-        /// Which.
+        /// The figure, and what is wrong with it.
         what: Box<RobotFigureError>,
     },
 }
@@ -80,7 +80,7 @@ pub enum RobotFigureError {
     Dialect {
         /// What stands there.
         dialect: String,
-        /// Those there are.
+        /// Names of those there are.
         known: Vec<&'static str>,
     },
 }

@@ -51,13 +51,13 @@ pub struct Links {
 /// A link as a capsule in the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkCapsule {
-    /// Which.
+    /// The link.
     pub link: Link,
-    /// One end of its axis, mm.
+    /// Start of its axis, mm.
     pub from: Point3<f64>,
-    /// The other.
+    /// End of its axis, mm.
     pub to: Point3<f64>,
-    /// mm.
+    /// Radius, mm.
     pub radius_mm: f64,
 }
 

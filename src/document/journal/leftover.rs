@@ -1,8 +1,9 @@
 //! What programs that ended early have left in the journal: to show, to take over, or to discard.
 
+use super::error::JournalError;
+use super::recording::Journal;
 use super::slot::Slot;
 use super::state::State;
-use super::{Journal, JournalError};
 use crate::document::files;
 use crate::document::model::{Job, PartFile};
 use crate::document::undo::Document;
@@ -34,7 +35,7 @@ pub fn left_behind(folder: &Path) -> LeftBehind {
         Vec::new()
     });
     for number in numbers {
-        match look_at(folder, number) {
+        match unsaved_in_slot(folder, number) {
             Ok(leftover) => found.leftovers.extend(leftover),
             Err(e) => found.unreadable.push(e),
         }
@@ -43,7 +44,7 @@ pub fn left_behind(folder: &Path) -> LeftBehind {
     found
 }
 
-fn look_at(folder: &Path, number: u32) -> Result<Option<Leftover>, JournalError> {
+fn unsaved_in_slot(folder: &Path, number: u32) -> Result<Option<Leftover>, JournalError> {
     let Some(slot) = Slot::take(folder, number)? else { return Ok(None) };
     // Another window may have taken it over between listing and locking.
     let Some(state) = State::read(&slot)? else { return Ok(None) };
@@ -93,18 +94,17 @@ impl Leftover {
         Document::restored(saved, self.state.about.job_file.clone(), self.state.job.clone())
     }
 
-    /// The changes are those of a running window from now on: the journal goes on in their slot, so that
-    /// there is no moment at which they are not kept. Do this once the window shows [`Leftover::restored`];
+    /// Hands the changes over to a running window: its journal goes on in their slot, so that there is no moment at
+    /// which they are not kept. Do this once the window shows [`Leftover::restored`];
     /// what the journal kept until then is given up.
     ///
     /// # Errors
     /// What was kept until then cannot be removed; the changes are taken over all the same.
     pub fn take_over(self, journal: &mut Journal) -> Result<(), JournalError> {
-        let taken = Journal { slot: Some(self.slot), written: Some(self.state) };
-        std::mem::replace(journal, taken).clear()
+        std::mem::replace(journal, Journal::taken_over(self.slot, self.state)).clear()
     }
 
-    /// The operator does not want them.
+    /// Removes the changes for good, as the operator does not want them.
     ///
     /// # Errors
     /// They cannot be removed.
@@ -112,7 +112,7 @@ impl Leftover {
         self.slot.clear()
     }
 
-    /// Whether the file holds all of it: the program ended between saving and clearing the journal.
+    /// Whether the job's file holds all changes: the program ended between saving and clearing the journal.
     fn is_saved(&self) -> bool {
         let Some(saved) = self.job_file().and_then(|f| files::read(f).ok()) else { return false };
         let mut job = self.state.job.clone();

@@ -5,7 +5,7 @@
 //! remove one would let two owners lock two files of one name. Slots are used again, so there are no
 //! more of them than there have ever been windows and states at once.
 
-use super::JournalError;
+use super::error::JournalError;
 use std::ffi::OsStr;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind;
@@ -21,7 +21,7 @@ pub(super) struct Slot {
 }
 
 impl Slot {
-    /// The first slot that nobody owns and that has no state.
+    /// Takes the first slot that nobody owns and that has no state, in a folder, which is made.
     pub(super) fn take_free(folder: &Path) -> Result<Slot, JournalError> {
         std::fs::create_dir_all(folder)
             .map_err(|source| JournalError::Folder { folder: folder.to_path_buf(), source })?;
@@ -40,29 +40,29 @@ impl Slot {
         }
     }
 
-    /// Owns a slot; `None` where somebody does already.
+    /// Takes a slot by its number; `None` where somebody owns it already.
     pub(super) fn take(folder: &Path, number: u32) -> Result<Option<Slot>, JournalError> {
-        let wrong = |source| JournalError::Folder { folder: folder.to_path_buf(), source };
+        let unusable = |source| JournalError::Folder { folder: folder.to_path_buf(), source };
         let file = folder.join(format!("{number}.lock"));
-        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(file).map_err(wrong)?;
+        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(file).map_err(unusable)?;
         match lock.try_lock() {
             Ok(()) => Ok(Some(Slot { folder: folder.to_path_buf(), number, _lock: lock })),
             Err(TryLockError::WouldBlock) => Ok(None),
-            Err(TryLockError::Error(source)) => Err(wrong(source)),
+            Err(TryLockError::Error(source)) => Err(unusable(source)),
         }
     }
 
     /// Numbers of the slots that have a state, least first.
     pub(super) fn with_state(folder: &Path) -> Result<Vec<u32>, JournalError> {
-        let wrong = |source| JournalError::Folder { folder: folder.to_path_buf(), source };
+        let unusable = |source| JournalError::Folder { folder: folder.to_path_buf(), source };
         let entries = match std::fs::read_dir(folder) {
             Err(e) if e.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
-            entries => entries.map_err(wrong)?,
+            entries => entries.map_err(unusable)?,
         };
         let files = entries.map(|e| e.map(|e| PathBuf::from(e.file_name()))).collect::<Result<Vec<_>, _>>();
         let number =
             |f: &PathBuf| (f.extension()? == OsStr::new("toml")).then(|| f.file_stem()?.to_str()?.parse().ok());
-        let mut numbers: Vec<u32> = files.map_err(wrong)?.iter().filter_map(number).flatten().collect();
+        let mut numbers: Vec<u32> = files.map_err(unusable)?.iter().filter_map(number).flatten().collect();
         numbers.sort_unstable();
         Ok(numbers)
     }
@@ -72,7 +72,7 @@ impl Slot {
         state_file(&self.folder, self.number)
     }
 
-    /// Its state; `None` where there is none.
+    /// Bytes of its state; `None` where there is none.
     pub(super) fn read(&self) -> std::io::Result<Option<Vec<u8>>> {
         match std::fs::read(self.state_file()) {
             Err(e) if e.kind() == ErrorKind::NotFound => Ok(None),

@@ -1,11 +1,12 @@
 //! What the journal keeps of a document, as text: a line that says whose it is, and the job below it.
 //! The line is a comment, so that the file by itself is a job that can be looked at and opened.
 
-use super::JournalError;
+use super::error::{JournalError, StateError};
 use super::slot::Slot;
+use crate::document::files::save::JobFile;
 use crate::document::files::{self, JobError};
+use crate::document::job_file;
 use crate::document::model::Job;
-use crate::document::save::JobFile;
 use crate::document::undo::Document;
 use crate::part::digest_of;
 use serde::{Deserialize, Serialize};
@@ -46,44 +47,49 @@ impl State {
             Some(_) => document.job().clone(),
             None => files::with_whole_paths(document.job())?,
         };
-        let beside = job_file.as_ref().map(|f| f.path.as_path());
+        let job_path = job_file.as_ref().map(|f| f.path.as_path());
         let part_file = match job.part.file.as_str() {
             "" => PathBuf::new(),
             // A part that is gone for a moment is still the one that the job names.
-            named => files::whole(&files::part_file(&job, beside).unwrap_or_else(|_| files::beside(beside, named)))?,
+            named => {
+                let file = files::part_file(&job, job_path).unwrap_or_else(|_| files::resolved(job_path, named));
+                files::whole(&file)?
+            }
         };
         let edited_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |t| t.as_secs());
         let about = About { edited_s, job_file, part_file, text_sha256: String::new() };
         Ok(State { about, job })
     }
 
-    /// Whether they differ in time at most.
-    pub(super) fn tells_the_same(&self, other: &State) -> bool {
-        let told = |s: &State| (s.about.job_file.clone(), s.about.part_file.clone());
-        told(self) == told(other) && self.job == other.job
+    /// Whether two states differ in the time of the last edit at most.
+    pub(super) fn differs_in_time_at_most(&self, other: &State) -> bool {
+        let files = |s: &State| (s.about.job_file.clone(), s.about.part_file.clone());
+        files(self) == files(other) && self.job == other.job
     }
 
     /// The state as text.
     pub(super) fn to_text(&self) -> Result<String, JournalError> {
         let job = files::to_toml(&self.job)?;
         let about = About { text_sha256: digest_of(job.as_bytes()), ..self.about.clone() };
-        let about = serde_json::to_string(&about).map_err(|e| JournalError::Name { what: e.to_string() })?;
+        let about = serde_json::to_string(&about).map_err(JournalError::Name)?;
         Ok(format!("{MARK}{about}\n{job}"))
     }
 
     /// The state of a slot; `None` where there is none.
     pub(super) fn read(slot: &Slot) -> Result<Option<State>, JournalError> {
-        let wrong = |why: String| JournalError::Unreadable { file: slot.state_file(), why };
-        let Some(bytes) = slot.read().map_err(|e| wrong(e.to_string()))? else { return Ok(None) };
-        let text = str::from_utf8(&bytes).map_err(|e| wrong(e.to_string()))?;
-        let parts = text.strip_prefix(MARK).and_then(|t| t.split_once('\n'));
-        let (about, job) = parts.ok_or_else(|| wrong("its first line does not say whose it is".into()))?;
-        let mut about: About = serde_json::from_str(about).map_err(|e| wrong(format!("first line: {e}")))?;
+        let unreadable = |source| JournalError::Unreadable { file: slot.state_file(), source };
+        let bytes = slot.read().map_err(|e| unreadable(e.into()))?;
+        bytes.map(|bytes| State::from_bytes(&bytes).map_err(unreadable)).transpose()
+    }
+
+    fn from_bytes(bytes: &[u8]) -> Result<State, StateError> {
+        let parts = std::str::from_utf8(bytes)?.strip_prefix(MARK).and_then(|t| t.split_once('\n'));
+        let (about, job) = parts.ok_or(StateError::NoOwner)?;
+        let mut about: About = serde_json::from_str(about)?;
         if std::mem::take(&mut about.text_sha256) != digest_of(job.as_bytes()) {
-            return Err(wrong("it is not as it was written".into()));
+            return Err(StateError::Damaged);
         }
-        let job = files::from_bytes(job.as_bytes(), "the job").map_err(|e| wrong(e.to_string()))?;
-        Ok(Some(State { about, job }))
+        Ok(State { about, job: job_file::parse(job)? })
     }
 }
 

@@ -25,7 +25,7 @@ pub(super) fn put(
 ) -> Result<Vec<String>, ExportError> {
     progress.check()?;
     let is_new = !dir.exists();
-    std::fs::create_dir_all(dir).map_err(|e| JobError::write(dir, &e))?;
+    std::fs::create_dir_all(dir).map_err(|e| JobError::write(dir, e))?;
     let folder = ExportFolder::open(dir)?;
     recover(&folder, (reads_job, overwrite))?;
     let intent = intended(&folder, files, of, (reads_job, overwrite))?;

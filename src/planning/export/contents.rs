@@ -16,6 +16,7 @@ use crate::planning::plan::Plan;
 use crate::planning::report::{FileDigest, PlanFinding, Report, WrittenFiles};
 use crate::program::Wording;
 use crate::progress::{Activity, Progress};
+use std::path::Path;
 
 /// The job as it was exported.
 pub(super) const JOB: &str = "job.toml";
@@ -116,8 +117,7 @@ pub(super) fn names_ahead(job: &Job, setup: &Setup) -> Vec<String> {
 }
 
 fn json(report: &Report) -> Result<Vec<u8>, JobError> {
-    let mut json = serde_json::to_vec_pretty(report)
-        .map_err(|e| JobError::Write { what: format!("the report cannot be written: {e}") })?;
+    let mut json = serde_json::to_vec_pretty(report).map_err(|e| JobError::write(Path::new(REPORT), e.into()))?;
     json.push(b'\n');
     Ok(json)
 }

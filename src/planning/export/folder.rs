@@ -125,7 +125,7 @@ impl ExportFolder {
             file.write_all(bytes)?;
             file.sync_all()
         };
-        attempt().map_err(|e| JobError::write(&self.path.join(name), &e))
+        attempt().map_err(|e| JobError::write(&self.path.join(name), e))
     }
 
     /// Puts what is staged for a name in its place, over what stands there.
@@ -134,7 +134,7 @@ impl ExportFolder {
     /// It cannot be written.
     pub(super) fn place(&self, name: &str) -> Result<(), JobError> {
         let to = self.path.join(name);
-        fs::rename(self.path.join(staged(name)), &to).map_err(|e| JobError::write(&to, &e))
+        fs::rename(self.path.join(staged(name)), &to).map_err(|e| JobError::write(&to, e))
     }
 
     /// Removes a file, if it is there.
@@ -144,9 +144,7 @@ impl ExportFolder {
     pub(super) fn remove(&self, name: &str) -> Result<(), JobError> {
         let file = self.path.join(name);
         match fs::remove_file(&file) {
-            Err(e) if e.kind() != ErrorKind::NotFound => Err(JobError::Write {
-                what: format!("{}: cannot be removed: {e}; choose another folder", file.display()),
-            }),
+            Err(source) if source.kind() != ErrorKind::NotFound => Err(JobError::Remove { file, source }),
             _ => Ok(()),
         }
     }

@@ -108,8 +108,8 @@ impl ExportIntent {
                 None => Ok(()),
             },
             CommitStep::Declare => {
-                let json = serde_json::to_vec_pretty(self)
-                    .map_err(|e| JobError::Write { what: format!("what is intended cannot be written: {e}") })?;
+                let json = serde_json::to_vec_pretty(self);
+                let json = json.map_err(|e| JobError::write(&folder.path().join(INTENT), e.into()))?;
                 folder.stage(INTENT, &json)?;
                 folder.place(INTENT)
             }

@@ -117,7 +117,13 @@ impl Drive<'_> {
     }
 
     /// Pieces that nothing leads to, or from.
-    fn closed(&self, space: &Space<'_>, ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Vec<LitRange> {
+    fn closed(
+        &self,
+        space: &Space<'_>,
+        ranges: &[LitRange],
+        whole: &[DrivenPiece],
+        ways: &WaysBetween,
+    ) -> Vec<LitRange> {
         let mut out = Vec::new();
         for (i, _) in ways.iter().enumerate().take(ranges.len()).filter(|(_, way)| way.is_none()) {
             // Home is on every way that is tried last: the piece that has none to it is in a pocket.

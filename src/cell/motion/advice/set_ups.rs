@@ -25,7 +25,7 @@ pub struct BetterSetup {
     pub base_from_laser: Frame,
     /// The sample: path frames in the part.
     pub sample: Vec<Isometry3<f64>>,
-    /// Which of the sample are possible with them.
+    /// Which of the sample are possible with these frames.
     pub possible: Vec<bool>,
 }
 

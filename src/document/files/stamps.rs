@@ -1,9 +1,9 @@
-//! The files beside the part that a job is made of: cell, robot, head, and what stands in the way. Whether they have
-//! changed since they were read is told by their time and size.
+//! Whether files have changed since they were read, told by their time and size: the part's, and those of cell, robot,
+//! head and obstacles that a job names.
 
-use super::files::beside;
-use super::model::Job;
+use super::paths::resolved;
 use crate::cell::{Cell, Robot};
+use crate::document::model::Job;
 use std::fs::metadata;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -22,15 +22,16 @@ pub fn stamp_of(file: &Path) -> Stamp {
 pub struct Stamps(Vec<(PathBuf, Stamp)>);
 
 impl Stamps {
-    /// Those of a job in its file; `cell` is the one that it names, if that can be read.
+    /// Those of all files but the part's that a job in `job_file` names; `cell` is the one that it names, if that can be
+    /// read.
     pub fn of(job: &Job, job_file: Option<&Path>, cell: Option<&Cell>) -> Stamps {
-        let own_robot = Some(&job.cell.robot).filter(|r| !Robot::is_shipped(r));
-        let named = [Some(&job.cell.file), Some(&job.beam.head), own_robot];
+        let robot_file = Some(&job.cell.robot).filter(|r| !Robot::is_shipped(r));
+        let named = [Some(&job.cell.file), Some(&job.beam.head), robot_file];
         let named = named.into_iter().flatten().chain(job.clamps.iter().map(|c| &c.file));
-        let mut files: Vec<PathBuf> = named.filter(|f| !f.is_empty()).map(|f| beside(job_file, f)).collect();
-        let cell_file = beside(job_file, &job.cell.file);
+        let mut files: Vec<PathBuf> = named.filter(|f| !f.is_empty()).map(|f| resolved(job_file, f)).collect();
+        let cell_file = resolved(job_file, &job.cell.file);
         let obstacles = cell.into_iter().flat_map(|c| &c.bodies.obstacles);
-        files.extend(obstacles.map(|o| beside(Some(&cell_file), &o.file)));
+        files.extend(obstacles.map(|o| resolved(Some(&cell_file), &o.file)));
         Stamps(files.into_iter().map(|file| (file.clone(), stamp_of(&file))).collect())
     }
 

@@ -3,61 +3,29 @@
 //!
 //! What a file of an older version means is told in `version`.
 
+mod error;
+mod tables;
+mod version;
+
+pub use error::JobFileError;
+pub use version::WRITTEN;
+
 use super::chosen::Chosen;
-use super::model::{
-    BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceParameters,
-};
+use super::model::{BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceTable};
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
-use super::start_from::StartFrom;
-use super::version;
 use crate::beam::{Obstacle, Optics};
-use crate::part::{SurfaceEdit, SurfaceId};
-use crate::pose::tilt::Side;
-use crate::pose::{Pin, Tilt, TiltRule};
+use crate::part::SurfaceId;
+use crate::pose::{Pin, TiltRule};
 use crate::process::DoseParameters;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::collections::{BTreeMap, BTreeSet};
-use thiserror::Error;
-
-/// Why a text is no job.
-#[derive(Debug, Error)]
-pub enum JobFileError {
-    /// It is no TOML, or has a key or value that no job has.
-    #[error("{0}")]
-    Toml(#[from] toml::de::Error),
-    /// It is of a version that is not known yet.
-    #[error(
-        "version = {0}: the job was made by a later clearbeam, and this one knows jobs up to version {known}; \
-         open it with a newer clearbeam",
-        known = version::WRITTEN
-    )]
-    Later(i64),
-    /// There is no such version.
-    #[error("version = {0}: give {known}, or leave the line out for a job of version 1", known = version::WRITTEN)]
-    NoVersion(String),
-    /// A list names a surface twice.
-    #[error("{key}: surface {surface} stands twice in the list; name it once")]
-    Twice {
-        /// Key of the list.
-        key: &'static str,
-        /// The surface.
-        surface: SurfaceId,
-    },
-    /// A key that should be the number of a surface is none.
-    #[error("{key}: {text:?} is no surface number; give a number like 4")]
-    NoNumber {
-        /// Key of the table.
-        key: &'static str,
-        /// What stands there.
-        text: String,
-    },
-}
+use tables::{CleanTable, PinRow, StartRow, TiltRow};
 
 /// A job as its file has it, in the order of the file.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub(super) struct JobFile {
+struct JobTables {
     version: i64,
     part: PartFile,
     surfaces: SurfaceTable,
@@ -83,75 +51,15 @@ pub(super) struct JobFile {
     starts: Vec<StartRow>,
 }
 
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct SurfaceTable {
-    angle_deg: f64,
-    min_area_mm2: f64,
-    hysteresis_deg: f64,
-    flipped: Vec<SurfaceId>,
-    names: BTreeMap<String, String>,
-    edits: Vec<SurfaceEdit>,
+/// The job that the bytes of a file hold.
+///
+/// # Errors
+/// They are no job (with line and column).
+pub fn from_bytes(bytes: &[u8]) -> Result<Job, JobFileError> {
+    parse(std::str::from_utf8(bytes)?)
 }
 
-impl Default for SurfaceTable {
-    fn default() -> Self {
-        SurfaceTable::new(&SurfaceParameters::default(), &Settings::default())
-    }
-}
-
-impl SurfaceTable {
-    fn new(parameters: &SurfaceParameters, settings: &Settings) -> SurfaceTable {
-        let named = settings.iter().filter(|(_, s)| !s.name.is_empty());
-        SurfaceTable {
-            angle_deg: parameters.angle_deg,
-            min_area_mm2: parameters.min_area_mm2,
-            hysteresis_deg: parameters.hysteresis_deg,
-            flipped: settings.having(|s| s.flipped),
-            names: named.map(|(id, s)| (id.to_string(), s.name.clone())).collect(),
-            edits: parameters.edits.clone(),
-        }
-    }
-}
-
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct CleanTable {
-    surfaces: Chosen,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    later: Vec<SurfaceId>,
-}
-
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct TiltRow {
-    surface: SurfaceId,
-    preferred: Tilt,
-    least_deg: f64,
-    forbidden: Vec<Side>,
-}
-
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct PinRow {
-    surface: SurfaceId,
-    line: u32,
-    at_mm: f64,
-    tilt: Tilt,
-}
-
-/// Where the lines of one surface start.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StartRow {
-    surface: SurfaceId,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    border: Option<StartFrom>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    centre_mm: Option<[f64; 3]>,
-}
-
-/// Reads a job.
+/// The job that a text holds.
 ///
 /// # Errors
 /// Where in the text what is wrong.
@@ -159,7 +67,7 @@ pub fn parse(text: &str) -> Result<Job, JobFileError> {
     let table: toml::Table = toml::from_str(text)?;
     version::of(&table)?;
     // The text knows its lines, which the table does not.
-    toml::from_str::<JobFile>(text)?;
+    toml::from_str::<JobTables>(text)?;
     Job::try_from(table)
 }
 
@@ -168,18 +76,12 @@ impl TryFrom<toml::Table> for Job {
 
     fn try_from(mut table: toml::Table) -> Result<Job, JobFileError> {
         let version = version::of(&table)?;
-        version::grant(version, &mut table)?;
-        let file: JobFile = table.try_into()?;
+        version::fill_defaults(version, &mut table)?;
+        let file: JobTables = table.try_into()?;
         let settings = file.settings(version)?;
-        let s = file.surfaces;
         Ok(Job {
             part: file.part,
-            surfaces: SurfaceParameters {
-                angle_deg: s.angle_deg,
-                min_area_mm2: s.min_area_mm2,
-                hysteresis_deg: s.hysteresis_deg,
-                edits: s.edits,
-            },
+            surfaces: file.surfaces.into_parameters(),
             settings,
             layers: file.layers,
             beam: file.beam,
@@ -194,11 +96,24 @@ impl TryFrom<toml::Table> for Job {
     }
 }
 
-impl JobFile {
-    /// The lists by surface. In a job of version 1 a second rule for a surface is passed over, as it always was.
+impl<'de> Deserialize<'de> for Job {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        Job::try_from(toml::Table::deserialize(d)?).map_err(D::Error::custom)
+    }
+}
+
+impl Serialize for Job {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        JobTables::from(self.clone()).serialize(s)
+    }
+}
+
+impl JobTables {
+    /// What the lists say, by surface. In a job of version 1 a second tilt rule for a surface is passed over, as it
+    /// always was.
     fn settings(&self, version: i64) -> Result<Settings, JobFileError> {
         let mut of: BTreeMap<SurfaceId, SurfaceSettings> = BTreeMap::new();
-        if let Some(surface) = self.clean.surfaces.twice() {
+        if let Some(surface) = self.clean.surfaces.repeated() {
             return Err(JobFileError::Twice { key: "clean.surfaces", surface });
         }
         if let Chosen::These(list) = &self.clean.surfaces {
@@ -229,8 +144,8 @@ impl JobFile {
             if !started.insert(s.surface) {
                 return Err(JobFileError::Twice { key: "starts", surface: s.surface });
             }
-            let own = of.entry(s.surface).or_default();
-            (own.border, own.centre_mm) = (s.border, s.centre_mm);
+            let settings = of.entry(s.surface).or_default();
+            (settings.border, settings.centre_mm) = (s.border, s.centre_mm);
         }
         Ok(Settings::new(self.clean.surfaces == Chosen::All, of))
     }
@@ -242,17 +157,17 @@ fn id_of(key: &'static str, text: &str) -> Result<SurfaceId, JobFileError> {
     number.map(SurfaceId).ok_or_else(|| JobFileError::NoNumber { key, text: text.into() })
 }
 
-impl From<Job> for JobFile {
-    fn from(job: Job) -> JobFile {
+impl From<Job> for JobTables {
+    fn from(job: Job) -> JobTables {
         let all = &job.settings;
-        let silent = TiltRule::default();
-        let tilts = all.iter().filter(|(_, s)| s.tilt != silent).map(|(surface, s)| {
+        let free = TiltRule::default();
+        let tilts = all.iter().filter(|(_, s)| s.tilt != free).map(|(surface, s)| {
             let TiltRule { preferred, least_deg, forbidden } = s.tilt.clone();
             TiltRow { surface, preferred, least_deg, forbidden }
         });
         let pin = |surface, p: &Pin| PinRow { surface, line: p.line, at_mm: p.at_mm, tilt: p.tilt };
         let starts = all.iter().filter(|(_, s)| s.border.is_some() || s.centre_mm.is_some());
-        JobFile {
+        JobTables {
             version: version::WRITTEN,
             surfaces: SurfaceTable::new(&job.surfaces, all),
             clean: CleanTable { surfaces: all.choice(), later: all.having(|s| s.later) },
@@ -278,20 +193,34 @@ impl From<Job> for JobFile {
 mod tests {
     use super::*;
 
-    fn refused(text: &str, said: &[&str]) {
-        let why = parse(text).expect_err(text).to_string();
-        assert!(said.iter().all(|part| why.contains(part)), "{text}: {why}");
+    /// Why a text is no job, which serde finds as well.
+    pub(super) fn refusal(text: &str) -> JobFileError {
         assert!(toml::from_str::<Job>(text).is_err(), "{text}");
+        parse(text).expect_err(text)
     }
 
     #[test]
     fn what_is_wrong_is_named() {
-        refused("[layers]\nspaceing_mm = 2", &["line 2", "spaceing_mm"]);
-        refused("[clean]\nsurfaces = [4, 1, 4]", &["clean.surfaces", "surface 4 stands twice", "name it once"]);
-        refused("[surfaces.names]\nfour = \"Rim\"", &["surfaces.names", "\"four\"", "give a number"]);
-        refused("[recipe_of]\n04 = \"Fine\"", &["recipe_of", "\"04\""]);
-        refused("[[starts]]\nsurface = 1\n[[starts]]\nsurface = 1", &["starts: surface 1 stands twice"]);
-        refused("[[starts]]\nborder = 1", &["line 1", "surface"]);
-        refused("[[starts]]\nsurface = 1\nborder = \"all\"", &["line 3", "whole outline"]);
+        use JobFileError::{NoNumber, Toml, Twice};
+        let toml = |text: &str, line: &str, word: &str| match refusal(text) {
+            Toml(e) => assert!(e.to_string().contains(line) && e.to_string().contains(word), "{text}: {e}"),
+            other => panic!("{text}: {other:?}"),
+        };
+        toml("[layers]\nspaceing_mm = 2", "line 2", "spaceing_mm");
+        toml("[[starts]]\nborder = 1", "line 1", "surface");
+        toml("[[starts]]\nsurface = 1\nborder = \"all\"", "line 3", "whole outline");
+        let twice = |list: &str, number| {
+            let why = refusal(list);
+            assert!(matches!(why, Twice { surface: SurfaceId(n), .. } if n == number), "{list}: {why:?}");
+            why
+        };
+        let why = twice("[clean]\nsurfaces = [4, 1, 4]", 4);
+        assert!(matches!(why, Twice { key: "clean.surfaces", .. }), "{why:?}");
+        let why = twice("[[starts]]\nsurface = 1\n[[starts]]\nsurface = 1", 1);
+        assert!(matches!(why, Twice { key: "starts", .. }), "{why:?}");
+        let why = refusal("[surfaces.names]\nfour = \"Rim\"");
+        assert!(matches!(&why, NoNumber { key: "surfaces.names", text } if text == "four"), "{why:?}");
+        let why = refusal("[recipe_of]\n04 = \"Fine\"");
+        assert!(matches!(&why, NoNumber { key: "recipe_of", text } if text == "04"), "{why:?}");
     }
 }

@@ -1,33 +1,35 @@
 //! Recipes that outlive a job: shipped ones, and those that the user keeps in a folder, a file each.
 
-use super::files::{JobError, write_atomic};
+mod error;
+mod recipe_file;
+
+pub use error::{BrokenRecipe, LibraryError, RecipeFileError};
+
+use super::files::write_atomic;
 use super::recipe::Recipe;
+use recipe_file::{checked, free_file};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use thiserror::Error;
 
 /// The shipped recipes.
 const SHIPPED: [&str; 4] = [
-    include_str!("../../assets/recipes/cleaning.toml"),
-    include_str!("../../assets/recipes/layers.toml"),
-    include_str!("../../assets/recipes/remanufacturing.toml"),
-    include_str!("../../assets/recipes/grinding.toml"),
+    include_str!("../../../assets/recipes/cleaning.toml"),
+    include_str!("../../../assets/recipes/layers.toml"),
+    include_str!("../../../assets/recipes/remanufacturing.toml"),
+    include_str!("../../../assets/recipes/grinding.toml"),
 ];
 
-/// Files longer than this are no recipes, bytes.
-const LONGEST: u64 = 100_000;
-
 /// The recipes at hand beside those of a job.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Library {
     /// Where the user's are kept; `None`: nowhere.
     folder: Option<PathBuf>,
     /// Shipped ones.
     pub shipped: Vec<Recipe>,
-    /// The user's, by file name.
-    pub own: Vec<(PathBuf, Recipe)>,
-    /// Files of the folder that are no recipes: which, why, what to do.
-    pub broken: Vec<String>,
+    /// The user's with their files, by file name.
+    pub kept: Vec<(PathBuf, Recipe)>,
+    /// Files of the folder that are no recipes.
+    pub broken: Vec<BrokenRecipe>,
 }
 
 /// A recipe that was taken out of the library, and can come back.
@@ -41,53 +43,11 @@ pub struct Forgotten {
 
 impl Forgotten {
     /// Where the file is now: not removed, under a name that no library reads.
-    fn put_away(&self) -> PathBuf {
+    fn removed_file(&self) -> PathBuf {
         let mut name: OsString = self.file.clone().into();
         name.push(".removed");
         name.into()
     }
-}
-
-/// Why the library cannot be changed.
-#[derive(Debug, Error)]
-pub enum LibraryError {
-    /// There is nowhere to keep recipes.
-    #[error("no folder for recipes is known: set HOME")]
-    NoFolder,
-    /// The folder cannot be made.
-    #[error("{}: cannot be made: {source}; choose another HOME", .folder.display())]
-    Folder {
-        /// The folder.
-        folder: PathBuf,
-        /// What the system said.
-        source: std::io::Error,
-    },
-    /// The recipe is not fit to be kept.
-    #[error("{0}")]
-    Recipe(String),
-    /// Its file cannot be written.
-    #[error(transparent)]
-    Write(#[from] JobError),
-    /// There is no recipe of that name among the user's.
-    #[error("there is no recipe {name:?} among your own")]
-    Unknown {
-        /// The name.
-        name: String,
-    },
-    /// Its file cannot be put away, or back.
-    #[error("{}: cannot be renamed: {source}; look at who may write there", .file.display())]
-    Rename {
-        /// The file.
-        file: PathBuf,
-        /// What the system said.
-        source: std::io::Error,
-    },
-    /// Meanwhile another recipe has its place.
-    #[error("recipe {name:?} cannot come back: there is another in its place; rename or remove that first")]
-    Taken {
-        /// The name.
-        name: String,
-    },
 }
 
 impl Library {
@@ -110,13 +70,13 @@ impl Library {
     /// What is wrong with it, or why its file cannot be written.
     pub fn keep(&mut self, recipe: &Recipe) -> Result<PathBuf, LibraryError> {
         let recipe = recipe.without_places();
-        checked(&recipe).map_err(LibraryError::Recipe)?;
+        checked(&recipe)?;
         let folder = self.folder.clone().ok_or(LibraryError::NoFolder)?;
         std::fs::create_dir_all(&folder).map_err(|source| LibraryError::Folder { folder: folder.clone(), source })?;
-        let known = self.own.iter().find(|(_, r)| r.name == recipe.name).map(|(file, _)| file.clone());
+        let known = self.kept.iter().find(|(_, r)| r.name == recipe.name).map(|(file, _)| file.clone());
         let file = known.unwrap_or_else(|| free_file(&folder, &recipe.name));
-        let text = toml::to_string(&recipe)
-            .map_err(|e| LibraryError::Recipe(format!("recipe {:?}: cannot be written: {e}", recipe.name)))?;
+        let unwritable = |source| LibraryError::Unwritable { name: recipe.name.clone(), source };
+        let text = toml::to_string(&recipe).map_err(unwritable)?;
         write_atomic(&file, text.as_bytes())?;
         self.read_folder();
         Ok(file)
@@ -128,10 +88,10 @@ impl Library {
     /// # Errors
     /// It is none of the user's, or its file cannot be renamed.
     pub fn forget(&mut self, name: &str) -> Result<Forgotten, LibraryError> {
-        let found = self.own.iter().find(|(_, r)| r.name == name);
+        let found = self.kept.iter().find(|(_, r)| r.name == name);
         let (file, recipe) = found.cloned().ok_or_else(|| LibraryError::Unknown { name: name.to_owned() })?;
         let forgotten = Forgotten { recipe, file };
-        rename(&forgotten.file, &forgotten.put_away())?;
+        rename(&forgotten.file, &forgotten.removed_file())?;
         self.read_folder();
         Ok(forgotten)
     }
@@ -143,29 +103,34 @@ impl Library {
     pub fn bring_back(&mut self, forgotten: &Forgotten) -> Result<(), LibraryError> {
         let name = &forgotten.recipe.name;
         self.read_folder();
-        if forgotten.file.exists() || self.own.iter().any(|(_, r)| r.name == *name) {
+        if forgotten.file.exists() || self.kept.iter().any(|(_, r)| r.name == *name) {
             return Err(LibraryError::Taken { name: name.clone() });
         }
-        rename(&forgotten.put_away(), &forgotten.file)?;
+        rename(&forgotten.removed_file(), &forgotten.file)?;
         self.read_folder();
         Ok(())
     }
 
     fn read_folder(&mut self) {
-        (self.own, self.broken) = (Vec::new(), Vec::new());
+        (self.kept, self.broken) = (Vec::new(), Vec::new());
         let entries = self.folder.iter().filter_map(|f| std::fs::read_dir(f).ok()).flatten().filter_map(Result::ok);
         let is_toml = |p: &PathBuf| p.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
         let mut files: Vec<PathBuf> = entries.map(|e| e.path()).filter(is_toml).collect();
         files.sort();
         for file in files {
-            let taken = |recipe: Recipe| match self.own.iter().find(|(_, r)| r.name == recipe.name) {
-                Some((other, _)) => Err(format!("its name {:?} is that of {} too", recipe.name, other.display())),
-                None => Ok(recipe),
-            };
-            match read(&file).and_then(taken) {
-                Ok(recipe) => self.own.push((file, recipe)),
-                Err(why) => self.broken.push(format!("{}: {why}; mend or remove the file", file.display())),
+            match self.read_new(&file) {
+                Ok(recipe) => self.kept.push((file, recipe)),
+                Err(why) => self.broken.push(BrokenRecipe { file, why }),
             }
+        }
+    }
+
+    /// Reads a file whose recipe has a name that no other has.
+    fn read_new(&self, file: &Path) -> Result<Recipe, RecipeFileError> {
+        let recipe = recipe_file::read(file)?;
+        match self.kept.iter().find(|(_, r)| r.name == recipe.name) {
+            Some((other, _)) => Err(RecipeFileError::NameTaken { name: recipe.name, other: other.clone() }),
+            None => Ok(recipe),
         }
     }
 }
@@ -174,41 +139,11 @@ fn rename(from: &Path, to: &Path) -> Result<(), LibraryError> {
     std::fs::rename(from, to).map_err(|source| LibraryError::Rename { file: from.to_path_buf(), source })
 }
 
-/// Reads one file.
-fn read(file: &Path) -> Result<Recipe, String> {
-    let length = std::fs::metadata(file).map_err(|e| format!("cannot be read: {e}"))?.len();
-    if length > LONGEST {
-        return Err(format!("{length} bytes are more than a recipe can have"));
-    }
-    let text = std::fs::read_to_string(file).map_err(|e| format!("cannot be read: {e}"))?;
-    let recipe: Recipe = toml::from_str(&text).map_err(|e| e.to_string().trim_end().replace('\n', " "))?;
-    checked(&recipe)?;
-    Ok(recipe)
-}
-
-fn checked(recipe: &Recipe) -> Result<(), String> {
-    if recipe.name.trim().is_empty() {
-        return Err("the recipe has no name".into());
-    }
-    recipe.check()
-}
-
-/// A file that is not there yet, named after a recipe.
-fn free_file(folder: &Path, name: &str) -> PathBuf {
-    let plain = |c: char| if c.is_alphanumeric() { c } else { '-' };
-    let stem: String = name.trim().to_lowercase().chars().map(plain).take(60).collect();
-    let named = |k: u32| match k {
-        // Never alone: `con` and `nul` are no file names on every system.
-        1 => folder.join(format!("recipe-{stem}.toml")),
-        _ => folder.join(format!("recipe-{stem}-{k}.toml")),
-    };
-    (1..).map(named).find(|f| !f.exists()).unwrap_or_else(|| named(1))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::document::StartFrom;
+    use crate::document::recipe::RecipeError;
     use crate::path::{Direction, Order, Strategy};
 
     fn full() -> Recipe {
@@ -230,7 +165,7 @@ mod tests {
         let library = Library::open(None);
         assert_eq!(library.shipped.len(), SHIPPED.len());
         for r in &library.shipped {
-            assert_eq!(checked(r), Ok(()));
+            assert!(checked(r).is_ok(), "{}", r.name);
             assert!(!r.note.is_empty() && !r.values.is_empty(), "{}", r.name);
         }
         let p2 = library.shipped[1].applied(&crate::document::Job::default());
@@ -242,18 +177,18 @@ mod tests {
         let home = tempfile::tempdir().expect("a folder");
         let folder = home.path().join("clearbeam/recipes");
         let mut library = Library::open(Some(folder.clone()));
-        assert!(library.own.is_empty() && library.broken.is_empty(), "no folder is no fault");
+        assert!(library.kept.is_empty() && library.broken.is_empty(), "no folder is no fault");
         let file = library.keep(&full()).expect("keeps");
         let again = Library::open(Some(folder.clone()));
-        assert_eq!(again.own, [(file.clone(), full().without_places())]);
+        assert_eq!(again.kept, [(file.clone(), full().without_places())]);
         // The same name is the same file; another that is spelt alike is not.
         library.keep(&Recipe { note: "slower".into(), ..full() }).expect("keeps");
-        assert_eq!(library.own.len(), 1);
+        assert_eq!(library.kept.len(), 1);
         let alike = Recipe { name: "Dichtfläche - fein".into(), ..full() };
         assert_ne!(library.keep(&alike).expect("keeps"), file);
-        assert_eq!(library.own.len(), 2);
+        assert_eq!(library.kept.len(), 2);
         library.forget("Dichtfläche / fein").expect("removes");
-        assert_eq!(Library::open(Some(folder)).own[0].1.name, alike.name);
+        assert_eq!(Library::open(Some(folder)).kept[0].1.name, alike.name);
     }
 
     #[test]
@@ -265,21 +200,21 @@ mod tests {
         std::fs::write(&file, &text).expect("writes");
         let forgotten = library.forget(&full().name).expect("forgets");
         assert_eq!(forgotten.recipe, full().without_places());
-        assert!(library.own.is_empty() && library.broken.is_empty() && !file.exists());
+        assert!(library.kept.is_empty() && library.broken.is_empty() && !file.exists());
         assert!(matches!(library.forget(&full().name), Err(LibraryError::Unknown { .. })));
         library.bring_back(&forgotten).expect("comes back");
-        assert_eq!(library.own, [(file.clone(), full().without_places())]);
+        assert_eq!(library.kept, [(file.clone(), full().without_places())]);
         assert_eq!(std::fs::read_to_string(&file).expect("reads"), text);
         // Another that has its place meanwhile stays.
         let forgotten = library.forget(&full().name).expect("forgets");
         let other = Recipe { note: "another".into(), ..full() };
         library.keep(&other).expect("keeps");
         assert!(matches!(library.bring_back(&forgotten), Err(LibraryError::Taken { .. })));
-        assert_eq!(library.own, [(file, other.without_places())]);
+        assert_eq!(library.kept, [(file, other.without_places())]);
     }
 
     #[test]
-    fn broken_files_are_said_and_skipped() {
+    fn broken_files_are_told_and_skipped() {
         let folder = tempfile::tempdir().expect("a folder");
         let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("writes");
         write("a.toml", "name = \"Good\"\n[values]\n\"beam.power_w\" = 300.0\n");
@@ -290,11 +225,23 @@ mod tests {
         write("f.toml", "[values]\n");
         write("notes.txt", "no recipe");
         let library = Library::open(Some(folder.path().to_path_buf()));
-        assert_eq!(library.own.len(), 1);
-        let said = ["b.toml: ", "a recipe can hold", "above 0", "is that of", "no name"];
-        assert_eq!(library.broken.len(), said.len());
-        for (line, part) in library.broken.iter().zip(said) {
-            assert!(line.contains(part) && line.ends_with("mend or remove the file"), "{line}");
-        }
+        assert_eq!(library.kept.len(), 1);
+        let broken: Vec<_> = library.broken.iter().map(|b| (b.file.clone(), &b.why)).collect();
+        let file = |name: &str| folder.path().join(name);
+        let [
+            (b, RecipeFileError::Toml(_)),
+            (c, RecipeFileError::Value(key)),
+            (d, RecipeFileError::Value(value)),
+            (e, taken),
+            (f, RecipeFileError::NoName),
+        ] = &broken[..]
+        else {
+            panic!("{broken:?}")
+        };
+        assert_eq!([b, c, d, e, f], ["b.toml", "c.toml", "d.toml", "e.toml", "f.toml"].map(file).each_ref());
+        assert!(matches!(key, RecipeError::NotForRecipes { key, .. } if key == "cell.deviation_mm"), "{key:?}");
+        assert!(matches!(value, RecipeError::Number { recipe, .. } if recipe == "Range"), "{value:?}");
+        let other = file("a.toml");
+        assert!(matches!(taken, RecipeFileError::NameTaken { name, other: of } if name == "Good" && *of == other));
     }
 }

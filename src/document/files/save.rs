@@ -1,8 +1,11 @@
-//! Saving a job: whole or not at all, never in silence over what somebody else has saved, and with the
+//! Opening and saving a job: whole or not at all, never in silence over what somebody else has saved, and with the
 //! save before kept beside it. Every save of a document comes through [`save`].
 
-use super::files::{self, JobError, rebased, to_toml, write_atomic};
-use super::model::Job;
+use super::atomic::write_atomic;
+use super::error::JobError;
+use super::paths::{rebased, whole};
+use crate::document::job_file;
+use crate::document::model::Job;
 use crate::file;
 use crate::part::digest_of;
 use serde::{Deserialize, Serialize};
@@ -58,10 +61,31 @@ impl JobFile {
 /// # Errors
 /// It cannot be read, or is no job (with line and column).
 pub fn open(path: &Path) -> Result<(Job, JobFile), JobError> {
-    let name = path.display().to_string();
     let bytes = file::bytes(path)?;
-    let job = files::from_bytes(&bytes, &name)?;
+    let no_job = |source| JobError::NoJob { file: path.display().to_string(), source };
+    let job = job_file::from_bytes(&bytes).map_err(no_job)?;
     Ok((job, JobFile { path: path.to_path_buf(), sha256: digest_of(&bytes) }))
+}
+
+/// Reads a job file.
+///
+/// # Errors
+/// It cannot be read, or is no job (with line and column).
+pub fn read(file: &Path) -> Result<Job, JobError> {
+    open(file).map(|(job, _)| job)
+}
+
+/// Whether a path names a job rather than a part.
+pub fn is_job(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml") || e.eq_ignore_ascii_case("clearbeam"))
+}
+
+/// The job as text.
+///
+/// # Errors
+/// Never, for jobs made here.
+pub fn to_toml(job: &Job) -> Result<String, JobError> {
+    toml::to_string(job).map_err(JobError::Unwritable)
 }
 
 /// Writes a job into a file; the job as its file has it, with paths seen from there. What stood there
@@ -75,9 +99,9 @@ pub fn open(path: &Path) -> Result<(Job, JobFile), JobError> {
 pub fn save(job: &Job, from: Option<&JobFile>, to: &Path, if_changed: IfChanged) -> Result<(Job, JobFile), JobError> {
     let job = rebased(job, from.map(|f| f.path.as_path()), to)?;
     let text = to_toml(&job)?;
-    if let Some(own) = from.filter(|f| is_same(&f.path, to))
+    if let Some(opened) = from.filter(|f| is_same_file(&f.path, to))
         && if_changed == IfChanged::Refuse
-        && own.state() == FileState::Changed
+        && opened.state() == FileState::Changed
     {
         return Err(JobError::ChangedOnDisk { file: to.display().to_string() });
     }
@@ -99,9 +123,9 @@ pub fn backup_of(file: &Path) -> PathBuf {
 }
 
 /// Whether two paths lead to one file.
-fn is_same(a: &Path, b: &Path) -> bool {
-    let whole = |p: &Path| std::fs::canonicalize(p).ok().or_else(|| files::whole(p).ok());
-    whole(a) == whole(b)
+fn is_same_file(a: &Path, b: &Path) -> bool {
+    let real = |p: &Path| std::fs::canonicalize(p).ok().or_else(|| whole(p).ok());
+    real(a) == real(b)
 }
 
 #[cfg(test)]
@@ -123,8 +147,8 @@ mod tests {
         let (_, second) = save(&worth(2.0), Some(&first), &to, IfChanged::Refuse).expect("saves");
         let (_, third) = save(&worth(2.0), Some(&second), &to, IfChanged::Refuse).expect("saves");
         assert_eq!(second, third);
-        assert_eq!(files::read(&to).expect("reads"), worth(2.0));
-        assert_eq!(files::read(&folder.path().join("a.toml.bak")).expect("reads"), worth(1.0));
+        assert_eq!(read(&to).expect("reads"), worth(2.0));
+        assert_eq!(read(&folder.path().join("a.toml.bak")).expect("reads"), worth(1.0));
     }
 
     #[test]
@@ -141,10 +165,10 @@ mod tests {
         std::fs::create_dir(folder.path().join("sub")).expect("makes");
         for same in [&to, &beside] {
             let refused = save(&worth(3.0), Some(&other), same, IfChanged::Refuse).expect_err("another has saved");
-            assert!(matches!(refused, JobError::ChangedOnDisk { .. }), "{refused}");
+            assert!(matches!(refused, JobError::ChangedOnDisk { .. }), "{refused:?}");
         }
         assert_eq!(std::fs::read(&to).expect("reads"), kept);
-        assert_eq!(files::read(&backup_of(&to)).expect("reads"), worth(1.0), "a refused save touches no backup");
+        assert_eq!(read(&backup_of(&to)).expect("reads"), worth(1.0), "a refused save touches no backup");
         let (_, told) = save(&worth(3.0), Some(&other), &to, IfChanged::Overwrite).expect("saves");
         assert_eq!((told.state(), std::fs::read(backup_of(&to)).expect("reads")), (FileState::AsOpened, kept));
     }

@@ -1,0 +1,87 @@
+### Steps of undo and redo: what stands behind *Undo* in the menu.
+
+step_restored = restore unsaved changes
+
+## Toolpath
+
+edit_parameter = change { $parameter }
+edit_direction = change direction
+edit_offset = change first offset
+edit_order = change order
+edit_strategy = change strategy
+edit_border = change border
+edit_centre = change spiral centre
+edit_inward = turn spiral
+edit_correction = change correction
+edit_bead = change bead
+edit_profile = change beam profile
+
+## Recipes
+
+edit_recipe = change recipe { $name }
+edit_remove_recipe = remove recipe { $name }
+edit_duplicate_recipe = duplicate recipe { $name }
+edit_rename_recipe = rename recipe { $name }
+edit_give_recipe = { $count ->
+    [one] give surface { $surface } recipe { $name }
+   *[other] give { $count } surfaces recipe { $name }
+}
+edit_take_recipe = { $count ->
+    [one] take recipe of surface { $surface } away
+   *[other] take recipe of { $count } surfaces away
+}
+
+## Surfaces
+
+edit_clean = { $count ->
+    [one] move surface { $surface } to clean
+   *[other] move { $count } surfaces to clean
+}
+edit_unclean = { $count ->
+    [one] move surface { $surface } back
+   *[other] move { $count } surfaces back
+}
+edit_shift = { $count ->
+    [one] move surface { $surface } in the order
+   *[other] move { $count } surfaces in the order
+}
+edit_reorder = change order of work
+edit_merge = { $count ->
+    [one] merge surface { $surface }
+   *[other] merge { $count } surfaces
+}
+edit_split = split surface { $surface }
+edit_cut = { $facets ->
+    [one] cut { $facets } facet off surface { $surface }
+   *[other] cut { $facets } facets off surface { $surface }
+}
+edit_put_aside = { $count ->
+    [one] put surface { $surface } aside
+   *[other] put { $count } surfaces aside
+}
+edit_take_back = { $count ->
+    [one] take surface { $surface } back
+   *[other] take { $count } surfaces back
+}
+edit_rename = rename surface { $surface }
+edit_surface_border = change border of surface { $surface }
+edit_surface_centre = change spiral centre of surface { $surface }
+edit_flip_surface = flip surface { $surface }
+edit_tilt = change tilt of surface { $surface }
+edit_pins = change pinned tilts of surface { $surface }
+
+## Part, cell and tool
+
+edit_flip_shell = flip shell { $shell }
+edit_place = place part
+edit_units = change unit
+edit_changed_part = use the changed part
+edit_cell = change cell
+edit_robot = change robot
+edit_mount = change mounting
+edit_frames = change set-up
+edit_dialect = change dialect
+edit_spin = change spin
+edit_no_head = take the head away
+edit_head = change head
+edit_clamps = change clamps

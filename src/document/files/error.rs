@@ -1,0 +1,92 @@
+//! Why a job cannot be opened or saved.
+
+use crate::beam::HeadError;
+use crate::cell::{CellError, RobotError};
+use crate::document::job_file::JobFileError;
+use crate::file::FileError;
+use crate::part::LoadError;
+use crate::pose::ToolBody;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Why a job, or a file that it names, cannot be read or written.
+#[derive(Debug, Error)]
+pub enum JobError {
+    /// The job file cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// It is no job.
+    #[error("{file}: no job")]
+    NoJob {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        source: JobFileError,
+    },
+    /// The part is not where the job says.
+    #[error("{file}: part gone")]
+    PartGone {
+        /// Where it was looked for.
+        file: String,
+    },
+    /// The part is another one now.
+    #[error("{file}: part changed")]
+    PartChanged {
+        /// The file.
+        file: String,
+    },
+    /// The part cannot be used.
+    #[error(transparent)]
+    Part(#[from] LoadError),
+    /// The cell cannot be used.
+    #[error(transparent)]
+    Cell(#[from] CellError),
+    /// The robot cannot be used.
+    #[error(transparent)]
+    Robot(#[from] RobotError),
+    /// The head cannot be used.
+    #[error(transparent)]
+    Head(#[from] HeadError),
+    /// The laser stands still, and an obstacle of the cell stands in its way.
+    #[error("{cell}: {obstacle} blocks the laser")]
+    LaserBlocked {
+        /// Name of the cell.
+        cell: String,
+        /// The obstacle's file.
+        obstacle: String,
+        /// What of the tool it touches.
+        by: ToolBody,
+    },
+    /// Somebody else has saved meanwhile.
+    #[error("{file}: changed on disk")]
+    ChangedOnDisk {
+        /// The job file.
+        file: String,
+    },
+    /// The job cannot be turned into TOML.
+    #[error("job not serialized")]
+    Unwritable(#[source] toml::ser::Error),
+    /// A file cannot be written.
+    #[error("{}: not written", .file.display())]
+    Write {
+        /// The file.
+        file: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A file cannot be removed.
+    #[error("{}: not removed", .file.display())]
+    Remove {
+        /// The file.
+        file: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+}
+
+impl JobError {
+    /// A file that cannot be written.
+    pub(crate) fn write(file: &Path, source: std::io::Error) -> JobError {
+        JobError::Write { file: file.to_path_buf(), source }
+    }
+}

@@ -1,0 +1,18 @@
+//! Files of a job on disk: the job itself, the part, and what its set-up is made of. What a job's file says is
+//! `job_file`'s.
+
+mod atomic;
+mod error;
+mod part_file;
+mod paths;
+pub mod save;
+mod setup;
+pub mod stamps;
+
+pub use atomic::write_atomic;
+pub use error::JobError;
+pub use part_file::{build_part, load_part, part_file, read_part};
+pub use paths::{rebased, relative_to, resolved};
+pub(in crate::document) use paths::{whole, with_whole_paths};
+pub use save::{is_job, read, to_toml};
+pub use setup::{load_cell, load_robot, load_setup, load_tool, set_up};

@@ -1,0 +1,64 @@
+//! The part of a job: where its file is, whether it is still the one that the job was made for, and the part built
+//! from it.
+
+use super::error::JobError;
+use super::paths::resolved;
+use crate::document::model::{Job, PartFile};
+use crate::part::{LoadError, Part, Source};
+use crate::progress::Progress;
+use std::path::{Path, PathBuf};
+
+/// Where the part of a job is: where the job says, or in the folder of the job under the name that it has there.
+///
+/// # Errors
+/// It is at neither place.
+pub fn part_file(job: &Job, job_file: Option<&Path>) -> Result<PathBuf, JobError> {
+    let named = resolved(job_file, &job.part.file);
+    let near = named.file_name().zip(job_file.and_then(Path::parent)).map(|(name, folder)| folder.join(name));
+    [Some(named.clone()), near]
+        .into_iter()
+        .flatten()
+        .find(|f| f.is_file())
+        .ok_or(JobError::PartGone { file: named.display().to_string() })
+}
+
+/// Reads the part's file of a job and checks that it is still the one the job was made for.
+///
+/// # Errors
+/// Gone, changed, or no usable STL.
+pub fn read_part(job: &Job, job_file: Option<&Path>) -> Result<Source, JobError> {
+    read_unchanged(job, &part_file(job, job_file)?)
+}
+
+fn read_unchanged(job: &Job, file: &Path) -> Result<Source, JobError> {
+    let source = Source::read(file)?;
+    if job.part.is_of_another_file(&source.sha256) {
+        return Err(JobError::PartChanged { file: file.display().to_string() });
+    }
+    Ok(source)
+}
+
+/// The part of a job as it stands.
+///
+/// # Errors
+/// Gone, changed, or no usable STL.
+pub fn load_part(job: &Job, job_file: Option<&Path>) -> Result<Part, JobError> {
+    let file = part_file(job, job_file)?;
+    let built = build_part(&read_unchanged(job, &file)?, &job.part, &file, &Progress::default())?;
+    // Nobody can have cancelled it.
+    Ok(built.unwrap_or_default())
+}
+
+/// Welds, places and orients a part as a job says, from what was read of `file`. `None`: the work was cancelled.
+///
+/// # Errors
+/// No facet has any area.
+pub fn build_part(
+    source: &Source,
+    part: &PartFile,
+    file: &Path,
+    progress: &Progress,
+) -> Result<Option<Part>, LoadError> {
+    let built = source.part(part.units, &part.placement, &part.flipped_shells, progress);
+    built.map_err(|source| LoadError::Stl { file: file.display().to_string(), source })
+}

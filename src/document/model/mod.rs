@@ -1,0 +1,70 @@
+//! The job: everything an operator decides. What can be computed is not in it. As TOML it is written by
+//! `job_file`.
+
+mod bead;
+mod beam;
+mod by_key;
+mod cell;
+mod declare;
+mod layers;
+mod part_file;
+mod path;
+mod surfaces;
+
+pub use bead::BeadParameters;
+pub use beam::BeamParameters;
+pub use cell::CellFile;
+pub use layers::{Layers, Offset};
+pub use part_file::PartFile;
+pub use path::PathParameters;
+pub use surfaces::SurfaceParameters;
+pub(super) use surfaces::SurfaceTable;
+
+use super::recipe::Recipe;
+use super::settings::Settings;
+use crate::beam::{Obstacle, Optics};
+use crate::part::{Part, Surfaces};
+use crate::process::DoseParameters;
+
+/// A job. Lengths mm, angles degrees.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Job {
+    /// The part's file and how it stands.
+    pub part: PartFile,
+    /// How facets become feature surfaces.
+    pub surfaces: SurfaceParameters,
+    /// What is said of single surfaces: whether they are cleaned and in which order, names, sides, recipes, tilts.
+    pub settings: Settings,
+    /// The section planes.
+    pub layers: Layers,
+    /// The beam, its speeds and its head.
+    pub beam: BeamParameters,
+    /// How wide the beam is.
+    pub optics: Optics,
+    /// Which points of a line become targets, and what is done about interference.
+    pub path: PathParameters,
+    /// What the beam lays on the part.
+    pub bead: BeadParameters,
+    /// Energy on the surface.
+    pub dose: DoseParameters,
+    /// The robot cell.
+    pub cell: CellFile,
+    /// What stands on the part, in the part frame.
+    pub clamps: Vec<Obstacle>,
+    /// What surfaces can be worked with in place of the job's own values.
+    pub recipes: Vec<Recipe>,
+}
+
+/// The surfaces of a part under a job.
+pub fn segmented(part: &Part, job: &Job) -> Surfaces {
+    let s = &job.surfaces;
+    let flipped: Vec<u32> = job.settings.having(|s| s.flipped).iter().map(|id| id.0).collect();
+    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &s.rule(), &s.edits, &flipped)
+}
+
+impl Job {
+    /// Numbers of the surfaces to clean in the order of work, given all that exist: see [`Settings::chosen`].
+    pub fn chosen(&self, surfaces: &Surfaces) -> Vec<u32> {
+        self.settings.chosen(surfaces.ids()).into_iter().map(|id| id.0).collect()
+    }
+}

@@ -1,0 +1,31 @@
+//! The `[part]` table of a job: the part's file, and how it stands.
+
+use crate::document::remembered::Remembered;
+use crate::part::{Placement, Units};
+use serde::{Deserialize, Serialize};
+
+/// The part's file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PartFile {
+    /// Path, relative to the job file.
+    pub file: String,
+    /// SHA-256 of its bytes when the job was saved; empty: any.
+    pub sha256: String,
+    /// Unit of its coordinates.
+    pub units: Units,
+    /// Shells whose other side is to be worked on.
+    pub flipped_shells: Vec<u32>,
+    /// Where the part stands.
+    pub placement: Placement,
+    /// What its surfaces looked like when the job was saved.
+    #[serde(skip_serializing_if = "Remembered::is_empty")]
+    pub landmarks: Remembered,
+}
+
+impl PartFile {
+    /// Whether the job was made for other bytes than those of this SHA-256.
+    pub fn is_of_another_file(&self, sha256: &str) -> bool {
+        !self.sha256.is_empty() && self.sha256 != sha256
+    }
+}

@@ -1,0 +1,84 @@
+//! The findings of a plan as people read them: the worst first, each with its number, its surface and what helps.
+
+use super::{Naming, notice_line};
+use crate::cell::Setup;
+use crate::cell::motion::{Cause, Why};
+use crate::document::{Chosen, Job, segmented};
+use crate::part::{Part, PartFinding, Placement, SurfaceId, Units};
+use crate::planning::remark::{LayingRemark, Remark};
+use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, first_things_first};
+use crate::planning::{Cache, plan};
+use crate::pose::{Correction, ToolBody};
+use crate::progress::Progress;
+use crate::sample::{solids, stl_bytes};
+
+/// The report of a cube whose top and bottom lie in the planes, and its job, in which surface 3 has a name.
+fn cube() -> (Report, Job) {
+    let part = Part::from_bytes(&stl_bytes(&solids::cube(20.0)), Units::Mm, &Placement::default(), &[]).expect("ok");
+    let mut job = Job::default();
+    job.settings.choose(Chosen::All);
+    job.layers.direction = "z".parse().expect("a direction");
+    job.layers.spacing_mm = 2.0;
+    job.path.correction = Correction::SectionPlane;
+    job.settings.change(SurfaceId(3), |s| s.name = "Rim".into());
+    let (surfaces, setup) = (segmented(&part, &job), Setup::shipped().expect("shipped"));
+    let plan = plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
+    (Report::new(&plan, &surfaces), job)
+}
+
+fn blocked(point: usize, cause: Cause, by_surface: Option<u32>) -> Problem {
+    let why = by_surface.is_none().then(|| Why::OutOfReach { robot: "MZ04".into() });
+    let cause = NotDone::Blocked(cause);
+    Problem { pass: Some(4), point: Some(point), surface: 3, cause, by_facet: None, by_surface, why }
+}
+
+#[test]
+fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
+    let (mut report, job) = cube();
+    report.surfaces[0].remarks.push(Remark::Laying(LayingRemark::StopsAtRim { ends: 1 }));
+    let rim = Some(SurfaceId(3));
+    report.unproven.push(Unproven { tool_body: ToolBody::Head, surface: rim, moves: 1200 });
+    let (was, is) = ("a".into(), "b".into());
+    report.findings.push(PlanFinding::PartChanged { was, is, kept: vec![[1, 1], [2, 5]], lost: vec![3] });
+    report.problems.extend([
+        blocked(0, Cause::Reach, None),
+        blocked(1, Cause::Beam, Some(5)),
+        blocked(2, Cause::Reach, None),
+    ]);
+    let notices = first_things_first(&report, &job, &[PartFinding::OpenEdges { count: 7 }]);
+    assert!(notices.is_sorted_by_key(Notice::severity));
+    let naming = Naming::of(&job);
+    let lines: Vec<String> = notices.iter().map(|n| notice_line(n, &naming)).collect();
+    let begins = [
+        "1 200 lit moves are not proven: the head would hit surface 3 \"Rim\"; do not run the program",
+        "surface 1: 400.00 of 400.00 mm² missed by the planes; try direction auto",
+        "surface 2: 400.00 of 400.00 mm² missed by the planes; try direction auto",
+        "surface 3 \"Rim\": 2 targets refused: out of the robot's reach; such as pass 4, point 0: ",
+        "surface 3 \"Rim\": 1 target blocked by surface 5; choose the correction clearance",
+        "surface 1: 1 line end stops at the rim",
+        "the part's file has changed since the job was saved; all that is to be cleaned was found again; \
+         surface 2 is 5 now; not found: surface 3",
+        "7 open edges",
+    ];
+    assert_eq!(lines.len(), begins.len(), "{lines:#?}");
+    for (line, begin) in lines.iter().zip(begins) {
+        assert!(line.starts_with(begin), "{line}\n{begin}");
+    }
+    assert!(lines[3].ends_with("; move the part nearer to the middle of the robot's reach"), "{}", lines[3]);
+}
+
+#[test]
+fn remarks_are_codes_and_figures_in_the_report() {
+    let remarks = [
+        Remark::Laying(LayingRemark::LayersAlike),
+        Remark::Laying(LayingRemark::TooShort { pieces: 2, length_mm: 1.5, shortest_mm: 1.0 }),
+        Remark::Laying(LayingRemark::Lines(crate::path::LinesFinding::NoBorder)),
+    ];
+    let json = serde_json::to_value(remarks).expect("JSON");
+    let told = serde_json::json!([
+        { "code": "layers_alike" },
+        { "code": "too_short", "pieces": 2, "length_mm": 1.5, "shortest_mm": 1.0 },
+        { "code": "no_border" },
+    ]);
+    assert_eq!(json, told);
+}

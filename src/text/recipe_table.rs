@@ -1,0 +1,34 @@
+//! Recipes side by side: names of the rows, and the values in them.
+
+use super::number::exact;
+use super::parameter::label_with_unit;
+use super::{Sentence as _, say};
+use crate::document::recipe_table::{Compared, ComparedValue, place};
+
+/// What a row compares.
+pub(crate) fn row_label(what: Compared) -> String {
+    match what {
+        Compared::Strategy => say!(compared_strategy),
+        Compared::Direction => say!(compared_direction),
+        Compared::Order => say!(compared_order),
+        Compared::Start => say!(compared_start),
+        Compared::Sense => say!(compared_sense),
+        Compared::Centre => say!(compared_centre),
+        Compared::Number(parameter) => label_with_unit(parameter),
+    }
+}
+
+/// A value of a row.
+pub(crate) fn value(value: ComparedValue) -> String {
+    match value {
+        ComparedValue::Strategy(strategy) => strategy.word().into(),
+        ComparedValue::Direction(direction) => direction.to_string(),
+        ComparedValue::Order(order) => order.word().into(),
+        ComparedValue::Start(start) => start.sentence(),
+        ComparedValue::Inward(true) => say!(compared_inwards),
+        ComparedValue::Inward(false) => say!(compared_outwards),
+        ComparedValue::Centre(None) => say!(compared_middle),
+        ComparedValue::Centre(Some(at_mm)) => place(at_mm),
+        ComparedValue::Number(number) => exact(number),
+    }
+}
