@@ -12,7 +12,7 @@ use clearbeam::path::{Order, Strategy as Laying};
 use clearbeam::planning::{Pipeline, PlannedJob};
 use clearbeam::pose::Correction;
 use clearbeam::sample::{solids, stl_bytes};
-use clearbeam::text::Sentence as _;
+use clearbeam::text::{Sentence as _, program_comment};
 use common::held::Bare;
 use eframe::egui;
 use proptest::prelude::*;
@@ -136,7 +136,7 @@ fn done(bare: &mut Bare, deed: &Deed) {
 fn written(planned: &PlannedJob, job: &Job) -> Vec<(String, String)> {
     use clearbeam::planning::export;
     let PlannedJob { setup, plan, report, .. } = planned;
-    let program = match export::program(job, "part.stl", setup, plan, report) {
+    let program = match export::program(job, "part.stl", setup, plan, report, program_comment) {
         Ok(files) => files.into_iter().map(|f| (f.name, f.text)).collect(),
         Err(why) => vec![("no program".to_owned(), why.to_string())],
     };

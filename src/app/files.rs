@@ -11,7 +11,7 @@ use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
 use crate::progress::Activity;
-use crate::text::{NamedSentence as _, Naming, Sentence as _, say};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment, say};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -120,7 +120,7 @@ impl App {
         self.exporting.clear();
         self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-            let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
+            let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
                 ExportError::Cancelled => Failure::Cancelled,
                 other => Failure::Refused(other),

@@ -5,7 +5,7 @@
 use super::super::App;
 use super::super::clearance::ClearanceCurve;
 use crate::cell::collision::CLEARANCE_REACH_MM;
-use crate::program::{Clearance, Sample, Timeline};
+use crate::program::{Clearance, CurveSample, Timeline};
 use crate::text::{Sentence as _, exact, fixed, id, say};
 use eframe::egui::{self, Color32, RichText, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotBounds, PlotUi, VLine};
@@ -29,7 +29,7 @@ trait Timed {
     fn time_s(&self) -> f64;
 }
 
-impl Timed for Sample {
+impl Timed for CurveSample {
     fn time_s(&self) -> f64 {
         self.time_s
     }
@@ -199,9 +199,9 @@ fn zoomed([from, to]: [f64; 2], about_s: f64, factor: f64, total_s: f64) -> Opti
 }
 
 /// P2's Fig. 16, and what limits it.
-fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a, Sample>> {
+fn diagrams<'a>(timeline: &'a Timeline, samples: &[CurveSample]) -> Vec<Diagram<'a, CurveSample>> {
     let robot = timeline.robot();
-    let six = |value: fn(&'a crate::cell::Robot, &Sample, usize) -> f64| -> Vec<Curve<'a, Sample>> {
+    let six = |value: fn(&'a crate::cell::Robot, &CurveSample, usize) -> f64| -> Vec<Curve<'a, CurveSample>> {
         (0..6)
             .map(|i| Curve { name: joint(i), color: COLORS[i], value: Box::new(move |s| value(robot, s, i)) })
             .collect()
@@ -284,7 +284,7 @@ fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearan
 }
 
 /// One of the three angles of the flange, by its place among them.
-fn turn(name: &str, place: usize, color: Color32) -> Curve<'static, Sample> {
+fn turn(name: &str, place: usize, color: Color32) -> Curve<'static, CurveSample> {
     Curve { name: name.into(), color, value: Box::new(move |s| s.rz_ry_rx_deg[place]) }
 }
 
@@ -293,7 +293,7 @@ fn joint(index: usize) -> String {
     say!(plots_joint, joint = id(index + 1))
 }
 
-fn share_of_full(robot: &crate::cell::Robot, s: &Sample, joint: usize) -> f64 {
+fn share_of_full(robot: &crate::cell::Robot, s: &CurveSample, joint: usize) -> f64 {
     100.0 * s.speeds_deg_s[joint] / robot.speeds_deg_s[joint]
 }
 
@@ -334,8 +334,8 @@ fn thinned<T: Timed>(samples: &[T], [from, to]: [f64; 2], value: &dyn Fn(&T) -> 
 mod tests {
     use super::*;
 
-    fn sample(time_s: f64, singularity: f64) -> Sample {
-        Sample {
+    fn sample(time_s: f64, singularity: f64) -> CurveSample {
+        CurveSample {
             time_s,
             joints_deg: [0.0; 6],
             speeds_deg_s: [0.0; 6],
@@ -347,7 +347,7 @@ mod tests {
 
     #[test]
     fn a_peak_of_one_sample_survives_thinning() {
-        let samples: Vec<Sample> =
+        let samples: Vec<CurveSample> =
             (0..50_000).map(|i| sample(f64::from(i) * 0.01, if i == 33_333 { 1.0 } else { 0.5 })).collect();
         let all = thinned(&samples, [0.0, 500.0], &|s| s.singularity);
         assert!(all.len() <= MOST_POINTS + 2 && all.contains(&[333.33, 1.0]), "{} points", all.len());
