@@ -13,11 +13,12 @@ use common::window::{Answers, press, sample, settle};
 use egui_kittest::kittest::Queryable as _;
 use window::Window;
 
-const JOB: &str = "[clean]\nsurfaces = [2, 3]\n[layers]\nspacing_mm = 4.0\ndirection = \"x\"\n";
+const JOB: &str = "[clean]\nsurfaces = [2, 3]\n[layers]\nspacing_mm = 4.0\ndirection = \"z\"\n";
 /// The laser is so far out that part of the cup is beyond the arm.
-const REFUSED: &str = "[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 16.0\n[cell]\nrobot = \"mz04\"\n\
+const REFUSED: &str = "[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 16.0\n[beam]\nspeed_mm_s = 20.0\n[cell]\nrobot = \"mz04\"\n\
     base_from_laser = { position_mm = [620.0, 0.0, 300.0], rz_ry_rx_deg = [0.0, 0.0, 0.0] }\n";
-const DRIVEN: &str = "[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 16.0\n[cell]\nrobot = \"mz04\"\n";
+const DRIVEN: &str =
+    "[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 16.0\n[beam]\nspeed_mm_s = 20.0\n[cell]\nrobot = \"mz04\"\n";
 
 /// What the tests are done in.
 struct Stage {
@@ -73,13 +74,8 @@ fn every_command_has_its_effect() {
     let mut stage = Stage { part: Window::on("workpiece", JOB), robot: Window::on("acetabular_cup", DRIVEN) };
     let begun = stage.part.job();
     for command in Command::ALL {
-        let r = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            has_its_effect(&mut stage, *command);
-            assert_eq!(stage.part.job(), begun, "{command:?} is taken back for the next");
-        }));
-        if r.is_err() {
-            eprintln!("FAILED {command:?}");
-        }
+        has_its_effect(&mut stage, *command);
+        assert_eq!(stage.part.job(), begun, "{command:?} is taken back for the next");
     }
 }
 

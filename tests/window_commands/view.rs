@@ -3,6 +3,7 @@
 use crate::Stage;
 use crate::window::Window;
 use clearbeam::app::{Command, Toggle};
+use clearbeam::document::Edit;
 use clearbeam::view::StandardView;
 use egui_kittest::kittest::Queryable as _;
 
@@ -27,7 +28,11 @@ pub fn camera(w: &mut Window, command: Command) {
         }
         _ => assert_ne!(after.projection, before.projection),
     }
-    // Back to where the part is seen whole.
+    seen_whole(w);
+}
+
+/// Turns the camera back to where the whole part is seen.
+fn seen_whole(w: &mut Window) {
     w.give(Command::Look(StandardView::Iso), &[]);
     w.give(Command::Escape, &[]);
     w.give(Command::Fit, &[]);
@@ -37,7 +42,7 @@ pub fn hide(w: &mut Window, command: Command) {
     let shown = w.picture();
     w.give(Command::Hide, &[1]);
     assert!(w.app().hidden().iter().eq(&[1]));
-    assert_ne!(w.picture(), shown);
+    assert!(w.picture() != shown, "it is gone from the picture");
     if command == Command::Isolate {
         w.give(command, &[1, 2]);
         let others = w.app().surfaces().into_iter().filter(|n| *n > 2);
@@ -48,7 +53,7 @@ pub fn hide(w: &mut Window, command: Command) {
 }
 
 /// What a toggle shows in words; `None`: it is seen in the picture alone.
-pub fn words_of(what: Toggle) -> Option<&'static str> {
+fn words_of(what: Toggle) -> Option<&'static str> {
     match what {
         Toggle::Plots => Some("curves of joints"),
         Toggle::ProgramText => Some("MOVEX"),
@@ -73,23 +78,41 @@ pub fn toggle(stage: &mut Stage, what: Toggle) {
         Toggle::Cell | Toggle::Plots => &mut stage.robot,
         _ => &mut stage.part,
     };
-    let needs = match what {
-        // What was before the correction is seen with beams only.
-        Toggle::BeforeCorrection => vec![Toggle::Beams],
-        // The camera turns onto the section, and stays so.
-        Toggle::SectionPlane => vec![what, what],
-        _ => Vec::new(),
-    };
-    needs.iter().for_each(|n| w.give(Command::Toggle(*n), &[]));
+    prepare(w, what);
     let before = w.picture();
-    let shown = |w: &mut Window| match words_of(what) {
+    let is_changed = |w: &mut Window| match words_of(what) {
         Some(words) => w.h.query_all_by_label_contains(words).next().is_some(),
         None => w.picture() != before,
     };
-    assert!(!shown(w), "{what:?} before");
+    assert!(!is_changed(w), "{what:?} before");
     w.give(Command::Toggle(what), &[]);
-    assert!(shown(w), "{what:?} is seen");
+    assert!(is_changed(w), "{what:?} is seen");
     w.give(Command::Toggle(what), &[]);
-    assert!(!shown(w), "{what:?} goes again");
-    needs.into_iter().for_each(|n| w.give(Command::Toggle(n), &[]));
+    assert!(!is_changed(w), "{what:?} goes again");
+    clear_up(w, what);
+}
+
+/// What a toggle needs to be seen.
+fn prepare(w: &mut Window, what: Toggle) {
+    match what {
+        // What was before the correction is seen with beams only.
+        Toggle::BeforeCorrection => w.give(Command::Toggle(Toggle::Beams), &[]),
+        // The camera turns onto the section, and stays so.
+        Toggle::SectionPlane => (0..2).for_each(|_| w.give(Command::Toggle(what), &[])),
+        Toggle::ToolBodies => {
+            let stack = "[[part]]\nfrom_mm = 30.0\nto_mm = 60.0\nr0_mm = 2.0\nr1_mm = 8.0\n";
+            std::fs::write(w.file("head.toml"), stack).expect("writes");
+            w.send(Edit::Head("head.toml".into()));
+        }
+        _ => {}
+    }
+}
+
+fn clear_up(w: &mut Window, what: Toggle) {
+    match what {
+        Toggle::BeforeCorrection => w.give(Command::Toggle(Toggle::Beams), &[]),
+        Toggle::SectionPlane => seen_whole(w),
+        Toggle::ToolBodies => w.undo(),
+        _ => {}
+    }
 }

@@ -79,12 +79,12 @@ impl Window {
             .collect()
     }
 
-    /// Clicks into the middle of the 3D view.
+    /// Clicks the front of the plate, right of the middle of the first view.
     pub fn click_part(&mut self) {
-        let middle = self.h.get_by_label("3D view").rect().center();
+        let front = self.h.get_by_label("3D view").rect().center() + egui::vec2(95.0, 10.0);
         for pressed in [true, false] {
-            self.h.hover_at(middle);
-            let (pos, button, modifiers) = (middle, egui::PointerButton::Primary, Modifiers::NONE);
+            self.h.hover_at(front);
+            let (pos, button, modifiers) = (front, egui::PointerButton::Primary, Modifiers::NONE);
             self.h.event(egui::Event::PointerButton { pos, button, pressed, modifiers });
             self.h.step();
         }
