@@ -6,9 +6,7 @@ use crate::path::{DirectionError, LinesFinding};
 impl Sentence for LinesFinding {
     fn sentence(&self) -> String {
         match *self {
-            LinesFinding::SpacingNotPositive { spacing_mm } => {
-                say!(lines_spacing_not_positive, mm = spacing_mm.to_string())
-            }
+            LinesFinding::SpacingNotPositive => say!(lines_spacing_not_positive),
             LinesFinding::NoProperFacet { surface } => say!(lines_no_proper_facet, surface = id(surface)),
             LinesFinding::NoPlaneCrosses { surface } => say!(lines_no_plane_crosses, surface = id(surface)),
             LinesFinding::NoBorder { surface } => say!(lines_no_border, surface = id(surface)),

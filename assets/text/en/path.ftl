@@ -1,7 +1,7 @@
 ### Lines on surfaces.
 
 ## Why there are none, or not all
-lines_spacing_not_positive = a spacing of { $mm } mm gives no lines: choose one greater than 0
+lines_spacing_not_positive = without a spacing greater than 0 there are no lines
 lines_no_proper_facet = surface { $surface } has no facet with an area: leave it out
 lines_no_plane_crosses = no section plane crosses surface { $surface }: choose another direction of the planes
 lines_no_border = surface { $surface } is closed and has no border to keep a distance from: choose planes or a spiral

@@ -7,10 +7,7 @@ use serde::Serialize;
 #[serde(tag = "code", rename_all = "snake_case")]
 pub enum LinesFinding {
     /// There are no lines: the spacing is not greater than 0.
-    SpacingNotPositive {
-        /// The spacing, mm.
-        spacing_mm: f64,
-    },
+    SpacingNotPositive,
     /// There are no lines: no facet of the surface has an area.
     NoProperFacet {
         /// Surface number.

@@ -115,7 +115,7 @@ pub fn lines(
     merge_mm: f64,
 ) -> SurfaceLines {
     if !(rule.spacing_mm.is_finite() && rule.spacing_mm > 0.0) {
-        return none(LinesFinding::SpacingNotPositive { spacing_mm: rule.spacing_mm });
+        return none(LinesFinding::SpacingNotPositive);
     }
     let number = surface.number;
     if planes::live(mesh, surface).next().is_none() {
