@@ -9,8 +9,9 @@ use clearbeam::part::{Mesh, Part, Surfaces, rpy};
 use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf};
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, Cache, Plan};
-use clearbeam::program::{Line, ProgramFile, lines, lit};
+use clearbeam::program::{ProgramFile, ProgramLine, lines, spot};
 use clearbeam::progress::Progress;
+use clearbeam::text::program_comment;
 use nalgebra::Isometry3;
 use std::path::Path;
 use std::time::Instant;
@@ -35,7 +36,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let surfaces = segmented(&part, &job);
         let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
         let report = Report::new(&plan, &surfaces);
-        let program = export::program(&job, &job.part.file, &setup, &plan, &report)?;
+        let program = export::program(&job, &job.part.file, &setup, &plan, &report, program_comment)?;
         quickest[0] = quickest[0].min(begun.elapsed().as_secs_f64());
         exported((&job, file), &part, &surfaces, &setup, &plan)?;
         quickest[1] = quickest[1].min(begun.elapsed().as_secs_f64());
@@ -59,7 +60,7 @@ fn exported(
     setup: &Setup,
     plan: &Plan,
 ) -> Result<(), ExportError> {
-    let input = ExportInput { job, part, surfaces, setup, plan, findings: &[] };
+    let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
     export::files(&input, &ExportOf::new(job, Some(file)), &Progress::default()).map(|_| ())
 }
 
@@ -130,7 +131,7 @@ fn angles(plan: &Plan, setup: &Setup, defocus_mm: f64) {
     let mut pass = None;
     let mut runs: Vec<(usize, Vec<Isometry3<f64>>)> = Vec::new();
     for line in &lines {
-        let Line::Move(m) = line else { continue };
+        let ProgramLine::Move(m) = line else { continue };
         let began = m.target.map(|t| t.0).filter(|t| Some(*t) != pass);
         match (m.part_from_focus, began) {
             (Some(frame), Some(number)) => runs.push((number, vec![frame])),
@@ -140,7 +141,7 @@ fn angles(plan: &Plan, setup: &Setup, defocus_mm: f64) {
         pass = began.or(pass);
     }
     for (number, frames) in &runs {
-        let spots: Vec<_> = frames.iter().map(|f| lit::foot(f, defocus_mm)).collect();
+        let spots: Vec<_> = frames.iter().map(|f| spot::foot(f, defocus_mm)).collect();
         let mut along_mm = vec![0.0];
         for w in spots.windows(2) {
             along_mm.push(along_mm.last().copied().unwrap_or(0.0) + (w[1] - w[0]).norm());

@@ -11,9 +11,9 @@ use clearbeam::planning::remark::Remark;
 use clearbeam::planning::report::Report;
 use clearbeam::pose::checker::CutCone;
 use clearbeam::pose::{Obstruction, ToolBody};
-use clearbeam::program::steps::Station;
-use clearbeam::program::{Go, Pace, Step};
+use clearbeam::program::{Go, MoveTiming, Shortfall, Station, Step};
 use clearbeam::sample::Triangles;
+use clearbeam::text::Sentence;
 use nalgebra::{Point3, Vector3};
 use parts::{Planned, block, cylinder};
 use proptest::prelude::*;
@@ -85,7 +85,7 @@ proptest! {
         let lit = p.plan.passes.iter().enumerate().flat_map(|(n, pass)| pass.lit_pieces().into_iter().map(move |ends| (n, ends)));
         let lit: Vec<_> = lit.collect();
         prop_assert!(lit.len() > 3 && pieces.len() == lit.len());
-        let seconds = |go: &Go| if let Pace::Seconds(s) = go.pace { s } else { f64::NAN };
+        let seconds = |go: &Go| if let MoveTiming::Seconds(s) = go.timing { s } else { f64::NAN };
         let mut left_out = 0;
         for (([from, start, end], to), (number, (first, last))) in pieces.iter().zip(&lit) {
             let targets = &p.plan.passes[*number].targets;
@@ -102,8 +102,11 @@ proptest! {
                 }
             }
         }
-        let told = p.plan.steps.remarks.first().map_or("0", |r| r.1.split(' ').next().expect("a number"));
-        prop_assert_eq!(told, left_out.to_string());
+        let told = p.plan.steps.shortfalls.iter().map(|s| match s.1 {
+            Shortfall::LeadsLeftOut { leads } => leads,
+            Shortfall::SetByHand(_) => 0,
+        });
+        prop_assert_eq!(told.sum::<usize>(), left_out);
         prop_assert!(robot || left_out == 0);
         // What is lit stays as it was.
         let without = planned(0.0, 0.0);
@@ -128,12 +131,14 @@ fn a_lead_into_a_wall_is_left_out_and_told() {
         let leads: Vec<f64> = [from, to].iter().map(reach).filter(|x| (x - 32.0).abs() < 1e-6).collect();
         assert_eq!(leads.len(), 1, "one of the two: {leads:?}");
     }
+    let left_out = Shortfall::LeadsLeftOut { leads: lines };
+    assert_eq!(p.plan.steps.shortfalls, [(p.plan.passes[0].surface, left_out)]);
+    assert_eq!(Report::new(&p.plan, &p.surfaces).surfaces[0].remarks, [Remark::Program(left_out)]);
     let said = format!("{lines} lead-ins and lead-outs are left out: something would be touched on them");
-    assert_eq!(p.plan.steps.remarks, [(p.plan.passes[0].surface, said.clone())]);
-    assert_eq!(Report::new(&p.plan, &p.surfaces).surfaces[0].remarks, [Remark::Program(said)]);
+    assert_eq!(left_out.sentence(), said);
     // Half a millimetre of lead stays in front of it.
     (job.path.lead_in_mm, job.path.lead_out_mm) = (0.5, 0.5);
-    assert!(plate_and(&[wall], 10.0, &job, &parts::setup()).plan.steps.remarks.is_empty());
+    assert!(plate_and(&[wall], 10.0, &job, &parts::setup()).plan.steps.shortfalls.is_empty());
 }
 
 /// Moves with the laser off between the first lit piece and the last.

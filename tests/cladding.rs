@@ -8,9 +8,10 @@ use clearbeam::planning::proof::prover;
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, Cache, Plan, PlanError, export, verify};
 use clearbeam::pose::Correction;
-use clearbeam::program::{Line, lines};
+use clearbeam::program::{ProgramLine, lines};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids, stl_bytes};
+use clearbeam::text::program_comment;
 use nalgebra::Vector3;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -48,7 +49,8 @@ impl Case {
     /// The program, written and verified by the reader with the second opinion.
     fn verified(&self, plan: &Plan) -> verify::Verdict {
         let report = Report::new(plan, &self.surfaces);
-        let files = export::program(&self.job, "part.stl", &self.setup, plan, &report).expect("writes");
+        let files =
+            export::program(&self.job, "part.stl", &self.setup, plan, &report, program_comment).expect("writes");
         let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
         verify::check(&self.part, plan, &self.setup, &self.job, &files[0], &open, true).expect("reads").1
     }
@@ -78,8 +80,12 @@ fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
     let verdict = case.verified(&plan);
     assert_eq!(verdict.findings, []);
     assert_eq!(verdict.proof.proven, verdict.lit_moves);
-    let said =
-        |text: &str| lines(&plan.steps, &case.setup).iter().any(|l| matches!(l, Line::Say(s) if s.ends_with(text)));
+    let lines = lines(&plan.steps, &case.setup);
+    let comments: Vec<String> = lines
+        .iter()
+        .filter_map(|l| if let ProgramLine::Say(comment) = l { Some(program_comment(comment)) } else { None })
+        .collect();
+    let said = |text: &str| comments.iter().any(|c| c.ends_with(text));
     assert!(said("layer 2") && said("layer 3") && !said("layer 1"));
 }
 

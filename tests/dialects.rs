@@ -9,12 +9,13 @@ use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::planning::{self, Cache};
 use clearbeam::program;
-use clearbeam::program::dialect::{Read, ReadError};
+use clearbeam::program::dialect::Read;
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};
-use clearbeam::program::{Dialect, Line, Pace};
+use clearbeam::program::{Dialect, MoveTiming, ProgramLine, ReadError, WriteError};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
-use programs::{Seed, damaged, difference, lines, read, said, seeds, setup, written};
+use clearbeam::text::Sentence;
+use programs::{Seed, damaged, difference, lines, read, said, seeds, setup, text_of, words, written};
 use proptest::prelude::*;
 
 /// Those that take any program; `more_dialects.rs` has the others.
@@ -51,7 +52,7 @@ proptest! {
             let found = found.unwrap_or_default();
             let off = difference(dialect.name(), &lines, &found, &setup);
             prop_assert!(off.is_none(), "{}: {}\n{}", dialect.name(), off.unwrap_or_default(), files[0].text);
-            let meant: String = lines.iter().filter_map(|l| if let Line::Say(t) = l { Some(t.as_str()) } else { None })
+            let meant: String = lines.iter().filter_map(text_of)
                 .flat_map(|t| t.chars()).filter(|c| !c.is_whitespace()).collect();
             let told = said(&found).len();
             prop_assert_eq!(told, "ahead,\"said\"".len() + meant.chars().count(), "{}: all is said", dialect.name());
@@ -145,8 +146,8 @@ fn a_planned_program_is_read_as_it_was_meant() {
         let plan =
             planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
         let lines = program::lines(&plan.steps, &setup);
-        let lit = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.lit)).count();
-        let known = lines.iter().filter(|l| matches!(l, Line::Move(m) if m.joints_deg.is_some())).count();
+        let lit = lines.iter().filter(|l| matches!(l, ProgramLine::Move(m) if m.lit)).count();
+        let known = lines.iter().filter(|l| matches!(l, ProgramLine::Move(m) if m.joints_deg.is_some())).count();
         assert!(lit > 5 && (robot.is_none() || known > lit), "{lit} lit moves, {known} with joints");
         for dialect in dialects() {
             let files = written(*dialect, &["head"], &lines, &setup);
@@ -159,21 +160,26 @@ fn a_planned_program_is_read_as_it_was_meant() {
 
 /// One move on the way, one lit, and all the outputs.
 fn small() -> Vec<Seed> {
-    let go = |joints, linear, pace| Seed::Move { joints, linear, pace, home: false };
+    let go = |joints, linear, timing| Seed::Move { joints, linear, timing, home: false };
     vec![
         Seed::Output(3, false),
         Seed::Level(1, 500.0, false),
         Seed::Level(2, 128.0, true),
-        Seed::Move { joints: [0.0, 0.1, 0.0, 0.0, 0.0, 0.0], linear: false, pace: Pace::Percent(10.0), home: true },
+        Seed::Move {
+            joints: [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
+            linear: false,
+            timing: MoveTiming::Percent(10.0),
+            home: true,
+        },
         Seed::Say("pass 0, surface 4; a comment that is longer than remarks are".into()),
-        go([0.1, 0.1, -0.1, 0.2, 0.3, 0.0], false, Pace::Percent(10.0)),
-        go([0.1, 0.1, -0.1, 0.2, 0.31, 0.0], true, Pace::Seconds(0.3107)),
+        go([0.1, 0.1, -0.1, 0.2, 0.3, 0.0], false, MoveTiming::Percent(10.0)),
+        go([0.1, 0.1, -0.1, 0.2, 0.31, 0.0], true, MoveTiming::Seconds(0.3107)),
         Seed::Output(3, true),
         Seed::Wait(0.5),
-        go([0.1, 0.1, -0.1, 0.2, 0.315, 0.0], true, Pace::Seconds(1.0)),
-        go([0.1, 0.1, -0.1, 0.2, 0.32, 0.0], true, Pace::Seconds(1.25)),
+        go([0.1, 0.1, -0.1, 0.2, 0.315, 0.0], true, MoveTiming::Seconds(1.0)),
+        go([0.1, 0.1, -0.1, 0.2, 0.32, 0.0], true, MoveTiming::Seconds(1.25)),
         Seed::Output(3, false),
-        go([0.1, 0.1, -0.1, 0.2, 0.33, 0.0], true, Pace::Seconds(45.0)),
+        go([0.1, 0.1, -0.1, 0.2, 0.33, 0.0], true, MoveTiming::Seconds(45.0)),
     ]
 }
 
@@ -239,7 +245,7 @@ fn long_programs_are_paged() {
     assert_eq!(gone, Err(ReadError::Gone { file: "MZ04-01-A.007".into(), line: 3, called }));
     let mut circle = files.clone();
     circle[1].text = "CALLP 7\nEND\n".into();
-    assert!(read(nachi, &circle, &setup).is_err_and(|e| e.to_string().contains("circle")));
+    assert!(read(nachi, &circle, &setup).is_err_and(|e| e.sentence().contains("circle")));
 
     let fanuc = by_name("fanuc").expect("there");
     let setup = setup_of("lrmate200id");
@@ -250,15 +256,17 @@ fn long_programs_are_paged() {
     let mut long = seeds.clone();
     long.retain(|s| !matches!(s, Seed::Output(_, false)));
     let lines = lines(&long, &setup);
-    let refused = fanuc.write(&clearbeam::program::Program { head: vec![], lines, setup: &setup });
-    assert!(refused.is_err_and(|e| e.to_string().contains("fanuc.max_lines")), "a lit piece of 124 lines");
+    let refused = fanuc.write(&clearbeam::program::Program { head: vec![], lines, setup: &setup, wording: words });
+    let refused = refused.expect_err("a lit piece of 124 lines");
+    assert!(matches!(refused, WriteError::PieceTooLong { most: 50, .. }), "{refused}");
+    assert!(refused.sentence().contains("fanuc.max_lines"), "{}", refused.sentence());
 }
 
 #[test]
 fn the_controllers_joint_three_is_less_joint_two() {
     let fanuc = by_name("fanuc").expect("there");
     let mut setup = setup(Some("lrmate200id"));
-    let seeds = [Seed::Move { joints: [0.0; 6], linear: false, pace: Pace::Percent(10.0), home: true }];
+    let seeds = [Seed::Move { joints: [0.0; 6], linear: false, timing: MoveTiming::Percent(10.0), home: true }];
     let lines = lines(&seeds, &setup);
     let text = |setup: &Setup| written(fanuc, &[], &lines, setup)[0].text.clone();
     // Middles of the limits: J2 22.5, J3 67.5.
@@ -292,7 +300,7 @@ fn hand_edits_are_read_or_refused_by_their_line() {
         ("DELAY -1", "DELAY -1"),
         ("END\nRESET O3", "behind END"),
     ] {
-        let said = text(bad).expect_err(bad).to_string();
+        let said = text(bad).expect_err(bad).sentence();
         assert!(said.starts_with("A.001, line ") && said.contains(why), "{said}");
     }
 }

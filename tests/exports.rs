@@ -6,6 +6,7 @@ mod parts;
 use clearbeam::planning::export::{self, ExportError, ExportInput};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
+use clearbeam::text::program_comment;
 use parts::Planned;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -235,7 +236,7 @@ fn a_cancelled_export_makes_no_folder() {
     let out = dir.path().join("out");
     let (setup, progress) = (parts::setup(), Progress::default());
     let Planned { part, surfaces, job, plan } = &planned;
-    let input = ExportInput { job, part, surfaces, setup: &setup, plan, findings: &[] };
+    let input = ExportInput { job, part, surfaces, setup: &setup, plan, findings: &[], wording: program_comment };
     progress.cancel();
     let said = export::write(&out, &input, None, false, &progress);
     assert!(matches!(said, Err(ExportError::Cancelled)), "{said:?}");

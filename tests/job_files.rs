@@ -130,7 +130,9 @@ fn starts_of_single_surfaces_are_kept() {
 fn what_is_no_job_is_refused_with_file_key_reason_and_remedy() {
     let folder = tempfile::tempdir().expect("a folder");
     let bad = folder.path().join("bad.toml");
+    let near = "[cell]\nbase_from_part = { three_points = { origin = [0, 0, 0], x = [1, 0, 0], xy = [0, 50, 0] } }\n";
     for (text, parts) in [
+        (near, ["base_from_part", "x is 1.0 mm from origin", "measure x again"]),
         ("[clean]\nsurfaces = [4, 4]\n", ["clean.surfaces", "surface 4 is listed twice", "name it once"]),
         ("version = 7\n", ["version = 7", "made by a later clearbeam", "open it with a newer clearbeam"]),
         ("[recipe_of]\nfour = \"Fine\"\n", ["recipe_of", "\"four\" is not a surface number", "give a number"]),

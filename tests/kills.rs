@@ -13,6 +13,7 @@ use clearbeam::planning::export::{ExportInput, write as export_into};
 use clearbeam::planning::{self, Cache};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
+use clearbeam::text::program_comment;
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -109,7 +110,15 @@ fn export(folder: &Path, document: &Document) {
     let setup = files::load_setup(job, document.file()).expect("a shipped cell");
     let surfaces = segmented(&part, job);
     let plan = planning::plan(&part, &surfaces, job, &setup, &Cache::default(), &Progress::default()).expect("plans");
-    let input = ExportInput { job, part: &part, surfaces: &surfaces, setup: &setup, plan: &plan, findings: &[] };
+    let input = ExportInput {
+        job,
+        part: &part,
+        surfaces: &surfaces,
+        setup: &setup,
+        plan: &plan,
+        findings: &[],
+        wording: program_comment,
+    };
     export_into(folder, &input, document.file(), false, &Progress::default()).expect("writes");
 }
 

@@ -6,17 +6,20 @@ mod programs;
 
 use clearbeam::beam::Work;
 use clearbeam::cell::{Mount, Robot, Setup};
-use clearbeam::program::abb::Rapid;
-use clearbeam::program::dialect::{Goal, Read, ReadError, ReadLine, Reading, WriteError};
-use clearbeam::program::estun::Erp;
-use clearbeam::program::kuka::Krl;
-use clearbeam::program::yaskawa::Jbi;
-use clearbeam::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way};
+use clearbeam::program::dialect::{Goal, Read, ReadLine, Reading};
+use clearbeam::program::dialects::abb::Rapid;
+use clearbeam::program::dialects::estun::Erp;
+use clearbeam::program::dialects::kuka::Krl;
+use clearbeam::program::dialects::yaskawa::Inform;
+use clearbeam::program::{
+    Dialect, Interpolation, Move, MoveTiming, Program, ProgramFile, ProgramLine, ReadError, WriteError,
+};
+use clearbeam::text::Sentence;
 use nalgebra::Isometry3;
-use programs::damaged;
+use programs::{comment, damaged, words};
 use proptest::prelude::*;
 
-const DIALECTS: [(&dyn Dialect, &str); 4] = [(&Krl, "kr6-r900"), (&Rapid, "irb120"), (&Jbi, "gp7"), (&Erp, "mz04")];
+const DIALECTS: [(&dyn Dialect, &str); 4] = [(&Krl, "kr6-r900"), (&Rapid, "irb120"), (&Inform, "gp7"), (&Erp, "mz04")];
 
 /// Made up; one axis counts the other way.
 const PULSES: [f64; 6] = [1341.4, 1341.4, -1341.4, 1000.0, 1000.0, 622.0];
@@ -70,63 +73,67 @@ fn seeds() -> impl Strategy<Value = Vec<Seed>> {
 }
 
 /// The lines: home, a way in by joints, and what the seeds say.
-fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<Line> {
+fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
     let arm = Robot::load(robot, None).expect("shipped");
     let known = setup.robot.is_some();
     let home = setup.cell.air.home_joints_deg;
     let mut lit = false;
     let mut at = arm.forward(&home);
-    let mut out = vec![Line::Output { number: 3, on: false }];
-    out.push(Line::Move(Box::new(Move {
-        way: Way::Joint,
+    let mut out = vec![ProgramLine::Output { number: 3, on: false }];
+    out.push(ProgramLine::Move(Box::new(Move {
+        interpolation: Interpolation::Joint,
         base_from_flange: known.then_some(at),
         joints_deg: Some(home),
         part_from_focus: None,
-        pace: Pace::Percent(10.0),
+        timing: MoveTiming::Percent(10.0),
         lit: false,
         target: None,
         work: Work::default(),
     })));
     let way_in = Seed::Joint([1.0, -2.0, 3.0, -4.0, 5.0, -6.0], 10);
     for seed in std::iter::once(&way_in).chain(seeds) {
-        let mut go = |away: &[f64; 6], way, pace: &dyn Fn(f64, f64) -> Pace| {
+        let mut go = |away: &[f64; 6], interpolation, timing: &dyn Fn(f64, f64) -> MoveTiming| {
             let joints: [f64; 6] = std::array::from_fn(|i| home[i] + away[i]);
             let flange = arm.forward(&joints);
             let mm = (flange.translation.vector - at.translation.vector).norm();
             let deg = flange.rotation.angle_to(&at.rotation).to_degrees();
             at = flange;
-            Line::Move(Box::new(Move {
-                way,
+            ProgramLine::Move(Box::new(Move {
+                interpolation,
                 base_from_flange: Some(flange),
                 joints_deg: known.then_some(joints),
                 part_from_focus: Some(setup.focus_for(&flange)),
-                pace: pace(mm, deg),
+                timing: timing(mm, deg),
                 lit,
                 target: None,
                 work: Work::default(),
             }))
         };
         out.push(match seed {
-            Seed::Say(text) => Line::Say(text.clone()),
+            Seed::Say(text) => ProgramLine::Say(comment(text)),
             Seed::Output(number, on) => {
                 lit = if *number == 3 { *on } else { lit };
-                Line::Output { number: *number, on: *on }
+                ProgramLine::Output { number: *number, on: *on }
             }
             Seed::Level(number, value, group) => {
-                Line::Level { number: *number, value: f64::from(*value), group: *group }
+                ProgramLine::Level { number: *number, value: f64::from(*value), group: *group }
             }
-            Seed::Wait(hundredths) => Line::Wait(f64::from(*hundredths) / 100.0),
-            Seed::Joint(away, percent) => go(away, Way::Joint, &|_, _| Pace::Percent(f64::from(*percent))),
+            Seed::Wait(hundredths) => ProgramLine::Wait(f64::from(*hundredths) / 100.0),
+            Seed::Joint(away, percent) => {
+                go(away, Interpolation::Joint, &|_, _| MoveTiming::Percent(f64::from(*percent)))
+            }
             Seed::Linear(away, mm_s, deg_s) => {
-                go(away, Way::Linear, &|mm, deg| Pace::Seconds((mm / mm_s).max(deg / deg_s).max(0.001)))
+                go(away, Interpolation::Linear, &|mm, deg| MoveTiming::Seconds((mm / mm_s).max(deg / deg_s).max(0.001)))
             }
         });
     }
     out
 }
 
-fn written(dialect: &dyn Dialect, lines: &[Line], setup: &Setup) -> Vec<ProgramFile> {
-    let files = dialect.write(&Program { head: vec!["a head".into()], lines: lines.to_vec(), setup }).expect("writes");
+fn written(dialect: &dyn Dialect, lines: &[ProgramLine], setup: &Setup) -> Vec<ProgramFile> {
+    let files = dialect
+        .write(&Program { head: vec![comment("a head")], lines: lines.to_vec(), setup, wording: words })
+        .expect("writes");
     for file in &files {
         assert!(file.text.is_ascii() && file.text.ends_with("\r\n"), "{}", file.name);
         let is_minus_zero =
@@ -166,25 +173,25 @@ fn same_goal(dialect: &str, m: &Move, goal: &Goal, setup: &Setup, robot: &str) -
 }
 
 /// Why what was read is not what was written.
-fn difference(dialect: &str, robot: &str, lines: &[Line], found: &[ReadLine], setup: &Setup) -> Option<String> {
+fn difference(dialect: &str, robot: &str, lines: &[ProgramLine], found: &[ReadLine], setup: &Setup) -> Option<String> {
     let acts: Vec<&Read> =
         found.iter().map(|l| &l.what).filter(|r| !matches!(r, Read::Say(_) | Read::Other(_))).collect();
-    let meant: Vec<&Line> = lines.iter().filter(|l| !matches!(l, Line::Say(_))).collect();
+    let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Say(_))).collect();
     if acts.len() != meant.len() {
         return Some(format!("{} lines of {}", acts.len(), meant.len()));
     }
     let mut at: Option<Isometry3<f64>> = None;
     for (line, read) in meant.into_iter().zip(acts) {
         let same = match (line, read) {
-            (Line::Output { number, on }, Read::Output { number: n, on: o }) => number == n && on == o,
-            (Line::Level { number, value, group }, Read::Level { number: n, value: v, group: g }) => {
+            (ProgramLine::Output { number, on }, Read::Output { number: n, on: o }) => number == n && on == o,
+            (ProgramLine::Level { number, value, group }, Read::Level { number: n, value: v, group: g }) => {
                 number == n && value == v && group == g
             }
-            (Line::Wait(a), Read::Wait(b)) => (a - b).abs() < 1e-9,
-            (Line::Move(m), Read::Move(r)) => {
-                let pace = match (m.pace, r.pace) {
-                    (Pace::Percent(a), Pace::Percent(b)) => (a - b).abs() < 1e-4,
-                    (Pace::Seconds(a), Pace::Seconds(b)) => {
+            (ProgramLine::Wait(a), Read::Wait(b)) => (a - b).abs() < 1e-9,
+            (ProgramLine::Move(m), Read::Move(r)) => {
+                let same = match (m.timing, r.timing) {
+                    (MoveTiming::Percent(a), MoveTiming::Percent(b)) => (a - b).abs() < 1e-4,
+                    (MoveTiming::Seconds(a), MoveTiming::Seconds(b)) => {
                         // The rounding of speeds: INFORM has tenths of mm/s and of degrees per second.
                         let (from, to) = (at.expect("a pose before"), m.base_from_flange.expect("known"));
                         let mm = (from.translation.vector - to.translation.vector).norm();
@@ -200,7 +207,7 @@ fn difference(dialect: &str, robot: &str, lines: &[Line], found: &[ReadLine], se
                     _ => false,
                 };
                 at = m.base_from_flange.or(at);
-                pace && m.way == r.way && same_goal(dialect, m, &r.goal, setup, robot)
+                same && m.interpolation == r.interpolation && same_goal(dialect, m, &r.goal, setup, robot)
             }
             _ => false,
         };
@@ -312,7 +319,7 @@ proptest! {
 }
 
 /// A way in, a lit piece of two moves, a turn on the spot, and home.
-fn small(robot: &str, setup: &Setup) -> Vec<Line> {
+fn small(robot: &str, setup: &Setup) -> Vec<ProgramLine> {
     let go = |j5: f64, seconds| Seed::Linear([0.0, 0.0, 0.0, 0.0, j5, 0.0], seconds, 90.0);
     let seeds = [
         Seed::Level(1, 500, false),
@@ -392,7 +399,7 @@ fn rapid_targets_are_where_tool_and_work_object_say() {
         let part = between(find("wobjdata"), "\"\",", "]],[[0,0,0]");
         let targets = text.lines().filter(|l| l.contains("MoveL ")).map(|l| between(l, "MoveL [", "],[0,0,"));
         let meant = lines.iter().filter_map(|l| match l {
-            Line::Move(m) if m.way == Way::Linear => m.base_from_flange,
+            ProgramLine::Move(m) if m.interpolation == Interpolation::Linear => m.base_from_flange,
             _ => None,
         });
         let holds = find("tooldata").contains(":=[TRUE");
@@ -416,7 +423,7 @@ fn long_programs_are_paged() {
         let c = &mut setup.cell;
         (c.kuka.max_lines, c.abb.max_moves, c.yaskawa.max_lines) = (100, 40, 100);
         let piece = small(robot, &setup);
-        let lines: Vec<Line> = std::iter::repeat_n(piece, 30).flatten().collect();
+        let lines: Vec<ProgramLine> = std::iter::repeat_n(piece, 30).flatten().collect();
         let files = written(dialect, &lines, &setup);
         let found = read(dialect, &files, &setup).expect("reads");
         assert_eq!(difference(dialect.name(), robot, &lines, &found, &setup), None);
@@ -443,16 +450,18 @@ fn long_programs_are_paged() {
 fn what_a_controller_cannot_take_is_said() {
     let without = setup("gp7", false, Mount::PartInHand);
     let lines = lines(&[], "gp7", &without);
-    let program = |lines: &[Line]| Program { head: Vec::new(), lines: lines.to_vec(), setup: &without };
-    let said = Jbi.write(&program(&lines)).expect_err("home is unknown").to_string();
+    let program =
+        |lines: &[ProgramLine]| Program { head: Vec::new(), lines: lines.to_vec(), setup: &without, wording: words };
+    let said = Inform.write(&program(&lines)).expect_err("home is unknown").sentence();
     assert!(said.contains("pulses_per_deg") && said.contains("--robot"), "{said}");
     // Straight from home, without knowing where that is.
-    let Line::Move(mut m) = lines[2].clone() else { panic!("the way in") };
-    (m.way, m.pace) = (Way::Linear, Pace::Seconds(1.0));
-    let straight = [lines[1].clone(), Line::Move(m)];
+    let ProgramLine::Move(mut m) = lines[2].clone() else { panic!("the way in") };
+    (m.interpolation, m.timing) = (Interpolation::Linear, MoveTiming::Seconds(1.0));
+    let straight = [lines[1].clone(), ProgramLine::Move(m)];
     for dialect in [&Krl as &dyn Dialect, &Erp] {
         let said = dialect.write(&program(&straight)).expect_err("no speed");
-        assert!(matches!(&said, WriteError::Rule(s) if s.contains("--robot")), "{said}");
+        assert!(matches!(said, WriteError::FromUnknownPose(name) if name == dialect.name()), "{said}");
+        assert!(said.sentence().contains("--robot"), "{}", said.sentence());
     }
     assert!(Rapid.write(&program(&straight)).is_ok(), "RAPID has times");
 }

@@ -11,7 +11,7 @@ use clearbeam::cell::{BodyId, Contact, Link, Mount, Robot, Setup, Spin};
 use clearbeam::part::angle;
 use clearbeam::planning::{Cache, advice};
 use clearbeam::pose::{Pass, State};
-use clearbeam::program::{Step, Way};
+use clearbeam::program::{Interpolation, Step};
 use clearbeam::progress::Progress;
 use nalgebra::Vector3;
 use parts::{job, on, part, planned, planned_in, sample};
@@ -121,7 +121,7 @@ fn the_spot_keeps_to_its_line_where_the_flange_goes_straight() {
             Step::Laser(on) => lit = *on,
             Step::Go(go) => {
                 if lit {
-                    assert_eq!(go.way, Way::Linear);
+                    assert_eq!(go.interpolation, Interpolation::Linear);
                     between += usize::from(go.target.is_none());
                     let (from, to) = (at.expect("comes from somewhere"), setup.flange_for(&go.to.frame()));
                     let spot =

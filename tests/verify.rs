@@ -5,8 +5,8 @@ mod parts;
 
 use clearbeam::cell::{Mount, Robot, Setup};
 use clearbeam::planning::verify::{Kind, MOST_OFF_MM, Verdict, VerifyError, check};
-use clearbeam::program::{Program, ProgramFile, dialects, lines};
-use clearbeam::text::Sentence as _;
+use clearbeam::program::{Comment, Program, ProgramFile, dialects, lines};
+use clearbeam::text::{Sentence as _, program_comment};
 use parts::{Planned, job, on, part, planned_in, sample};
 use proptest::prelude::*;
 use std::sync::LazyLock;
@@ -26,7 +26,8 @@ fn case(robot: &str, dialect: &str, mount: Mount) -> Option<Case> {
     }
     let planned = planned_in(part(&sample("workpiece")), on(job("z", 9.0), &[1, 2]), &setup);
     let lines = lines(&planned.plan.steps, &setup);
-    let program = Program { head: vec!["a test".into()], lines, setup: &setup };
+    let program =
+        Program { head: vec![Comment::Part("a test".into())], lines, setup: &setup, wording: program_comment };
     let files = dialects::by_name(dialect).expect("a dialect").write(&program).ok()?;
     Some(Case { planned, setup, files })
 }

@@ -10,8 +10,8 @@ use clearbeam::cell::controllers::NachiForm;
 use clearbeam::cell::{Robot, Setup};
 use clearbeam::planning::verify::{Finding, Kind, check};
 use clearbeam::program::dialect::{Goal, Read, ReadLine, ReadMove, Reading};
-use clearbeam::program::{Dialect, Program, ProgramFile, Way, dialects, lines};
-use clearbeam::text::Sentence as _;
+use clearbeam::program::{Dialect, Interpolation, Program, ProgramFile, dialects, lines};
+use clearbeam::text::{Sentence as _, program_comment};
 use parts::{Planned, job, on, part, planned_in, sample};
 use retarget::retargeted;
 
@@ -52,7 +52,7 @@ fn case(dialect: &'static dyn Dialect, setup: &Setup) -> Case {
     let setup = setup.clone();
     let planned = planned_in(part(&sample("workpiece")), on(job("z", 20.0), &[1]), &setup);
     let lines = lines(&planned.plan.steps, &setup);
-    let program = Program { head: Vec::new(), lines, setup: &setup };
+    let program = Program { head: Vec::new(), lines, setup: &setup, wording: program_comment };
     let files = dialect.write(&program).unwrap_or_else(|e| panic!("{}: {e}", dialect.name()));
     Case { dialect, planned, setup, files }
 }
@@ -108,7 +108,7 @@ impl Case {
 
 /// The moves that are changed: home and the way back to it, the approach, a straight move in the air, two lit ones.
 fn chosen(places: &[Place]) -> Vec<usize> {
-    let dark = (2..places.len()).find(|i| !places[*i].lit && places[*i].to.way == Way::Linear);
+    let dark = (2..places.len()).find(|i| !places[*i].lit && places[*i].to.interpolation == Interpolation::Linear);
     let lit = (0..places.len()).filter(|i| places[*i].lit).take(2);
     [0, 1, places.len() - 1].into_iter().chain(dark).chain(lit).collect()
 }
@@ -154,7 +154,11 @@ fn a_move_of_another_way_is_found_where_it_stands() {
         let places = case.places();
         for i in chosen(&places) {
             let place = &places[i];
-            let (from, to) = if place.to.way == Way::Joint { (by_joints, straight) } else { (straight, by_joints) };
+            let (from, to) = if place.to.interpolation == Interpolation::Joint {
+                (by_joints, straight)
+            } else {
+                (straight, by_joints)
+            };
             let mut files = case.files.clone();
             let file = files.iter_mut().find(|f| f.name == place.line.file).expect("its file");
             let mut lines: Vec<String> = file.text.lines().map(str::to_owned).collect();

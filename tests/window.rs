@@ -5,7 +5,7 @@
 
 mod common;
 
-use clearbeam::app::{App, COMMANDS, Purpose};
+use clearbeam::app::{App, Purpose};
 use common::window::{Answers, click, drag, press, sample, settle, snapshot, type_into, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
@@ -206,18 +206,4 @@ fn an_idle_window_repaints_nothing() {
     // Runs while frames are asked for, and fails if that never ends.
     assert!(h.try_run().is_ok(), "frames are asked for without end");
     assert!(h.try_run().is_ok_and(|frames| frames <= 2), "nothing more to paint");
-}
-
-#[test]
-fn every_command_can_be_given_at_any_time() {
-    for open in [None, Some(sample("workpiece.stl"))] {
-        let mut h = window(open, &Answers::default());
-        for row in COMMANDS {
-            if let Some(keys) = row.keys {
-                press(&mut h, keys.modifiers, keys.logical_key);
-            }
-        }
-        h.step();
-        assert!(h.query_by_label("File").is_some(), "the window is still there");
-    }
 }

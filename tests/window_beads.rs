@@ -250,8 +250,8 @@ fn what_is_split_off_keeps_its_recipe() {
     type_into(&mut h, "filter surfaces", "180");
     click(&mut h, CRATER);
     type_into(&mut h, "split angle", "2");
-    reveal(&mut h, "Split at");
-    click(&mut h, "Split at");
+    reveal(&mut h, "Split selected surface at");
+    click(&mut h, "Split selected surface at");
     assert!(shows(&h, "surface 2 has recipe Clad") && shows(&h, "surface 180 has recipe Clad"));
     undo(&mut h);
     assert!(shows(&h, "surface 2 has recipe Clad") && !shows(&h, "surface 180 has recipe Clad"));

@@ -49,11 +49,11 @@ fn a_tilt_is_pinned_by_dragging_and_let_go() {
     let strip = h.get_by_label("tilt along the line").rect();
     let middle = strip.center();
     drag(&mut h, middle, middle - eframe::egui::vec2(0.0, 0.25 * strip.height()));
-    assert!(h.query_by_label("Let all pins go").is_some(), "a pin");
+    assert!(h.query_by_label("Remove all pins").is_some(), "a pin");
     assert!(h.query_by_label("Undo").is_some());
     snapshot(&mut h, "pinned");
-    click(&mut h, "Let all pins go");
-    assert!(h.query_by_label("Let all pins go").is_none());
+    click(&mut h, "Remove all pins");
+    assert!(h.query_by_label("Remove all pins").is_none());
 }
 
 #[test]

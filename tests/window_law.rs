@@ -12,6 +12,7 @@ use clearbeam::path::{Order, Strategy as Laying};
 use clearbeam::planning::{Pipeline, PlannedJob};
 use clearbeam::pose::Correction;
 use clearbeam::sample::{solids, stl_bytes};
+use clearbeam::text::{Sentence as _, program_comment};
 use common::held::Bare;
 use eframe::egui;
 use proptest::prelude::*;
@@ -135,7 +136,7 @@ fn done(bare: &mut Bare, deed: &Deed) {
 fn written(planned: &PlannedJob, job: &Job) -> Vec<(String, String)> {
     use clearbeam::planning::export;
     let PlannedJob { setup, plan, report, .. } = planned;
-    let program = match export::program(job, "part.stl", setup, plan, report) {
+    let program = match export::program(job, "part.stl", setup, plan, report, program_comment) {
         Ok(files) => files.into_iter().map(|f| (f.name, f.text)).collect(),
         Err(why) => vec![("no program".to_owned(), why.to_string())],
     };
@@ -143,14 +144,14 @@ fn written(planned: &PlannedJob, job: &Job) -> Vec<(String, String)> {
     [program, vec![("path.csv".into(), export::path_csv(plan)), ("report.json".into(), report)]].concat()
 }
 
-/// The same by the command line's way from the saved job, or why there is none.
+/// What the command line writes for the saved job, or why it writes nothing.
 fn by_command_line(document: &Document, folder: &Path) -> Result<Vec<(String, String)>, String> {
     let (file, job) = (folder.join("saved.toml"), document.job());
-    let saved = save(job, document.job_file(), &file, IfChanged::Overwrite).map_err(|e| e.to_string())?.0;
+    let saved = save(job, document.job_file(), &file, IfChanged::Overwrite).map_err(|e| e.sentence())?.0;
     let read = files::read(&file).expect("what was saved can be read");
     assert_eq!(read, saved);
-    let source = files::read_part(&read, Some(&file)).map_err(|e| e.to_string())?;
-    let (_, planned) = Pipeline::planned(Arc::new(source), &read, Some(&file)).map_err(|e| e.to_string())?;
+    let source = files::read_part(&read, Some(&file)).map_err(|e| e.sentence())?;
+    let (_, planned) = Pipeline::planned(Arc::new(source), &read, Some(&file)).map_err(|e| e.sentence())?;
     Ok(written(&planned, job))
 }
 

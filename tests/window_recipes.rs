@@ -139,7 +139,7 @@ fn recipes_are_dragged_kept_and_removed() {
     drag(&mut h, from, to);
     assert!(shows(&h, "surface 3 has recipe Grinding 15 N"), "dragged from row to row");
     open(&mut h, "Recipe of surface 3: Grinding 15 N");
-    reveal(&mut h, "Changes apply to surfaces 2 too");
+    reveal(&mut h, "Changes apply to surface 2 too");
     type_into(&mut h, "recipe name", "Slow");
     assert!(shows(&h, "surface 2 has recipe Slow") && shows(&h, "surface 3 has recipe Slow"));
     reveal(&mut h, "Save to my recipes");

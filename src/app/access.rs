@@ -1,12 +1,13 @@
-//! From where the spot under the cursor, or the current target, can be reached; and along its line. Kept
-//! while neither place nor job changes.
+//! From where the place under the cursor, or the current target, can be reached; and from where along its line. What
+//! was looked at is kept while neither place nor job nor plan changes.
 
 use super::App;
+use crate::cell::Setup;
 use crate::document::Job;
-use crate::part::{SurfaceId, angle};
+use crate::part::{Part, SurfaceId, angle};
 use crate::planning::surface_plan::body;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
-use crate::pose::{Beam, State, Tilt, TiltRule};
+use crate::pose::{Beam, Pass, State, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
 /// Cells of the map and of the strip, degrees: seven hundred directions are looked at in a few
@@ -35,11 +36,56 @@ pub struct Place {
     pub hovered: bool,
 }
 
-/// A map or a strip, and what it was made from.
-pub struct Made<K, T> {
-    of: (K, Job, u64),
-    /// The thing.
-    pub made: T,
+/// What a map or a strip was made from: its place, the job, the plan's picture key.
+type MadeOf<K> = (K, Job, u64);
+
+/// The map and the strip that were asked for last.
+#[derive(Default)]
+pub(super) struct AccessViews {
+    map: Option<(MadeOf<Place>, AccessMap)>,
+    /// Over which part of the tilt, and of which pass.
+    strip: Option<(MadeOf<(Over, usize)>, AccessStrip)>,
+}
+
+/// What access is looked at with.
+struct Ground<'a> {
+    part: &'a Part,
+    job: &'a Job,
+    setup: &'a Setup,
+    /// Picture key of the plan.
+    plan: u64,
+}
+
+impl AccessViews {
+    /// The map of a place.
+    fn map(&mut self, place: &Place, on: &Ground<'_>) -> &AccessMap {
+        let of = (place.clone(), on.job.clone(), on.plan);
+        if self.map.as_ref().is_some_and(|m| m.0 != of) {
+            self.map = None;
+        }
+        let (_, map) = self.map.get_or_insert_with(|| {
+            let body = body(on.job, on.setup);
+            let beam = Beam::with(on.part, body.as_ref());
+            let (rule, most) = (rule_of(on.job, place.surface), on.job.path.max_tilt_deg);
+            (of, AccessMap::at(&beam, &place.p, &place.n, &place.tangent, &rule, most, STEP_DEG))
+        });
+        map
+    }
+
+    /// The strip along a pass.
+    fn strip(&mut self, over: Over, number: usize, pass: &Pass, on: &Ground<'_>) -> &AccessStrip {
+        let of = ((over, number), on.job.clone(), on.plan);
+        if self.strip.as_ref().is_some_and(|s| s.0 != of) {
+            self.strip = None;
+        }
+        let (_, strip) = self.strip.get_or_insert_with(|| {
+            let body = body(on.job, on.setup);
+            let beam = Beam::with(on.part, body.as_ref());
+            let (rule, most) = (rule_of(on.job, pass.surface), on.job.path.max_tilt_deg);
+            (of, AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES))
+        });
+        strip
+    }
 }
 
 impl App {
@@ -47,7 +93,7 @@ impl App {
     pub(super) fn access_place(&self) -> Option<Place> {
         self.hovered_place().or_else(|| {
             let t = self.target()?;
-            let surface = self.derived.plan()?.plan.passes.get(self.session.at.0)?.surface;
+            let surface = self.derived.plan()?.plan.passes.get(self.session.playback.at.0)?.surface;
             let chosen = (t.state != State::Blocked).then(|| t.tilt());
             Some(Place { p: t.p, n: t.n, tangent: t.tangent(), surface, chosen, hovered: false })
         })
@@ -73,47 +119,31 @@ impl App {
         Some(Place { p, n, tangent, surface, chosen: on_it.map(|t| t.tilt()), hovered: true })
     }
 
-    fn plan_key(&self) -> u64 {
-        self.derived.plan().map_or(0, |of| of.picture_key())
-    }
-
     /// The map of that place.
     pub(super) fn access_map(&mut self) -> Option<(Place, &AccessMap)> {
         let place = self.access_place()?;
-        let of = (place.clone(), self.document.job().clone(), self.plan_key());
-        if self.access.as_ref().is_none_or(|a| a.of != of) {
-            let (part, job) = (self.derived.part.clone()?, self.document.job());
-            let setup = self.derived.pipeline.setup()?.ok()?;
-            let body = body(job, setup);
-            let beam = Beam::with(&part, body.as_ref());
-            let (rule, most) = (rule_of(job, place.surface), job.path.max_tilt_deg);
-            let made = AccessMap::at(&beam, &place.p, &place.n, &place.tangent, &rule, most, STEP_DEG);
-            self.access = Some(Made { of, made });
-        }
-        Some((place, &self.access.as_ref()?.made))
+        let d = &self.derived;
+        let (part, setup) = (d.part.as_ref()?, d.pipeline.setup()?.ok()?);
+        let plan = d.plan().map_or(0, |of| of.picture_key());
+        let on = Ground { part, job: self.document.job(), setup, plan };
+        let map = self.access.map(&place, &on);
+        Some((place, map))
     }
 
     /// The strip of the current pass.
     pub(super) fn access_strip(&mut self, over: Over) -> Option<&AccessStrip> {
-        let of = ((over, self.session.at.0), self.document.job().clone(), self.plan_key());
-        if self.strip.as_ref().is_none_or(|s| s.of != of) {
-            let (planned, job) = (self.derived.plan()?, self.document.job());
-            let (part, pass) = (&planned.part, planned.plan.passes.get(self.session.at.0)?);
-            let setup = self.derived.pipeline.setup()?.ok()?;
-            let body = body(job, setup);
-            let beam = Beam::with(part, body.as_ref());
-            let (rule, most) = (rule_of(job, pass.surface), job.path.max_tilt_deg);
-            let made = AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES);
-            self.strip = Some(Made { of, made });
-        }
-        Some(&self.strip.as_ref()?.made)
+        let (planned, number) = (self.derived.plan()?, self.session.playback.at.0);
+        let pass = planned.plan.passes.get(number)?;
+        let setup = self.derived.pipeline.setup()?.ok()?;
+        let on = Ground { part: &planned.part, job: self.document.job(), setup, plan: planned.picture_key() };
+        Some(self.access.strip(over, number, pass, &on))
     }
 
     /// Surface of the current pass, and its number among the lines of that surface.
     pub(super) fn current_line(&self) -> Option<(u32, u32)> {
         let plan = &self.derived.plan()?.plan;
-        let surface = plan.passes.get(self.session.at.0)?.surface;
-        let before = plan.passes.iter().take(self.session.at.0).filter(|p| p.surface == surface).count();
+        let surface = plan.passes.get(self.session.playback.at.0)?.surface;
+        let before = plan.passes.iter().take(self.session.playback.at.0).filter(|p| p.surface == surface).count();
         Some((surface, before as u32))
     }
 }

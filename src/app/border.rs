@@ -2,11 +2,10 @@
 //! to the place that was right clicked.
 
 use super::App;
-use crate::document::StartFrom;
-use crate::part::{SurfaceId, Surfaces};
+use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;
-use crate::text::Sentence;
+use crate::text::{fixed, id, say};
 use crate::view::LineItem;
 use nalgebra::Point3;
 use std::collections::BTreeMap;
@@ -23,57 +22,74 @@ pub(super) struct Borders {
     lines: Vec<LineItem>,
 }
 
-impl App {
-    /// Finds the borders that are chosen, and those of the surface that was right clicked.
-    pub(super) fn sync_borders(&mut self) {
-        let Some(part) = self.derived.part.clone() else { return };
-        let surfaces = self.derived.surfaces.clone();
-        if self.borders.of.as_ref().is_none_or(|of| !Arc::ptr_eq(of, &surfaces)) {
-            self.borders = Borders { of: Some(surfaces.clone()), ..Borders::default() };
+impl Borders {
+    /// Finds the borders that are chosen to start from, and those of a surface besides; lines are made of the former.
+    fn sync(&mut self, part: &Part, surfaces: &Arc<Surfaces>, chosen: Vec<(u32, u32)>, besides: Option<u32>) {
+        if self.of.as_ref().is_none_or(|of| !Arc::ptr_eq(of, surfaces)) {
+            *self = Borders { of: Some(surfaces.clone()), ..Borders::default() };
         }
-        let job = self.document.job();
-        let start = |n: u32| Some((n, job.offset_start(SurfaceId(n))?.border()?));
-        let chosen: Vec<(u32, u32)> = self.clean_list().into_iter().filter_map(start).collect();
-        let menu = self.menu_surface().filter(|n| job.offset_start(SurfaceId(*n)).is_some());
-        for n in chosen.iter().map(|c| c.0).chain(menu) {
+        for n in chosen.iter().map(|c| c.0).chain(besides) {
             if let Some(surface) = surfaces.get(n) {
-                self.borders.known.entry(n).or_insert_with(|| borders(&part.mesh, surface));
+                self.known.entry(n).or_insert_with(|| borders(&part.mesh, surface));
             }
         }
-        if self.borders.chosen != chosen {
-            let known = &self.borders.known;
-            let border = |(n, index): &(u32, u32)| known.get(n)?.get(*index as usize);
-            self.borders.lines = chosen.iter().filter_map(border).map(border::item).collect();
-            self.borders.chosen = chosen;
+        if self.chosen != chosen {
+            let border = |(n, index): &(u32, u32)| self.known.get(n)?.get(*index as usize);
+            self.lines = chosen.iter().filter_map(border).map(border::item).collect();
+            self.chosen = chosen;
         }
     }
 
     /// The borders that are chosen, as lines on the part.
-    pub(super) fn border_lines(&self) -> &[LineItem] {
-        &self.borders.lines
+    pub fn lines(&self) -> &[LineItem] {
+        &self.lines
     }
 
-    fn menu_surface(&self) -> Option<u32> {
-        self.derived.surfaces.of_facet.get(self.session.menu_place?.0 as usize).copied()
+    /// The border of a surface that is nearest to a point.
+    fn nearest(&self, surface: u32, at: &Point3<f64>) -> Option<u32> {
+        let distance_mm = |b: &Border| b.edges.iter().map(|e| to_edge_mm(e, at)).fold(f64::INFINITY, f64::min);
+        let loops = self.known.get(&surface)?.iter().map(distance_mm).enumerate();
+        let (index, _) = loops.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        u32::try_from(index).ok()
+    }
+
+    /// A border in words.
+    pub fn words(&self, surface: u32, index: u32) -> Option<String> {
+        let all = self.known.get(&surface)?;
+        let border = all.get(index as usize)?;
+        Some(say!(
+            view_border,
+            number = id(u64::from(index) + 1),
+            count = all.len(),
+            surface = id(surface),
+            length_mm = fixed(border.length_mm, 1)
+        ))
+    }
+}
+
+impl App {
+    /// Finds the borders that are chosen, and those of the surface that was right clicked.
+    pub(super) fn sync_borders(&mut self) {
+        let Some(part) = &self.derived.part else { return };
+        let job = self.document.job();
+        let start = |n: u32| Some((n, job.offset_start(SurfaceId(n))?.border()?));
+        let chosen: Vec<(u32, u32)> = self.context().clean_list().into_iter().filter_map(start).collect();
+        let menu = self.offset_surface_of_menu();
+        self.borders.sync(part, &self.derived.surfaces, chosen, menu);
+    }
+
+    /// The surface that was right clicked, if it is worked in offset lines.
+    fn offset_surface_of_menu(&self) -> Option<u32> {
+        let surface = *self.derived.surfaces.of_facet.get(self.session.menu_place?.0 as usize)?;
+        self.document.job().offset_start(SurfaceId(surface)).is_some().then_some(surface)
     }
 
     /// The border nearest to the place that was right clicked, if the surface there is worked in offset lines:
     /// surface and border.
     pub(super) fn border_place(&self) -> Option<(u32, u32)> {
         let (_, at) = self.session.menu_place?;
-        let surface = self.menu_surface().filter(|n| self.document.job().offset_start(SurfaceId(*n)).is_some())?;
-        let distance_mm = |b: &Border| b.edges.iter().map(|e| to_edge_mm(e, &at)).fold(f64::INFINITY, f64::min);
-        let loops = self.borders.known.get(&surface)?.iter().map(distance_mm).enumerate();
-        let (index, _) = loops.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some((surface, u32::try_from(index).ok()?))
-    }
-
-    /// A border in words.
-    pub(super) fn border_words(&self, surface: u32, index: u32) -> Option<String> {
-        let all = self.borders.known.get(&surface)?;
-        let border = all.get(index as usize)?;
-        let name = StartFrom::Border(index).sentence();
-        Some(format!("{name} of {} of surface {surface}, {:.1} mm long", all.len(), border.length_mm))
+        let surface = self.offset_surface_of_menu()?;
+        Some((surface, self.borders.nearest(surface, &at)?))
     }
 }
 

@@ -2,9 +2,14 @@
 //! are shown, and kept for one plan.
 
 use super::App;
+use super::command::Toggle;
+use super::motion::Motion;
 use crate::cell::Collision;
+use crate::part::Digest;
+use crate::planning::{Executor, PlannedJob, Stage};
 use crate::program::{Clearance, clearances};
 use crate::progress::Activity;
+use std::convert::Infallible;
 use std::sync::Arc;
 
 /// A curve of clearance.
@@ -16,32 +21,53 @@ pub struct ClearanceCurve {
     pub margin_mm: f64,
 }
 
+/// The look at clearances, for one plan at a time: those of a drag are not waited for.
+#[derive(Default)]
+pub struct ClearanceSearch(Stage<ClearanceCurve, Infallible>);
+
+impl ClearanceSearch {
+    fn sync(&mut self, current: Option<(Arc<PlannedJob>, Arc<Motion>)>, executor: &dyn Executor) {
+        self.0.poll();
+        let Some((planned, motion)) = current.filter(|(planned, _)| !self.0.is_running() && self.0.lacks(planned.key))
+        else {
+            return;
+        };
+        self.0.start(planned.key, Activity::MeasuringClearances, executor, move |_| {
+            Ok(ClearanceCurve::new(&planned, &motion).unwrap_or_default())
+        });
+    }
+
+    /// The clearance over a plan; `None`: that is being looked at.
+    pub fn of(&self, plan: Digest) -> Option<&Arc<ClearanceCurve>> {
+        self.0.of(plan)
+    }
+
+    /// Whether nothing is being looked at.
+    pub fn is_at_rest(&self) -> bool {
+        !self.0.is_running()
+    }
+}
+
+impl ClearanceCurve {
+    fn new(planned: &PlannedJob, motion: &Motion) -> Option<ClearanceCurve> {
+        // As the plan asks for arm and head: with all that will be laid, from the first layer on.
+        let whole = planned.plan.grown.last().map_or(&*planned.part, |g| &g.part);
+        let collision = Collision::new(motion.timeline.as_ref()?.setup(), whole)?;
+        Some(ClearanceCurve { samples: clearances(&motion.curves, &collision), margin_mm: collision.margin_mm() })
+    }
+}
+
 impl App {
     /// The clearance of the plan that is shown; `None`: that is being looked at.
     pub(super) fn clearance(&self) -> Option<&Arc<ClearanceCurve>> {
         self.derived.clearance.of(self.derived.plan()?.key)
     }
 
-    /// Looks at the clearance of the plan, one plan at a time: those of a drag are not waited for.
+    /// Brings the clearance up to date, if the curves are shown.
     pub(super) fn sync_clearance(&mut self) {
-        self.derived.clearance.poll();
-        if !self.session.show.plots || self.derived.clearance.is_running() {
-            return;
-        }
-        let d = &mut self.derived;
-        let Some(planned) = d.current_plan(&self.document).cloned() else { return };
-        let Some(motion) = d.motion.of(planned.key).cloned() else { return };
-        if !d.clearance.lacks(planned.key) {
-            return;
-        }
-        let executor = d.pipeline.executor().clone();
-        d.clearance.start(planned.key, Activity::MeasuringClearances, &*executor, move |_| {
-            // As the plan asks for arm and head: with all that will be laid, from the first layer on.
-            let whole = planned.plan.grown.last().map_or(&*planned.part, |g| &g.part);
-            let collision = motion.timeline.as_ref().and_then(|t| Collision::new(t.setup(), whole));
-            let curve =
-                collision.map(|c| ClearanceCurve { samples: clearances(&motion.curves, &c), margin_mm: c.margin_mm() });
-            Ok(curve.unwrap_or_default())
-        });
+        let planned = self.context().plan().filter(|_| self.session.show.is_on(Toggle::Plots)).cloned();
+        let current = planned.and_then(|p| Some((p.clone(), self.derived.motion.of(p.key)?.clone())));
+        let executor = self.derived.pipeline.executor().clone();
+        self.derived.clearance.sync(current, &*executor);
     }
 }

@@ -1,78 +1,168 @@
-//! Every command once: name, menu, shortcut. The menus, the keys, the `?` page and the tests that
-//! sweep them are made from this table.
+//! Every command once: name, menu and keys. Menus, shortcuts, the page of shortcuts and the tests that sweep all
+//! commands are made from this table.
+//!
+//! When a command can be given stands in `enabled`, what it does in `run`. All three match it exhaustively, so a
+//! command that was forgotten in one of them does not compile.
 
-use eframe::egui::{Key, KeyboardShortcut, Modifiers};
+use crate::text::say;
+use crate::view::StandardView;
+use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 /// What the user can ask for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[allow(missing_docs, reason = "the table below says what each does")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Command {
+    /// Opens a part or a job; the user is asked which.
     Open,
+    /// Saves the job where it is kept.
     Save,
+    /// Saves the job in another file.
     SaveAs,
+    /// Writes the program into a folder.
     Export,
+    /// Takes the last step back.
     Undo,
+    /// Does it again.
     Redo,
+    /// Moves the selected surfaces to the list to clean.
     Clean,
+    /// Moves them back.
     Unclean,
-    Earlier,
-    Later,
-    SelectAll,
-    SelectSameShape,
-    SelectSameNormal,
-    SelectNeighbours,
+    /// The selected surfaces are cleaned one place earlier.
+    CleanEarlier,
+    /// And one place later.
+    CleanLater,
+    /// Selects more surfaces.
+    Select(More),
+    /// Makes the selected surfaces one.
     Merge,
+    /// Cuts the selected surface at the local angle.
     Split,
+    /// Begins to type the selected surface's name.
     Rename,
+    /// Turns the selected surfaces inside out.
     FlipSurface,
+    /// Turns the shell of the selected surface inside out.
     FlipShell,
+    /// The next click in the view says where the origin is.
     PickOrigin,
+    /// The next click in the view says which face lies on the floor.
     LayFlat,
-    TurnX,
-    TurnY,
-    TurnZ,
-    Look(u8),
+    /// Turns the part by 90° about an axis.
+    QuarterTurn(TurnAxis),
+    /// Turns the camera.
+    Look(StandardView),
+    /// Fits the camera to the selected surfaces, or to everything.
     Fit,
+    /// Changes between perspective and parallel projection.
     Projection,
+    /// Hides the selected surfaces.
     Hide,
+    /// Hides all others.
     Isolate,
+    /// Shows all surfaces.
     ShowAll,
-    Lines,
-    Frames,
-    Beams,
-    Air,
-    Before,
-    Plain,
-    HideChosen,
-    Section,
-    Cell,
-    Plots,
-    Text,
-    ToolBodies,
-    Access,
-    Dose,
-    Spacing,
-    Plan,
-    Cancel,
-    BetterSetup,
-    Play,
-    NextPoint,
-    LastPoint,
-    NextPass,
-    LastPass,
-    First,
-    Last,
+    /// Shows something, or no longer.
+    Toggle(Toggle),
+    /// Changes between the dark and the light look.
     Theme,
+    /// Plans again what was cancelled or failed, and reads changed files.
+    Plan,
+    /// Ends what is being computed.
+    Cancel,
+    /// Looks for frames with which the robot refuses less.
+    BetterSetup,
+    /// Starts or stops the simulation.
+    Play,
+    /// Goes to another target.
+    Go(Jump),
+    /// Opens or closes the page of shortcuts.
     Help,
+    /// Ends the innermost thing that is going on: page, name, tool, preview, section, selection.
     Escape,
 }
 
-/// Where a command stands.
+/// Which surfaces are added to the selection.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum More {
+    /// All that the list of feature surfaces shows.
+    Listed,
+    /// Those of the same shape and size.
+    SameShape,
+    /// Planes that face the same way.
+    SameNormal,
+    /// Those that share an edge with a selected one.
+    Neighbours,
+}
+
+/// An axis of the part frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TurnAxis {
+    /// x
+    X,
+    /// y
+    Y,
+    /// z
+    Z,
+}
+
+/// A target relative to the current one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Jump {
+    /// The next point, of the next pass after the last of this one.
+    NextPoint,
+    /// The point before, of the pass before it after the first of this one.
+    PreviousPoint,
+    /// The first point of the next pass.
+    NextPass,
+    /// The first point of the pass before.
+    PreviousPass,
+    /// The first point of the program.
+    FirstPoint,
+    /// The last point of the program.
+    LastPoint,
+}
+
+/// What can be shown in the view or beside it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Toggle {
+    /// Lines that the spot follows.
+    PathLines,
+    /// Frames at targets.
+    PoseFrames,
+    /// Beams at targets.
+    Beams,
+    /// Moves with the laser off.
+    ConnectingMoves,
+    /// Beams as they were before the correction.
+    BeforeCorrection,
+    /// The part without colours.
+    PlainPart,
+    /// Surfaces to clean are hidden.
+    HideChosen,
+    /// The section plane of the current pass, alone.
+    SectionPlane,
+    /// The robot cell instead of the part alone.
+    Cell,
+    /// Curves of the motion over time.
+    Plots,
+    /// The program's text.
+    ProgramText,
+    /// Head, beam and clamps.
+    ToolBodies,
+    /// From where the current place can be reached.
+    AccessMap,
+    /// The dose, and what stays unclean.
+    Dose,
+    /// The spacing that lines really have.
+    Spacing,
+}
+
+/// Where a command stands in the menu bar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Menu {
     /// Files.
     File,
-    /// The document.
+    /// Undo and redo.
     Edit,
     /// Surfaces and lists.
     Surfaces,
@@ -87,116 +177,138 @@ pub enum Menu {
 }
 
 impl Menu {
-    /// All, in the order of the menu bar, with their titles.
-    pub const ALL: [(Menu, &'static str); 7] = [
-        (Menu::File, "File"),
-        (Menu::Edit, "Edit"),
-        (Menu::Surfaces, "Surfaces"),
-        (Menu::Part, "Part"),
-        (Menu::View, "View"),
-        (Menu::Plan, "Plan"),
-        (Menu::Help, "Help"),
-    ];
-}
+    /// All, in the order of the menu bar.
+    pub const ALL: [Menu; 7] = [Menu::File, Menu::Edit, Menu::Surfaces, Menu::Part, Menu::View, Menu::Plan, Menu::Help];
 
-/// A row of the table.
-pub struct Row {
-    /// The command.
-    pub command: Command,
-    /// Its name in menus.
-    pub name: &'static str,
-    /// Its menu.
-    pub menu: Menu,
-    /// Its keys.
-    pub keys: Option<KeyboardShortcut>,
-}
+    /// What the menu bar says.
+    pub fn title(self) -> String {
+        match self {
+            Menu::File => say!(menu_file),
+            Menu::Edit => say!(menu_edit),
+            Menu::Surfaces => say!(menu_surfaces),
+            Menu::Part => say!(menu_part),
+            Menu::View => say!(menu_view),
+            Menu::Plan => say!(menu_plan),
+            Menu::Help => say!(menu_help),
+        }
+    }
 
-const fn row(command: Command, name: &'static str, menu: Menu, keys: Option<KeyboardShortcut>) -> Row {
-    Row { command, name, menu, keys }
+    /// Its commands, from top to bottom.
+    pub fn commands(self) -> impl Iterator<Item = Command> {
+        Command::ALL.iter().copied().filter(move |c| c.menu() == self)
+    }
 }
 
 const fn key(key: Key) -> Option<KeyboardShortcut> {
-    Some(KeyboardShortcut::new(Modifiers::NONE, key))
+    with(Modifiers::NONE, key)
 }
 
 const fn ctrl(key: Key) -> Option<KeyboardShortcut> {
-    Some(KeyboardShortcut::new(Modifiers::COMMAND, key))
+    with(Modifiers::COMMAND, key)
 }
 
 const fn with(modifiers: Modifiers, key: Key) -> Option<KeyboardShortcut> {
     Some(KeyboardShortcut::new(modifiers, key))
 }
 
-use Command as C;
-use Menu as M;
+/// The list of all commands, and an exhaustive match for each column, from one row a command.
+macro_rules! table {
+    ($($command:ident $(($inner:path))? => $name:ident, $menu:ident, $keys:expr;)*) => {
+        impl Command {
+            /// All, in the order of the menus.
+            pub const ALL: &[Command] = &[$(Command::$command $(($inner))?),*];
 
-/// The table.
-pub const COMMANDS: &[Row] = &[
-    row(C::Open, "Open…", M::File, ctrl(Key::O)),
-    row(C::Save, "Save job", M::File, ctrl(Key::S)),
-    row(C::SaveAs, "Save job as…", M::File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S)),
-    row(C::Export, "Export program…", M::File, ctrl(Key::E)),
-    row(C::Undo, "Undo", M::Edit, ctrl(Key::Z)),
-    row(C::Redo, "Redo", M::Edit, ctrl(Key::Y)),
-    row(C::Clean, "Move to clean", M::Surfaces, key(Key::Enter)),
-    row(C::Unclean, "Move back", M::Surfaces, key(Key::Delete)),
-    row(C::Earlier, "Earlier in the order", M::Surfaces, with(Modifiers::ALT, Key::ArrowUp)),
-    row(C::Later, "Later in the order", M::Surfaces, with(Modifiers::ALT, Key::ArrowDown)),
-    row(C::SelectAll, "Select all", M::Surfaces, ctrl(Key::A)),
-    row(C::SelectSameShape, "Select same shape", M::Surfaces, None),
-    row(C::SelectSameNormal, "Select same normal", M::Surfaces, None),
-    row(C::SelectNeighbours, "Select connected", M::Surfaces, None),
-    row(C::Merge, "Merge selected", M::Surfaces, ctrl(Key::M)),
-    row(C::Split, "Split by the local angle", M::Surfaces, None),
-    row(C::Rename, "Rename…", M::Surfaces, key(Key::F2)),
-    row(C::FlipSurface, "Flip side of surface", M::Surfaces, None),
-    row(C::FlipShell, "Flip side of shell", M::Surfaces, None),
-    row(C::PickOrigin, "Origin at a picked face, edge or hole…", M::Part, None),
-    row(C::LayFlat, "Lay a picked face down…", M::Part, None),
-    row(C::TurnX, "Turn 90° about x", M::Part, None),
-    row(C::TurnY, "Turn 90° about y", M::Part, None),
-    row(C::TurnZ, "Turn 90° about z", M::Part, None),
-    row(C::Look(0), "Iso", M::View, key(Key::Num0)),
-    row(C::Look(1), "Front", M::View, key(Key::Num1)),
-    row(C::Look(2), "Back", M::View, key(Key::Num2)),
-    row(C::Look(3), "Left", M::View, key(Key::Num3)),
-    row(C::Look(4), "Right", M::View, key(Key::Num4)),
-    row(C::Look(5), "Top", M::View, key(Key::Num5)),
-    row(C::Look(6), "Bottom", M::View, key(Key::Num6)),
-    row(C::Fit, "Fit", M::View, key(Key::F)),
-    row(C::Projection, "Perspective or parallel", M::View, key(Key::O)),
-    row(C::Hide, "Hide selected", M::View, key(Key::H)),
-    row(C::Isolate, "Show only selected", M::View, with(Modifiers::SHIFT, Key::H)),
-    row(C::ShowAll, "Show all", M::View, with(Modifiers::ALT, Key::H)),
-    row(C::Lines, "Path lines", M::View, key(Key::L)),
-    row(C::Frames, "Pose frames", M::View, key(Key::R)),
-    row(C::Beams, "Beams", M::View, key(Key::B)),
-    row(C::Air, "Connecting moves", M::View, key(Key::A)),
-    row(C::Before, "Before correction", M::View, key(Key::C)),
-    row(C::Plain, "Part without colours", M::View, key(Key::G)),
-    row(C::HideChosen, "Hide surfaces to clean", M::View, None),
-    row(C::Section, "One section plane", M::View, key(Key::S)),
-    row(C::Cell, "Robot cell", M::View, key(Key::K)),
-    row(C::Plots, "Motion plots", M::View, key(Key::M)),
-    row(C::Text, "Program text", M::View, key(Key::P)),
-    row(C::ToolBodies, "Head and clamps", M::View, key(Key::N)),
-    row(C::Access, "Access map", M::View, key(Key::T)),
-    row(C::Dose, "Dose", M::View, key(Key::D)),
-    row(C::Spacing, "Achieved spacing", M::View, key(Key::I)),
-    row(C::Theme, "Dark or light", M::View, None),
-    row(C::Plan, "Plan now", M::Plan, ctrl(Key::R)),
-    row(C::Cancel, "Cancel planning or search", M::Plan, None),
-    row(C::BetterSetup, "Find a better set-up", M::Plan, None),
-    row(C::Play, "Play or pause", M::Plan, key(Key::Space)),
-    row(C::NextPoint, "Next point", M::Plan, key(Key::ArrowRight)),
-    row(C::LastPoint, "Previous point", M::Plan, key(Key::ArrowLeft)),
-    row(C::NextPass, "Next pass", M::Plan, key(Key::PageDown)),
-    row(C::LastPass, "Previous pass", M::Plan, key(Key::PageUp)),
-    row(C::First, "First point", M::Plan, key(Key::Home)),
-    row(C::Last, "Last point", M::Plan, key(Key::End)),
-    row(C::Help, "Shortcuts", M::Help, with(Modifiers::SHIFT, Key::Questionmark)),
-    row(C::Escape, "Step out", M::Help, key(Key::Escape)),
-];
+            /// What menus and buttons say.
+            pub fn name(self) -> String {
+                match self { $(Command::$command $(($inner))? => say!($name)),* }
+            }
+
+            /// The menu that it stands in.
+            pub const fn menu(self) -> Menu {
+                match self { $(Command::$command $(($inner))? => Menu::$menu),* }
+            }
+
+            /// The keys that give it.
+            pub const fn keys(self) -> Option<KeyboardShortcut> {
+                match self { $(Command::$command $(($inner))? => $keys),* }
+            }
+        }
+    };
+}
+
+table! {
+    Open => command_open, File, ctrl(Key::O);
+    Save => command_save, File, ctrl(Key::S);
+    SaveAs => command_save_as, File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S);
+    Export => command_export, File, ctrl(Key::E);
+    Undo => command_undo, Edit, ctrl(Key::Z);
+    Redo => command_redo, Edit, ctrl(Key::Y);
+    Clean => command_clean, Surfaces, key(Key::Enter);
+    Unclean => command_unclean, Surfaces, key(Key::Delete);
+    CleanEarlier => command_clean_earlier, Surfaces, with(Modifiers::ALT, Key::ArrowUp);
+    CleanLater => command_clean_later, Surfaces, with(Modifiers::ALT, Key::ArrowDown);
+    Select(More::Listed) => command_select_all, Surfaces, ctrl(Key::A);
+    Select(More::SameShape) => command_select_same_shape, Surfaces, None;
+    Select(More::SameNormal) => command_select_same_normal, Surfaces, None;
+    Select(More::Neighbours) => command_select_neighbours, Surfaces, None;
+    Merge => command_merge, Surfaces, ctrl(Key::M);
+    Split => command_split, Surfaces, None;
+    Rename => command_rename, Surfaces, key(Key::F2);
+    FlipSurface => command_flip_surface, Surfaces, None;
+    FlipShell => command_flip_shell, Surfaces, None;
+    PickOrigin => command_pick_origin, Part, None;
+    LayFlat => command_lay_flat, Part, None;
+    QuarterTurn(TurnAxis::X) => command_turn_x, Part, None;
+    QuarterTurn(TurnAxis::Y) => command_turn_y, Part, None;
+    QuarterTurn(TurnAxis::Z) => command_turn_z, Part, None;
+    Look(StandardView::Iso) => command_look_iso, View, key(Key::Num0);
+    Look(StandardView::Front) => command_look_front, View, key(Key::Num1);
+    Look(StandardView::Back) => command_look_back, View, key(Key::Num2);
+    Look(StandardView::Left) => command_look_left, View, key(Key::Num3);
+    Look(StandardView::Right) => command_look_right, View, key(Key::Num4);
+    Look(StandardView::Top) => command_look_top, View, key(Key::Num5);
+    Look(StandardView::Bottom) => command_look_bottom, View, key(Key::Num6);
+    Fit => command_fit, View, key(Key::F);
+    Projection => command_projection, View, key(Key::O);
+    Hide => command_hide, View, key(Key::H);
+    Isolate => command_isolate, View, with(Modifiers::SHIFT, Key::H);
+    ShowAll => command_show_all, View, with(Modifiers::ALT, Key::H);
+    Toggle(Toggle::PathLines) => command_path_lines, View, key(Key::L);
+    Toggle(Toggle::PoseFrames) => command_pose_frames, View, key(Key::R);
+    Toggle(Toggle::Beams) => command_beams, View, key(Key::B);
+    Toggle(Toggle::ConnectingMoves) => command_connecting_moves, View, key(Key::A);
+    Toggle(Toggle::BeforeCorrection) => command_before_correction, View, key(Key::C);
+    Toggle(Toggle::PlainPart) => command_plain_part, View, key(Key::G);
+    Toggle(Toggle::HideChosen) => command_hide_chosen, View, None;
+    Toggle(Toggle::SectionPlane) => command_section_plane, View, key(Key::S);
+    Toggle(Toggle::Cell) => command_cell, View, key(Key::K);
+    Toggle(Toggle::Plots) => command_plots, View, key(Key::M);
+    Toggle(Toggle::ProgramText) => command_program_text, View, key(Key::P);
+    Toggle(Toggle::ToolBodies) => command_tool_bodies, View, key(Key::N);
+    Toggle(Toggle::AccessMap) => command_access_map, View, key(Key::T);
+    Toggle(Toggle::Dose) => command_dose, View, key(Key::D);
+    Toggle(Toggle::Spacing) => command_spacing, View, key(Key::I);
+    Theme => command_theme, View, None;
+    Plan => command_plan, Plan, ctrl(Key::R);
+    Cancel => command_cancel, Plan, None;
+    BetterSetup => command_better_setup, Plan, None;
+    Play => command_play, Plan, key(Key::Space);
+    Go(Jump::NextPoint) => command_next_point, Plan, key(Key::ArrowRight);
+    Go(Jump::PreviousPoint) => command_previous_point, Plan, key(Key::ArrowLeft);
+    Go(Jump::NextPass) => command_next_pass, Plan, key(Key::PageDown);
+    Go(Jump::PreviousPass) => command_previous_pass, Plan, key(Key::PageUp);
+    Go(Jump::FirstPoint) => command_first_point, Plan, key(Key::Home);
+    Go(Jump::LastPoint) => command_last_point, Plan, key(Key::End);
+    Help => command_help, Help, with(Modifiers::SHIFT, Key::Questionmark);
+    Escape => command_escape, Help, key(Key::Escape);
+}
+
+impl Command {
+    /// Its keys, as written on this system; empty without any.
+    pub fn keys_text(self, ctx: &Context) -> String {
+        self.keys().map_or_else(String::new, |keys| ctx.format_shortcut(&keys))
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -204,10 +316,10 @@ mod tests {
 
     #[test]
     fn no_two_commands_share_their_keys_or_name() {
-        for (i, a) in COMMANDS.iter().enumerate() {
-            for b in &COMMANDS[..i] {
-                assert!(a.keys.is_none() || a.keys != b.keys, "{} and {}", a.name, b.name);
-                assert!(a.name != b.name && a.command != b.command);
+        for (i, a) in Command::ALL.iter().enumerate() {
+            for b in &Command::ALL[..i] {
+                assert!(a.keys().is_none() || a.keys() != b.keys(), "{a:?} and {b:?}");
+                assert!(a.name() != b.name(), "{a:?} and {b:?}");
             }
         }
     }

@@ -3,16 +3,16 @@
 //! What is shown may be out of date, and is marked so then. What is *current* is asked for by the job as it
 //! is now: only that is called proven, and only that is exported.
 
-use super::clearance::ClearanceCurve;
-use super::dose::DoseView;
+use super::clearance::ClearanceSearch;
+use super::dose::Dose;
 use super::motion::Motion;
-use super::remedy::Proposal;
+use super::remedy::Remedy;
 use crate::document::model::PartFile;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
-use crate::planning::advice::Help;
-use crate::planning::{Executor, Pipeline, PlanError, PlannedJob, PlanningError, Stage};
+use crate::planning::{Executor, Pipeline, PlannedJob, PlanningError, Stage};
+use crate::text::shape_label;
 use crate::view::LineItem;
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -41,13 +41,11 @@ pub struct Derived {
     /// The plan in motion.
     pub(super) motion: Stage<Motion, Infallible>,
     /// How far everything keeps from everything over it.
-    pub(super) clearance: Stage<ClearanceCurve, Infallible>,
-    /// What would help with what is refused.
-    pub(super) advice: Stage<Vec<Help>, Infallible>,
-    /// A better set-up, if there is any.
-    pub(super) proposal: Stage<Option<Proposal>, Infallible>,
+    pub(super) clearance: ClearanceSearch,
+    /// What would help with what the robot refuses.
+    pub(super) remedy: Remedy,
     /// What lands.
-    pub(super) dose: Stage<DoseView, PlanError>,
+    pub(super) dose: Dose,
 }
 
 impl Derived {
@@ -64,10 +62,9 @@ impl Derived {
             cell: None,
             laid: None,
             motion: Stage::default(),
-            clearance: Stage::default(),
-            advice: Stage::default(),
-            proposal: Stage::default(),
-            dose: Stage::default(),
+            clearance: ClearanceSearch::default(),
+            remedy: Remedy::default(),
+            dose: Dose::default(),
         }
     }
 
@@ -120,8 +117,7 @@ impl Derived {
     /// Ends all work.
     pub fn cancel_all(&mut self) {
         self.pipeline.cancel();
-        self.advice.cancel();
-        self.proposal.cancel();
+        self.remedy.cancel();
         self.dose.cancel();
     }
 
@@ -130,10 +126,9 @@ impl Derived {
         self.pipeline.is_at_rest()
             && !self.shapes.is_running()
             && !self.motion.is_running()
-            && !self.clearance.is_running()
-            && !self.advice.is_running()
-            && !self.proposal.is_running()
-            && !self.dose.is_running()
+            && self.clearance.is_at_rest()
+            && self.remedy.is_at_rest()
+            && self.dose.is_at_rest()
     }
 
     /// Numbers of all surfaces.
@@ -150,7 +145,7 @@ impl Derived {
     /// Name of a surface in lists and at the cursor.
     pub fn label(&self, job: &Job, surface: u32) -> String {
         match job.settings.of(SurfaceId(surface)).name.as_str() {
-            "" => self.shape(surface).map_or_else(|| "…".into(), crate::text::shape_label),
+            "" => self.shape(surface).map_or_else(|| "…".into(), shape_label),
             name => name.into(),
         }
     }

@@ -1,5 +1,6 @@
 //! File dialogs, off the UI thread and behind a trait, so that tests inject the answer.
 
+use crate::text::say;
 use eframe::egui;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -82,14 +83,18 @@ impl FileDialogs for NativeDialogs {
         std::thread::spawn(move || {
             let dialog = rfd::FileDialog::new();
             answer(match purpose {
-                Purpose::Open => dialog.add_filter("Part or job", &["stl", "STL", "toml", "clearbeam"]).pick_file(),
-                Purpose::Part => dialog.add_filter("Part", &["stl", "STL"]).pick_file(),
-                Purpose::SaveJob => dialog.add_filter("Job", &["toml", "clearbeam"]).set_file_name(name).save_file(),
-                Purpose::Export => dialog.set_title("Folder for the program").pick_folder(),
-                Purpose::Cell => dialog.add_filter("Cell", &["toml"]).pick_file(),
-                Purpose::Head => dialog.add_filter("Head", &["toml", "stl", "STL"]).pick_file(),
-                Purpose::Clamp => dialog.add_filter("Clamp", &["stl", "STL"]).pick_file(),
-                Purpose::Robot => dialog.add_filter("Robot", &["toml"]).pick_file(),
+                Purpose::Open => {
+                    dialog.add_filter(say!(dialog_part_or_job), &["stl", "STL", "toml", "clearbeam"]).pick_file()
+                }
+                Purpose::Part => dialog.add_filter(say!(dialog_part), &["stl", "STL"]).pick_file(),
+                Purpose::SaveJob => {
+                    dialog.add_filter(say!(dialog_job), &["toml", "clearbeam"]).set_file_name(name).save_file()
+                }
+                Purpose::Export => dialog.set_title(say!(dialog_program_folder)).pick_folder(),
+                Purpose::Cell => dialog.add_filter(say!(dialog_cell), &["toml"]).pick_file(),
+                Purpose::Head => dialog.add_filter(say!(dialog_head), &["toml", "stl", "STL"]).pick_file(),
+                Purpose::Clamp => dialog.add_filter(say!(dialog_clamp), &["stl", "STL"]).pick_file(),
+                Purpose::Robot => dialog.add_filter(say!(dialog_robot), &["toml"]).pick_file(),
             });
         });
     }

@@ -2,11 +2,14 @@
 //! cancel, and kept for one plan. And what of it stands at a clicked place.
 
 use super::App;
+use super::command::Toggle;
+use super::context::Context;
 use super::session::Coloring;
-use crate::part::Surfaces;
+use crate::document::Job;
+use crate::part::{Digest, Surfaces};
 use crate::picture::dose::{DoseLook, dose_item};
-use crate::planning::PlannedJob;
 use crate::planning::dose::{DoseReport, dose, not_cleanable};
+use crate::planning::{Executor, Failure, PlanError, PlannedJob, Stage};
 use crate::process::{DoseMap, Patch, SpotHit};
 use crate::progress::{Activity, Progress};
 use crate::view::MeshItem;
@@ -38,58 +41,90 @@ pub struct Clicked {
     pub hits: Vec<SpotHit>,
 }
 
-impl App {
-    /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
-    pub(super) fn dose(&self) -> Option<&Arc<DoseView>> {
-        self.derived.current_plan(&self.document)?;
-        self.derived.dose.of(self.derived.pipeline.dose_key()?)
-    }
+/// The computation of the dose, for one plan at a time.
+#[derive(Default)]
+pub struct Dose(Stage<DoseView, PlanError>);
 
-    /// How far the computation is that is going on.
-    pub(super) fn dose_progress(&self) -> Option<&Progress> {
-        self.derived.dose.progress()
-    }
-
-    /// Shows the dose on the part, or the surfaces again.
-    pub(super) fn toggle_dose(&mut self) {
-        let show = !self.session.show.dose;
-        self.session.show.dose = show;
-        self.session.coloring = if show { Coloring::Dose } else { Coloring::Surface };
-        // A computation that was cancelled is asked for again.
-        if show {
-            self.derived.dose.try_again();
-        }
-    }
-
-    /// Computes what is asked for, one plan at a time.
-    pub(super) fn sync_dose(&mut self) {
-        self.derived.dose.poll();
-        let planned = self.derived.current_plan(&self.document).cloned();
-        let (Some(planned), Some(key)) = (planned, self.derived.pipeline.dose_key()) else {
-            // Nobody waits for the dose of what is out of date.
-            if self.derived.dose.is_running() {
-                self.derived.dose.clear();
+impl Dose {
+    /// Takes what has arrived, and computes the dose of a plan if it is wanted. Nobody waits for the dose of a plan
+    /// that is out of date. Thresholds are those of the job as it is; all else of it is the plan's.
+    fn sync(
+        &mut self,
+        current: Option<(Digest, Arc<PlannedJob>)>,
+        job: &Job,
+        is_wanted: bool,
+        executor: &dyn Executor,
+    ) {
+        self.0.poll();
+        let Some((key, planned)) = current else {
+            if self.0.is_running() {
+                self.0.clear();
             }
             return;
         };
-        if !self.session.show.dose || !self.derived.dose.lacks(key) {
-            return;
+        if is_wanted && self.0.lacks(key) {
+            let job = job.clone();
+            self.0.start(key, Activity::SummingDose, executor, move |progress| DoseView::new(&planned, &job, progress));
         }
-        // Thresholds are those of the job as it is; all else of it is the plan's.
-        let job = self.document.job().clone();
+    }
+
+    /// The dose for a key of the pipeline.
+    pub fn of(&self, key: Digest) -> Option<&Arc<DoseView>> {
+        self.0.of(key)
+    }
+
+    /// How far the computation is that is going on.
+    pub fn progress(&self) -> Option<&Progress> {
+        self.0.progress()
+    }
+
+    /// Whether nothing is being computed.
+    pub fn is_at_rest(&self) -> bool {
+        !self.0.is_running()
+    }
+
+    /// Ends the computation.
+    pub fn cancel(&mut self) {
+        self.0.cancel();
+    }
+
+    /// Computes again what was cancelled or failed.
+    pub fn try_again(&mut self) {
+        self.0.try_again();
+    }
+}
+
+impl DoseView {
+    fn new(of: &PlannedJob, job: &Job, progress: &Progress) -> Result<DoseView, Failure<PlanError>> {
+        let PlannedJob { part, surfaces, plan, setup, .. } = of;
+        let map = dose(part, surfaces, plan, job, setup, progress)?;
+        let patches = not_cleanable(part, surfaces, plan, job, &map);
+        let report = DoseReport::new(&map, &patches, surfaces);
+        let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, surfaces, look));
+        Ok(DoseView { map, patches, report, surfaces: surfaces.clone(), items })
+    }
+}
+
+impl App {
+    /// Brings the dose up to date, if it is shown.
+    pub(super) fn sync_dose(&mut self) {
+        let planned = self.context().plan().cloned();
+        let current = self.derived.pipeline.dose_key().zip(planned);
         let executor = self.derived.pipeline.executor().clone();
-        self.derived.dose.start(key, Activity::SummingDose, &*executor, move |progress| {
-            let PlannedJob { part, surfaces, plan, setup, .. } = &*planned;
-            let map = dose(part, surfaces, plan, &job, setup, progress)?;
-            let patches = not_cleanable(part, surfaces, plan, &job, &map);
-            let report = DoseReport::new(&map, &patches, surfaces);
-            let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, surfaces, look));
-            Ok(DoseView { map, patches, report, surfaces: surfaces.clone(), items })
-        });
+        let is_wanted = self.session.show.is_on(Toggle::Dose);
+        self.derived.dose.sync(current, self.document.job(), is_wanted, &*executor);
+    }
+}
+
+impl<'a> Context<'a> {
+    /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
+    pub fn dose(self) -> Option<&'a Arc<DoseView>> {
+        self.plan()?;
+        self.derived.dose.of(self.derived.pipeline.dose_key()?)
     }
 
     /// The part coloured by what lands, if that is asked for and known.
-    pub(super) fn dose_picture(&self) -> Option<MeshItem> {
+    pub fn dose_picture(self) -> Option<MeshItem> {
         let which = match self.session.coloring {
             Coloring::Surface => return None,
             Coloring::Dose => 0,
@@ -98,11 +133,11 @@ impl App {
         Some(self.dose()?.items[which].clone())
     }
 
-    /// Keeps what lands at a clicked place.
-    pub(super) fn click_dose(&mut self, facet: u32, p: Point3<f64>) {
-        let (Some(view), Some(planned)) = (self.dose(), self.derived.current_plan(&self.document)) else { return };
-        let Some(normal) = view.surfaces.normals.get(facet as usize) else { return };
+    /// What lands at a place of the part, if the dose is known.
+    pub fn dose_at(self, facet: u32, p: Point3<f64>) -> Option<Clicked> {
+        let (view, planned) = (self.dose()?, self.plan()?);
+        let normal = view.surfaces.normals.get(facet as usize)?;
         let hits = view.map.hits_at(&planned.part, &planned.setup.tool.clamps, facet, &p, normal);
-        self.session.clicked = Some(Clicked { p, facet, hits });
+        Some(Clicked { p, facet, hits })
     }
 }

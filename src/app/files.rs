@@ -6,18 +6,18 @@ use super::questions::Question;
 use super::session::AfterGuard;
 use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
-use crate::document::{IfChanged, Remembered};
+use crate::document::{Edit, IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
 use crate::progress::Activity;
-use crate::text::{NamedSentence as _, Naming, Sentence};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment, say};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
 impl App {
     pub(super) fn ask(&mut self, purpose: Purpose) {
-        let name = self.part_name().map_or("job.toml".into(), |n| format!("{n}.toml"));
+        let name = self.context().part_name().map_or("job.toml".into(), |n| format!("{n}.toml"));
         let answer = self.answers.expect(purpose, &self.ctx);
         self.dialogs.ask(purpose, &name, answer);
     }
@@ -42,17 +42,17 @@ impl App {
             Purpose::Part => self.look_at_file(path),
             Purpose::Cell => {
                 let named = files::relative_to(&path, self.document.file());
-                self.edit(crate::document::Edit::Cell(named));
+                self.edit(Edit::Cell(named));
             }
             Purpose::Head => {
                 let named = files::relative_to(&path, self.document.file());
-                self.edit(crate::document::Edit::Head(named));
+                self.edit(Edit::Head(named));
             }
             Purpose::Clamp => {
                 let named = files::relative_to(&path, self.document.file());
                 let mut clamps = self.document.job().clamps.clone();
                 clamps.push(Obstacle::named(named));
-                self.edit(crate::document::Edit::Clamps(clamps));
+                self.edit(Edit::Clamps(clamps));
             }
             Purpose::Robot => {
                 let named = files::relative_to(&path, self.document.file());
@@ -93,7 +93,7 @@ impl App {
                 // Only paths have changed: what was computed stays true.
                 let now = (self.document.job(), self.document.file());
                 self.derived.pipeline.renamed((&before.0, before.1.as_deref()), now);
-                self.session.said = format!("saved {}", path.display());
+                self.session.said = say!(window_saved, file = path.display().to_string());
                 self.remember(&path);
                 self.keep_journal();
                 self.go_on();
@@ -111,17 +111,16 @@ impl App {
         // A cell or head that was changed meanwhile is not what was planned with.
         self.derived.pipeline.look_again();
         let Some(planned) = self.derived.current_plan(&self.document).cloned() else {
-            self.session.error =
-                Some("there is no finished plan for the job as it is; wait for it, or see what is wrong".into());
+            self.session.error = Some(say!(window_no_finished_plan));
             return;
         };
         let (job, file) = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
-        self.session.said = format!("writing into {}…", dir.display());
+        self.session.said = say!(window_writing_into, folder = dir.display().to_string());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
         self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-            let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[] };
+            let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
                 ExportError::Cancelled => Failure::Cancelled,
                 other => Failure::Refused(other),
@@ -141,9 +140,9 @@ impl App {
                 let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
                 let naming = Naming::of(self.document.job());
                 self.session.said =
-                    reason.map_or_else(|| format!("exported {program}"), |reason| reason.sentence_with(&naming));
+                    reason.map_or_else(|| say!(window_exported, program), |reason| reason.sentence_with(&naming));
             }
-            Err(Failure::Cancelled) => self.session.said = "the export was cancelled".into(),
+            Err(Failure::Cancelled) => self.session.said = say!(window_export_cancelled),
             Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {
                 self.session.said.clear();
                 self.question = Some(Question::ExportOver { dir, conflicts });
@@ -181,23 +180,13 @@ impl App {
         }
     }
 
-    /// Name of the part without folder and ending.
-    pub(super) fn part_name(&self) -> Option<String> {
-        Path::new(&self.document.job().part.file).file_stem().map(|n| n.to_string_lossy().into_owned())
-    }
-
-    /// Name of the part's file, as the program's head says it.
-    pub(super) fn part_file_name(&self) -> String {
-        let name = Path::new(&self.document.job().part.file).file_name().map(|n| n.to_string_lossy().into_owned());
-        name.unwrap_or_default()
-    }
-
+    /// What the window's title says.
     pub(super) fn title(&self) -> String {
-        let dirty = if self.document.is_dirty() { "● " } else { "" };
         let file = self.document.file().and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
-        match file.or_else(|| self.part_name().filter(|n| !n.is_empty())) {
-            Some(name) => format!("{dirty}{name} – clearbeam"),
-            None => "clearbeam".into(),
+        match file.or_else(|| self.context().part_name().filter(|n| !n.is_empty())) {
+            Some(name) if self.document.is_dirty() => say!(window_title_unsaved, name),
+            Some(name) => say!(window_title, name),
+            None => say!(window_title_empty),
         }
     }
 }

@@ -1,40 +1,49 @@
 //! The window.
 //!
 //! `Document` (saved, undone) · `Session` (selection, what is shown) · `Derived` (the stages of the one
-//! pipeline, and what the window makes of them). Panels send [`Command`]s and edits; nothing else changes the
-//! document. Work over 100 ms runs on a pool of threads, and a result that nobody wants any more is dropped.
+//! pipeline, and what the window makes of them). Panels look at a `Context` of these and ask for `Actions`:
+//! [`Command`]s and edits; nothing else changes the document. Work over 100 ms runs on a pool of threads, and a result that nobody wants any more is dropped.
 
 mod access;
 mod actions;
+mod asked;
 mod border;
 mod clearance;
 mod command;
+mod context;
 mod derived;
 mod dialogs;
 mod dose;
+mod edits;
 mod files;
+mod journal;
 mod motion;
 mod opening;
 mod outside;
 mod panels;
 mod pick;
+mod playback;
 mod quantity;
 mod questions;
+mod reading;
 mod remedy;
+mod run;
 mod scene;
+mod selection;
 mod session;
+mod shortcuts;
 mod simulation;
 mod spacing;
 mod sync;
 mod theme;
 
-pub use command::{COMMANDS, Command};
+pub use command::{Command, Jump, Menu, More, Toggle, TurnAxis};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
-use crate::document::{Document, Journal, Library, users_folder};
+use crate::document::{Document, Library, users_folder};
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{Pool, Stage};
-use crate::pose::access::{AccessMap, AccessStrip, Over};
+use crate::text::say;
 use crate::view::{Scene, Viewport};
 use derived::Derived;
 use eframe::egui;
@@ -54,23 +63,22 @@ pub struct App {
     /// What they are asked for.
     answers: dialogs::Answers,
     /// What is being read.
-    reading: opening::Reading,
+    reading: reading::Reading,
     /// What waits for the operator's word.
     question: Option<questions::Question>,
     /// Unsaved changes, kept for the case that the program is killed.
-    journal: Journal,
+    journal: journal::JournalKeeper,
     /// The export that is being written.
     exporting: Stage<Exported, ExportError>,
-    /// The access map of the moment, and the strip of the pass.
-    access: Option<access::Made<access::Place, AccessMap>>,
-    strip: Option<access::Made<(Over, usize), AccessStrip>>,
+    /// From where the current place can be reached.
+    access: access::AccessViews,
     /// Lines of the paths, kept while nothing about them changes.
     path_lines: Option<scene::PathLines>,
     recent: Vec<PathBuf>,
     /// Recipes beside those of the job.
     recipes: Library,
     /// Dots of the achieved spacing, kept while the plan stays.
-    spacing: Option<spacing::SpacingView>,
+    spacing: spacing::SpacingView,
     /// Borders that offset lines may start from, kept while the surfaces stay.
     borders: border::Borders,
 }
@@ -97,16 +105,15 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             dialogs,
             answers: dialogs::Answers::default(),
-            reading: opening::Reading::default(),
+            reading: reading::Reading::default(),
             question: None,
-            journal: Journal::default(),
+            journal: journal::JournalKeeper::default(),
             exporting: Stage::default(),
-            access: None,
-            strip: None,
+            access: access::AccessViews::default(),
             path_lines: None,
             recent,
             recipes: Library::open(None),
-            spacing: None,
+            spacing: spacing::SpacingView::default(),
             borders: border::Borders::default(),
         };
         if let Some(path) = open {
@@ -128,7 +135,10 @@ impl eframe::App for App {
         self.take_answers();
         self.take_dropped_files(ctx);
         self.guard_close(ctx);
-        self.take_shortcuts(ctx);
+        // While a question waits for its answer the keys are the question's.
+        if self.question.is_none() {
+            shortcuts::pressed(ctx).into_iter().for_each(|command| self.run(command));
+        }
         self.advance_playback(ctx);
         self.watch_focus(ctx);
         self.sync();
@@ -145,22 +155,23 @@ impl eframe::App for App {
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
-        egui::Panel::top("menu").show(ui, |ui| self.menu(ui));
-        egui::Panel::bottom("status").show(ui, |ui| self.status(ui));
+        egui::Panel::top("menu").show(ui, |ui| self.panel(|context, actions| panels::menu::ui(ui, context, actions)));
+        egui::Panel::bottom("status")
+            .show(ui, |ui| self.panel(|context, actions| panels::status::ui(ui, context, actions)));
         if self.derived.part.is_some() {
-            if self.session.show.plots && self.timeline().is_some() {
+            if self.session.show.is_on(Toggle::Plots) && self.timeline().is_some() {
                 egui::Panel::bottom("plots").default_size(240.0).min_size(160.0).show(ui, |ui| self.plots(ui));
             }
-            if self.session.show.access && self.derived.plan().is_some() {
+            if self.session.show.is_on(Toggle::AccessMap) && self.derived.plan().is_some() {
                 egui::Panel::bottom("access").default_size(230.0).min_size(150.0).show(ui, |ui| self.access_panel(ui));
             }
             egui::Panel::left("lists").default_size(330.0).min_size(240.0).show(ui, |ui| self.lists(ui));
             egui::Panel::right("parameters").default_size(300.0).min_size(240.0).show(ui, |ui| self.parameters(ui));
             egui::Panel::bottom("timeline").show(ui, |ui| self.timeline_panel(ui));
-            if self.session.show.text && self.derived.motion().is_some() {
+            if self.session.show.is_on(Toggle::ProgramText) && self.derived.motion().is_some() {
                 egui::Panel::right("text").default_size(330.0).min_size(180.0).show(ui, |ui| self.program_text(ui));
             }
-            if self.session.show.dose && self.derived.plan().is_some() {
+            if self.session.show.is_on(Toggle::Dose) && self.derived.plan().is_some() {
                 egui::Panel::right("dose").default_size(260.0).min_size(200.0).show(ui, |ui| self.dose_panel(ui));
             }
             let frame = egui::Frame::NONE.fill(ui.visuals().panel_fill);
@@ -210,9 +221,6 @@ pub fn run(open: Option<PathBuf>) -> anyhow::Result<()> {
             .with_recipes(users_folder::recipes())
             .with_journal(users_folder::journal())
     };
-    eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(app(cc))))).map_err(|e| {
-        anyhow::anyhow!(
-            "the window cannot be opened: {e}; without a screen use `clearbeam plan`, or run under xvfb-run"
-        )
-    })
+    eframe::run_native("clearbeam", options, Box::new(|cc| Ok(Box::new(app(cc)))))
+        .map_err(|e| anyhow::Error::msg(say!(window_not_opened, reason = e.to_string())))
 }

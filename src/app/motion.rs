@@ -6,7 +6,8 @@ use crate::picture::Trail;
 use crate::planning::{Plan, PlannedJob, export};
 use crate::pose::State;
 use crate::program::dialect::{Read, Reading};
-use crate::program::{Line, ProgramFile, Sample, Timeline, dialects, lines, series};
+use crate::program::{CurveSample, ProgramFile, ProgramLine, Timeline, dialects, lines, series};
+use crate::text::{Sentence as _, program_comment};
 use std::collections::BTreeMap;
 
 /// A plan in motion.
@@ -14,7 +15,7 @@ pub struct Motion {
     /// Without a robot nothing is known of times.
     pub timeline: Option<Timeline>,
     /// Curves over the timeline.
-    pub curves: Vec<Sample>,
+    pub curves: Vec<CurveSample>,
     /// Where the spot goes.
     pub trail: Option<Trail>,
     /// Number of the move that ends at a target: of those with the same target, the first.
@@ -74,7 +75,7 @@ impl Motion {
         let PlannedJob { job, setup, plan, report, .. } = of;
         let timeline = plan.timeline.clone();
         let moves = lines(&plan.steps, setup).into_iter().filter_map(|l| match l {
-            Line::Move(m) => Some(m.target),
+            ProgramLine::Move(m) => Some(m.target),
             _ => None,
         });
         let mut move_to = BTreeMap::new();
@@ -84,9 +85,9 @@ impl Motion {
             }
         }
         let marks = marks(plan, &move_to);
-        let (files, why_none) = match export::program(job, part_name, setup, plan, report) {
+        let (files, why_none) = match export::program(job, part_name, setup, plan, report, program_comment) {
             Ok(files) => (files, None),
-            Err(why) => (Vec::new(), Some(why.to_string())),
+            Err(why) => (Vec::new(), Some(why.sentence())),
         };
         let line_of_move = lines_of_moves(&files, setup, &job.cell.dialect);
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();

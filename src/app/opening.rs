@@ -3,83 +3,32 @@
 use super::App;
 use super::derived::Derived;
 use super::questions::Question;
-use crate::document::files::{self, JobError};
+use super::reading::{LookedAt, Opened, PartThere, Refused};
+use super::session::AfterGuard;
+use crate::document::files;
 use crate::document::journal::Leftover;
-use crate::document::stamps::{Stamp, stamp_of};
-use crate::document::{CarriedOver, Document, Edit, Job, JobFile, save};
-use crate::part::{Hasher, Part, PartFinding, Source};
-use crate::planning::{Failure, Stage};
-use crate::progress::{Activity, Progress};
-use crate::text::Sentence;
+use crate::document::stamps::Stamp;
+use crate::document::{Document, Edit, Job};
+use crate::part::{Part, PartFinding, Source};
+use crate::planning::Failure;
+use crate::text::{Sentence as _, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 const RECENT: usize = 8;
 
-/// Why a file cannot be opened.
-pub(super) type Refused = Failure<Arc<JobError>>;
-
-/// What is read on a thread.
-#[derive(Default)]
-pub(super) struct Reading {
-    /// The document that is being opened.
-    pub opening: Stage<Opened, Arc<JobError>>,
-    /// The part's file, looked at again while its document is open.
-    pub looking: Stage<LookedAt, Arc<JobError>>,
-    /// How the part's file was when it was read last.
-    pub stamp: Option<Stamp>,
-    /// A changed file that the operator does not want, by its SHA-256.
-    pub unwanted: Option<String>,
-}
-
-/// A document with its part.
-pub(super) struct Opened {
-    document: Document,
-    part: PartThere,
-    /// What it was restored from: taken over once it is shown.
-    leftover: Option<Leftover>,
-}
-
-/// What stands where the part of a job should be.
-enum PartThere {
-    /// The file that the job was made for.
-    Same(Arc<Source>, Box<Part>, Stamp),
-    /// Another.
-    Changed(LookedAt),
-    /// Nothing.
-    Gone(PathBuf),
-}
-
-/// A part's file that is not the one that the job was made for, or another file that may be it.
-pub(super) struct LookedAt {
-    pub file: PathBuf,
-    pub source: Arc<Source>,
-    pub stamp: Stamp,
-    /// The job that was asked about.
-    job: Box<Job>,
-    /// What becomes of it there; `None`: the same bytes under another name, nothing changes.
-    pub carried: Option<Box<CarriedOver>>,
-}
-
 impl App {
     /// Opens a part or a job; reading happens on a thread.
     pub(super) fn open(&mut self, path: PathBuf) {
-        self.session.said = format!("reading {}…", path.display());
-        self.start_opening(move |progress| {
-            let (mut job, file) = job_of(&path)?;
-            let part = part_there(&job, file.as_ref().map(|f| f.path.as_path()), progress)?;
-            if let PartThere::Same(source, ..) = &part {
-                // From now on the job is of this part, and of no other under its name.
-                job.part.sha256.clone_from(&source.sha256);
-            }
-            Ok(Opened { part, document: Document::new(job, file), leftover: None })
-        });
+        self.session.said = say!(window_reading, file = path.display().to_string());
+        let executor = self.derived.pipeline.executor().clone();
+        self.reading.open(path, &*executor);
     }
 
-    /// The same after asking about unsaved changes.
+    /// Opens a part or a job, once unsaved changes are dealt with.
     pub(super) fn open_guarded(&mut self, path: PathBuf) {
         if self.document.is_dirty() {
-            self.session.after_guard = Some(super::session::AfterGuard::Open(path));
+            self.session.after_guard = Some(AfterGuard::Open(path));
         } else {
             self.open(path);
         }
@@ -87,28 +36,19 @@ impl App {
 
     /// Opens what a killed program left behind.
     pub(super) fn restore(&mut self, leftover: Leftover) {
-        self.session.said = format!("restoring {}…", leftover.part_name());
-        self.start_opening(move |progress| {
-            let document = leftover.restored();
-            let part = part_there(document.job(), document.file(), progress)?;
-            Ok(Opened { part, document, leftover: Some(leftover) })
-        });
-    }
-
-    fn start_opening(&mut self, work: impl FnOnce(&Progress) -> Result<Opened, Refused> + Send + 'static) {
+        self.session.said = say!(window_restoring, part = leftover.part_name());
         let executor = self.derived.pipeline.executor().clone();
-        self.reading.opening.clear();
-        self.reading.opening.start(Hasher::default().finish(), Activity::Reading, &*executor, work);
+        self.reading.restore(leftover, &*executor);
     }
 
     /// Takes what was read.
     pub(super) fn take_opened(&mut self) {
-        match self.reading.opening.taken() {
+        match self.reading.opened() {
             Some(Ok(opened)) => self.opened(opened),
             Some(Err(why)) => self.not_read(&why),
             None => {}
         }
-        match self.reading.looking.taken() {
+        match self.reading.looked_at() {
             Some(Ok(looked)) => self.looked_at(looked),
             Some(Err(why)) => self.not_read(&why),
             None => {}
@@ -129,7 +69,7 @@ impl App {
                 self.session.forget_part();
                 self.session.said = PartFinding::of(&part)
                     .first()
-                    .map_or_else(|| format!("{} facets read", part.mesh.facets.len()), Sentence::sentence);
+                    .map_or_else(|| say!(window_facets_read, count = part.mesh.facets.len()), |f| f.sentence());
                 self.show(document, source, Some(*part), stamp, leftover);
             }
             PartThere::Changed(looked) => {
@@ -158,11 +98,11 @@ impl App {
         derived.pipeline.open(source, built.map(|part| (&job.part, part)));
         self.derived = derived;
         self.document = document;
-        (self.reading.stamp, self.reading.unwanted) = (Some(stamp), None);
+        self.reading.took(stamp);
         self.session.fit_pending = true;
         self.remember(&shown);
         if let Some(leftover) = leftover
-            && let Err(why) = leftover.take_over(&mut self.journal)
+            && let Err(why) = self.journal.take_over(leftover)
         {
             self.session.error = Some(why.sentence());
         }
@@ -182,7 +122,7 @@ impl App {
             self.show(*document, source, None, stamp, leftover);
         } else {
             self.derived.pipeline.open(source, None);
-            (self.reading.stamp, self.reading.unwanted) = (Some(stamp), None);
+            self.reading.took(stamp);
             self.session.fit_pending = true;
         }
         let mut job = carried.map_or_else(|| self.document.job().clone(), |c| c.job);
@@ -192,7 +132,7 @@ impl App {
 
     /// Looks at another file in the place of the part that a question is about.
     pub(super) fn look_at_file(&mut self, file: PathBuf) {
-        self.session.said = format!("reading {}…", file.display());
+        self.session.said = say!(window_reading, file = file.display().to_string());
         match &self.question {
             Some(Question::PartChanged { opening: Some((document, _)), .. } | Question::PartGone { document, .. }) => {
                 self.look(document.job().clone(), file, None);
@@ -203,35 +143,19 @@ impl App {
 
     /// Looks whether the part's file has changed while its document was open.
     pub(super) fn look_for_changes(&mut self) {
-        if self.reading.looking.is_running() || self.reading.opening.is_running() || self.question.is_some() {
+        if !self.reading.is_at_rest() || self.question.is_some() {
             return;
         }
-        let (Some(known), Ok(file)) = (self.reading.stamp, files::part_file(self.document.job(), self.document.file()))
-        else {
-            return;
-        };
-        let now = stamp_of(&file);
-        if now == known {
-            return;
+        let Ok(file) = files::part_file(self.document.job(), self.document.file()) else { return };
+        if self.reading.has_changed(&file) {
+            self.look(self.document.job().clone(), file, self.derived.part.clone());
         }
-        self.reading.stamp = Some(now);
-        // What the surfaces look like is known from the part that is shown.
-        let (job, shown) = (self.document.job().clone(), self.derived.part.clone());
-        self.look(job, file, shown);
     }
 
-    fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<Arc<Part>>) {
+    fn look(&mut self, job: Job, file: PathBuf, shown: Option<Arc<Part>>) {
         let executor = self.derived.pipeline.executor().clone();
-        let loaded = self.derived.part_of.clone();
-        self.reading.looking.clear();
-        self.reading.looking.start(Hasher::default().finish(), Activity::Reading, &*executor, move |progress| {
-            if let Some(part) = shown {
-                job.part.landmarks = crate::document::Remembered::of(&job, &part, &loaded);
-            }
-            let stamp = stamp_of(&file);
-            let source = Arc::new(Source::read(&file).map_err(|e| refused(e.into()))?);
-            looked_at(&job, file, source, stamp, progress)
-        });
+        let shown = shown.map(|part| (part, self.derived.part_of.clone()));
+        self.reading.look(job, file, shown, &*executor);
     }
 
     fn looked_at(&mut self, looked: LookedAt) {
@@ -244,8 +168,7 @@ impl App {
             }
             other => {
                 self.question = other;
-                let is_new = self.reading.unwanted.as_deref() != Some(&looked.source.sha256);
-                if looked.carried.is_some() && is_new {
+                if self.reading.is_news(&looked) {
                     self.question = Some(Question::PartChanged { looked, opening: None });
                 }
             }
@@ -266,52 +189,4 @@ impl App {
         self.recent.insert(0, path);
         self.recent.truncate(RECENT);
     }
-}
-
-fn refused(e: JobError) -> Refused {
-    Failure::Refused(Arc::new(e))
-}
-
-/// The job of a job file, or one for a part.
-fn job_of(path: &Path) -> Result<(Job, Option<JobFile>), Refused> {
-    if files::is_job(path) {
-        return save::open(path).map(|(job, file)| (job, Some(file))).map_err(refused);
-    }
-    let mut job = Job::default();
-    job.part.file = path.display().to_string();
-    Ok((job, None))
-}
-
-/// Reads the part of a job.
-fn part_there(job: &Job, job_file: Option<&Path>, progress: &Progress) -> Result<PartThere, Refused> {
-    let file = match files::part_file(job, job_file) {
-        Ok(file) => file,
-        // A part that was to be opened itself is an error; one that a job names can be looked for.
-        Err(JobError::PartGone { file }) if job_file.is_some() => return Ok(PartThere::Gone(file.into())),
-        Err(e) => return Err(refused(e)),
-    };
-    let stamp = stamp_of(&file);
-    let source = Arc::new(Source::read(&file).map_err(|e| refused(e.into()))?);
-    if job.part.is_of_another_file(&source.sha256) {
-        return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
-    }
-    let built = files::build_part(&source, &job.part, &file, progress).map_err(|e| refused(e.into()))?;
-    let part = built.ok_or(Failure::Cancelled)?;
-    Ok(PartThere::Same(source, Box::new(part), stamp))
-}
-
-/// What becomes of a job on a file.
-fn looked_at(
-    job: &Job,
-    file: PathBuf,
-    source: Arc<Source>,
-    stamp: Stamp,
-    progress: &Progress,
-) -> Result<LookedAt, Refused> {
-    if !job.part.is_of_another_file(&source.sha256) {
-        return Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried: None });
-    }
-    let carried = CarriedOver::to_file(job, &source, &file, progress).map_err(|e| refused(e.into()))?;
-    let carried = Some(Box::new(carried.ok_or(Failure::Cancelled)?));
-    Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried })
 }

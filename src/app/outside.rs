@@ -4,6 +4,8 @@ use super::derived::Derived;
 use super::{App, Command, Pool};
 use crate::document::{Document, Edit, Parameter};
 use crate::planning::{Executor, PlannedJob};
+use crate::view::Camera;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -26,12 +28,12 @@ impl App {
 
     /// The plan of the job as it is; `None`: there is none, or what is shown is out of date.
     pub fn plan(&self) -> Option<&Arc<PlannedJob>> {
-        self.derived.current_plan(&self.document)
+        self.context().plan()
     }
 
     /// Why the job as it is has no plan, for people.
     pub fn why_no_plan(&self) -> Option<String> {
-        self.planning_error()
+        self.context().planning_error()
     }
 
     /// Numbers of the surfaces that are shown.
@@ -39,12 +41,34 @@ impl App {
         self.derived.numbers()
     }
 
+    /// The surfaces that are selected.
+    pub fn selected(&self) -> &BTreeSet<u32> {
+        &self.session.selected
+    }
+
+    /// The surfaces that are not shown.
+    pub fn hidden(&self) -> &BTreeSet<u32> {
+        &self.session.hidden
+    }
+
+    /// The current target: pass and point.
+    pub fn target_at(&self) -> (usize, usize) {
+        self.session.playback.at
+    }
+
+    /// From where the 3D view looks.
+    pub fn camera(&self) -> &Camera {
+        &self.viewport.camera
+    }
+
+    /// Whether a command can do anything now.
+    pub fn can(&self, command: Command) -> bool {
+        self.context().is_enabled(command)
+    }
+
     /// Whether nothing is being computed or waited for: what is shown is current.
     pub fn is_settled(&self) -> bool {
-        let is_idle = !self.reading.opening.is_running()
-            && !self.reading.looking.is_running()
-            && !self.exporting.is_running()
-            && self.answers.is_empty();
+        let is_idle = self.reading.is_at_rest() && !self.exporting.is_running() && self.answers.is_empty();
         is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
     }
 
@@ -65,8 +89,7 @@ impl App {
         if !selected.is_empty() {
             self.session.selected = selected.iter().copied().collect();
         }
-        let ctx = self.ctx.clone();
-        self.run(command, &ctx);
+        self.run(command);
     }
 }
 

@@ -1,27 +1,26 @@
 //! The 3D view as a panel: clicks, hover, its context menu, and what stands at the cursor.
 
-use super::App;
-use super::command::Command;
+use super::actions::Actions;
+use super::command::{Command, More, Toggle};
+use super::context::Context;
 use super::session::Tool;
+use super::{App, panels};
 use crate::document::Edit;
 use crate::part::Shape;
-use crate::text::Sentence as _;
-use crate::view::{Bounds, ViewportResponse};
-use eframe::egui::{self, Color32, RichText};
+use crate::text::{Sentence as _, say};
+use crate::view::{Bounds, Camera, ViewportResponse};
+use eframe::egui::{self, Color32};
 use nalgebra::{Point2, Point3, Vector3};
-
-/// Below this the toggles would fill more than two lines: they go into a menu.
-const NARROW: f32 = 480.0;
 
 impl App {
     /// The central panel.
     pub(super) fn view(&mut self, ui: &mut egui::Ui) {
-        self.toolbar(ui);
+        self.panel(|context, actions| panels::toolbar::ui(ui, context, actions));
         self.proposal_strip(ui);
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
-        let part_from_scene = self.scene_from_part().inverse();
+        let part_from_scene = self.context().scene_from_part().inverse();
         let pick = |origin: Point3<f64>, dir: Vector3<f64>| {
             let (from, along) = (part_from_scene * origin, part_from_scene * dir);
             let hit = part.as_ref()?.bvh.nearest_hit(&from, &along, 0.0, f64::INFINITY)?;
@@ -38,70 +37,12 @@ impl App {
                 ui.visuals().warn_fg_color,
             );
         }
-        self.take_pointer(&response);
-        self.cursor_text(ui);
+        let camera = self.viewport.camera;
+        self.panel(|context, actions| pointer(&response, &camera, context, actions));
+        cursor_text(ui, self.context());
         let menu = response.response.clone();
         if response.secondary_clicked_px.is_some() || menu.context_menu_opened() {
             menu.context_menu(|ui| self.view_menu(ui));
-        }
-    }
-
-    fn toolbar(&mut self, ui: &mut egui::Ui) {
-        egui::Frame::new().inner_margin(4).fill(ui.visuals().panel_fill).show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                let width = ui.available_width();
-                ui.set_min_width(width);
-                if width < NARROW {
-                    ui.menu_button("Show ▼", |ui| self.toggles(ui)).response.on_hover_text("What the view shows");
-                } else {
-                    self.toggles(ui);
-                }
-                if self.session.tool != Tool::Select {
-                    let what = match self.session.tool {
-                        Tool::PickOrigin => "Click where the origin should be · Esc ends",
-                        _ => "Click the face to lay down · Esc ends",
-                    };
-                    ui.label(RichText::new(what).color(super::theme::ATTENTION));
-                }
-            });
-        });
-    }
-
-    fn toggles(&mut self, ui: &mut egui::Ui) {
-        use Command as C;
-        for command in [C::Lines, C::Frames, C::Beams, C::Air, C::Before, C::Section, C::HideChosen, C::Plain] {
-            let on = self.is_shown(command);
-            let enabled = self.is_enabled(command);
-            let name = super::panels::name_of(command);
-            let keys = super::panels::keys_of(ui.ctx(), command);
-            let button = egui::Button::selectable(on, name);
-            if ui.add_enabled(enabled, button).on_hover_text(keys).clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(command, &ctx);
-            }
-        }
-    }
-
-    /// Whether a toggle of the view is on.
-    pub(super) fn is_shown(&self, command: Command) -> bool {
-        let s = &self.session.show;
-        match command {
-            Command::Lines => s.lines,
-            Command::Frames => s.frames,
-            Command::Beams => s.beams,
-            Command::Air => s.air,
-            Command::Before => s.before,
-            Command::Plain => s.plain,
-            Command::HideChosen => s.hide_chosen,
-            Command::Section => s.section,
-            Command::Cell => s.cell,
-            Command::Plots => s.plots,
-            Command::Text => s.text,
-            Command::ToolBodies => s.tool,
-            Command::Access => s.access,
-            Command::Dose => s.dose,
-            Command::Spacing => s.spacing,
-            _ => false,
         }
     }
 
@@ -118,148 +59,31 @@ impl App {
         }
     }
 
-    /// Facet and point of the part, in its own frame, under a pixel; hidden surfaces are seen through.
-    fn picked_at(&self, px: Point2<f64>, r: &ViewportResponse) -> Option<(u32, Point3<f64>)> {
-        if self.session.show.section {
-            return None;
-        }
-        let part = self.derived.part.as_ref()?;
-        let clean = self.clean_list();
-        let (origin, dir) = self.viewport.camera.ray_through(px, r.size);
-        let part_from_scene = self.scene_from_part().inverse();
-        let (mut origin, dir) = (part_from_scene * origin, part_from_scene * dir);
-        // A ray that starts far behind everything: parallel cameras may stand inside the part.
-        for _ in 0..64 {
-            let hit = part.bvh.nearest_hit(&origin, &dir, 0.0, f64::INFINITY)?;
-            let surface = *self.derived.surfaces.of_facet.get(hit.facet as usize)?;
-            let hidden =
-                self.session.hidden.contains(&surface) || self.session.show.hide_chosen && clean.contains(&surface);
-            let point = origin + dir * hit.t_mm;
-            if !hidden {
-                return Some((hit.facet, point));
-            }
-            origin = point + dir * 1e-6 * part.mesh.diagonal();
-        }
-        None
-    }
-
-    fn surface_at(&self, px: Option<Point2<f64>>, r: &ViewportResponse) -> Option<u32> {
-        let (facet, _) = self.picked_at(px?, r)?;
-        self.derived.surfaces.of_facet.get(facet as usize).copied()
-    }
-
-    /// The surface of the place under the cursor.
-    fn hovered_surface(&self) -> Option<u32> {
-        let (facet, _) = self.session.hover_place?;
-        self.derived.surfaces.of_facet.get(facet as usize).copied()
-    }
-
-    fn take_pointer(&mut self, r: &ViewportResponse) {
-        self.session.hover_place = r.hover_px.and_then(|px| self.picked_at(px, r));
-        if let Some(n) = self.hovered_surface() {
-            self.session.hovered = Some(n);
-        }
-        if let Some(px) = r.clicked_px {
-            match (self.session.tool, self.picked_at(px, r)) {
-                (Tool::Select, found) => {
-                    if let (true, Some((facet, point))) = (self.session.show.dose, found) {
-                        self.click_dose(facet, point);
-                    }
-                    let n = found.and_then(|(f, _)| self.derived.surfaces.of_facet.get(f as usize).copied());
-                    self.select(n, r.modifiers);
-                    self.session.scroll_to = n;
-                }
-                (tool, Some((facet, point))) => self.use_tool(tool, facet, &point),
-                _ => {}
-            }
-        }
-        if let Some(px) = r.double_clicked_px {
-            match self.surface_at(Some(px), r) {
-                Some(n) => {
-                    self.session.selected = [n].into();
-                    self.session.scroll_to = Some(n);
-                    self.focus_surface(n);
-                }
-                None => self.session.fit_pending = true,
-            }
-        }
-        if let Some(px) = r.secondary_clicked_px {
-            self.session.menu_place = self.picked_at(px, r);
-        }
-        if let Some(px) = r.secondary_clicked_px
-            && let Some(n) = self.surface_at(Some(px), r)
-            && !self.session.selected.contains(&n)
-        {
-            self.session.selected = [n].into();
-        }
-    }
-
-    /// Selects as lists do: Ctrl toggles, Shift adds.
-    pub(super) fn select(&mut self, surface: Option<u32>, modifiers: egui::Modifiers) {
-        let selected = &mut self.session.selected;
-        match surface {
-            Some(n) if modifiers.command && selected.contains(&n) => {
-                selected.remove(&n);
-            }
-            Some(n) if modifiers.shift || modifiers.command => {
-                selected.insert(n);
-            }
-            Some(n) => *selected = [n].into(),
-            None if !modifiers.command && !modifiers.shift => selected.clear(),
-            None => {}
-        }
-        self.session.anchor = surface;
-    }
-
     /// Fits the camera to one surface.
     pub(super) fn focus_surface(&mut self, n: u32) {
         let (Some(part), Some(s)) = (&self.derived.part, self.derived.surfaces.get(n)) else { return };
-        let place = self.scene_from_part();
+        let place = self.context().scene_from_part();
         if let Some(b) = Bounds::around(s.facets.iter().flat_map(|&f| part.mesh.corners(f as usize)).map(|p| place * p))
         {
             self.viewport.fit(b);
         }
     }
 
-    fn use_tool(&mut self, tool: Tool, facet: u32, point: &Point3<f64>) {
-        let Some(part) = self.derived.part.clone() else { return };
-        let surface = self.derived.surfaces.of_facet.get(facet as usize).copied();
-        let edit = match tool {
-            Tool::LayFlat => {
-                let normal = part.mesh.normals[facet as usize];
-                self.document.job().part.placement.with_face_down(point, &normal)
-            }
-            _ => {
-                let at = origin_for(surface.and_then(|n| self.derived.shape(n)), &part.mesh, facet, point);
-                self.document.job().part.placement.with_origin_at(&at)
-            }
-        };
-        self.edit(Edit::Place(edit));
-        self.session.tool = Tool::Select;
-    }
-
-    fn cursor_text(&self, ui: &egui::Ui) {
-        let Some(surface) = self.hovered_surface() else { return };
-        let Some(pointer) = ui.ctx().pointer_hover_pos() else { return };
-        let label = self.derived.label(self.document.job(), surface);
-        text_at(ui.ctx(), pointer, format!("{surface}  {label}"));
-    }
-
     fn view_menu(&mut self, ui: &mut egui::Ui) {
         use Command as C;
         let place = self.spiral_place();
-        let button = ui.add_enabled(place.is_some(), egui::Button::new("Spiral centre here"));
-        if button.on_disabled_hover_text("For surfaces with the strategy spiral").clicked() {
+        let button = ui.add_enabled(place.is_some(), egui::Button::new(say!(view_spiral_centre_here)));
+        if button.on_disabled_hover_text(say!(view_only_with_spiral)).clicked() {
             self.put_spiral_centre();
             ui.close();
         }
         let border = self.border_place();
-        let button = ui.add_enabled(border.is_some(), egui::Button::new("Offset from this border"));
-        let button = match border.and_then(|(surface, index)| self.border_words(surface, index)) {
+        let button = ui.add_enabled(border.is_some(), egui::Button::new(say!(view_offset_from_this_border)));
+        let button = match border.and_then(|(surface, index)| self.borders.words(surface, index)) {
             Some(words) => button.on_hover_text(words),
             None => button,
         };
-        if button.on_disabled_hover_text("For surfaces with the strategy offset that have a border").clicked() {
+        if button.on_disabled_hover_text(say!(view_only_with_offset)).clicked() {
             self.start_from_border();
             ui.close();
         }
@@ -269,19 +93,123 @@ impl App {
             C::Hide,
             C::Isolate,
             C::ShowAll,
-            C::SelectSameShape,
-            C::SelectNeighbours,
+            C::Select(More::SameShape),
+            C::Select(More::Neighbours),
             C::FlipSurface,
             C::Fit,
         ] {
-            let button = egui::Button::new(super::panels::name_of(command));
-            if ui.add_enabled(self.is_enabled(command), button).clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(command, &ctx);
+            let button = egui::Button::new(command.name());
+            if ui.add_enabled(self.context().is_enabled(command), button).clicked() {
+                self.run(command);
                 ui.close();
             }
         }
     }
+}
+
+/// What the pointer does in the view.
+fn pointer(r: &ViewportResponse, camera: &Camera, context: Context<'_>, actions: &mut Actions) {
+    let picked = |px: Point2<f64>| context.picked_at(camera.ray_through(px, r.size));
+    let hover_place = r.hover_px.and_then(picked);
+    if hover_place.is_some() || context.session.hover_place.is_some() {
+        let hovered = hover_place.and_then(|(facet, _)| context.surface_of(facet));
+        actions.session(move |s| {
+            s.hover_place = hover_place;
+            s.hovered = hovered.or(s.hovered);
+        });
+    }
+    if let Some(px) = r.clicked_px {
+        click(picked(px), r.modifiers, context, actions);
+    }
+    if let Some(px) = r.double_clicked_px {
+        match picked(px).and_then(|(facet, _)| context.surface_of(facet)) {
+            Some(n) => {
+                actions.session(move |s| (s.selected, s.scroll_to) = ([n].into(), Some(n)));
+                actions.focus(n);
+            }
+            None => actions.session(|s| s.fit_pending = true),
+        }
+    }
+    if let Some(px) = r.secondary_clicked_px {
+        let place = picked(px);
+        let surface = place.and_then(|(facet, _)| context.surface_of(facet));
+        actions.session(move |s| {
+            s.menu_place = place;
+            if let Some(n) = surface.filter(|n| !s.selected.contains(n)) {
+                s.selected = [n].into();
+            }
+        });
+    }
+}
+
+/// A click on a facet and a point of the part, or on nothing: selects, or does what the tool is for.
+fn click(place: Option<(u32, Point3<f64>)>, modifiers: egui::Modifiers, context: Context<'_>, actions: &mut Actions) {
+    let placement = &context.document.job().part.placement;
+    let placed = match (context.session.tool, place, &context.derived.part) {
+        (Tool::Select, ..) => {
+            if let Some((facet, point)) = place.filter(|_| context.session.show.is_on(Toggle::Dose))
+                && let Some(clicked) = context.dose_at(facet, point)
+            {
+                actions.session(|s| s.clicked = Some(clicked));
+            }
+            let surface = place.and_then(|(facet, _)| context.surface_of(facet));
+            actions.session(move |s| {
+                s.select(surface, modifiers);
+                s.scroll_to = surface;
+            });
+            return;
+        }
+        (_, None, _) | (_, _, None) => return,
+        (Tool::LayFlat, Some((facet, point)), Some(part)) => {
+            placement.with_face_down(&point, &part.mesh.normals[facet as usize])
+        }
+        (Tool::PickOrigin, Some((facet, point)), Some(part)) => {
+            let shape = context.surface_of(facet).and_then(|n| context.derived.shape(n));
+            placement.with_origin_at(&origin_for(shape, &part.mesh, facet, &point))
+        }
+    };
+    actions.edit(Edit::Place(placed));
+    actions.session(|s| s.tool = Tool::Select);
+}
+
+impl Context<'_> {
+    /// Facet and point of the part, in its own frame, that a ray of the scene meets; hidden surfaces are seen through.
+    fn picked_at(self, (origin, dir): (Point3<f64>, Vector3<f64>)) -> Option<(u32, Point3<f64>)> {
+        let show = &self.session.show;
+        if show.is_on(Toggle::SectionPlane) {
+            return None;
+        }
+        let part = self.derived.part.as_ref()?;
+        let clean = self.clean_list();
+        let part_from_scene = self.scene_from_part().inverse();
+        let (mut origin, dir) = (part_from_scene * origin, part_from_scene * dir);
+        // A ray that starts far behind everything: parallel cameras may stand inside the part.
+        for _ in 0..64 {
+            let hit = part.bvh.nearest_hit(&origin, &dir, 0.0, f64::INFINITY)?;
+            let surface = self.surface_of(hit.facet)?;
+            let is_hidden =
+                self.session.hidden.contains(&surface) || show.is_on(Toggle::HideChosen) && clean.contains(&surface);
+            let point = origin + dir * hit.t_mm;
+            if !is_hidden {
+                return Some((hit.facet, point));
+            }
+            origin = point + dir * 1e-6 * part.mesh.diagonal();
+        }
+        None
+    }
+
+    /// The surface that a facet belongs to.
+    fn surface_of(self, facet: u32) -> Option<u32> {
+        self.derived.surfaces.of_facet.get(facet as usize).copied()
+    }
+}
+
+fn cursor_text(ui: &egui::Ui, context: Context<'_>) {
+    let hovered = context.session.hover_place.and_then(|(facet, _)| context.surface_of(facet));
+    let Some(surface) = hovered else { return };
+    let Some(pointer) = ui.ctx().pointer_hover_pos() else { return };
+    let label = context.derived.label(context.document.job(), surface);
+    text_at(ui.ctx(), pointer, format!("{surface}  {label}"));
 }
 
 /// A text beside the cursor.

@@ -1,12 +1,13 @@
-//! What waits for the operator's word before anything is done, and the doing of it.
+//! What waits for the operator's word before anything is done, and what is done at his word.
 
 use super::App;
 use super::dialogs::Purpose;
-use super::opening::LookedAt;
+use super::journal::JournalKeeper;
+use super::reading::LookedAt;
 use crate::document::journal::{LeftBehind, Leftover};
-use crate::document::{Document, Forgotten, Journal, journal};
+use crate::document::{Document, Forgotten, journal};
 use crate::planning::export::FileConflict;
-use crate::text::Sentence;
+use crate::text::Sentence as _;
 use std::path::{Path, PathBuf};
 
 /// A question.
@@ -43,7 +44,7 @@ pub(super) enum Question {
 impl App {
     /// The window with a journal of unsaved changes in a folder; it asks about those that were left there.
     pub fn with_journal(mut self, folder: Option<PathBuf>) -> App {
-        match Journal::open(folder.as_deref()) {
+        match JournalKeeper::open(folder.as_deref()) {
             Ok(journal) => self.journal = journal,
             Err(why) => self.session.error = Some(why.sentence()),
         }
@@ -59,13 +60,8 @@ impl App {
 
     /// Keeps the unsaved changes, so that a killed program loses nothing.
     pub(super) fn keep_journal(&mut self) {
-        if let Err(why) = self.journal.record(&self.document) {
-            let why = why.sentence();
-            // Once is enough: it is tried again with every edit.
-            if self.session.journal_error.as_ref() != Some(&why) {
-                self.session.error = Some(why.clone());
-                self.session.journal_error = Some(why);
-            }
+        if let Some(why) = self.journal.keep(&self.document) {
+            self.session.error = Some(why);
         }
     }
 
@@ -78,7 +74,7 @@ impl App {
 
     /// The changed part's file is not wanted: as long as the document is open it is not asked about again.
     pub(super) fn keep_part(&mut self, looked: &LookedAt) {
-        self.reading.unwanted = Some(looked.source.sha256.clone());
+        self.reading.refuse(looked);
     }
 
     /// Asks for another file in the place of the part.

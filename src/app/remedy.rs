@@ -3,15 +3,16 @@
 //! with that they go.
 
 use super::App;
-use crate::cell::Setup;
+use super::context::Context;
 use crate::cell::motion::Arm;
 use crate::cell::motion::advice::BetterSetup;
+use crate::cell::{Joints, Setup};
 use crate::document::Edit;
-use crate::part::Hasher;
+use crate::part::{Digest, Hasher};
 use crate::picture::CellPicture;
 use crate::picture::palette::state;
 use crate::planning::advice::Help;
-use crate::planning::{Cache, Failure, PlannedJob, advice};
+use crate::planning::{Cache, Executor, Failure, PlannedJob, Stage, advice};
 use crate::progress::{Activity, Cancelled, Progress};
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
@@ -61,69 +62,29 @@ fn points(spots: impl Iterator<Item = Point3<f64>>, [r, g, b]: [u8; 3], size_px:
     PointItem { key, points: Arc::new(points), size_px, depth, scene_from_item: Isometry3::identity() }
 }
 
-impl App {
-    /// The plan of the job as it is, if the robot refuses anything of it.
-    fn refusing_plan(&self) -> Option<&Arc<PlannedJob>> {
-        self.derived.current_plan(&self.document).filter(|planned| !planned.plan.refusals.is_empty())
-    }
+/// The two searches.
+#[derive(Default)]
+pub struct Remedy {
+    /// What would help with what is refused.
+    advice: Stage<Vec<Help>, Infallible>,
+    /// A better set-up, if there is any.
+    proposal: Stage<Option<Proposal>, Infallible>,
+}
 
-    /// Whether the robot refuses anything of the plan.
-    pub(super) fn has_refusals(&self) -> bool {
-        self.refusing_plan().is_some()
-    }
-
-    /// What would help with the plan as it is; `None`: that is being looked for.
-    pub(super) fn advice(&self) -> Option<Result<&[Help], &Failure<Infallible>>> {
-        let key = self.refusing_plan()?.key;
-        let known = self.derived.advice.of(key).map(|told| Ok(told.as_slice()));
-        known.or_else(|| self.derived.advice.failure(key).map(Err))
-    }
-
-    /// The set-up that is proposed for the plan as it is.
-    pub(super) fn proposal(&self) -> Option<&Proposal> {
-        let found = self.derived.proposal.of(self.derived.current_plan(&self.document)?.key)?;
-        Option::as_ref(found)
-    }
-
-    /// Whether one was looked for in vain.
-    pub(super) fn has_no_proposal(&self) -> bool {
-        let found = self.derived.current_plan(&self.document).and_then(|p| self.derived.proposal.of(p.key));
-        found.is_some_and(|found| found.is_none())
-    }
-
-    /// Whether a set-up for the plan as it is is being looked for.
-    pub(super) fn is_proposing(&self) -> bool {
-        self.derived.proposal.is_running()
-    }
-
-    /// The search that is shown: one that was asked for before one that nobody asked for.
-    pub(super) fn search(&self) -> Option<&Progress> {
-        self.derived.proposal.progress().or(self.derived.advice.progress())
-    }
-
-    /// Ends it.
-    pub(super) fn end_search(&mut self) {
-        if self.derived.proposal.is_running() {
-            self.derived.proposal.cancel();
-        } else {
-            self.derived.advice.cancel();
-        }
-    }
-
-    /// Looks for what would help, one plan at a time, and ends searches for plans that are no more.
-    pub(super) fn sync_advice(&mut self) {
-        self.derived.advice.poll();
-        self.derived.proposal.poll();
-        let Some(planned) = self.refusing_plan().cloned() else {
-            self.derived.advice.clear();
-            self.derived.proposal.clear();
+impl Remedy {
+    /// Takes what has arrived, looks for advice on a plan of which the robot refuses something, and ends searches
+    /// for plans that are no more.
+    pub fn sync(&mut self, refusing: Option<Arc<PlannedJob>>, executor: &dyn Executor) {
+        self.advice.poll();
+        self.proposal.poll();
+        let Some(planned) = refusing else {
+            self.advice.clear();
+            self.proposal.clear();
             return;
         };
-        let d = &mut self.derived;
-        d.proposal.only(planned.key);
-        if d.advice.lacks(planned.key) {
-            let executor = d.pipeline.executor().clone();
-            d.advice.start(planned.key, Activity::LookingForHelp, &*executor, move |progress| {
+        self.proposal.only(planned.key);
+        if self.advice.lacks(planned.key) {
+            self.advice.start(planned.key, Activity::LookingForHelp, executor, move |progress| {
                 let PlannedJob { part, plan, job, setup, .. } = &*planned;
                 Ok(advice::advice(part, plan, job, setup, progress)?)
             });
@@ -131,33 +92,103 @@ impl App {
     }
 
     /// Looks for a better set-up.
-    pub(super) fn propose(&mut self) {
-        let Some(planned) = self.refusing_plan().cloned() else { return };
-        let (cache, executor) = (self.derived.pipeline.cache.clone(), self.derived.pipeline.executor().clone());
-        self.derived.proposal.clear();
-        let key = planned.key;
-        self.derived.proposal.start(key, Activity::LookingForSetup, &*executor, move |progress| {
+    pub fn propose(&mut self, planned: Arc<PlannedJob>, cache: Arc<Cache>, executor: &dyn Executor) {
+        self.proposal.clear();
+        self.proposal.start(planned.key, Activity::LookingForSetup, executor, move |progress| {
             Ok(Proposal::new(&planned, &cache, progress)?)
         });
     }
 
+    /// What would help with a plan; `None`: that is being looked for.
+    pub fn advice(&self, plan: Digest) -> Option<Result<&[Help], &Failure<Infallible>>> {
+        let known = self.advice.of(plan).map(|told| Ok(told.as_slice()));
+        known.or_else(|| self.advice.failure(plan).map(Err))
+    }
+
+    /// The set-up that is proposed for a plan.
+    pub fn proposal(&self, plan: Digest) -> Option<&Proposal> {
+        Option::as_ref(self.proposal.of(plan)?)
+    }
+
+    /// Whether a set-up for a plan was looked for in vain.
+    pub fn found_no_proposal(&self, plan: Digest) -> bool {
+        self.proposal.of(plan).is_some_and(|found| found.is_none())
+    }
+
+    /// Whether a better set-up is being looked for.
+    pub fn is_proposing(&self) -> bool {
+        self.proposal.is_running()
+    }
+
+    /// Whether nothing is being looked for.
+    pub fn is_at_rest(&self) -> bool {
+        !self.advice.is_running() && !self.proposal.is_running()
+    }
+
+    /// The search that is shown: one that was asked for before one that nobody asked for.
+    pub fn progress(&self) -> Option<&Progress> {
+        self.proposal.progress().or(self.advice.progress())
+    }
+
+    /// Ends that search.
+    pub fn cancel_shown(&mut self) {
+        if self.proposal.is_running() {
+            self.proposal.cancel();
+        } else {
+            self.advice.cancel();
+        }
+    }
+
+    /// Ends both searches.
+    pub fn cancel(&mut self) {
+        self.advice.cancel();
+        self.proposal.cancel();
+    }
+
+    /// Looks again for advice that was cancelled.
+    pub fn try_again(&mut self) {
+        self.advice.try_again();
+    }
+
+    /// Forgets the proposed set-up.
+    pub fn forget_proposal(&mut self) {
+        self.proposal.clear();
+    }
+}
+
+impl App {
+    /// Brings advice and proposal up to date with the plan.
+    pub(super) fn sync_advice(&mut self) {
+        let (refusing, executor) = (self.context().refusing_plan().cloned(), self.derived.pipeline.executor().clone());
+        self.derived.remedy.sync(refusing, &*executor);
+    }
+
+    /// Looks for a better set-up.
+    pub(super) fn propose(&mut self) {
+        let Some(planned) = self.context().refusing_plan().cloned() else { return };
+        let (cache, executor) = (self.derived.pipeline.cache.clone(), self.derived.pipeline.executor().clone());
+        self.derived.remedy.propose(planned, cache, &*executor);
+    }
+
     /// Takes the proposed set-up into the job.
     pub(super) fn apply_proposal(&mut self) {
-        let Some(proposal) = self.proposal() else { return };
+        let Some(proposal) = self.context().proposal() else { return };
         let cell = advice::applied(&self.document.job().cell, proposal.setup.mount, &proposal.found);
-        self.derived.proposal.clear();
+        self.derived.remedy.forget_proposal();
         self.edit(Edit::Frames(Box::new(cell)));
     }
 
     /// Forgets the proposed set-up; whether there was one.
     pub(super) fn dismiss_proposal(&mut self) -> bool {
-        let there = self.proposal().is_some() || self.has_no_proposal();
-        self.derived.proposal.clear();
+        let there = self.context().proposal().is_some() || self.has_no_proposal();
+        self.derived.remedy.forget_proposal();
         there
     }
+}
 
+impl Context<'_> {
     /// The sample of a proposal, where the part is.
-    pub(super) fn proposed_points(&self, place: Isometry3<f64>) -> Vec<PointItem> {
+    pub fn proposed_points(self, place: Isometry3<f64>) -> Vec<PointItem> {
         let items = self.proposal().map_or(&[][..], |p| &p.points);
         // In the cell the part is small: dots must not hide it.
         let share = if self.is_in_cell() { 0.5 } else { 1.0 };
@@ -165,8 +196,8 @@ impl App {
         items.iter().map(at).collect()
     }
 
-    /// The arm in a proposed set-up: at the target that is stepped to, else at home.
-    pub(super) fn proposed_joints_deg(&self, proposal: &Proposal) -> crate::cell::Joints {
+    /// The arm in a proposed set-up: at the current target, else at home.
+    pub fn proposed_joints_deg(self, proposal: &Proposal) -> Joints {
         let job = self.document.job();
         let frame = self.target().map(|t| t.frame(self.work().defocus_mm));
         let states = frame.and_then(|f| Arm::new(&proposal.setup, job.cell.spin)?.states(&f).ok());

@@ -1,11 +1,15 @@
 //! What is selected, shown and open: neither saved nor undone.
 
+use super::command::Toggle;
 use super::dose::Clicked;
 use super::panels::{Compare, Draft};
+use super::playback::Playback;
 use crate::cell::Mount;
 use crate::document::{Forgotten, Job, RecutAnchor};
+use crate::part::SurfaceId;
 use crate::pose::access::Over;
 use crate::view::Camera;
+use eframe::egui;
 use nalgebra::Point3;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -31,18 +35,8 @@ pub struct Session {
     pub filter: [String; 2],
     /// Sort column of the feature surfaces and whether it is turned.
     pub sort: (Column, bool),
-    /// Target that is stepped through: pass and point.
-    pub at: (usize, usize),
-    /// Time in the program, with a robot, s; goes with the target.
-    pub time_s: f64,
-    /// Playback.
-    pub playing: bool,
-    /// Times real speed.
-    pub play_speed: f32,
-    /// Starts over at the end.
-    pub play_loop: bool,
-    /// Time since the current target was reached, s.
-    pub play_clock_s: f64,
+    /// Where the simulation is, and how it goes on.
+    pub playback: Playback,
     /// Stretch of time that the curves show, s; `None`: all.
     pub plot_span: Option<[f64; 2]>,
     /// Line of the program's text that was last scrolled to.
@@ -73,8 +67,6 @@ pub struct Session {
     pub was_focused: bool,
     /// The recipe that was taken out of the library last: it can come back.
     pub forgotten: Option<Forgotten>,
-    /// Why the journal could not be kept, once that was told.
-    pub journal_error: Option<String>,
     /// Last thing said in the status line.
     pub said: String,
     /// An error that must be read.
@@ -127,37 +119,35 @@ pub enum Tool {
 
 /// What is shown.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Show {
-    /// Path lines.
-    pub lines: bool,
-    /// Frames at targets.
-    pub frames: bool,
-    /// Beams.
-    pub beams: bool,
-    /// Connecting moves.
-    pub air: bool,
-    /// Before correction.
-    pub before: bool,
-    /// Part without colours.
-    pub plain: bool,
-    /// Chosen surfaces are hidden.
-    pub hide_chosen: bool,
-    /// One section plane.
-    pub section: bool,
-    /// The robot cell instead of the part alone.
-    pub cell: bool,
-    /// Curves over time.
-    pub plots: bool,
-    /// The program's text.
-    pub text: bool,
-    /// Head, beam and clamps.
-    pub tool: bool,
-    /// The access map.
-    pub access: bool,
-    /// The dose, and what stays unclean.
-    pub dose: bool,
-    /// The spacing that lines really have.
-    pub spacing: bool,
+pub struct Show(BTreeSet<Toggle>);
+
+impl Default for Show {
+    fn default() -> Show {
+        Show([Toggle::PathLines, Toggle::ToolBodies].into())
+    }
+}
+
+impl Show {
+    /// Whether something is shown.
+    pub fn is_on(&self, what: Toggle) -> bool {
+        self.0.contains(&what)
+    }
+
+    /// Shows it, or does not.
+    pub fn set(&mut self, what: Toggle, on: bool) {
+        if on {
+            self.0.insert(what);
+        } else {
+            self.0.remove(&what);
+        }
+    }
+
+    /// Shows what was not shown, and the other way round; whether it is shown now.
+    pub fn flip(&mut self, what: Toggle) -> bool {
+        let on = !self.is_on(what);
+        self.set(what, on);
+        on
+    }
 }
 
 /// Columns of the lists.
@@ -191,31 +181,10 @@ impl Default for Session {
             hovered: None,
             scroll_to: None,
             hidden: BTreeSet::new(),
-            show: Show {
-                lines: true,
-                frames: false,
-                beams: false,
-                air: false,
-                before: false,
-                plain: false,
-                hide_chosen: false,
-                section: false,
-                cell: false,
-                plots: false,
-                text: false,
-                tool: true,
-                access: false,
-                dose: false,
-                spacing: false,
-            },
+            show: Show::default(),
             filter: Default::default(),
             sort: (Column::Number, false),
-            at: (0, 0),
-            playing: false,
-            play_speed: 1.0,
-            play_loop: false,
-            play_clock_s: 0.0,
-            time_s: 0.0,
+            playback: Playback::default(),
             plot_span: None,
             text_line: None,
             text_rows: 0..0,
@@ -232,7 +201,6 @@ impl Default for Session {
             said: String::new(),
             was_focused: true,
             forgotten: None,
-            journal_error: None,
             error: None,
             hover_place: None,
             strip_over: Over::Lead,
@@ -249,9 +217,31 @@ impl Default for Session {
 }
 
 impl Session {
+    /// The selected surfaces.
+    pub fn selected_ids(&self) -> Vec<SurfaceId> {
+        self.selected.iter().copied().map(SurfaceId).collect()
+    }
+
+    /// Selects as lists do: Ctrl toggles, Shift adds.
+    pub fn select(&mut self, surface: Option<u32>, modifiers: egui::Modifiers) {
+        let selected = &mut self.selected;
+        match surface {
+            Some(n) if modifiers.command && selected.contains(&n) => {
+                selected.remove(&n);
+            }
+            Some(n) if modifiers.shift || modifiers.command => {
+                selected.insert(n);
+            }
+            Some(n) => *selected = [n].into(),
+            None if !modifiers.command && !modifiers.shift => selected.clear(),
+            None => {}
+        }
+        self.anchor = surface;
+    }
+
     /// Forgets what belongs to one part.
     pub fn forget_part(&mut self) {
-        let kept = Session { show: self.show.clone(), play_speed: self.play_speed, ..Session::default() };
-        *self = kept;
+        let playback = Playback::at_speed(self.playback.speed);
+        *self = Session { show: self.show.clone(), playback, ..Session::default() };
     }
 }

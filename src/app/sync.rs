@@ -2,13 +2,15 @@
 //! what is missing.
 
 use super::App;
+use super::command::Toggle;
+use super::context::Context;
 use super::motion::Motion;
 use crate::part::Shape;
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
 use crate::progress::Activity;
-use crate::text::Sentence;
+use crate::text::{Sentence as _, say};
 use std::sync::Arc;
 
 impl App {
@@ -71,7 +73,7 @@ impl App {
         if self.session.cell_shown != stands {
             self.session.cell_shown = stands;
             self.session.other_camera = None;
-            self.session.fit_pending |= self.session.show.cell;
+            self.session.fit_pending |= self.session.show.is_on(Toggle::Cell);
         }
     }
 
@@ -101,7 +103,7 @@ impl App {
 
     /// Works out the motion of the newest plan.
     fn sync_motion(&mut self) {
-        let part_name = self.part_file_name();
+        let part_name = self.context().part_file_name();
         let d = &mut self.derived;
         let Some(planned) = d.pipeline.newest_plan().cloned() else {
             d.motion.clear();
@@ -117,7 +119,7 @@ impl App {
         if arrived && self.derived.motion().is_some() {
             self.session.plot_span = None;
             self.session.text_line = None;
-            self.go_to_target(self.session.at);
+            self.go_to_target(self.session.playback.at);
         }
     }
 
@@ -137,22 +139,21 @@ impl App {
         self.derived.pipeline.try_again();
         self.derived.shapes.try_again();
         self.derived.motion.try_again();
-        self.derived.advice.try_again();
+        self.derived.remedy.try_again();
         self.derived.dose.try_again();
     }
+}
 
+impl Context<'_> {
     /// Why there is no plan for the document as it is, for people.
-    pub(super) fn planning_error(&self) -> Option<String> {
+    pub fn planning_error(self) -> Option<String> {
         use PlanningError as E;
-        let error = self.derived.error(&self.document)?;
+        let error = self.derived.error(self.document)?;
         Some(match error {
-            e if e.is_cancelled() => "planning was cancelled; Ctrl+R plans again".into(),
-            E::Part(Failure::Refused(PartError::Changed)) => {
-                "the part's file is not the one that this state of the job was made for; redo, or open the job again"
-                    .into()
-            }
+            e if e.is_cancelled() => say!(window_planning_cancelled),
+            E::Part(Failure::Refused(PartError::Changed)) => say!(window_part_of_another_state),
             E::Part(Failure::Panicked(_)) | E::Setup(Failure::Panicked(_)) | E::Plan(Failure::Panicked(_)) => {
-                format!("{}; the job is untouched: save it, and Ctrl+R tries again", error.sentence())
+                say!(window_fault, error = error.sentence())
             }
             other => other.sentence(),
         })

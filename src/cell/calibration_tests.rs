@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::cell::check::FigureError;
-use crate::cell::frame::FrameError;
+use crate::cell::frame::{FrameError, FrameFault};
 use crate::cell::{Cell, CellError, Frame};
 use proptest::prelude::*;
 
@@ -189,11 +189,12 @@ fn a_cell_file_takes_measurements_and_gives_them_back() {
 
 #[test]
 fn a_cell_file_with_useless_measurements_says_so() {
+    let wrong = |frame, fault| FigureError::Frame(FrameError { frame, fault });
     let half = refused(cell_with("base_from_laser", "position_mm = [0.0, 0.0, 0.0]"));
-    assert_eq!(half, FigureError::Frame { frame: "base_from_laser", source: FrameError::Keys });
+    assert_eq!(half, wrong("base_from_laser", FrameFault::Keys));
     let three = "three_points = { origin = [0, 0, 0], x = [9, 0, 0], xy = [50, 1, 0] }";
-    let source = FrameError::Fit(FitError::XyNearAxis { off_mm: 1.0 });
-    assert_eq!(refused(cell_with("base_from_part", three)), FigureError::Frame { frame: "base_from_part", source });
+    let fault = FrameFault::Fit(FitError::XyNearAxis { off_mm: 1.0 });
+    assert_eq!(refused(cell_with("base_from_part", three)), wrong("base_from_part", fault));
     let tip = "tip_poses = [[400.0, 0.0, 250.0, 0.0, 0.0, 0.0], [325.0, 0.0, 270.096, 0.0, 30.0, 0.0], \
                [400.0, 75.0, 270.096, 0.0, 0.0, 30.0], [400.0, 0.0, 250.0, 90.0, 0.0, 0.0]]\n\
                rz_ry_rx_deg = [0.0, 45.0, 0.0]";

@@ -6,7 +6,7 @@ use super::bodies::Bodies;
 use super::calibration::CalibrationNote;
 use super::check::{FigureError, ranges};
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
-use super::frame::{Frame, FrameText};
+use super::frame::{self, Frame};
 use super::outputs::Outputs;
 use super::setup::PlaceError;
 use super::{Mount, Timing};
@@ -169,7 +169,9 @@ impl Cell {
 
     fn parse(text: &str, file: &str) -> Result<Cell, CellError> {
         let refused = |what| CellError::Figure { file: file.into(), what: Box::new(what) };
-        FrameTexts::check(text).map_err(refused)?;
+        // What is wrong with a frame is told by its type; the reader of the whole would make words of it.
+        let table: toml::Table = file::toml(text, file)?;
+        frame::check(&table).map_err(|e| refused(e.into()))?;
         let cell: Cell = file::toml(text, file)?;
         cell.check().map_err(refused)?;
         Ok(cell)
@@ -210,43 +212,18 @@ impl Cell {
 
     /// The frames by their keys.
     pub fn frames(&self) -> [(&'static str, &Frame); 4] {
+        let [laser, held, lying, tool] = frame::KEYS;
         [
-            ("base_from_laser", &self.base_from_laser),
-            ("flange_from_part", &self.flange_from_part),
-            ("base_from_part", &self.base_from_part),
-            ("flange_from_tool", &self.flange_from_tool),
+            (laser, &self.base_from_laser),
+            (held, &self.flange_from_part),
+            (lying, &self.base_from_part),
+            (tool, &self.flange_from_tool),
         ]
     }
 
     /// How well each frame fits what was measured; those given by figures are left out.
     pub fn calibrations(&self) -> Vec<CalibrationNote> {
         self.frames().iter().filter_map(|(name, frame)| frame.calibration(name)).collect()
-    }
-}
-
-/// The frames of a cell file as they stand there: what is wrong with one is told before the file is read as a
-/// whole, where it would be a message of the reader's.
-#[derive(Deserialize)]
-struct FrameTexts {
-    base_from_laser: FrameText,
-    flange_from_part: FrameText,
-    base_from_part: FrameText,
-    flange_from_tool: FrameText,
-}
-
-impl FrameTexts {
-    fn check(text: &str) -> Result<(), FigureError> {
-        // Text that does not even have frames is for the reader of the whole to refuse, by its line.
-        let Ok(of) = toml::from_str::<FrameTexts>(text) else { return Ok(()) };
-        let frames = [
-            ("base_from_laser", of.base_from_laser),
-            ("flange_from_part", of.flange_from_part),
-            ("base_from_part", of.base_from_part),
-            ("flange_from_tool", of.flange_from_tool),
-        ];
-        frames.into_iter().try_for_each(|(frame, text)| {
-            Frame::try_from(text).map(drop).map_err(|source| FigureError::Frame { frame, source })
-        })
     }
 }
 

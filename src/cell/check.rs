@@ -102,13 +102,8 @@ pub enum FigureError {
         frame: &'static str,
     },
     /// A frame cannot be told from what the file has of it.
-    #[error("{frame}: {source}")]
-    Frame {
-        /// The frame's key.
-        frame: &'static str,
-        /// Why.
-        source: FrameError,
-    },
+    #[error(transparent)]
+    Frame(#[from] FrameError),
 }
 
 /// Letters of a program's names.

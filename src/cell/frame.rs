@@ -38,9 +38,19 @@ enum Measured {
     TipPoses(Vec<[f64; 6]>, [f64; 3]),
 }
 
+/// A frame of a file that cannot be told from what stands there.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{frame}: {fault}")]
+pub struct FrameError {
+    /// The frame's key.
+    pub frame: &'static str,
+    /// Why.
+    pub fault: FrameFault,
+}
+
 /// Why a frame cannot be told from what a file has of it.
 #[derive(Clone, Debug, PartialEq, Error)]
-pub enum FrameError {
+pub enum FrameFault {
     /// Neither figures nor one kind of measurements, or both.
     #[error("not figures, three_points, points or tip_poses alone")]
     Keys,
@@ -52,7 +62,7 @@ pub enum FrameError {
 /// A frame as it stands in a file.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub(super) struct FrameText {
+struct FrameText {
     #[serde(skip_serializing_if = "Option::is_none")]
     position_mm: Option<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -64,6 +74,9 @@ pub(super) struct FrameText {
     #[serde(skip_serializing_if = "Option::is_none")]
     tip_poses: Option<Vec<[f64; 6]>>,
 }
+
+/// Keys of the frames of a cell, and of a job's own.
+pub const KEYS: [&str; 4] = ["base_from_laser", "flange_from_part", "base_from_part", "flange_from_tool"];
 
 impl Frame {
     /// The frame of these figures: mm, and degrees about Z, Y and X.
@@ -127,18 +140,31 @@ impl Measured {
 }
 
 impl TryFrom<FrameText> for Frame {
-    type Error = FrameError;
+    type Error = FrameFault;
 
-    fn try_from(text: FrameText) -> Result<Frame, FrameError> {
+    fn try_from(text: FrameText) -> Result<Frame, FrameFault> {
         let FrameText { position_mm, rz_ry_rx_deg, three_points, points, tip_poses } = text;
         match (position_mm, rz_ry_rx_deg, three_points, points, tip_poses) {
             (Some(position_mm), Some(turned), None, None, None) => Ok(Frame::new(position_mm, turned)),
             (None, None, Some(three), None, None) => Ok(Measured::ThreePoints(three).frame()?),
             (None, None, None, Some(points), None) => Ok(Measured::Points(points).frame()?),
             (None, Some(turned), None, None, Some(poses)) => Ok(Measured::TipPoses(poses, turned).frame()?),
-            _ => Err(FrameError::Keys),
+            _ => Err(FrameFault::Keys),
         }
     }
+}
+
+/// Looks at the frames of a table, before its file is read as a whole. What is no table of a frame at all is left to
+/// that reader, which knows the line.
+///
+/// # Errors
+/// The first frame that cannot be told from what stands there.
+pub fn check(table: &toml::Table) -> Result<(), FrameError> {
+    for frame in KEYS {
+        let text = table.get(frame).and_then(|value| value.clone().try_into::<FrameText>().ok());
+        text.map_or(Ok(()), |text| Frame::try_from(text).map(drop)).map_err(|fault| FrameError { frame, fault })?;
+    }
+    Ok(())
 }
 
 impl From<Frame> for FrameText {

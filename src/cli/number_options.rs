@@ -8,7 +8,7 @@ use clap::{Arg, ArgMatches};
 
 /// One option of each row that has one, in the order of the table.
 pub(super) fn arguments() -> impl Iterator<Item = Arg> {
-    PARAMETERS.iter().filter_map(|p| argument(p, p.option?).into())
+    PARAMETERS.iter().filter_map(|p| Some(argument(p, p.option?)))
 }
 
 /// The numbers that were given.

@@ -129,3 +129,56 @@ fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<()
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn command() -> Command {
+        PlanOptions::augment_args(Command::new("plan"))
+    }
+
+    fn given(arguments: &[&str]) -> PlanOptions {
+        let all = ["plan"].iter().chain(arguments);
+        PlanOptions::from_arg_matches(&command().get_matches_from(all)).expect("options")
+    }
+
+    #[test]
+    fn the_help_tells_every_option_where_it_belongs() {
+        command().debug_assert();
+        let help = command().render_help().to_string();
+        let lines = help.lines().map(str::trim).filter_map(|l| l.strip_prefix("--"));
+        let names: Vec<&str> = lines.filter_map(|l| l.split_whitespace().next()).collect();
+        let wanted = "units angle surfaces direction spacing strategy overlap inset passes offset order defocus \
+                      chord-error max-step max-turn correction speed air-speed power spot max-tilt margin head cell \
+                      robot mount dialect spin";
+        assert_eq!(names, wanted.split_whitespace().collect::<Vec<_>>());
+        for default in ["[default: 0.5 mm]", "[default: 20°]", "[default: 1]", "[default: 3 mm/s]", "[default: 500 W]"]
+        {
+            assert!(help.contains(default), "{default} in {help}");
+        }
+    }
+
+    #[test]
+    fn numbers_go_where_their_row_says_and_are_checked() {
+        let stl = crate::sample::stl_bytes(&crate::sample::solids::cube(10.0));
+        let source = Source::from_bytes(&stl).expect("a cube");
+        let mut job = Job::default();
+        let options =
+            given(&["--passes", "2", "--inset", "-1.5", "--angle=30", "--order", "one-way", "--overlap", "25"]);
+        assert!(options.apply(&mut job, &source).is_ok());
+        assert_eq!((job.layers.passes, job.layers.inset_mm, job.surfaces.angle_deg), (2, -1.5, 30.0));
+        assert_eq!((job.layers.order, job.layers.spacing_mm), (crate::path::Order::OneWay, 0.75));
+        for (refused, said) in [
+            (["--passes", "1.5"], "--passes = 1.5: give a whole number from 1 to 1000"),
+            (["--spacing", "-2"], "--spacing = -2: give a number above 0, up to 1000 mm"),
+            (["--overlap", "96"], "overlap = 96: give a number from 0 to 95 %"),
+            (["--dialect", "karel"], "dialect = \"karel\": give one of nachi, "),
+        ] {
+            let Err(Failure::Usage(why)) = given(&refused).apply(&mut Job::default(), &source) else {
+                panic!("{refused:?} is no usage error");
+            };
+            assert!(why.starts_with(said), "{why}");
+        }
+    }
+}

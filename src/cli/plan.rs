@@ -8,7 +8,7 @@ use crate::part::PartFinding;
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
-use crate::text::{Sentence as _, clock, report_lines, say};
+use crate::text::{Sentence as _, clock, program_comment, report_lines, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
     tell(&a.input, &PartFinding::of(part));
     tell_of_cell(&job, setup);
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings };
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording: program_comment };
     let exported = export::write(&a.out, &input, job_file, a.overwrite, &Progress::default()).map_err(not_exported)?;
     let report = &exported.report;
     if a.json {

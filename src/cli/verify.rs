@@ -115,16 +115,20 @@ fn text(dialect: &str, v: &Verdict) -> String {
 mod tests {
     use super::*;
     use crate::planning::verify::Difference;
-    use crate::program::dialect::ReadError;
+    use crate::program::LineFault;
 
     #[test]
     fn figures_are_told_of_what_was_read_alone() {
         let finding = |what: Difference| Finding { file: "a.src".into(), line: 3, kind: what.kind(), what };
-        let odd = ReadError::Line { file: "a.src".into(), line: 3, what: "odd".into() };
+        let odd = LineFault::NestedCall.at("a.src", 3);
         let with = |what| text("kuka", &Verdict { findings: vec![finding(what)], ..Verdict::default() });
         assert!(with(Difference::EndsLit).contains("furthest from the plan"));
         let unreadable = with(Difference::Unreadable(Arc::new(odd)));
         assert!(!unreadable.contains("furthest") && !unreadable.contains("0 moves"), "{unreadable}");
-        assert!(unreadable.contains("a.src, line 3: odd\n") && unreadable.ends_with("1 finding\n"), "{unreadable}");
+        assert!(
+            unreadable.contains("a.src, line 3: a sub-program calls none itself\n")
+                && unreadable.ends_with("1 finding\n"),
+            "{unreadable}"
+        );
     }
 }

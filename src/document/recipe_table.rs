@@ -119,13 +119,6 @@ pub fn rows(job: &Job, recipes: &[Option<&Recipe>]) -> Vec<ComparedRow> {
     compared.into_iter().map(row).collect()
 }
 
-/// A place as people read it, mm.
-pub fn place(at: [f64; 3]) -> String {
-    // No minus before a zero.
-    let [x, y, z] = at.map(|c| (c * 10.0).round() / 10.0 + 0.0);
-    format!("({x:.1}, {y:.1}, {z:.1})")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

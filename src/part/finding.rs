@@ -1,6 +1,5 @@
 //! What an operator should know of a part's file, as data, the worst first; its sentences stand in `text`.
 
-use super::inspect::Findings;
 use super::stl::InvalidFacet;
 use super::{Part, Units};
 use serde::Serialize;
@@ -70,11 +69,10 @@ pub const NAMED: usize = 3;
 impl PartFinding {
     /// What there is to say of a part's file, the worst first; empty for a clean one.
     pub fn of(part: &Part) -> Vec<PartFinding> {
-        let Findings { invalid, .. } = &part.findings;
         let found = &part.findings;
-        let dropped = (!invalid.is_empty()).then(|| PartFinding::FacetsDropped {
-            count: invalid.len(),
-            first: invalid.iter().take(NAMED).copied().collect(),
+        let dropped = (!found.invalid.is_empty()).then(|| PartFinding::FacetsDropped {
+            count: found.invalid.len(),
+            first: found.invalid.iter().take(NAMED).copied().collect(),
         });
         let counted = [
             (found.boundary_edges, (|count| PartFinding::OpenEdges { count }) as fn(usize) -> PartFinding),

@@ -11,7 +11,7 @@ use crate::path::Strategy;
 use crate::pose::{Obstruction, Pass};
 use crate::process::{Cause, DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
 use crate::program::Timeline;
-use crate::program::steps::{Pace, Step};
+use crate::program::{MoveTiming, Step};
 use crate::progress::{Activity, Progress};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
@@ -126,7 +126,7 @@ fn ends_s(plan: &Plan) -> BTreeMap<(usize, usize), f64> {
     let mut out = BTreeMap::new();
     for step in &plan.steps.list {
         let Step::Go(go) = step else { continue };
-        if let Pace::Seconds(s) = go.pace {
+        if let MoveTiming::Seconds(s) = go.timing {
             at_s += s;
         }
         if let Some(target) = go.target {

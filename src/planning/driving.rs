@@ -9,9 +9,7 @@ use crate::cell::motion::{Arm, Memory, Refusal, Watch, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::Timeline;
-use crate::program::drive::{Drive, Known};
-use crate::program::steps::Steps;
+use crate::program::{Drive, Known, Steps, Timeline};
 use crate::progress::{Activity, Progress};
 use std::collections::BTreeSet;
 
@@ -44,7 +42,6 @@ pub(super) fn drive(
     let mut refused: Vec<Refusal> = Vec::new();
     let mut best: Option<Plan> = None;
     let drive = Drive {
-        part: whole,
         setup,
         mounted: setup.mounted(),
         robot,

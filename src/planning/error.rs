@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use crate::document::{JobError, ValueError};
 use crate::part::stl::StlError;
-use crate::program::dialect::WriteError;
+use crate::program::DialectError;
 use crate::progress::Cancelled;
 use std::sync::Arc;
 use thiserror::Error;
@@ -27,7 +27,7 @@ pub enum PlanError {
     Parameter(#[from] ValueError),
     /// What the cell asks for cannot be written in the dialect.
     #[error(transparent)]
-    Unwritable(#[from] WriteError),
+    Unwritable(#[from] DialectError),
     /// A surface that is not there.
     #[error("no surface {surface}")]
     NoSurface {

@@ -13,9 +13,7 @@ use crate::cell::Setup;
 use crate::cell::motion::{Cause, Refusal, Why};
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
-use crate::program::dialect::WriteError;
-use crate::program::dialects;
-use crate::program::steps::steps;
+use crate::program::{dialects, steps};
 use crate::progress::{Activity, Progress};
 
 /// So often targets are refused whose moves hit something only as they are written.
@@ -39,7 +37,7 @@ pub fn plan(
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
     let (list, own) = prepared(part, surfaces, job)?;
-    dialects::check(&job.cell.dialect, setup).map_err(|what| PlanError::Unwritable(WriteError::Rule(what)))?;
+    dialects::check(&job.cell.dialect, setup)?;
     let grown = layer::parts(part, surfaces, &own)?;
     let mut kept = Kept::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());

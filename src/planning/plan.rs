@@ -6,9 +6,8 @@ use super::surface_plan::SurfacePlan;
 use crate::cell::motion::{Choice, Refusal};
 use crate::part::{Grown, SurfaceId};
 use crate::pose::{Pass, State};
-use crate::program::Timeline;
-use crate::program::steps::Steps;
 use crate::program::sweep::Proof;
+use crate::program::{Steps, Timeline};
 use std::sync::Arc;
 
 /// A plan.
@@ -40,7 +39,7 @@ impl Plan {
     pub fn remarks(&self) -> impl Iterator<Item = (SurfaceId, Remark)> {
         let laid = self.surfaces.iter().flat_map(|s| s.laid.remarks.iter().map(|r| (s.laid.surface, r)));
         let laid = laid.map(|(surface, r)| (SurfaceId(surface), Remark::Laying(r.clone())));
-        laid.chain(self.steps.remarks.iter().map(|(surface, r)| (SurfaceId(*surface), Remark::Program(r.clone()))))
+        laid.chain(self.steps.shortfalls.iter().map(|(surface, s)| (SurfaceId(*surface), Remark::Program(*s))))
     }
 
     /// Blocks what was refused.

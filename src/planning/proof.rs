@@ -5,7 +5,7 @@ use crate::beam::Stance;
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::{Grown, Part};
-use crate::program::lit::Straight;
+use crate::program::lit::StraightFlange;
 use crate::program::sweep::Prover;
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
 }
 
 /// What finds straight lit moves, with something to spare for the digits of the program.
-pub(super) fn straight<'a>(part: &'a Part, grown: &'a [Arc<Grown>], setup: &'a Setup, job: &Job) -> Straight<'a> {
+pub(super) fn straight<'a>(part: &'a Part, grown: &'a [Arc<Grown>], setup: &'a Setup, job: &Job) -> StraightFlange<'a> {
     let prover = prover(part, setup, job).on_layers(grown);
-    Straight { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
+    StraightFlange { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
 }

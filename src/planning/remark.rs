@@ -1,6 +1,7 @@
 //! What of lines and program is not as it was wanted, though they are there. Sentences of it stand in `text`.
 
 use crate::path::LinesFinding;
+use crate::program::Shortfall;
 use serde::Serialize;
 
 /// What is said of a surface's lines, or of its share of the program.
@@ -10,7 +11,7 @@ pub enum Remark {
     /// Of its lines.
     Laying(LayingRemark),
     /// Of the program that works on it.
-    Program(String),
+    Program(Shortfall),
 }
 
 /// What of a surface's lines is not as it was wanted. In `report.json` by its code.

@@ -10,7 +10,8 @@ use crate::part::Part;
 use crate::pose::Blocker;
 use crate::program::dialect::{Read, ReadLine, Reading};
 use crate::program::sweep::{LitMove, Proof};
-use crate::program::{Move, Program, dialects, lines};
+use crate::program::{DialectError, Move, Program, ReadError, WITHOUT_WORDS, dialects, lines};
+use thiserror::Error;
 
 /// A lit move that its own program would make into something.
 pub struct Refuted {
@@ -20,21 +21,39 @@ pub struct Refuted {
     pub blocker: Blocker,
 }
 
+/// Why a program cannot be proven as it is written.
+#[derive(Debug, Error, PartialEq)]
+pub enum UnprovenProgram {
+    /// It cannot be written.
+    #[error(transparent)]
+    Unwritable(#[from] DialectError),
+    /// There is none.
+    #[error("no program")]
+    Empty,
+    /// It cannot be read back.
+    #[error(transparent)]
+    Unreadable(#[from] ReadError),
+}
+
 /// Proves the lit moves of a plan as its program is written: with few digits, what just passes a facet may just
 /// hit it.
 ///
 /// # Errors
 /// The program cannot be written, or read back.
-pub fn proven_as_written(part: &Part, plan: &Plan, setup: &Setup, job: &Job) -> Result<(Proof, Vec<Refuted>), String> {
+pub fn proven_as_written(
+    part: &Part,
+    plan: &Plan,
+    setup: &Setup,
+    job: &Job,
+) -> Result<(Proof, Vec<Refuted>), UnprovenProgram> {
     let lines = lines(&plan.steps, setup);
-    let dialect = dialects::known(&job.cell.dialect)?;
+    let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
     let planned = moves(&lines);
-    let files = dialect
-        .write(&Program { head: Vec::new(), lines: lines.clone(), setup })
-        .map_err(|e| format!("the program cannot be written: {e}"))?;
+    let program = Program { head: Vec::new(), lines: lines.clone(), setup, wording: WITHOUT_WORDS };
+    let files = dialect.write(&program).map_err(DialectError::from)?;
     let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let Some(first) = files.first() else { return Err("the plan has no program".into()) };
-    let read = dialect.read(first, &Reading { setup, open: &open }).map_err(|e| e.to_string())?;
+    let first = files.first().ok_or(UnprovenProgram::Empty)?;
+    let read = dialect.read(first, &Reading { setup, open: &open })?;
     let mut numbers = 0..planned.len();
     let of_line = |l: &ReadLine| matches!(l.what, Read::Move(_)).then(|| numbers.next()).flatten();
     let number: Vec<Option<usize>> = read.iter().map(of_line).collect();

@@ -128,14 +128,6 @@ pub struct Split {
 }
 
 impl Pass {
-    /// How programs call it, by its number.
-    pub fn title(&self, number: usize) -> String {
-        match self.work.layer {
-            0 => format!("pass {number}, surface {}", self.surface),
-            layer => format!("pass {number}, surface {}, layer {}", self.surface, layer + 1),
-        }
-    }
-
     /// Length of the moves that `which` picks by the target they end at, mm.
     pub fn length_mm(&self, which: impl Fn(&Target, &Target) -> bool) -> f64 {
         self.targets

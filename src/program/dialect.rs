@@ -2,22 +2,25 @@
 //!
 //! A dialect neither plans nor judges: what it reads is compared with the plan elsewhere.
 
-use super::lines::Line;
-use super::steps::{Pace, Way};
+use super::neutral::comment::{Comment, Wording};
+use super::neutral::lines::ProgramLine;
+use super::neutral::steps::{Interpolation, MoveTiming};
+use super::read_error::ReadError;
+use super::write_error::WriteError;
 use crate::cell::Setup;
-use crate::cell::controllers::words::TemplateError;
 use nalgebra::Isometry3;
-use thiserror::Error;
 
 /// A program before any controller's words.
 #[derive(Clone, Debug)]
 pub struct Program<'a> {
     /// Comments at its head.
-    pub head: Vec<String>,
+    pub head: Vec<Comment>,
     /// What it does, in order; home moves included.
-    pub lines: Vec<Line>,
+    pub lines: Vec<ProgramLine>,
     /// Frames, outputs, templates; the robot and what it carries.
     pub setup: &'a Setup,
+    /// The words of its comments.
+    pub wording: Wording,
 }
 
 /// A file of a program.
@@ -27,53 +30,6 @@ pub struct ProgramFile {
     pub name: String,
     /// ASCII.
     pub text: String,
-}
-
-/// Why a program cannot be written.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-pub enum WriteError {
-    /// The controller takes joint angles, and without a robot there are none.
-    #[error("a {0} program needs a robot; give --robot")]
-    NoRobot(&'static str),
-    /// A template of the cell file cannot be used.
-    #[error(transparent)]
-    Template(#[from] TemplateError),
-    /// A name or number of the cell file breaks the controller's rule.
-    #[error("{0}")]
-    Rule(String),
-}
-
-/// Why a program cannot be read.
-#[derive(Debug, Error, PartialEq, Eq)]
-pub enum ReadError {
-    /// A line that the dialect does not know.
-    #[error("{file}, line {line}: {what}")]
-    Line {
-        /// The file.
-        file: String,
-        /// Its line, from 1.
-        line: usize,
-        /// What is wrong with it, and what was expected.
-        what: String,
-    },
-    /// A sub-program that is not there.
-    #[error("{file}, line {line}: calls {called}, which is not in the same folder")]
-    Gone {
-        /// The calling file.
-        file: String,
-        /// Its line, from 1.
-        line: usize,
-        /// File that was looked for.
-        called: String,
-    },
-    /// The text ends too early.
-    #[error("{file}: ends without {expected}; it was cut off")]
-    CutOff {
-        /// The file.
-        file: String,
-        /// What its end would be.
-        expected: &'static str,
-    },
 }
 
 /// Where a move that was read goes to.
@@ -91,11 +47,11 @@ pub enum Goal {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadMove {
     /// By joints or straight.
-    pub way: Way,
+    pub interpolation: Interpolation,
     /// Where to.
     pub goal: Goal,
     /// How fast.
-    pub pace: Pace,
+    pub timing: MoveTiming,
     /// Everything else the instruction says (tool, accuracy, zone, configuration), verbatim: it has
     /// to be as it was written.
     pub rest: String,

@@ -1,42 +1,30 @@
-//! Controller programs. The way of the focus over the part, laser off between the lit pieces, and
-//! the text that one controller reads.
+//! Controller programs: the way of the focus over the part, laser off between the lit pieces, and the text that one
+//! controller reads.
+//!
+//! `neutral` is what a program is before any controller: steps, lines, comments as data. `motion` says how moves
+//! go: what keeps a lit move to its line, what proves it, and when the arm is where. `connecting` finds the moves
+//! between lit pieces, with and without a robot, and `driving` the joints of a whole program. A [`Dialect`] writes
+//! the lines in the words of one controller and reads its text back; all of them stand in [`dialects`]. Each imports
+//! only from those before it.
 
-pub mod abb;
-pub mod air;
-mod arm;
-pub mod csv;
-mod csv_reader;
+mod connecting;
 pub mod dialect;
 pub mod dialects;
-pub mod drive;
-mod driven;
-pub mod estun;
-pub mod fanuc;
-mod fanuc_reader;
-mod flange;
-pub mod kuka;
-mod lead;
-pub mod lines;
-pub mod lit;
-pub mod nachi;
-mod nachi_reader;
-pub mod pages;
-mod phrases;
-mod pieces;
-mod reading;
-mod remarks;
-mod round;
-pub mod series;
-pub mod steps;
-pub mod sweep;
-pub mod timeline;
-pub mod trapezoid;
-pub mod ur;
-mod ur_reader;
-pub mod yaskawa;
+mod driving;
+mod motion;
+mod neutral;
+mod read_error;
+mod write_error;
 
+pub use connecting::without_robot::steps;
 pub use dialect::{Dialect, Program, ProgramFile};
-pub use lines::{Line, Move, lines};
-pub use series::{Clearance, Sample, clearances, series};
-pub use steps::{Go, Pace, Step, Steps, Way, steps};
-pub use timeline::{Breakdown, Moment, Stop, Timeline};
+pub use driving::{Drive, Known, Undriven};
+pub use motion::series::{Clearance, CurveSample, clearances, series};
+pub use motion::timeline::{Breakdown, Moment, Timeline, TimelineStop};
+pub use motion::{lit, spot, sweep};
+pub use neutral::comment::{Caveat, Comment, WITHOUT_WORDS, Wording, WorkFigures};
+pub use neutral::lines::{Move, ProgramLine, lines};
+pub use neutral::shortfall::{ByHand, Shortfall};
+pub use neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};
+pub use read_error::{Account, LineFault, ReadError, RowFault};
+pub use write_error::{DialectError, SignalKind, UnknownDialect, WriteError};

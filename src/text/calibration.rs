@@ -2,7 +2,7 @@
 
 use super::{Sentence, exact, fixed, say};
 use crate::cell::calibration::{CalibrationNote, FitError, Side};
-use crate::cell::frame::FrameError;
+use crate::cell::frame::{FrameError, FrameFault};
 
 impl Sentence for CalibrationNote {
     fn sentence(&self) -> String {
@@ -18,9 +18,15 @@ impl Sentence for CalibrationNote {
 
 impl Sentence for FrameError {
     fn sentence(&self) -> String {
+        say!(frame_wrong, frame = self.frame, what = self.fault.sentence())
+    }
+}
+
+impl Sentence for FrameFault {
+    fn sentence(&self) -> String {
         match self {
-            FrameError::Keys => say!(frame_keys),
-            FrameError::Fit(e) => e.sentence(),
+            FrameFault::Keys => say!(frame_keys),
+            FrameFault::Fit(e) => e.sentence(),
         }
     }
 }

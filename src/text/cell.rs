@@ -55,7 +55,7 @@ impl Sentence for FigureError {
             FigureError::Template(e) => e.sentence(),
             FigureError::Taken { key, number, by } => say!(figure_taken, key, number = id(number), by = *by),
             FigureError::TipPoses { frame } => say!(frame_tip_poses, frame = *frame),
-            FigureError::Frame { frame, source } => say!(frame_wrong, frame = *frame, what = source.sentence()),
+            FigureError::Frame(e) => e.sentence(),
         }
     }
 }

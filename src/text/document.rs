@@ -37,6 +37,7 @@ impl Sentence for JobFileError {
         match self {
             JobFileError::NoText(source) => say!(job_file_no_text, reason = source.to_string()),
             JobFileError::Toml(source) => one_line(source),
+            JobFileError::Frame(e) => e.sentence(),
             JobFileError::Later(version) => say!(job_file_later, version = id(version), known = id(WRITTEN)),
             JobFileError::NoVersion(version) => say!(job_file_no_version, version, known = id(WRITTEN)),
             JobFileError::Twice { key, surface } => say!(job_file_twice, key = *key, surface = id(surface)),

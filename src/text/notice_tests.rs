@@ -72,13 +72,13 @@ fn remarks_are_codes_and_figures_in_the_report() {
     let remarks = [
         Remark::Laying(LayingRemark::LayersAlike),
         Remark::Laying(LayingRemark::TooShort { pieces: 2, length_mm: 1.5, shortest_mm: 1.0 }),
-        Remark::Laying(LayingRemark::Lines(crate::path::LinesFinding::NoBorder)),
+        Remark::Laying(LayingRemark::Lines(crate::path::LinesFinding::NoBorder { surface: 4 })),
     ];
     let json = serde_json::to_value(remarks).expect("JSON");
     let told = serde_json::json!([
         { "code": "layers_alike" },
         { "code": "too_short", "pieces": 2, "length_mm": 1.5, "shortest_mm": 1.0 },
-        { "code": "no_border" },
+        { "code": "no_border", "surface": 4 },
     ]);
     assert_eq!(json, told);
 }

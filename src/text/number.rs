@@ -20,6 +20,25 @@ pub(crate) fn clock(seconds: f64) -> String {
     format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
+/// With up to three decimals, as many as say something, and one at least.
+pub(crate) fn short(value: f64) -> String {
+    let text = fixed(value, 3);
+    match text.strip_suffix("00") {
+        Some(short) => short.to_owned(),
+        None => text.trim_end_matches('0').to_owned(),
+    }
+}
+
+/// A share as per cent, without the sign.
+pub(crate) fn percent(share: f64, decimals: usize) -> String {
+    fixed(100.0 * share, decimals)
+}
+
+/// The time of day of a moment, counted from midnight UTC of any day: `14:32`.
+pub(crate) fn hour_and_minute(seconds: u64) -> String {
+    format!("{:02}:{:02}", seconds / 3600 % 24, seconds / 60 % 60)
+}
+
 /// `1 426`: a blank before every three digits.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();
@@ -42,6 +61,22 @@ mod tests {
     fn zero_has_no_sign() {
         assert_eq!([-0.0, -0.04, -0.06, 12.25].map(|v| fixed(v, 1)), ["0.0", "0.0", "-0.1", "12.2"]);
         assert_eq!(fixed(-0.4, 0), "0");
+    }
+
+    #[test]
+    fn short_figures_keep_the_decimals_that_say_something() {
+        let cases = [(380.0, "380.0"), (-0.0002, "0.0"), (0.14, "0.14"), (-12.3456, "-12.346"), (1.5, "1.5")];
+        for (value, text) in cases {
+            assert_eq!(short(value), text);
+        }
+    }
+
+    #[test]
+    fn a_clock_counts_whole_seconds() {
+        let cases = [(0.0, "00:00:00"), (-3.0, "00:00:00"), (59.6, "00:01:00"), (3_723.0, "01:02:03")];
+        for (seconds, text) in cases {
+            assert_eq!(clock(seconds), text);
+        }
     }
 
     proptest! {

@@ -1,19 +1,49 @@
-//! Why a program cannot be written or read.
+//! Why a program cannot be written, and what of it is not as it was wanted.
 
-use super::Sentence;
-use crate::program::dialect::{ReadError, WriteError};
+use super::{Sentence, exact, id, say};
+use crate::program::{ByHand, DialectError, Shortfall, UnknownDialect, WriteError, dialects};
 
-impl Sentence for WriteError {
+impl Sentence for UnknownDialect {
+    fn sentence(&self) -> String {
+        say!(dialect_unknown, name = &self.0, known = dialects::names())
+    }
+}
+
+impl Sentence for DialectError {
     fn sentence(&self) -> String {
         match self {
-            WriteError::Template(e) => e.sentence(),
-            other => other.to_string(),
+            DialectError::Unknown(e) => e.sentence(),
+            DialectError::Write(e) => e.sentence(),
         }
     }
 }
 
-impl Sentence for ReadError {
+impl Sentence for WriteError {
     fn sentence(&self) -> String {
-        self.to_string()
+        match self {
+            WriteError::NoRobot(dialect) => say!(write_no_robot, dialect = *dialect),
+            WriteError::Template(e) => e.sentence(),
+            WriteError::OffIsOn(dialect) => say!(write_off_is_on, dialect = *dialect),
+            WriteError::NoTemplate { dialect, kind } => say!(write_no_template, dialect = *dialect, key = kind.key()),
+            WriteError::TimedJointMove(dialect) => say!(write_timed_joint_move, dialect = *dialect),
+            WriteError::StraightInPercent(dialect) => say!(write_straight_in_percent, dialect = *dialect),
+            WriteError::FromUnknownPose(dialect) => say!(write_from_unknown_pose, dialect = *dialect),
+            WriteError::HomeNeedsPulses => say!(write_home_needs_pulses),
+            WriteError::PieceTooLong { lines, most } => say!(write_piece_too_long, lines = *lines, most = id(most)),
+            WriteError::ProgramNumbers { number, pages, last } => {
+                say!(write_program_numbers, number = id(number), pages = *pages, last = id(last))
+            }
+            WriteError::TooManyPositions => say!(write_too_many_positions),
+        }
+    }
+}
+
+impl Sentence for Shortfall {
+    fn sentence(&self) -> String {
+        match *self {
+            Shortfall::LeadsLeftOut { leads } => say!(shortfall_leads, count = leads),
+            Shortfall::SetByHand(ByHand::PowerW(value)) => say!(shortfall_power, value = exact(value)),
+            Shortfall::SetByHand(ByHand::FrequencyKhz(value)) => say!(shortfall_frequency, value = exact(value)),
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use super::number::exact;
 use super::parameter::label_with_unit;
-use super::{Sentence as _, say};
-use crate::document::recipe_table::{Compared, ComparedValue, place};
+use super::{Sentence as _, choices, say};
+use crate::document::recipe_table::{Compared, ComparedValue};
 
 /// What a row compares.
 pub(crate) fn row_label(what: Compared) -> String {
@@ -21,14 +21,13 @@ pub(crate) fn row_label(what: Compared) -> String {
 /// A value of a row.
 pub(crate) fn value(value: ComparedValue) -> String {
     match value {
-        ComparedValue::Strategy(strategy) => strategy.word().into(),
-        ComparedValue::Direction(direction) => direction.to_string(),
-        ComparedValue::Order(order) => order.word().into(),
+        ComparedValue::Strategy(strategy) => choices::strategy(strategy),
+        ComparedValue::Direction(direction) => choices::direction(direction),
+        ComparedValue::Order(order) => choices::order(order),
         ComparedValue::Start(start) => start.sentence(),
-        ComparedValue::Inward(true) => say!(compared_inwards),
-        ComparedValue::Inward(false) => say!(compared_outwards),
+        ComparedValue::Inward(inward) => choices::spiral_sense(inward),
         ComparedValue::Centre(None) => say!(compared_middle),
-        ComparedValue::Centre(Some(at_mm)) => place(at_mm),
+        ComparedValue::Centre(Some(at_mm)) => choices::place(at_mm),
         ComparedValue::Number(number) => exact(number),
     }
 }

@@ -7,7 +7,7 @@ impl Sentence for Remark {
     fn sentence(&self) -> String {
         match self {
             Remark::Laying(remark) => remark.sentence(),
-            Remark::Program(words) => words.clone(),
+            Remark::Program(shortfall) => shortfall.sentence(),
         }
     }
 }

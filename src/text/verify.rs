@@ -4,7 +4,7 @@ use super::{Sentence, fixed, id, say};
 use crate::part::rpy;
 use crate::planning::verify::{Difference, Finding, JointOff, SpotOff, VerifyError};
 use crate::program::dialect::{Goal, Read};
-use crate::program::{Pace, Way, dialects};
+use crate::program::{Interpolation, MoveTiming, dialects};
 use nalgebra::Isometry3;
 
 impl Sentence for VerifyError {
@@ -75,24 +75,24 @@ fn elsewhere(spot: Option<SpotOff>, joint: Option<JointOff>) -> String {
     spot.into_iter().chain(joint).collect::<Vec<_>>().join("; ")
 }
 
-fn pace(pace: &Pace) -> String {
+fn pace(pace: &MoveTiming) -> String {
     match pace {
-        Pace::Seconds(s) => say!(pace_seconds, seconds = fixed(*s, 3)),
-        Pace::Percent(p) => say!(pace_percent, percent = p.to_string()),
+        MoveTiming::Seconds(s) => say!(pace_seconds, seconds = fixed(*s, 3)),
+        MoveTiming::Percent(p) => say!(pace_percent, percent = p.to_string()),
     }
 }
 
-fn way(way: Way) -> String {
+fn way(way: Interpolation) -> String {
     match way {
-        Way::Joint => say!(way_by_joints),
-        Way::Linear => say!(way_straight),
+        Interpolation::Joint => say!(way_by_joints),
+        Interpolation::Linear => say!(way_straight),
     }
 }
 
 /// What a line of a program does, in a few words.
 fn line(what: &Read) -> String {
     match what {
-        Read::Move(m) => say!(line_move, way = way(m.way), goal = goal(&m.goal)),
+        Read::Move(m) => say!(line_move, way = way(m.interpolation), goal = goal(&m.goal)),
         Read::Output { number, on: true } => say!(line_output_on, number = id(number)),
         Read::Output { number, on: false } => say!(line_output_off, number = id(number)),
         Read::Level { number, value, group: true } => say!(line_group, number = id(number), value = value.to_string()),

@@ -4,7 +4,7 @@
 use super::parts::{Planned, cell, job, on, part, planned, sample};
 use clearbeam::cell::Cell;
 use clearbeam::pose::Target;
-use clearbeam::program::nachi;
+use clearbeam::program::dialects::nachi;
 use nalgebra::{Isometry3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 /// A line of the program that does something.

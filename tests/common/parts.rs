@@ -16,6 +16,7 @@ use clearbeam::pose::checker::Checker;
 use clearbeam::pose::{Pass, Target};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{SAMPLES, Triangles, stl_bytes};
+use clearbeam::text::program_comment;
 use nalgebra::{Point3, Vector3};
 
 /// A part with its surfaces, a job and the plan of it.
@@ -152,7 +153,7 @@ impl Planned {
     /// The same in a cell.
     pub fn files_in(&self, setup: &Setup) -> Vec<OutputFile> {
         let Planned { part, surfaces, job, plan } = self;
-        let input = ExportInput { job, part, surfaces, setup, plan, findings: &[] };
+        let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
         let of = ExportOf { job: "part".into(), part: "part.stl".into() };
         export::files(&input, &of, &Progress::default()).expect("files").0
     }

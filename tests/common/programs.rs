@@ -3,8 +3,11 @@
 
 use clearbeam::beam::Work;
 use clearbeam::cell::{Robot, Setup};
-use clearbeam::program::dialect::{Goal, Read, ReadError, ReadLine, Reading};
-use clearbeam::program::{Dialect, Line, Move, Pace, Program, ProgramFile, Way};
+use clearbeam::program::dialect::{Goal, Read, ReadLine, Reading};
+use clearbeam::program::{
+    Comment, Dialect, Interpolation, Move, MoveTiming, Program, ProgramFile, ProgramLine, ReadError,
+};
+use clearbeam::text::program_comment;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -24,21 +27,24 @@ pub enum Seed {
     Output(u32, bool),
     Level(u32, f64, bool),
     Wait(f64),
-    Move { joints: [f64; 6], linear: bool, pace: Pace, home: bool },
+    Move { joints: [f64; 6], linear: bool, timing: MoveTiming, home: bool },
 }
 
 fn seed() -> impl Strategy<Value = Seed> {
     let joints = prop::array::uniform6(-1.0..1.0f64);
     // Straight moves in per cent are made by nobody.
-    let pace = prop_oneof![(0.001..40.0f64).prop_map(Pace::Seconds), (1..100u32).prop_map(|p| Pace::Percent(p.into()))];
+    let timing = prop_oneof![
+        (0.001..40.0f64).prop_map(MoveTiming::Seconds),
+        (1..100u32).prop_map(|p| MoveTiming::Percent(p.into()))
+    ];
     prop_oneof![
         1 => "[ -!#-:<-~é]{0,50}".prop_map(Seed::Say),
         2 => (1..9u32, any::<bool>()).prop_map(|(n, on)| Seed::Output(n, on)),
         1 => (1..9u32, 0..1000u32, any::<bool>()).prop_map(|(n, v, group)| Seed::Level(n, f64::from(v), group)),
         1 => (1..1000u32).prop_map(|hundredths| Seed::Wait(f64::from(hundredths) / 100.0)),
-        8 => (joints, any::<bool>(), pace, prop::bool::weighted(0.1)).prop_map(|(joints, linear, pace, home)| {
-            let linear = linear && !home && matches!(pace, Pace::Seconds(_));
-            Seed::Move { joints, linear, pace, home }
+        8 => (joints, any::<bool>(), timing, prop::bool::weighted(0.1)).prop_map(|(joints, linear, timing, home)| {
+            let linear = linear && !home && matches!(timing, MoveTiming::Seconds(_));
+            Seed::Move { joints, linear, timing, home }
         }),
     ]
 }
@@ -49,30 +55,30 @@ pub fn seeds() -> impl Strategy<Value = Vec<Seed>> {
 }
 
 /// The lines of a setup: joints and poses agree, as a planner's do.
-pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<Line> {
+pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<ProgramLine> {
     let known = setup.robot.is_some();
     let arm = setup.robot.clone().unwrap_or_else(|| Robot::load("mz04", None).expect("shipped"));
     let mut lit = false;
     let line = |s: &Seed| match s {
-        Seed::Say(text) => Line::Say(text.clone()),
+        Seed::Say(text) => ProgramLine::Say(comment(text)),
         Seed::Output(number, on) => {
             lit = if *number == setup.cell.outputs.laser.number { *on } else { lit };
-            Line::Output { number: *number, on: *on }
+            ProgramLine::Output { number: *number, on: *on }
         }
-        Seed::Level(number, value, group) => Line::Level { number: *number, value: *value, group: *group },
-        Seed::Wait(s) => Line::Wait(*s),
-        Seed::Move { joints, linear, pace, home } => {
+        Seed::Level(number, value, group) => ProgramLine::Level { number: *number, value: *value, group: *group },
+        Seed::Wait(s) => ProgramLine::Wait(*s),
+        Seed::Move { joints, linear, timing, home } => {
             let joints: [f64; 6] = std::array::from_fn(|i| {
                 let [low, high] = arm.limits_deg[i];
                 0.5 * (low + high) + 0.5 * (high - low) * joints[i]
             });
             let flange = arm.forward(&joints);
-            Line::Move(Box::new(Move {
-                way: if *linear { Way::Linear } else { Way::Joint },
+            ProgramLine::Move(Box::new(Move {
+                interpolation: if *linear { Interpolation::Linear } else { Interpolation::Joint },
                 base_from_flange: (known || !home).then_some(flange),
                 joints_deg: (known || *home).then_some(joints),
                 part_from_focus: (!home).then(|| setup.focus_for(&flange)),
-                pace: *pace,
+                timing: *timing,
                 lit,
                 target: None,
                 work: Work::default(),
@@ -82,10 +88,25 @@ pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<Line> {
     seeds.iter().map(line).collect()
 }
 
+/// A comment of any text, as [`words`] says it.
+pub fn comment(text: &str) -> Comment {
+    Comment::Part(text.into())
+}
+
+/// The words of a comment: of [`comment`] its text alone.
+pub fn words(comment: &Comment) -> String {
+    if let Comment::Part(text) = comment { text.clone() } else { program_comment(comment) }
+}
+
+/// The text of a line that is such a comment.
+pub fn text_of(line: &ProgramLine) -> Option<&str> {
+    if let ProgramLine::Say(Comment::Part(text)) = line { Some(text) } else { None }
+}
+
 /// Writes.
-pub fn written(dialect: &dyn Dialect, head: &[&str], lines: &[Line], setup: &Setup) -> Vec<ProgramFile> {
-    let head = head.iter().map(|t| (*t).into()).collect();
-    let files = dialect.write(&Program { head, lines: lines.to_vec(), setup }).expect("writes");
+pub fn written(dialect: &dyn Dialect, head: &[&str], lines: &[ProgramLine], setup: &Setup) -> Vec<ProgramFile> {
+    let head = head.iter().map(|t| comment(t)).collect();
+    let files = dialect.write(&Program { head, lines: lines.to_vec(), setup, wording: words }).expect("writes");
     for file in &files {
         assert!(file.text.is_ascii(), "{}", file.name);
         let is_minus_zero = |n: &str| {
@@ -127,27 +148,29 @@ pub fn rounding(dialect: &str) -> Rounding {
 }
 
 /// Why what was read is not what was written; `None`: it is.
-pub fn difference(dialect: &str, lines: &[Line], found: &[ReadLine], setup: &Setup) -> Option<String> {
+pub fn difference(dialect: &str, lines: &[ProgramLine], found: &[ReadLine], setup: &Setup) -> Option<String> {
     let r = rounding(dialect);
     let acts: Vec<&Read> =
         found.iter().map(|l| &l.what).filter(|w| !matches!(w, Read::Say(_) | Read::Other(_))).collect();
-    let meant: Vec<&Line> = lines.iter().filter(|l| !matches!(l, Line::Say(_))).collect();
+    let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Say(_))).collect();
     if acts.len() != meant.len() {
         return Some(format!("{} lines of {}", acts.len(), meant.len()));
     }
-    let wrong = |(line, read): &(&Line, &Read)| match (line, read) {
-        (Line::Output { number, on }, Read::Output { number: n, on: o }) => number != n || on != o,
-        (Line::Level { number, value, group }, Read::Level { number: n, value: v, group: g }) => {
+    let wrong = |(line, read): &(&ProgramLine, &Read)| match (line, read) {
+        (ProgramLine::Output { number, on }, Read::Output { number: n, on: o }) => number != n || on != o,
+        (ProgramLine::Level { number, value, group }, Read::Level { number: n, value: v, group: g }) => {
             number != n || (value - v).abs() > 1e-3 || group != g
         }
-        (Line::Wait(s), Read::Wait(found)) => (s - found).abs() > 1e-9,
-        (Line::Move(m), Read::Move(found)) => {
-            let pace = match (m.pace, found.pace) {
-                (Pace::Seconds(a), Pace::Seconds(b)) => (a - b).abs() > if a > r.long.0 { r.long.1 } else { r.seconds },
-                (Pace::Percent(a), Pace::Percent(b)) => (a - b).abs() > r.percent,
+        (ProgramLine::Wait(s), Read::Wait(found)) => (s - found).abs() > 1e-9,
+        (ProgramLine::Move(m), Read::Move(found)) => {
+            let off = match (m.timing, found.timing) {
+                (MoveTiming::Seconds(a), MoveTiming::Seconds(b)) => {
+                    (a - b).abs() > if a > r.long.0 { r.long.1 } else { r.seconds }
+                }
+                (MoveTiming::Percent(a), MoveTiming::Percent(b)) => (a - b).abs() > r.percent,
                 _ => true,
             };
-            pace || m.way != found.way || is_elsewhere(m, &found.goal, &r, setup)
+            off || m.interpolation != found.interpolation || is_elsewhere(m, &found.goal, &r, setup)
         }
         _ => true,
     };

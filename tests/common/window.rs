@@ -28,7 +28,7 @@ pub fn window(open: Option<PathBuf>, answers: &Answers) -> Harness<'static, App>
     window_with_recipes(open, answers, None)
 }
 
-/// The same with a folder for the user's recipes.
+/// The real window with a folder for the user's recipes.
 pub fn window_with_recipes(
     open: Option<PathBuf>,
     answers: &Answers,

@@ -56,7 +56,7 @@ beam_air_speed_mm_s = Air speed
 beam_power_w = Power
     .meaning = Laser power; stated at the head of the program, and set by an output if the cell has one for it
 beam_frequency_khz = Pulse frequency
-    .meaning = Frequency of the laser's pulses, stated and set like the power; 0 = continuous, or as set at the laser
+    .meaning = Frequency of the laser's pulses, stated and set like the power; 0 = none, or as set at the laser
 beam_spot_mm = Spot diameter
     .meaning = Diameter of the spot on the part
 path_max_tilt_deg = Greatest tilt

@@ -32,6 +32,4 @@ compared_start = Starts from
 compared_sense = Spiral runs
 compared_centre = Spiral centre
 compared_number = { $label }, { $unit }
-compared_inwards = inwards
-compared_outwards = outwards
 compared_middle = middle

@@ -6,7 +6,8 @@ use super::super::{App, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::pose::access::{Access, AccessMap, AccessStrip, Over};
-use crate::pose::{Correction, Obstruction, Pin, Tilt, ToolBody};
+use crate::pose::{Blocker, Correction, Obstruction, Pin, Tilt, ToolBody};
+use crate::text::{Sentence as _, fixed, id, percent, say};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, pos2, vec2};
 
 /// Free, told from the others by lightness as well.
@@ -49,15 +50,16 @@ impl App {
     fn map(&mut self, ui: &mut egui::Ui) {
         let surfaces = self.derived.surfaces.clone();
         let Some((place, map)) = self.access_map() else {
-            ui.label("Step to a target, or point at the part");
+            ui.label(say!(access_no_place));
             return;
         };
-        let what = if place.hovered { "under the cursor" } else { "at the target" };
-        ui.label(RichText::new(format!("Access {what}: {:.0}% free", 100.0 * map.free_share())).strong());
+        let percent = percent(map.free_share(), 0);
+        let title = if place.hovered { say!(access_under_cursor, percent) } else { say!(access_at_target, percent) };
+        ui.label(RichText::new(title).strong());
         ui.horizontal_top(|ui| {
             let side = (ui.available_height() - 4.0).clamp(80.0, 400.0);
             let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::hover());
-            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "access map"));
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, say!(access_map)));
             draw_map(ui, rect, map, &place);
             let pointed = response.hover_pos().map(|at| tilt_at(rect, map, at));
             let told = pointed.and_then(|t| Some((t, map.cell(t)?)));
@@ -71,8 +73,8 @@ impl App {
     fn strip(&mut self, ui: &mut egui::Ui) {
         let over = self.session.strip_over;
         ui.horizontal(|ui| {
-            ui.label(RichText::new("Tilt along the line").strong());
-            for (o, name) in [(Over::Lead, "lead"), (Over::Lean, "lean")] {
+            ui.label(RichText::new(say!(access_strip)).strong());
+            for (o, name) in [(Over::Lead, say!(access_lead)), (Over::Lean, say!(access_lean))] {
                 if ui.selectable_label(over == o, name).clicked() {
                     self.session.strip_over = o;
                 }
@@ -80,20 +82,20 @@ impl App {
             let job = self.document.job();
             let pins = self.pins();
             if job.path.correction != Correction::Clearance {
-                ui.label(RichText::new("the correction clearance can be bent here").small());
+                ui.label(RichText::new(say!(access_needs_clearance)).small());
             } else if pins.is_empty() {
-                ui.label(RichText::new("drag from the line to prefer another tilt").small());
-            } else if ui.button("Let all pins go").clicked() {
+                ui.label(RichText::new(say!(access_drag)).small());
+            } else if ui.button(say!(access_remove_pins)).clicked() {
                 self.set_pins(Vec::new());
             }
         });
-        let at = self.session.at.1;
+        let at = self.session.playback.at.1;
         let pins = self.pins();
         let Some(strip) = self.access_strip(over) else { return };
         let strip = strip.clone();
         let size = vec2(ui.available_width(), (ui.available_height() - 4.0).max(60.0));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "tilt along the line"));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, say!(access_strip_image)));
         let frame = Frame::new(rect, &strip);
         draw_strip(ui, &frame, &strip, &pins, at);
         self.bend(&response, &frame, &strip, pins);
@@ -112,7 +114,7 @@ impl App {
                 off(x).total_cmp(&off(y))
             });
             if let Some(c) = nearest {
-                self.go_to_target((self.session.at.0, c.point));
+                self.go_to_target((self.session.playback.at.0, c.point));
             }
             return;
         }
@@ -190,31 +192,38 @@ fn draw_map(ui: &egui::Ui, rect: Rect, map: &AccessMap, place: &Place) {
         painter.circle(at, 5.0, Color32::WHITE, Stroke::new(2.0, Color32::BLACK));
     }
     let font = egui::FontId::proportional(11.0);
-    painter.text(rect.center_top(), egui::Align2::CENTER_TOP, "lead", font, line);
+    painter.text(rect.center_top(), egui::Align2::CENTER_TOP, say!(access_lead), font, line);
 }
 
 fn said(tilt: Tilt, cell: Access, surface_of: &dyn Fn(u32) -> Option<u32>) -> String {
-    // Rounded, and + 0 so that no −0 is shown.
-    let round = |deg: f64| deg.round() + 0.0;
     let what = match cell {
-        Access::Free => "free".into(),
-        Access::Forbidden => "not allowed by the surface's rule".into(),
-        Access::Blocked(b) => match b.obstruction {
-            Obstruction::Facet(f) => format!("{b} of surface {}", surface_of(f).map_or("?".into(), |n| n.to_string())),
-            Obstruction::Clamp(_) => b.to_string(),
-        },
+        Access::Free => say!(access_free),
+        Access::Forbidden => say!(access_not_allowed),
+        Access::Blocked(b) => blocked(&b, surface_of),
     };
-    format!("lead {}°, lean {}°: {what}", round(tilt.lead_deg), round(tilt.lean_deg))
+    say!(access_tilt, lead = fixed(tilt.lead_deg, 0), lean = fixed(tilt.lean_deg, 0), what)
+}
+
+fn blocked(b: &Blocker, surface_of: &dyn Fn(u32) -> Option<u32>) -> String {
+    let blocker = b.sentence();
+    let surface = match b.obstruction {
+        Obstruction::Facet(facet) => surface_of(facet),
+        Obstruction::Clamp(_) => None,
+    };
+    match surface {
+        Some(surface) => say!(access_blocked_by_surface, blocker, surface = id(surface)),
+        None => blocker,
+    }
 }
 
 fn legend(ui: &mut egui::Ui, map: &AccessMap, place: &Place) {
     let has = |c: Color32| map.cells.iter().flatten().any(|a| color(*a) == c);
     let rows = [
-        (FREE, "free"),
-        (BY_BEAM, "the beam hits"),
-        (BY_HEAD, "the head hits"),
-        (BY_CLAMP, "a clamp"),
-        (FORBIDDEN, "not allowed"),
+        (FREE, say!(access_free)),
+        (BY_BEAM, say!(access_by_beam)),
+        (BY_HEAD, say!(access_by_head)),
+        (BY_CLAMP, say!(access_by_clamp)),
+        (FORBIDDEN, say!(access_forbidden)),
     ];
     for (c, name) in rows.into_iter().filter(|(c, _)| has(*c)) {
         ui.horizontal(|ui| {
@@ -222,14 +231,14 @@ fn legend(ui: &mut egui::Ui, map: &AccessMap, place: &Place) {
             ui.label(RichText::new(name).small());
         });
     }
-    ui.label(RichText::new("+ the normal").small());
+    ui.label(RichText::new(say!(access_normal)).small());
     let chosen = match place.chosen {
-        Some(t) => format!("○ chosen: {:.1}°", t.angle_deg()),
-        None if place.hovered => "no target here".into(),
-        None => "blocked: none chosen".into(),
+        Some(t) => say!(access_chosen, angle = fixed(t.angle_deg(), 1)),
+        None if place.hovered => say!(access_no_target),
+        None => say!(access_none_chosen),
     };
     ui.label(RichText::new(chosen).small());
-    ui.label(RichText::new(format!("surface {}", place.surface)).small());
+    ui.label(RichText::new(say!(access_surface, surface = id(place.surface))).small());
 }
 
 /// Length along, degrees up.
@@ -298,8 +307,8 @@ fn draw_strip(ui: &egui::Ui, frame: &Frame, strip: &AccessStrip, pins: &[Pin], a
     }
     painter.rect_stroke(frame.rect, 0, Stroke::new(1.0, line.gamma_multiply(0.3)), StrokeKind::Inside);
     let font = egui::FontId::proportional(11.0);
-    let most = format!("+{:.0}°", frame.most_deg);
+    let most = say!(access_most, angle = fixed(frame.most_deg, 0));
     painter.text(frame.rect.left_top() + vec2(3.0, 2.0), egui::Align2::LEFT_TOP, most, font.clone(), line);
-    let end = format!("{:.1} mm", frame.length_mm);
+    let end = say!(access_length, length = fixed(frame.length_mm, 1));
     painter.text(frame.rect.right_bottom() - vec2(3.0, 2.0), egui::Align2::RIGHT_BOTTOM, end, font, line);
 }

@@ -3,11 +3,12 @@
 
 use super::super::{App, theme};
 use super::bead_section::bead_section;
-use super::fields::{self, Change, JOB, Owner, RECIPE, SPACING, back, name};
+use super::fields::{self, Change, Owner, SPACING, back, name};
 use super::recipe;
 use crate::document::parameter::Group;
 use crate::document::{Edit, Job, Parameter, Recipe};
 use crate::process::bead::Bead;
+use crate::text::{exact, fixed, say};
 use eframe::egui::{self, CollapsingHeader, RichText, Role, WidgetInfo};
 
 const WIDTH: &Parameter = Parameter::named("bead.width_mm");
@@ -22,29 +23,29 @@ impl App {
     /// The job's bead; open where there is one.
     pub(super) fn bead(&mut self, ui: &mut egui::Ui) {
         let job = self.document.job().clone();
-        header(JOB, &job).show(ui, |ui| {
-            if let Some(Change::To(on)) = laid(ui, JOB, &job, None) {
+        header(Owner::Job, &job).show(ui, |ui| {
+            if let Some(Change::To(on)) = laid(ui, Owner::Job, &job, None) {
                 self.edit(Edit::Bead(job.bead.laid(on, job.beam.spot_mm)));
             }
             if job.section_of_bead().is_none() {
                 return;
             }
             for p in Parameter::of_group(Group::BeadSize) {
-                if let Some(Change::To(mm)) = fields::number_from(ui, JOB, p, LEAST_MM, job.number(p), None) {
+                if let Some(Change::To(mm)) = fields::number_from(ui, Owner::Job, p, LEAST_MM, job.number(p), None) {
                     self.set_parameter(p, mm);
                 }
             }
             self.numbers(ui, Group::BeadLayers);
             ui.horizontal(|ui| {
-                name(ui, "Every second layer", job.bead.alternate);
+                name(ui, &say!(bead_panel_second), job.bead.alternate);
                 let mut alternate = job.bead.alternate;
-                let tip = "Its planes are turned by 90°; offset lines and spirals run alike in all layers";
-                if ui.checkbox(&mut alternate, "across the others").on_hover_text(tip).changed() {
+                let check = ui.checkbox(&mut alternate, say!(bead_panel_across));
+                if check.on_hover_text(say!(bead_panel_across_tip)).changed() {
                     self.edit(Edit::Bead(crate::document::model::BeadParameters { alternate, ..job.bead.clone() }));
                 }
             });
-            bead_section(ui, JOB, &job);
-            if let Some((key, mm)) = fill(ui, JOB, &job) {
+            bead_section(ui, Owner::Job, &job);
+            if let Some((key, mm)) = fill(ui, Owner::Job, &job) {
                 self.edit(Edit::Set(key, mm));
             }
         });
@@ -54,9 +55,9 @@ impl App {
 /// The bead of a recipe; `own`: the job with it. Changes it, and says what was changed.
 pub(super) fn of_recipe(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Recipe) -> Option<&'static str> {
     let mut what = None;
-    header(RECIPE, own).show(ui, |ui| {
+    header(Owner::Recipe, own).show(ui, |ui| {
         let is_own = Parameter::of_group(Group::BeadSize).any(|p| recipe.values.contains_key(p.key));
-        match laid(ui, RECIPE, own, is_own.then_some(job)) {
+        match laid(ui, Owner::Recipe, own, is_own.then_some(job)) {
             Some(Change::To(on)) => {
                 let with = Job { bead: own.bead.laid(on, own.beam.spot_mm), ..own.clone() };
                 for p in Parameter::of_group(Group::BeadSize) {
@@ -86,7 +87,7 @@ pub(super) fn of_recipe(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Re
             // To half a bead there is no way back.
             let can_go_back = recipe.values.contains_key(p.key) && job.section_of_bead().is_some();
             let to = can_go_back.then(|| job.number(p));
-            match fields::number_from(ui, RECIPE, p, LEAST_MM, own.number(p), to) {
+            match fields::number_from(ui, Owner::Recipe, p, LEAST_MM, own.number(p), to) {
                 Some(Change::To(mm)) => recipe.values.insert(p.key.into(), mm),
                 Some(Change::Back) => recipe.values.remove(p.key),
                 None => continue,
@@ -96,8 +97,8 @@ pub(super) fn of_recipe(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Re
         for p in Parameter::of_group(Group::BeadLayers) {
             what = recipe::number(ui, job, own, recipe, p).or(what);
         }
-        bead_section(ui, RECIPE, own);
-        if let Some((key, mm)) = fill(ui, RECIPE, own) {
+        bead_section(ui, Owner::Recipe, own);
+        if let Some((key, mm)) = fill(ui, Owner::Recipe, own) {
             recipe.values.insert(key.into(), mm);
             what = Some("recipe bead");
         }
@@ -109,12 +110,13 @@ pub(super) fn of_recipe(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Re
 fn header(owner: Owner, job: &Job) -> CollapsingHeader {
     let bead = &job.bead;
     let is_laid = job.section_of_bead().is_some();
+    let (width, height) = (exact(bead.width_mm), exact(bead.height_mm));
     let title = match job.layer_count() {
-        _ if !is_laid => "Bead: none".into(),
-        1 => format!("Bead: {} × {} mm", bead.width_mm, bead.height_mm),
-        n => format!("Bead: {} × {} mm, {n} layers", bead.width_mm, bead.height_mm),
+        _ if !is_laid => say!(bead_panel_none),
+        1 => say!(bead_panel_one_layer, width, height),
+        layers => say!(bead_panel_layers, width, height, layers),
     };
-    CollapsingHeader::new(title).id_salt((owner.prefix, "bead", is_laid)).default_open(is_laid)
+    CollapsingHeader::new(title).id_salt((owner, "bead", is_laid)).default_open(is_laid)
 }
 
 /// Whether a bead is laid; `to`: the job that a recipe can go back to in this.
@@ -122,18 +124,19 @@ fn laid(ui: &mut egui::Ui, owner: Owner, job: &Job, to: Option<&Job>) -> Option<
     let now = job.section_of_bead().is_some();
     let mut wanted = None;
     ui.horizontal(|ui| {
-        name(ui, "Metal", to.is_some());
+        name(ui, &say!(bead_panel_metal), to.is_some());
         let mut on = now;
-        let check = ui.checkbox(&mut on, "lay a bead").on_hover_text("Cladding: the beam lays a bead on the part");
-        let told = format!("{}lay a bead", owner.prefix);
-        check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, told.clone()));
+        let check = ui.checkbox(&mut on, say!(bead_panel_lay)).on_hover_text(say!(bead_panel_lay_tip));
+        let told = || owner.told(say!(bead_panel_lay));
+        check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, told()));
         if check.changed() {
             wanted = Some(Change::To(on));
         }
         if let Some(to) = to {
             let bead = to.section_of_bead();
-            let said = bead.map_or("none".into(), |b| format!("{} × {} mm", b.width_mm(), b.height_mm()));
-            if back(ui, owner, "bead", &said) {
+            let size = |b: Bead| say!(bead_panel_size, width = exact(b.width_mm()), height = exact(b.height_mm()));
+            let said = bead.map_or_else(|| say!(bead_panel_back_none), size);
+            if back(ui, owner, &say!(bead_panel_name), &said) {
                 wanted = Some(Change::Back);
             }
         }
@@ -141,45 +144,56 @@ fn laid(ui: &mut egui::Ui, owner: Owner, job: &Job, to: Option<&Job>) -> Option<
     wanted
 }
 
+/// What is changed so that beads fill their layer.
+#[derive(Clone, Copy)]
+enum Measure {
+    Spacing,
+    Height,
+    Width,
+}
+
+impl Measure {
+    /// Text, name and tip of the button that sets it.
+    fn words(self, mm: f64) -> [String; 3] {
+        let mm = &fixed(mm, 2);
+        match self {
+            Measure::Spacing => {
+                [say!(bead_panel_spacing, mm), say!(bead_panel_take_spacing, mm), say!(bead_panel_spacing_tip)]
+            }
+            Measure::Height => {
+                [say!(bead_panel_height, mm), say!(bead_panel_take_height, mm), say!(bead_panel_height_tip)]
+            }
+            Measure::Width => [say!(bead_panel_width, mm), say!(bead_panel_take_width, mm), say!(bead_panel_width_tip)],
+        }
+    }
+}
+
 /// How the layer comes out at the spacing that is set, and what would fill it: key and value of what is taken.
 fn fill(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<(&'static str, f64)> {
     let bead = job.section_of_bead()?;
     let (spacing_mm, own_mm) = (job.layers.spacing_mm, bead.spacing_mm());
     if (spacing_mm / own_mm - 1.0).abs() <= OTHER_SPACING {
-        ui.label(RichText::new("The beads fill a layer of their own height (P3)").small());
+        ui.label(RichText::new(say!(bead_panel_filled)).small());
         return None;
     }
     let mean_mm = bead.area_mm2() / spacing_mm;
-    let text = format!(
-        "The metal is enough for {mean_mm:.2} mm, the layer is planned as {:.2} mm; it is filled with:",
-        bead.height_mm()
-    );
+    let text = say!(bead_panel_not_filled, mean = fixed(mean_mm, 2), planned = fixed(bead.height_mm(), 2));
     ui.label(RichText::new(text).color(theme::ATTENTION));
     let ways = [
-        ("Spacing", SPACING, Some(own_mm), "Centres so far apart, with the bead as it is"),
-        (
-            "Height",
-            HEIGHT,
-            Bead::of_width(bead.width_mm(), spacing_mm).map(|b| b.height_mm()),
-            "A bead so high, with width and spacing as they are",
-        ),
-        (
-            "Width",
-            WIDTH,
-            Bead::of_height(bead.height_mm(), spacing_mm).map(|b| b.width_mm()),
-            "A bead so wide, with height and spacing as they are",
-        ),
+        (Measure::Spacing, SPACING, Some(own_mm)),
+        (Measure::Height, HEIGHT, Bead::of_width(bead.width_mm(), spacing_mm).map(|b| b.height_mm())),
+        (Measure::Width, WIDTH, Bead::of_height(bead.height_mm(), spacing_mm).map(|b| b.width_mm())),
     ];
     let mut taken = None;
     ui.horizontal_wrapped(|ui| {
-        for (word, p, mm, tip) in ways {
+        for (measure, p, mm) in ways {
             // A micrometre is more than anybody can set.
             let mm = mm.map(|mm| (mm * 1e3).round() / 1e3);
             let may = |mm: &f64| *mm >= LEAST_MM && p.check(*mm).is_ok();
             let Some(mm) = mm.filter(may) else { continue };
-            let button = ui.button(format!("{word} {mm:.2} mm")).on_hover_text(format!("{tip} (P3 4.1)"));
-            let told = format!("{}take {} {mm:.2} mm", owner.prefix, word.to_lowercase());
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
+            let [text, told, tip] = measure.words(mm);
+            let button = ui.button(text).on_hover_text(tip);
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, owner.told(told.clone())));
             if button.clicked() {
                 taken = Some((p.key, mm));
             }

@@ -5,6 +5,7 @@ use super::fields::Owner;
 use crate::document::Job;
 use crate::picture::beads::{BeadSection, section};
 use crate::process::bead::Bead;
+use crate::text::{fixed, say};
 use eframe::egui::{
     self, Align2, Color32, FontId, Grid, Painter, Pos2, Rect, RichText, Role, Sense, Shape, Stroke, WidgetInfo, pos2,
     vec2,
@@ -28,14 +29,6 @@ pub(super) fn bead_section(ui: &mut egui::Ui, owner: Owner, job: &Job) {
     let spacing_mm = job.layers.spacing_mm;
     let layers = job.layer_count().min(MOST_LAYERS);
     let drawn = section(&bead, BEADS, layers as usize, spacing_mm);
-    let measures = [
-        ("Width ω", format!("{:.2} mm", bead.width_mm())),
-        ("Height h", format!("{:.2} mm", bead.height_mm())),
-        ("Centres c", format!("{spacing_mm:.2} mm")),
-        ("Overlap η", format!("{:.1} %", (job.overlap_percent() * 10.0).round() * 0.1 + 0.0)),
-        ("Ripple r", format!("{:.2} mm", drawn.ripple_mm)),
-        ("Build-up", format!("{:.2} mm", bead.height_mm() * f64::from(job.layer_count()))),
-    ];
     let top_mm = f64::from(layers) * bead.height_mm();
     let wide_mm = width_mm(&drawn);
     let room = vec2((ui.available_width() - 2.0 * BESIDE).clamp(60.0, MOST.x), MOST.y);
@@ -43,34 +36,72 @@ pub(super) fn bead_section(ui: &mut egui::Ui, owner: Owner, job: &Job) {
     let scale = (room.x / wide_mm as f32).min(room.y / top_mm as f32);
     let height = scale * top_mm as f32 + ABOVE + GROUND + 2.0 * ROW;
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    let said: Vec<String> = measures.iter().map(|(what, value)| format!("{} {value}", what.to_lowercase())).collect();
-    let told = format!("{}section of the beads: {}", owner.prefix, said.join(", "));
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, told.clone()));
-    response.on_hover_text(
-        "To scale, across the lines.\nThe outline is that of the arcs: metal that runs into the valleys is not counted",
-    );
+    let measures = Measures::new(job, &bead, &drawn);
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, owner.told(measures.told())));
+    response.on_hover_text(say!(bead_section_tip));
     let foot = pos2(rect.center().x - 0.5 * scale * wide_mm as f32, rect.bottom() - GROUND - 2.0 * ROW);
     let sheet = Sheet { foot, scale, left_mm: drawn.ground.first().map_or(0.0, |p| p[0]) };
     paint(ui, &ui.painter_at(rect), &sheet, &drawn);
     measure(ui, &ui.painter_at(rect), &sheet, &bead, &drawn, spacing_mm);
-    Grid::new((owner.prefix, "measures of the bead")).num_columns(4).striped(false).spacing([10.0, 2.0]).show(
-        ui,
-        |ui| {
-            for pair in measures.chunks(2) {
-                for (what, value) in pair {
-                    ui.label(*what);
-                    ui.label(RichText::new(value).monospace());
-                }
-                ui.end_row();
+    let grid = Grid::new((owner, "measures of the bead")).num_columns(4).striped(false).spacing([10.0, 2.0]);
+    grid.show(ui, |ui| {
+        for pair in measures.rows().chunks(2) {
+            for (what, value) in pair {
+                ui.label(what);
+                ui.label(RichText::new(value).monospace());
             }
-        },
-    );
+            ui.end_row();
+        }
+    });
+    let count = job.layer_count();
     let remarks = [
-        (layers < job.layer_count()).then(|| format!("{layers} of {} layers are drawn", job.layer_count())),
-        job.bead.alternate.then(|| "layers that run across are drawn as if they did not".into()),
+        (layers < count).then(|| say!(bead_section_drawn, drawn = layers, layers = count)),
+        job.bead.alternate.then(|| say!(bead_section_alternate)),
     ];
     for remark in remarks.into_iter().flatten() {
         ui.label(RichText::new(remark).small().weak());
+    }
+}
+
+/// The measures as numbers that are read.
+struct Measures {
+    width: String,
+    height: String,
+    centres: String,
+    overlap: String,
+    ripple: String,
+    build_up: String,
+}
+
+impl Measures {
+    fn new(job: &Job, bead: &Bead, drawn: &BeadSection) -> Measures {
+        Measures {
+            width: fixed(bead.width_mm(), 2),
+            height: fixed(bead.height_mm(), 2),
+            centres: fixed(job.layers.spacing_mm, 2),
+            overlap: fixed(job.overlap_percent(), 1),
+            ripple: fixed(drawn.ripple_mm, 2),
+            build_up: fixed(bead.height_mm() * f64::from(job.layer_count()), 2),
+        }
+    }
+
+    /// All in a row, for who cannot see the drawing.
+    fn told(&self) -> String {
+        let Measures { width, height, centres, overlap, ripple, build_up } = self;
+        say!(bead_section_told, width, height, centres, overlap, ripple, build_up)
+    }
+
+    /// Names and values, two to a line.
+    fn rows(&self) -> [(String, String); 6] {
+        let mm = |value: &String| say!(bead_section_mm, value);
+        [
+            (say!(bead_section_width), mm(&self.width)),
+            (say!(bead_section_height), mm(&self.height)),
+            (say!(bead_section_centres), mm(&self.centres)),
+            (say!(bead_section_overlap), say!(bead_section_percent, value = &self.overlap)),
+            (say!(bead_section_ripple), mm(&self.ripple)),
+            (say!(bead_section_build_up), mm(&self.build_up)),
+        ]
     }
 }
 

@@ -6,16 +6,15 @@ use crate::cell::{Mount, Robot, Spin};
 use crate::document::Edit;
 use crate::document::parameter::Group;
 use crate::program::dialects::DIALECTS;
-use crate::text::Sentence;
+use crate::text::{Sentence, choices, say};
 use eframe::egui::{self, ComboBox, RichText};
 use std::path::Path;
 
-const NO_ROBOT: &str = "None: poses only";
 const WIDTH: f32 = 170.0;
 
 impl App {
     pub(super) fn cell_panel(&mut self, ui: &mut egui::Ui) {
-        theme::heading(ui, "Cell");
+        theme::heading(ui, &say!(cell_panel_heading));
         self.robot(ui);
         self.mount(ui);
         self.spin(ui);
@@ -29,15 +28,15 @@ impl App {
     fn robot(&mut self, ui: &mut egui::Ui) {
         let now = self.document.job().cell.robot.clone();
         let shown = match self.derived.pipeline.setup() {
-            _ if now.is_empty() => NO_ROBOT.into(),
+            _ if now.is_empty() => say!(cell_panel_no_robot),
             Some(Ok(setup)) => setup.robot_name().to_owned(),
             _ => now.clone(),
         };
         let mut chosen = None;
         ui.horizontal(|ui| {
-            let label = theme::name(ui, "Robot", 90.0);
+            let label = theme::name(ui, &say!(cell_panel_robot), 90.0);
             let combo = ComboBox::from_id_salt("robot").width(WIDTH).selected_text(shown).show_ui(ui, |ui| {
-                if ui.selectable_label(now.is_empty(), NO_ROBOT).clicked() {
+                if ui.selectable_label(now.is_empty(), say!(cell_panel_no_robot)).clicked() {
                     chosen = Some(String::new());
                 }
                 for key in Robot::shipped() {
@@ -46,12 +45,11 @@ impl App {
                         chosen = Some(key.to_owned());
                     }
                 }
-                if ui.selectable_label(false, "Robot file…").clicked() {
+                if ui.selectable_label(false, say!(cell_panel_robot_file)).clicked() {
                     self.ask(Purpose::Robot);
                 }
             });
-            let tip = "With a robot, reach, limits and time are known, and its motion can be watched";
-            combo.response.labelled_by(label.id).on_hover_text(tip);
+            combo.response.labelled_by(label.id).on_hover_text(say!(cell_panel_robot_tip));
         });
         if let Some(key) = chosen {
             self.choose_robot(&key);
@@ -59,8 +57,8 @@ impl App {
         let Some(Ok(setup)) = self.derived.pipeline.setup() else { return };
         let unverified = setup.robot.as_ref().map_or(&[][..], |r| &r.unverified);
         if !unverified.is_empty() {
-            let text = RichText::new("Some figures of this robot are not verified").small().color(theme::ATTENTION);
-            ui.label(text).on_hover_text(format!("Check them in a robot file of your own:\n{}", unverified.join("\n")));
+            let text = RichText::new(say!(cell_panel_unverified)).small().color(theme::ATTENTION);
+            ui.label(text).on_hover_text(say!(cell_panel_unverified_tip, figures = unverified.join("\n")));
         }
     }
 
@@ -80,18 +78,21 @@ impl App {
     fn mount(&mut self, ui: &mut egui::Ui) {
         let Some(Ok(setup)) = self.derived.pipeline.setup() else { return };
         let now = setup.mount;
-        let words = [(Mount::PartInHand, "the part"), (Mount::ToolInHand, "the head")];
-        let tip = "The part under a fixed laser, or the laser head over a fixed part";
-        if let Some(mount) = choice(ui, "Carries", tip, &words, now) {
+        let options = [
+            (Mount::PartInHand, say!(cell_panel_the_part), say!(cell_panel_carries_part)),
+            (Mount::ToolInHand, say!(cell_panel_the_head), say!(cell_panel_carries_head)),
+        ];
+        let label = [say!(cell_panel_carries), say!(cell_panel_carries_tip)];
+        if let Some(mount) = choice(ui, label, options, now) {
             self.edit(Edit::Mount(mount));
         }
     }
 
     fn spin(&mut self, ui: &mut egui::Ui) {
         let now = self.document.job().cell.spin;
-        let words = [(Spin::Free, Spin::Free.word()), (Spin::Travel, Spin::Travel.word())];
-        let tip = "Rotation about the beam: free, as suits the arm, or fixed to the direction of travel";
-        if let Some(spin) = choice(ui, "Spin", tip, &words, now) {
+        let option = |s: Spin| (s, choices::spin(s), say!(cell_panel_spin_name, spin = choices::spin(s)));
+        let label = [say!(cell_panel_spin), say!(cell_panel_spin_tip)];
+        if let Some(spin) = choice(ui, label, [Spin::Free, Spin::Travel].map(option), now) {
             self.edit(Edit::Spin(spin));
         }
     }
@@ -100,7 +101,7 @@ impl App {
         let now = self.document.job().cell.dialect.clone();
         let mut chosen = None;
         ui.horizontal(|ui| {
-            let label = theme::name(ui, "Program for", 90.0);
+            let label = theme::name(ui, &say!(cell_panel_program_for), 90.0);
             let combo = ComboBox::from_id_salt("dialect").width(WIDTH).selected_text(&now).show_ui(ui, |ui| {
                 for word in DIALECTS.iter().map(|d| d.name()) {
                     if ui.selectable_label(now == word, word).clicked() {
@@ -108,7 +109,7 @@ impl App {
                     }
                 }
             });
-            combo.response.labelled_by(label.id).on_hover_text("The controller's language");
+            combo.response.labelled_by(label.id).on_hover_text(say!(cell_panel_program_for_tip));
         });
         if let Some(word) = chosen {
             self.edit(Edit::Dialect(word));
@@ -117,8 +118,8 @@ impl App {
 
     fn cell_file(&mut self, ui: &mut egui::Ui) {
         ui.horizontal(|ui| {
-            theme::name(ui, "Frames", 90.0).on_hover_text("Where laser, part and flange stand; air moves, outputs");
-            if ui.button("Cell file…").clicked() {
+            theme::name(ui, &say!(cell_panel_frames), 90.0).on_hover_text(say!(cell_panel_frames_tip));
+            if ui.button(say!(cell_panel_cell_file)).clicked() {
                 self.ask(Purpose::Cell);
             }
         });
@@ -134,13 +135,12 @@ impl App {
             return;
         }
         ui.add_space(2.0);
-        let button = egui::Button::new(super::name_of(Command::BetterSetup));
-        let tip = "Looks for where part and laser would have to stand so that the robot reaches more of the work";
-        let response = ui.add_enabled(self.is_enabled(Command::BetterSetup), button).on_hover_text(tip);
-        let why = if self.is_proposing() { "It is being looked for" } else { "The robot refuses nothing" };
+        let button = egui::Button::new(Command::BetterSetup.name());
+        let response = ui.add_enabled(self.is_enabled(Command::BetterSetup), button);
+        let response = response.on_hover_text(say!(cell_panel_better_tip));
+        let why = if self.is_proposing() { say!(cell_panel_better_running) } else { say!(cell_panel_nothing_refused) };
         if response.on_disabled_hover_text(why).clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::BetterSetup, &ctx);
+            self.run(Command::BetterSetup);
         }
         ui.add_space(4.0);
     }
@@ -149,29 +149,32 @@ impl App {
     pub(super) fn export_button(&mut self, ui: &mut egui::Ui) {
         ui.add_space(2.0);
         let ready = self.plan().is_some();
-        let text = RichText::new("Export program…").strong();
+        let text = RichText::new(say!(cell_panel_export)).strong();
         let button = egui::Button::new(text).fill(theme::ACCENT.gamma_multiply(0.6));
-        let why = "Writes program, path, report and job into a folder  Ctrl+E";
+        let tip = say!(cell_panel_export_tip, keys = Command::Export.keys_text(ui.ctx()));
         let size = egui::vec2(ui.available_width(), 28.0);
         let response = ui.add_enabled_ui(ready, |ui| ui.add_sized(size, button)).inner;
-        if response.on_hover_text(why).on_disabled_hover_text("The plan is not finished").clicked() {
-            let ctx = ui.ctx().clone();
-            self.run(Command::Export, &ctx);
+        if response.on_hover_text(tip).on_disabled_hover_text(say!(cell_panel_not_planned)).clicked() {
+            self.run(Command::Export);
         }
         ui.add_space(2.0);
     }
 }
 
-/// One of a few words.
-fn choice<T: Copy + PartialEq>(ui: &mut egui::Ui, name: &str, tip: &str, words: &[(T, &str)], now: T) -> Option<T> {
+/// One of two values, each with its word and its accessible name, behind a name with a tip.
+fn choice<T: Copy + PartialEq>(
+    ui: &mut egui::Ui,
+    [name, tip]: [String; 2],
+    options: [(T, String, String); 2],
+    now: T,
+) -> Option<T> {
     let mut chosen = None;
     ui.horizontal(|ui| {
-        theme::name(ui, name, 90.0).on_hover_text(tip);
-        for &(value, word) in words {
+        theme::name(ui, &name, 90.0).on_hover_text(tip);
+        for (value, word, told) in options {
             let button = ui.selectable_label(now == value, word);
-            let full = format!("{} {word}", name.to_lowercase());
-            button
-                .widget_info(|| egui::WidgetInfo::selected(egui::Role::RadioButton, true, now == value, full.clone()));
+            let is_on = now == value;
+            button.widget_info(|| egui::WidgetInfo::selected(egui::Role::RadioButton, true, is_on, told.clone()));
             if button.clicked() {
                 chosen = Some(value);
             }

@@ -6,6 +6,7 @@ use crate::document::Recipe;
 use crate::document::recipe_table::{ComparedRow, rows};
 use crate::part::SurfaceId;
 use crate::text::recipe_table::{row_label, value};
+use crate::text::say;
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use std::collections::BTreeSet;
 
@@ -40,7 +41,10 @@ impl App {
         let Some(mut compare) = self.session.compare.take() else { return };
         let mut open = true;
         // Over the view, so that the lists stay in sight.
-        let window = egui::Window::new("Compare recipes").open(&mut open).collapsible(false);
+        let window = egui::Window::new(say!(compare_title))
+            .id(egui::Id::unique("compare recipes"))
+            .open(&mut open)
+            .collapsible(false);
         let window = window.default_width(460.0).default_pos(egui::pos2(350.0, 110.0));
         window.show(ctx, |ui| {
             self.choose_compared(ui, &mut compare);
@@ -51,13 +55,13 @@ impl App {
             let chosen = recipes.filter(|(shelf, r)| compare.chosen.contains(&(*shelf, r.name.clone())));
             let columns: Vec<Option<&Recipe>> = own.into_iter().chain(chosen.map(|(_, r)| Some(r))).collect();
             if columns.len() < 2 {
-                ui.label("Choose two or more");
+                ui.label(say!(compare_too_few));
                 return;
             }
             let rows = rows(self.document.job(), &columns);
             let shown: Vec<&ComparedRow> = rows.iter().filter(|r| compare.all_rows || r.differs()).collect();
             if shown.is_empty() {
-                ui.label("They do not differ");
+                ui.label(say!(compare_no_difference));
                 return;
             }
             egui::ScrollArea::both().max_height(420.0).show(ui, |ui| table(ui, &columns, &shown));
@@ -69,18 +73,18 @@ impl App {
 
     fn choose_compared(&self, ui: &mut egui::Ui, compare: &mut Compare) {
         ui.horizontal_wrapped(|ui| {
-            ui.checkbox(&mut compare.with_job, "the job's own values");
+            ui.checkbox(&mut compare.with_job, say!(compare_own));
             for (shelf, recipes) in self.shelves() {
                 for recipe in recipes {
                     let key = (shelf, recipe.name.clone());
                     let mut on = compare.chosen.contains(&key);
                     let text = match shelf {
                         Shelf::Job => recipe.name.clone(),
-                        _ => format!("{} ({})", recipe.name, shelf.word()),
+                        _ => say!(compare_recipe, name = &recipe.name, shelf = shelf.word()),
                     };
-                    let told = format!("compare {} recipe {}", shelf.word(), recipe.name);
+                    let told = || say!(compare_recipe_name, shelf = shelf.word(), name = &recipe.name);
                     let check = ui.checkbox(&mut on, text);
-                    check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, told.clone()));
+                    check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, told()));
                     if check.changed() && on {
                         compare.chosen.insert(key);
                     } else if check.changed() {
@@ -89,7 +93,7 @@ impl App {
                 }
             }
         });
-        ui.checkbox(&mut compare.all_rows, "also rows that do not differ");
+        ui.checkbox(&mut compare.all_rows, say!(compare_all_rows));
     }
 }
 
@@ -97,7 +101,8 @@ fn table(ui: &mut egui::Ui, columns: &[Option<&Recipe>], rows: &[&ComparedRow]) 
     egui::Grid::new("compared").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
         ui.label("");
         for column in columns {
-            ui.label(RichText::new(column.map_or("job's own", |r| r.name.as_str())).strong());
+            let name = column.map_or_else(|| say!(compare_own_column), |r| r.name.clone());
+            ui.label(RichText::new(name).strong());
         }
         ui.end_row();
         for row in rows {
@@ -105,10 +110,10 @@ fn table(ui: &mut egui::Ui, columns: &[Option<&Recipe>], rows: &[&ComparedRow]) 
             ui.label(&title);
             for cell in &row.cells {
                 let value = value(cell.value);
-                let told = format!("{title} {value}");
-                let text = RichText::new(value);
+                let told = || say!(compare_cell, label = &title, value = &value);
+                let text = RichText::new(&value);
                 let label = ui.label(if cell.is_own { text.strong() } else { text.weak() });
-                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, told.clone()));
+                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, told()));
             }
             ui.end_row();
         }

@@ -1,8 +1,9 @@
 //! Small windows: unsaved changes, errors, and the page of shortcuts.
 
 use super::super::App;
-use super::super::command::{COMMANDS, Menu};
+use super::super::command::Menu;
 use super::super::session::AfterGuard;
+use crate::text::say;
 use eframe::egui::{self, Id, Modal, RichText};
 
 impl App {
@@ -13,21 +14,22 @@ impl App {
             self.go_on();
             return;
         }
-        if !self.answers.is_empty() && self.session.said == SAVING {
-            return; // the file dialog is open
+        // A file is being picked.
+        if !self.answers.is_empty() {
+            return;
         }
         let shown = Modal::new(Id::unique("guard")).show(ctx, |ui| {
             ui.set_width(340.0);
-            ui.heading("Save changes?");
-            let what = if after == AfterGuard::Close { "closing" } else { "opening another part" };
-            ui.label(format!("The job has changes that are not saved. What about them before {what}?"));
+            ui.heading(say!(ask_save));
+            let is_close = after == AfterGuard::Close;
+            ui.label(if is_close { say!(ask_save_before_close) } else { say!(ask_save_before_open) });
             ui.add_space(8.0);
             ui.horizontal(|ui| {
-                if ui.button(RichText::new("Save").strong()).clicked() {
-                    self.session.said = SAVING.into();
+                if ui.button(RichText::new(say!(ask_save_yes)).strong()).clicked() {
+                    self.session.said = say!(ask_saving);
                     self.save_job();
                 }
-                if ui.button("Don't save").clicked() {
+                if ui.button(say!(ask_save_no)).clicked() {
                     match after.clone() {
                         AfterGuard::Close => self.session.may_close = true,
                         AfterGuard::Open(path) => self.open(path),
@@ -35,7 +37,7 @@ impl App {
                     }
                     self.session.after_guard = None;
                 }
-                if ui.button("Cancel").clicked() {
+                if ui.button(say!(ask_cancel)).clicked() {
                     self.session.after_guard = None;
                 }
             });
@@ -50,10 +52,10 @@ impl App {
         let Some(why) = self.session.error.clone() else { return };
         let shown = Modal::new(Id::unique("error")).show(ctx, |ui| {
             ui.set_width(460.0);
-            ui.heading("That did not work");
+            ui.heading(say!(ask_error));
             ui.label(why);
             ui.add_space(8.0);
-            if ui.button("Close").clicked() {
+            if ui.button(say!(ask_close)).clicked() {
                 self.session.error = None;
             }
         });
@@ -65,26 +67,24 @@ impl App {
     /// All keys, made from the command table.
     pub(in super::super) fn help(&mut self, ctx: &egui::Context) {
         let mut open = self.session.help_open;
-        egui::Window::new("Shortcuts").open(&mut open).resizable(false).collapsible(false).show(ctx, |ui| {
+        let window = egui::Window::new(say!(ask_shortcuts)).id(Id::unique("shortcuts")).open(&mut open);
+        window.resizable(false).collapsible(false).show(ctx, |ui| {
             egui::ScrollArea::vertical().max_height(520.0).show(ui, |ui| {
-                for (menu, title) in Menu::ALL {
-                    ui.label(RichText::new(title).strong());
-                    egui::Grid::new(title).num_columns(2).min_col_width(150.0).show(ui, |ui| {
-                        for row in COMMANDS.iter().filter(|r| r.menu == menu) {
-                            let Some(keys) = row.keys else { continue };
-                            ui.label(row.name);
-                            ui.monospace(ctx.format_shortcut(&keys));
+                for menu in Menu::ALL {
+                    ui.label(RichText::new(menu.title()).strong());
+                    egui::Grid::new(menu.title()).num_columns(2).min_col_width(150.0).show(ui, |ui| {
+                        for command in menu.commands().filter(|c| c.keys().is_some()) {
+                            ui.label(command.name());
+                            ui.monospace(command.keys_text(ctx));
                             ui.end_row();
                         }
                     });
                 }
-                ui.label(RichText::new("View").strong());
-                ui.label("Left drag orbits, click selects · middle or right drag pans · wheel zooms at the cursor");
-                ui.label("Double click on a surface focuses it, on nothing shows all");
+                ui.label(RichText::new(say!(ask_view)).strong());
+                ui.label(say!(ask_view_mouse));
+                ui.label(say!(ask_view_focus));
             });
         });
         self.session.help_open = open;
     }
 }
-
-const SAVING: &str = "saving…";

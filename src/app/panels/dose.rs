@@ -8,7 +8,7 @@ use crate::document::Edit;
 use crate::picture::dose::{DoseLook, Legend, OVER, SHADED, UNDER, legend};
 use crate::picture::viridis;
 use crate::process::{Patch, Thresholds};
-use crate::text::{NamedSentence as _, Naming, clock, language, legend_entry};
+use crate::text::{NamedSentence as _, Naming, choices, clock, fixed, id, language, legend_entry, percent, say};
 use eframe::egui::{self, Color32, Rect, RichText, Sense, Stroke, pos2, vec2};
 use std::sync::Arc;
 
@@ -23,14 +23,21 @@ fn rgb([r, g, b]: [u8; 3]) -> Color32 {
 
 /// A dose for people: three digits that say something.
 fn j_cm2(value: f64) -> String {
-    if value >= 10_000.0 { format!("{:.1} kJ/cm²", value * 1e-3) } else { format!("{value:.0} J/cm²") }
+    match value >= 10_000.0 {
+        true => say!(dose_panel_kj_cm2, dose = fixed(value * 1e-3, 1)),
+        false => say!(dose_panel_j_cm2, dose = fixed(value, 0)),
+    }
 }
 
 impl App {
     pub(in super::super) fn dose_panel(&mut self, ui: &mut egui::Ui) {
         ui.horizontal(|ui| {
-            theme::heading(ui, "Dose");
-            let ways = [(Coloring::Dose, "dose"), (Coloring::Incidence, "incidence"), (Coloring::Surface, "surfaces")];
+            theme::heading(ui, &say!(dose_panel_heading));
+            let ways = [
+                (Coloring::Dose, say!(dose_panel_by_dose)),
+                (Coloring::Incidence, say!(dose_panel_by_incidence)),
+                (Coloring::Surface, say!(dose_panel_by_surface)),
+            ];
             for (c, name) in ways {
                 if ui.selectable_label(self.session.coloring == c, name).clicked() {
                     self.session.coloring = c;
@@ -41,11 +48,11 @@ impl App {
             ui.horizontal(|ui| {
                 if self.dose_progress().is_some() {
                     ui.spinner();
-                    ui.label("computing what lands");
+                    ui.label(say!(dose_panel_computing));
                 } else if self.plan().is_none() {
-                    ui.label("waits for the plan of the job as it is");
+                    ui.label(say!(dose_panel_no_plan));
                 } else {
-                    ui.label("not computed; close and open the panel to try again");
+                    ui.label(say!(dose_panel_not_computed));
                 }
             });
             return;
@@ -64,20 +71,22 @@ impl App {
     }
 
     fn clicked(&mut self, ui: &mut egui::Ui) {
-        theme::heading(ui, "Clicked place");
+        theme::heading(ui, &say!(dose_panel_clicked));
         let Some(c) = self.session.clicked.clone() else {
-            ui.label(RichText::new("click the part: which passes come there").small());
+            ui.label(RichText::new(say!(dose_panel_click)).small());
             return;
         };
         let whole: f64 = c.hits.iter().map(|h| h.j_cm2).sum();
         let surface = self.derived.surfaces.of_facet.get(c.facet as usize).copied().unwrap_or(0);
-        ui.label(format!("surface {surface} at ({:.1}, {:.1}, {:.1}): {}", c.p.x, c.p.y, c.p.z, j_cm2(whole)));
+        let (surface, place) = (id(surface), choices::place(c.p.coords.into()));
+        ui.label(say!(dose_panel_place, surface, place, dose = j_cm2(whole)));
         if c.hits.is_empty() {
-            ui.label("no beam comes here");
+            ui.label(say!(dose_panel_no_beam));
         }
         for h in c.hits.iter().take(ROWS) {
-            let text = format!("pass {} at {}, {:.0}°, {}", h.pass, clock(h.at_s), h.angle_deg, j_cm2(h.j_cm2));
-            if ui.link(RichText::new(text).small()).on_hover_text("Go to this pass").clicked() {
+            let (pass, time, angle) = (id(h.pass), clock(h.at_s), fixed(h.angle_deg, 0));
+            let text = say!(dose_panel_hit, pass, time, angle, dose = j_cm2(h.j_cm2));
+            if ui.link(RichText::new(text).small()).on_hover_text(say!(dose_panel_go_to_pass)).clicked() {
                 self.go_to_target((h.pass as usize, 0));
             }
         }
@@ -85,37 +94,40 @@ impl App {
 
     /// What no light comes to, which may go to a second list, and the gaps between lines, which may not.
     fn patches(&mut self, ui: &mut egui::Ui, view: &Arc<DoseView>) {
-        self.patch_list(ui, view, "Not cleanable", true);
+        self.patch_list(ui, view, true);
         if view.patches.iter().any(|p| p.cause.keeps_light_away()) {
             let aside = Edit::aside(&view.patches, &view.surfaces);
-            let button = ui.add_enabled(aside.is_some(), egui::Button::new("Put them on a second list"));
-            let tip = "They become surfaces of their own, put aside for another job, and are not planned";
-            if button.on_hover_text(tip).clicked()
+            let button = ui.add_enabled(aside.is_some(), egui::Button::new(say!(dose_panel_put_aside)));
+            if button.on_hover_text(say!(dose_panel_put_aside_tip)).clicked()
                 && let Some(edit) = aside
             {
                 self.edit(edit);
             }
         }
-        self.patch_list(ui, view, "Too little", false);
+        self.patch_list(ui, view, false);
     }
 
-    fn patch_list(&mut self, ui: &mut egui::Ui, view: &DoseView, title: &str, without_light: bool) {
+    fn patch_list(&mut self, ui: &mut egui::Ui, view: &DoseView, without_light: bool) {
         let told = view.patches.iter().zip(&view.report.not_cleanable);
         let list: Vec<_> = told.filter(|(p, _)| p.cause.keeps_light_away() == without_light).collect();
         if list.is_empty() {
             return;
         }
         let whole: f64 = list.iter().map(|(p, _)| p.area_mm2).sum();
-        theme::heading(ui, &format!("{title}: {:.2} cm²", 0.01 * whole));
+        let area = fixed(0.01 * whole, 2);
+        let title =
+            if without_light { say!(dose_panel_not_cleanable, area) } else { say!(dose_panel_too_little, area) };
+        theme::heading(ui, &title);
         for (p, told) in list.iter().take(ROWS) {
-            let why = told.sentence_with(&Naming::of(self.document.job()));
-            let text = format!("{:.2} cm² of surface {}: {why}", told.area_cm2, told.surface);
-            if ui.link(RichText::new(text).small()).on_hover_text("Show it").clicked() {
+            let (area, surface) = (fixed(told.area_cm2, 2), id(told.surface));
+            let text =
+                say!(dose_panel_patch, area, surface, why = told.sentence_with(&Naming::of(self.document.job())));
+            if ui.link(RichText::new(text).small()).on_hover_text(say!(dose_panel_show)).clicked() {
                 self.look_at(p);
             }
         }
         if list.len() > ROWS {
-            ui.label(RichText::new(format!("and {} smaller ones", list.len() - ROWS)).small());
+            ui.label(RichText::new(say!(dose_panel_smaller, count = list.len() - ROWS)).small());
         }
     }
 
@@ -132,11 +144,13 @@ impl App {
         if view.report.collateral.is_empty() {
             return;
         }
-        theme::heading(ui, &format!("Beside what was chosen: {:.1} mm²", view.report.collateral_mm2));
-        ui.label(RichText::new(format!("more than {}", j_cm2(view.report.collateral_j_cm2))).small());
+        theme::heading(ui, &say!(dose_panel_beside, area = fixed(view.report.collateral_mm2, 1)));
+        let over = say!(dose_panel_beside_over, dose = j_cm2(view.report.collateral_j_cm2));
+        ui.label(RichText::new(over).small());
         for c in view.report.collateral.iter().take(ROWS) {
-            let text = format!("surface {}: {:.1} mm², up to {}", c.surface, c.area_mm2, j_cm2(c.greatest_j_cm2));
-            if ui.link(RichText::new(text).small()).on_hover_text("Show it").clicked() {
+            let (surface, area) = (id(c.surface), fixed(c.area_mm2, 1));
+            let text = say!(dose_panel_beside_surface, surface, area, dose = j_cm2(c.greatest_j_cm2));
+            if ui.link(RichText::new(text).small()).on_hover_text(say!(dose_panel_show)).clicked() {
                 self.session.selected = [c.surface].into();
                 self.session.scroll_to = Some(c.surface);
                 self.focus_surface(c.surface);
@@ -146,9 +160,9 @@ impl App {
 }
 
 /// The colours from end to end; `way`: share of their way at a share of the bar.
-pub(super) fn bar(ui: &mut egui::Ui, width: f32, told: &str, way: impl Fn(f64) -> f64) {
+pub(super) fn bar(ui: &mut egui::Ui, width: f32, told: impl Fn() -> String, way: impl Fn(f64) -> f64) {
     let (rect, response) = ui.allocate_exact_size(vec2(width, 14.0), Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, told));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, told()));
     let steps = 48;
     for k in 0..steps {
         let left = rect.left() + rect.width() * k as f32 / steps as f32;
@@ -161,10 +175,11 @@ pub(super) fn bar(ui: &mut egui::Ui, width: f32, told: &str, way: impl Fn(f64) -
 fn scale(ui: &mut egui::Ui, legend: &Legend) {
     let width = ui.available_width().min(260.0);
     // Incidence is lightest where the light stands upright.
-    bar(ui, width, "colour scale", |share| if legend.look == DoseLook::Incidence { 1.0 - share } else { share });
+    let is_angle = legend.look == DoseLook::Incidence;
+    bar(ui, width, || say!(dose_panel_scale), |share| if is_angle { 1.0 - share } else { share });
     ui.horizontal(|ui| {
         let [low, high] = legend.range;
-        let said = |v: f64| if legend.look == DoseLook::Incidence { format!("{v:.0}°") } else { j_cm2(v) };
+        let said = |v: f64| if is_angle { say!(dose_panel_angle, angle = fixed(v, 0)) } else { j_cm2(v) };
         ui.label(RichText::new(said(low)).small());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.label(RichText::new(said(high)).small());
@@ -181,25 +196,25 @@ fn scale(ui: &mut egui::Ui, legend: &Legend) {
 fn shares(ui: &mut egui::Ui, view: &DoseView) {
     let r = &view.report;
     let rows = [
-        ("within the window", r.within, rgb(viridis(0.6))),
-        ("under", r.under, rgb(UNDER)),
-        ("over", r.over, rgb(OVER)),
-        ("shaded", r.shaded, rgb(SHADED)),
+        (say!(dose_panel_within, percent = percent(r.within, 1)), r.within, rgb(viridis(0.6))),
+        (say!(dose_panel_under, percent = percent(r.under, 1)), r.under, rgb(UNDER)),
+        (say!(dose_panel_over, percent = percent(r.over, 1)), r.over, rgb(OVER)),
+        (say!(dose_panel_shaded, percent = percent(r.shaded, 1)), r.shaded, rgb(SHADED)),
     ];
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width().min(260.0), 10.0), Sense::hover());
     let mut left = rect.left();
-    for (_, share, color) in rows {
-        let width = rect.width() * share as f32;
-        ui.painter().rect_filled(Rect::from_min_size(pos2(left, rect.top()), vec2(width, rect.height())), 0, color);
+    for (_, share, color) in &rows {
+        let width = rect.width() * *share as f32;
+        ui.painter().rect_filled(Rect::from_min_size(pos2(left, rect.top()), vec2(width, rect.height())), 0, *color);
         left += width;
     }
-    for (name, share, color) in rows {
+    for (text, _, color) in rows {
         ui.horizontal(|ui| {
             theme::swatch(ui, [color.r(), color.g(), color.b()]);
-            ui.label(format!("{:.1}% {name}", 100.0 * share));
+            ui.label(text);
         });
     }
-    let text = format!("window {} to {}", j_cm2(r.low_j_cm2), j_cm2(r.high_j_cm2));
+    let text = say!(dose_panel_window, low = j_cm2(r.low_j_cm2), high = j_cm2(r.high_j_cm2));
     ui.label(RichText::new(text).small());
 }
 
@@ -210,7 +225,7 @@ fn histogram(ui: &mut egui::Ui, view: &DoseView) {
     let bins = view.map.histogram(&view.surfaces, BINS, to);
     let most = bins.iter().copied().fold(1e-12, f64::max);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width().min(260.0), 60.0), Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "histogram of the dose"));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, say!(dose_panel_histogram)));
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0, ui.visuals().extreme_bg_color);
     let width = rect.width() / BINS as f32;
@@ -227,5 +242,5 @@ fn histogram(ui: &mut egui::Ui, view: &DoseView) {
         let stroke = Stroke::new(1.0, ui.visuals().strong_text_color());
         painter.line_segment([pos2(x, rect.top()), pos2(x, rect.bottom())], stroke);
     }
-    ui.label(RichText::new("chosen area by dose; lines: the window").small());
+    ui.label(RichText::new(say!(dose_panel_histogram_note)).small());
 }

@@ -4,8 +4,8 @@ use super::super::{quantity, theme};
 use crate::document::parameter::Limits;
 use crate::document::recipe::OVERLAP_PERCENT;
 use crate::document::{Job, Parameter};
-use crate::text::Sentence as _;
 use crate::text::parameter::{hint, label, with_unit};
+use crate::text::{Sentence as _, say};
 use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo, vec2};
 
 /// What is wanted of a value.
@@ -18,21 +18,35 @@ pub(super) enum Change<T> {
 }
 
 /// Whose value a field shows.
-#[derive(Clone, Copy)]
-pub(super) struct Owner {
-    /// Put before its name where names are read out, so that fields of one name can be told apart.
-    pub prefix: &'static str,
-    /// What a value goes back to, in words.
-    pub back: &'static str,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Owner {
+    /// The job.
+    Job,
+    /// A recipe.
+    Recipe,
+    /// One surface.
+    Surface,
 }
 
-/// The job's own values.
-pub(super) const JOB: Owner = Owner { prefix: "", back: "Back to" };
-/// Those of a recipe.
-pub(super) const RECIPE: Owner = Owner { prefix: "recipe ", back: "Back to the job's" };
+impl Owner {
+    /// A field's name where names are read out, so that fields of one name can be told apart.
+    pub fn told(self, what: String) -> String {
+        match self {
+            Owner::Job => what,
+            Owner::Recipe => say!(field_of_recipe, what),
+            Owner::Surface => say!(field_of_surface, what),
+        }
+    }
 
-/// Those of one surface.
-pub(super) const SURFACE: Owner = Owner { prefix: "surface ", back: "Back to what recipe or job say" };
+    /// What a value goes back to.
+    fn back(self, to: &str) -> String {
+        match self {
+            Owner::Job => say!(field_back, to),
+            Owner::Recipe => say!(field_back_to_job, to),
+            Owner::Surface => say!(field_back_to_recipe_or_job),
+        }
+    }
+}
 
 /// The distance of lines, which an overlap sets too.
 pub(super) const SPACING: &Parameter = Parameter::named("layers.spacing_mm");
@@ -51,8 +65,8 @@ pub(super) fn name(ui: &mut egui::Ui, text: &str, is_changed: bool) -> egui::Res
 
 /// A way back; whether it was taken.
 pub(super) fn back(ui: &mut egui::Ui, owner: Owner, what: &str, to: &str) -> bool {
-    let reset = ui.small_button("↺").on_hover_text(format!("{} {to}", owner.back));
-    reset.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{}reset {what}", owner.prefix)));
+    let reset = ui.small_button("↺").on_hover_text(owner.back(to));
+    reset.widget_info(|| WidgetInfo::labeled(Role::Button, true, owner.told(say!(field_reset, what))));
     reset.clicked()
 }
 
@@ -96,11 +110,10 @@ pub(super) fn number_from(
             .custom_parser(quantity::read);
         let tip = hint(p, low);
         let response = ui.add_sized([96.0, 20.0], field).on_hover_text(&tip);
-        if owner.prefix.is_empty() {
+        if owner == Owner::Job {
             response.clone().labelled_by(label.id);
         } else {
-            let told = format!("{}{title}", owner.prefix);
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, owner.told(title.clone())));
         }
         label.on_hover_text(tip);
         if p.kind.is_whole() {
@@ -127,29 +140,24 @@ pub(super) fn overlap(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<f64>
     let mut percent = now;
     let response = ui.horizontal(|ui| {
         let tip = match job.section_of_bead() {
-            Some(_) => {
-                "How much neighbouring beads overlap, as a share of their width; it sets the spacing.\n\
-                 Negative: the beads do not meet"
-            }
-            None => {
-                "How much neighbouring spots overlap, as a share of their diameter; it sets the spacing.\n\
-                 Negative: the spots do not meet"
-            }
+            Some(_) => say!(laying_overlap_beads),
+            None => say!(laying_overlap_spots),
         };
-        let label = name(ui, "Overlap", false).on_hover_text(tip);
+        let label = name(ui, &say!(laying_overlap), false).on_hover_text(&tip);
         let field = DragValue::new(&mut percent)
             .speed(0.5)
             .range(OVERLAP_PERCENT)
             .clamp_existing_to_range(false)
             .max_decimals(1)
-            .suffix(" %")
+            .suffix(say!(unit_percent))
             .update_while_editing(false)
             .custom_parser(quantity::read);
         let response = ui.add_sized([96.0, 20.0], field).on_hover_text(tip);
-        if owner.prefix.is_empty() {
+        if owner == Owner::Job {
             response.clone().labelled_by(label.id);
         } else {
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "recipe Overlap"));
+            let told = || owner.told(say!(laying_overlap));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
         }
         response
     });

@@ -6,75 +6,77 @@ use crate::cell::calibration::CalibrationNote;
 use crate::cell::{Cell, Frame, Mount};
 use crate::document::Edit;
 use crate::document::model::CellFile;
+use crate::text::{fixed, id, say, short};
 use eframe::egui::{self, DragValue, RichText};
 
 /// A frame of the panel.
 struct Row {
     mount: Mount,
     key: &'static str,
-    name: &'static str,
-    tip: &'static str,
+    name: fn() -> String,
+    tip: fn() -> String,
     /// Its place in the job; the cell file alone has the others.
-    own: Option<fn(&mut CellFile) -> &mut Option<Frame>>,
+    own: Option<Own>,
+}
+
+/// A frame that a job can set.
+struct Own {
+    frame: fn(&mut CellFile) -> &mut Option<Frame>,
+    /// Accessible name of the way back to the cell file's.
+    reset: fn() -> String,
 }
 
 const ROWS: [Row; 4] = [
     Row {
         mount: Mount::PartInHand,
         key: "base_from_laser",
-        name: "Laser in the base",
-        tip: "Where the focus is in the robot's base; z against the light",
-        own: Some(|c| &mut c.base_from_laser),
+        name: || say!(frames_laser_in_base),
+        tip: || say!(frames_laser_in_base_tip),
+        own: Some(Own { frame: |c| &mut c.base_from_laser, reset: || say!(frames_reset_laser_in_base) }),
     },
     Row {
         mount: Mount::PartInHand,
         key: "flange_from_part",
-        name: "Part on the flange",
-        tip: "How the part is held: its origin and axes on the flange",
-        own: Some(|c| &mut c.flange_from_part),
+        name: || say!(frames_part_on_flange),
+        tip: || say!(frames_part_on_flange_tip),
+        own: Some(Own { frame: |c| &mut c.flange_from_part, reset: || say!(frames_reset_part_on_flange) }),
     },
     Row {
         mount: Mount::ToolInHand,
         key: "base_from_part",
-        name: "Part in the base",
-        tip: "Where the part lies in the robot's base",
-        own: Some(|c| &mut c.base_from_part),
+        name: || say!(frames_part_in_base),
+        tip: || say!(frames_part_in_base_tip),
+        own: Some(Own { frame: |c| &mut c.base_from_part, reset: || say!(frames_reset_part_in_base) }),
     },
     Row {
         mount: Mount::ToolInHand,
         key: "flange_from_tool",
-        name: "Head on the flange",
-        tip: "Where the focus is on the flange; z with the light. Belongs to the cell file",
+        name: || say!(frames_head_on_flange),
+        tip: || say!(frames_head_on_flange_tip),
         own: None,
     },
 ];
 
 /// A frame as people read it.
 pub(super) fn said(frame: &Frame) -> String {
-    // Rounded, and + 0 so that no −0.0 is shown.
-    let round = |v: f64| (v * 10.0).round() / 10.0 + 0.0;
-    let ([x, y, z], [rz, ry, rx]) = (frame.position_mm.map(round), frame.rz_ry_rx_deg.map(round));
-    format!("{x:.1} {y:.1} {z:.1} mm  RZ {rz:.1}° RY {ry:.1}° RX {rx:.1}°")
-}
-
-/// A number of a field: three decimals where they say anything, never −0.
-fn figure(value: f64) -> String {
-    let text = format!("{:.3}", (value * 1000.0).round() / 1000.0 + 0.0);
-    match text.strip_suffix("00") {
-        Some(short) => short.to_owned(),
-        None => text.trim_end_matches('0').to_owned(),
-    }
+    let tenths = |v: f64| fixed(v, 1);
+    let ([x, y, z], [rz, ry, rx]) = (frame.position_mm.map(tenths), frame.rz_ry_rx_deg.map(tenths));
+    say!(frames_pose, x, y, z, rz, ry, rx)
 }
 
 /// How well a frame fits what was measured.
 fn fit(note: &CalibrationNote) -> (String, String) {
     if note.residuals_mm.is_empty() {
-        return ("measured by three points".into(), "Three points leave nothing over to tell how good they are".into());
+        return (say!(frames_three_points), say!(frames_three_points_tip));
     }
-    let what = if note.method == "tip_poses" { "pose" } else { "point" };
-    let each = note.residuals_mm.iter().enumerate().map(|(i, mm)| format!("{what} {}: {mm:.2} mm", i + 1));
-    let text = format!("measured: rms {:.2} mm, worst {:.2} mm", note.rms_mm, note.worst_mm);
-    (text, format!("How far each {what} is off\n{}", each.collect::<Vec<_>>().join("\n")))
+    let is_of_poses = note.method == "tip_poses";
+    let each = note.residuals_mm.iter().enumerate().map(|(i, mm)| {
+        let (number, off) = (id(i + 1), fixed(*mm, 2));
+        if is_of_poses { say!(frames_pose_off, number, off) } else { say!(frames_point_off, number, off) }
+    });
+    let each = each.collect::<Vec<_>>().join("\n");
+    let text = say!(frames_measured, rms = fixed(note.rms_mm, 2), worst = fixed(note.worst_mm, 2));
+    (text, if is_of_poses { say!(frames_poses_off, each) } else { say!(frames_points_off, each) })
 }
 
 impl App {
@@ -93,8 +95,9 @@ impl App {
     fn frame(&mut self, ui: &mut egui::Ui, row: &Row, cell: &Cell, note: Option<&CalibrationNote>) {
         let Some(of_cell) = cell.frames().into_iter().find(|(key, _)| *key == row.key).map(|(_, f)| f) else { return };
         let mut job_cell = self.document.job().cell.clone();
-        let Some(own) = row.own.map(|own| own(&mut job_cell)) else {
-            ui.label(row.name).on_hover_text(row.tip);
+        let (name, tip) = ((row.name)(), (row.tip)());
+        let Some((own, reset_name)) = row.own.as_ref().map(|own| ((own.frame)(&mut job_cell), own.reset)) else {
+            ui.label(name).on_hover_text(tip);
             ui.add(egui::Label::new(RichText::new(said(of_cell)).monospace().small()).wrap());
             calibrated(ui, note);
             return;
@@ -103,13 +106,12 @@ impl App {
         let mut frame = own.clone().unwrap_or_else(|| of_cell.clone());
         let mut changed = false;
         ui.horizontal(|ui| {
-            ui.label(row.name).on_hover_text(row.tip);
+            ui.label(&name).on_hover_text(&tip);
             if is_own {
                 let dot = RichText::new("●").small().color(theme::ACCENT);
-                ui.label(dot).on_hover_text("Set for this job, in place of the cell file's");
-                let reset = ui.small_button("↺").on_hover_text(format!("Back to the cell file's:\n{}", said(of_cell)));
-                let name = format!("reset {}", row.name.to_lowercase());
-                reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name.clone()));
+                ui.label(dot).on_hover_text(say!(frames_set_for_job));
+                let reset = ui.small_button("↺").on_hover_text(say!(frames_back, pose = said(of_cell)));
+                reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, reset_name()));
                 if reset.clicked() {
                     *own = None;
                     changed = true;
@@ -121,8 +123,8 @@ impl App {
             return;
         }
         let lines = [
-            (["x", "y", "z"], " mm", 10_000.0, 0.5, &mut frame.position_mm),
-            (["RZ", "RY", "RX"], "°", 360.0, 0.2, &mut frame.rz_ry_rx_deg),
+            (["x", "y", "z"], say!(unit_mm), 10_000.0, 0.5, &mut frame.position_mm),
+            (["RZ", "RY", "RX"], say!(unit_deg), 360.0, 0.2, &mut frame.rz_ry_rx_deg),
         ];
         for (axes, unit, most, speed, values) in lines {
             ui.horizontal(|ui| {
@@ -130,14 +132,14 @@ impl App {
                     let field = DragValue::new(value)
                         .speed(speed)
                         .range(-most..=most)
-                        .custom_formatter(|v, _| figure(v))
+                        .custom_formatter(|v, _| short(v))
                         .prefix(format!("{axis} "))
-                        .suffix(unit)
+                        .suffix(&unit)
                         .update_while_editing(false)
                         .custom_parser(quantity::read);
-                    let response = ui.add_sized([82.0, 20.0], field).on_hover_text(row.tip);
-                    let name = format!("{} {axis}", row.name);
-                    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, name.clone()));
+                    let response = ui.add_sized([82.0, 20.0], field).on_hover_text(&tip);
+                    let told = || say!(frames_field, frame = &name, axis);
+                    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
                     changed |= response.changed();
                 }
             });
@@ -154,18 +156,5 @@ impl App {
 fn calibrated(ui: &mut egui::Ui, note: Option<&CalibrationNote>) {
     if let Some((text, tip)) = note.map(fit) {
         ui.label(RichText::new(text).small().weak()).on_hover_text(tip);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::figure;
-
-    #[test]
-    fn figures_are_short_and_never_minus_zero() {
-        let cases = [(380.0, "380.0"), (-0.0002, "0.0"), (0.14, "0.14"), (-12.3456, "-12.346"), (1.5, "1.5")];
-        for (value, text) in cases {
-            assert_eq!(figure(value), text);
-        }
     }
 }

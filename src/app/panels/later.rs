@@ -3,6 +3,7 @@
 use super::super::{App, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
+use crate::text::{fixed, id, say};
 use eframe::egui::{self, Align, Layout, RichText, Role, ScrollArea, WidgetInfo};
 
 /// Height of a row, and how many are shown before the list scrolls.
@@ -30,7 +31,7 @@ impl App {
         if rows.is_empty() {
             return;
         }
-        theme::heading(ui, &format!("Later ({})", rows.len()));
+        theme::heading(ui, &say!(later_heading, count = rows.len()));
         let mut edit = None;
         egui::Frame::group(ui.style()).show(ui, |ui| {
             ScrollArea::vertical().id_salt("later").max_height(ROW * ROWS as f32).show(ui, |ui| {
@@ -52,15 +53,15 @@ impl App {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let ways = [
                     (
-                        "Back",
-                        format!("take surface {n} back"),
-                        "No longer put aside",
+                        say!(later_back),
+                        say!(later_back_name, surface = id(n)),
+                        say!(later_back_tip),
                         Edit::TakeBack(vec![SurfaceId(n)]),
                     ),
                     (
-                        "To clean",
-                        format!("clean surface {n} after all"),
-                        "Clean it in this job",
+                        say!(later_clean),
+                        say!(later_clean_name, surface = id(n)),
+                        say!(later_clean_tip),
                         Edit::Clean(vec![SurfaceId(n)]),
                     ),
                 ];
@@ -71,17 +72,13 @@ impl App {
                         edit = Some(way);
                     }
                 }
-                ui.label(RichText::new(format!("{area:.2} mm²")).weak());
+                ui.label(RichText::new(say!(later_area, area = fixed(area, 2))).weak());
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     let selected = self.session.selected.contains(&n);
                     let row = ui.add(egui::Button::selectable(selected, format!("{n}  {label}")).truncate());
                     row.widget_info(|| {
-                        WidgetInfo::selected(
-                            Role::ListBoxOption,
-                            true,
-                            selected,
-                            format!("put aside: surface {n} {label}"),
-                        )
+                        let told = say!(later_row, surface = id(n), label = &label);
+                        WidgetInfo::selected(Role::ListBoxOption, true, selected, told)
                     });
                     if row.hovered() {
                         self.session.hovered = Some(n);

@@ -1,37 +1,38 @@
 //! How the job lays lines: the strategy, and what concerns it; rim, joins and passes.
 
 use super::super::{App, quantity, theme};
-use super::fields::{self, Change, JOB};
+use super::fields::{self, Change, NAMES, Owner};
 use super::laying;
 use crate::document::parameter::Group;
 use crate::document::{Edit, Offset, StartFrom};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
+use crate::text::say;
 use eframe::egui::{self, DragValue, Role, WidgetInfo};
 
 impl App {
     pub(super) fn layers(&mut self, ui: &mut egui::Ui) {
-        theme::heading(ui, "Layers");
+        theme::heading(ui, &say!(laying_heading));
         let l = self.document.job().layers.clone();
-        if let Some(Change::To(s)) = laying::strategy(ui, JOB, l.strategy, None) {
+        if let Some(Change::To(s)) = laying::strategy(ui, Owner::Job, l.strategy, None) {
             self.edit(Edit::Strategy(s));
         }
         let by_planes = matches!(l.strategy, Strategy::Planes | Strategy::Adaptive | Strategy::Cross);
-        if by_planes && let Some(Change::To(d)) = laying::direction(ui, JOB, l.direction, None) {
+        if by_planes && let Some(Change::To(d)) = laying::direction(ui, Owner::Job, l.direction, None) {
             self.edit_dragging(&Edit::Direction(d), "direction");
         }
         match l.strategy {
             Strategy::Cross => self.numbers(ui, Group::Cross),
             Strategy::Offset => {
-                if let Some(Change::To(start)) = laying::border(ui, JOB, l.border.into(), None) {
+                if let Some(Change::To(start)) = laying::border(ui, Owner::Job, l.border.into(), None) {
                     self.edit_dragging(&Edit::Border(start.border()), "border");
                 }
             }
             Strategy::Spiral => {
-                if let Some(Change::To(inward)) = laying::inward(ui, JOB, l.inward, None) {
+                if let Some(Change::To(inward)) = laying::inward(ui, Owner::Job, l.inward, None) {
                     self.edit(Edit::Inward(inward));
                 }
-                if laying::centre(ui, JOB, l.centre_mm, l.centre_mm.is_some()) {
+                if laying::centre(ui, Owner::Job, l.centre_mm, l.centre_mm.is_some()) {
                     self.edit(Edit::Centre(None));
                 }
             }
@@ -39,16 +40,16 @@ impl App {
         }
         self.own_starts(ui);
         self.numbers(ui, Group::Spacing);
-        if let Some(mm) = fields::overlap(ui, JOB, self.document.job()) {
+        if let Some(mm) = fields::overlap(ui, Owner::Job, self.document.job()) {
             self.edit_dragging(&Edit::Set(fields::SPACING.key, mm), "overlap");
         }
         if matches!(l.strategy, Strategy::Planes | Strategy::Cross) {
             self.offset(ui);
         }
-        if let Some(Change::To(order)) = laying::order(ui, JOB, l.strategy, l.order, None) {
+        if let Some(Change::To(order)) = laying::order(ui, Owner::Job, l.strategy, l.order, None) {
             self.edit(Edit::Order(order));
         }
-        egui::CollapsingHeader::new("Rim, joins, passes").show(ui, |ui| {
+        egui::CollapsingHeader::new(say!(laying_rim)).id_salt("rim").show(ui, |ui| {
             self.numbers(ui, Group::Rim);
         });
         self.bead(ui);
@@ -58,20 +59,19 @@ impl App {
         let now = self.document.job().layers.offset_mm;
         let spacing = self.document.job().layers.spacing_mm;
         ui.horizontal(|ui| {
-            theme::name(ui, "First plane", fields::NAMES);
+            theme::name(ui, &say!(laying_first_plane), NAMES);
             let mut centred = now == Offset::Centred;
-            if ui.checkbox(&mut centred, "centred").changed() {
+            if ui.checkbox(&mut centred, say!(laying_first_plane_centred)).changed() {
                 self.edit(Edit::Offset(if centred { Offset::Centred } else { Offset::FromLowest(0.5 * spacing) }));
             }
             if let Offset::FromLowest(mut mm) = now {
                 let field = DragValue::new(&mut mm)
                     .speed(0.01)
                     .range(0.0..=spacing)
-                    .suffix(" mm")
+                    .suffix(say!(unit_mm))
                     .custom_parser(quantity::read);
-                let response =
-                    ui.add(field).on_hover_text("Above the lowest point of the surfaces, at most one spacing");
-                response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "first offset"));
+                let response = ui.add(field).on_hover_text(say!(laying_first_plane_tip));
+                response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, say!(laying_first_plane_name)));
                 if response.changed() {
                     self.edit_dragging(&Edit::Offset(Offset::FromLowest(mm)), "offset");
                 }

@@ -3,21 +3,9 @@
 use super::super::theme;
 use super::fields::{Change, NAMES, Owner, back, name};
 use crate::document::StartFrom;
-use crate::document::recipe_table::place;
 use crate::path::{Direction, Order, Strategy};
-use crate::text::Sentence;
+use crate::text::{Sentence as _, choices, say};
 use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo};
-
-/// What a strategy is for, in a few words.
-fn hint(strategy: Strategy) -> &'static str {
-    match strategy {
-        Strategy::Planes => "parallel planes, equally far apart",
-        Strategy::Adaptive => "planes, closer together on slopes",
-        Strategy::Offset => "lines that follow the border",
-        Strategy::Spiral => "one line, the laser stays on",
-        Strategy::Cross => "two rasters across each other",
-    }
-}
 
 /// How lines are laid.
 pub(super) fn strategy(
@@ -28,19 +16,22 @@ pub(super) fn strategy(
 ) -> Option<Change<Strategy>> {
     let mut wanted = None;
     ui.horizontal(|ui| {
-        name(ui, "Strategy", to.is_some_and(|to| to != now)).on_hover_text("How lines are laid on a surface");
-        let combo = ComboBox::from_id_salt(format!("{}strategy", owner.prefix)).width(96.0).selected_text(now.word());
+        name(ui, &say!(laying_strategy), to.is_some_and(|to| to != now)).on_hover_text(say!(laying_strategy_tip));
+        let combo = ComboBox::from_id_salt((owner, "strategy")).width(96.0).selected_text(choices::strategy(now));
         let shown = combo.show_ui(ui, |ui| {
             for s in Strategy::ALL {
-                if ui.selectable_label(s == now, format!("{} – {}", s.word(), hint(s))).clicked() && s != now {
+                let (strategy, hint) = (choices::strategy(s), choices::strategy_hint(s));
+                let row = ui.selectable_label(s == now, say!(laying_strategy_row, strategy, hint));
+                if row.clicked() && s != now {
                     wanted = Some(Change::To(s));
                 }
             }
         });
-        let told = format!("{}strategy", owner.prefix);
-        shown.response.on_hover_text(hint(now)).widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, told.clone()));
+        let told = || owner.told(say!(laying_strategy_name));
+        let response = shown.response.on_hover_text(choices::strategy_hint(now));
+        response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, told()));
         if let Some(to) = to
-            && back(ui, owner, "strategy", to.word())
+            && back(ui, owner, &say!(laying_strategy_name), &choices::strategy(to))
         {
             wanted = Some(Change::Back);
         }
@@ -57,29 +48,30 @@ pub(super) fn direction(
 ) -> Option<Change<Direction>> {
     let mut wanted = None;
     ui.horizontal(|ui| {
-        name(ui, "Direction", to.is_some_and(|to| to != now)).on_hover_text("Normal of the section planes");
-        for (word, direction) in Direction::AXES.into_iter().chain([("auto", Direction::Auto)]) {
-            let button = ui.selectable_label(now == direction, word);
-            let told = format!("{}direction {word}", owner.prefix);
-            button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, now == direction, told.clone()));
+        name(ui, &say!(laying_direction), to.is_some_and(|to| to != now)).on_hover_text(say!(laying_direction_tip));
+        for direction in Direction::AXES.map(|(_, axis)| axis).into_iter().chain([Direction::Auto]) {
+            let word = choices::direction(direction);
+            let button = ui.selectable_label(now == direction, &word);
+            let told = || owner.told(say!(laying_direction_choice, direction = &word));
+            button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, now == direction, told()));
             if button.clicked() && now != direction {
                 wanted = Some(Change::To(direction));
             }
         }
         if let Some(to) = to
-            && back(ui, owner, "direction", &to.to_string())
+            && back(ui, owner, &say!(laying_direction_name), &choices::direction(to))
         {
             wanted = Some(Change::Back);
         }
     });
     let Direction::Along(mut v) = now else { return wanted };
     ui.horizontal(|ui| {
-        theme::name(ui, "Vector", NAMES);
+        theme::name(ui, &say!(laying_vector), NAMES);
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
             let field = DragValue::new(&mut v[k]).speed(0.01).range(-1.0..=1.0).max_decimals(3);
             let response = ui.add(field);
-            let told = format!("{}direction vector {axis}", owner.prefix);
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
+            let told = || owner.told(say!(laying_vector_name, axis));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
             if response.changed() && v.iter().any(|c| c.abs() > 1e-6) {
                 wanted = Some(Change::To(Direction::Along(v)));
             }
@@ -97,26 +89,29 @@ pub(super) fn order(
     to: Option<Order>,
 ) -> Option<Change<Order>> {
     // The pieces of a spiral have a sense of their own.
-    let turns: &[(Order, &str)] = match strategy {
-        Strategy::Spiral => &[(Order::Zigzag, "in turn"), (Order::Shortest, "shortest")],
-        _ => &[(Order::Zigzag, "zigzag"), (Order::OneWay, "one-way"), (Order::Shortest, "shortest")],
+    let is_spiral = strategy == Strategy::Spiral;
+    let turns: &[Order] = match strategy {
+        Strategy::Spiral => &[Order::Zigzag, Order::Shortest],
+        _ => &[Order::Zigzag, Order::OneWay, Order::Shortest],
     };
     let mut wanted = None;
     ui.horizontal(|ui| {
-        name(ui, "Lines", to.is_some_and(|to| to != now)).on_hover_text("In which order and sense lines are run");
-        for &(order, word) in turns {
-            let on = now == order || strategy == Strategy::Spiral && order == Order::Zigzag && now == Order::OneWay;
-            let button = ui.selectable_label(on, word);
-            if !owner.prefix.is_empty() {
-                let told = format!("{}order {word}", owner.prefix);
-                button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, on, told.clone()));
+        name(ui, &say!(laying_lines), to.is_some_and(|to| to != now)).on_hover_text(say!(laying_lines_tip));
+        for &order in turns {
+            let on = now == order || is_spiral && order == Order::Zigzag && now == Order::OneWay;
+            let is_in_turn = is_spiral && order == Order::Zigzag;
+            let word = if is_in_turn { say!(laying_in_turn) } else { choices::order(order) };
+            let button = ui.selectable_label(on, &word);
+            if owner != Owner::Job {
+                let told = || owner.told(say!(laying_order_choice, order = &word));
+                button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, on, told()));
             }
             if button.clicked() && !on {
                 wanted = Some(Change::To(order));
             }
         }
         if let Some(to) = to
-            && back(ui, owner, "order", to.word())
+            && back(ui, owner, &say!(laying_order_name), &choices::order(to))
         {
             wanted = Some(Change::Back);
         }
@@ -133,28 +128,27 @@ pub(super) fn border(
 ) -> Option<Change<StartFrom>> {
     let mut wanted = None;
     ui.horizontal(|ui| {
-        name(ui, "Start from", to.is_some_and(|to| to != now)).on_hover_text(
-            "The loops of the outline are counted from the longest, which is 1.\n\
-             Right click near one on the part: Offset from this border",
-        );
+        let label = name(ui, &say!(laying_start_from), to.is_some_and(|to| to != now));
+        label.on_hover_text(say!(laying_start_from_tip));
         let mut whole = now == StartFrom::Whole;
-        let check = ui.checkbox(&mut whole, "whole outline");
-        let told = format!("{}whole outline", owner.prefix);
-        check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, whole, told.clone()));
+        let check = ui.checkbox(&mut whole, say!(laying_whole_outline));
+        let told = || owner.told(say!(laying_whole_outline));
+        check.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, whole, told()));
         if check.changed() {
             wanted = Some(Change::To(if whole { StartFrom::Whole } else { StartFrom::Border(0) }));
         }
         if let StartFrom::Border(index) = now {
             let mut number = index.saturating_add(1);
-            let response = ui.add(DragValue::new(&mut number).speed(0.05).range(1..=1000).prefix("border "));
-            let told = format!("{}border", owner.prefix);
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told.clone()));
+            let response =
+                ui.add(DragValue::new(&mut number).speed(0.05).range(1..=1000).prefix(say!(laying_border_prefix)));
+            let told = || owner.told(say!(laying_border_name));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
             if response.changed() {
                 wanted = Some(Change::To(StartFrom::Border(number.saturating_sub(1))));
             }
         }
         if let Some(to) = to
-            && back(ui, owner, "border", &to.sentence())
+            && back(ui, owner, &say!(laying_border_name), &to.sentence())
         {
             wanted = Some(Change::Back);
         }
@@ -164,20 +158,19 @@ pub(super) fn border(
 
 /// Whether a spiral runs inwards.
 pub(super) fn inward(ui: &mut egui::Ui, owner: Owner, now: bool, to: Option<bool>) -> Option<Change<bool>> {
-    let word = |inward: bool| if inward { "inwards" } else { "outwards" };
     let mut wanted = None;
     ui.horizontal(|ui| {
-        name(ui, "Spiral runs", to.is_some_and(|to| to != now));
+        name(ui, &say!(laying_spiral_runs), to.is_some_and(|to| to != now));
         for sense in [false, true] {
-            let button = ui.selectable_label(now == sense, word(sense));
-            let told = format!("{}{}", owner.prefix, word(sense));
-            button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, now == sense, told.clone()));
+            let button = ui.selectable_label(now == sense, choices::spiral_sense(sense));
+            let told = || owner.told(choices::spiral_sense(sense));
+            button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, now == sense, told()));
             if button.clicked() && now != sense {
                 wanted = Some(Change::To(sense));
             }
         }
         if let Some(to) = to
-            && back(ui, owner, "spiral", word(to))
+            && back(ui, owner, &say!(laying_spiral_name), &choices::spiral_sense(to))
         {
             wanted = Some(Change::Back);
         }
@@ -188,13 +181,13 @@ pub(super) fn inward(ui: &mut egui::Ui, owner: Owner, now: bool, to: Option<bool
 /// The centre of a spiral; whether it shall go back. `is_set`: it is no one else's.
 pub(super) fn centre(ui: &mut egui::Ui, owner: Owner, now: Option<[f64; 3]>, is_set: bool) -> bool {
     let row = ui.horizontal(|ui| {
-        let tip = "Right click on the part: Spiral centre here";
-        name(ui, "Centre", is_set).on_hover_text(tip);
-        ui.label(now.map_or_else(|| "middle of the surface".into(), place)).on_hover_text(tip);
-        is_set && back(ui, owner, "centre", "")
+        let tip = say!(laying_centre_tip);
+        name(ui, &say!(laying_centre), is_set).on_hover_text(&tip);
+        ui.label(now.map_or_else(|| say!(laying_centre_middle), choices::place)).on_hover_text(tip);
+        is_set && back(ui, owner, &say!(laying_centre_name), "")
     });
     if now.is_none() {
-        ui.label(RichText::new("Right click on the part to set it").small().weak());
+        ui.label(RichText::new(say!(laying_centre_how)).small().weak());
     }
     row.inner
 }

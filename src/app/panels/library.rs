@@ -4,7 +4,7 @@
 use super::super::{App, theme};
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
-use crate::text::Sentence;
+use crate::text::{Sentence, say};
 use eframe::egui::{self, DragAndDrop, RichText, Role, Sense, WidgetInfo};
 
 /// Where a recipe stands.
@@ -20,20 +20,20 @@ pub(super) enum Shelf {
 
 impl Shelf {
     /// Heading of its recipes.
-    fn title(self) -> &'static str {
+    fn title(self) -> String {
         match self {
-            Shelf::Job => "In this job",
-            Shelf::Mine => "My recipes",
-            Shelf::Shipped => "Shipped",
+            Shelf::Job => say!(library_in_job),
+            Shelf::Mine => say!(library_mine),
+            Shelf::Shipped => say!(library_shipped),
         }
     }
 
     /// In a few letters, where recipes of all shelves stand in a row.
-    pub(super) fn word(self) -> &'static str {
+    pub(super) fn word(self) -> String {
         match self {
-            Shelf::Job => "job",
-            Shelf::Mine => "mine",
-            Shelf::Shipped => "shipped",
+            Shelf::Job => say!(library_job_word),
+            Shelf::Mine => say!(library_mine_word),
+            Shelf::Shipped => say!(library_shipped_word),
         }
     }
 }
@@ -54,15 +54,15 @@ impl App {
     }
 
     pub(super) fn library_panel(&mut self, ui: &mut egui::Ui) {
-        egui::CollapsingHeader::new("Recipe library").show(ui, |ui| {
-            ui.label(RichText::new("Drag a recipe onto a surface's row, or apply it to the selected ones").weak());
+        egui::CollapsingHeader::new(say!(library_title)).id_salt("recipe library").show(ui, |ui| {
+            ui.label(RichText::new(say!(library_how)).weak());
             for (shelf, recipes) in self.shelves() {
                 if recipes.is_empty() && shelf != Shelf::Job {
                     continue;
                 }
                 ui.label(RichText::new(shelf.title()).strong());
                 if recipes.is_empty() {
-                    ui.label(RichText::new("none yet").small().weak());
+                    ui.label(RichText::new(say!(library_none)).small().weak());
                 }
                 for recipe in recipes {
                     self.library_row(ui, shelf, &recipe);
@@ -72,7 +72,7 @@ impl App {
             for why in &self.recipes.broken {
                 ui.label(RichText::new(why.sentence()).small().color(theme::WRONG));
             }
-            if ui.button("Compare…").on_hover_text("Recipes side by side").clicked() {
+            if ui.button(say!(library_compare)).on_hover_text(say!(library_compare_tip)).clicked() {
                 self.open_compare();
             }
         });
@@ -82,9 +82,10 @@ impl App {
     fn forgotten_row(&mut self, ui: &mut egui::Ui) {
         let Some(forgotten) = self.session.forgotten.clone() else { return };
         ui.horizontal(|ui| {
-            ui.label(RichText::new(format!("Removed {}", forgotten.recipe.name)).color(theme::ATTENTION));
-            let undo = ui.small_button("Undo");
-            undo.widget_info(|| WidgetInfo::labeled(Role::Button, true, "bring the removed recipe back"));
+            let removed = say!(library_removed, name = &forgotten.recipe.name);
+            ui.label(RichText::new(removed).color(theme::ATTENTION));
+            let undo = ui.small_button(say!(library_undo));
+            undo.widget_info(|| WidgetInfo::labeled(Role::Button, true, say!(library_undo_name)));
             if undo.clicked() {
                 self.bring_recipe_back(&forgotten);
             }
@@ -94,27 +95,28 @@ impl App {
     fn library_row(&mut self, ui: &mut egui::Ui, shelf: Shelf, recipe: &Recipe) {
         let name = &recipe.name;
         ui.horizontal(|ui| {
-            let apply = ui.add_enabled(!self.session.selected.is_empty(), egui::Button::new("Apply").small());
-            let told = format!("apply {} recipe {name}", shelf.word());
-            apply.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
-            if apply.on_hover_text("To the selected surfaces").clicked() {
+            let button = egui::Button::new(say!(library_apply)).small();
+            let apply = ui.add_enabled(!self.session.selected.is_empty(), button);
+            let told = || say!(library_apply_name, shelf = shelf.word(), name);
+            apply.widget_info(|| WidgetInfo::labeled(Role::Button, true, told()));
+            if apply.on_hover_text(say!(library_apply_tip)).clicked() {
                 let selected = self.session.selected.iter().copied().map(SurfaceId).collect();
                 self.apply_recipe(recipe, selected);
             }
             if shelf == Shelf::Job {
-                let copy = ui.small_button("Duplicate").on_hover_text("A copy under a name of its own");
-                copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("duplicate recipe {name}")));
+                let copy = ui.small_button(say!(library_duplicate)).on_hover_text(say!(library_duplicate_tip));
+                copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, say!(library_duplicate_name, name)));
                 if copy.clicked() {
                     self.edit(Edit::DuplicateRecipe(name.clone()));
                 }
             }
             if shelf != Shelf::Shipped {
                 let gone = ui.small_button("×").on_hover_text(match shelf {
-                    Shelf::Job => "Remove it from the job; its surfaces take the job's values",
-                    _ => "Remove it from my recipes",
+                    Shelf::Job => say!(library_remove_job_tip),
+                    _ => say!(library_remove_mine_tip),
                 });
-                let told = format!("remove {} recipe {name}", shelf.word());
-                gone.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
+                let told = || say!(library_remove_name, shelf = shelf.word(), name);
+                gone.widget_info(|| WidgetInfo::labeled(Role::Button, true, told()));
                 if gone.clicked() && shelf == Shelf::Job {
                     self.edit(Edit::RemoveRecipe(name.clone()));
                 } else if gone.clicked() {
@@ -141,7 +143,7 @@ impl App {
     /// Keeps a recipe in the user's folder.
     pub(super) fn keep_recipe(&mut self, recipe: &Recipe) {
         match self.recipes.keep(recipe) {
-            Ok(file) => self.session.said = format!("saved {}", file.display()),
+            Ok(file) => self.session.said = say!(library_saved, file = file.display().to_string()),
             Err(why) => self.session.error = Some(why.sentence()),
         }
     }
@@ -150,7 +152,7 @@ impl App {
     pub(in super::super) fn dragged_recipe(&self, ctx: &egui::Context) {
         let Some(dragged) = DragAndDrop::payload::<DraggedRecipe>(ctx) else { return };
         let Some(pointer) = ctx.pointer_interact_pos() else { return };
-        let text = format!("recipe {}", dragged.0.name);
+        let text = say!(library_dragged, name = &dragged.0.name);
         super::super::pick::text_at(ctx, pointer, text);
     }
 }

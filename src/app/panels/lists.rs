@@ -6,6 +6,7 @@ use super::super::{App, theme};
 use super::library::DraggedRecipe;
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
+use crate::text::{fixed, id, say};
 use eframe::egui::{self, Align, Key, Layout, RichText, Role, Sense, WidgetInfo};
 use egui_extras::{Column as Width, TableBuilder};
 use std::collections::BTreeSet;
@@ -73,17 +74,15 @@ impl App {
             self.rows_left()
         };
         let whole = if is_clean { clean.len() } else { self.not_to_clean().len() };
-        let title = if is_clean { "To clean" } else { "Feature surfaces" };
-        theme::heading(ui, title);
+        theme::heading(ui, &if is_clean { say!(lists_to_clean) } else { say!(lists_feature_surfaces) });
         ui.horizontal(|ui| {
-            let hint = if is_clean { "filter the list to clean" } else { "filter surfaces" };
-            let edit =
-                egui::TextEdit::singleline(&mut self.session.filter[index]).hint_text("filter").desired_width(120.0);
-            ui.add(edit).widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
-            ui.label(RichText::new(format!("{} of {whole}", rows.len())).weak());
+            let told = || if is_clean { say!(lists_filter_clean) } else { say!(lists_filter_surfaces) };
+            let edit = egui::TextEdit::singleline(&mut self.session.filter[index]).hint_text(say!(lists_filter));
+            ui.add(edit.desired_width(120.0)).widget_info(|| WidgetInfo::labeled(Role::TextInput, true, told()));
+            ui.label(RichText::new(say!(lists_shown, shown = rows.len(), whole)).weak());
         });
         let (_, dropped) = ui.dnd_drop_zone::<Dragged, _>(egui::Frame::group(ui.style()), |ui| {
-            ui.push_id(title, |ui| self.table(ui, &rows, is_clean, height - 90.0, hovered));
+            ui.push_id(("list", is_clean), |ui| self.table(ui, &rows, is_clean, height - 90.0, hovered));
         });
         if let Some(dragged) = dropped {
             self.drop_on_list(&dragged, is_clean);
@@ -111,7 +110,12 @@ impl App {
         table
             .header(20.0, |mut header| {
                 header.col(|_| {});
-                for (column, name) in [(Column::Number, "No."), (Column::Shape, "Shape"), (Column::Area, "Area mm²")] {
+                let columns = [
+                    (Column::Number, say!(lists_number)),
+                    (Column::Shape, say!(lists_shape)),
+                    (Column::Area, say!(lists_area)),
+                ];
+                for (column, name) in columns {
                     header.col(|ui| {
                         if is_clean {
                             ui.label(RichText::new(name).strong());
@@ -153,13 +157,14 @@ impl App {
                     row.col(|ui| {
                         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                             ui.add_space(10.0); // the scroll bar
-                            ui.add(egui::Label::new(format!("{area:.2}")).selectable(false));
+                            ui.add(egui::Label::new(fixed(area, 2)).selectable(false));
                         });
                     });
                     let response = row.response();
                     let selected = self.session.selected.contains(&n);
                     response.widget_info(|| {
-                        WidgetInfo::selected(Role::ListBoxOption, true, selected, format!("surface {n} {label}"))
+                        let told = say!(lists_row, surface = id(n), label = &label);
+                        WidgetInfo::selected(Role::ListBoxOption, true, selected, told)
                     });
                     self.take_row(&response, n, rows, is_clean);
                 });
@@ -171,7 +176,7 @@ impl App {
             && *of == n
         {
             let edit = ui.add(egui::TextEdit::singleline(text).desired_width(f32::INFINITY));
-            edit.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "surface name"));
+            edit.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, say!(lists_name)));
             edit.request_focus();
             if ui.input(|i| i.key_pressed(Key::Enter)) {
                 let text = text.clone();
@@ -203,23 +208,23 @@ impl App {
         let short = if short == recipe.name { short } else { format!("{short}…") };
         let fill = ui.visuals().widgets.inactive.bg_fill;
         let text = RichText::new(format!(" {short} ")).small().background_color(fill);
-        let told = format!("surface {n} has recipe {}", recipe.name);
+        let told = say!(lists_recipe, surface = id(n), recipe = &recipe.name);
         let chip = self.draggable(ui, recipe, egui::Label::new(text)).on_hover_text(&told);
         chip.widget_info(|| WidgetInfo::labeled(Role::Label, true, told.clone()));
     }
 
     /// What the plan says of a surface.
-    fn state_of(&self, n: u32) -> Option<(&'static str, egui::Color32)> {
+    fn state_of(&self, n: u32) -> Option<(String, egui::Color32)> {
         // Of a plan that is out of date nothing is said.
         let row = self.plan()?.report.surfaces.iter().find(|s| s.surface == n)?;
         Some(if row.blocked_mm > 0.0 {
-            ("blocked", theme::WRONG)
+            (say!(lists_blocked), theme::WRONG)
         } else if row.missed_area_mm2 > 0.0 {
-            ("missed", theme::ATTENTION)
+            (say!(lists_missed), theme::ATTENTION)
         } else if row.corrected_mm > 0.0 {
-            ("corrected", theme::ATTENTION)
+            (say!(lists_corrected), theme::ATTENTION)
         } else {
-            ("planned", theme::ACCENT)
+            (say!(lists_planned), theme::ACCENT)
         })
     }
 
@@ -236,7 +241,7 @@ impl App {
         if response.double_clicked() && same_row {
             self.session.selected = [n].into();
             let command = if is_clean { Command::Unclean } else { Command::Clean };
-            self.run(command, &response.ctx.clone());
+            self.run(command);
         } else if response.clicked() {
             let from = self.session.anchor.and_then(|a| rows.iter().position(|&r| r == a));
             let to = rows.iter().position(|&r| r == n);
@@ -290,16 +295,15 @@ impl App {
         ui.add_space(4.0);
         ui.horizontal(|ui| {
             let buttons = [
-                ("▼ To clean", Command::Clean),
-                ("▲ Back", Command::Unclean),
-                ("Earlier", Command::Earlier),
-                ("Later", Command::Later),
+                (say!(lists_clean), Command::Clean),
+                (say!(lists_back), Command::Unclean),
+                (say!(lists_earlier), Command::CleanEarlier),
+                (say!(lists_later), Command::CleanLater),
             ];
             for (text, command) in buttons {
-                let tip = format!("{}  {}", super::name_of(command), super::keys_of(ui.ctx(), command));
+                let tip = format!("{}  {}", command.name(), command.keys_text(ui.ctx()));
                 if ui.add_enabled(self.is_enabled(command), egui::Button::new(text)).on_hover_text(tip).clicked() {
-                    let ctx = ui.ctx().clone();
-                    self.run(command, &ctx);
+                    self.run(command);
                 }
             }
         });

@@ -1,77 +1,82 @@
 //! The menu bar, made from the command table.
 
-use super::super::App;
-use super::super::command::{COMMANDS, Command, Menu};
-use crate::text::Sentence;
+use super::super::actions::Actions;
+use super::super::command::{Command, Menu, Toggle};
+use super::super::context::Context;
+use crate::text::{Sentence as _, say};
 use eframe::egui::{self, Align, Layout};
 
-impl App {
-    pub(in super::super) fn menu(&mut self, ui: &mut egui::Ui) {
-        egui::MenuBar::new().ui(ui, |ui| {
-            for (menu, title) in Menu::ALL {
-                ui.menu_button(title, |ui| self.menu_rows(ui, menu));
-            }
-            ui.separator();
-            for command in [Command::Open, Command::Save, Command::Undo, Command::Redo] {
-                let name = super::name_of(command).trim_end_matches('…');
-                let tip = self.name_now(command) + "  " + &super::keys_of(ui.ctx(), command);
-                let button = egui::Button::new(name).frame(false);
-                if ui.add_enabled(self.is_enabled(command), button).on_hover_text(tip).clicked() {
-                    let ctx = ui.ctx().clone();
-                    self.run(command, &ctx);
-                }
-            }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.switches(ui));
-        });
-    }
+/// Commands that are always in sight.
+const BUTTONS: [Command; 4] = [Command::Open, Command::Save, Command::Undo, Command::Redo];
 
-    /// Opens what stands beside the view.
-    fn switches(&mut self, ui: &mut egui::Ui) {
-        if self.derived.plan().is_none() && self.derived.cell.is_none() {
-            return;
+/// What stands beside the view.
+const SWITCHES: [Toggle; 5] = [Toggle::ProgramText, Toggle::Plots, Toggle::AccessMap, Toggle::Dose, Toggle::Cell];
+
+pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    egui::MenuBar::new().ui(ui, |ui| {
+        for menu in Menu::ALL {
+            ui.menu_button(menu.title(), |ui| rows(ui, menu, context, actions));
         }
-        for command in [Command::Text, Command::Plots, Command::Access, Command::Dose, Command::Cell] {
-            let button = egui::Button::selectable(self.is_shown(command), super::name_of(command));
-            let keys = super::keys_of(ui.ctx(), command);
-            let response = ui.add_enabled(self.is_enabled(command), button).on_hover_text(keys);
-            if response.on_disabled_hover_text("Choose a robot under Cell").clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(command, &ctx);
+        ui.separator();
+        for command in BUTTONS {
+            let name = command.name();
+            let tip = context.name_now(command) + "  " + &command.keys_text(ui.ctx());
+            let button = egui::Button::new(name.trim_end_matches('…')).frame(false);
+            if ui.add_enabled(context.is_enabled(command), button).on_hover_text(tip).clicked() {
+                actions.command(command);
             }
         }
-    }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| switches(ui, context, actions));
+    });
+}
 
-    fn menu_rows(&mut self, ui: &mut egui::Ui, menu: Menu) {
-        for row in COMMANDS.iter().filter(|r| r.menu == menu) {
-            let keys = row.keys.map_or_else(String::new, |k| ui.ctx().format_shortcut(&k));
-            let on = if self.is_shown(row.command) { "● " } else { "" };
-            let button = egui::Button::new(format!("{on}{}", self.name_now(row.command))).shortcut_text(keys);
-            if ui.add_enabled(self.is_enabled(row.command), button).clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(row.command, &ctx);
+fn rows(ui: &mut egui::Ui, menu: Menu, context: Context<'_>, actions: &mut Actions) {
+    for command in menu.commands() {
+        let on = if context.is_shown(command) { "● " } else { "" };
+        let button = egui::Button::new(format!("{on}{}", context.name_now(command)));
+        let button = button.shortcut_text(command.keys_text(ui.ctx()));
+        if ui.add_enabled(context.is_enabled(command), button).clicked() {
+            actions.command(command);
+            ui.close();
+        }
+    }
+    if menu == Menu::File && !context.recent.is_empty() {
+        ui.separator();
+        for path in context.recent {
+            let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+            if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
+                actions.open(path.clone());
                 ui.close();
             }
         }
-        if menu == Menu::File && !self.recent.is_empty() {
-            ui.separator();
-            for path in self.recent.clone() {
-                let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-                if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
-                    self.open_guarded(path);
-                    ui.close();
-                }
-            }
+    }
+}
+
+/// Opens what stands beside the view.
+fn switches(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    if context.derived.plan().is_none() && context.derived.cell.is_none() {
+        return;
+    }
+    for command in SWITCHES.map(Command::Toggle) {
+        let button = egui::Button::selectable(context.is_shown(command), command.name());
+        let response = ui.add_enabled(context.is_enabled(command), button).on_hover_text(command.keys_text(ui.ctx()));
+        if response.on_disabled_hover_text(say!(menu_needs_robot)).clicked() {
+            actions.command(command);
         }
     }
+}
 
-    /// The name with what it would do now: "Undo move 3 surfaces to clean".
-    fn name_now(&self, command: Command) -> String {
+impl Context<'_> {
+    /// The name of a command with what it would do now: "Undo move 3 surfaces to clean".
+    fn name_now(self, command: Command) -> String {
         let step = match command {
             Command::Undo => self.document.undo_step(),
             Command::Redo => self.document.redo_step(),
             _ => None,
         };
-        let name = super::name_of(command);
-        step.map_or_else(|| name.into(), |s| format!("{name} {}", s.sentence()))
+        step.map_or_else(
+            || command.name(),
+            |step| say!(command_with_step, name = command.name(), step = step.sentence()),
+        )
     }
 }

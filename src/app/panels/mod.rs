@@ -1,4 +1,4 @@
-//! The panels: each shows a part of the state and sends commands and edits.
+//! The panels: each shows a part of the state and sends commands and edits; `context` says how.
 
 mod access;
 mod bead;
@@ -15,7 +15,7 @@ mod layers;
 mod laying;
 mod library;
 mod lists;
-mod menu;
+pub(super) mod menu;
 mod own;
 mod parameters;
 mod plots;
@@ -27,28 +27,9 @@ mod recipe;
 mod scrub;
 mod spacing;
 mod start;
-mod status;
+pub(super) mod status;
 mod timeline;
+pub(super) mod toolbar;
 
 pub(super) use compare::Compare;
 pub(super) use recipe::Draft;
-
-use super::command::{COMMANDS, Command};
-use eframe::egui;
-
-/// Name of a command.
-pub(super) fn name_of(command: Command) -> &'static str {
-    COMMANDS.iter().find(|r| r.command == command).map_or("", |r| r.name)
-}
-
-/// Hours, minutes and seconds.
-pub(super) fn clock(seconds: f64) -> String {
-    let s = seconds.max(0.0).round() as u64;
-    format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
-}
-
-/// Its keys, as written on this system.
-pub(super) fn keys_of(ctx: &egui::Context, command: Command) -> String {
-    let keys = COMMANDS.iter().find(|r| r.command == command).and_then(|r| r.keys);
-    keys.map_or_else(String::new, |k| ctx.format_shortcut(&k))
-}

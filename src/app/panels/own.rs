@@ -1,12 +1,11 @@
 //! Borders and centres that single surfaces have of their own, and the way back to those of recipe or job.
 
 use super::super::{App, theme};
-use super::fields::{NAMES, SURFACE, back};
+use super::fields::{NAMES, Owner, back};
 use crate::document::Edit;
-use crate::document::recipe_table::place;
 use crate::part::SurfaceId;
 use crate::path::Strategy;
-use crate::text::Sentence;
+use crate::text::{Sentence as _, choices, id as number, say};
 use eframe::egui::{self, RichText};
 
 /// Surfaces that are told, at most.
@@ -20,7 +19,7 @@ impl App {
             let (own, strategy) = (job.settings.of(id), job.of_surface(id).layers.strategy);
             match strategy {
                 Strategy::Offset => own.border.map(|b| (b.sentence(), Edit::SurfaceBorder(id, None))),
-                Strategy::Spiral => own.centre_mm.map(|at| (place(at), Edit::SurfaceCentre(id, None))),
+                Strategy::Spiral => own.centre_mm.map(|at| (choices::place(at), Edit::SurfaceCentre(id, None))),
                 Strategy::Planes | Strategy::Adaptive | Strategy::Cross => None,
             }
         };
@@ -29,15 +28,15 @@ impl App {
         let mut gone = None;
         for (id, (text, edit)) in rows.iter().take(TOLD) {
             ui.horizontal(|ui| {
-                theme::name(ui, &format!("Surface {id} from"), NAMES);
-                ui.label(text).on_hover_text("Of its own, whatever recipe and job say");
-                if back(ui, SURFACE, &format!("start of {id}"), "") {
+                theme::name(ui, &say!(own_from, surface = number(id)), NAMES);
+                ui.label(text).on_hover_text(say!(own_tip));
+                if back(ui, Owner::Surface, &say!(own_start, surface = number(id)), "") {
                     gone = Some(edit.clone());
                 }
             });
         }
         if rows.len() > TOLD {
-            ui.label(RichText::new(format!("and {} more surfaces of their own", rows.len() - TOLD)).small());
+            ui.label(RichText::new(say!(own_more, count = rows.len() - TOLD)).small());
         }
         if let Some(edit) = gone {
             self.edit(edit);

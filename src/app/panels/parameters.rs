@@ -2,12 +2,12 @@
 //! default.
 
 use super::super::{App, Command, quantity, theme};
-use super::fields::{self, Change};
+use super::fields::{self, Change, Owner};
 use crate::document::parameter::Group;
 use crate::document::{Edit, Parameter};
 use crate::part::{PartFinding, Units};
 use crate::pose::Correction;
-use crate::text::Sentence as _;
+use crate::text::{Sentence as _, choices, say};
 use eframe::egui::{self, DragValue, RichText};
 
 impl App {
@@ -23,32 +23,31 @@ impl App {
         });
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.layers(ui);
-            theme::heading(ui, "Beam");
+            theme::heading(ui, &say!(parameters_beam));
             self.numbers(ui, Group::Beam);
             self.correction(ui);
             self.tool(ui);
             self.recipe_panel(ui);
             self.library_panel(ui);
-            egui::CollapsingHeader::new("Targets, leads").show(ui, |ui| {
+            egui::CollapsingHeader::new(say!(parameters_targets)).id_salt("targets").show(ui, |ui| {
                 self.numbers(ui, Group::Targets);
             });
-            theme::heading(ui, "Feature surfaces");
+            theme::heading(ui, &say!(parameters_surfaces));
             self.numbers(ui, Group::Crease);
-            egui::CollapsingHeader::new("More on surfaces").show(ui, |ui| {
+            egui::CollapsingHeader::new(say!(parameters_more_surfaces)).id_salt("more on surfaces").show(ui, |ui| {
                 self.numbers(ui, Group::Islands);
                 ui.horizontal(|ui| {
-                    let button = egui::Button::new("Split at");
+                    let button = egui::Button::new(say!(parameters_split));
                     if ui.add_enabled(self.is_enabled(Command::Split), button).clicked() {
-                        let ctx = ui.ctx().clone();
-                        self.run(Command::Split, &ctx);
+                        self.run(Command::Split);
                     }
-                    let value = DragValue::new(&mut self.session.split_angle_deg).range(0.1..=180.0).suffix("°");
-                    ui.add(value)
-                        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, "split angle"));
-                    ui.label("of the selected one");
+                    let value = DragValue::new(&mut self.session.split_angle_deg).range(0.1..=180.0);
+                    let told = || say!(parameters_split_angle);
+                    ui.add(value.suffix(say!(unit_deg)))
+                        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
                 });
             });
-            egui::CollapsingHeader::new("Part").show(ui, |ui| self.part(ui));
+            egui::CollapsingHeader::new(say!(parameters_part)).id_salt("part").show(ui, |ui| self.part(ui));
             self.dose_parameters(ui);
             self.cell_panel(ui);
         });
@@ -64,7 +63,7 @@ impl App {
     fn number(&mut self, ui: &mut egui::Ui, p: &'static Parameter) {
         let now = self.document.job().number(p);
         let to = Some(p.default).filter(|to| (now - to).abs() > 1e-12);
-        match fields::number(ui, fields::JOB, p, now, to) {
+        match fields::number(ui, Owner::Job, p, now, to) {
             Some(Change::To(value)) => self.set_parameter(p, value),
             Some(Change::Back) => self.set_parameter(p, p.default),
             None => {}
@@ -74,18 +73,12 @@ impl App {
     fn correction(&mut self, ui: &mut egui::Ui) {
         let now = self.document.job().path.correction;
         ui.horizontal(|ui| {
-            theme::name(ui, "Correction", 130.0)
-                .on_hover_text("What is done where the beam along the normal hits the part");
+            let label = theme::name(ui, &say!(parameters_correction), 130.0);
+            label.on_hover_text(say!(parameters_correction_tip));
             for c in Correction::ALL {
-                let button = ui.selectable_label(now == c, c.word());
-                button.widget_info(|| {
-                    egui::WidgetInfo::selected(
-                        egui::Role::RadioButton,
-                        true,
-                        now == c,
-                        format!("correction {}", c.word()),
-                    )
-                });
+                let button = ui.selectable_label(now == c, choices::correction(c));
+                let told = || say!(parameters_correction_name, correction = choices::correction(c));
+                button.widget_info(|| egui::WidgetInfo::selected(egui::Role::RadioButton, true, now == c, told()));
                 if button.clicked() {
                     self.edit(Edit::Correction(c));
                 }
@@ -95,34 +88,35 @@ impl App {
 
     fn part(&mut self, ui: &mut egui::Ui) {
         ui.horizontal(|ui| {
-            ui.label("Unit of the file");
+            ui.label(say!(parameters_units));
             for u in Units::ALL {
-                if ui.selectable_label(self.document.job().part.units == u, u.word()).clicked() {
+                if ui.selectable_label(self.document.job().part.units == u, choices::units(u)).clicked() {
                     self.edit(Edit::Units(u));
                 }
             }
         });
         let better = self.derived.part.as_ref().and_then(|p| p.findings.better_units);
         if let Some(better) = better {
-            ui.label(RichText::new("The size is implausible").color(theme::ATTENTION));
-            if ui.button(format!("Take it as {}", better.word())).clicked() {
+            ui.label(RichText::new(say!(parameters_implausible)).color(theme::ATTENTION));
+            if ui.button(say!(parameters_take_units, units = choices::units(better))).clicked() {
                 self.edit(Edit::Units(better));
             }
         }
         self.numbers(ui, Group::Part);
         let mut placement = self.document.job().part.placement;
         let mut changed = false;
-        let rows = [("Turn", "°", &mut placement.rotation_deg), ("Move", " mm", &mut placement.translation_mm)];
+        let rows = [
+            (say!(parameters_turn), say!(unit_deg), &mut placement.rotation_deg),
+            (say!(parameters_move), say!(unit_mm), &mut placement.translation_mm),
+        ];
         for (name, unit, values) in rows {
             ui.horizontal(|ui| {
-                theme::name(ui, name, 50.0);
+                theme::name(ui, &name, 50.0);
                 for (value, axis) in values.iter_mut().zip(["x", "y", "z"]) {
-                    let field =
-                        DragValue::new(value).speed(0.5).max_decimals(3).suffix(unit).custom_parser(quantity::read);
-                    let response = ui.add(field);
-                    response.widget_info(|| {
-                        egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{name} {axis}"))
-                    });
+                    let field = DragValue::new(value).speed(0.5).max_decimals(3).suffix(&unit);
+                    let response = ui.add(field.custom_parser(quantity::read));
+                    let told = || say!(parameters_place_field, name = &name, axis);
+                    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
                     changed |= response.changed();
                 }
             });
@@ -131,9 +125,8 @@ impl App {
             self.edit_dragging(&Edit::Place(placement), "place");
         }
         for command in [Command::PickOrigin, Command::LayFlat] {
-            if ui.button(super::name_of(command)).clicked() {
-                let ctx = ui.ctx().clone();
-                self.run(command, &ctx);
+            if ui.button(command.name()).clicked() {
+                self.run(command);
             }
         }
         if let Some(part) = &self.derived.part {

@@ -5,8 +5,8 @@
 use super::super::App;
 use super::super::clearance::ClearanceCurve;
 use crate::cell::collision::CLEARANCE_REACH_MM;
-use crate::program::{Clearance, Sample, Timeline};
-use crate::text::Sentence as _;
+use crate::program::{Clearance, CurveSample, Timeline};
+use crate::text::{Sentence as _, exact, fixed, id, say};
 use eframe::egui::{self, Color32, RichText, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotBounds, PlotUi, VLine};
 
@@ -19,7 +19,6 @@ const COLORS: [Color32; 6] = [
     Color32::from_rgb(86, 190, 233),
     Color32::from_rgb(213, 94, 0),
 ];
-const NAMES: [&str; 6] = ["J1", "J2", "J3", "J4", "J5", "J6"];
 /// Of more samples than this in sight, least and greatest of each group are drawn.
 const MOST_POINTS: usize = 1200;
 /// The shortest stretch that can be looked at, s.
@@ -30,7 +29,7 @@ trait Timed {
     fn time_s(&self) -> f64;
 }
 
-impl Timed for Sample {
+impl Timed for CurveSample {
     fn time_s(&self) -> f64 {
         self.time_s
     }
@@ -44,8 +43,10 @@ impl Timed for Clearance {
 
 /// One diagram over samples.
 struct Diagram<'a, T> {
+    /// Tells it apart from the others.
+    key: &'static str,
     /// For who cannot see it.
-    name: &'static str,
+    name: String,
     title: String,
     curves: Vec<Curve<'a, T>>,
     /// Said behind the numbers of the curves.
@@ -58,7 +59,7 @@ struct Diagram<'a, T> {
 }
 
 struct Curve<'a, T> {
-    name: &'static str,
+    name: String,
     color: Color32,
     value: Box<dyn Fn(&T) -> f64 + 'a>,
 }
@@ -109,9 +110,9 @@ impl App {
 
     /// The stretch of time in sight; while playing it follows.
     fn plot_span(&mut self, total_s: f64) -> [f64; 2] {
-        let time_s = self.session.time_s;
+        let time_s = self.session.playback.time_s;
         if let Some([from, to]) = &mut self.session.plot_span
-            && self.session.playing
+            && self.session.playback.is_playing
             && !(*from..=*to).contains(&time_s)
         {
             (*from, *to) = (time_s, time_s + (*to - *from));
@@ -128,7 +129,7 @@ impl App {
         total_s: f64,
     ) {
         ui.add(egui::Label::new(RichText::new(&d.title).strong()).truncate());
-        let time_s = self.session.time_s;
+        let time_s = self.session.playback.time_s;
         let now = samples.get(samples.partition_point(|s| s.time_s() < time_s)).or(samples.last());
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
@@ -136,9 +137,7 @@ impl App {
             for c in &d.curves {
                 let value = now.map_or(0.0, |s| (c.value)(s));
                 let decimals = if value.abs() < 100.0 { d.decimals } else { 0 };
-                // Rounded, and + 0 so that no −0.0 is shown.
-                let power = 10f64.powi(decimals as i32);
-                let text = format!("{} {:.decimals$}", c.name, (value * power).round() / power + 0.0);
+                let text = format!("{} {}", c.name, fixed(value, decimals));
                 ui.add(egui::Label::new(small(text).color(c.color)).selectable(false));
             }
             if let (Some(now), Some(words)) = (now, d.words) {
@@ -148,7 +147,7 @@ impl App {
         let lines: Vec<Vec<[f64; 2]>> = d.curves.iter().map(|c| thinned(samples, span, &c.value)).collect();
         let range = range(&lines, d.least);
         let cursor = ui.visuals().strong_text_color();
-        let plot = Plot::new(d.name)
+        let plot = Plot::new(d.key)
             .allow_drag(false)
             .allow_zoom(false)
             .allow_scroll(false)
@@ -158,7 +157,7 @@ impl App {
             .show_crosshair(false)
             .label_formatter(|_| None)
             .y_axis_min_width(34.0)
-            .x_axis_formatter(|mark, _| format!("{} s", mark.value));
+            .x_axis_formatter(|mark, _| say!(plots_seconds, value = exact(mark.value)));
         let shown = plot.show(ui, |p: &mut PlotUi<'_>| {
             p.set_plot_bounds(PlotBounds::from_min_max([span[0], range[0]], [span[1], range[1]]));
             for (value, color) in d.bounds.iter().filter(|(v, _)| (range[0]..=range[1]).contains(v)) {
@@ -167,14 +166,14 @@ impl App {
             for (c, points) in d.curves.iter().zip(lines) {
                 // An angle that goes on from 180° at −180° is no stroke from top to bottom.
                 for piece in points.chunk_by(|a, b| (a[1] - b[1]).abs() < 180.0) {
-                    p.line(Line::new(c.name, piece.to_vec()).color(c.color).width(1.6).allow_hover(false));
+                    p.line(Line::new(c.name.as_str(), piece.to_vec()).color(c.color).width(1.6).allow_hover(false));
                 }
             }
             p.vline(VLine::new("now", time_s).color(cursor).width(1.5).allow_hover(false));
             p.pointer_coordinate().map(|at| at.x)
         });
         let response = shown.response;
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, d.name));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &d.name));
         let Some(x) = shown.inner else { return };
         if response.dragged() || response.clicked() {
             self.go_to_time(x);
@@ -200,25 +199,25 @@ fn zoomed([from, to]: [f64; 2], about_s: f64, factor: f64, total_s: f64) -> Opti
 }
 
 /// P2's Fig. 16, and what limits it.
-fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a, Sample>> {
+fn diagrams<'a>(timeline: &'a Timeline, samples: &[CurveSample]) -> Vec<Diagram<'a, CurveSample>> {
     let robot = timeline.robot();
-    let six = |value: fn(&'a crate::cell::Robot, &Sample, usize) -> f64| -> Vec<Curve<'a, Sample>> {
+    let six = |value: fn(&'a crate::cell::Robot, &CurveSample, usize) -> f64| -> Vec<Curve<'a, CurveSample>> {
         (0..6)
-            .map(|i| Curve { name: NAMES[i], color: COLORS[i], value: Box::new(move |s| value(robot, s, i)) })
+            .map(|i| Curve { name: joint(i), color: COLORS[i], value: Box::new(move |s| value(robot, s, i)) })
             .collect()
     };
     let margin_deg = samples.iter().map(|s| s.limit_margin_deg).fold(f64::INFINITY, f64::min);
     let (peak, which) = (0..6)
-        .map(|i| (samples.iter().map(|s| share_of_full(robot, s, i).abs()).fold(0.0, f64::max), NAMES[i]))
-        .fold((0.0, NAMES[0]), |a, b| if b.0 > a.0 { b } else { a });
+        .map(|i| (samples.iter().map(|s| share_of_full(robot, s, i).abs()).fold(0.0, f64::max), i))
+        .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
     let singular = samples.iter().map(|s| s.singularity).fold(f64::INFINITY, f64::min);
     let limits = robot.limits_deg.iter().zip(COLORS).flat_map(|(l, color)| l.map(|deg| (deg, color)));
     let red = super::super::theme::WRONG;
-    let angle = |name, k: usize, color| Curve { name, color, value: Box::new(move |s: &Sample| s.rz_ry_rx_deg[k]) };
     vec![
         Diagram {
-            name: "curves of joints",
-            title: format!("Joints, ° · nearest limit {margin_deg:.1}°"),
+            key: "joints",
+            name: say!(plots_joints_name),
+            title: say!(plots_joints, margin = fixed(margin_deg, 1)),
             curves: six(|_, s, i| s.joints_deg[i]),
             words: None,
             bounds: limits.collect(),
@@ -226,8 +225,9 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a, S
             least: 10.0,
         },
         Diagram {
-            name: "curves of joint speeds",
-            title: format!("Joint speed, % of full · most {peak:.0} % {which}"),
+            key: "joint speeds",
+            name: say!(plots_speeds_name),
+            title: say!(plots_speeds, percent = fixed(peak, 0), joint = joint(which)),
             curves: six(share_of_full),
             words: None,
             bounds: vec![(100.0, red), (-100.0, red)],
@@ -235,18 +235,20 @@ fn diagrams<'a>(timeline: &'a Timeline, samples: &[Sample]) -> Vec<Diagram<'a, S
             least: 10.0,
         },
         Diagram {
-            name: "curves of the flange's angles",
-            title: "Flange in the base, °".into(),
-            curves: vec![angle("RZ", 0, COLORS[0]), angle("RY", 1, COLORS[2]), angle("RX", 2, COLORS[5])],
+            key: "flange angles",
+            name: say!(plots_angles_name),
+            title: say!(plots_angles),
+            curves: vec![turn("RZ", 0, COLORS[0]), turn("RY", 1, COLORS[2]), turn("RX", 2, COLORS[5])],
             words: None,
             bounds: Vec::new(),
             decimals: 1,
             least: 10.0,
         },
         Diagram {
-            name: "curve of the distance to singularity",
-            title: format!("To singularity · least {singular:.2}"),
-            curves: vec![Curve { name: "distance", color: COLORS[1], value: Box::new(|s| s.singularity) }],
+            key: "singularity",
+            name: say!(plots_singularity_name),
+            title: say!(plots_singularity, distance = fixed(singular, 2)),
+            curves: vec![Curve { name: say!(plots_distance), color: COLORS[1], value: Box::new(|s| s.singularity) }],
             words: None,
             bounds: vec![(0.0, red)],
             decimals: 2,
@@ -260,19 +262,20 @@ fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearan
     let nearest = curve.iter().flat_map(|c| &c.samples).filter_map(|s| s.nearest.as_ref());
     let least = nearest.min_by(|a, b| a.0.total_cmp(&b.0));
     let title = match (curve, least) {
-        (None, _) => "Clearance, mm · …".into(),
-        (_, None) => format!("Clearance, mm · all beyond {CLEARANCE_REACH_MM:.0} mm"),
-        (_, Some((mm, pair))) => format!("Clearance, mm · least {mm:.1} {}", pair.sentence()),
+        (None, _) => say!(plots_clearance_none),
+        (_, None) => say!(plots_clearance_beyond, reach = fixed(CLEARANCE_REACH_MM, 0)),
+        (_, Some((mm, pair))) => say!(plots_clearance, least = fixed(*mm, 1), pair = pair.sentence()),
     };
     let mm = |s: &Clearance| s.nearest.as_ref().map_or(CLEARANCE_REACH_MM, |n| n.0);
     let words: fn(&Clearance) -> String = |s| match &s.nearest {
         Some((_, pair)) => pair.sentence(),
-        None => "or more".into(),
+        None => say!(plots_or_more),
     };
     Diagram {
-        name: "curve of the clearance",
+        key: "clearance",
+        name: say!(plots_clearance_name),
         title,
-        curves: vec![Curve { name: "nearest", color: COLORS[2], value: Box::new(mm) }],
+        curves: vec![Curve { name: say!(plots_nearest), color: COLORS[2], value: Box::new(mm) }],
         words: Some(words),
         bounds: vec![(curve.map_or(0.0, |c| c.margin_mm), super::super::theme::WRONG)],
         decimals: 1,
@@ -280,7 +283,17 @@ fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearan
     }
 }
 
-fn share_of_full(robot: &crate::cell::Robot, s: &Sample, joint: usize) -> f64 {
+/// One of the three angles of the flange, by its place among them.
+fn turn(name: &str, place: usize, color: Color32) -> Curve<'static, CurveSample> {
+    Curve { name: name.into(), color, value: Box::new(move |s| s.rz_ry_rx_deg[place]) }
+}
+
+/// Name of a joint, counted from 0.
+fn joint(index: usize) -> String {
+    say!(plots_joint, joint = id(index + 1))
+}
+
+fn share_of_full(robot: &crate::cell::Robot, s: &CurveSample, joint: usize) -> f64 {
     100.0 * s.speeds_deg_s[joint] / robot.speeds_deg_s[joint]
 }
 
@@ -321,8 +334,8 @@ fn thinned<T: Timed>(samples: &[T], [from, to]: [f64; 2], value: &dyn Fn(&T) -> 
 mod tests {
     use super::*;
 
-    fn sample(time_s: f64, singularity: f64) -> Sample {
-        Sample {
+    fn sample(time_s: f64, singularity: f64) -> CurveSample {
+        CurveSample {
             time_s,
             joints_deg: [0.0; 6],
             speeds_deg_s: [0.0; 6],
@@ -334,7 +347,7 @@ mod tests {
 
     #[test]
     fn a_peak_of_one_sample_survives_thinning() {
-        let samples: Vec<Sample> =
+        let samples: Vec<CurveSample> =
             (0..50_000).map(|i| sample(f64::from(i) * 0.01, if i == 33_333 { 1.0 } else { 0.5 })).collect();
         let all = thinned(&samples, [0.0, 500.0], &|s| s.singularity);
         assert!(all.len() <= MOST_POINTS + 2 && all.contains(&[333.33, 1.0]), "{} points", all.len());

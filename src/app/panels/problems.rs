@@ -1,12 +1,12 @@
 //! What is blocked or missed, grouped by surface and by what is in the way; a click goes there.
 
-use super::super::{App, theme};
+use super::super::{App, Command, Toggle, theme};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
 use crate::planning::advice::Help;
 use crate::planning::remark::Remark;
-use crate::planning::report::{Notice, Problem};
-use crate::text::{NamedSentence as _, Naming, Sentence as _};
+use crate::planning::report::{NotDone, Notice, Problem};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, fixed, id, left_out, say};
 use crate::view::Bounds;
 use eframe::egui::{self, RichText};
 use nalgebra::Vector3;
@@ -18,22 +18,8 @@ fn because(problem: &Problem) -> String {
         return why.sentence();
     }
     match (problem.by_surface, problem.by_facet) {
-        (Some(surface), Some(facet)) => format!("the beam hits surface {surface} (facet {facet})"),
-        _ => "the beam hits something".into(),
-    }
-}
-
-/// What became of targets for a cause.
-fn refused(cause: &str) -> &str {
-    match cause {
-        "robot" => "refused: the arm or the part would hit something",
-        "head" => "refused: the head would be hit",
-        "obstacle" => "refused: an obstacle would be hit",
-        "reach" => "refused: out of the robot's reach",
-        "limit" => "refused: a joint would leave its limits",
-        "speed" => "refused: a joint would be too fast",
-        "singularity" => "refused: the arm would be singular",
-        _ => "blocked",
+        (Some(surface), Some(facet)) => say!(problems_beam_hits, surface = id(surface), facet = id(facet)),
+        _ => say!(problems_beam_hits_something),
     }
 }
 
@@ -46,7 +32,7 @@ fn capital(text: &str) -> String {
 impl App {
     pub(in super::super) fn problems(&mut self, ui: &mut egui::Ui) {
         if let Some(why) = self.planning_error() {
-            theme::heading(ui, "Problems");
+            theme::heading(ui, &say!(problems_heading));
             ui.label(RichText::new(why).color(theme::WRONG));
             return;
         }
@@ -61,41 +47,49 @@ impl App {
         let remarks: Vec<(SurfaceId, Remark)> = plan.remarks().collect();
         let title = match groups.len() + remarks.len() {
             // Those of a plan that is out of date say nothing of the one to come.
-            _ if self.plan().is_none() => "Problems: out of date".into(),
-            0 => "Problems: none".into(),
-            count => format!("Problems ({count})"),
+            _ if self.plan().is_none() => say!(problems_out_of_date),
+            0 => say!(problems_none),
+            count => say!(problems_count, count),
         };
         theme::heading(ui, &title);
         for ((surface, _, by), list) in &groups {
             let row = report.surfaces.iter().find(|s| s.surface == *surface);
-            let text = match (list[0].pass, by, row) {
-                (None, _, Some(row)) => {
-                    let why = if self.is_by_planes(*surface) { "planes; try direction auto" } else { "lines" };
-                    format!("surface {surface}: {:.1} mm² missed by the {why}", row.missed_area_mm2)
+            let text = match (list[0].cause, row) {
+                (NotDone::Blocked(cause), _) => {
+                    let by = by.map(|n| naming.surface(SurfaceId(n)));
+                    left_out(&naming.surface(SurfaceId(*surface)), cause, by, list.len())
                 }
-                (_, Some(by), _) => {
-                    let ours = if list[0].cause.word() == "head" { ", which the head would hit" } else { "" };
-                    format!("surface {surface}: {} targets blocked by surface {by}{ours}", list.len())
-                }
-                _ => format!("surface {surface}: {} targets {}", list.len(), refused(list[0].cause.word())),
+                (NotDone::Missed, row) => self.missed(*surface, row.map_or(0.0, |row| row.missed_area_mm2)),
             };
-            let why = list[0].why.as_ref().map_or_else(String::new, |why| format!("{}\n", why.sentence()));
+            let tip = match &list[0].why {
+                Some(why) => say!(problems_why_and_go, why = why.sentence()),
+                None => say!(problems_go),
+            };
             let color = if list[0].pass.is_none() { theme::ATTENTION } else { theme::WRONG };
             let link = ui.add(egui::Button::new(RichText::new(text).color(color)).frame(false).wrap());
-            if link.on_hover_text(format!("{why}Go there")).clicked() {
+            if link.on_hover_text(tip).clicked() {
                 self.go_to(list[0], plan);
             }
         }
         for (surface, remark) in remarks {
             let notice = Notice::Remark { surface, remark };
             let text = RichText::new(notice.sentence_with(&naming)).color(theme::ATTENTION);
-            if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text("Show it").clicked() {
+            if ui.add(egui::Button::new(text).frame(false).wrap()).on_hover_text(say!(problems_show)).clicked() {
                 self.session.selected = [surface.0].into();
                 self.session.scroll_to = Some(surface.0);
                 self.focus_surface(surface.0);
             }
         }
         self.what_would_help(ui);
+    }
+
+    /// Area that no line comes to.
+    fn missed(&self, surface: u32, area_mm2: f64) -> String {
+        let area = fixed(area_mm2, 1);
+        match self.is_by_planes(surface) {
+            true => say!(problems_missed_by_planes, surface = id(surface), area),
+            false => say!(problems_missed_by_lines, surface = id(surface), area),
+        }
     }
 
     /// Whether a surface's lines are cut by planes, which can be turned.
@@ -109,23 +103,23 @@ impl App {
         if !self.has_refusals() {
             return;
         }
-        theme::heading(ui, "What would help");
+        theme::heading(ui, &say!(problems_help));
         match self.advice() {
             None => {
-                ui.label(RichText::new("looking for what would help…").weak());
+                ui.label(RichText::new(say!(problems_help_looking)).weak());
             }
             Some(Err(_)) => {
-                ui.label(RichText::new("the search was cancelled; Ctrl+R plans and looks again").weak());
+                let keys = Command::Plan.keys_text(ui.ctx());
+                ui.label(RichText::new(say!(problems_help_cancelled, keys)).weak());
             }
             Some(Ok([])) => {
-                let text = "No single change that was tried; look for a better set-up, under Cell";
-                ui.label(RichText::new(text).weak());
+                ui.label(RichText::new(say!(problems_help_none)).weak());
             }
             Some(Ok(list)) => {
                 for help in list {
                     let text = match help {
                         Help::Sampled { .. } => RichText::new(help.sentence()).small().weak(),
-                        _ => RichText::new(format!("• {}", capital(&help.sentence()))),
+                        _ => RichText::new(say!(problems_help_row, advice = capital(&help.sentence()))),
                     };
                     ui.add(egui::Label::new(text).wrap());
                 }
@@ -137,7 +131,7 @@ impl App {
     pub(super) fn why_blocked(&self, (pass, point): (usize, usize)) -> String {
         let problems = self.derived.plan().into_iter().flat_map(|of| &of.report.problems);
         let mut found = problems.filter(|p| p.pass == Some(pass) && p.point == Some(point));
-        found.next().map_or_else(|| "left out".into(), because)
+        found.next().map_or_else(|| say!(problems_left_out), because)
     }
 
     /// Shows a problem: its target with the beam, or the surface that is missed.
@@ -150,7 +144,7 @@ impl App {
             return;
         };
         self.go_to_target((pass, point));
-        self.session.show.section = false;
+        self.session.show.set(Toggle::SectionPlane, false);
         if let Some(t) = plan.passes.get(pass).and_then(|p| p.targets.get(point)) {
             // Wide enough to see the beam and what it hits.
             let reach = Vector3::repeat(self.document.job().beam.defocus_mm.abs().max(10.0));

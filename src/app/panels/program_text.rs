@@ -1,26 +1,28 @@
 //! The program as it would be written; the line that is being done is lit and kept in sight.
 
 use super::super::{App, theme};
+use crate::text::say;
 use eframe::egui::{self, RichText, ScrollArea, Sense, TextStyle};
 
 impl App {
     pub(in super::super) fn program_text(&mut self, ui: &mut egui::Ui) {
         let Some(motion) = self.derived.motion().cloned() else { return };
-        let current = motion.current_line(self.session.time_s, self.session.at);
+        let current = motion.current_line(self.session.playback.time_s, self.session.playback.at);
         // The file follows the simulation, until another is looked at.
         let moved = current.is_some() && current != self.session.text_line;
         if let (true, Some((file, _))) = (moved, current) {
             self.session.text_file = file;
         }
         self.session.text_file = self.session.text_file.min(motion.text.len().saturating_sub(1));
-        theme::heading(ui, if self.plan().is_some() { "Program" } else { "Program: out of date" });
+        let is_current = self.plan().is_some();
+        theme::heading(ui, &if is_current { say!(program_panel_heading) } else { say!(program_panel_out_of_date) });
         let name = motion.text.get(self.session.text_file).map_or("", |f| f.name.as_str());
         if motion.text.len() <= 1 {
             ui.monospace(name);
         } else {
             // A long program has dozens of files.
             ui.horizontal(|ui| {
-                let label = ui.label(format!("{} files", motion.text.len()));
+                let label = ui.label(say!(program_panel_files, count = motion.text.len()));
                 let combo = egui::ComboBox::from_id_salt("program file").selected_text(name).show_ui(ui, |ui| {
                     for (number, file) in motion.text.iter().enumerate() {
                         ui.selectable_value(&mut self.session.text_file, number, &file.name);
@@ -30,7 +32,7 @@ impl App {
             });
         }
         let Some(file) = motion.text.get(self.session.text_file) else {
-            let why = motion.why_none.as_deref().unwrap_or("There is no program to show");
+            let why = motion.why_none.clone().unwrap_or_else(|| say!(program_panel_none));
             ui.label(RichText::new(why).color(theme::WRONG));
             return;
         };

@@ -6,7 +6,7 @@ use super::super::questions::Question;
 use crate::document::journal::LeftBehind;
 use crate::document::{CarriedOver, IfChanged};
 use crate::planning::export::FileConflict;
-use crate::text::{Sentence, carried_lines};
+use crate::text::{Sentence, carried_lines, hour_and_minute, say};
 use eframe::egui::{self, Id, Modal, RichText, ScrollArea};
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -28,7 +28,7 @@ impl App {
     /// The question that waits, if there is one.
     pub(in super::super) fn questions(&mut self, ctx: &egui::Context) {
         // A file is being picked or read for it.
-        if !self.answers.is_empty() || self.reading.looking.is_running() {
+        if !self.answers.is_empty() || self.reading.is_looking() {
             return;
         }
         let Some(question) = &self.question else { return };
@@ -78,7 +78,11 @@ impl App {
     }
 }
 
-fn buttons(ui: &mut egui::Ui, rows: Vec<(&str, Answer)>) -> Option<Answer> {
+fn shown(path: &Path) -> String {
+    path.display().to_string()
+}
+
+fn buttons(ui: &mut egui::Ui, rows: Vec<(String, Answer)>) -> Option<Answer> {
     ui.add_space(8.0);
     let mut answer = None;
     ui.horizontal(|ui| {
@@ -93,14 +97,14 @@ fn buttons(ui: &mut egui::Ui, rows: Vec<(&str, Answer)>) -> Option<Answer> {
 }
 
 fn part_changed(ui: &mut egui::Ui, file: &Path, carried: Option<&CarriedOver>) -> Option<Answer> {
-    ui.heading("The part's file has changed");
-    ui.label(format!("{} is not the file that the job was made for.", file.display()));
+    ui.heading(say!(ask_part_changed));
+    ui.label(say!(ask_part_changed_file, file = shown(file)));
     ui.add_space(4.0);
     let carried = carried?;
     let verdict = match (&carried.motion, carried.is_complete()) {
-        (Some(_), _) => "Everything is there, but the whole part has moved. Take it only if that was meant.",
-        (None, true) => "Everything that the job says of surfaces was found again.",
-        (None, false) => "Not everything that the job says was found again. What is not found is dropped.",
+        (Some(_), _) => say!(ask_part_moved),
+        (None, true) => say!(ask_part_found),
+        (None, false) => say!(ask_part_lost),
     };
     ui.label(RichText::new(verdict).strong());
     ScrollArea::vertical().max_height(220.0).show(ui, |ui| {
@@ -108,77 +112,81 @@ fn part_changed(ui: &mut egui::Ui, file: &Path, carried: Option<&CarriedOver>) -
             ui.label(line);
         }
     });
-    ui.label(RichText::new("Nothing is saved by this, and it can be undone.").weak());
+    ui.label(RichText::new(say!(ask_part_undo)).weak());
     let rows = vec![
-        ("Use the changed part", Answer::UsePart),
-        ("Choose another file…", Answer::OtherFile),
-        ("Cancel", Answer::Cancel),
+        (say!(ask_part_use), Answer::UsePart),
+        (say!(ask_part_other), Answer::OtherFile),
+        (say!(ask_cancel), Answer::Cancel),
     ];
     buttons(ui, rows)
 }
 
 fn part_gone(ui: &mut egui::Ui, file: &Path) -> Option<Answer> {
-    ui.heading("The part is not there");
-    ui.label(format!("{} is what the job names. Has it been moved or renamed?", file.display()));
-    buttons(ui, vec![("Choose another file…", Answer::OtherFile), ("Cancel", Answer::Cancel)])
+    ui.heading(say!(ask_part_gone));
+    ui.label(say!(ask_part_gone_file, file = shown(file)));
+    buttons(ui, vec![(say!(ask_part_other), Answer::OtherFile), (say!(ask_cancel), Answer::Cancel)])
 }
 
 fn restore(ui: &mut egui::Ui, found: &LeftBehind) -> Option<Answer> {
-    ui.heading("Unsaved changes were found");
-    ui.label("The program ended before these were saved.");
+    ui.heading(say!(ask_restore));
+    ui.label(say!(ask_restore_why));
     ui.add_space(4.0);
     let mut answer = None;
     for (at, leftover) in found.leftovers.iter().enumerate() {
-        let job = leftover.job_file().map_or("not saved yet".into(), |f| f.display().to_string());
+        let job = leftover.job_file().map_or_else(|| say!(ask_restore_not_saved), shown);
         ui.separator();
         ui.label(RichText::new(leftover.part_name()).strong());
-        ui.label(format!("{job} · last edit {}", when(leftover.edited_s())));
+        ui.label(say!(ask_restore_row, job, when = when(leftover.edited_s())));
         ui.horizontal(|ui| {
-            if ui.button("Restore").clicked() {
+            if ui.button(say!(ask_restore_yes)).clicked() {
                 answer = Some(Answer::Restore(at));
             }
-            if ui.button("Discard").clicked() {
+            if ui.button(say!(ask_restore_no)).clicked() {
                 answer = Some(Answer::Discard(at));
             }
         });
     }
     ui.separator();
-    answer.or(buttons(ui, vec![("Not now", Answer::Cancel)]))
+    answer.or(buttons(ui, vec![(say!(ask_restore_later), Answer::Cancel)]))
 }
 
 fn save_over(ui: &mut egui::Ui, path: &Path, is_own: bool) -> Option<Answer> {
     if is_own {
-        ui.heading("The job file has changed");
-        ui.label(format!("{} was changed by another program or window since it was opened here.", path.display()));
-        ui.label(RichText::new("Overwriting keeps what stands there as a backup (.bak).").weak());
+        ui.heading(say!(ask_job_changed));
+        ui.label(say!(ask_job_changed_file, file = shown(path)));
+        ui.label(RichText::new(say!(ask_backup)).weak());
         let rows = vec![
-            ("Save as…", Answer::SaveAs),
-            ("Overwrite", Answer::Overwrite),
-            ("Reload", Answer::Reload),
-            ("Cancel", Answer::Cancel),
+            (say!(ask_save_as), Answer::SaveAs),
+            (say!(ask_overwrite), Answer::Overwrite),
+            (say!(ask_reload), Answer::Reload),
+            (say!(ask_cancel), Answer::Cancel),
         ];
         return buttons(ui, rows);
     }
-    ui.heading("There is such a file");
-    ui.label(format!("{} is there already.", path.display()));
-    ui.label(RichText::new("Overwriting keeps what stands there as a backup (.bak).").weak());
-    let rows = vec![("Save as…", Answer::SaveAs), ("Overwrite", Answer::Overwrite), ("Cancel", Answer::Cancel)];
+    ui.heading(say!(ask_job_exists));
+    ui.label(say!(ask_job_exists_file, file = shown(path)));
+    ui.label(RichText::new(say!(ask_backup)).weak());
+    let rows = vec![
+        (say!(ask_save_as), Answer::SaveAs),
+        (say!(ask_overwrite), Answer::Overwrite),
+        (say!(ask_cancel), Answer::Cancel),
+    ];
     buttons(ui, rows)
 }
 
 fn export_over(ui: &mut egui::Ui, dir: &Path, conflicts: &[FileConflict]) -> Option<Answer> {
-    ui.heading("Nothing was written");
-    ui.label(format!("In {} there are files that this export may not replace:", dir.display()));
+    ui.heading(say!(ask_export_over));
+    ui.label(say!(ask_export_over_folder, folder = shown(dir)));
     ScrollArea::vertical().max_height(200.0).show(ui, |ui| {
         for conflict in conflicts {
-            ui.label(format!("• {}", conflict.sentence()));
+            ui.label(say!(ask_export_over_file, conflict = conflict.sentence()));
         }
     });
-    let mut rows = vec![("Choose another folder…", Answer::OtherFolder)];
+    let mut rows = vec![(say!(ask_export_other), Answer::OtherFolder)];
     if conflicts.iter().all(FileConflict::can_be_overwritten) {
-        rows.push(("Overwrite", Answer::Overwrite));
+        rows.push((say!(ask_overwrite), Answer::Overwrite));
     }
-    rows.push(("Cancel", Answer::Cancel));
+    rows.push((say!(ask_cancel), Answer::Cancel));
     buttons(ui, rows)
 }
 
@@ -186,14 +194,13 @@ fn export_over(ui: &mut egui::Ui, dir: &Path, conflicts: &[FileConflict]) -> Opt
 fn when(edited_s: u64) -> String {
     let now_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(edited_s, |d| d.as_secs());
     let ago_s = now_s.saturating_sub(edited_s);
-    let ago = match ago_s {
-        0..90 => "just now".to_owned(),
-        90..5400 => format!("{} minutes ago", (ago_s + 30) / 60),
-        5400..129_600 => format!("{} hours ago", (ago_s + 1800) / 3600),
-        _ => format!("{} days ago", (ago_s + 43_200) / 86_400),
-    };
-    let (hour, minute) = (edited_s / 3600 % 24, edited_s / 60 % 60);
-    format!("{ago} ({hour:02}:{minute:02} UTC)")
+    let time = hour_and_minute(edited_s);
+    match ago_s {
+        0..90 => say!(ask_when_now, time),
+        90..5400 => say!(ask_when_minutes, count = (ago_s + 30) / 60, time),
+        5400..129_600 => say!(ask_when_hours, count = (ago_s + 1800) / 3600, time),
+        _ => say!(ask_when_days, count = (ago_s + 43_200) / 86_400, time),
+    }
 }
 
 #[cfg(test)]

@@ -2,13 +2,13 @@
 //! own values, and the spacing that came of it.
 
 use super::super::{App, theme};
-use super::fields::{self, Change, RECIPE};
+use super::fields::{self, Change, Owner};
 use super::{bead, laying};
 use crate::document::parameter::{Group, Scope};
 use crate::document::{Edit, Job, PARAMETERS, Parameter, Recipe};
 use crate::part::SurfaceId;
 use crate::path::Strategy;
-use crate::text::Sentence as _;
+use crate::text::{Sentence as _, fixed, id, say};
 use eframe::egui::{self, ComboBox, RichText, Role, TextEdit, WidgetInfo};
 use std::collections::BTreeSet;
 
@@ -30,27 +30,26 @@ impl App {
         let names: BTreeSet<Option<String>> =
             selected.iter().map(|&n| job.recipe_of(n).map(|r| r.name.clone())).collect();
         let whose = match selected[..] {
-            [] => "Recipe of a surface".into(),
-            [one] => format!("Recipe of surface {one}"),
-            _ => format!("Recipe of {} surfaces", selected.len()),
+            [] => say!(recipe_panel_none),
+            [one] => say!(recipe_panel_one, surface = id(one)),
+            _ => say!(recipe_panel_many, count = selected.len()),
         };
         let common = names.first().cloned().filter(|_| names.len() == 1);
         let title = match &common {
-            Some(Some(name)) => format!("{whose}: {name}"),
-            None if names.len() > 1 => format!("{whose}: several"),
+            Some(Some(name)) => say!(recipe_panel_titled, whose, name),
+            None if names.len() > 1 => say!(recipe_panel_titled, whose, name = say!(recipe_panel_several)),
             _ => whose,
         };
         egui::CollapsingHeader::new(title).id_salt("recipe of surface").show(ui, |ui| {
             if selected.is_empty() {
-                ui.label(RichText::new("Select surfaces to work them with values of their own").small());
+                ui.label(RichText::new(say!(recipe_panel_select)).small());
                 return;
             }
             self.choose_recipe(ui, &selected, common.as_ref());
             match &common {
                 Some(name) => self.recipe_values(ui, &selected, name.as_deref()),
                 None => {
-                    let text = "They have different recipes: give them one here, or compare them";
-                    ui.label(RichText::new(text).small());
+                    ui.label(RichText::new(say!(recipe_panel_different)).small());
                 }
             }
             self.achieved_spacing(ui, &selected);
@@ -59,14 +58,17 @@ impl App {
 
     /// Which recipe the surfaces have; `common`: the one they share, if they do.
     fn choose_recipe(&mut self, ui: &mut egui::Ui, selected: &[SurfaceId], common: Option<&Option<String>>) {
-        const OWN: &str = "none: the job's values";
         let recipes = self.document.job().recipes.clone();
-        let shown = common.map_or("several", |name| name.as_deref().unwrap_or(OWN));
+        let shown = match common {
+            None => say!(recipe_panel_several),
+            Some(None) => say!(recipe_panel_jobs),
+            Some(Some(name)) => name.clone(),
+        };
         let mut wanted: Option<Option<Recipe>> = None;
         ui.horizontal(|ui| {
-            theme::name(ui, "Recipe", 60.0);
+            theme::name(ui, &say!(recipe_panel_recipe), 60.0);
             let combo = ComboBox::from_id_salt("recipe").width(170.0).selected_text(shown).show_ui(ui, |ui| {
-                if ui.selectable_label(common == Some(&None), OWN).clicked() {
+                if ui.selectable_label(common == Some(&None), say!(recipe_panel_jobs)).clicked() {
                     wanted = Some(None);
                 }
                 for r in &recipes {
@@ -75,19 +77,19 @@ impl App {
                         wanted = Some(Some(r.clone()));
                     }
                 }
-                if ui.selectable_label(false, "a new one").clicked() {
+                if ui.selectable_label(false, say!(recipe_panel_new)).clicked() {
                     wanted = Some(Some(self.document.job().new_recipe()));
                 }
             });
-            combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "recipe"));
+            combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, say!(recipe_panel_recipe_name)));
         });
         let job = self.document.job();
         let others = job.settings.having(|s| s.recipe.is_some()).into_iter().filter(|n| !selected.contains(n));
         let others: Vec<(SurfaceId, Recipe)> = others.filter_map(|n| Some((n, job.recipe_of(n)?.clone()))).collect();
         if !others.is_empty() {
-            ui.menu_button("Copy from surface…", |ui| {
+            ui.menu_button(say!(recipe_panel_copy), |ui| {
                 for (n, r) in others {
-                    if ui.button(format!("surface {n}: {}", r.name)).clicked() {
+                    if ui.button(say!(recipe_panel_copy_row, surface = id(n), recipe = &r.name)).clicked() {
                         wanted = Some(Some(r));
                         ui.close();
                     }
@@ -112,7 +114,7 @@ impl App {
                 .map(SurfaceId::to_string)
                 .collect();
             if !others.is_empty() {
-                let text = format!("Changes apply to surfaces {} too", others.join(", "));
+                let text = say!(recipe_panel_others, count = others.len(), surfaces = others.join(", "));
                 ui.label(RichText::new(text).small().color(theme::ATTENTION));
             }
         }
@@ -121,16 +123,17 @@ impl App {
             self.edit_dragging(&Edit::Recipe(Box::new(recipe), selected.to_vec()), what);
         }
         let Some(known) = known else {
-            ui.label(RichText::new("Changing a value here makes a recipe of its own").small().weak());
+            ui.label(RichText::new(say!(recipe_panel_change_makes)).small().weak());
             return;
         };
         ui.horizontal_wrapped(|ui| {
             let folder = self.recipes.folder().map(|f| f.display().to_string());
-            let keep = ui.add_enabled(folder.is_some(), egui::Button::new("Save to my recipes"));
+            let keep = ui.add_enabled(folder.is_some(), egui::Button::new(say!(recipe_panel_keep)));
             if keep.on_hover_text(folder.unwrap_or_default()).clicked() {
                 self.keep_recipe(known);
             }
-            if ui.button("Remove from the job").on_hover_text("Its surfaces take the job's values").clicked() {
+            let remove = ui.button(say!(recipe_panel_remove)).on_hover_text(say!(recipe_panel_remove_tip));
+            if remove.clicked() {
                 self.edit(Edit::RemoveRecipe(known.name.clone()));
             }
         });
@@ -142,14 +145,17 @@ impl App {
             self.take_draft(&draft);
         }
         let Some(recipe) = recipe else { return };
-        let rows = [("Name", "recipe name", false, &recipe.name), ("Note", "recipe note", true, &recipe.note)];
+        let rows = [
+            (say!(recipe_panel_name), say!(recipe_panel_name_field), false, &recipe.name),
+            (say!(recipe_panel_note), say!(recipe_panel_note_field), true, &recipe.note),
+        ];
         for (label, told, is_note, now) in rows {
             ui.horizontal(|ui| {
-                theme::name(ui, label, 60.0);
+                theme::name(ui, &label, 60.0);
                 let draft = self.session.draft.as_ref().filter(|d| d.is_note == is_note);
                 let mut text = draft.map_or_else(|| now.clone(), |d| d.text.clone());
                 let field = ui.add(TextEdit::singleline(&mut text).desired_width(170.0));
-                field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, told));
+                field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, &told));
                 if field.changed() {
                     self.session.draft = Some(Draft { recipe: recipe.name.clone(), is_note, text });
                 }
@@ -179,13 +185,17 @@ impl App {
         let (plan, job) = (&of.plan, &of.job);
         for s in plan.surfaces.iter().filter(|s| selected.contains(&SurfaceId(s.laid.surface))).take(TOLD) {
             let n = SurfaceId(s.laid.surface);
-            let whose = if selected.len() > 1 { format!("surface {n}: ") } else { String::new() };
+            let told = |what: String| match selected.len() {
+                0..=1 => what,
+                _ => say!(recipe_panel_of_surface, surface = id(n), what),
+            };
             if let Some(a) = &s.laid.achieved {
                 let wanted = job.of_surface(n).layers.spacing_mm;
-                ui.label(format!("{whose}spacing {:.2} to {:.2} mm (wanted {wanted:.2})", a.min_mm, a.max_mm));
+                let (least, greatest) = (fixed(a.min_mm, 2), fixed(a.max_mm, 2));
+                ui.label(told(say!(recipe_panel_spacing, least, greatest, wanted = fixed(wanted, 2))));
             }
             for (_, remark) in plan.remarks().filter(|r| r.0 == n) {
-                ui.label(RichText::new(format!("{whose}{}", remark.sentence())).small().color(theme::ATTENTION));
+                ui.label(RichText::new(told(remark.sentence())).small().color(theme::ATTENTION));
             }
         }
     }
@@ -196,33 +206,35 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
     let own = recipe.applied(job);
     let (l, jobs) = (&own.layers, &job.layers);
     let mut what = None;
-    if let Some(change) = laying::strategy(ui, RECIPE, l.strategy, recipe.strategy.map(|_| jobs.strategy)) {
+    if let Some(change) = laying::strategy(ui, Owner::Recipe, l.strategy, recipe.strategy.map(|_| jobs.strategy)) {
         take(&mut recipe.strategy, change);
         what = Some("recipe strategy");
     }
     let by_planes = matches!(l.strategy, Strategy::Planes | Strategy::Adaptive | Strategy::Cross);
     if by_planes
-        && let Some(change) = laying::direction(ui, RECIPE, l.direction, recipe.direction.map(|_| jobs.direction))
+        && let Some(change) =
+            laying::direction(ui, Owner::Recipe, l.direction, recipe.direction.map(|_| jobs.direction))
     {
         take(&mut recipe.direction, change);
         what = Some("recipe direction");
     }
-    if let Some(change) = laying::order(ui, RECIPE, l.strategy, l.order, recipe.order.map(|_| jobs.order)) {
+    if let Some(change) = laying::order(ui, Owner::Recipe, l.strategy, l.order, recipe.order.map(|_| jobs.order)) {
         take(&mut recipe.order, change);
         what = Some("recipe order");
     }
     if l.strategy == Strategy::Spiral {
-        if let Some(change) = laying::inward(ui, RECIPE, l.inward, recipe.inward.map(|_| jobs.inward)) {
+        if let Some(change) = laying::inward(ui, Owner::Recipe, l.inward, recipe.inward.map(|_| jobs.inward)) {
             take(&mut recipe.inward, change);
             what = Some("recipe spiral");
         }
-        if laying::centre(ui, RECIPE, l.centre_mm, recipe.centre_mm.is_some()) {
+        if laying::centre(ui, Owner::Recipe, l.centre_mm, recipe.centre_mm.is_some()) {
             recipe.centre_mm = None;
             what = Some("recipe centre");
         }
     }
     if l.strategy == Strategy::Offset
-        && let Some(change) = laying::border(ui, RECIPE, l.border.into(), recipe.border.map(|_| jobs.border.into()))
+        && let Some(change) =
+            laying::border(ui, Owner::Recipe, l.border.into(), recipe.border.map(|_| jobs.border.into()))
     {
         take(&mut recipe.border, change);
         what = Some("recipe border");
@@ -232,7 +244,7 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
     for p in PARAMETERS.iter().filter(first) {
         what = number(ui, job, &own, recipe, p).or(what);
         if p == fields::SPACING
-            && let Some(mm) = fields::overlap(ui, RECIPE, &own)
+            && let Some(mm) = fields::overlap(ui, Owner::Recipe, &own)
         {
             recipe.values.insert(p.key.into(), mm);
             what = Some("recipe overlap");
@@ -241,7 +253,7 @@ fn values(ui: &mut egui::Ui, job: &Job, recipe: &mut Recipe) -> Option<&'static 
     let of_bead = |p: &Parameter| matches!(p.group, Group::BeadSize | Group::BeadLayers);
     let more = PARAMETERS.iter().filter(|p| p.scope == Scope::Surface && !of_bead(p));
     let held = more.clone().filter(|p| recipe.values.contains_key(p.key)).count();
-    let title = if held > 0 { format!("More values ({held} of its own)") } else { "More values".into() };
+    let title = if held > 0 { say!(recipe_panel_more_own, count = held) } else { say!(recipe_panel_more) };
     egui::CollapsingHeader::new(title).id_salt("more of a recipe").show(ui, |ui| {
         for p in more {
             what = number(ui, job, &own, recipe, p).or(what);
@@ -259,7 +271,7 @@ pub(super) fn number(
     p: &'static Parameter,
 ) -> Option<&'static str> {
     let to = recipe.values.contains_key(p.key).then(|| job.number(p));
-    match fields::number(ui, RECIPE, p, own.number(p), to)? {
+    match fields::number(ui, Owner::Recipe, p, own.number(p), to)? {
         Change::To(value) => recipe.values.insert(p.key.into(), value),
         Change::Back => recipe.values.remove(p.key),
     };

@@ -3,6 +3,7 @@
 use super::super::motion::Mark;
 use super::super::{App, theme};
 use crate::program::Timeline;
+use crate::text::{id, say};
 use eframe::egui::{self, Color32, Rect, Sense, Stroke, pos2, vec2};
 
 const HEIGHT: f32 = 26.0;
@@ -14,8 +15,8 @@ impl App {
         let Some(timeline) = self.timeline() else { return };
         let total_s = timeline.total_s().max(1e-9);
         let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
-        let time_s = self.session.time_s;
-        response.widget_info(|| egui::WidgetInfo::slider(true, time_s, "time"));
+        let time_s = self.session.playback.time_s;
+        response.widget_info(|| egui::WidgetInfo::slider(true, time_s, say!(scrub_name)));
         let track = rect.shrink2(vec2(2.0, 6.0));
         let x_of = |t: f64| track.left() + (t / total_s) as f32 * track.width();
         paint_track(ui, track, timeline, x_of);
@@ -62,8 +63,7 @@ impl App {
     fn why(&self, mark: &Mark) -> String {
         let (pass, point) = mark.first;
         let cause = self.why_blocked(mark.first);
-        let many = if mark.count > 1 { format!("{} targets from ", mark.count) } else { String::new() };
-        format!("{many}pass {pass} · point {point}: {cause}\nClick to go there")
+        say!(scrub_mark, count = mark.count, pass = id(pass), point = id(point), cause)
     }
 }
 

@@ -1,9 +1,10 @@
 //! The legend of the achieved spacing, in a corner of the view: scale, and the two places to go to.
 
 use super::super::App;
+use super::super::command::Toggle;
 use super::dose::bar;
 use crate::picture::spacing::Place;
-use crate::text::spacing_labels;
+use crate::text::{fixed, id, say, spacing_labels};
 use crate::view::Bounds;
 use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
 use nalgebra::Vector3;
@@ -12,7 +13,10 @@ const WIDTH: f32 = 200.0;
 
 impl App {
     pub(in super::super) fn spacing_legend(&mut self, ui: &egui::Ui, view: Rect) {
-        if !self.session.show.spacing || self.session.show.section || self.derived.plan_on_part().is_none() {
+        if !self.session.show.is_on(Toggle::Spacing)
+            || self.session.show.is_on(Toggle::SectionPlane)
+            || self.derived.plan_on_part().is_none()
+        {
             return;
         }
         let scale = self.spacing_scale().cloned();
@@ -20,22 +24,28 @@ impl App {
         Area::new(Id::unique("achieved spacing")).fixed_pos(at).show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_width(WIDTH);
-                ui.label(RichText::new("Achieved spacing").strong());
+                ui.label(RichText::new(say!(spacing_legend)).strong());
                 let Some(scale) = scale else {
-                    ui.label("no two lines lie side by side");
+                    ui.label(say!(spacing_legend_none));
                     return;
                 };
-                bar(ui, WIDTH, "scale of the spacing", |share| share);
-                thirds(ui, spacing_labels(&scale).each_ref().map(String::as_str));
-                thirds(ui, ["closer", "as wanted", "farther"]);
-                for (word, place) in [("least", scale.least), ("greatest", scale.greatest)] {
-                    let text = format!("{word} {:.2} mm on surface {}", place.mm, place.surface);
-                    if ui.link(text).on_hover_text("Go there").clicked() {
+                bar(ui, WIDTH, || say!(spacing_legend_scale), |share| share);
+                thirds(ui, spacing_labels(&scale));
+                let sides = [say!(spacing_legend_closer), say!(spacing_legend_wanted), say!(spacing_legend_farther)];
+                thirds(ui, sides);
+                let [(least, on_least), (greatest, on_greatest)] =
+                    [&scale.least, &scale.greatest].map(|p| (fixed(p.mm, 2), id(p.surface)));
+                let links = [
+                    (say!(spacing_legend_least, mm = least, surface = on_least), scale.least),
+                    (say!(spacing_legend_greatest, mm = greatest, surface = on_greatest), scale.greatest),
+                ];
+                for (text, place) in links {
+                    if ui.link(text).on_hover_text(say!(problems_go)).clicked() {
                         self.look_at_place(&place);
                     }
                 }
                 if scale.wanted_mm.is_none() {
-                    ui.label(RichText::new("% of what each surface wants").weak());
+                    ui.label(RichText::new(say!(spacing_legend_percent)).weak());
                 }
             });
         });
@@ -50,7 +60,7 @@ impl App {
 }
 
 /// Words under the ends and the middle of the scale.
-fn thirds(ui: &mut egui::Ui, words: [&str; 3]) {
+fn thirds(ui: &mut egui::Ui, words: [String; 3]) {
     let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, 16.0), Sense::hover());
     let layouts = [
         Layout::left_to_right(Align::Center),

@@ -3,7 +3,7 @@
 use super::super::App;
 use super::super::command::Command;
 use crate::sample::SAMPLES;
-use crate::text::Sentence;
+use crate::text::{Sentence, say};
 use eframe::egui::{self, RichText};
 use std::path::PathBuf;
 
@@ -11,29 +11,25 @@ impl App {
     pub(in super::super) fn start(&mut self, ui: &mut egui::Ui) {
         ui.vertical_centered(|ui| {
             ui.add_space((ui.available_height() * 0.16).max(20.0));
-            ui.label(RichText::new("clearbeam").size(34.0).strong());
+            ui.label(RichText::new(say!(start_name)).size(34.0).strong());
             ui.add_space(4.0);
-            ui.label(RichText::new("Clean exactly the surfaces you choose").size(16.0).weak());
+            ui.label(RichText::new(say!(start_claim)).size(16.0).weak());
             ui.add_space(22.0);
             let frame = egui::Frame::group(ui.style()).inner_margin(26);
             frame.show(ui, |ui| {
                 ui.set_width(460.0);
                 ui.vertical_centered(|ui| {
-                    ui.label(RichText::new("Drop an STL here").size(20.0));
+                    ui.label(RichText::new(say!(start_drop)).size(20.0));
                     ui.add_space(6.0);
-                    if ui.button(RichText::new("Open…").size(16.0)).clicked() {
-                        let ctx = ui.ctx().clone();
-                        self.run(Command::Open, &ctx);
+                    if ui.button(RichText::new(say!(start_open)).size(16.0)).clicked() {
+                        self.run(Command::Open);
                     }
                 });
             });
             ui.add_space(14.0);
-            ui.label(
-                RichText::new("1  open a part     2  move surfaces to the list to clean     3  export the program")
-                    .size(14.0),
-            );
+            ui.label(RichText::new(say!(start_steps)).size(14.0));
             ui.add_space(18.0);
-            ui.label(RichText::new("Samples").strong());
+            ui.label(RichText::new(say!(start_samples)).strong());
             for s in SAMPLES {
                 if ui.link(s.name.replace('_', " ")).on_hover_text(crate::text::about_sample(s.part)).clicked() {
                     self.open_sample(s.name);
@@ -41,7 +37,7 @@ impl App {
             }
             if !self.recent.is_empty() {
                 ui.add_space(12.0);
-                ui.label(RichText::new("Recent").strong());
+                ui.label(RichText::new(say!(start_recent)).strong());
                 for path in self.recent.clone() {
                     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
                     if ui.link(name).on_hover_text(path.display().to_string()).clicked() {
@@ -59,7 +55,7 @@ impl App {
         let file: PathBuf = folder.join(format!("{name}.stl"));
         let bytes = crate::sample::stl_bytes(&(sample.triangles)());
         let written = std::fs::create_dir_all(&folder)
-            .map_err(|e| format!("{}: cannot be made: {e}", folder.display()))
+            .map_err(|e| say!(start_no_folder, folder = folder.display().to_string(), reason = e.to_string()))
             .and_then(|()| crate::document::files::write_atomic(&file, &bytes).map_err(|e| e.sentence()));
         match written {
             Ok(()) => self.open(file),

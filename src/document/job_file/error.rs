@@ -1,5 +1,6 @@
 //! Why a text is no job.
 
+use crate::cell::frame::FrameError;
 use crate::part::SurfaceId;
 use thiserror::Error;
 
@@ -12,6 +13,9 @@ pub enum JobFileError {
     /// It is no TOML, or has a key or value that no job has.
     #[error(transparent)]
     Toml(#[from] toml::de::Error),
+    /// A frame of the job's own cannot be told from what stands there.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
     /// It is of a version that is not known yet.
     #[error("version {0} is unknown")]
     Later(i64),

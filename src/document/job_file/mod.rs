@@ -15,6 +15,7 @@ use super::model::{BeadParameters, BeamParameters, CellFile, Job, Layers, PartFi
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use crate::beam::{Obstacle, Optics};
+use crate::cell::frame;
 use crate::part::SurfaceId;
 use crate::pose::{Pin, TiltRule};
 use crate::process::DoseParameters;
@@ -66,6 +67,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Job, JobFileError> {
 pub fn parse(text: &str) -> Result<Job, JobFileError> {
     let table: toml::Table = toml::from_str(text)?;
     version::of(&table)?;
+    table.get("cell").and_then(toml::Value::as_table).map_or(Ok(()), frame::check)?;
     // The text knows its lines, which the table does not.
     toml::from_str::<JobTables>(text)?;
     Job::try_from(table)

@@ -34,9 +34,12 @@ macro_rules! parameters {
         $crate::number_fields::number_fields!($name { $($field $(: ($default))?),* });
     };
     (@ $table:literal, $field:ident, $type:ty) => {
-        $crate::number_fields::Number::of(
-            const { $crate::document::model::declare::default_of::<$type>(concat!($table, ".", stringify!($field))) }
-        )
+        {
+            // An item, so that `cargo check` looks for the row already.
+            const DEFAULT: f64 =
+                $crate::document::model::declare::default_of::<$type>(concat!($table, ".", stringify!($field)));
+            $crate::number_fields::Number::of(DEFAULT)
+        }
     };
     (@ $table:literal, $field:ident, $type:ty, $default:expr) => { $default };
 }

@@ -117,15 +117,16 @@ pub fn lines(
     if !(rule.spacing_mm.is_finite() && rule.spacing_mm > 0.0) {
         return none(LinesFinding::SpacingNotPositive { spacing_mm: rule.spacing_mm });
     }
+    let number = surface.number;
     if planes::live(mesh, surface).next().is_none() {
-        return none(LinesFinding::NoProperFacet);
+        return none(LinesFinding::NoProperFacet { surface: number });
     }
     let cut = |planes: &SurfacePlanes| sections(mesh, surface, normals, &planes.normal, &planes.heights_mm, merge_mm);
     let raster = |planes: SurfacePlanes| {
         let lines = cut(&planes);
         SurfaceLines {
             achieved: spacing::achieved(&lines, Some(&planes.normal), rule.spacing_mm),
-            finding: lines.is_empty().then_some(LinesFinding::NoPlaneCrosses),
+            finding: lines.is_empty().then_some(LinesFinding::NoPlaneCrosses { surface: number }),
             lines,
             planes: vec![planes],
         }
@@ -140,7 +141,8 @@ pub fn lines(
         Strategy::Spiral => spiral::lines(mesh, surface, normals, rule, merge_mm),
         Strategy::Cross => {
             let Some(second) = across(mesh, surface, family, rule.spacing_mm, rule.cross_deg) else {
-                return SurfaceLines { finding: Some(LinesFinding::NoMeanNormal), ..raster(family.clone()) };
+                let finding = Some(LinesFinding::NoMeanNormal { surface: number });
+                return SurfaceLines { finding, ..raster(family.clone()) };
             };
             crossed(raster(family.clone()), raster(second))
         }

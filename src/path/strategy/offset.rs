@@ -48,10 +48,10 @@ pub(super) fn lines(
     let net = Net::new(mesh, surface, normals);
     let count = net.loops().len();
     if count == 0 {
-        return none(LinesFinding::NoBorder);
+        return none(LinesFinding::NoBorder { surface: surface.number });
     }
     if let Some(border) = rule.border.filter(|&b| b >= count) {
-        return none(LinesFinding::NoSuchBorder { border, borders: count });
+        return none(LinesFinding::NoSuchBorder { surface: surface.number, border, borders: count });
     }
     let size_mm = (PIECE * rule.spacing_mm).min(0.15 * surface.area_mm2.sqrt());
     let net = net.refined(true, |_| size_mm);
@@ -67,9 +67,9 @@ pub(super) fn lines(
         .map(|f| net.mesh.areas[f])
         .sum();
     let finding = if lines.is_empty() {
-        Some(LinesFinding::NoLineFits)
+        Some(LinesFinding::NoLineFits { surface: surface.number })
     } else if unreached > 1e-9 * surface.area_mm2 {
-        Some(LinesFinding::ApartFromBorder { area_mm2: unreached })
+        Some(LinesFinding::ApartFromBorder { surface: surface.number, area_mm2: unreached })
     } else {
         None
     };

@@ -38,9 +38,9 @@ pub(super) fn lines(
     }
     let missed: f64 = (0..net.mesh.facets.len()).filter(|&f| !winding.reaches(f)).map(|f| net.mesh.areas[f]).sum();
     let finding = if lines.is_empty() {
-        Some(LinesFinding::NoTurnFits { spacing_mm: rule.spacing_mm })
+        Some(LinesFinding::NoTurnFits { surface: surface.number, spacing_mm: rule.spacing_mm })
     } else if missed > rule.spacing_mm * rule.spacing_mm {
-        Some(LinesFinding::BeyondSpiral { area_mm2: missed })
+        Some(LinesFinding::BeyondSpiral { surface: surface.number, area_mm2: missed })
     } else {
         None
     };

@@ -14,6 +14,7 @@ use crate::planning::PlanError;
 use crate::planning::dose::{self, DoseReport, dose};
 use crate::planning::plan::Plan;
 use crate::planning::report::{FileDigest, PlanFinding, Report, WrittenFiles};
+use crate::program::Wording;
 use crate::progress::{Activity, Progress};
 use std::path::Path;
 
@@ -55,6 +56,8 @@ pub struct ExportInput<'a> {
     pub plan: &'a Plan,
     /// What was found before there was a plan; the report has it first.
     pub findings: &'a [PlanFinding],
+    /// The words of the program's comments.
+    pub wording: Wording,
 }
 
 /// Whether a file that an export wrote belongs to its program.
@@ -73,7 +76,7 @@ pub fn files(
     of: &ExportOf,
     progress: &Progress,
 ) -> Result<(Vec<OutputFile>, Report), ExportError> {
-    let ExportInput { job, part, surfaces, setup, plan, findings } = *input;
+    let ExportInput { job, part, surfaces, setup, plan, findings, wording } = *input;
     let mut job = job.clone();
     job.part.landmarks = Remembered::of(&job, part, &job.part);
     let job = &job;
@@ -87,7 +90,7 @@ pub fn files(
     report.dose = Some(DoseReport::new(&map, &patches, surfaces));
     progress.check()?;
     progress.begin(Activity::WritingProgram, 2);
-    let written = program(job, &of.part, setup, plan, &report)?;
+    let written = program(job, &of.part, setup, plan, &report, wording)?;
     progress.step()?;
     read_back(part, job, setup, plan, &written)?;
     progress.step()?;

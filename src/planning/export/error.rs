@@ -4,7 +4,7 @@ use super::ownership::FileConflict;
 use crate::document::JobError;
 use crate::planning::PlanError;
 use crate::planning::verify::{Finding, VerifyError};
-use crate::program::dialect::WriteError;
+use crate::program::DialectError;
 use crate::progress::Cancelled;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -37,7 +37,7 @@ pub enum ExportError {
     },
     /// The controller could not take the program.
     #[error("program unwritable: {0}")]
-    Unwritable(#[from] WriteError),
+    Unwritable(#[from] DialectError),
     /// The program that was just made cannot be read.
     #[error("program unreadable: {0}")]
     Unreadable(#[from] VerifyError),

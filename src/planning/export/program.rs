@@ -8,10 +8,12 @@ use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::planning::report::{Report, is_dark};
 use crate::planning::verify;
-use crate::program::dialect::WriteError;
-use crate::program::{Program, ProgramFile, Step, Steps, dialects, lines};
+use crate::program::{
+    Comment, DialectError, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording, WorkFigures, dialects, lines,
+};
 
-/// The program's files as they would be written, the one to start first; none of a plan that never lights.
+/// The program's files as they would be written, the one to start first; none of a plan that never lights. `wording`:
+/// the words of its comments.
 ///
 /// # Errors
 /// [`ExportError::Unwritable`]: what the controller could not take.
@@ -21,19 +23,20 @@ pub fn program(
     setup: &Setup,
     plan: &Plan,
     report: &Report,
+    wording: Wording,
 ) -> Result<Vec<ProgramFile>, ExportError> {
     if is_dark(plan) {
         return Ok(Vec::new());
     }
     let lines = lines(&plan.steps, setup);
-    let program = Program { head: head(job, part_name, setup, (&plan.steps, report)), lines, setup };
-    let dialect = dialects::known(&job.cell.dialect).map_err(WriteError::Rule)?;
-    Ok(dialect.write(&program)?)
+    let program = Program { head: head(job, part_name, setup, (&plan.steps, report)), lines, setup, wording };
+    let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
+    Ok(dialect.write(&program).map_err(DialectError::from)?)
 }
 
 /// Names of the files that a program of this job has, however long it is; none where it cannot be written.
 pub(super) fn names_ahead(job: &Job, setup: &Setup) -> Vec<String> {
-    let nothing = Program { head: Vec::new(), lines: Vec::new(), setup };
+    let nothing = Program { head: Vec::new(), lines: Vec::new(), setup, wording: WITHOUT_WORDS };
     let files = dialects::known(&job.cell.dialect).ok().and_then(|d| d.write(&nothing).ok());
     files.unwrap_or_default().into_iter().map(|f| f.name).collect()
 }
@@ -57,53 +60,39 @@ pub(super) fn read_back(
     }
 }
 
+/// So many surfaces are named at the head.
+const MOST_SURFACES: usize = 20;
+
 /// Comments at the head of a program.
-fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Report)) -> Vec<String> {
-    let list: Vec<String> = report.surfaces.iter().map(|s| s.surface.to_string()).collect();
-    let shown =
-        if list.len() > 20 { format!("{} and {} more", list[..20].join(" "), list.len() - 20) } else { list.join(" ") };
-    let mut out =
-        vec![format!("clearbeam {}, part {part_name}", env!("CARGO_PKG_VERSION")), format!("surfaces {shown}")];
+fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Report)) -> Vec<Comment> {
+    let shown: Vec<u32> = report.surfaces.iter().take(MOST_SURFACES).map(|s| s.surface).collect();
+    let more = report.surfaces.len() - shown.len();
+    let mut out = vec![Comment::Part(part_name.into()), Comment::Surfaces { shown, more }];
     out.extend(worked_with(steps));
-    out.extend([
-        format!(
-            "direction {}, spacing {} mm, {}",
-            job.layers.direction,
-            job.layers.spacing_mm,
-            job.layers.order.word()
-        ),
-        format!("{} targets, {} corrected, {} blocked and left out", report.points, report.corrected, report.blocked),
-    ]);
+    let l = &job.layers;
+    out.push(Comment::Laid { direction: l.direction, spacing_mm: l.spacing_mm, order: l.order });
+    out.push(Comment::Targets { all: report.points, corrected: report.corrected, blocked: report.blocked });
     match &setup.robot {
-        None => out.push(format!("Flange poses, {}; reach and limits are NOT checked", setup.mount.word())),
+        None => out.push(Comment::WithoutRobot(setup.mount)),
         Some(robot) => {
-            out.push(format!("{}, {}", robot.name, setup.mount.word()));
+            out.push(Comment::Robot { name: robot.name.clone(), mount: setup.mount });
             if !robot.unverified.is_empty() {
-                out.push(format!("Figures of the robot that nobody has checked: {}", robot.unverified.join(", ")));
+                out.push(Comment::Unchecked(robot.unverified.clone()));
             }
         }
     }
-    out.push(format!("Not verified on a {} controller: run it with the laser off first", job.cell.dialect));
+    out.push(Comment::NeverRun { dialect: job.cell.dialect.clone() });
     out
 }
 
 /// What the lit pieces are worked with, each once, in the order of work.
-fn worked_with(steps: &Steps) -> Vec<String> {
-    // A head that is drawn back widens the spot by any number of digits.
-    let short = |mm: f64| (mm * 1e4).round() / 1e4;
-    let mut out: Vec<String> = Vec::new();
+fn worked_with(steps: &Steps) -> Vec<Comment> {
+    let mut out: Vec<Comment> = Vec::new();
     for step in &steps.list {
-        let Step::Work(w) = step else { continue };
-        let pulses = if w.frequency_khz > 0.0 { format!(" at {} kHz", w.frequency_khz) } else { String::new() };
-        let said = format!(
-            "power {} W{pulses}, spot {} mm, defocus {} mm, speed {} mm/s",
-            w.power_w,
-            short(w.spot_mm),
-            short(w.defocus_mm),
-            w.speed_mm_s
-        );
-        if !out.contains(&said) {
-            out.push(said);
+        let Step::Work(work) = step else { continue };
+        let comment = Comment::WorkedWith(WorkFigures::of(work));
+        if !out.contains(&comment) {
+            out.push(comment);
         }
     }
     out

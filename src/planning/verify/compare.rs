@@ -4,7 +4,7 @@ use super::expected::{Expected, Poses};
 use super::likeness::{elsewhere, is_same, is_same_kind, is_same_pace, off_joint, turn_deg};
 use super::verdict::{Difference, JointOff, SpotOff, Verdict};
 use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
-use crate::program::{Move, lit};
+use crate::program::{Move, spot};
 
 /// Lines looked ahead to find where two programs meet again.
 const LOOK_AHEAD: usize = 40;
@@ -135,7 +135,7 @@ impl<'a, 'r> Sides<'a, 'r> {
         };
         if let (Some(planned), Some(focus)) = (planned, poses.focus(&have.goal)) {
             let defocus_mm = plan.work.defocus_mm;
-            let mm = (lit::foot(&planned, defocus_mm) - lit::foot(&focus, defocus_mm)).norm();
+            let mm = (spot::foot(&planned, defocus_mm) - spot::foot(&focus, defocus_mm)).norm();
             let deg = turn_deg(&planned, &focus);
             (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
             let off = SpotOff { mm, deg };
@@ -143,16 +143,18 @@ impl<'a, 'r> Sides<'a, 'r> {
                 verdict.findings.push(Difference::Elsewhere { spot: Some(off), joint: None }.at(at));
             }
         }
-        if plan.way != have.way {
-            verdict.findings.push(Difference::OtherWay { found: have.way, planned: plan.way }.at(at));
+        if plan.interpolation != have.interpolation {
+            verdict
+                .findings
+                .push(Difference::OtherWay { found: have.interpolation, planned: plan.interpolation }.at(at));
         }
     }
 }
 
 /// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`words`].
 fn in_time(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
-    if !is_same_pace(&plan.pace, &have.pace) && is_same_pace(&want.pace, &have.pace) {
-        verdict.findings.push(Difference::OtherPace { found: have.pace, planned: plan.pace }.at(at));
+    if !is_same_pace(&plan.timing, &have.timing) && is_same_pace(&want.timing, &have.timing) {
+        verdict.findings.push(Difference::OtherPace { found: have.timing, planned: plan.timing }.at(at));
     }
 }
 
@@ -162,7 +164,7 @@ fn words(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict)
         let (found, planned) = (have.rest.clone(), want.rest.clone());
         verdict.findings.push(Difference::OtherWords { found, planned }.at(at));
     }
-    if !is_same_pace(&want.pace, &have.pace) {
-        verdict.findings.push(Difference::OtherTime { found: have.pace, planned: want.pace }.at(at));
+    if !is_same_pace(&want.timing, &have.timing) {
+        verdict.findings.push(Difference::OtherTime { found: have.timing, planned: want.timing }.at(at));
     }
 }

@@ -8,7 +8,7 @@ use crate::pose::Beam;
 use crate::pose::checker::Checker;
 use crate::program::dialect::{Goal, Read, ReadLine};
 use crate::program::sweep::LitMove;
-use crate::program::{Move, Pace, Way, lit};
+use crate::program::{Interpolation, Move, MoveTiming, spot};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
 
@@ -63,7 +63,7 @@ pub(in super::super) fn driven<'a>(
                         let beyond = Difference::BeyondRange { joint: i, at_deg: j[i], range_deg: robot.limits_deg[i] };
                         verdict.findings.push(beyond.at(line));
                     }
-                    if let (Pace::Seconds(s), Some(before)) = (&m.pace, &joints) {
+                    if let (MoveTiming::Seconds(s), Some(before)) = (&m.timing, &joints) {
                         speed(poses, line, before, j, *s, verdict);
                     }
                 }
@@ -76,15 +76,15 @@ pub(in super::super) fn driven<'a>(
         };
         if lit {
             verdict.lit_moves += 1;
-            match (m.way, at, here) {
-                (Way::Linear, Some(from), Some(to)) => {
+            match (m.interpolation, at, here) {
+                (Interpolation::Linear, Some(from), Some(to)) => {
                     let by_focus = matches!(m.goal, Goal::Focus(_));
                     out.push(Driven { at: line, place, lit: LitMove { from, to, by_focus, work } });
                 }
                 (way, ..) => {
                     let difference = match way {
-                        Way::Joint => Difference::LitByJoints,
-                        Way::Linear => Difference::LitToUnknown,
+                        Interpolation::Joint => Difference::LitByJoints,
+                        Interpolation::Linear => Difference::LitToUnknown,
                     };
                     verdict.findings.push(difference.at(line));
                 }
@@ -140,7 +140,7 @@ pub(super) fn interference(
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
             let layer = d.lit.work.layer;
             let (p, a) = expected.prover.spot(&Beam::on(expected.prover.part_of(layer)), &end, &d.lit.work);
-            let facet = checkers.get(layer as usize)?.hit(&p, &a, lit::FROM_MM)?;
+            let facet = checkers.get(layer as usize)?.hit(&p, &a, spot::FROM_MM)?;
             Some(Difference::HitsFacet { spot: p, facet }.at(d.at))
         })
         .collect();

@@ -1,10 +1,10 @@
 //! Why a program cannot be compared with its plan.
 
-use crate::program::dialect::{ReadError, WriteError};
+use crate::program::{ReadError, WriteError};
 use thiserror::Error;
 
 /// Why a program cannot be compared with its plan.
-#[derive(Debug, Error, PartialEq, Eq)]
+#[derive(Debug, Error, PartialEq)]
 pub enum VerifyError {
     /// No dialect knows the text as its own, or more than one does.
     #[error("{file}: no dialect")]

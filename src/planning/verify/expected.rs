@@ -4,7 +4,7 @@ use crate::cell::Setup;
 use crate::part::Part;
 use crate::program::dialect::{Goal, ReadLine};
 use crate::program::sweep::Prover;
-use crate::program::{Line, Move, lit};
+use crate::program::{Move, ProgramLine, spot};
 use nalgebra::{Isometry3, Point3};
 
 /// A part, the setup, and what the program should be.
@@ -24,8 +24,8 @@ pub struct Expected<'a> {
 }
 
 /// The moves of neutral lines, in order.
-pub(in super::super) fn moves(lines: &[Line]) -> Vec<&Move> {
-    lines.iter().filter_map(|l| if let Line::Move(m) = l { Some(m.as_ref()) } else { None }).collect()
+pub(in super::super) fn moves(lines: &[ProgramLine]) -> Vec<&Move> {
+    lines.iter().filter_map(|l| if let ProgramLine::Move(m) = l { Some(m.as_ref()) } else { None }).collect()
 }
 
 /// Poses of what was read.
@@ -55,6 +55,6 @@ impl Poses<'_> {
 
     /// Where the spot is.
     pub(super) fn spot(&self, focus: &Isometry3<f64>) -> Point3<f64> {
-        lit::foot(focus, self.defocus_mm)
+        spot::foot(focus, self.defocus_mm)
     }
 }

@@ -7,7 +7,7 @@
 use super::expected::Poses;
 use super::verdict::{Difference, JointOff, SpotOff};
 use crate::part::angle;
-use crate::program::Pace;
+use crate::program::MoveTiming;
 use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
 use nalgebra::Isometry3;
 use std::mem::discriminant;
@@ -33,7 +33,7 @@ pub(super) fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bo
 
 /// Whether two moves go the same way to the same kind of target.
 pub(super) fn is_same_kind(a: &ReadMove, b: &ReadMove) -> bool {
-    a.way == b.way && discriminant(&a.goal) == discriminant(&b.goal)
+    a.interpolation == b.interpolation && discriminant(&a.goal) == discriminant(&b.goal)
 }
 
 /// The first joint that stands otherwise by more than `most_deg`, from 0; none for poses.
@@ -73,12 +73,12 @@ pub(super) fn elsewhere(poses: &Poses<'_>, want: &Goal, have: &Goal) -> Option<D
 }
 
 /// Whether two paces are the same but for written digits.
-pub(super) fn is_same_pace(a: &Pace, b: &Pace) -> bool {
+pub(super) fn is_same_pace(a: &MoveTiming, b: &MoveTiming) -> bool {
     match (a, b) {
         // A millisecond is what controllers count in.
-        (Pace::Seconds(a), Pace::Seconds(b)) => (a - b).abs() <= 0.002 + MOST_SLOWER * a.abs(),
+        (MoveTiming::Seconds(a), MoveTiming::Seconds(b)) => (a - b).abs() <= 0.002 + MOST_SLOWER * a.abs(),
         // A share of full speed turned into radians and back.
-        (Pace::Percent(a), Pace::Percent(b)) => (a - b).abs() <= 1e-3 * a.abs(),
+        (MoveTiming::Percent(a), MoveTiming::Percent(b)) => (a - b).abs() <= 1e-3 * a.abs(),
         _ => false,
     }
 }
@@ -87,10 +87,10 @@ pub(super) fn is_same_pace(a: &Pace, b: &Pace) -> bool {
 mod tests {
     use super::*;
     use crate::cell::{Robot, Setup};
-    use crate::program::Way;
+    use crate::program::Interpolation;
 
-    fn line(way: Way, goal: Goal) -> ReadLine {
-        let what = Read::Move(ReadMove { way, goal, pace: Pace::Percent(10.0), rest: String::new() });
+    fn line(interpolation: Interpolation, goal: Goal) -> ReadLine {
+        let what = Read::Move(ReadMove { interpolation, goal, timing: MoveTiming::Percent(10.0), rest: String::new() });
         ReadLine { file: "a".into(), line: 1, what }
     }
 
@@ -107,9 +107,9 @@ mod tests {
             let poses = Poses { setup, defocus_mm: 20.0 };
             for (i, a) in goals.iter().enumerate() {
                 for (k, b) in goals.iter().enumerate() {
-                    let same = is_same(&poses, &line(Way::Linear, *a), &line(Way::Linear, *b));
+                    let same = is_same(&poses, &line(Interpolation::Linear, *a), &line(Interpolation::Linear, *b));
                     assert_eq!(same, i == k, "{a:?} {b:?}");
-                    assert!(!is_same(&poses, &line(Way::Linear, *a), &line(Way::Joint, *b)));
+                    assert!(!is_same(&poses, &line(Interpolation::Linear, *a), &line(Interpolation::Joint, *b)));
                 }
             }
         }
@@ -126,7 +126,7 @@ mod tests {
         turned[5] += 360.0;
         let (was, is) = (Goal::Joints(home), Goal::Joints(turned));
         assert!(off(&poses, &was, &is).is_some_and(SpotOff::is_near));
-        assert!(!is_same(&poses, &line(Way::Joint, was), &line(Way::Joint, is)));
+        assert!(!is_same(&poses, &line(Interpolation::Joint, was), &line(Interpolation::Joint, is)));
         let turned = JointOff { joint: 5, planned_deg: home[5], found_deg: turned[5] };
         let found = Difference::Elsewhere { spot: None, joint: Some(turned) };
         assert_eq!(elsewhere(&poses, &was, &is), Some(found));

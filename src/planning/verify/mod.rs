@@ -25,8 +25,8 @@ use super::proof::prover;
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::dialect::{ReadError, ReadLine, Reading};
-use crate::program::{Dialect, Program, ProgramFile, dialects, lines};
+use crate::program::dialect::{ReadLine, Reading};
+use crate::program::{Dialect, Program, ProgramFile, ReadError, WITHOUT_WORDS, dialects, lines};
 use compare::compare;
 use driven::interference;
 use std::sync::Arc;
@@ -47,8 +47,8 @@ pub fn check(
 ) -> Result<(&'static str, Verdict), VerifyError> {
     let dialect = dialect_of(first)?;
     let lines = lines(&planned.steps, setup);
-    let files =
-        dialect.write(&Program { head: Vec::new(), lines: lines.clone(), setup }).map_err(VerifyError::Unwritable)?;
+    let program = Program { head: Vec::new(), lines: lines.clone(), setup, wording: WITHOUT_WORDS };
+    let files = dialect.write(&program).map_err(VerifyError::Unwritable)?;
     let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let Some(main) = files.first() else { return Err(VerifyError::NoProgram) };
     let written = dialect.read(main, &Reading { setup, open: &own }).map_err(VerifyError::OwnUnreadable)?;

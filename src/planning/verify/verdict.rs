@@ -3,9 +3,9 @@
 
 use crate::cell::Joints;
 use crate::pose::Blocker;
-use crate::program::dialect::{Read, ReadError, ReadLine};
+use crate::program::dialect::{Read, ReadLine};
 use crate::program::sweep::Proof;
-use crate::program::{Pace, Way};
+use crate::program::{Interpolation, MoveTiming, ReadError};
 use nalgebra::Point3;
 use serde::Serialize;
 use std::sync::Arc;
@@ -91,23 +91,23 @@ pub enum Difference {
     /// What the dialect's words make of a move goes another way than the plan.
     OtherWay {
         /// How it goes.
-        found: Way,
+        found: Interpolation,
         /// How it should go.
-        planned: Way,
+        planned: Interpolation,
     },
     /// What the dialect's words make of a move takes another time than the plan.
     OtherPace {
         /// How fast it is.
-        found: Pace,
+        found: MoveTiming,
         /// How fast it should be.
-        planned: Pace,
+        planned: MoveTiming,
     },
     /// The move is given another time.
     OtherTime {
         /// How fast it is.
-        found: Pace,
+        found: MoveTiming,
         /// How fast it should be.
-        planned: Pace,
+        planned: MoveTiming,
     },
     /// The move has other words beside its target.
     OtherWords {

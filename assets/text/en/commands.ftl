@@ -1,0 +1,88 @@
+### Names of the commands, as menus and buttons say them, and titles of the menus.
+
+## Menus
+menu_file = File
+menu_edit = Edit
+menu_surfaces = Surfaces
+menu_part = Part
+menu_view = View
+menu_plan = Plan
+menu_help = Help
+
+## File
+command_open = Open…
+command_save = Save job
+command_save_as = Save job as…
+command_export = Export program…
+
+## Edit
+command_undo = Undo
+command_redo = Redo
+
+## Surfaces
+command_clean = Move to clean
+command_unclean = Move back
+command_clean_earlier = Clean earlier
+command_clean_later = Clean later
+command_select_all = Select all
+command_select_same_shape = Select same shape
+command_select_same_normal = Select same normal
+command_select_neighbours = Select connected
+command_merge = Merge selected
+command_split = Split by the local angle
+command_rename = Rename…
+command_flip_surface = Flip side of surface
+command_flip_shell = Flip side of shell
+
+## Part
+command_pick_origin = Origin at a picked face, edge or hole…
+command_lay_flat = Lay a picked face down…
+command_turn_x = Turn 90° about x
+command_turn_y = Turn 90° about y
+command_turn_z = Turn 90° about z
+
+## View
+command_look_iso = Iso
+command_look_front = Front
+command_look_back = Back
+command_look_left = Left
+command_look_right = Right
+command_look_top = Top
+command_look_bottom = Bottom
+command_fit = Fit
+command_projection = Perspective or parallel
+command_hide = Hide selected
+command_isolate = Show only selected
+command_show_all = Show all
+command_path_lines = Path lines
+command_pose_frames = Pose frames
+command_beams = Beams
+command_connecting_moves = Connecting moves
+command_before_correction = Before correction
+command_plain_part = Part without colours
+command_hide_chosen = Hide surfaces to clean
+command_section_plane = One section plane
+command_cell = Robot cell
+command_plots = Motion plots
+command_program_text = Program text
+command_tool_bodies = Head and clamps
+command_access_map = Access map
+command_dose = Dose
+command_spacing = Achieved spacing
+command_theme = Dark or light
+
+## Plan
+command_plan = Plan now
+command_cancel = Cancel planning or search
+command_better_setup = Find a better set-up
+command_play = Play or pause
+command_next_point = Next point
+command_previous_point = Previous point
+command_next_pass = Next pass
+command_previous_pass = Previous pass
+command_first_point = First point
+command_last_point = Last point
+
+## Help
+command_help = Shortcuts
+command_escape = Step out

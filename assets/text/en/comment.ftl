@@ -1,0 +1,48 @@
+### Comments in robot programs. They are English in every language, and plain ASCII: a controller may show nothing else.
+
+## At the head
+
+comment_part = clearbeam { $version }, part { $part }
+comment_surfaces = surfaces { $list }
+comment_surfaces_and_more = surfaces { $list } and { $more } more
+comment_worked_with = power { $power } W, spot { $spot } mm, defocus { $defocus } mm, speed { $speed } mm/s
+comment_worked_with_pulses = power { $power } W at { $frequency } kHz, spot { $spot } mm, defocus { $defocus } mm, speed { $speed } mm/s
+comment_laid = direction { $direction }, spacing { $spacing } mm, { $order }
+comment_targets = { $all } targets, { $corrected } corrected, { $blocked } blocked and left out
+comment_without_robot = Flange poses, { $mount }; reach and limits are NOT checked
+comment_robot = { $name }, { $mount }
+comment_unchecked = Figures of the robot that nobody has checked: { $figures }
+comment_never_run = Not verified on a { $dialect } controller: run it with the laser off first
+
+## What of a dialect is not verified: one comment a line, as long as the controller takes them
+
+comment_caveat_rapid =
+    Not verified on a controller: configurations (ConfL is off), speeds of joint moves,
+    robhold of tool and work object, rounding by zones. Targets are the focus on the part:
+    tool data and work object below are the cell's frames. Set the load that the robot
+    carries, and run at 100 per cent: with \T each move takes its time.
+comment_caveat_erp =
+    UNVERIFIED: no controller of this make was at hand; every word is from public examples.
+    Outputs, levels, frames and zones are templates of the cell file. Try it in the simulator.
+    Flange poses in World with the null tool; speeds give each move its time at 100 per cent.
+comment_caveat_krl =
+    Not verified on a controller: BAS and INTERRUPT of the head, rounding by C_DIS,
+    $VEL.ORI1 and $VEL.ORI2 of moves that turn on the spot, status and turn of PTP
+    to poses. Flange poses in the robot's base, tool and base null: the speeds give
+    each move its time at 100 per cent override.
+comment_caveat_inform =
+    Not verified on a controller
+    RCONF, VR, PL, relative job,
+    and where the base frame has
+    its origin: base_height_mm.
+    Poses of the flange in BASE,
+    so the tool has to be null.
+    Speeds give each move its
+    time at 100 per cent.
+
+## Between the moves
+
+comment_pass = pass { $number }, surface { $surface }
+comment_pass_of_layer = pass { $number }, surface { $surface }, layer { $layer }
+comment_set_power = set power to { $value } W by hand
+comment_set_frequency = set frequency to { $value } kHz by hand

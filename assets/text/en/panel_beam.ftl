@@ -1,0 +1,60 @@
+### The tool: head, optics, clamps, tilt; and what the dose is computed with.
+
+## Head
+
+tool_head = Head
+tool_head_tip = With a head the beam is a cone, and cone and head keep their margin from everything; without one it is a ray
+tool_head_none = none: a ray
+tool_open_head = Open head…
+tool_open_head_tip = A stack of cylinders and cones (TOML), or an STL
+tool_remove_head = Remove the head
+tool_head_of_facets = An STL head counts as the solid that it sweeps when turned about the beam
+
+## Optics
+
+tool_optics = Optics
+tool_m_squared = M² = { $value }
+tool_spot = Spot at D = { $defocus } mm: { $spot } mm
+tool_tolerance = within 10% from D = { $from } to { $to } mm
+tool_spot_is_set = The spot is set to { $spot } mm
+tool_take_spot = Take { $spot } mm
+tool_take_spot_tip = The spot that these optics give
+tool_take_defocus = D = { $defocus } mm
+tool_focus_in_part = The focus in the part
+tool_focus_above = The focus above the surface
+tool_too_narrow = smaller than the spot at the focus: no D gives it
+
+## Clamps
+
+tool_clamps = Clamps
+tool_clamp = { $number } { $file }
+tool_remove_clamp = Remove this clamp
+tool_add_clamp = Add clamp…
+tool_add_clamp_tip = An STL file of a clamp, in the part's frame
+tool_clamp_at = At
+tool_clamp_turned = Turned
+tool_clamp_field = clamp { $number } { $axis }
+
+## Tilt
+
+tool_tilt = Tilt
+tool_tilt_select = Select one surface to give it a tilt of its own
+tool_tilt_surface = Surface { $surface }
+tool_lead = Lead
+tool_lead_tip = Preferred tilt towards the travel
+tool_lean = Lean
+tool_lean_tip = Preferred tilt to the right of the travel
+tool_least_tilt = Least tilt
+tool_least_tilt_tip = The beam never stands closer to the normal than this, so that no reflection returns into the optics
+tool_never_to = Never to
+tool_never_to_tip = Sides to which the beam must not be tilted
+tool_ahead = ahead
+tool_behind = behind
+tool_left = left
+tool_right = right
+
+## Dose
+
+tool_dose = Dose
+tool_profile = Profile
+tool_profile_tip = How the power is spread over the spot

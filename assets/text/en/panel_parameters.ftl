@@ -1,0 +1,21 @@
+### The panel of parameters: its groups, the correction, surfaces, the part.
+
+parameters_beam = Beam
+parameters_targets = Targets, leads
+parameters_surfaces = Feature surfaces
+parameters_more_surfaces = More on surfaces
+parameters_split = Split selected surface at
+parameters_split_angle = split angle
+parameters_part = Part
+parameters_correction = Correction
+parameters_correction_tip = What is done where the beam along the normal hits the part
+parameters_correction_name = correction { $correction }
+
+## Part
+
+parameters_units = Unit of the file
+parameters_implausible = The size is implausible
+parameters_take_units = Use { $units } instead
+parameters_turn = Turn
+parameters_move = Move
+parameters_place_field = { $name } { $axis }

@@ -1,0 +1,38 @@
+### What is wrong with a plan, and the legend of the achieved spacing.
+
+## Problems
+
+problems_heading = Problems
+problems_out_of_date = Problems: out of date
+problems_none = Problems: none
+problems_count = Problems ({ $count })
+problems_beam_hits = the beam hits surface { $surface } (facet { $facet })
+problems_beam_hits_something = the beam hits something
+problems_left_out = left out
+problems_missed_by_planes = surface { $surface }: { $area } mm² missed by the planes; try direction auto
+problems_missed_by_lines = surface { $surface }: { $area } mm² missed by the lines
+problems_go = Go there
+problems_why_and_go =
+    { $why }
+    Go there
+problems_show = Show it
+
+## What would help
+
+problems_help = What would help
+problems_help_looking = looking for what would help…
+problems_help_cancelled = the search was cancelled; { $keys } plans and searches again
+problems_help_none = No single change that was tried helps; look for a better set-up, under Cell
+problems_help_row = • { $advice }
+
+## Achieved spacing
+
+spacing_legend = Achieved spacing
+spacing_legend_none = no two lines lie side by side
+spacing_legend_scale = scale of the spacing
+spacing_legend_closer = closer
+spacing_legend_wanted = as wanted
+spacing_legend_farther = farther
+spacing_legend_least = least { $mm } mm on surface { $surface }
+spacing_legend_greatest = greatest { $mm } mm on surface { $surface }
+spacing_legend_percent = % of the spacing wanted on each surface

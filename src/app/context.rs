@@ -1,0 +1,129 @@
+//! What a panel may look at: the document, what is computed from it, and what is selected and shown.
+//!
+//! A panel is a function `ui(ui, context, actions)` in `panels/<feature>.rs`. It reads the [`Context`], draws, and
+//! puts what the user wants into [`Actions`](super::actions::Actions): commands, edits, places to go to, changes of
+//! the session. The window carries them out right after the panel is drawn, in the order in which they came, so the
+//! next panel shows their effect in the same frame. A panel therefore
+//!
+//! - never sees the `App`: what it cannot find here is a question that is asked here, once, as a method;
+//! - changes nothing while it draws: a field works on a copy, and sends the copy when the user changed it
+//!   (`if ui.checkbox(&mut on, …).changed() { actions.session(move |s| s.… = on) }`);
+//! - sends nothing unasked: an action in every frame would be work in every frame.
+//!
+//! Questions that only one feature has stand in the feature's own file as functions of the context. State that only
+//! one feature has (a timeline's place, a search) is a type of its own with the methods that change it.
+
+use super::App;
+use super::command::{Command, Toggle};
+use super::derived::Derived;
+use super::remedy::Proposal;
+use super::session::Session;
+use crate::beam::Work;
+use crate::document::Document;
+use crate::planning::export::{ExportError, Exported};
+use crate::planning::{PlannedJob, Stage};
+use crate::pose::Target;
+use crate::program::{Moment, Timeline};
+use crate::progress::{Activity, Progress};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A look at the window's state; it lasts as long as one panel is drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Context<'a> {
+    /// The job that is worked on, with its file.
+    pub document: &'a Document,
+    /// What is computed from it.
+    pub derived: &'a Derived,
+    /// What is selected, shown and open.
+    pub session: &'a Session,
+    /// The export that is being written.
+    pub exporting: &'a Stage<Exported, ExportError>,
+    /// Files that were opened or saved last, the newest first.
+    pub recent: &'a [PathBuf],
+}
+
+impl App {
+    /// The state as it is now.
+    pub(super) fn context(&self) -> Context<'_> {
+        Context {
+            document: &self.document,
+            derived: &self.derived,
+            session: &self.session,
+            exporting: &self.exporting,
+            recent: &self.recent,
+        }
+    }
+}
+
+impl<'a> Context<'a> {
+    /// The plan of the job as it is; `None`: there is none, or what is shown is out of date.
+    pub fn plan(self) -> Option<&'a Arc<PlannedJob>> {
+        self.derived.current_plan(self.document)
+    }
+
+    /// That plan, if the robot refuses anything of it.
+    pub fn refusing_plan(self) -> Option<&'a Arc<PlannedJob>> {
+        self.plan().filter(|planned| !planned.plan.refusals.is_empty())
+    }
+
+    /// The set-up that is proposed for it.
+    pub fn proposal(self) -> Option<&'a Proposal> {
+        self.derived.remedy.proposal(self.plan()?.key)
+    }
+
+    /// Surfaces to clean, in the order of work.
+    pub fn clean_list(self) -> Vec<u32> {
+        self.document.job().chosen(&self.derived.surfaces)
+    }
+
+    /// The program over time, with a robot.
+    pub fn timeline(self) -> Option<&'a Timeline> {
+        self.derived.motion()?.timeline.as_ref()
+    }
+
+    /// The arm now.
+    pub fn moment(self) -> Option<Moment> {
+        Some(self.timeline()?.moment(self.session.playback.time_s))
+    }
+
+    /// The current target.
+    pub fn target(self) -> Option<&'a Target> {
+        let (pass, point) = self.session.playback.at;
+        self.derived.plan()?.plan.passes.get(pass)?.targets.get(point)
+    }
+
+    /// What the current pass is worked with.
+    pub fn work(self) -> Work {
+        let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.playback.at.0));
+        pass.map_or_else(Work::default, |p| p.work)
+    }
+
+    /// Whether a command has something shown that it would hide.
+    pub fn is_shown(self, command: Command) -> bool {
+        matches!(command, Command::Toggle(what) if self.session.show.is_on(what))
+    }
+
+    /// Whether the robot cell is shown.
+    pub fn is_in_cell(self) -> bool {
+        self.session.show.is_on(Toggle::Cell) && self.derived.cell.is_some()
+    }
+
+    /// What can be cancelled, and its share done: planning, an export, a search for what would help, the dose.
+    pub fn progress(self) -> Option<(Activity, f32)> {
+        let d = self.derived;
+        let works = [d.pipeline.progress(), self.exporting.progress(), d.remedy.progress(), d.dose.progress()];
+        works.into_iter().flatten().find_map(Progress::now)
+    }
+
+    /// Name of the part without folder and ending.
+    pub fn part_name(self) -> Option<String> {
+        Path::new(&self.document.job().part.file).file_stem().map(|n| n.to_string_lossy().into_owned())
+    }
+
+    /// Name of the part's file, as the program's head says it.
+    pub fn part_file_name(self) -> String {
+        let name = Path::new(&self.document.job().part.file).file_name().map(|n| n.to_string_lossy().into_owned());
+        name.unwrap_or_default()
+    }
+}

@@ -1,0 +1,59 @@
+//! The one way that every edit of the window takes, and edits that need more than a value.
+
+use super::App;
+use crate::document::{Edit, Lost, Parameter, RecutAnchor};
+use crate::part::{Placement, SurfaceId};
+use crate::text::{Sentence as _, say};
+
+impl App {
+    /// Applies an edit as a step of its own.
+    pub(super) fn edit(&mut self, edit: Edit) {
+        self.apply(&edit, None);
+    }
+
+    /// Applies an edit as a piece of the drag that is going on.
+    pub(super) fn edit_dragging(&mut self, edit: &Edit, gesture: &str) {
+        self.apply(edit, Some(gesture));
+    }
+
+    /// Applies an edit, and says what surfaces lost by it; a drag that brings it back takes the word back.
+    pub(super) fn apply(&mut self, edit: &Edit, gesture: Option<&str>) {
+        let all: Vec<SurfaceId> = self.derived.surfaces.ids().collect();
+        let told = |lost: &[Lost]| lost.iter().map(Lost::sentence).collect::<Vec<_>>().join("; ");
+        let before = told(self.document.lost());
+        self.document.apply(edit, &all, gesture);
+        let now = told(self.document.lost());
+        if !now.is_empty() || !before.is_empty() && self.session.said == before {
+            self.session.said = now;
+        }
+    }
+
+    /// Changes where the part stands.
+    pub(super) fn place(&mut self, change: impl FnOnce(&Placement) -> Placement) {
+        let placement = change(&self.document.job().part.placement);
+        self.edit(Edit::Place(placement));
+    }
+
+    /// Sets a number of the parameter table. One that cuts the surfaces anew carries over what is said of them.
+    pub(super) fn set_parameter(&mut self, p: &'static Parameter, value: f64) {
+        if !p.recuts() {
+            self.edit_dragging(&Edit::Set(p.key, value), p.key);
+            return;
+        }
+        let Some(part) = self.derived.part.clone() else { return };
+        // A drag goes on from where it began, unless something else was done meanwhile.
+        let begun = self.session.recut_anchor.take().filter(|(_, reached)| reached == self.document.job());
+        let anchor = match begun {
+            Some((anchor, _)) => anchor,
+            None if self.derived.has_current_surfaces(&self.document) => {
+                RecutAnchor { job: self.document.job().clone(), surfaces: self.derived.surfaces.clone() }
+            }
+            None => {
+                self.session.said = say!(window_part_being_built);
+                return;
+            }
+        };
+        self.edit_dragging(&Edit::recut(&part, &anchor, p, value), p.key);
+        self.session.recut_anchor = Some((anchor, self.document.job().clone()));
+    }
+}

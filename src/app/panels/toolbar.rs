@@ -1,0 +1,54 @@
+//! The line over the view: what the view shows, and what its next click does.
+
+use super::super::actions::Actions;
+use super::super::command::{Command, Toggle};
+use super::super::context::Context;
+use super::super::session::Tool;
+use super::super::theme;
+use crate::text::say;
+use eframe::egui::{self, RichText};
+
+/// Below this the toggles would fill more than two lines: they go into a menu.
+const NARROW: f32 = 480.0;
+
+const TOGGLES: [Toggle; 8] = [
+    Toggle::PathLines,
+    Toggle::PoseFrames,
+    Toggle::Beams,
+    Toggle::ConnectingMoves,
+    Toggle::BeforeCorrection,
+    Toggle::SectionPlane,
+    Toggle::HideChosen,
+    Toggle::PlainPart,
+];
+
+pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    egui::Frame::new().inner_margin(4).fill(ui.visuals().panel_fill).show(ui, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            let width = ui.available_width();
+            ui.set_min_width(width);
+            if width < NARROW {
+                let menu = ui.menu_button(say!(toolbar_show), |ui| toggles(ui, context, actions));
+                menu.response.on_hover_text(say!(toolbar_show_tip));
+            } else {
+                toggles(ui, context, actions);
+            }
+            let what = match context.session.tool {
+                Tool::Select => return,
+                Tool::PickOrigin => say!(toolbar_pick_origin),
+                Tool::LayFlat => say!(toolbar_lay_flat),
+            };
+            ui.label(RichText::new(what).color(theme::ATTENTION));
+        });
+    });
+}
+
+fn toggles(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    for command in TOGGLES.map(Command::Toggle) {
+        let button = egui::Button::selectable(context.is_shown(command), command.name());
+        let response = ui.add_enabled(context.is_enabled(command), button);
+        if response.on_hover_text(command.keys_text(ui.ctx())).clicked() {
+            actions.command(command);
+        }
+    }
+}

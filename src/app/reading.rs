@@ -1,0 +1,202 @@
+//! Reading documents and their parts on a thread: what is there, and whether it is what the job was made for.
+//!
+//! What the window does with it stands in `opening`.
+
+use crate::document::files::{self, JobError};
+use crate::document::journal::Leftover;
+use crate::document::model::PartFile;
+use crate::document::stamps::{Stamp, stamp_of};
+use crate::document::{CarriedOver, Document, Job, JobFile, Remembered, save};
+use crate::part::{Hasher, Part, Source};
+use crate::planning::{Executor, Failure, Stage};
+use crate::progress::{Activity, Progress};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Why a file cannot be opened.
+pub(super) type Refused = Failure<Arc<JobError>>;
+
+/// What is read on a thread, and what is known of the part's file since it was.
+#[derive(Default)]
+pub(super) struct Reading {
+    /// The document that is being opened.
+    opening: Stage<Opened, Arc<JobError>>,
+    /// The part's file, looked at again while its document is open.
+    looking: Stage<LookedAt, Arc<JobError>>,
+    /// How the part's file was when it was read last.
+    stamp: Option<Stamp>,
+    /// A changed file that the operator does not want, by its SHA-256.
+    unwanted: Option<String>,
+}
+
+impl Reading {
+    /// Begins to read a part or a job.
+    pub fn open(&mut self, path: PathBuf, executor: &dyn Executor) {
+        self.start(executor, move |progress| {
+            let (mut job, file) = job_of(&path)?;
+            let part = part_there(&job, file.as_ref().map(|f| f.path.as_path()), progress)?;
+            if let PartThere::Same(source, ..) = &part {
+                // From now on the job is of this part, and of no other under its name.
+                job.part.sha256.clone_from(&source.sha256);
+            }
+            Ok(Opened { part, document: Document::new(job, file), leftover: None })
+        });
+    }
+
+    /// Begins to read the part of what a killed program left behind.
+    pub fn restore(&mut self, leftover: Leftover, executor: &dyn Executor) {
+        self.start(executor, move |progress| {
+            let document = leftover.restored();
+            let part = part_there(document.job(), document.file(), progress)?;
+            Ok(Opened { part, document, leftover: Some(leftover) })
+        });
+    }
+
+    fn start(
+        &mut self,
+        executor: &dyn Executor,
+        work: impl FnOnce(&Progress) -> Result<Opened, Refused> + Send + 'static,
+    ) {
+        self.opening.clear();
+        self.opening.start(Hasher::default().finish(), Activity::Reading, executor, work);
+    }
+
+    /// Begins to look what becomes of a job on a file. What its surfaces look like is known from the part that is
+    /// shown, with the way it was built.
+    pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, PartFile)>, executor: &dyn Executor) {
+        self.looking.clear();
+        self.looking.start(Hasher::default().finish(), Activity::Reading, executor, move |progress| {
+            if let Some((part, built)) = shown {
+                job.part.landmarks = Remembered::of(&job, &part, &built);
+            }
+            let stamp = stamp_of(&file);
+            let source = Arc::new(Source::read(&file).map_err(|e| refused(e.into()))?);
+            looked_at(&job, file, source, stamp, progress)
+        });
+    }
+
+    /// The document that was opened, or why it could not be.
+    pub fn opened(&mut self) -> Option<Result<Opened, Refused>> {
+        self.opening.taken()
+    }
+
+    /// What was found where it was looked, or why it could not be read.
+    pub fn looked_at(&mut self) -> Option<Result<LookedAt, Refused>> {
+        self.looking.taken()
+    }
+
+    /// Whether a file is being looked at.
+    pub fn is_looking(&self) -> bool {
+        self.looking.is_running()
+    }
+
+    /// Whether nothing is being read.
+    pub fn is_at_rest(&self) -> bool {
+        !self.opening.is_running() && !self.looking.is_running()
+    }
+
+    /// A part's file was taken as it is: changes are noticed from there.
+    pub fn took(&mut self, stamp: Stamp) {
+        (self.stamp, self.unwanted) = (Some(stamp), None);
+    }
+
+    /// Whether the part's file has changed since it was read last, or since that was asked last.
+    pub fn has_changed(&mut self, file: &Path) -> bool {
+        let Some(known) = self.stamp else { return false };
+        let now = stamp_of(file);
+        self.stamp = Some(now);
+        now != known
+    }
+
+    /// A changed file is not wanted: as long as the document is open it is not asked about again.
+    pub fn refuse(&mut self, looked: &LookedAt) {
+        self.unwanted = Some(looked.source.sha256.clone());
+    }
+
+    /// Whether a file is another one than the job's, and was not refused.
+    pub fn is_news(&self, looked: &LookedAt) -> bool {
+        looked.carried.is_some() && self.unwanted.as_deref() != Some(&looked.source.sha256)
+    }
+}
+
+/// A document with its part.
+pub(super) struct Opened {
+    /// The document.
+    pub document: Document,
+    /// Its part.
+    pub part: PartThere,
+    /// What it was restored from: taken over once it is shown.
+    pub leftover: Option<Leftover>,
+}
+
+/// What stands where the part of a job should be.
+pub(super) enum PartThere {
+    /// The file that the job was made for.
+    Same(Arc<Source>, Box<Part>, Stamp),
+    /// Another.
+    Changed(LookedAt),
+    /// Nothing.
+    Gone(PathBuf),
+}
+
+/// A part's file that is not the one that the job was made for, or another file that may be it.
+pub(super) struct LookedAt {
+    /// The file.
+    pub file: PathBuf,
+    /// Its bytes.
+    pub source: Arc<Source>,
+    /// How it was when they were read.
+    pub stamp: Stamp,
+    /// The job that was asked about.
+    pub job: Box<Job>,
+    /// What becomes of it there; `None`: the same bytes under another name, nothing changes.
+    pub carried: Option<Box<CarriedOver>>,
+}
+
+fn refused(e: JobError) -> Refused {
+    Failure::Refused(Arc::new(e))
+}
+
+/// The job of a job file, or one for a part.
+fn job_of(path: &Path) -> Result<(Job, Option<JobFile>), Refused> {
+    if files::is_job(path) {
+        return save::open(path).map(|(job, file)| (job, Some(file))).map_err(refused);
+    }
+    let mut job = Job::default();
+    job.part.file = path.display().to_string();
+    Ok((job, None))
+}
+
+/// Reads the part of a job.
+fn part_there(job: &Job, job_file: Option<&Path>, progress: &Progress) -> Result<PartThere, Refused> {
+    let file = match files::part_file(job, job_file) {
+        Ok(file) => file,
+        // A part that was to be opened itself is an error; one that a job names can be looked for.
+        Err(JobError::PartGone { file }) if job_file.is_some() => return Ok(PartThere::Gone(file.into())),
+        Err(e) => return Err(refused(e)),
+    };
+    let stamp = stamp_of(&file);
+    let source = Arc::new(Source::read(&file).map_err(|e| refused(e.into()))?);
+    if job.part.is_of_another_file(&source.sha256) {
+        return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
+    }
+    let built = files::build_part(&source, &job.part, &file, progress).map_err(|e| refused(e.into()))?;
+    let part = built.ok_or(Failure::Cancelled)?;
+    Ok(PartThere::Same(source, Box::new(part), stamp))
+}
+
+/// What becomes of a job on a file.
+fn looked_at(
+    job: &Job,
+    file: PathBuf,
+    source: Arc<Source>,
+    stamp: Stamp,
+    progress: &Progress,
+) -> Result<LookedAt, Refused> {
+    if !job.part.is_of_another_file(&source.sha256) {
+        return Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried: None });
+    }
+    let carried = CarriedOver::to_file(job, &source, &file, progress).map_err(|e| refused(e.into()))?;
+    let carried = Some(Box::new(carried.ok_or(Failure::Cancelled)?));
+    Ok(LookedAt { file, source, stamp, job: Box::new(job.clone()), carried })
+}

@@ -1,0 +1,209 @@
+//! When a command can be given, and what it does.
+
+use super::App;
+use super::command::{Command, More, Toggle};
+use super::context::Context;
+use super::dialogs::Purpose;
+use super::session::{AfterGuard, Coloring, Tool};
+use crate::document::Edit;
+use crate::part::SurfaceId;
+use crate::view::{Bounds, Projection};
+use eframe::egui;
+
+impl Context<'_> {
+    /// Whether a command can do anything now.
+    pub fn is_enabled(self, command: Command) -> bool {
+        use Command as C;
+        let selected = &self.session.selected;
+        let clean = || self.clean_list();
+        match command {
+            C::Open | C::Help | C::Escape | C::Theme => true,
+            C::Save | C::SaveAs | C::Plan => self.derived.part.is_some(),
+            C::Select(More::Listed) | C::PickOrigin | C::LayFlat | C::QuarterTurn(_) => self.derived.part.is_some(),
+            C::Look(_) | C::Fit | C::Projection | C::ShowAll => self.derived.part.is_some(),
+            C::Undo => self.document.undo_step().is_some(),
+            C::Redo => self.document.redo_step().is_some(),
+            C::Cancel => self.progress().is_some(),
+            C::Export => self.plan().is_some(),
+            C::Play | C::Go(_) => self.derived.plan().is_some(),
+            C::Toggle(what) => self.is_there(what),
+            C::BetterSetup => self.refusing_plan().is_some() && !self.derived.remedy.is_proposing(),
+            C::Clean => selected.iter().any(|n| !clean().contains(n)),
+            C::Unclean | C::CleanEarlier | C::CleanLater => selected.iter().any(|n| clean().contains(n)),
+            // Facets are cut and joined on the part as it is.
+            C::Merge => selected.len() > 1 && self.derived.has_current_surfaces(self.document),
+            C::Split => selected.len() == 1 && self.derived.has_current_surfaces(self.document),
+            C::Rename | C::FlipSurface | C::FlipShell => selected.len() == 1,
+            C::Select(More::SameShape | More::SameNormal | More::Neighbours) | C::Hide | C::Isolate => {
+                !selected.is_empty()
+            }
+        }
+    }
+
+    /// Whether there is something to be shown.
+    fn is_there(self, what: Toggle) -> bool {
+        use Toggle as T;
+        match what {
+            T::PathLines | T::PoseFrames | T::Beams | T::ConnectingMoves => self.derived.part.is_some(),
+            T::BeforeCorrection | T::PlainPart | T::HideChosen | T::ToolBodies => self.derived.part.is_some(),
+            T::SectionPlane | T::AccessMap | T::Dose | T::Spacing => self.derived.plan().is_some(),
+            T::Cell => self.derived.cell.is_some(),
+            T::Plots => self.timeline().is_some(),
+            T::ProgramText => self.derived.motion().is_some(),
+        }
+    }
+}
+
+impl App {
+    /// Does what a command asks for, if it is enabled.
+    pub(super) fn run(&mut self, command: Command) {
+        use Command as C;
+        if !self.context().is_enabled(command) {
+            return;
+        }
+        match command {
+            C::Open if self.document.is_dirty() => self.session.after_guard = Some(AfterGuard::AskOpen),
+            C::Open => self.ask(Purpose::Open),
+            C::Save => self.save_job(),
+            C::SaveAs => self.ask(Purpose::SaveJob),
+            C::Export => self.ask(Purpose::Export),
+            C::Undo => self.document.undo(),
+            C::Redo => self.document.redo(),
+            C::Clean => self.move_selected(true),
+            C::Unclean => self.move_selected(false),
+            C::CleanEarlier => self.edit(Edit::Shift(self.session.selected_ids(), -1)),
+            C::CleanLater => self.edit(Edit::Shift(self.session.selected_ids(), 1)),
+            C::Select(more) => self.select_more(more),
+            C::Merge => self.edit(Edit::Merge(self.session.selected_ids())),
+            C::Split => self.split_selected(),
+            C::Rename => self.begin_renaming(),
+            C::FlipSurface => self.session.selected_ids().into_iter().for_each(|n| self.edit(Edit::FlipSurface(n))),
+            C::FlipShell => self.flip_shell(),
+            C::PickOrigin => self.session.tool = Tool::PickOrigin,
+            C::LayFlat => self.session.tool = Tool::LayFlat,
+            C::QuarterTurn(axis) => self.place(|p| p.quarter_turn(axis as usize)),
+            C::Look(view) => self.viewport.look(view),
+            C::Fit => self.fit_selection(),
+            C::Projection => self.change_projection(),
+            C::Hide => self.session.hidden.extend(&self.session.selected),
+            C::Isolate => self.isolate(),
+            C::ShowAll => self.session.hidden.clear(),
+            C::Toggle(what) => self.toggle(what),
+            C::Theme => self.change_theme(),
+            C::Plan => self.plan_again(),
+            C::Cancel => self.cancel(),
+            C::BetterSetup => self.propose(),
+            C::Play => self.play_or_pause(),
+            C::Go(jump) => self.jump(jump),
+            C::Help => self.session.help_open = !self.session.help_open,
+            C::Escape => self.step_out(),
+        }
+    }
+
+    fn toggle(&mut self, what: Toggle) {
+        use Toggle as T;
+        match what {
+            T::Cell => self.toggle_cell(),
+            T::SectionPlane => {
+                if self.session.show.flip(what) {
+                    self.leave_cell();
+                    self.look_along_section();
+                }
+            }
+            T::Dose => {
+                let on = self.session.show.flip(what);
+                self.session.coloring = if on { Coloring::Dose } else { Coloring::Surface };
+                // A computation that was cancelled is asked for again.
+                if on {
+                    self.derived.dose.try_again();
+                }
+            }
+            T::PathLines
+            | T::PoseFrames
+            | T::Beams
+            | T::ConnectingMoves
+            | T::BeforeCorrection
+            | T::PlainPart
+            | T::HideChosen
+            | T::Plots
+            | T::ProgramText
+            | T::ToolBodies
+            | T::AccessMap
+            | T::Spacing => {
+                self.session.show.flip(what);
+            }
+        }
+    }
+
+    fn change_projection(&mut self) {
+        let parallel = matches!(self.viewport.camera.projection, Projection::Parallel);
+        self.viewport.set_projection(if parallel { Projection::Perspective } else { Projection::Parallel });
+    }
+
+    fn change_theme(&self) {
+        let dark = self.ctx.theme() == egui::Theme::Dark;
+        self.ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
+    }
+
+    fn begin_renaming(&mut self) {
+        let settings = &self.document.job().settings;
+        let first = self.session.selected.first().copied();
+        self.session.renaming = first.map(|n| (n, settings.of(SurfaceId(n)).name.clone()));
+    }
+
+    fn split_selected(&mut self) {
+        let (part, angle_deg) = (self.derived.part.clone(), self.session.split_angle_deg);
+        if let (Some(part), Some(&n)) = (part, self.session.selected_ids().first()) {
+            self.edit(Edit::split(&part, &self.derived.surfaces, self.document.job(), n, angle_deg));
+        }
+    }
+
+    fn flip_shell(&mut self) {
+        let shell = self.session.selected.first().and_then(|n| {
+            let first = *self.derived.surfaces.get(*n)?.facets.first()?;
+            self.derived.part.as_ref()?.orientation.shell_of.get(first as usize).copied()
+        });
+        if let Some(shell) = shell {
+            self.edit(Edit::FlipShell(shell));
+        }
+    }
+
+    /// Ends what is being computed: what the status line shows first.
+    fn cancel(&mut self) {
+        if self.derived.pipeline.progress().is_some() {
+            self.derived.pipeline.cancel();
+        } else if self.exporting.is_running() {
+            self.exporting.cancel();
+        } else if self.derived.remedy.progress().is_some() {
+            self.derived.remedy.cancel_shown();
+        } else {
+            self.derived.dose.cancel();
+        }
+    }
+
+    /// Ends the innermost thing that is going on; never loses data.
+    fn step_out(&mut self) {
+        if self.session.help_open {
+            self.session.help_open = false;
+        } else if self.session.renaming.is_some() {
+            self.session.renaming = None;
+        } else if self.session.tool != Tool::Select {
+            self.session.tool = Tool::Select;
+        } else if self.dismiss_proposal() {
+            // Its preview is gone: one step.
+        } else if self.session.show.is_on(Toggle::SectionPlane) {
+            self.session.show.set(Toggle::SectionPlane, false);
+        } else {
+            self.session.selected.clear();
+        }
+    }
+
+    fn fit_selection(&mut self) {
+        let Some(part) = &self.derived.part else { return };
+        let facets = self.session.selected.iter().filter_map(|n| self.derived.surfaces.get(*n)).flat_map(|s| &s.facets);
+        let place = self.context().scene_from_part();
+        let points = facets.flat_map(|&f| part.mesh.corners(f as usize)).map(|p| place * p);
+        let bounds = Bounds::around(points).or_else(|| self.context().whole_bounds());
+        bounds.into_iter().for_each(|b| self.viewport.fit(b));
+    }
+}

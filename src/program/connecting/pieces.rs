@@ -1,0 +1,98 @@
+//! The pieces of a program that are lit without a break, how they are come to and left, and whether the head can
+//! be drawn back from them; without a robot.
+
+use super::lead::{Leads, leads};
+use super::space::Space;
+use crate::cell::motion::{Cause, Refusal, Why};
+use crate::pose::{Blocker, Pass};
+use crate::program::motion::sweep::Prover;
+use crate::program::neutral::steps::Station;
+use rayon::prelude::*;
+
+/// Which targets are lit without a break.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LitRange {
+    /// Number of the pass.
+    pub pass: usize,
+    /// Its first target.
+    pub first: usize,
+    /// Its last target.
+    pub last: usize,
+}
+
+/// A lit piece.
+#[derive(Clone, Copy, Debug)]
+pub struct LitPiece {
+    /// Its targets.
+    pub of: LitRange,
+    /// What it is led in and out by.
+    pub leads: Leads,
+    /// Where it is come to in the air.
+    pub entry: Station,
+    /// Where it is left.
+    pub exit: Station,
+}
+
+/// The targets of the lit pieces, in the order of work.
+pub fn lit_ranges(passes: &[Pass]) -> Vec<LitRange> {
+    let of = |(number, pass): (usize, &Pass)| {
+        pass.lit_pieces().into_iter().map(move |(first, last)| LitRange { pass: number, first, last })
+    };
+    passes.iter().enumerate().flat_map(of).collect()
+}
+
+/// The space around a part at every time: by layer, with the beads of that one.
+pub struct Spaces<'a>(Vec<Space<'a>>);
+
+impl<'a> Spaces<'a> {
+    /// `whole`: around all layers.
+    pub fn new(whole: &Space<'a>, prover: &Prover<'a>, passes: &[Pass]) -> Spaces<'a> {
+        let last = passes.iter().map(|p| p.work.layer).max().unwrap_or(0);
+        Spaces((0..=last).map(|layer| whole.with_part(prover.part_of(layer + 1))).collect())
+    }
+
+    fn of(&self, pass: &Pass) -> &Space<'a> {
+        let layer = (pass.work.layer as usize).min(self.0.len() - 1);
+        &self.0[layer]
+    }
+}
+
+/// The lit pieces, in the order of work.
+pub fn pieces(spaces: &Spaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
+    let piece = |of: LitRange| {
+        let (pass, first, last) = (&passes[of.pass], of.first, of.last);
+        let at = |point: usize| Station::of(&pass.targets[point], &pass.work);
+        let (start, end) = (at(first), at(last));
+        let leads = leads(spaces.of(pass), pass, (first, last), [&start, &end]);
+        let (entry, exit) = (leads.before.map_or(start, |l| l.at), leads.behind.map_or(end, |l| l.at));
+        LitPiece { of, leads, entry, exit }
+    };
+    lit_ranges(passes).into_par_iter().map(piece).collect()
+}
+
+/// Whether the way from one piece to the next may go straight: it depends on their two ends alone.
+pub fn hops(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece]) -> Vec<bool> {
+    let is_hop = |w: &[LitPiece]| spaces.of(&passes[w[1].of.pass]).is_hop(&w[0].exit, &w[1].entry);
+    pieces.par_windows(2).map(is_hop).collect()
+}
+
+/// Targets of pieces that the head would have to be drawn back from, out to the sphere, and cannot.
+pub fn stuck(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[bool]) -> Vec<Refusal> {
+    let drawn_back = |space: &Space<'_>, at: &Station, is_hop: Option<&bool>| match is_hop {
+        Some(true) => None,
+        _ => space.head_hit(at, &space.outside(at)),
+    };
+    let refusals = |(i, piece): (usize, &LitPiece)| {
+        let before = i.checked_sub(1).and_then(|i| hops.get(i));
+        let space = spaces.of(&passes[piece.of.pass]);
+        let hit = drawn_back(space, &piece.entry, before).or_else(|| drawn_back(space, &piece.exit, hops.get(i)));
+        hit.map_or_else(Vec::new, |b| refused(piece, &b))
+    };
+    pieces.par_iter().enumerate().flat_map_iter(refusals).collect()
+}
+
+fn refused(piece: &LitPiece, b: &Blocker) -> Vec<Refusal> {
+    let why = Why::HitDrawnBack { hit: *b };
+    let refuse = |point| Refusal { pass: piece.of.pass, point, cause: Cause::of_blocker(b), why: why.clone() };
+    (piece.of.first..=piece.of.last).map(refuse).collect()
+}

@@ -1,0 +1,152 @@
+//! The steps of a program without a robot: as poses of the focus, with connecting moves over the part. Whether an
+//! arm could make them is not asked.
+
+use super::lead::Lead;
+use super::pieces::{self, LitPiece, Spaces};
+use super::space::Space;
+use crate::cell::Setup;
+use crate::cell::motion::Refusal;
+use crate::pose::Pass;
+use crate::program::motion::lit::StraightFlange;
+use crate::program::neutral::shortfall::shortfalls;
+use crate::program::neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};
+
+/// Turns passes into steps. Blocked targets are not gone to. `air_mm_s`: speed of the focus in the air.
+///
+/// # Errors
+/// Targets to which the beam does not keep its line as the flange goes straight, and pieces from which the head
+/// cannot be drawn back; the rest has to be tried again without them.
+pub fn steps(
+    straight: &StraightFlange<'_>,
+    setup: &Setup,
+    passes: &[Pass],
+    air_mm_s: f64,
+) -> Result<Steps, Vec<Refusal>> {
+    let space = Space::of(straight, setup, passes);
+    let spaces = Spaces::new(&space, &straight.prover, passes);
+    let pieces = pieces::pieces(&spaces, passes);
+    let hops = pieces::hops(&spaces, passes, &pieces);
+    let refused = pieces::stuck(&spaces, passes, &pieces, &hops);
+    let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
+    walk.out.list.push(Step::Home);
+    let mut at: Option<Station> = None;
+    let mut said = None;
+    for (index, piece) in pieces.iter().enumerate() {
+        let pass = &passes[piece.of.pass];
+        let here = match at {
+            None => walk.from_home(piece),
+            Some(from) => walk.over(from, piece, hops[index - 1]),
+        };
+        if said != Some(piece.of.pass) {
+            walk.out.say_pass(piece.of.pass, pass);
+            said = Some(piece.of.pass);
+        }
+        let start = walk.onto(here, pass, piece);
+        let end = walk.along(start, pass, piece);
+        at = Some(walk.off(end, piece.leads.behind));
+    }
+    if let Some(end) = at {
+        walk.air(end, space.outside(&end), None);
+    }
+    let FocusWalk { mut out, refused, .. } = walk;
+    out.list.push(Step::Home);
+    out.shortfalls = shortfalls(pieces.iter().map(|p| (&passes[p.of.pass], p.leads.left_out)), &setup.cell.outputs);
+    if refused.is_empty() { Ok(out) } else { Err(refused) }
+}
+
+/// Steps as they are added, piece by piece. Stations are turned so that the part need not make half a turn.
+struct FocusWalk<'a> {
+    straight: &'a StraightFlange<'a>,
+    setup: &'a Setup,
+    space: &'a Space<'a>,
+    air_mm_s: f64,
+    out: Steps,
+    refused: Vec<Refusal>,
+}
+
+impl FocusWalk<'_> {
+    /// From home to outside the first piece, by joints: how far that is, is not known without a robot.
+    fn from_home(&mut self, piece: &LitPiece) -> Station {
+        let to = self.space.outside(&piece.entry);
+        let timing = MoveTiming::Percent(self.setup.cell.air.home_percent);
+        let interpolation = Interpolation::Joint;
+        self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target: None }));
+        to
+    }
+
+    /// Over the part to before a piece.
+    fn over(&mut self, from: Station, piece: &LitPiece, is_hop: bool) -> Station {
+        let to = piece.entry.nearest_to(&from);
+        let mut before = from;
+        for via in self.space.between(&from, &to, is_hop) {
+            let via = via.nearest_to(&before);
+            self.air(before, via, None);
+            before = via;
+        }
+        before
+    }
+
+    /// Down to a piece's first target, by its lead-in if it has one.
+    fn onto(&mut self, here: Station, pass: &Pass, piece: &LitPiece) -> Station {
+        let first = Some((piece.of.pass, piece.of.first));
+        let start = Station::of(&pass.targets[piece.of.first], &pass.work).nearest_to(&here);
+        match piece.leads.before {
+            None => self.air(here, start, first),
+            Some(l) => {
+                let to = Station { o: start.o, ..l.at };
+                self.air(here, to, None);
+                self.out.air_mm += (start.x - to.x).norm();
+                self.go(start, l.seconds, first);
+            }
+        }
+        start
+    }
+
+    /// Along a piece with the laser on.
+    fn along(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
+        let mut here = start;
+        self.out.work_with(&pass.work);
+        self.out.list.push(Step::Laser(true));
+        for i in piece.of.first + 1..=piece.of.last {
+            let next = Station::of(&pass.targets[i], &pass.work).nearest_to(&here);
+            let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
+            let seconds = spot_mm / pass.work.speed_mm_s;
+            let mut done = 0.0;
+            match self.straight.between(&here, &next, &pass.work) {
+                Ok(between) => {
+                    for (share, station) in between {
+                        self.go(station, seconds * (share - done), None);
+                        done = share;
+                    }
+                }
+                Err((cause, why)) => self.refused.push(Refusal { pass: piece.of.pass, point: i, cause, why }),
+            }
+            self.go(next, seconds * (1.0 - done), Some((piece.of.pass, i)));
+            here = next;
+        }
+        self.out.list.push(Step::Laser(false));
+        here
+    }
+
+    /// Off a piece, by its lead-out if it has one.
+    fn off(&mut self, end: Station, lead: Option<Lead>) -> Station {
+        let Some(lead) = lead else { return end };
+        let to = Station { o: end.o, ..lead.at };
+        self.out.air_mm += (to.x - end.x).norm();
+        self.go(to, lead.seconds, None);
+        to
+    }
+
+    /// A straight move in a given time.
+    fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
+        let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
+        self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target }));
+        self.out.time_s += seconds;
+    }
+
+    /// A straight move at the speed of the air.
+    fn air(&mut self, from: Station, to: Station, target: Option<(usize, usize)>) {
+        self.out.air_mm += (to.x - from.x).norm();
+        self.go(to, self.space.seconds(&from, &to, self.air_mm_s), target);
+    }
+}

@@ -1,0 +1,171 @@
+//! Reads `program.csv` back. What a row says twice (joints, flange, focus) has to agree.
+
+use super::{COLUMNS, CONVENTIONS, COUNT, END};
+use crate::cell::Setup;
+use crate::cell::controllers::words::number;
+use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::program::neutral::steps::{Interpolation, MoveTiming};
+use crate::program::read_error::{Account, LineFault, ReadError, RowFault};
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
+
+/// How far two accounts of one pose may differ, mm and degrees.
+const SAME: f64 = 1e-3;
+
+/// Where in a table a line stands.
+enum TablePlace {
+    Head,
+    Rows,
+    Ended,
+}
+
+/// Reads a table.
+pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    let mut out = Vec::new();
+    let (mut rows, mut place) = (0usize, TablePlace::Head);
+    for (i, text) in file.text.lines().enumerate() {
+        let line = i + 1;
+        let fail = |fault: LineFault| Err(fault.at(&file.name, line));
+        if let Some(expected) = CONVENTIONS.get(i) {
+            if text != *expected {
+                return fail(LineFault::expected([*expected], text));
+            }
+            continue;
+        }
+        let what = match place {
+            TablePlace::Ended => return fail(LineFault::BehindEnd { end: END.trim_end().into() }),
+            TablePlace::Head if text == COLUMNS => {
+                place = TablePlace::Rows;
+                continue;
+            }
+            TablePlace::Head => match text.strip_prefix("# ") {
+                Some(said) => Read::Say(said.into()),
+                None => return fail(RowFault::OtherColumns.into()),
+            },
+            TablePlace::Rows => match text.strip_prefix(END) {
+                Some(count) if count.parse() == Ok(rows) => {
+                    place = TablePlace::Ended;
+                    continue;
+                }
+                Some(count) => {
+                    return fail(LineFault::Count { of: END.trim_end(), promised: Some(count.into()), found: rows });
+                }
+                None => {
+                    rows += 1;
+                    row(text, rows, reading.setup).map_err(|fault| fault.at(&file.name, line))?
+                }
+            },
+        };
+        out.push(ReadLine { file: file.name.clone(), line, what });
+    }
+    match place {
+        TablePlace::Ended => Ok(out),
+        _ => Err(ReadError::CutOff { file: file.name.clone(), expected: END.trim_end().into() }),
+    }
+}
+
+fn row(text: &str, index: usize, setup: &Setup) -> Result<Read, LineFault> {
+    let too_short = || LineFault::expected([COLUMNS], text);
+    // The text comes last and may hold commas.
+    let cells: Vec<&str> = text.splitn(COUNT, ',').collect();
+    let cells: &[&str; COUNT] = cells.as_slice().try_into().map_err(|_| too_short())?;
+    let [at, what, way, rest @ ..] = cells;
+    if at.parse() != Ok(index) {
+        return Err(LineFault::OutOfOrder { found: (*at).into(), expected: index });
+    }
+    let (figures, [output, value, said]) = rest.split_last_chunk().ok_or_else(too_short)?;
+    let unused = |cells: &[&str]| cells.iter().all(|c| c.is_empty());
+    let unused = match *what {
+        "move" => unused(&[output, value, said]),
+        _ => unused(figures) && way.is_empty(),
+    };
+    if !unused {
+        return Err(RowFault::UnusedCells { what: (*what).into() }.into());
+    }
+    let plain_number = || output.parse::<u32>().map_err(|_| LineFault::numbers(1, output));
+    let level = || number(value).ok_or_else(|| LineFault::numbers(1, value));
+    match *what {
+        "move" => go(way, figures, setup).map(Read::Move),
+        "output" => match *value {
+            "0" | "1" => Ok(Read::Output { number: plain_number()?, on: *value == "1" }),
+            other => Err(LineFault::expected(["1", "0"], other)),
+        },
+        "analogue" | "group" => Ok(Read::Level { number: plain_number()?, value: level()?, group: *what == "group" }),
+        "wait" => level().map(Read::Wait),
+        "say" => {
+            let inner = said.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
+            inner.map(|t| Read::Say(t.into())).ok_or_else(|| LineFault::expected(["\"…\""], said))
+        }
+        other => Err(LineFault::expected(["move", "output", "analogue", "group", "wait", "say"], other)),
+    }
+}
+
+/// `figures`: flange, focus, joints, seconds, percent, laser.
+fn go(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, LineFault> {
+    let interpolation = match way {
+        "joint" => Interpolation::Joint,
+        "linear" => Interpolation::Linear,
+        other => return Err(LineFault::expected(["joint", "linear"], other)),
+    };
+    let too_short = || LineFault::expected([COLUMNS], &figures.join(","));
+    let [flange @ .., seconds, percent, laser] = figures else { return Err(too_short()) };
+    let (flange, rest) = flange.split_at_checked(7).ok_or_else(too_short)?;
+    let (focus, joints) = rest.split_at_checked(7).ok_or_else(too_short)?;
+    let (flange, focus, joints) = (pose(flange)?, pose(focus)?, all(joints)?);
+    let timing = match (seconds.is_empty(), percent.is_empty()) {
+        (false, true) => number(seconds).map(MoveTiming::Seconds),
+        (true, false) => number(percent).map(MoveTiming::Percent),
+        _ => None,
+    };
+    let timing = timing.ok_or(RowFault::NoTiming)?;
+    if !matches!(*laser, "0" | "1") {
+        return Err(LineFault::expected(["1", "0"], laser));
+    }
+    if let Some(focus) = &focus {
+        let flange = flange.as_ref().ok_or(RowFault::FocusWithoutFlange)?;
+        agree([Account::Flange, Account::Focus], &setup.flange_for(focus), flange)?;
+    }
+    let goal = goal(joints, flange, setup)?;
+    // Whoever takes the table may look at any of the three.
+    let given =
+        [(flange.is_some(), Account::Flange), (focus.is_some(), Account::Focus), (joints.is_some(), Account::Joints)];
+    let given: Vec<&str> = given.into_iter().filter(|g| g.0).map(|g| g.1.word()).collect();
+    Ok(ReadMove { interpolation, goal, timing, rest: format!("laser={laser}, given as {}", given.join(" and ")) })
+}
+
+fn goal(joints: Option<[f64; 6]>, flange: Option<Isometry3<f64>>, setup: &Setup) -> Result<Goal, LineFault> {
+    match (joints, flange, &setup.robot) {
+        (Some(joints), Some(flange), Some(robot)) => {
+            agree([Account::Joints, Account::Flange], &robot.forward(&joints), &flange)?;
+            Ok(Goal::Joints(joints))
+        }
+        (Some(_), Some(_), None) => Err(RowFault::NoRobotToCompare.into()),
+        (Some(joints), None, _) => Ok(Goal::Joints(joints)),
+        (None, Some(flange), _) => Ok(Goal::Flange(flange)),
+        (None, None, _) => Err(RowFault::NoGoal.into()),
+    }
+}
+
+fn all<const N: usize>(cells: &[&str]) -> Result<Option<[f64; N]>, LineFault> {
+    if cells.iter().all(|c| c.is_empty()) {
+        return Ok(None);
+    }
+    let list: Option<Vec<f64>> = cells.iter().map(|c| number(c)).collect();
+    let list = list.and_then(|l| l.try_into().ok());
+    list.map(Some).ok_or_else(|| LineFault::numbers(N, &cells.join(",")))
+}
+
+fn pose(cells: &[&str]) -> Result<Option<Isometry3<f64>>, LineFault> {
+    let Some([x, y, z, w, i, j, k]) = all::<7>(cells)? else { return Ok(None) };
+    let q = Quaternion::new(w, i, j, k);
+    if (q.norm() - 1.0).abs() > 1e-6 {
+        return Err(LineFault::Quaternion { length: q.norm() });
+    }
+    Ok(Some(Isometry3::from_parts(Translation3::new(x, y, z), UnitQuaternion::from_quaternion(q))))
+}
+
+fn agree(accounts: [Account; 2], a: &Isometry3<f64>, b: &Isometry3<f64>) -> Result<(), RowFault> {
+    let off_mm = (a.translation.vector - b.translation.vector).norm();
+    let off_deg = a.rotation.angle_to(&b.rotation).to_degrees();
+    // Also false for what is no number.
+    if off_mm <= SAME && off_deg <= SAME { Ok(()) } else { Err(RowFault::Disagree { accounts, off_mm, off_deg }) }
+}

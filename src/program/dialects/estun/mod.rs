@@ -1,0 +1,65 @@
+//! ESTUN: an `.erp` of instructions and an `.erd` of the points and speeds that they name.
+//!
+//! No arm and no controller of this make is known here: everything is from public files of others,
+//! and unverified. The flange moves in the robot's base, tool and coordinate system null. As in KRL
+//! a speed of the flange gives a move its time: `tcp` of way, `ori` where it turns on the spot.
+//! One program however long: how one calls another is not known.
+
+mod read;
+mod write;
+
+use super::templates::SignalTemplates;
+use crate::cell::controllers::Estun;
+use crate::cell::controllers::words::{fixed, said_lines};
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::program::read_error::ReadError;
+use crate::program::write_error::WriteError;
+
+/// The dialect.
+pub struct Erp;
+
+impl Dialect for Erp {
+    fn name(&self) -> &'static str {
+        "estun"
+    }
+
+    fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
+        write::write(program)
+    }
+
+    fn claims(&self, text: &str) -> bool {
+        let first = said_lines(text).map(|(_, l)| l).find(|l| !l.starts_with("//") && !l.starts_with("/*"));
+        first == Some("Start:")
+    }
+
+    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+        read::read(file, reading)
+    }
+}
+
+fn templates(estun: &Estun) -> SignalTemplates<'_> {
+    SignalTemplates {
+        dialect: "estun",
+        output_on: &estun.output_on,
+        output_off: &estun.output_off,
+        analogue: &estun.analogue,
+        analogue_decimals: 3,
+        group: &estun.group,
+        wait: &estun.wait,
+        seconds: |s| fixed(1000.0 * s, 0),
+        wait_per_s: 1000.0,
+        comment: &estun.comment,
+        forbidden: &['*'],
+        width: Some(100),
+    }
+}
+
+/// External axes 7 to 16, none of which is there.
+fn no_axes() -> String {
+    (7..=16).map(|i| format!(",a{i}=0.0000000")).collect()
+}
+
+/// Arm configuration left to the controller.
+const CONFIGURATION: &str = "confdata={_type=\"POSCFG\",mode=0,cf1=0,cf2=0,cf3=0,cf4=0,cf5=0,cf6=0}";
+/// What a speed says of external axes.
+const NO_AXIS_SPEEDS: &str = "exj_l=360.000000,exj_r=180.000000";

@@ -1,0 +1,154 @@
+//! ESTUN programs as they are written here, read back: the `.erd` first, then the `.erp`.
+
+use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, templates};
+use crate::cell::Setup;
+use crate::cell::controllers::words::{number, said_lines};
+use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::program::dialects::flange::{Speeds, Travel, joints, pose};
+use crate::program::dialects::reading::from_nowhere;
+use crate::program::neutral::steps::{Interpolation, MoveTiming};
+use crate::program::read_error::{LineFault, ReadError};
+use nalgebra::Isometry3;
+use std::collections::BTreeMap;
+
+/// The lines of a program.
+pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    let estun = &reading.setup.cell.estun;
+    let name = format!("{}.erd", file.name.strip_suffix(".erp").unwrap_or(&file.name));
+    let Some(text) = (reading.open)(&name) else {
+        return Err(ReadError::Gone { file: file.name.clone(), line: 1, called: name });
+    };
+    let data = ErdData::parse(reading.setup, &ProgramFile { name, text })?;
+    let (mut out, mut at, mut begun, mut ended) = (Vec::new(), None, false, false);
+    for (line, text) in said_lines(&file.text) {
+        let wrong = |fault: LineFault| fault.at(&file.name, line);
+        if ended {
+            return Err(wrong(LineFault::BehindEnd { end: "End;".into() }));
+        }
+        if !begun {
+            begun = text == "Start:";
+            if !begun {
+                if text != estun.version {
+                    return Err(wrong(LineFault::expected([estun.version.clone(), "Start:".into()], text)));
+                }
+                out.push(ReadLine { file: file.name.clone(), line, what: Read::Other(text.into()) });
+            }
+            continue;
+        }
+        if text == "End;" {
+            ended = true;
+            continue;
+        }
+        if text.starts_with("MovL{") && at.is_none() {
+            return Err(from_nowhere(&out, &file.name, line));
+        }
+        let what = statement(reading.setup, &data, &mut at, text).map_err(wrong)?;
+        out.push(ReadLine { file: file.name.clone(), line, what });
+    }
+    if ended { Ok(out) } else { Err(ReadError::CutOff { file: file.name.clone(), expected: "End;".into() }) }
+}
+
+fn statement(setup: &Setup, data: &ErdData, at: &mut Option<Isometry3<f64>>, text: &str) -> Result<Read, LineFault> {
+    let estun = &setup.cell.estun;
+    if text.starts_with("MovJ{") || text.starts_with("MovL{") {
+        return go(setup, data, at, text).map(Read::Move);
+    }
+    if estun.start.iter().any(|s| s == text) {
+        return Ok(Read::Other(text.into()));
+    }
+    templates(estun).read(text).ok_or_else(|| {
+        let known = [&estun.output_on, &estun.output_off, &estun.wait, &estun.comment].map(String::as_str);
+        LineFault::expected(["MovJ{", "MovL{"].into_iter().chain(known).map(String::from), text)
+    })
+}
+
+fn go(setup: &Setup, data: &ErdData, at: &mut Option<Isometry3<f64>>, text: &str) -> Result<ReadMove, LineFault> {
+    let interpolation = if text.starts_with("MovJ{") { Interpolation::Joint } else { Interpolation::Linear };
+    let form = || LineFault::expected(["{P=t_l.P0000,V=t_l.V0000,B=…}"], text);
+    let inside = text.get(5..).and_then(|t| t.strip_suffix('}')).ok_or_else(form)?;
+    let (point, rest) = inside.strip_prefix("P=t_l.").and_then(|t| t.split_once(",V=t_l.")).ok_or_else(form)?;
+    let (speed, rest) = rest.split_once(',').ok_or_else(form)?;
+    let undefined = |name: &str| LineFault::Undefined { name: name.into() };
+    let goal = *data.points.get(point).ok_or_else(|| undefined(point))?;
+    let (percent, speeds) = *data.speeds.get(speed).ok_or_else(|| undefined(speed))?;
+    let flowing = format!("B=\"RELATIVE\",C=t_s.{}", setup.cell.estun.zone);
+    if rest != "B=\"FINE\"" && rest != flowing {
+        return Err(LineFault::expected(["B=\"FINE\"".to_owned(), flowing], rest));
+    }
+    let to = match goal {
+        Goal::Joints(joints) => setup.robot.as_ref().map(|r| r.forward(&joints)),
+        Goal::Flange(at) | Goal::Focus(at) => Some(at),
+    };
+    let timing = match (interpolation, *at, to) {
+        (Interpolation::Joint, ..) => MoveTiming::Percent(percent),
+        (Interpolation::Linear, Some(from), Some(to)) => {
+            MoveTiming::Seconds(Travel::between(&from, &to).seconds(speeds))
+        }
+        _ => return Err(LineFault::NoDuration),
+    };
+    *at = to;
+    Ok(ReadMove { interpolation, goal, timing, rest: rest.into() })
+}
+
+/// The `.erd`.
+struct ErdData {
+    points: BTreeMap<String, Goal>,
+    /// Per cent, and speeds of the flange.
+    speeds: BTreeMap<String, (f64, Speeds)>,
+}
+
+impl ErdData {
+    fn parse(setup: &Setup, file: &ProgramFile) -> Result<ErdData, ReadError> {
+        let mut data = ErdData { points: BTreeMap::new(), speeds: BTreeMap::new() };
+        for (line, text) in said_lines(&file.text) {
+            data.line(setup, text).map_err(|fault| fault.at(&file.name, line))?;
+        }
+        Ok(data)
+    }
+
+    fn line(&mut self, setup: &Setup, text: &str) -> Result<(), LineFault> {
+        let form = |one_of: &[&'static str]| LineFault::expected(one_of.iter().copied(), text);
+        let (name, value) = text.split_once("={_type=\"").ok_or_else(|| form(&["P0000={_type=", "V0000={_type="]))?;
+        if self.points.contains_key(name) || self.speeds.contains_key(name) {
+            return Err(LineFault::Twice { name: name.into() });
+        }
+        if let Some(fields) = value.strip_prefix("SPEED\",") {
+            let speed = speed(fields).ok_or_else(|| form(&["per=,tcp=,ori=,exj_l=,exj_r="]))?;
+            self.speeds.insert(name.into(), speed);
+        } else {
+            let goal = point(setup, value).ok_or_else(|| form(&["CPOS", "APOS"]))?;
+            self.points.insert(name.into(), goal);
+        }
+        Ok(())
+    }
+}
+
+fn point(setup: &Setup, text: &str) -> Option<Goal> {
+    let fields = text.strip_suffix(&format!("{}}}", no_axes()))?;
+    if let Some(fields) = fields.strip_prefix("APOS\",") {
+        let angles = named(["a1", "a2", "a3", "a4", "a5", "a6"], fields)?;
+        return Some(Goal::Joints(joints(setup, &angles)));
+    }
+    let fields = fields.strip_prefix("CPOS\",")?.strip_prefix(CONFIGURATION)?.strip_prefix(',')?;
+    Some(Goal::Flange(pose(named(["x", "y", "z", "a", "b", "c"], fields)?)))
+}
+
+fn speed(text: &str) -> Option<(f64, Speeds)> {
+    let fields = text.strip_suffix(&format!(",{NO_AXIS_SPEEDS}}}"))?;
+    let [percent, mm_s, deg_s] = named(["per", "tcp", "ori"], fields)?;
+    (percent > 0.0 && mm_s > 0.0 && deg_s > 0.0).then_some((percent, Speeds { mm_s, deg_s }))
+}
+
+/// The numbers of `x=1.000,y=2.000`, all of them, named in order.
+fn named<const N: usize>(names: [&str; N], text: &str) -> Option<[f64; N]> {
+    let fields: Vec<&str> = text.split(',').collect();
+    if fields.len() != N {
+        return None;
+    }
+    let mut out = [0.0; N];
+    for ((slot, name), field) in out.iter_mut().zip(names).zip(fields) {
+        let (said, value) = field.split_once('=')?;
+        *slot = number(value).filter(|_| said == name)?;
+    }
+    Some(out)
+}

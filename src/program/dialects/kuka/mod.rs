@@ -1,0 +1,67 @@
+//! KUKA KRL: `.src` with its `.dat`. The flange moves in the robot's base, both frames null; joint
+//! moves are `PTP` with axis values, straight ones `LIN`.
+//!
+//! KRL knows no duration of a move. The speed before a `LIN` gives it: `$VEL.CP` is the flange's
+//! way over the time, and where the flange turns on the spot `$VEL.ORI1` and `$VEL.ORI2` are its
+//! angle over the time. Without a position before it a straight move has neither, and is refused.
+//! Long programs call sub-programs with files of their own; the split is where the laser is off.
+
+mod read;
+mod write;
+
+use super::templates::SignalTemplates;
+use crate::cell::controllers::Kuka;
+use crate::cell::controllers::words::{fixed, said_lines};
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::program::read_error::ReadError;
+use crate::program::write_error::WriteError;
+
+/// The dialect.
+pub struct Krl;
+
+impl Dialect for Krl {
+    fn name(&self) -> &'static str {
+        "kuka"
+    }
+
+    fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
+        write::write(program)
+    }
+
+    fn claims(&self, text: &str) -> bool {
+        let first = said_lines(text).map(|(_, l)| l).find(|l| !l.starts_with('&') && !l.starts_with(';'));
+        first.is_some_and(|l| l.starts_with("DEF ") && l.ends_with(')'))
+    }
+
+    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+        read::read(file, reading)
+    }
+}
+
+fn templates(kuka: &Kuka) -> SignalTemplates<'_> {
+    SignalTemplates {
+        dialect: "kuka",
+        output_on: &kuka.output_on,
+        output_off: &kuka.output_off,
+        analogue: &kuka.analogue,
+        analogue_decimals: 3,
+        group: &kuka.group,
+        wait: &kuka.wait,
+        seconds: |s| fixed(s, 3),
+        wait_per_s: 1.0,
+        comment: &kuka.comment,
+        forbidden: &[],
+        width: Some(100),
+    }
+}
+
+/// The settings before the first move.
+fn settings(kuka: &Kuka) -> Vec<String> {
+    let mut out = kuka.start.clone();
+    out.extend(["$BASE=$NULLFRAME", "$TOOL=$NULLFRAME", "$IPO_MODE=#BASE"].map(String::from));
+    out.push(format!("$APO.CDIS={}", fixed(kuka.blend_mm, 3)));
+    out
+}
+
+const AXES: [&str; 6] = ["A1", "A2", "A3", "A4", "A5", "A6"];
+const FRAME: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];

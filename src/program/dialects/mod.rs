@@ -1,0 +1,94 @@
+//! All dialects, by name and by their text.
+//!
+//! A dialect is a folder with a writer and a reader, and one line in [`DIALECTS`]; its names, numbers and templates
+//! are a table of the cell file. Beside the folders stands what several of them share.
+
+pub mod abb;
+mod arm_shape;
+pub mod csv;
+pub mod estun;
+pub mod fanuc;
+mod flange;
+pub mod kuka;
+pub mod nachi;
+mod pages;
+mod reading;
+mod templates;
+pub mod ur;
+pub mod yaskawa;
+
+use super::dialect::{Dialect, Program};
+use super::neutral::comment::WITHOUT_WORDS;
+use super::neutral::lines::lines;
+use super::neutral::steps::{Step, Steps};
+use super::write_error::{DialectError, UnknownDialect};
+use crate::beam::Work;
+use crate::cell::Setup;
+
+/// Every dialect that is written and read, the default first.
+pub const DIALECTS: &[&dyn Dialect] =
+    &[&nachi::Slim, &kuka::Krl, &abb::Rapid, &fanuc::Tp, &ur::UrScript, &yaskawa::Inform, &estun::Erp, &csv::Table];
+
+/// The dialect of that name.
+pub fn by_name(name: &str) -> Option<&'static dyn Dialect> {
+    DIALECTS.iter().copied().find(|d| d.name() == name)
+}
+
+/// The dialect of a program's text; `None` where no one, or more than one, knows it.
+pub fn of_text(text: &str) -> Option<&'static dyn Dialect> {
+    let mut claims = DIALECTS.iter().copied().filter(|d| d.claims(text));
+    claims.next().filter(|_| claims.next().is_none())
+}
+
+/// Their names, for messages.
+pub fn names() -> String {
+    DIALECTS.iter().map(|d| d.name()).collect::<Vec<_>>().join(", ")
+}
+
+/// The dialect of that name.
+///
+/// # Errors
+/// There is none.
+pub fn known(name: &str) -> Result<&'static dyn Dialect, UnknownDialect> {
+    by_name(name).ok_or_else(|| UnknownDialect(name.into()))
+}
+
+/// Whether a dialect can write what the cell says, outputs and templates, before anything is planned.
+///
+/// # Errors
+/// What the controller could not take.
+pub fn check(name: &str, setup: &Setup) -> Result<(), DialectError> {
+    let pulsed = Work { frequency_khz: 1.0, ..Work::default() };
+    let home = Steps { list: vec![Step::Work(pulsed), Step::Home, Step::Home], ..Steps::default() };
+    let lines = lines(&home, setup);
+    known(name)?.write(&Program { head: Vec::new(), lines, setup, wording: WITHOUT_WORDS })?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::outputs::LevelForm;
+    use crate::program::{SignalKind, WriteError};
+
+    #[test]
+    fn bad_names_and_templates_are_told_before_planning() {
+        let mut setup = Setup::shipped().expect("shipped");
+        assert_eq!(
+            check("yaskawa", &setup),
+            Err(WriteError::HomeNeedsPulses.into()),
+            "home is known by its joints only"
+        );
+        setup.robot = Some(crate::cell::Robot::load("mz04", None).expect("shipped"));
+        for dialect in DIALECTS {
+            assert_eq!(check(dialect.name(), &setup), Ok(()));
+        }
+        assert_eq!(check("karel", &setup), Err(UnknownDialect("karel".into()).into()));
+        assert!(names().starts_with("nachi, ") && names().ends_with(", csv"));
+        setup.cell.outputs.power.form = LevelForm::Analogue;
+        let missing = WriteError::NoTemplate { dialect: "nachi", kind: SignalKind::Analogue };
+        assert_eq!(check("nachi", &setup), Err(missing.into()), "no source for it");
+        setup.cell.nachi.analogue = "AOUT {n},{v}".into();
+        assert_eq!(check("nachi", &setup), Ok(()));
+    }
+}

@@ -1,0 +1,64 @@
+//! NACHI AX/FD text program (SLIM): `MOVEX` with joints (`M1J`) or flange poses (`M1X`), and the time `T=` of each
+//! move.
+//!
+//! The time is what sets the spot's speed on the part: the flange travels otherwise far than the spot. Positions have
+//! three decimals of a millimetre and four of a degree. Not verified on a controller: that it keeps so many, brackets
+//! of outputs, and how long a program may be; the cell file has the last two.
+
+mod read;
+mod write;
+
+use super::templates::SignalTemplates;
+use crate::cell::Cell;
+use crate::cell::controllers::Nachi;
+use crate::cell::controllers::words::fixed;
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::program::read_error::ReadError;
+use crate::program::write_error::WriteError;
+
+/// The dialect.
+pub struct Slim;
+
+impl Dialect for Slim {
+    fn name(&self) -> &'static str {
+        "nachi"
+    }
+
+    fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
+        write::write(program)
+    }
+
+    fn claims(&self, text: &str) -> bool {
+        text.lines().any(|l| l.trim_start().starts_with("MOVEX ") || l.trim_start().starts_with("CALLP "))
+    }
+
+    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+        read::read(file, reading)
+    }
+}
+
+/// Name of the program file, `<unit>-A.<3-digit number>`.
+pub fn file_name(cell: &Cell) -> String {
+    numbered(&cell.nachi, cell.nachi.number)
+}
+
+fn numbered(nachi: &Nachi, number: u32) -> String {
+    format!("{}-A.{number:03}", nachi.unit)
+}
+
+fn templates(nachi: &Nachi) -> SignalTemplates<'_> {
+    SignalTemplates {
+        dialect: "nachi",
+        output_on: &nachi.output_on,
+        output_off: &nachi.output_off,
+        analogue: &nachi.analogue,
+        analogue_decimals: 3,
+        group: &nachi.group,
+        wait: &nachi.wait,
+        seconds: |s| fixed(s, 3),
+        wait_per_s: 1.0,
+        comment: &nachi.comment,
+        forbidden: &['"'],
+        width: None,
+    }
+}

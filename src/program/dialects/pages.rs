@@ -1,0 +1,86 @@
+//! A long program in pages, each a sub-program: cut only where the laser is off, because a call
+//! takes the controller a moment that the spot must not spend burning.
+
+use crate::program::neutral::lines::ProgramLine;
+
+/// Cuts lines into pages of at most `most` by `count`. A lit piece that is longer stays whole, and
+/// so does the page that holds it.
+pub fn pages(
+    lines: &[ProgramLine],
+    laser: u32,
+    most: usize,
+    count: impl Fn(&ProgramLine) -> usize,
+) -> Vec<&[ProgramLine]> {
+    let mut out = Vec::new();
+    let (mut lit, mut start, mut cut) = (false, 0, 0);
+    // Counted since `start`, and of that up to `cut`.
+    let (mut sum, mut before_cut) = (0, 0);
+    for (i, line) in lines.iter().enumerate() {
+        if !lit {
+            (cut, before_cut) = (i, sum);
+        }
+        sum += count(line);
+        if sum > most && cut > start {
+            out.push(&lines[start..cut]);
+            sum -= before_cut;
+            (start, before_cut) = (cut, 0);
+        }
+        if let ProgramLine::Output { number, on } = line
+            && *number == laser
+        {
+            lit = *on;
+        }
+    }
+    out.push(&lines[start..]);
+    out
+}
+
+/// Counts moves.
+pub fn moves(line: &ProgramLine) -> usize {
+    usize::from(matches!(line, ProgramLine::Move(_)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Comment;
+    use proptest::prelude::*;
+
+    fn count(line: &ProgramLine) -> usize {
+        usize::from(matches!(line, ProgramLine::Say(_)))
+    }
+
+    proptest! {
+        #[test]
+        fn pages_hold_everything_and_never_cut_a_lit_piece(
+            kinds in prop::collection::vec(0..5u32, 0..60), most in 1..9usize
+        ) {
+            let lines: Vec<ProgramLine> = kinds
+                .iter()
+                .map(|k| match k {
+                    0 => ProgramLine::Output { number: 3, on: true },
+                    1 => ProgramLine::Output { number: 3, on: false },
+                    2 => ProgramLine::Output { number: 4, on: true },
+                    _ => ProgramLine::Say(Comment::Part(String::new())),
+                })
+                .collect();
+            let pages = pages(&lines, 3, most, count);
+            prop_assert_eq!(&pages.concat(), &lines);
+            let mut lit = false;
+            for page in &pages {
+                prop_assert!(!lit, "a page begins dark");
+                for line in *page {
+                    if let ProgramLine::Output { number: 3, on } = line {
+                        lit = *on;
+                    }
+                }
+                let is_on = |l: &ProgramLine| matches!(l, ProgramLine::Output { number: 3, on: true });
+                if page.iter().map(count).sum::<usize>() > most {
+                    prop_assert!(is_on(&page[0]), "only a lit piece makes a page too long");
+                    let off = page.iter().position(|l| matches!(l, ProgramLine::Output { number: 3, on: false }));
+                    prop_assert!(off.is_none_or(|i| i + 1 == page.len()), "and then stands alone in it");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! Outputs, levels, dwells and comments by the templates of a controller's table, both ways. Moves are each dialect's
+//! own.
+
+use crate::cell::controllers::words::{check_template, cut, filled, fixed, matched, matched_key, number, plain};
+use crate::program::dialect::Read;
+use crate::program::neutral::comment::{Comment, Wording};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::write_error::{SignalKind, WriteError};
+
+/// A controller's templates of signals.
+#[derive(Clone, Copy, Debug)]
+pub struct SignalTemplates<'a> {
+    /// The dialect's name, which is its table's in the cell file.
+    pub dialect: &'static str,
+    /// Output `{n}` on.
+    pub output_on: &'a str,
+    /// Output `{n}` off.
+    pub output_off: &'a str,
+    /// Analogue output `{n}` to `{v}`; empty: there is none.
+    pub analogue: &'a str,
+    /// Decimals of that `{v}`.
+    pub analogue_decimals: usize,
+    /// Group `{n}` of outputs to the whole number `{v}`; empty: there is none.
+    pub group: &'a str,
+    /// Dwell of `{s}`.
+    pub wait: &'a str,
+    /// How seconds are written as `{s}`.
+    pub seconds: fn(f64) -> String,
+    /// How many `{s}` there are in a second: 1000 where the controller counts milliseconds.
+    pub wait_per_s: f64,
+    /// Comment of `{text}`.
+    pub comment: &'a str,
+    /// Characters that would end the comment.
+    pub forbidden: &'a [char],
+    /// Longest comment; longer ones are cut at blanks.
+    pub width: Option<usize>,
+}
+
+impl SignalTemplates<'_> {
+    /// Whether they can be written, read back and told apart.
+    ///
+    /// # Errors
+    /// The first that cannot.
+    pub fn check(&self) -> Result<(), WriteError> {
+        let list: [(&str, &str, &'static [&'static str]); 6] = [
+            ("output_on", self.output_on, &["n"]),
+            ("output_off", self.output_off, &["n"]),
+            (SignalKind::Analogue.key(), self.analogue, &["n", "v"]),
+            (SignalKind::Group.key(), self.group, &["n", "v"]),
+            ("wait", self.wait, &["s"]),
+            ("comment", self.comment, &["text"]),
+        ];
+        let may_lack = |key: &str| key == SignalKind::Analogue.key() || key == SignalKind::Group.key();
+        for (key, template, keys) in list.into_iter().filter(|(key, t, _)| !t.is_empty() || !may_lack(key)) {
+            check_template(&format!("{}.{key}", self.dialect), template, keys)?;
+        }
+        if self.output_on == self.output_off { Err(WriteError::OffIsOn(self.dialect)) } else { Ok(()) }
+    }
+
+    /// The lines of anything but a move.
+    ///
+    /// # Errors
+    /// There is no template for it.
+    pub fn write(&self, line: &ProgramLine, wording: Wording) -> Result<Vec<String>, WriteError> {
+        Ok(match line {
+            ProgramLine::Say(comment) => self.comments(&wording(comment)),
+            ProgramLine::Output { number, on } => {
+                let template = if *on { self.output_on } else { self.output_off };
+                vec![filled(template, &[("n", &number.to_string())])]
+            }
+            ProgramLine::Level { number, value, group } => {
+                let (kind, template, decimals) = match group {
+                    true => (SignalKind::Group, self.group, 0),
+                    false => (SignalKind::Analogue, self.analogue, self.analogue_decimals),
+                };
+                if template.is_empty() {
+                    return Err(WriteError::NoTemplate { dialect: self.dialect, kind });
+                }
+                vec![filled(template, &[("n", &number.to_string()), ("v", &fixed(*value, decimals))])]
+            }
+            ProgramLine::Wait(seconds) => vec![filled(self.wait, &[("s", &(self.seconds)(*seconds))])],
+            ProgramLine::Move(_) => Vec::new(),
+        })
+    }
+
+    /// The comments of a program's head.
+    pub fn head(&self, comments: &[Comment], wording: Wording) -> Vec<String> {
+        comments.iter().flat_map(|comment| self.comments(&wording(comment))).collect()
+    }
+
+    /// A text as comments.
+    pub fn comments(&self, text: &str) -> Vec<String> {
+        let lines = text.split('\n').map(|line| plain(line, self.forbidden));
+        let cut = |line: String| self.width.map_or_else(|| vec![line.trim().into()], |width| cut(line.trim(), width));
+        lines.flat_map(cut).map(|t| self.comment(&t)).collect()
+    }
+
+    fn comment(&self, text: &str) -> String {
+        filled(self.comment, &[("text", text)]).trim_end().into()
+    }
+
+    /// What a line does, if it is one of these.
+    pub fn read(&self, line: &str) -> Option<Read> {
+        let output = self.read_output(line).or_else(|| self.read_level(line));
+        output.or_else(|| self.read_wait(line)).or_else(|| self.read_comment(line))
+    }
+
+    fn read_output(&self, line: &str) -> Option<Read> {
+        let number = |template| matched_key(template, "n", line)?.trim().parse().ok();
+        let on = number(self.output_on).map(|number| Read::Output { number, on: true });
+        on.or_else(|| number(self.output_off).map(|number| Read::Output { number, on: false }))
+    }
+
+    fn read_level(&self, line: &str) -> Option<Read> {
+        let level = |template, group| {
+            let keys = matched(template, line)?;
+            let value = |key: &str| keys.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
+            Some(Read::Level { number: value("n")?.trim().parse().ok()?, value: number(value("v")?)?, group })
+        };
+        level(self.group, true).or_else(|| level(self.analogue, false))
+    }
+
+    fn read_wait(&self, line: &str) -> Option<Read> {
+        let count = number(matched_key(self.wait, "s", line)?).filter(|count| *count >= 0.0)?;
+        Some(Read::Wait(count / self.wait_per_s))
+    }
+
+    fn read_comment(&self, line: &str) -> Option<Read> {
+        let text = matched_key(self.comment, "text", line).or((self.comment("") == line).then_some(""))?;
+        Some(Read::Say(text.trim().into()))
+    }
+}

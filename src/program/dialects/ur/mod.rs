@@ -1,0 +1,53 @@
+//! URScript: one file with one program, `def Clean(): … end` and its call. The tool centre point is set to the
+//! flange, so the poses are the flange's. Long programs are cut into functions.
+//!
+//! Not verified on a controller: how many moves a function may have, and how the arm keeps the times of short moves
+//! that are rounded.
+
+mod read;
+mod write;
+
+use super::templates::SignalTemplates;
+use crate::cell::controllers::Ur;
+use crate::cell::controllers::words::fixed;
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::program::read_error::ReadError;
+use crate::program::write_error::WriteError;
+
+/// The dialect.
+pub struct UrScript;
+
+impl Dialect for UrScript {
+    fn name(&self) -> &'static str {
+        "ur"
+    }
+
+    fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
+        write::write(program)
+    }
+
+    fn claims(&self, text: &str) -> bool {
+        text.lines().any(|l| l.trim_start().starts_with("def ")) && text.contains("set_tcp(")
+    }
+
+    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+        read::read(file, reading)
+    }
+}
+
+fn templates(ur: &Ur) -> SignalTemplates<'_> {
+    SignalTemplates {
+        dialect: "ur",
+        output_on: &ur.output_on,
+        output_off: &ur.output_off,
+        analogue: &ur.analogue,
+        analogue_decimals: 4,
+        group: &ur.group,
+        wait: "sleep({s})",
+        seconds: |s| fixed(s, 3),
+        wait_per_s: 1.0,
+        comment: "# {text}",
+        forbidden: &[],
+        width: None,
+    }
+}

@@ -1,0 +1,161 @@
+//! Reads a URScript program back: functions without arguments, moves, outputs, waits, comments.
+
+use super::templates;
+use crate::cell::controllers::Ur;
+use crate::cell::controllers::words::{matched, matched_key, number, numbers, said_lines};
+use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::program::neutral::steps::{Interpolation, MoveTiming};
+use crate::program::read_error::{LineFault, ReadError};
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+
+/// A function and what it does.
+struct Function {
+    name: String,
+    lines: Vec<ReadLine>,
+}
+
+/// What was read so far.
+#[derive(Default)]
+struct Script {
+    /// Comments before the program.
+    head: Vec<ReadLine>,
+    /// Functions that have not ended.
+    open: Vec<Function>,
+    /// Functions that nothing has called yet.
+    done: Vec<Function>,
+    /// What the call of the program runs.
+    run: Option<Vec<ReadLine>>,
+}
+
+/// Reads a program.
+pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    let ur = bare_templates(&reading.setup.cell.ur);
+    let call = format!("{}()", ur.program);
+    let mut script = Script::default();
+    for (line, text) in said_lines(&file.text) {
+        script.line(&ur, file, line, text).map_err(|fault| fault.at(&file.name, line))?;
+    }
+    let cut = |expected: String| ReadError::CutOff { file: file.name.clone(), expected: expected.into() };
+    if !script.open.is_empty() {
+        return Err(cut("end".into()));
+    }
+    let run = script.run.ok_or_else(|| cut(call))?;
+    if let Some(idle) = script.done.into_iter().next() {
+        let line = idle.lines.first().map_or(1, |l| l.line);
+        return Err(LineFault::NeverCalled { name: idle.name }.at(&file.name, line));
+    }
+    Ok(script.head.into_iter().chain(run).collect())
+}
+
+impl Script {
+    fn line(&mut self, ur: &Ur, file: &ProgramFile, line: usize, text: &str) -> Result<(), LineFault> {
+        if self.run.is_some() {
+            return Err(LineFault::BehindEnd { end: format!("{}()", ur.program).into() });
+        }
+        if let Some(name) = matched_key("def {name}():", "name", text) {
+            if self.open.iter().chain(&self.done).any(|f| f.name == name) {
+                return Err(LineFault::Twice { name: name.into() });
+            }
+            self.open.push(Function { name: name.into(), lines: Vec::new() });
+        } else if text == "end" {
+            self.done.push(self.open.pop().ok_or(LineFault::OutsideFunction)?);
+        } else if let Some(i) = text.strip_suffix("()").and_then(|name| self.done.iter().position(|f| f.name == name)) {
+            // Each is called once: what would be left over is taken as not said.
+            let called = self.done.swap_remove(i).lines;
+            match self.open.last_mut() {
+                Some(caller) => caller.lines.extend(called),
+                None => self.run = Some(called),
+            }
+        } else {
+            let what = statement(ur, text)?;
+            let into = match (self.open.last_mut(), &what) {
+                (Some(function), _) => &mut function.lines,
+                (None, Read::Say(_)) => &mut self.head,
+                (None, _) => return Err(LineFault::OutsideFunction),
+            };
+            into.push(ReadLine { file: file.name.clone(), line, what });
+        }
+        Ok(())
+    }
+}
+
+fn bare(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace()).collect()
+}
+
+/// The table with templates that have no blanks: those of the script do not count.
+fn bare_templates(ur: &Ur) -> Ur {
+    let [output_on, output_off, analogue, group] =
+        [&ur.output_on, &ur.output_off, &ur.analogue, &ur.group].map(|t| bare(t));
+    Ur { output_on, output_off, analogue, group, ..ur.clone() }
+}
+
+/// What a statement does. `ur`: with bare templates.
+fn statement(ur: &Ur, text: &str) -> Result<Read, LineFault> {
+    if let Some(comment) = text.strip_prefix('#') {
+        return Ok(Read::Say(comment.trim().into()));
+    }
+    let line = bare(text);
+    if line.starts_with("movej(") || line.starts_with("movel(") {
+        return go(ur, &line).map(Read::Move);
+    }
+    if line.starts_with("set_tcp(p[") && line.ends_with("])") {
+        return Ok(Read::Other(line));
+    }
+    templates(ur).read(&line).ok_or_else(|| {
+        let known = ["movej", "movel", &ur.output_on, &ur.output_off, "sleep", "set_tcp", "#", "def", "end"];
+        LineFault::expected(known.map(String::from), text)
+    })
+}
+
+fn go(ur: &Ur, line: &str) -> Result<ReadMove, LineFault> {
+    let Some(&[(_, word), (_, six), (_, rest)]) = matched("{word}[{six}],{rest})", line).as_deref() else {
+        let forms = ["movej([six numbers], a=, v=, t=, r=)", "movel(p[six numbers], a=, v=, t=, r=)"];
+        return Err(LineFault::expected(forms, line));
+    };
+    let six: [f64; 6] = numbers(six).ok_or_else(|| LineFault::numbers(6, six))?;
+    let (interpolation, full) = if word.starts_with("movej") {
+        (Interpolation::Joint, ur.full_speed_deg_s.to_radians())
+    } else {
+        (Interpolation::Linear, ur.full_speed_mm_s / 1000.0)
+    };
+    let goal = match word.strip_prefix("movej(").or(word.strip_prefix("movel(")) {
+        Some("") => Goal::Joints(six.map(f64::to_degrees)),
+        Some("p") => {
+            let [x, y, z, rx, ry, rz] = six;
+            let turn = UnitQuaternion::from_scaled_axis(Vector3::new(rx, ry, rz));
+            Goal::Flange(Isometry3::from_parts(Translation3::from(Vector3::new(x, y, z) * 1000.0), turn))
+        }
+        _ => return Err(LineFault::expected(["[", "p["], word)),
+    };
+    let (timing, rest) = arguments(rest, full)?;
+    Ok(ReadMove { interpolation, goal, timing, rest })
+}
+
+/// How fast a move is, by its named arguments, and those that do not say it.
+fn arguments(text: &str, full: f64) -> Result<(MoveTiming, String), LineFault> {
+    const NAMES: [&str; 4] = ["a=", "v=", "t=", "r="];
+    let (mut time, mut speed, mut others, mut seen) = (None, None, Vec::new(), Vec::new());
+    for argument in text.split(',') {
+        let (key, value) = argument.split_once('=').ok_or_else(|| LineFault::expected(NAMES, argument))?;
+        let value = number(value).ok_or_else(|| LineFault::numbers(1, argument))?;
+        if seen.contains(&key) {
+            return Err(LineFault::Twice { name: format!("{key}=") });
+        }
+        seen.push(key);
+        match key {
+            "t" => time = Some(value),
+            "a" | "v" | "r" => {
+                others.push(argument);
+                speed = if key == "v" { Some(value) } else { speed };
+            }
+            _ => return Err(LineFault::expected(NAMES, argument)),
+        }
+    }
+    let timing = match (time, speed) {
+        (Some(s), _) => MoveTiming::Seconds(s),
+        (None, Some(v)) => MoveTiming::Percent(100.0 * v / full),
+        (None, None) => return Err(LineFault::expected(["t=", "v="], text)),
+    };
+    Ok((timing, others.join(",")))
+}

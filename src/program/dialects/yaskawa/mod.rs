@@ -1,0 +1,67 @@
+//! Yaskawa INFORM: a `.JBI` job of positions and instructions. Straight moves are `MOVL` to flange
+//! poses in the base frame (`RECTAN`), joint moves `MOVJ`: to `PULSE` positions where the cell file
+//! says how many pulses make a degree, else to poses.
+//!
+//! INFORM knows no duration of a move. `V=` (mm/s) or, where the flange mostly turns, `VR=` (degrees
+//! per second) is its way or angle over the time. Both have one decimal, and of the two the one
+//! that keeps more digits is taken; without a position before it a move has neither, and is refused.
+//!
+//! `RCONF` says the arm's shape, all 0 without a robot: R-axis beyond ±90°, elbow down, wrist behind
+//! axis 1, then R, T and S beyond ±180°. That rule is not verified. Long jobs `CALL` numbered ones;
+//! the split is where the laser is off.
+
+mod positions;
+mod read;
+mod write;
+
+use super::flange::joints;
+use super::templates::SignalTemplates;
+use crate::cell::controllers::Yaskawa;
+use crate::cell::controllers::words::{fixed, said_lines};
+use crate::cell::{Joints, Setup};
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::program::read_error::ReadError;
+use crate::program::write_error::WriteError;
+
+/// The dialect.
+pub struct Inform;
+
+impl Dialect for Inform {
+    fn name(&self) -> &'static str {
+        "yaskawa"
+    }
+
+    fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
+        write::write(program)
+    }
+
+    fn claims(&self, text: &str) -> bool {
+        said_lines(text).next().is_some_and(|(_, l)| l == "/JOB")
+    }
+
+    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+        read::read(file, reading)
+    }
+}
+
+fn templates(yaskawa: &Yaskawa) -> SignalTemplates<'_> {
+    SignalTemplates {
+        dialect: "yaskawa",
+        output_on: &yaskawa.output_on,
+        output_off: &yaskawa.output_off,
+        analogue: &yaskawa.analogue,
+        analogue_decimals: 3,
+        group: &yaskawa.group,
+        wait: &yaskawa.wait,
+        seconds: |s| fixed(s, 2),
+        wait_per_s: 1.0,
+        comment: &yaskawa.comment,
+        forbidden: &[],
+        width: Some(28),
+    }
+}
+
+/// Joint angles of pulses, as in the robot file.
+fn from_pulses(setup: &Setup, pulses: &Joints, per_deg: &[f64; 6]) -> Joints {
+    joints(setup, &std::array::from_fn(|i| pulses[i] / per_deg[i]))
+}

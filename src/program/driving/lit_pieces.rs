@@ -1,0 +1,155 @@
+//! A lit piece as the arm makes it: joints at every target, stations in between where the spot would leave its
+//! line, and the leads. How it is come to and left is told elsewhere.
+
+use super::Drive;
+use crate::beam::Work;
+use crate::cell::motion::{Cause, Choice, Refusal, Why};
+use crate::pose::Pass;
+use crate::program::connecting::lead::{self, Lead, Leads};
+use crate::program::connecting::memo::ArmStand;
+use crate::program::connecting::pieces::LitRange;
+use crate::program::connecting::space::Space;
+use crate::program::neutral::steps::Station;
+
+/// A lit piece as the arm makes it.
+#[derive(Clone)]
+pub(super) struct DrivenPiece {
+    pub(super) start: ArmStand,
+    pub(super) lit: Vec<WorkMove>,
+    pub(super) leads: DrivenLeads,
+}
+
+/// Its leads, where they are wanted and the arm can make them.
+#[derive(Clone, Default)]
+pub(super) struct DrivenLeads {
+    /// To where the lead-in begins.
+    pub(super) before: Option<WorkMove>,
+    /// To where the lead-out ends.
+    pub(super) behind: Option<WorkMove>,
+    pub(super) left_out: usize,
+}
+
+impl DrivenLeads {
+    pub(super) fn any(&self) -> bool {
+        self.before.is_some() || self.behind.is_some()
+    }
+
+    pub(super) fn leave_out(&mut self) {
+        self.left_out += usize::from(self.before.take().is_some()) + usize::from(self.behind.take().is_some());
+    }
+}
+
+impl DrivenPiece {
+    pub(super) fn entry(&self) -> ArmStand {
+        self.leads.before.map_or(self.start, |l| l.to)
+    }
+
+    pub(super) fn last(&self) -> ArmStand {
+        self.lit.last().map_or(self.start, |lit| lit.to)
+    }
+
+    pub(super) fn exit(&self) -> ArmStand {
+        self.leads.behind.map_or(self.last(), |l| l.to)
+    }
+}
+
+/// A move at the speed of the work.
+#[derive(Clone, Copy)]
+pub(super) struct WorkMove {
+    pub(super) to: ArmStand,
+    pub(super) seconds: f64,
+    pub(super) target: Option<(usize, usize)>,
+}
+
+impl Drive<'_> {
+    pub(super) fn piece(
+        &self,
+        space: &Space<'_>,
+        passes: &[Pass],
+        choice: &Choice,
+        of: LitRange,
+    ) -> Result<DrivenPiece, Refusal> {
+        let (number, first, last) = (of.pass, of.first, of.last);
+        let pass = &passes[number];
+        let refuse = |point, (cause, why)| Refusal { pass: number, point, cause, why };
+        let stand = |point: usize| {
+            let chosen = choice.rows[number][point].as_ref();
+            chosen
+                .map(|c| ArmStand {
+                    at: Station::spun(&pass.targets[point], &pass.work, c.spin_deg),
+                    joints_deg: c.joints_deg,
+                })
+                .ok_or_else(|| refuse(point, (Cause::Reach, Why::NotChosen)))
+        };
+        let start = stand(first)?;
+        let mut here = start;
+        let mut lit = Vec::new();
+        for point in first + 1..=last {
+            let to = stand(point)?;
+            let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.work.speed_mm_s;
+            let before = lit.len();
+            self.between(&here, &to, (&pass.work, seconds), &mut lit).map_err(|reason| refuse(point, reason))?;
+            if let Some(l) = lit[before..].last_mut() {
+                l.target = Some((number, point));
+            }
+            here = to;
+        }
+        let leads = self.leads(lead::leads(space, pass, (first, last), [&start.at, &here.at]), &start, &here);
+        Ok(DrivenPiece { start, lit, leads })
+    }
+
+    /// The leads that the arm can make.
+    fn leads(&self, wanted: Leads, start: &ArmStand, end: &ArmStand) -> DrivenLeads {
+        let led = |lead: Lead, from: &ArmStand| {
+            let joints_deg = self.robot.near(&self.mounted.flange_for(&lead.at.frame()), &from.joints_deg)?;
+            let to = ArmStand { at: lead.at, joints_deg };
+            let mut made = Vec::new();
+            self.lit(from, &to, lead.seconds, &mut made).ok()?;
+            made.pop()
+        };
+        let before = wanted.before.map(|l| led(l, start));
+        let behind = wanted.behind.map(|l| led(l, end));
+        let left_out = wanted.left_out + [before, behind].iter().filter(|l| matches!(l, Some(None))).count();
+        DrivenLeads { before: before.flatten(), behind: behind.flatten(), left_out }
+    }
+
+    /// WorkMove moves from one stand to the next, with stations in between where the spot needs them.
+    fn between(
+        &self,
+        from: &ArmStand,
+        to: &ArmStand,
+        (work, seconds): (&Work, f64),
+        out: &mut Vec<WorkMove>,
+    ) -> Result<(), (Cause, Why)> {
+        let (mut here, mut done) = (*from, 0.0);
+        for (share, at) in self.straight.between(&from.at, &to.at, work)? {
+            let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
+            let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
+                return Err((Cause::Limit, Why::LimitBetween));
+            };
+            let next = ArmStand { at, joints_deg };
+            self.lit(&here, &next, seconds * (share - done), out)?;
+            (here, done) = (next, share);
+        }
+        self.lit(&here, to, seconds * (1.0 - done), out)
+    }
+
+    /// One lit move, if arm and part keep clear and no joint is too fast.
+    fn lit(&self, from: &ArmStand, to: &ArmStand, seconds: f64, out: &mut Vec<WorkMove>) -> Result<(), (Cause, Why)> {
+        let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
+        if let Some((_, contact)) = touched {
+            return Err(Why::contact(contact));
+        }
+        for j in 0..6 {
+            let moved = (to.joints_deg[j] - from.joints_deg[j]).abs();
+            let can_deg_s = self.robot.speeds_deg_s[j];
+            // The ends were chosen by the mean speed; between them a joint may go faster.
+            if moved > can_deg_s * seconds + 1e-6 {
+                let needs_deg_s = moved / seconds.max(1e-9);
+                return Err((Cause::Speed, Why::JointSpeed { joint: j + 1, needs_deg_s, can_deg_s }));
+            }
+        }
+        out.push(WorkMove { to: *to, seconds, target: None });
+        Ok(())
+    }
+}

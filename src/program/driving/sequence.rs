@@ -1,0 +1,226 @@
+//! The steps of all lit pieces in their order, with the ways between them, or what of it cannot be driven.
+
+use super::lit_pieces::DrivenPiece;
+use super::{Drive, Undriven};
+use crate::cell::motion::{Cause, Choice, Refusal, Why};
+use crate::pose::Pass;
+use crate::program::connecting::memo::{ArmStand, bits};
+use crate::program::connecting::pieces::{LitRange, lit_ranges};
+use crate::program::connecting::space::Space;
+use crate::program::connecting::with_robot;
+use crate::program::neutral::shortfall::shortfalls;
+use crate::program::neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// The way to each piece from the one before or home, and from the last one home; `None`: there is none.
+type WaysBetween = Vec<Option<Vec<Go>>>;
+
+impl Drive<'_> {
+    /// The steps of what was chosen.
+    ///
+    /// # Errors
+    /// What cannot be driven after all; the rest has to be tried again without it.
+    pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
+        let ranges = lit_ranges(passes);
+        if let Some(refused) = self.stuck_at_home(&ranges) {
+            let is_empty = refused.is_empty();
+            return if is_empty { Ok(Steps::default()) } else { Err(Undriven { refused, ..Undriven::default() }) };
+        }
+        let space = Space::of(&self.straight, self.setup, passes);
+        let mut whole = self.pieces(&space, passes, choice, &ranges)?;
+        let ways = self.ways_without_leads(&space, &mut whole);
+        if !(self.go_on)() {
+            return Err(Undriven::default());
+        }
+        if let (Some(None), false) = (ways.first(), whole.is_empty()) {
+            // Nothing begins here: refuse all pieces up to the first that can be gone to.
+            let reachable = |i: &usize| self.known_way(&space, None, Some(&whole[*i].entry())).is_some();
+            let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
+            return Err(unreached(&ranges[..begin], choice));
+        }
+        let closed = self.closed(&space, &ranges, &whole, &ways);
+        if !closed.is_empty() {
+            return Err(unreached(&closed, choice));
+        }
+        let mut out = sequence(passes, &ranges, &whole, &ways);
+        let left_out = ranges.iter().zip(&whole).map(|(of, w)| (&passes[of.pass], w.leads.left_out));
+        out.shortfalls = shortfalls(left_out, &self.setup.cell.outputs);
+        Ok(out)
+    }
+
+    /// All targets, where something is touched at home.
+    fn stuck_at_home(&self, ranges: &[LitRange]) -> Option<Vec<Refusal>> {
+        let contact = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()))?;
+        let why = Why::ContactAtHome(contact);
+        let refuse = |(pass, point)| Refusal { pass, point, cause: Cause::Robot, why: why.clone() };
+        let all = ranges.iter().flat_map(|of| (of.first..=of.last).map(move |point| (of.pass, point)));
+        Some(all.map(refuse).collect())
+    }
+
+    /// The lit pieces as the arm makes them.
+    fn pieces(
+        &self,
+        space: &Space<'_>,
+        passes: &[Pass],
+        choice: &Choice,
+        ranges: &[LitRange],
+    ) -> Result<Vec<DrivenPiece>, Undriven> {
+        let driven: Vec<Result<DrivenPiece, Refusal>> = ranges
+            .par_iter()
+            .take_any_while(|_| (self.go_on)())
+            .map(|&of| self.known_piece(space, passes, choice, of))
+            .collect();
+        if !(self.go_on)() {
+            return Err(Undriven::default());
+        }
+        let (mut whole, mut refused) = (Vec::new(), Vec::new());
+        for piece in driven {
+            match piece {
+                Ok(piece) => whole.push(piece),
+                Err(refusal) => refused.push(refusal),
+            }
+        }
+        if refused.is_empty() { Ok(whole) } else { Err(Undriven { refused, ..Undriven::default() }) }
+    }
+
+    /// The ways. Where nothing leads to the far end of a lead, the piece does without.
+    fn ways_without_leads(&self, space: &Space<'_>, whole: &mut [DrivenPiece]) -> WaysBetween {
+        loop {
+            let ways = self.ways(space, whole);
+            let closed = (0..ways.len()).filter(|&i| ways[i].is_none());
+            let beside: Vec<usize> = closed.flat_map(|i| [i.checked_sub(1), Some(i)]).flatten().collect();
+            let led = whole.iter_mut().enumerate().filter(|(i, p)| beside.contains(i) && p.leads.any());
+            if led.map(|(_, piece)| piece.leads.leave_out()).count() == 0 {
+                return ways;
+            }
+        }
+    }
+
+    fn ways(&self, space: &Space<'_>, whole: &[DrivenPiece]) -> WaysBetween {
+        (0..=whole.len())
+            .into_par_iter()
+            .map(|i| {
+                if !(self.go_on)() {
+                    return None;
+                }
+                let from = i.checked_sub(1).map(|i| whole[i].exit());
+                let to = whole.get(i).map(DrivenPiece::entry);
+                self.known_way(space, from.as_ref(), to.as_ref())
+            })
+            .collect()
+    }
+
+    fn known_way(&self, space: &Space<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
+        let ends = [from, to].map(|s| s.map(|s| bits(&s.joints_deg)));
+        self.known.ways.get(ends, || with_robot::way(&self.arm(space), from, to))
+    }
+
+    /// Pieces that nothing leads to, or from.
+    fn closed(
+        &self,
+        space: &Space<'_>,
+        ranges: &[LitRange],
+        whole: &[DrivenPiece],
+        ways: &WaysBetween,
+    ) -> Vec<LitRange> {
+        let mut out = Vec::new();
+        for (i, _) in ways.iter().enumerate().take(ranges.len()).filter(|(_, way)| way.is_none()) {
+            // Home is on every way that is tried last: the piece that has none to it is in a pocket.
+            let stuck = i > 0 && self.known_way(space, Some(&whole[i - 1].exit()), None).is_none();
+            out.push(if stuck { ranges[i - 1] } else { ranges[i] });
+        }
+        if let (Some(None), Some(last)) = (ways.last(), ranges.last()) {
+            out.push(*last);
+        }
+        out
+    }
+}
+
+/// Pieces that nothing leads to: their branches are closed, and if they stay so, all their targets are refused.
+fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
+    let mut out = Undriven::default();
+    // The ways to a piece and from it may both be missing: it is refused once.
+    for &LitRange { pass, first, last } in BTreeSet::from_iter(pieces) {
+        out.closed.extend(choice.rows[pass][first].as_ref().map(|c| (pass, c.branch)));
+        let refuse = |point| Refusal { pass, point, cause: Cause::Robot, why: Why::NoWay };
+        out.refused.extend((first..=last).map(refuse));
+    }
+    out
+}
+
+/// Home, all pieces with the ways to them, and home.
+fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Steps {
+    let mut out = Steps::default();
+    out.list.push(Step::Home);
+    let mut said = None;
+    let mut at: Option<Station> = None;
+    for ((way, of), piece) in ways.iter().zip(ranges).zip(whole) {
+        let Some((down, way)) = way.as_ref().and_then(|way| way.split_last()) else { continue };
+        for go in way {
+            out.connect(go, at.as_ref());
+            at = Some(go.to);
+        }
+        let pass = &passes[of.pass];
+        if said != Some(of.pass) {
+            out.say_pass(of.pass, pass);
+            said = Some(of.pass);
+        }
+        let begin = Some((of.pass, of.first));
+        let target = begin.filter(|_| piece.leads.before.is_none());
+        out.connect(&Go { target, ..*down }, at.as_ref());
+        if let Some(lead) = &piece.leads.before {
+            out.lead(&piece.start, lead.seconds, (&lead.to.at, begin));
+        }
+        out.work_with(&pass.work);
+        out.work(piece);
+        if let Some(lead) = &piece.leads.behind {
+            out.lead(&lead.to, lead.seconds, (&piece.last().at, None));
+        }
+        at = Some(piece.exit().at);
+    }
+    if let (Some(Some(way)), true) = (ways.last(), !whole.is_empty()) {
+        for go in way {
+            out.connect(go, at.as_ref());
+            at = Some(go.to);
+        }
+    }
+    out.list.push(Step::Home);
+    out
+}
+
+impl Steps {
+    /// A piece with the laser on.
+    fn work(&mut self, piece: &DrivenPiece) {
+        self.list.push(Step::Laser(true));
+        for l in &piece.lit {
+            self.time_s += l.seconds;
+            self.list.push(Step::Go(Go {
+                to: l.to.at,
+                interpolation: Interpolation::Linear,
+                joints_deg: Some(l.to.joints_deg),
+                timing: MoveTiming::Seconds(l.seconds),
+                target: l.target,
+            }));
+        }
+        self.list.push(Step::Laser(false));
+    }
+
+    /// A move along a lead, from a station.
+    fn lead(&mut self, to: &ArmStand, seconds: f64, (from, target): (&Station, Option<(usize, usize)>)) {
+        let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
+        let go = Go { to: to.at, interpolation, joints_deg: Some(to.joints_deg), timing, target };
+        self.connect(&go, Some(from));
+    }
+
+    /// A connecting move.
+    fn connect(&mut self, go: &Go, from: Option<&Station>) {
+        if let Some(from) = from {
+            self.air_mm += (go.to.x - from.x).norm();
+        }
+        if let MoveTiming::Seconds(s) = go.timing {
+            self.time_s += s;
+        }
+        self.list.push(Step::Go(*go));
+    }
+}

@@ -1,0 +1,93 @@
+//! Stations between targets: between two of them the controller moves the flange straight, and the spot a little
+//! beside its line.
+
+use super::spot::foot;
+use super::sweep::{LitMove, Prover};
+use crate::beam::Work;
+use crate::cell::motion::{Cause, Why};
+use crate::pose::motion::Swept;
+use crate::program::neutral::steps::Station;
+use nalgebra::Isometry3;
+
+/// What keeps a lit move of the flange to the planned line of the spot.
+#[derive(Clone, Debug)]
+pub struct StraightFlange<'a> {
+    /// Part and frames, and what sweeps a move that keeps to its line.
+    pub prover: Prover<'a>,
+    /// How far the spot may leave its line, mm.
+    pub deviation_mm: f64,
+}
+
+/// A move is cut in halves at most so often: 64 pieces.
+const MOST_HALVINGS: usize = 6;
+
+impl StraightFlange<'_> {
+    /// Stations to be put between two targets, with their shares of the way: none where the flange may
+    /// go straight.
+    ///
+    /// # Errors
+    /// Even the shortest pieces leave the line, or hit something.
+    pub fn between(&self, from: &Station, to: &Station, work: &Work) -> Result<Vec<(f64, Station)>, (Cause, Why)> {
+        let mut out = Vec::new();
+        self.halved((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
+        Ok(out)
+    }
+
+    fn halved(
+        &self,
+        from: (&Station, f64),
+        to: (&Station, f64),
+        (work, halvings): (&Work, usize),
+        out: &mut Vec<(f64, Station)>,
+    ) -> Result<(), (Cause, Why)> {
+        let off_mm = self.deviation(from.0, to.0, work);
+        let keeps = off_mm <= self.deviation_mm;
+        let met = if keeps { self.beam_hits(from.0, to.0, work) } else { None };
+        if keeps && met.is_none() {
+            return Ok(());
+        }
+        if halvings == 0 {
+            return Err(match met {
+                Some(Swept { pose, blocker: hit, .. }) => {
+                    (Cause::of_blocker(&hit), Why::HitOnMove { spot_mm: pose.p.into(), hit })
+                }
+                None => (Cause::Singularity, Why::OffLine { off_mm }),
+            });
+        }
+        let (middle, t) = (self.midway(from.0, to.0, work), 0.5 * (from.1 + to.1));
+        self.halved(from, (&middle, t), (work, halvings - 1), out)?;
+        out.push((t, middle));
+        self.halved((&middle, t), to, (work, halvings - 1), out)
+    }
+
+    /// What beam or head hits on a lit move, as the flange goes.
+    fn beam_hits(&self, from: &Station, to: &Station, work: &Work) -> Option<Swept> {
+        let [from, to] = [from, to].map(|s| self.prover.mounted.flange_for(&s.frame()));
+        self.prover.hit(&LitMove { from, to, by_focus: false, work: *work })
+    }
+
+    /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
+    fn midway(&self, from: &Station, to: &Station, work: &Work) -> Station {
+        let (a, b) = (from.frame(), to.frame());
+        let foot = nalgebra::center(&foot(&a, work.defocus_mm), &foot(&b, work.defocus_mm));
+        let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
+        middle.x = foot + middle.a * work.defocus_mm;
+        middle
+    }
+
+    /// How far the spot leaves the straight line where the flange goes straight, mm.
+    fn deviation(&self, from: &Station, to: &Station, work: &Work) -> f64 {
+        let (a, b) = (self.prover.mounted.flange_for(&from.frame()), self.prover.mounted.flange_for(&to.frame()));
+        let (start, end) = (foot(&from.frame(), work.defocus_mm), foot(&to.frame(), work.defocus_mm));
+        let line = end - start;
+        let length2 = line.norm_squared();
+        [0.25, 0.5, 0.75]
+            .into_iter()
+            .map(|t| {
+                let foot = foot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)), work.defocus_mm);
+                let along = if length2 > 0.0 { ((foot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
+                (foot - (start + line * along)).norm()
+            })
+            .fold(0.0, f64::max)
+    }
+}

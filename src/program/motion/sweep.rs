@@ -1,0 +1,234 @@
+//! The proof that nothing is in the way of a lit move as the controller makes it: between two poses the
+//! flange goes straight (or the path frame, where the controller moves that), and the spot a little
+//! beside its line.
+//!
+//! Planner and verification both prove by [`swept`]. What is proven is a little less than
+//! the margin that was planned with: the spot may leave its line by the allowed deviation, and short
+//! pieces are told by their middle.
+
+use super::spot::{self, FROM_MM};
+use crate::beam::{Body, Stance, Work};
+use crate::cell::mounting::Mounted;
+use crate::part::{Grown, Part, angle};
+use crate::pose::motion::{Motion, Pose, Swept, swept};
+use crate::pose::{Beam, Blocker, Obstruction, ToolBody};
+use crate::program::neutral::steps::{Step, Steps};
+use nalgebra::{Isometry3, Point3, Vector3};
+use rayon::prelude::*;
+use serde::{Serialize, Serializer};
+use std::sync::Arc;
+
+/// A move with the laser on.
+#[derive(Clone, Copy, Debug)]
+pub struct LitMove {
+    /// Where it begins: flange in the base, or path frame in the part.
+    pub from: Isometry3<f64>,
+    /// Where it ends.
+    pub to: Isometry3<f64>,
+    /// Whether it is the path frame that goes straight.
+    pub by_focus: bool,
+    /// What it is worked with.
+    pub work: Work,
+}
+
+impl Steps {
+    /// The moves with the laser on, as the flange makes them.
+    pub fn lit_moves(&self, mounted: &Mounted) -> Vec<LitMove> {
+        let (mut lit, mut at, mut work) = (false, None, Work::default());
+        let mut out = Vec::new();
+        for step in &self.list {
+            match step {
+                Step::Laser(on) => lit = *on,
+                Step::Work(with) => work = *with,
+                Step::Go(go) => {
+                    let to = mounted.flange_for(&go.to.frame());
+                    out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false, work }));
+                    at = Some(to);
+                }
+                Step::Say(_) | Step::Home => {}
+            }
+        }
+        out
+    }
+}
+
+/// What was proven of lit moves.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Proof {
+    /// Lit moves.
+    pub intervals: usize,
+    /// Those on which nothing can be touched.
+    pub proven: usize,
+    /// Those on which something is: their place in the list, and what.
+    #[serde(serialize_with = "count")]
+    pub refuted: Vec<(usize, Blocker)>,
+    /// What cone and head are proven to keep from everything, mm; 0 for a ray.
+    pub margin_mm: f64,
+}
+
+/// Reports say how many.
+fn count<S: Serializer>(list: &[(usize, Blocker)], s: S) -> Result<S::Ok, S::Error> {
+    s.serialize_u64(list.len() as u64)
+}
+
+/// Sweeps lit moves.
+#[derive(Clone, Debug)]
+pub struct Prover<'a> {
+    part: &'a Part,
+    /// The part as it has grown behind each layer.
+    grown: &'a [Arc<Grown>],
+    /// What stands around the beam, for all that is worked with.
+    bodies: Vec<(Work, Option<Body<'a>>)>,
+    /// How the flange carries the focus.
+    pub mounted: Mounted,
+    sag_mm: f64,
+    window_mm: f64,
+    /// The bodies that a plan is held to.
+    spare: Vec<(Work, Option<Body<'a>>)>,
+    /// The share of what a ray keeps at a target that it has to keep here.
+    ray_share: f64,
+}
+
+/// A plan keeps this much more clear than is asked of its program, mm: numbers are written with three or four
+/// digits, and what just passes a facet must not just hit it when it is read back.
+pub const SPARE_MM: f64 = 0.01;
+
+impl<'a> Prover<'a> {
+    /// A prover for a part and the stances that its lit moves are made in. `deviation_mm`: how far the spot may
+    /// leave its line; `sag_mm`: how far the part may lie from a chord.
+    pub fn new(part: &'a Part, stances: &[Stance<'a>], mounted: Mounted, deviation_mm: f64, sag_mm: f64) -> Prover<'a> {
+        // A plan may lose the length of a short piece, and what is read back is not held to that again.
+        let eased = |b: &Body<'a>| b.eased(deviation_mm + b.short_mm + SPARE_MM, 2);
+        let spare = |b: &Body<'a>| b.eased(deviation_mm, 1);
+        Prover {
+            part,
+            grown: &[],
+            bodies: stances.iter().map(|s| (s.work, s.body.as_ref().map(eased))).collect(),
+            spare: stances.iter().map(|s| (s.work, s.body.as_ref().map(spare))).collect(),
+            mounted,
+            sag_mm,
+            window_mm: deviation_mm + 2.0 * sag_mm,
+            ray_share: 0.0,
+        }
+    }
+
+    /// With the part as it has grown behind each layer: a move is proven on the part for which its own layer
+    /// begins.
+    pub fn on_layers(self, grown: &'a [Arc<Grown>]) -> Prover<'a> {
+        Prover { grown, ..self }
+    }
+
+    /// The part when a layer begins.
+    pub fn part_of(&self, layer: u32) -> &'a Part {
+        let before = (layer as usize).checked_sub(1);
+        before.and_then(|n| self.grown.get(n)).map_or(self.part, |g| &g.part)
+    }
+
+    /// The part with all its layers.
+    pub fn whole(&self) -> &'a Part {
+        self.grown.last().map_or(self.part, |g| &g.part)
+    }
+
+    /// Where the beam of a path frame stands on the part, and its axis: no farther from where it should be
+    /// than it may deviate, and than the part may lie from a chord.
+    pub fn spot(&self, beam: &Beam<'_>, part_from_focus: &Isometry3<f64>, work: &Work) -> (Point3<f64>, Vector3<f64>) {
+        spot::on_part(beam, part_from_focus, work.defocus_mm, self.window_mm)
+    }
+
+    /// A prover that asks for a little more, for a plan.
+    pub fn with_spare(&self) -> Prover<'a> {
+        Prover { bodies: self.spare.clone(), ray_share: 0.5, ..self.clone() }
+    }
+
+    /// What stands around the beam of a move. Falls back to the nearest work that a plan has used.
+    fn body(&self, work: &Work) -> Option<&Body<'a>> {
+        let off = |w: &Work| (w.defocus_mm - work.defocus_mm).abs() + (w.spot_mm - work.spot_mm).abs();
+        self.bodies.iter().min_by(|a, b| off(&a.0).total_cmp(&off(&b.0)))?.1.as_ref()
+    }
+
+    /// What is in the way of a move, if anything is.
+    pub fn hit(&self, m: &LitMove) -> Option<Swept> {
+        let beam = Beam::with(self.part_of(m.work.layer), self.body(&m.work));
+        let lever_mm = |pose: &Isometry3<f64>| {
+            if m.by_focus {
+                return m.work.defocus_mm.abs();
+            }
+            (self.mounted.focus_at(pose).translation.vector - pose.translation.vector).norm() + m.work.defocus_mm.abs()
+        };
+        let turn_deg = angle::turned_deg(&m.from.rotation.rotation_to(&m.to.rotation).to_rotation_matrix());
+        let going = Going {
+            prover: self,
+            beam: &beam,
+            m,
+            turn: turn_deg.to_radians(),
+            lever_mm: lever_mm(&m.from).max(lever_mm(&m.to)),
+        };
+        swept(&beam, &going, (&going.at(0.0), 0.0), (&going.at(1.0), 1.0))
+    }
+
+    /// Proves what can be proven.
+    pub fn prove(&self, moves: &[LitMove]) -> Proof {
+        let found: Vec<Option<Blocker>> = moves.par_iter().map(|m| self.hit(m).map(|h| h.blocker)).collect();
+        let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
+        let margin_mm = self.margin_mm();
+        Proof { intervals: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm }
+    }
+
+    /// What cone and head are proven to keep from everything, mm; 0 for a ray.
+    pub fn margin_mm(&self) -> f64 {
+        let bodies = self.bodies.iter().filter_map(|b| b.1.as_ref());
+        let margins = bodies.filter(|b| b.has_head).map(|b| b.margin_mm - b.short_mm);
+        margins.reduce(f64::min).unwrap_or(0.0).max(0.0)
+    }
+}
+
+/// How far a point that turns about a straight line, so far from it, may lie from where a straight way puts it:
+/// it lies off its chord by `(1 − cos(θ/2))·r ≤ θ²r/8`; twice that, for the point and for the line that it is
+/// compared with. `turn` in radians.
+pub fn stray_mm(turn: f64, radius_mm: f64) -> f64 {
+    0.25 * turn * turn * radius_mm
+}
+
+/// A lit move on its way.
+struct Going<'a> {
+    prover: &'a Prover<'a>,
+    beam: &'a Beam<'a>,
+    m: &'a LitMove,
+    /// Angle that it turns by, radians.
+    turn: f64,
+    /// From what goes straight to the spot, mm.
+    lever_mm: f64,
+}
+
+impl Going<'_> {
+    /// The spot on the part, and the axis.
+    fn at(&self, t: f64) -> Pose {
+        let pose = self.m.from.lerp_slerp(&self.m.to, t);
+        let focus = if self.m.by_focus { pose } else { self.prover.mounted.focus_for(&pose) };
+        let (p, a) = self.prover.spot(self.beam, &focus, &self.m.work);
+        Pose { p, a }
+    }
+}
+
+impl Motion for Going<'_> {
+    fn between(&self, from: (&Pose, f64), to: (&Pose, f64)) -> Pose {
+        self.at(0.5 * (from.1 + to.1))
+    }
+
+    fn sag_mm(&self) -> f64 {
+        self.prover.sag_mm
+    }
+
+    fn stray_mm(&self, share: f64, reach_mm: f64) -> f64 {
+        stray_mm(self.turn * share, self.lever_mm + reach_mm)
+    }
+
+    /// Beside its planned point the ray may start a little inside a rounding: it is looked at from
+    /// [`FROM_MM`] on.
+    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
+        if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
+            return Some(Blocker { tool_body: ToolBody::Beam, obstruction: Obstruction::Facet(facet), t_mm: FROM_MM });
+        }
+        beam.body_blocker(&middle.p, &middle.a)
+    }
+}

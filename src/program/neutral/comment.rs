@@ -1,0 +1,119 @@
+//! Comments of a program as data. Their words are handed in by whoever has a program written, so that this room
+//! knows none; they are English on every controller.
+
+use super::shortfall::ByHand;
+use crate::beam::Work;
+use crate::cell::Mount;
+use crate::path::{Direction, Order};
+
+/// The words of a comment. Lines of a text with several stay lines.
+pub type Wording = fn(&Comment) -> String;
+
+/// Empty comments, for a program that nobody reads but its own reader: comments do nothing.
+pub const WITHOUT_WORDS: Wording = |_| String::new();
+
+/// What a comment of a program says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Comment {
+    /// Which part the program is for.
+    Part(String),
+    /// Which surfaces it cleans.
+    Surfaces {
+        /// Numbers of the first ones.
+        shown: Vec<u32>,
+        /// How many there are beside those.
+        more: usize,
+    },
+    /// What some of its lit pieces are worked with.
+    WorkedWith(WorkFigures),
+    /// How the lines are laid on the surfaces.
+    Laid {
+        /// Direction of the planes.
+        direction: Direction,
+        /// Distance of lines, mm.
+        spacing_mm: f64,
+        /// Order of lines.
+        order: Order,
+    },
+    /// Counts of targets.
+    Targets {
+        /// All of them.
+        all: usize,
+        /// Those whose beam was turned.
+        corrected: usize,
+        /// Those that are left out.
+        blocked: usize,
+    },
+    /// It was planned without a robot.
+    WithoutRobot(Mount),
+    /// It was planned with this robot.
+    Robot {
+        /// Its name.
+        name: String,
+        /// What it holds.
+        mount: Mount,
+    },
+    /// Figures of the robot's file that nobody has checked.
+    Unchecked(Vec<String>),
+    /// No program was ever run on such a controller.
+    NeverRun {
+        /// Its dialect.
+        dialect: String,
+    },
+    /// What of a dialect is not verified.
+    Caveat(Caveat),
+    /// A pass begins.
+    Pass {
+        /// Its number in the program, from 0.
+        number: usize,
+        /// Number of its surface.
+        surface: u32,
+        /// Number of its layer, from 0.
+        layer: u32,
+    },
+    /// The operator has to set a figure before the program goes on.
+    Set(ByHand),
+}
+
+/// Dialects that say at the head of a program what of them is not verified.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Caveat {
+    /// ABB RAPID.
+    Rapid,
+    /// ESTUN.
+    Erp,
+    /// KUKA KRL.
+    Krl,
+    /// Yaskawa INFORM.
+    Inform,
+}
+
+/// What a lit piece is worked with, as far as programs say it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorkFigures {
+    /// Power, W.
+    pub power_w: f64,
+    /// Frequency of pulses, kHz; 0 for a laser without.
+    pub frequency_khz: f64,
+    /// Diameter of the spot, mm.
+    pub spot_mm: f64,
+    /// Defocus, mm.
+    pub defocus_mm: f64,
+    /// Speed of the spot, mm/s.
+    pub speed_mm_s: f64,
+}
+
+impl WorkFigures {
+    /// The figures of a work. A head that is drawn back widens the spot by any number of digits: lengths are given to
+    /// a ten-thousandth of a millimetre.
+    pub fn of(work: &Work) -> WorkFigures {
+        let short = |mm: f64| (mm * 1e4).round() / 1e4;
+        WorkFigures {
+            power_w: work.power_w,
+            frequency_khz: work.frequency_khz,
+            spot_mm: short(work.spot_mm),
+            defocus_mm: short(work.defocus_mm),
+            speed_mm_s: work.speed_mm_s,
+        }
+    }
+}

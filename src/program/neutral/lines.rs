@@ -1,0 +1,223 @@
+//! A program as neutral lines: moves of the flange, outputs, waits, comments. How they are written is each
+//! dialect's.
+
+use super::comment::Comment;
+use super::shortfall::ByHand;
+use super::steps::{Go, Interpolation, MoveTiming, Step, Steps};
+use crate::beam::Work;
+use crate::cell::Setup;
+use crate::cell::outputs::{During, LevelForm, LevelOutput, Outputs, Switch};
+use nalgebra::Isometry3;
+
+/// A move.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Move {
+    /// By joints or straight.
+    pub interpolation: Interpolation,
+    /// Where the flange goes; `None` for home without a robot, which is known by its joints only.
+    pub base_from_flange: Option<Isometry3<f64>>,
+    /// Where the joints go, as in the robot file, degrees; `None` without a robot.
+    pub joints_deg: Option<[f64; 6]>,
+    /// Where that brings the focus in the part, turned by the spin; `None` for home.
+    pub part_from_focus: Option<Isometry3<f64>>,
+    /// How fast.
+    pub timing: MoveTiming,
+    /// Whether the laser is on.
+    pub lit: bool,
+    /// Pass and point, for a target.
+    pub target: Option<(usize, usize)>,
+    /// What it is worked with, or the work before it.
+    pub work: Work,
+}
+
+/// A line of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ProgramLine {
+    /// A comment.
+    Say(Comment),
+    /// An output goes on or off.
+    Output {
+        /// Its number.
+        number: u32,
+        /// On or off.
+        on: bool,
+    },
+    /// An analogue output, or a group of digital ones, is set.
+    Level {
+        /// Its number.
+        number: u32,
+        /// In its own units.
+        value: f64,
+        /// A group rather than an analogue output.
+        group: bool,
+    },
+    /// A dwell, s.
+    Wait(f64),
+    /// A move.
+    Move(Box<Move>),
+}
+
+/// The lines of a program's steps, with every output in a safe order: cooling, gas, powder, laser
+/// on, and off in reverse. The laser is switched off at the start, before each way home and at the end.
+pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
+    let outputs = &setup.cell.outputs;
+    let off = ProgramLine::Output { number: outputs.laser.number, on: false };
+    let (whole, piece) = supplies(outputs);
+    let first = steps.list.iter().find_map(|s| if let Step::Work(work) = s { Some(*work) } else { None });
+    let mut work = first.unwrap_or_default();
+    let mut lit = false;
+    let mut out = vec![off.clone()];
+    out.extend(first.iter().flat_map(|first| levels(outputs, None, first)));
+    for switch in &whole {
+        turn(&mut out, switch, true);
+    }
+    let begun = out.len();
+    for step in &steps.list {
+        match step {
+            Step::Say(comment) => out.push(ProgramLine::Say(comment.clone())),
+            Step::Work(with) => {
+                out.extend(levels(outputs, Some(&work), with));
+                work = *with;
+            }
+            Step::Laser(on) => {
+                lit = *on;
+                if lit {
+                    piece.iter().for_each(|s| turn(&mut out, s, true));
+                } else {
+                    piece.iter().rev().for_each(|s| turn(&mut out, s, false));
+                }
+            }
+            Step::Home => {
+                if out.len() > begun {
+                    out.push(off.clone());
+                }
+                out.push(home(setup, work));
+            }
+            Step::Go(go) => out.push(ProgramLine::Move(Box::new(going(setup, go, lit, work)))),
+        }
+    }
+    out.push(off);
+    for switch in whole.iter().rev() {
+        turn(&mut out, switch, false);
+    }
+    out
+}
+
+fn home(setup: &Setup, work: Work) -> ProgramLine {
+    let air = &setup.cell.air;
+    ProgramLine::Move(Box::new(Move {
+        interpolation: Interpolation::Joint,
+        base_from_flange: setup.robot.as_ref().map(|r| r.forward(&air.home_joints_deg)),
+        joints_deg: Some(air.home_joints_deg),
+        part_from_focus: None,
+        timing: MoveTiming::Percent(air.home_percent),
+        lit: false,
+        target: None,
+        work,
+    }))
+}
+
+fn going(setup: &Setup, go: &Go, lit: bool, work: Work) -> Move {
+    let part_from_focus = go.to.frame();
+    Move {
+        interpolation: go.interpolation,
+        base_from_flange: Some(setup.flange_for(&part_from_focus)),
+        joints_deg: go.joints_deg,
+        part_from_focus: Some(part_from_focus),
+        timing: go.timing,
+        lit,
+        target: go.target,
+        work,
+    }
+}
+
+/// What is on for the whole program and what for each lit piece, in the order of going on.
+fn supplies(outputs: &Outputs) -> (Vec<Switch>, Vec<Switch>) {
+    let (mut whole, mut piece) = (Vec::new(), Vec::new());
+    for supply in [outputs.cooling, outputs.shielding_gas].into_iter().flatten() {
+        match supply.during {
+            During::Program => whole.push(supply.switch()),
+            During::Piece => piece.push(supply.switch()),
+        }
+    }
+    piece.extend(outputs.powder);
+    piece.push(outputs.laser);
+    (whole, piece)
+}
+
+fn turn(out: &mut Vec<ProgramLine>, switch: &Switch, on: bool) {
+    out.push(ProgramLine::Output { number: switch.number, on });
+    let wait_s = if on { switch.on_wait_s } else { switch.off_wait_s };
+    if wait_s > 0.0 {
+        out.push(ProgramLine::Wait(wait_s));
+    }
+}
+
+/// Power and frequency, where they change: by their outputs, or said where they are set by hand. What the first
+/// piece is worked with stands in the program's head.
+fn levels(outputs: &Outputs, before: Option<&Work>, with: &Work) -> Vec<ProgramLine> {
+    let level = |output: &LevelOutput, by_hand: fn(f64) -> ByHand, value: f64, before: Option<f64>| {
+        let scaled = value * output.scale;
+        match output.form {
+            _ if before.is_some_and(|b| b == value) => None,
+            LevelForm::Comment => before.map(|_| ProgramLine::Say(Comment::Set(by_hand(value)))),
+            LevelForm::Analogue => Some(ProgramLine::Level { number: output.number, value: scaled, group: false }),
+            LevelForm::Group => Some(ProgramLine::Level { number: output.number, value: scaled.round(), group: true }),
+        }
+    };
+    let power = level(&outputs.power, ByHand::PowerW, with.power_w, before.map(|b| b.power_w));
+    // Nobody asks for the frequency of a laser without pulses.
+    let khz = before.map(|b| b.frequency_khz).or((with.frequency_khz == 0.0).then_some(0.0));
+    let frequency = level(&outputs.frequency, ByHand::FrequencyKhz, with.frequency_khz, khz);
+    power.into_iter().chain(frequency).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outputs_go_on_in_order_and_off_in_reverse() {
+        let mut setup = Setup::shipped().expect("shipped");
+        setup.cell.outputs = toml::from_str(
+            "cooling = { number = 6, on_wait_s = 2.0 }\n\
+             shielding_gas = { number = 5, off_wait_s = 1.0, during = \"piece\" }\n\
+             powder = { number = 4, on_wait_s = 0.5 }\n\
+             laser = { number = 3 }\n\
+             power = { as = \"group\", number = 2, scale = 0.255 }\n\
+             frequency = { as = \"group\", number = 8 }",
+        )
+        .expect("outputs");
+        let work = Work { power_w: 500.0, ..Work::default() };
+        let pulsed = Work { frequency_khz: 20.0, ..work };
+        let list = vec![Step::Home, Step::Work(work), Step::Laser(true), Step::Laser(false), Step::Home];
+        let lines = lines(&Steps { list, ..Steps::default() }, &setup);
+        let words: Vec<String> = lines
+            .iter()
+            .map(|l| match l {
+                ProgramLine::Output { number, on } => format!("{number}{}", if *on { "+" } else { "-" }),
+                ProgramLine::Level { number, value, group: true } => format!("{number}={value}"),
+                ProgramLine::Wait(s) => format!("{s}s"),
+                ProgramLine::Move(_) => "home".into(),
+                other => format!("{other:?}"),
+            })
+            .collect();
+        let expected = "3- 2=128 6+ 2s home 5+ 4+ 0.5s 3+ 3- 4- 5- 1s 3- home 3- 6-";
+        assert_eq!(words.join(" "), expected);
+        let said = |outputs: &Outputs, before, with| {
+            let of = |l: &ProgramLine| match l {
+                ProgramLine::Level { number, value, .. } => format!("{number}={value}"),
+                other => format!("{other:?}"),
+            };
+            levels(outputs, before, with).iter().map(of).collect::<Vec<_>>().join(" ")
+        };
+        let outputs = &setup.cell.outputs;
+        assert_eq!(said(outputs, None, &pulsed), "2=128 8=20");
+        assert_eq!(said(outputs, Some(&work), &pulsed), "8=20");
+        assert_eq!(said(outputs, Some(&pulsed), &work), "8=0");
+        let by_hand = Outputs::default();
+        assert_eq!(said(&by_hand, None, &pulsed), "");
+        assert_eq!(said(&by_hand, Some(&work), &pulsed), "Say(Set(FrequencyKhz(20.0)))");
+        assert_eq!(said(&by_hand, Some(&pulsed), &pulsed), "");
+    }
+}

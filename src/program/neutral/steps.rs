@@ -1,0 +1,133 @@
+//! The program as a list of steps, before any controller's words: go to a station, switch the laser, say something.
+
+use super::comment::Comment;
+use super::shortfall::Shortfall;
+use crate::beam::Work;
+use crate::part::angle;
+use crate::pose::target::frame;
+use crate::pose::{Pass, Target};
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// Where the focus stands and how: path frame in the part frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// Focus, mm.
+    pub x: Point3<f64>,
+    /// Beam axis, unit.
+    pub a: Vector3<f64>,
+    /// Travel axis, unit, square to a; of the two senses the one nearer to the station before.
+    pub o: Vector3<f64>,
+}
+
+impl Station {
+    /// The station of a target.
+    pub fn of(t: &Target, work: &Work) -> Station {
+        Station { x: t.focus(work.defocus_mm), a: t.a, o: t.o }
+    }
+
+    /// The station of a target, turned about the beam by a spin.
+    pub fn spun(t: &Target, work: &Work, spin_deg: f64) -> Station {
+        Station { x: t.focus(work.defocus_mm), a: t.a, o: angle::turned(&t.o, &t.a, spin_deg) }
+    }
+
+    /// The station of a path frame.
+    pub fn at(part_from_focus: &Isometry3<f64>) -> Station {
+        let axis = |v: Vector3<f64>| part_from_focus.rotation * v;
+        Station { x: part_from_focus.translation.vector.into(), a: axis(Vector3::z()), o: axis(Vector3::y()) }
+    }
+
+    /// `[n o a | x]`.
+    pub fn frame(&self) -> Isometry3<f64> {
+        frame(&self.x, &self.a, &self.o)
+    }
+
+    /// Angle by which the part is turned between two stations, degrees.
+    pub fn turn_deg(&self, to: &Station) -> f64 {
+        let q = self.frame().rotation.rotation_to(&to.frame().rotation);
+        2.0 * libm::atan2(q.imag().norm(), q.w.abs()).to_degrees()
+    }
+
+    /// With the sense of travel that needs the smaller turn from `before`: lines of a zigzag need
+    /// no half turn of the part.
+    pub fn nearest_to(self, before: &Station) -> Station {
+        let other = Station { o: -self.o, ..self };
+        if before.turn_deg(&other) < before.turn_deg(&self) { other } else { self }
+    }
+}
+
+/// One step of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// A comment.
+    Say(Comment),
+    /// What follows is worked with this.
+    Work(Work),
+    /// The laser is switched.
+    Laser(bool),
+    /// Home, all joints in proportion.
+    Home,
+    /// A move.
+    Go(Go),
+}
+
+/// A move to a station.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Go {
+    /// Where to; turned by the spin, where a robot chose one.
+    pub to: Station,
+    /// By joints or straight.
+    pub interpolation: Interpolation,
+    /// Joints at its end, degrees; `None` without a robot.
+    pub joints_deg: Option<[f64; 6]>,
+    /// How fast.
+    pub timing: MoveTiming,
+    /// Pass and point, for a target; `None` in the air, and between two targets.
+    pub target: Option<(usize, usize)>,
+}
+
+/// How a move goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Interpolation {
+    /// All joints in proportion.
+    Joint,
+    /// The tool centre point straight, the orientation about one axis.
+    Linear,
+}
+
+/// How fast a move goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MoveTiming {
+    /// Its duration, s: that is what gives the spot its speed on the part.
+    Seconds(f64),
+    /// Share of the joints' full speed, per cent.
+    Percent(f64),
+}
+
+/// A program's steps, and what its air moves come to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Steps {
+    /// In order.
+    pub list: Vec<Step>,
+    /// Length of the moves with the laser off, mm.
+    pub air_mm: f64,
+    /// Duration of all moves but those from and to home, s.
+    pub time_s: f64,
+    /// What is not as it was wanted, by surface.
+    pub shortfalls: Vec<(u32, Shortfall)>,
+}
+
+impl Steps {
+    /// Says what the next piece is worked with, where that changes.
+    pub fn work_with(&mut self, work: &Work) {
+        let before = self.list.iter().rev().find_map(|s| if let Step::Work(work) = s { Some(work) } else { None });
+        if before != Some(work) {
+            self.list.push(Step::Work(*work));
+        }
+    }
+
+    /// Says which pass begins.
+    pub fn say_pass(&mut self, number: usize, pass: &Pass) {
+        let (surface, layer) = (pass.surface, pass.work.layer);
+        self.list.push(Step::Say(Comment::Pass { number, surface, layer }));
+    }
+}

@@ -1,0 +1,104 @@
+//! Every command has its effect: each is given to the real window, and what has changed is looked at: the job, its
+//! files, the picture, the camera, the selection. All are matched, so a new command without a test does not compile.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod job;
+mod plan;
+mod view;
+mod window;
+
+use clearbeam::app::Command;
+use common::window::{Answers, press, sample, settle};
+use egui_kittest::kittest::Queryable as _;
+use window::Window;
+
+const JOB: &str = "[clean]\nsurfaces = [2, 3]\n[layers]\nspacing_mm = 4.0\ndirection = \"x\"\n";
+/// The laser is so far out that part of the cup is beyond the arm.
+const REFUSED: &str = "[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 16.0\n[cell]\nrobot = \"mz04\"\n\
+    base_from_laser = { position_mm = [620.0, 0.0, 300.0], rz_ry_rx_deg = [0.0, 0.0, 0.0] }\n";
+const DRIVEN: &str = "[clean]\nsurfaces = [1]\n[layers]\nspacing_mm = 16.0\n[cell]\nrobot = \"mz04\"\n";
+
+/// What the tests are done in.
+struct Stage {
+    /// Without a robot.
+    part: Window,
+    /// With one that reaches everything.
+    robot: Window,
+}
+
+fn has_its_effect(stage: &mut Stage, command: Command) {
+    use Command as C;
+    let w = &mut stage.part;
+    match command {
+        C::Open | C::Save | C::SaveAs | C::Export => job::file(w, command),
+        C::Undo | C::Redo => job::undo_and_redo(w, command),
+        C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => job::lists(w, command),
+        C::Select(more) => job::select(w, more),
+        C::Merge | C::Split | C::Rename | C::FlipSurface | C::FlipShell => job::surfaces(w, command),
+        C::PickOrigin | C::LayFlat => job::pick(w, command),
+        C::QuarterTurn(axis) => job::turn(w, axis),
+        C::Look(_) | C::Fit | C::Projection => view::camera(w, command),
+        C::Hide | C::Isolate | C::ShowAll => view::hide(w, command),
+        C::Toggle(what) => view::toggle(stage, what),
+        C::Theme => {
+            let before = w.h.ctx.theme();
+            w.give(command, &[]);
+            assert_ne!(w.h.ctx.theme(), before);
+            w.give(command, &[]);
+            assert_eq!(w.h.ctx.theme(), before);
+        }
+        C::Plan | C::Cancel => plan::cancelled_and_planned_again(),
+        C::BetterSetup => plan::better_setup(),
+        C::Play => plan::play(&mut stage.robot),
+        C::Go(jump) => plan::go(w, jump),
+        C::Help => {
+            w.give(command, &[]);
+            assert!(w.says("Left drag orbits"));
+            w.give(command, &[]);
+            assert!(!w.says("Left drag orbits"));
+        }
+        C::Escape => {
+            w.give(C::Help, &[2]);
+            w.give(command, &[]);
+            assert!(!w.says("Left drag orbits") && w.app().selected().len() == 1, "one step at a time");
+            w.give(command, &[]);
+            assert!(w.app().selected().is_empty());
+        }
+    }
+}
+
+#[test]
+fn every_command_has_its_effect() {
+    let mut stage = Stage { part: Window::on("workpiece", JOB), robot: Window::on("acetabular_cup", DRIVEN) };
+    let begun = stage.part.job();
+    for command in Command::ALL {
+        let r = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+            has_its_effect(&mut stage, *command);
+            assert_eq!(stage.part.job(), begun, "{command:?} is taken back for the next");
+        }));
+        if r.is_err() {
+            eprintln!("FAILED {command:?}");
+        }
+    }
+}
+
+#[test]
+fn every_command_can_be_given_at_any_time() {
+    let nothing_needed = [Command::Open, Command::Theme, Command::Help, Command::Escape];
+    let mut h = common::window::window(None, &Answers::default());
+    for command in Command::ALL {
+        assert_eq!(h.state().can(*command), nothing_needed.contains(command), "{command:?} without a part");
+        if let Some(keys) = command.keys() {
+            press(&mut h, keys.modifiers, keys.logical_key);
+        }
+        h.state_mut().give(*command, &[]);
+        settle(&mut h);
+    }
+    assert!(h.query_by_label("File").is_some(), "the window is still there");
+    let mut h = common::window::window(Some(sample("workpiece.stl")), &Answers::default());
+    for keys in Command::ALL.iter().filter_map(|c| c.keys()) {
+        press(&mut h, keys.modifiers, keys.logical_key);
+    }
+    assert!(h.query_by_label("File").is_some(), "the window is still there");
+}

@@ -1,0 +1,95 @@
+//! Effects on what is seen: the camera, and what is shown and hidden.
+
+use crate::Stage;
+use crate::window::Window;
+use clearbeam::app::{Command, Toggle};
+use clearbeam::view::StandardView;
+use egui_kittest::kittest::Queryable as _;
+
+pub fn camera(w: &mut Window, command: Command) {
+    let before = *w.app().camera();
+    w.give(command, &[2]);
+    let after = *w.app().camera();
+    match command {
+        Command::Look(view) => {
+            let (yaw_rad, pitch_rad) = view.angles_rad();
+            assert!((after.yaw_rad - yaw_rad).abs() < 1e-9 && (after.pitch_rad - pitch_rad).abs() < 1e-9, "{view:?}");
+        }
+        Command::Fit => {
+            let planned = w.app().plan().expect("a plan").clone();
+            let facets = &planned.surfaces.get(2).expect("there").facets;
+            let corners = || facets.iter().flat_map(|f| planned.part.mesh.corners(*f as usize));
+            let middle = |k: usize| {
+                let [min, max] = [f64::min, f64::max].map(|f| corners().map(|c| c[k]).reduce(f).expect("some"));
+                (min + max) / 2.0
+            };
+            assert!((0..3).all(|k| (after.target[k] - middle(k)).abs() < 1e-6), "{:?}", after.target);
+        }
+        _ => assert_ne!(after.projection, before.projection),
+    }
+    // Back to where the part is seen whole.
+    w.give(Command::Look(StandardView::Iso), &[]);
+    w.give(Command::Escape, &[]);
+    w.give(Command::Fit, &[]);
+}
+
+pub fn hide(w: &mut Window, command: Command) {
+    let shown = w.picture();
+    w.give(Command::Hide, &[1]);
+    assert!(w.app().hidden().iter().eq(&[1]));
+    assert_ne!(w.picture(), shown);
+    if command == Command::Isolate {
+        w.give(command, &[1, 2]);
+        let others = w.app().surfaces().into_iter().filter(|n| *n > 2);
+        assert!(w.app().hidden().iter().copied().eq(others));
+    }
+    w.give(Command::ShowAll, &[]);
+    assert!(w.app().hidden().is_empty());
+}
+
+/// What a toggle shows in words; `None`: it is seen in the picture alone.
+pub fn words_of(what: Toggle) -> Option<&'static str> {
+    match what {
+        Toggle::Plots => Some("curves of joints"),
+        Toggle::ProgramText => Some("MOVEX"),
+        Toggle::AccessMap => Some("access map"),
+        Toggle::Dose => Some("histogram of the dose"),
+        Toggle::PathLines
+        | Toggle::PoseFrames
+        | Toggle::Beams
+        | Toggle::ConnectingMoves
+        | Toggle::BeforeCorrection
+        | Toggle::PlainPart
+        | Toggle::HideChosen
+        | Toggle::SectionPlane
+        | Toggle::Cell
+        | Toggle::ToolBodies
+        | Toggle::Spacing => None,
+    }
+}
+
+pub fn toggle(stage: &mut Stage, what: Toggle) {
+    let w = match what {
+        Toggle::Cell | Toggle::Plots => &mut stage.robot,
+        _ => &mut stage.part,
+    };
+    let needs = match what {
+        // What was before the correction is seen with beams only.
+        Toggle::BeforeCorrection => vec![Toggle::Beams],
+        // The camera turns onto the section, and stays so.
+        Toggle::SectionPlane => vec![what, what],
+        _ => Vec::new(),
+    };
+    needs.iter().for_each(|n| w.give(Command::Toggle(*n), &[]));
+    let before = w.picture();
+    let shown = |w: &mut Window| match words_of(what) {
+        Some(words) => w.h.query_all_by_label_contains(words).next().is_some(),
+        None => w.picture() != before,
+    };
+    assert!(!shown(w), "{what:?} before");
+    w.give(Command::Toggle(what), &[]);
+    assert!(shown(w), "{what:?} is seen");
+    w.give(Command::Toggle(what), &[]);
+    assert!(!shown(w), "{what:?} goes again");
+    needs.into_iter().for_each(|n| w.give(Command::Toggle(n), &[]));
+}
