@@ -25,7 +25,13 @@ standing_nothing_left = { $targets ->
 }
 
 ## Figures
-report_targets = { $passes } passes, { $targets } targets: { $free } free, { $corrected } corrected, { $blocked } blocked
+report_targets = { $passes ->
+    [one] 1 pass
+   *[other] { $passes } passes
+}, { $targets ->
+    [one] 1 target
+   *[other] { $targets } targets
+}: { $free } free, { $corrected } corrected, { $blocked } blocked
 report_lengths = { $work } mm with the laser on, { $blocked } mm blocked, { $air } mm in the air, { $time }
 report_extremes = largest tilt { $tilt }°, chord error { $chord } mm, spacing on the surface up to { $spacing } mm
 report_layers = { $layers } layers, each planned and proven on the part as the layers before leave it
