@@ -130,7 +130,7 @@ fn recipes_are_dragged_kept_and_removed() {
     click(&mut h, row(3));
     open(&mut h, "Recipe library");
     reveal(&mut h, "Grinding 15 N");
-    assert!(says(&h, "torn.toml").ends_with("mend or remove the file"));
+    assert!(says(&h, "torn.toml").ends_with("correct or remove the file"));
     let (from, to) = (h.get_by_label("Grinding 15 N").rect().center(), h.get_by_label(row(2)).rect().center());
     drag(&mut h, from, to);
     assert!(shows(&h, "surface 2 has recipe Grinding 15 N") && !shows(&h, "surface 3 has recipe Grinding 15 N"));

@@ -55,9 +55,9 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
         "surface 2: 400.00 of 400.00 mm² missed by the planes; try direction auto",
         "surface 3 \"Rim\": 2 targets refused: out of the robot's reach; such as pass 4, point 0: ",
         "surface 3 \"Rim\": 1 target blocked by surface 5; choose the correction clearance",
-        "surface 1: no section plane crosses surface 1: choose another direction",
+        "surface 1: no section plane crosses it: choose another direction",
         "surface 1: 1 line end stops at the rim",
-        "surface 2: no section plane crosses surface 2: choose another direction",
+        "surface 2: no section plane crosses it: choose another direction",
         "the part's file has changed since the job was saved; all that is to be cleaned was found again; \
          surface 2 is 5 now; not found: surface 3",
         "7 open edges",

@@ -7,22 +7,22 @@ impl Sentence for LinesFinding {
     fn sentence(&self) -> String {
         match *self {
             LinesFinding::SpacingNotPositive => say!(lines_spacing_not_positive),
-            LinesFinding::NoProperFacet { surface } => say!(lines_no_proper_facet, surface = id(surface)),
-            LinesFinding::NoPlaneCrosses { surface } => say!(lines_no_plane_crosses, surface = id(surface)),
-            LinesFinding::NoBorder { surface } => say!(lines_no_border, surface = id(surface)),
-            LinesFinding::NoSuchBorder { surface, border, borders } => {
-                say!(lines_no_such_border, surface = id(surface), border = id(border + 1), borders)
+            LinesFinding::NoProperFacet { .. } => say!(lines_no_proper_facet),
+            LinesFinding::NoPlaneCrosses { .. } => say!(lines_no_plane_crosses),
+            LinesFinding::NoBorder { .. } => say!(lines_no_border),
+            LinesFinding::NoSuchBorder { border, borders, .. } => {
+                say!(lines_no_such_border, border = id(border + 1), borders)
             }
-            LinesFinding::NoLineFits { surface } => say!(lines_none_fits, surface = id(surface)),
-            LinesFinding::NoTurnFits { surface, spacing_mm } => {
-                say!(lines_no_turn_fits, surface = id(surface), mm = spacing_mm.to_string())
+            LinesFinding::NoLineFits { .. } => say!(lines_none_fits),
+            LinesFinding::NoTurnFits { spacing_mm, .. } => {
+                say!(lines_no_turn_fits, mm = spacing_mm.to_string())
             }
-            LinesFinding::NoMeanNormal { surface } => say!(lines_no_mean_normal, surface = id(surface)),
-            LinesFinding::ApartFromBorder { surface, area_mm2 } => {
-                say!(lines_apart_from_border, surface = id(surface), area = fixed(area_mm2, 1))
+            LinesFinding::NoMeanNormal { .. } => say!(lines_no_mean_normal),
+            LinesFinding::ApartFromBorder { area_mm2, .. } => {
+                say!(lines_apart_from_border, area = fixed(area_mm2, 1))
             }
-            LinesFinding::BeyondSpiral { surface, area_mm2 } => {
-                say!(lines_beyond_spiral, surface = id(surface), area = fixed(area_mm2, 1))
+            LinesFinding::BeyondSpiral { area_mm2, .. } => {
+                say!(lines_beyond_spiral, area = fixed(area_mm2, 1))
             }
         }
     }
