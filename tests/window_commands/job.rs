@@ -122,7 +122,7 @@ pub fn surfaces(w: &mut Window, command: Command) {
         }
         _ => {
             w.give(command, &[4]);
-            assert_eq!(w.job().part.flipped_shells, [0]);
+            assert_eq!(w.job().part.flipped_shells, [1]);
         }
     }
     w.undo();
