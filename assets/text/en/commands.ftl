@@ -22,8 +22,8 @@ command_redo = Redo
 ## Surfaces
 command_clean = Move to clean
 command_unclean = Move back
-command_clean_earlier = Clean earlier
-command_clean_later = Clean later
+command_clean_earlier = Clean earlier in the order
+command_clean_later = Clean later in the order
 command_select_all = Select all
 command_select_same_shape = Select same shape
 command_select_same_normal = Select same normal
