@@ -3,16 +3,25 @@
 use super::App;
 use super::command::Command;
 use super::context::Context;
+use super::dialogs::Purpose;
+use super::recipe_library::LibraryChange;
 use super::session::Session;
-use crate::document::Edit;
+use crate::document::{Edit, Parameter};
+use crate::view::Bounds;
 use std::path::PathBuf;
 
 /// One thing that is wanted.
 enum Action {
     Command(Command),
     Edit { edit: Edit, gesture: Option<String> },
+    Number(&'static Parameter, f64),
+    Robot(String),
+    Library(LibraryChange),
     Open(PathBuf),
+    Sample(&'static str),
+    Ask(Purpose),
     Focus(u32),
+    LookAt(Bounds),
     Session(Box<dyn FnOnce(&mut Session)>),
 }
 
@@ -32,9 +41,23 @@ impl Actions {
     }
 
     /// Changes the document as a piece of the drag that is going on: edits of one gesture are one step of undo.
-    #[expect(dead_code, reason = "panels with fields ask the window itself so far")]
     pub fn drag(&mut self, edit: Edit, gesture: impl Into<String>) {
         self.0.push(Action::Edit { edit, gesture: Some(gesture.into()) });
+    }
+
+    /// Sets a number of the parameter table, as a piece of the drag that is going on.
+    pub fn number(&mut self, parameter: &'static Parameter, value: f64) {
+        self.0.push(Action::Number(parameter, value));
+    }
+
+    /// Takes a robot by its key or file, with the language of its controller; an empty name is none.
+    pub fn robot(&mut self, name: String) {
+        self.0.push(Action::Robot(name));
+    }
+
+    /// Changes the user's library of recipes.
+    pub fn library(&mut self, change: LibraryChange) {
+        self.0.push(Action::Library(change));
     }
 
     /// Opens a part or a job, once unsaved changes are dealt with.
@@ -42,9 +65,24 @@ impl Actions {
         self.0.push(Action::Open(file));
     }
 
+    /// Opens a shipped sample by its name, once unsaved changes are dealt with.
+    pub fn sample(&mut self, name: &'static str) {
+        self.0.push(Action::Sample(name));
+    }
+
+    /// Asks the user for a file.
+    pub fn ask(&mut self, purpose: Purpose) {
+        self.0.push(Action::Ask(purpose));
+    }
+
     /// Fits the camera to a surface.
     pub fn focus(&mut self, surface: u32) {
         self.0.push(Action::Focus(surface));
+    }
+
+    /// Fits the camera to a piece of the scene.
+    pub fn look_at(&mut self, bounds: Bounds) {
+        self.0.push(Action::LookAt(bounds));
     }
 
     /// Changes what is selected, shown or open.
@@ -62,8 +100,14 @@ impl App {
             match action {
                 Action::Command(command) => self.run(command),
                 Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
+                Action::Number(parameter, value) => self.set_parameter(parameter, value),
+                Action::Robot(name) => self.choose_robot(&name),
+                Action::Library(change) => self.change_library(change),
                 Action::Open(file) => self.open_guarded(file),
+                Action::Sample(name) => self.open_sample(name),
+                Action::Ask(purpose) => self.ask(purpose),
                 Action::Focus(surface) => self.focus_surface(surface),
+                Action::LookAt(bounds) => self.viewport.fit(bounds),
                 Action::Session(change) => change(&mut self.session),
             }
         }

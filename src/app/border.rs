@@ -2,6 +2,7 @@
 //! to the place that was right clicked.
 
 use super::App;
+use super::context::Context;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;
@@ -74,19 +75,21 @@ impl App {
         let job = self.document.job();
         let start = |n: u32| Some((n, job.offset_start(SurfaceId(n))?.border()?));
         let chosen: Vec<(u32, u32)> = self.context().clean_list().into_iter().filter_map(start).collect();
-        let menu = self.offset_surface_of_menu();
+        let menu = self.context().offset_surface_of_menu();
         self.borders.sync(part, &self.derived.surfaces, chosen, menu);
     }
+}
 
+impl Context<'_> {
     /// The surface that was right clicked, if it is worked in offset lines.
-    fn offset_surface_of_menu(&self) -> Option<u32> {
+    fn offset_surface_of_menu(self) -> Option<u32> {
         let surface = *self.derived.surfaces.of_facet.get(self.session.menu_place?.0 as usize)?;
         self.document.job().offset_start(SurfaceId(surface)).is_some().then_some(surface)
     }
 
     /// The border nearest to the place that was right clicked, if the surface there is worked in offset lines:
     /// surface and border.
-    pub(super) fn border_place(&self) -> Option<(u32, u32)> {
+    pub fn border_place(self) -> Option<(u32, u32)> {
         let (_, at) = self.session.menu_place?;
         let surface = self.offset_surface_of_menu()?;
         Some((surface, self.borders.nearest(surface, &at)?))

@@ -14,12 +14,14 @@
 //! one feature has (a timeline's place, a search) is a type of its own with the methods that change it.
 
 use super::App;
+use super::border::Borders;
 use super::command::{Command, Toggle};
 use super::derived::Derived;
 use super::remedy::Proposal;
 use super::session::Session;
+use super::spacing::SpacingView;
 use crate::beam::Work;
-use crate::document::Document;
+use crate::document::{Document, Library};
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{PlannedJob, Stage};
 use crate::pose::Target;
@@ -41,6 +43,12 @@ pub(super) struct Context<'a> {
     pub exporting: &'a Stage<Exported, ExportError>,
     /// Files that were opened or saved last, the newest first.
     pub recent: &'a [PathBuf],
+    /// Recipes beside those of the job.
+    pub recipes: &'a Library,
+    /// Dots and scale of the achieved spacing.
+    pub spacing: &'a SpacingView,
+    /// Borders that offset lines may start from.
+    pub borders: &'a Borders,
 }
 
 impl App {
@@ -52,6 +60,9 @@ impl App {
             session: &self.session,
             exporting: &self.exporting,
             recent: &self.recent,
+            recipes: &self.recipes,
+            spacing: &self.spacing,
+            borders: &self.borders,
         }
     }
 }

@@ -7,6 +7,7 @@
 mod access;
 mod actions;
 mod asked;
+mod at_cursor;
 mod border;
 mod clearance;
 mod command;
@@ -26,6 +27,7 @@ mod playback;
 mod quantity;
 mod questions;
 mod reading;
+mod recipe_library;
 mod remedy;
 mod run;
 mod scene;
@@ -128,6 +130,21 @@ impl App {
     }
 }
 
+impl App {
+    /// The numbers of the job, and under them, always in sight: what is wrong, and what all the rest is for.
+    fn parameters(&mut self, ui: &mut egui::Ui) {
+        egui::Panel::bottom("export").show(ui, |ui| {
+            // What would help stands under what is wrong.
+            let height = if self.has_refusals() { 230.0 } else { 130.0 };
+            // As high as its text, whatever height the panel had before.
+            let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+            area.auto_shrink([false, true]).show(ui, |ui| self.problems(ui));
+            self.panel(|context, actions| panels::export_button::ui(ui, context, actions));
+        });
+        self.panel(|context, actions| panels::parameters::ui(ui, context, actions));
+    }
+}
+
 impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.take_opened();
@@ -177,14 +194,15 @@ impl eframe::App for App {
             let frame = egui::Frame::NONE.fill(ui.visuals().panel_fill);
             egui::CentralPanel::default().frame(frame).show(ui, |ui| self.view(ui));
         } else {
-            egui::CentralPanel::default().show(ui, |ui| self.start(ui));
+            egui::CentralPanel::default()
+                .show(ui, |ui| self.panel(|context, actions| panels::start::ui(ui, context, actions)));
         }
         self.help(ui.ctx());
         self.guard_dialog(ui.ctx());
         self.questions(ui.ctx());
         self.message_dialog(ui.ctx());
-        self.compare_window(ui.ctx());
-        self.dragged_recipe(ui.ctx());
+        self.panel(|context, actions| panels::compare::ui(ui.ctx(), context, actions));
+        panels::library::at_cursor(ui.ctx());
         // Edits of this frame are kept with it: there may be no other for a while.
         self.keep_journal();
     }

@@ -5,7 +5,7 @@ use super::dialogs::Purpose;
 use super::journal::JournalKeeper;
 use super::reading::LookedAt;
 use crate::document::journal::{LeftBehind, Leftover};
-use crate::document::{Document, Forgotten, journal};
+use crate::document::{Document, journal};
 use crate::planning::export::FileConflict;
 use crate::text::Sentence as _;
 use std::path::{Path, PathBuf};
@@ -80,22 +80,6 @@ impl App {
     /// Asks for another file in the place of the part.
     pub(super) fn ask_for_part(&mut self) {
         self.ask(Purpose::Part);
-    }
-
-    /// Takes a recipe out of the user's library; it can come back.
-    pub(super) fn forget_recipe(&mut self, name: &str) {
-        match self.recipes.forget(name) {
-            Ok(forgotten) => self.session.forgotten = Some(forgotten),
-            Err(why) => self.session.error = Some(why.sentence()),
-        }
-    }
-
-    /// Brings the recipe back that was taken out last.
-    pub(super) fn bring_recipe_back(&mut self, forgotten: &Forgotten) {
-        self.session.forgotten = None;
-        if let Err(why) = self.recipes.bring_back(forgotten) {
-            self.session.error = Some(why.sentence());
-        }
     }
 
     /// Whether saving there would overwrite a file that is not the document's.

@@ -2,7 +2,8 @@
 
 use super::command::Toggle;
 use super::dose::Clicked;
-use super::panels::{Compare, Draft};
+use super::panels::compare::state::Compare;
+use super::panels::recipe::draft::Draft;
 use super::playback::Playback;
 use crate::cell::Mount;
 use crate::document::{Forgotten, Job, RecutAnchor};

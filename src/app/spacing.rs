@@ -2,6 +2,7 @@
 
 use super::App;
 use super::command::Toggle;
+use super::context::Context;
 use crate::picture::spacing::{SpacingScale, items, scale};
 use crate::planning::PlannedJob;
 use crate::view::PointItem;
@@ -40,19 +41,21 @@ impl App {
             self.spacing.sync(planned);
         }
     }
+}
 
-    fn spacing_shown(&self) -> Option<&Made> {
+impl<'a> Context<'a> {
+    fn spacing_shown(self) -> Option<&'a Made> {
         let planned = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing))?;
         self.spacing.of(planned.picture_key())
     }
 
     /// The scale; `None`: no two lines are neighbours.
-    pub(super) fn spacing_scale(&self) -> Option<&SpacingScale> {
+    pub fn spacing_scale(self) -> Option<&'a SpacingScale> {
         self.spacing_shown()?.scale.as_ref()
     }
 
     /// The dots that are shown.
-    pub(super) fn spacing_points(&self) -> &[PointItem] {
+    pub fn spacing_points(self) -> &'a [PointItem] {
         self.spacing_shown().map_or(&[], |made| &made.items)
     }
 }

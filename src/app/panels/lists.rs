@@ -3,7 +3,7 @@
 use super::super::command::Command;
 use super::super::session::Column;
 use super::super::{App, theme};
-use super::library::DraggedRecipe;
+use super::library::{DraggedRecipe, draggable, given};
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
 use crate::text::{fixed, id, say};
@@ -209,7 +209,7 @@ impl App {
         let fill = ui.visuals().widgets.inactive.bg_fill;
         let text = RichText::new(format!(" {short} ")).small().background_color(fill);
         let told = say!(lists_recipe, surface = id(n), recipe = &recipe.name);
-        let chip = self.draggable(ui, recipe, egui::Label::new(text)).on_hover_text(&told);
+        let chip = draggable(ui, recipe, egui::Label::new(text)).on_hover_text(&told);
         chip.widget_info(|| WidgetInfo::labeled(Role::Label, true, told.clone()));
     }
 
@@ -263,7 +263,7 @@ impl App {
         if response.dnd_hover_payload::<DraggedRecipe>().is_some() {
             self.session.hovered = Some(n);
             if let Some(dragged) = response.dnd_release_payload::<DraggedRecipe>() {
-                self.apply_recipe(&dragged.0, vec![SurfaceId(n)]);
+                self.edit(given(self.document.job(), &dragged.0, vec![SurfaceId(n)]));
             }
             return;
         }
