@@ -8,6 +8,7 @@ use super::recipe_library::LibraryChange;
 use super::session::Session;
 use crate::document::{Edit, Parameter};
 use crate::view::Bounds;
+use nalgebra::{Point3, Vector3};
 use std::path::PathBuf;
 
 /// One thing that is wanted.
@@ -21,8 +22,8 @@ enum Action {
     Sample(&'static str),
     Ask(Purpose),
     Focus(u32),
-    LookAt(Bounds),
     Session(Box<dyn FnOnce(&mut Session)>),
+    LookAt { in_part: Point3<f64>, reach_mm: f64 },
 }
 
 /// What is wanted, in the order in which it came.
@@ -80,14 +81,20 @@ impl Actions {
         self.0.push(Action::Focus(surface));
     }
 
-    /// Fits the camera to a piece of the scene.
-    pub fn look_at(&mut self, bounds: Bounds) {
-        self.0.push(Action::LookAt(bounds));
-    }
-
     /// Changes what is selected, shown or open.
     pub fn session(&mut self, change: impl FnOnce(&mut Session) + 'static) {
         self.0.push(Action::Session(Box::new(change)));
+    }
+
+    /// Selects a surface alone, and scrolls its row into sight.
+    pub fn reveal(&mut self, surface: u32) {
+        self.session(move |s| (s.selected, s.scroll_to) = ([surface].into(), Some(surface)));
+    }
+
+    /// Turns the camera to a point of the part frame, with so much around it in sight; where the part stands is
+    /// asked once the actions before this one are done.
+    pub fn look_at(&mut self, in_part: Point3<f64>, reach_mm: f64) {
+        self.0.push(Action::LookAt { in_part, reach_mm });
     }
 }
 
@@ -96,19 +103,24 @@ impl App {
     pub(super) fn panel(&mut self, draw: impl FnOnce(Context<'_>, &mut Actions)) {
         let mut actions = Actions::default();
         draw(self.context(), &mut actions);
-        for action in actions.0 {
-            match action {
-                Action::Command(command) => self.run(command),
-                Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
-                Action::Number(parameter, value) => self.set_parameter(parameter, value),
-                Action::Robot(name) => self.choose_robot(&name),
-                Action::Library(change) => self.change_library(change),
-                Action::Open(file) => self.open_guarded(file),
-                Action::Sample(name) => self.open_sample(name),
-                Action::Ask(purpose) => self.ask(purpose),
-                Action::Focus(surface) => self.focus_surface(surface),
-                Action::LookAt(bounds) => self.viewport.fit(bounds),
-                Action::Session(change) => change(&mut self.session),
+        actions.0.into_iter().for_each(|action| self.act(action));
+    }
+
+    fn act(&mut self, action: Action) {
+        match action {
+            Action::Command(command) => self.run(command),
+            Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
+            Action::Number(parameter, value) => self.set_parameter(parameter, value),
+            Action::Robot(name) => self.choose_robot(&name),
+            Action::Library(change) => self.change_library(change),
+            Action::Open(file) => self.open_guarded(file),
+            Action::Sample(name) => self.open_sample(name),
+            Action::Ask(purpose) => self.ask(purpose),
+            Action::Focus(surface) => self.focus_surface(surface),
+            Action::Session(change) => change(&mut self.session),
+            Action::LookAt { in_part, reach_mm } => {
+                let (at, out) = (self.context().scene_from_part() * in_part, Vector3::repeat(reach_mm));
+                self.viewport.fit(Bounds { min: at - out, max: at + out });
             }
         }
     }

@@ -11,7 +11,8 @@
 //! - sends nothing unasked: an action in every frame would be work in every frame.
 //!
 //! Questions that only one feature has stand in the feature's own file as functions of the context. State that only
-//! one feature has (a timeline's place, a search) is a type of its own with the methods that change it.
+//! one feature has (a timeline's place, a search) is a type of its own with the methods that change it; where the
+//! session keeps it, its file knows no context (`panels/recipe/draft`, `panels/compare/state`).
 
 use super::App;
 use super::border::Borders;
@@ -19,7 +20,7 @@ use super::command::{Command, Toggle};
 use super::derived::Derived;
 use super::remedy::Proposal;
 use super::session::Session;
-use super::spacing::SpacingView;
+use super::spacing::{SpacingPicture, SpacingView};
 use crate::beam::Work;
 use crate::document::{Document, Library};
 use crate::planning::export::{ExportError, Exported};
@@ -108,6 +109,12 @@ impl<'a> Context<'a> {
     pub fn work(self) -> Work {
         let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.playback.at.0));
         pass.map_or_else(Work::default, |p| p.work)
+    }
+
+    /// The achieved spacing of the plan that is shown, if it is shown too.
+    pub fn spacing_picture(self) -> Option<&'a SpacingPicture> {
+        let planned = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing))?;
+        self.spacing.of(planned)
     }
 
     /// Whether a command has something shown that it would hide.

@@ -18,6 +18,7 @@ mod dose;
 mod edits;
 mod files;
 mod journal;
+mod menu_place;
 mod motion;
 mod opening;
 mod outside;

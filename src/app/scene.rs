@@ -52,7 +52,7 @@ impl App {
                 scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
             scene.lines.extend(self.borders.lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
-            let dots = self.context().spacing_points().iter();
+            let dots = self.context().spacing_picture().map_or(&[][..], |s| &s.dots).iter();
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
             self.context().add_simulation(&mut scene, place);
             self.context().add_tool(&mut scene, place);

@@ -5,7 +5,7 @@ use super::App;
 use super::command::Toggle;
 use super::context::Context;
 use super::motion::Motion;
-use crate::part::Shape;
+use crate::part::{Shape, SurfaceId};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
@@ -49,6 +49,23 @@ impl App {
         self.session.hidden.retain(there);
         (d.part, d.surfaces) = (Some(part), surfaces);
         d.part_of.clone_from(&self.document.job().part);
+    }
+
+    /// Finds the borders that are chosen, and those of the surface that was right clicked.
+    fn sync_borders(&mut self) {
+        let Some(part) = &self.derived.part else { return };
+        let job = self.document.job();
+        let start = |n: u32| Some((n, job.offset_start(SurfaceId(n))?.border()?));
+        let chosen: Vec<(u32, u32)> = self.context().clean_list().into_iter().filter_map(start).collect();
+        let besides = self.context().offset_surface().map(|surface| surface.0);
+        self.borders.sync(part, &self.derived.surfaces, chosen, besides);
+    }
+
+    /// Brings dots and scale of the spacing up to date, if they are shown.
+    fn sync_spacing(&mut self) {
+        if let Some(planned) = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing)) {
+            self.spacing.sync(planned);
+        }
     }
 
     fn sync_shapes(&mut self) {

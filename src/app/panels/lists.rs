@@ -3,7 +3,7 @@
 use super::super::command::Command;
 use super::super::session::Column;
 use super::super::{App, theme};
-use super::library::{DraggedRecipe, draggable, given};
+use super::library::{DraggedRecipe, draggable, edit_giving};
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
 use crate::text::{fixed, id, say};
@@ -263,7 +263,7 @@ impl App {
         if response.dnd_hover_payload::<DraggedRecipe>().is_some() {
             self.session.hovered = Some(n);
             if let Some(dragged) = response.dnd_release_payload::<DraggedRecipe>() {
-                self.edit(given(self.document.job(), &dragged.0, vec![SurfaceId(n)]));
+                self.edit(edit_giving(self.document.job(), &dragged.0, vec![SurfaceId(n)]));
             }
             return;
         }

@@ -1,5 +1,4 @@
-//! The parameters, made from their table: number with unit, reason when wrong, a way back to the
-//! default.
+//! The panel of the job, group by group: lines, beam and tool, recipes, targets, surfaces, part, dose, cell.
 
 use super::super::actions::Actions;
 use super::super::command::Command;

@@ -6,9 +6,7 @@ use super::super::context::Context;
 use super::dose::bar;
 use crate::picture::spacing::{Place, SpacingScale};
 use crate::text::{fixed, id, say, spacing_labels};
-use crate::view::Bounds;
 use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
-use nalgebra::Vector3;
 
 const WIDTH: f32 = 200.0;
 
@@ -24,8 +22,8 @@ pub(in super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_>, acti
         egui::Frame::popup(ui.style()).show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.label(RichText::new(say!(spacing_legend)).strong());
-            match context.spacing_scale() {
-                Some(scale) => legend(ui, scale, context, actions),
+            match context.spacing_picture().and_then(|s| s.scale.as_ref()) {
+                Some(scale) => legend(ui, scale, actions),
                 None => {
                     ui.label(say!(spacing_legend_none));
                 }
@@ -34,7 +32,7 @@ pub(in super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_>, acti
     });
 }
 
-fn legend(ui: &mut egui::Ui, scale: &SpacingScale, context: Context<'_>, actions: &mut Actions) {
+fn legend(ui: &mut egui::Ui, scale: &SpacingScale, actions: &mut Actions) {
     bar(ui, WIDTH, || say!(spacing_legend_scale), |share| share);
     thirds(ui, spacing_labels(scale));
     let sides = [say!(spacing_legend_closer), say!(spacing_legend_wanted), say!(spacing_legend_farther)];
@@ -47,7 +45,7 @@ fn legend(ui: &mut egui::Ui, scale: &SpacingScale, context: Context<'_>, actions
     ];
     for (text, place) in links {
         if ui.link(text).on_hover_text(say!(problems_go)).clicked() {
-            look_at(place, context, actions);
+            look_at(place, actions);
         }
     }
     if scale.wanted_mm.is_none() {
@@ -56,11 +54,9 @@ fn legend(ui: &mut egui::Ui, scale: &SpacingScale, context: Context<'_>, actions
 }
 
 /// Selects the surface of a place, and goes there.
-fn look_at(place: &Place, context: Context<'_>, actions: &mut Actions) {
-    let surface = place.surface;
-    actions.session(move |s| (s.selected, s.scroll_to) = ([surface].into(), Some(surface)));
-    let (at, out) = (context.scene_from_part() * place.at, Vector3::repeat((10.0 * place.mm).max(3.0)));
-    actions.look_at(Bounds { min: at - out, max: at + out });
+fn look_at(place: &Place, actions: &mut Actions) {
+    actions.reveal(place.surface);
+    actions.look_at(place.at, (10.0 * place.mm).max(3.0));
 }
 
 /// Words under the ends and the middle of the scale.

@@ -4,8 +4,6 @@ use super::super::actions::Actions;
 use super::super::command::{Command, More};
 use super::super::context::Context;
 use crate::document::{Edit, StartFrom};
-use crate::part::SurfaceId;
-use crate::path::Strategy;
 use crate::text::say;
 use eframe::egui;
 
@@ -40,7 +38,7 @@ fn spiral_centre(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     let button = ui.add_enabled(place.is_some(), egui::Button::new(say!(view_spiral_centre_here)));
     if button.on_disabled_hover_text(say!(view_only_with_spiral)).clicked() {
         if let Some((surface, at)) = place {
-            actions.edit(Edit::SurfaceCentre(surface, Some(at)));
+            actions.edit(Edit::SurfaceCentre(surface, Some(at.coords.into())));
         }
         ui.close();
     }
@@ -50,24 +48,14 @@ fn spiral_centre(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 fn first_border(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let border = context.border_place();
     let button = ui.add_enabled(border.is_some(), egui::Button::new(say!(view_offset_from_this_border)));
-    let button = match border.and_then(|(surface, index)| context.borders.words(surface, index)) {
+    let button = match border.and_then(|(surface, index)| context.borders.words(surface.0, index)) {
         Some(words) => button.on_hover_text(words),
         None => button,
     };
     if button.on_disabled_hover_text(say!(view_only_with_offset)).clicked() {
         if let Some((surface, index)) = border {
-            actions.edit(Edit::SurfaceBorder(SurfaceId(surface), Some(StartFrom::Border(index))));
+            actions.edit(Edit::SurfaceBorder(surface, Some(StartFrom::Border(index))));
         }
         ui.close();
-    }
-}
-
-impl Context<'_> {
-    /// The place that was right clicked, mm in the part's frame, if the surface there is worked in a spiral.
-    fn spiral_place(self) -> Option<(SurfaceId, [f64; 3])> {
-        let (facet, at) = self.session.menu_place?;
-        let surface = SurfaceId(*self.derived.surfaces.of_facet.get(facet as usize)?);
-        let is_spiral = self.document.job().of_surface(surface).layers.strategy == Strategy::Spiral;
-        is_spiral.then(|| (surface, at.coords.into()))
     }
 }

@@ -41,3 +41,25 @@ impl Compare {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn recipes_of_the_selection_are_compared_if_there_are_several() {
+        let recipe = |name: &str| Recipe { name: name.into(), ..Recipe::default() };
+        let [a, b, c] = ["a", "b", "c"].map(recipe);
+        let mut job = Job { recipes: vec![a.clone(), b.clone(), c.clone()], ..Job::default() };
+        job.settings.change(SurfaceId(1), |s| s.recipe = Some("a".into()));
+        job.settings.change(SurfaceId(2), |s| s.recipe = Some("b".into()));
+        let shown = |compare: &Compare| [&a, &b, &c].map(|r| compare.has(Shelf::Job, r));
+        assert_eq!(shown(&Compare::of(&job, &[SurfaceId(1)])), [true; 3]);
+        let mut compare = Compare::of(&job, &[SurfaceId(1), SurfaceId(2)]);
+        assert_eq!(shown(&compare), [true, true, false]);
+        compare.set(Shelf::Job, &a, false);
+        compare.set(Shelf::Mine, &c, true);
+        assert_eq!(shown(&compare), [false, true, false]);
+        assert!(compare.has(Shelf::Mine, &c));
+    }
+}

@@ -17,8 +17,8 @@ pub(in super::super) fn draggable(ui: &mut egui::Ui, recipe: &Recipe, label: egu
     if recipe.note.is_empty() { response } else { response.on_hover_text(&recipe.note) }
 }
 
-/// Gives surfaces a recipe from any shelf.
-pub(in super::super) fn given(job: &Job, recipe: &Recipe, surfaces: Vec<SurfaceId>) -> Edit {
+/// The edit that gives surfaces a recipe from any shelf.
+pub(in super::super) fn edit_giving(job: &Job, recipe: &Recipe, surfaces: Vec<SurfaceId>) -> Edit {
     Edit::GiveRecipe(surfaces, Some(Box::new(job.under_free_name(recipe))))
 }
 

@@ -7,5 +7,5 @@ pub(in super::super) mod shelf;
 mod shelves;
 
 pub(in super::super) use dragged::at_cursor;
-pub(super) use dragged::{DraggedRecipe, draggable, given};
+pub(super) use dragged::{DraggedRecipe, draggable, edit_giving};
 pub(super) use panel::ui;

@@ -5,7 +5,7 @@ use super::super::super::context::Context;
 use super::super::super::recipe_library::LibraryChange;
 use super::super::super::theme;
 use super::super::compare::state::Compare;
-use super::dragged::{draggable, given};
+use super::dragged::{draggable, edit_giving};
 use super::shelf::Shelf;
 use crate::document::{Edit, Recipe};
 use crate::text::{Sentence as _, say};
@@ -59,7 +59,7 @@ fn row(ui: &mut egui::Ui, shelf: Shelf, recipe: &Recipe, context: Context<'_>, a
         let told = || say!(library_apply_name, shelf = shelf.word(), name);
         apply.widget_info(|| WidgetInfo::labeled(Role::Button, true, told()));
         if apply.on_hover_text(say!(library_apply_tip)).clicked() {
-            actions.edit(given(context.document.job(), recipe, context.session.selected_ids()));
+            actions.edit(edit_giving(context.document.job(), recipe, context.session.selected_ids()));
         }
         if shelf == Shelf::Job {
             let copy = ui.small_button(say!(library_duplicate)).on_hover_text(say!(library_duplicate_tip));

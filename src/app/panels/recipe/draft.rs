@@ -50,3 +50,21 @@ impl Draft {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_draft_becomes_an_edit_of_its_recipe_as_long_as_that_is_there() {
+        let recipe = Recipe { name: "fine".into(), ..Recipe::default() };
+        let job = Job { recipes: vec![recipe.clone()], ..Job::default() };
+        let name = Draft::new(&recipe, Typed::Name, " finer ".into());
+        assert_eq!(name.edit(&job), Some(Edit::RenameRecipe("fine".into(), "finer".into())));
+        let note = Draft::new(&recipe, Typed::Note, "for rims".into());
+        let noted = Recipe { note: "for rims".into(), ..recipe.clone() };
+        assert_eq!(note.edit(&job), Some(Edit::Recipe(Box::new(noted), Vec::new())));
+        assert!(note.is_of(&recipe) && note.is(Typed::Note) && !note.is(Typed::Name));
+        assert_eq!(name.edit(&Job::default()), None);
+    }
+}
