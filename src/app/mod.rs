@@ -129,9 +129,7 @@ impl App {
     pub fn with_recipes(self, folder: Option<PathBuf>) -> App {
         App { recipes: Library::open(folder), ..self }
     }
-}
 
-impl App {
     /// The numbers of the job, and under them, always in sight: what is wrong, and what all the rest is for.
     fn parameters(&mut self, ui: &mut egui::Ui) {
         egui::Panel::bottom("export").show(ui, |ui| {
