@@ -14,8 +14,14 @@
 //! one feature has (a timeline's place, a search) is a type of its own with the methods that change it.
 
 use super::App;
+use super::access::AccessViews;
+use super::clearance::ClearanceCurve;
 use super::command::{Command, Toggle};
 use super::derived::Derived;
+use super::dialogs::Answers;
+use super::dose::DoseView;
+use super::questions::Question;
+use super::reading::Reading;
 use super::remedy::Proposal;
 use super::session::Session;
 use crate::beam::Work;
@@ -41,6 +47,14 @@ pub(super) struct Context<'a> {
     pub exporting: &'a Stage<Exported, ExportError>,
     /// Files that were opened or saved last, the newest first.
     pub recent: &'a [PathBuf],
+    /// From where the current place, and its line, can be reached.
+    pub access: &'a AccessViews,
+    /// What waits for the operator's word.
+    pub question: Option<&'a Question>,
+    /// What files are asked for.
+    pub answers: &'a Answers,
+    /// What is being read.
+    pub reading: &'a Reading,
 }
 
 impl App {
@@ -52,6 +66,10 @@ impl App {
             session: &self.session,
             exporting: &self.exporting,
             recent: &self.recent,
+            access: &self.access,
+            question: self.question.as_ref(),
+            answers: &self.answers,
+            reading: &self.reading,
         }
     }
 }
@@ -70,6 +88,22 @@ impl<'a> Context<'a> {
     /// The set-up that is proposed for it.
     pub fn proposal(self) -> Option<&'a Proposal> {
         self.derived.remedy.proposal(self.plan()?.key)
+    }
+
+    /// Whether a set-up was looked for in vain.
+    pub fn has_no_proposal(self) -> bool {
+        self.plan().is_some_and(|planned| self.derived.remedy.found_no_proposal(planned.key))
+    }
+
+    /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
+    pub fn dose(self) -> Option<&'a Arc<DoseView>> {
+        self.plan()?;
+        self.derived.dose.of(self.derived.pipeline.dose_key()?)
+    }
+
+    /// The clearance over the plan that is shown; `None`: it is being measured.
+    pub fn clearance(self) -> Option<&'a Arc<ClearanceCurve>> {
+        self.derived.clearance.of(self.derived.plan()?.key)
     }
 
     /// Surfaces to clean, in the order of work.

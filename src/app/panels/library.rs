@@ -123,15 +123,8 @@ impl App {
                     self.forget_recipe(name);
                 }
             }
-            self.draggable(ui, recipe, egui::Label::new(name.as_str()).truncate());
+            draggable(ui, recipe, egui::Label::new(name.as_str()).truncate());
         });
-    }
-
-    /// A label that carries a recipe onto a surface.
-    pub(super) fn draggable(&self, ui: &mut egui::Ui, recipe: &Recipe, label: egui::Label) -> egui::Response {
-        let response = ui.add(label.selectable(false).sense(Sense::drag()));
-        response.dnd_set_drag_payload(DraggedRecipe(recipe.clone()));
-        if recipe.note.is_empty() { response } else { response.on_hover_text(&recipe.note) }
     }
 
     /// Gives surfaces a recipe from any shelf.
@@ -155,4 +148,11 @@ impl App {
         let text = say!(library_dragged, name = &dragged.0.name);
         super::super::pick::text_at(ctx, pointer, text);
     }
+}
+
+/// A label that carries a recipe onto a surface.
+pub(super) fn draggable(ui: &mut egui::Ui, recipe: &Recipe, label: egui::Label) -> egui::Response {
+    let response = ui.add(label.selectable(false).sense(Sense::drag()));
+    response.dnd_set_drag_payload(DraggedRecipe(recipe.clone()));
+    if recipe.note.is_empty() { response } else { response.on_hover_text(&recipe.note) }
 }
