@@ -1,4 +1,5 @@
-//! Questions of panels that still draw on the whole window; the answers are those of its [`Context`](super::context::Context).
+//! Questions of panels that still draw on the whole window; the answers are those of its
+//! [`Context`](super::context::Context).
 
 use super::command::Command;
 use super::{App, panels};

@@ -34,7 +34,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
             actions.go_to_target((context.session.playback.at.0, point));
         }
     } else if context.document.job().path.correction == Correction::Clearance {
-        bend(&response, (&frame, pointer), pins, context, actions);
+        bend(&response, &frame, pointer, pins, context, actions);
     }
 }
 
@@ -64,7 +64,8 @@ fn nearest(strip: &AccessStrip, frame: &Frame, pointer: Pos2) -> Option<usize> {
 /// Makes or moves the pin under the pointer.
 fn bend(
     response: &egui::Response,
-    (frame, pointer): (&Frame, Pos2),
+    frame: &Frame,
+    pointer: Pos2,
     mut pins: Vec<Pin>,
     context: Context<'_>,
     actions: &mut Actions,
