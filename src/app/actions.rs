@@ -4,6 +4,7 @@ use super::App;
 use super::command::Command;
 use super::context::Context;
 use super::dialogs::Purpose;
+use super::questions::Reply;
 use super::recipe_library::LibraryChange;
 use super::session::Session;
 use crate::document::{Edit, Parameter};
@@ -23,7 +24,14 @@ enum Action {
     Ask(Purpose),
     Focus(u32),
     Session(Box<dyn FnOnce(&mut Session)>),
+    GoToTarget((usize, usize)),
+    GoToTime(f64),
     LookAt { in_part: Point3<f64>, reach_mm: f64 },
+    ApplyProposal,
+    DismissProposal,
+    Save,
+    GoOn,
+    Reply(Reply),
 }
 
 /// What is wanted, in the order in which it came.
@@ -91,10 +99,45 @@ impl Actions {
         self.session(move |s| (s.selected, s.scroll_to) = ([surface].into(), Some(surface)));
     }
 
+    /// Steps to a target: pass and point.
+    pub fn go_to_target(&mut self, at: (usize, usize)) {
+        self.0.push(Action::GoToTarget(at));
+    }
+
+    /// Goes to a time of the program, s.
+    pub fn go_to_time(&mut self, time_s: f64) {
+        self.0.push(Action::GoToTime(time_s));
+    }
+
     /// Turns the camera to a point of the part frame, with so much around it in sight; where the part stands is
     /// asked once the actions before this one are done.
     pub fn look_at(&mut self, in_part: Point3<f64>, reach_mm: f64) {
         self.0.push(Action::LookAt { in_part, reach_mm });
+    }
+
+    /// Takes the proposed set-up into the job.
+    pub fn apply_proposal(&mut self) {
+        self.0.push(Action::ApplyProposal);
+    }
+
+    /// Forgets the proposed set-up.
+    pub fn dismiss_proposal(&mut self) {
+        self.0.push(Action::DismissProposal);
+    }
+
+    /// Saves the job where it is kept, or asks where.
+    pub fn save(&mut self) {
+        self.0.push(Action::Save);
+    }
+
+    /// Does what waited for the unsaved changes.
+    pub fn go_on(&mut self) {
+        self.0.push(Action::GoOn);
+    }
+
+    /// Answers the question that waits.
+    pub fn reply(&mut self, reply: Reply) {
+        self.0.push(Action::Reply(reply));
     }
 }
 
@@ -118,10 +161,19 @@ impl App {
             Action::Ask(purpose) => self.ask(purpose),
             Action::Focus(surface) => self.focus_surface(surface),
             Action::Session(change) => change(&mut self.session),
+            Action::GoToTarget(at) => self.go_to_target(at),
+            Action::GoToTime(time_s) => self.go_to_time(time_s),
             Action::LookAt { in_part, reach_mm } => {
                 let (at, out) = (self.context().scene_from_part() * in_part, Vector3::repeat(reach_mm));
                 self.viewport.fit(Bounds { min: at - out, max: at + out });
             }
+            Action::ApplyProposal => self.apply_proposal(),
+            Action::DismissProposal => {
+                self.dismiss_proposal();
+            }
+            Action::Save => self.save_job(),
+            Action::GoOn => self.go_on(),
+            Action::Reply(reply) => self.take_reply(reply),
         }
     }
 }

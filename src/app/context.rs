@@ -15,9 +15,15 @@
 //! session keeps it, its file knows no context (`panels/recipe/draft`, `panels/compare/state`).
 
 use super::App;
+use super::access::AccessViews;
 use super::border::Borders;
+use super::clearance::ClearanceCurve;
 use super::command::{Command, Toggle};
 use super::derived::Derived;
+use super::dialogs::Answers;
+use super::dose::DoseView;
+use super::questions::Question;
+use super::reading::Reading;
 use super::remedy::Proposal;
 use super::session::Session;
 use super::spacing::{SpacingPicture, SpacingView};
@@ -50,6 +56,14 @@ pub(super) struct Context<'a> {
     pub spacing: &'a SpacingView,
     /// Borders that offset lines may start from.
     pub borders: &'a Borders,
+    /// From where the current place, and its line, can be reached.
+    pub access: &'a AccessViews,
+    /// What waits for the operator's word.
+    pub question: Option<&'a Question>,
+    /// What files are asked for.
+    pub answers: &'a Answers,
+    /// What is being read.
+    pub reading: &'a Reading,
 }
 
 impl App {
@@ -64,6 +78,10 @@ impl App {
             recipes: &self.recipes,
             spacing: &self.spacing,
             borders: &self.borders,
+            access: &self.access,
+            question: self.question.as_ref(),
+            answers: &self.answers,
+            reading: &self.reading,
         }
     }
 }
@@ -82,6 +100,22 @@ impl<'a> Context<'a> {
     /// The set-up that is proposed for it.
     pub fn proposal(self) -> Option<&'a Proposal> {
         self.derived.remedy.proposal(self.plan()?.key)
+    }
+
+    /// Whether a set-up was looked for in vain.
+    pub fn has_no_proposal(self) -> bool {
+        self.plan().is_some_and(|planned| self.derived.remedy.found_no_proposal(planned.key))
+    }
+
+    /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
+    pub fn dose(self) -> Option<&'a Arc<DoseView>> {
+        self.plan()?;
+        self.derived.dose.of(self.derived.pipeline.dose_key()?)
+    }
+
+    /// The clearance over the plan that is shown; `None`: it is being measured.
+    pub fn clearance(self) -> Option<&'a Arc<ClearanceCurve>> {
+        self.derived.clearance.of(self.derived.plan()?.key)
     }
 
     /// Surfaces to clean, in the order of work.

@@ -3,6 +3,7 @@
 use super::actions::Actions;
 use super::command::Toggle;
 use super::context::Context;
+use super::dose::Clicked;
 use super::session::Tool;
 use super::{App, at_cursor, panels};
 use crate::document::Edit;
@@ -16,7 +17,7 @@ impl App {
     /// The central panel.
     pub(super) fn view(&mut self, ui: &mut egui::Ui) {
         self.panel(|context, actions| panels::toolbar::ui(ui, context, actions));
-        self.proposal_strip(ui);
+        self.panel(|context, actions| panels::proposal::ui(ui, context, actions));
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
@@ -47,7 +48,7 @@ impl App {
     }
 
     fn fit_if_pending(&mut self) {
-        if self.session.fit_pending && self.is_in_cell() {
+        if self.session.fit_pending && self.context().is_in_cell() {
             self.fit_cell();
         } else if let (true, Some(part)) = (self.session.fit_pending, &self.derived.part) {
             let (min, max) = part.mesh.bounds();
@@ -87,7 +88,7 @@ fn pointer(r: &ViewportResponse, camera: &Camera, context: Context<'_>, actions:
     if let Some(px) = r.double_clicked_px {
         match picked(px).and_then(|(facet, _)| context.surface_of(facet)) {
             Some(n) => {
-                actions.session(move |s| (s.selected, s.scroll_to) = ([n].into(), Some(n)));
+                actions.reveal(n);
                 actions.focus(n);
             }
             None => actions.session(|s| s.fit_pending = true),
@@ -159,6 +160,11 @@ impl Context<'_> {
             origin = point + dir * 1e-6 * part.mesh.diagonal();
         }
         None
+    }
+
+    /// What lands at a place of the part, if the dose is known.
+    fn dose_at(self, facet: u32, point: Point3<f64>) -> Option<Clicked> {
+        self.dose()?.at(self.plan()?, facet, point)
     }
 
     /// The surface that a facet belongs to.

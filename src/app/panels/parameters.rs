@@ -4,7 +4,7 @@ use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
-use super::{beam, cell, layers, library, numbers, placement, recipe};
+use super::{beam, cell, export, layers, library, numbers, placement, recipe};
 use crate::document::Edit;
 use crate::document::parameter::Group;
 use crate::pose::Correction;
@@ -12,6 +12,8 @@ use crate::text::{choices, say};
 use eframe::egui::{self, DragValue};
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    // Always in sight: what is wrong, and what all the rest is for.
+    egui::Panel::bottom("export").show(ui, |ui| export::ui(ui, context, actions));
     egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         layers::ui(ui, context, actions);
         theme::heading(ui, &say!(parameters_beam));

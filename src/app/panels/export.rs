@@ -1,13 +1,23 @@
-//! The button that writes the program into a folder.
+//! What is wrong, and under it the button that writes the program into a folder.
 
 use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
+use super::problems;
 use crate::text::say;
-use eframe::egui::{self, RichText};
+use eframe::egui::{self, RichText, ScrollArea};
 
-pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    // What would help stands under what is wrong.
+    let height = if context.refusing_plan().is_some() { 230.0 } else { 130.0 };
+    // As high as its text, whatever height the panel had before.
+    let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+    area.auto_shrink([false, true]).show(ui, |ui| problems::ui(ui, context, actions));
+    button(ui, context, actions);
+}
+
+fn button(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     ui.add_space(2.0);
     let ready = context.plan().is_some();
     let text = RichText::new(say!(cell_panel_export)).strong();
