@@ -1,13 +1,12 @@
-//! From where the place under the cursor, or the current target, can be reached; and from where along its line. What
-//! was looked at is kept while neither place nor job nor plan changes.
+//! From where a place can be reached, and from where the places along a line. What was looked at is kept while neither
+//! place nor job nor plan changes. Which place and line are looked at stands in `access_place`.
 
-use super::App;
 use crate::cell::Setup;
 use crate::document::Job;
-use crate::part::{Part, SurfaceId, angle};
+use crate::part::{Part, SurfaceId};
 use crate::planning::surface_plan::body;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
-use crate::pose::{Beam, Pass, State, Tilt, TiltRule};
+use crate::pose::{Beam, Pass, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
 /// Cells of the map and of the strip, degrees: seven hundred directions are looked at in a few
@@ -15,9 +14,6 @@ use nalgebra::{Point3, Vector3};
 pub const STEP_DEG: f64 = 3.0;
 /// Places along a line that are looked at.
 const PLACES: usize = 120;
-/// Under the cursor the normal of a target is taken, if it is no farther than this from the facet's, degrees:
-/// that of a smooth surface, where the facets are not.
-const SAME_NORMAL_DEG: f64 = 20.0;
 
 /// A place that is looked at.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,103 +44,60 @@ pub(super) struct AccessViews {
 }
 
 /// What access is looked at with.
-struct Ground<'a> {
-    part: &'a Part,
-    job: &'a Job,
-    setup: &'a Setup,
+pub(super) struct Ground<'a> {
+    /// The part, which may be in the way.
+    pub part: &'a Part,
+    /// Its tilt rules and limits.
+    pub job: &'a Job,
+    /// Head and clamps, which may be in the way as well.
+    pub setup: &'a Setup,
     /// Picture key of the plan.
-    plan: u64,
+    pub plan: u64,
 }
 
 impl AccessViews {
-    /// The map of a place.
-    fn map(&mut self, place: &Place, on: &Ground<'_>) -> &AccessMap {
-        let of = (place.clone(), on.job.clone(), on.plan);
-        if self.map.as_ref().is_some_and(|m| m.0 != of) {
+    /// Looks from all directions at a place; without one there is no map.
+    pub fn look_at(&mut self, place: Option<Place>, on: Option<&Ground<'_>>) {
+        let (Some(place), Some(on)) = (place, on) else {
             self.map = None;
+            return;
+        };
+        let of = (place, on.job.clone(), on.plan);
+        if self.map.as_ref().is_some_and(|m| m.0 == of) {
+            return;
         }
-        let (_, map) = self.map.get_or_insert_with(|| {
-            let body = body(on.job, on.setup);
-            let beam = Beam::with(on.part, body.as_ref());
-            let (rule, most) = (rule_of(on.job, place.surface), on.job.path.max_tilt_deg);
-            (of, AccessMap::at(&beam, &place.p, &place.n, &place.tangent, &rule, most, STEP_DEG))
-        });
-        map
+        let body = body(on.job, on.setup);
+        let beam = Beam::with(on.part, body.as_ref());
+        let place = &of.0;
+        let (rule, most) = (rule_of(on.job, place.surface), on.job.path.max_tilt_deg);
+        let map = AccessMap::at(&beam, &place.p, &place.n, &place.tangent, &rule, most, STEP_DEG);
+        self.map = Some((of, map));
     }
 
-    /// The strip along a pass.
-    fn strip(&mut self, over: Over, number: usize, pass: &Pass, on: &Ground<'_>) -> &AccessStrip {
-        let of = ((over, number), on.job.clone(), on.plan);
-        if self.strip.as_ref().is_some_and(|s| s.0 != of) {
+    /// Looks along a pass, which is given with its number; without one there is no strip.
+    pub fn look_along(&mut self, pass: Option<(usize, &Pass)>, over: Over, on: Option<&Ground<'_>>) {
+        let (Some((number, pass)), Some(on)) = (pass, on) else {
             self.strip = None;
+            return;
+        };
+        let of = ((over, number), on.job.clone(), on.plan);
+        if self.strip.as_ref().is_some_and(|s| s.0 == of) {
+            return;
         }
-        let (_, strip) = self.strip.get_or_insert_with(|| {
-            let body = body(on.job, on.setup);
-            let beam = Beam::with(on.part, body.as_ref());
-            let (rule, most) = (rule_of(on.job, pass.surface), on.job.path.max_tilt_deg);
-            (of, AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES))
-        });
-        strip
-    }
-}
-
-impl App {
-    /// The place under the cursor, else the current target.
-    pub(super) fn access_place(&self) -> Option<Place> {
-        self.hovered_place().or_else(|| {
-            let t = self.target()?;
-            let surface = self.derived.plan()?.plan.passes.get(self.session.playback.at.0)?.surface;
-            let chosen = (t.state != State::Blocked).then(|| t.tilt());
-            Some(Place { p: t.p, n: t.n, tangent: t.tangent(), surface, chosen, hovered: false })
-        })
+        let body = body(on.job, on.setup);
+        let beam = Beam::with(on.part, body.as_ref());
+        let (rule, most) = (rule_of(on.job, pass.surface), on.job.path.max_tilt_deg);
+        self.strip = Some((of, AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES)));
     }
 
-    fn hovered_place(&self) -> Option<Place> {
-        let (facet, p) = self.session.hover_place?;
-        let d = &self.derived;
-        let surface = *d.surfaces.of_facet.get(facet as usize)?;
-        let flat = *d.surfaces.normals.get(facet as usize)?;
-        let targets =
-            d.plan_on_part().into_iter().flat_map(|of| &of.plan.passes).filter(|pass| pass.surface == surface);
-        let nearest = targets
-            .flat_map(|pass| &pass.targets)
-            .map(|t| ((t.p - p).norm_squared(), t))
-            .min_by(|x, y| x.0.total_cmp(&y.0))
-            .map(|(_, t)| t);
-        let near = nearest.filter(|t| angle::between_deg(&t.n, &flat) <= SAME_NORMAL_DEG);
-        let n = near.map_or(flat, |t| t.n);
-        let tangent = near.map_or_else(|| angle::any_square_to(&flat), |t| t.tangent());
-        let spacing_mm = self.document.job().layers.spacing_mm;
-        let on_it = near.filter(|t| (t.p - p).norm() <= spacing_mm && t.state != State::Blocked);
-        Some(Place { p, n, tangent, surface, chosen: on_it.map(|t| t.tilt()), hovered: true })
+    /// The map of the place that was looked at last.
+    pub fn map(&self) -> Option<(&Place, &AccessMap)> {
+        self.map.as_ref().map(|((place, ..), map)| (place, map))
     }
 
-    /// The map of that place.
-    pub(super) fn access_map(&mut self) -> Option<(Place, &AccessMap)> {
-        let place = self.access_place()?;
-        let d = &self.derived;
-        let (part, setup) = (d.part.as_ref()?, d.pipeline.setup()?.ok()?);
-        let plan = d.plan().map_or(0, |of| of.picture_key());
-        let on = Ground { part, job: self.document.job(), setup, plan };
-        let map = self.access.map(&place, &on);
-        Some((place, map))
-    }
-
-    /// The strip of the current pass.
-    pub(super) fn access_strip(&mut self, over: Over) -> Option<&AccessStrip> {
-        let (planned, number) = (self.derived.plan()?, self.session.playback.at.0);
-        let pass = planned.plan.passes.get(number)?;
-        let setup = self.derived.pipeline.setup()?.ok()?;
-        let on = Ground { part: &planned.part, job: self.document.job(), setup, plan: planned.picture_key() };
-        Some(self.access.strip(over, number, pass, &on))
-    }
-
-    /// Surface of the current pass, and its number among the lines of that surface.
-    pub(super) fn current_line(&self) -> Option<(u32, u32)> {
-        let plan = &self.derived.plan()?.plan;
-        let surface = plan.passes.get(self.session.playback.at.0)?.surface;
-        let before = plan.passes.iter().take(self.session.playback.at.0).filter(|p| p.surface == surface).count();
-        Some((surface, before as u32))
+    /// The strip along the pass that was looked along last.
+    pub fn strip(&self) -> Option<&AccessStrip> {
+        self.strip.as_ref().map(|(_, strip)| strip)
     }
 }
 

@@ -3,17 +3,35 @@
 use super::App;
 use super::command::Command;
 use super::context::Context;
+use super::dialogs::Purpose;
+use super::questions::Reply;
+use super::recipe_library::LibraryChange;
 use super::session::Session;
-use crate::document::Edit;
+use crate::document::{Edit, Parameter};
+use crate::view::Bounds;
+use nalgebra::{Point3, Vector3};
 use std::path::PathBuf;
 
 /// One thing that is wanted.
 enum Action {
     Command(Command),
     Edit { edit: Edit, gesture: Option<String> },
+    Number(&'static Parameter, f64),
+    Robot(String),
+    Library(LibraryChange),
     Open(PathBuf),
+    Sample(&'static str),
+    Ask(Purpose),
     Focus(u32),
     Session(Box<dyn FnOnce(&mut Session)>),
+    GoToTarget((usize, usize)),
+    GoToTime(f64),
+    LookAt { in_part: Point3<f64>, reach_mm: f64 },
+    ApplyProposal,
+    DismissProposal,
+    Save,
+    GoOn,
+    Reply(Reply),
 }
 
 /// What is wanted, in the order in which it came.
@@ -32,14 +50,38 @@ impl Actions {
     }
 
     /// Changes the document as a piece of the drag that is going on: edits of one gesture are one step of undo.
-    #[expect(dead_code, reason = "panels with fields ask the window itself so far")]
     pub fn drag(&mut self, edit: Edit, gesture: impl Into<String>) {
         self.0.push(Action::Edit { edit, gesture: Some(gesture.into()) });
+    }
+
+    /// Sets a number of the parameter table, as a piece of the drag that is going on.
+    pub fn number(&mut self, parameter: &'static Parameter, value: f64) {
+        self.0.push(Action::Number(parameter, value));
+    }
+
+    /// Takes a robot by its key or file, with the language of its controller; an empty name is none.
+    pub fn robot(&mut self, name: String) {
+        self.0.push(Action::Robot(name));
+    }
+
+    /// Changes the user's library of recipes.
+    pub fn library(&mut self, change: LibraryChange) {
+        self.0.push(Action::Library(change));
     }
 
     /// Opens a part or a job, once unsaved changes are dealt with.
     pub fn open(&mut self, file: PathBuf) {
         self.0.push(Action::Open(file));
+    }
+
+    /// Opens a shipped sample by its name, once unsaved changes are dealt with.
+    pub fn sample(&mut self, name: &'static str) {
+        self.0.push(Action::Sample(name));
+    }
+
+    /// Asks the user for a file.
+    pub fn ask(&mut self, purpose: Purpose) {
+        self.0.push(Action::Ask(purpose));
     }
 
     /// Fits the camera to a surface.
@@ -51,6 +93,52 @@ impl Actions {
     pub fn session(&mut self, change: impl FnOnce(&mut Session) + 'static) {
         self.0.push(Action::Session(Box::new(change)));
     }
+
+    /// Selects a surface alone, and scrolls its row into sight.
+    pub fn reveal(&mut self, surface: u32) {
+        self.session(move |s| (s.selected, s.scroll_to) = ([surface].into(), Some(surface)));
+    }
+
+    /// Steps to a target: pass and point.
+    pub fn go_to_target(&mut self, at: (usize, usize)) {
+        self.0.push(Action::GoToTarget(at));
+    }
+
+    /// Goes to a time of the program, s.
+    pub fn go_to_time(&mut self, time_s: f64) {
+        self.0.push(Action::GoToTime(time_s));
+    }
+
+    /// Turns the camera to a point of the part frame, with so much around it in sight; where the part stands is
+    /// asked once the actions before this one are done.
+    pub fn look_at(&mut self, in_part: Point3<f64>, reach_mm: f64) {
+        self.0.push(Action::LookAt { in_part, reach_mm });
+    }
+
+    /// Takes the proposed set-up into the job.
+    pub fn apply_proposal(&mut self) {
+        self.0.push(Action::ApplyProposal);
+    }
+
+    /// Forgets the proposed set-up.
+    pub fn dismiss_proposal(&mut self) {
+        self.0.push(Action::DismissProposal);
+    }
+
+    /// Saves the job where it is kept, or asks where.
+    pub fn save(&mut self) {
+        self.0.push(Action::Save);
+    }
+
+    /// Does what waited for the unsaved changes.
+    pub fn go_on(&mut self) {
+        self.0.push(Action::GoOn);
+    }
+
+    /// Answers the question that waits.
+    pub fn reply(&mut self, reply: Reply) {
+        self.0.push(Action::Reply(reply));
+    }
 }
 
 impl App {
@@ -58,14 +146,34 @@ impl App {
     pub(super) fn panel(&mut self, draw: impl FnOnce(Context<'_>, &mut Actions)) {
         let mut actions = Actions::default();
         draw(self.context(), &mut actions);
-        for action in actions.0 {
-            match action {
-                Action::Command(command) => self.run(command),
-                Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
-                Action::Open(file) => self.open_guarded(file),
-                Action::Focus(surface) => self.focus_surface(surface),
-                Action::Session(change) => change(&mut self.session),
+        actions.0.into_iter().for_each(|action| self.act(action));
+    }
+
+    fn act(&mut self, action: Action) {
+        match action {
+            Action::Command(command) => self.run(command),
+            Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
+            Action::Number(parameter, value) => self.set_parameter(parameter, value),
+            Action::Robot(name) => self.choose_robot(&name),
+            Action::Library(change) => self.change_library(change),
+            Action::Open(file) => self.open_guarded(file),
+            Action::Sample(name) => self.open_sample(name),
+            Action::Ask(purpose) => self.ask(purpose),
+            Action::Focus(surface) => self.focus_surface(surface),
+            Action::Session(change) => change(&mut self.session),
+            Action::GoToTarget(at) => self.go_to_target(at),
+            Action::GoToTime(time_s) => self.go_to_time(time_s),
+            Action::LookAt { in_part, reach_mm } => {
+                let (at, out) = (self.context().scene_from_part() * in_part, Vector3::repeat(reach_mm));
+                self.viewport.fit(Bounds { min: at - out, max: at + out });
             }
+            Action::ApplyProposal => self.apply_proposal(),
+            Action::DismissProposal => {
+                self.dismiss_proposal();
+            }
+            Action::Save => self.save_job(),
+            Action::GoOn => self.go_on(),
+            Action::Reply(reply) => self.take_reply(reply),
         }
     }
 }

@@ -1,8 +1,7 @@
-//! Borders of surfaces that are worked in offset lines: which is chosen, drawn on the part, and which is nearest
-//! to the place that was right clicked.
+//! Borders of surfaces that are worked in offset lines: which are chosen, drawn on the part, and which is nearest
+//! to a place.
 
-use super::App;
-use crate::part::{Part, SurfaceId, Surfaces};
+use crate::part::{Part, Surfaces};
 use crate::path::strategy::offset::{Border, borders};
 use crate::picture::border;
 use crate::text::{fixed, id, say};
@@ -24,7 +23,7 @@ pub(super) struct Borders {
 
 impl Borders {
     /// Finds the borders that are chosen to start from, and those of a surface besides; lines are made of the former.
-    fn sync(&mut self, part: &Part, surfaces: &Arc<Surfaces>, chosen: Vec<(u32, u32)>, besides: Option<u32>) {
+    pub fn sync(&mut self, part: &Part, surfaces: &Arc<Surfaces>, chosen: Vec<(u32, u32)>, besides: Option<u32>) {
         if self.of.as_ref().is_none_or(|of| !Arc::ptr_eq(of, surfaces)) {
             *self = Borders { of: Some(surfaces.clone()), ..Borders::default() };
         }
@@ -46,7 +45,7 @@ impl Borders {
     }
 
     /// The border of a surface that is nearest to a point.
-    fn nearest(&self, surface: u32, at: &Point3<f64>) -> Option<u32> {
+    pub fn nearest(&self, surface: u32, at: &Point3<f64>) -> Option<u32> {
         let distance_mm = |b: &Border| b.edges.iter().map(|e| to_edge_mm(e, at)).fold(f64::INFINITY, f64::min);
         let loops = self.known.get(&surface)?.iter().map(distance_mm).enumerate();
         let (index, _) = loops.min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -64,32 +63,6 @@ impl Borders {
             surface = id(surface),
             length_mm = fixed(border.length_mm, 1)
         ))
-    }
-}
-
-impl App {
-    /// Finds the borders that are chosen, and those of the surface that was right clicked.
-    pub(super) fn sync_borders(&mut self) {
-        let Some(part) = &self.derived.part else { return };
-        let job = self.document.job();
-        let start = |n: u32| Some((n, job.offset_start(SurfaceId(n))?.border()?));
-        let chosen: Vec<(u32, u32)> = self.context().clean_list().into_iter().filter_map(start).collect();
-        let menu = self.offset_surface_of_menu();
-        self.borders.sync(part, &self.derived.surfaces, chosen, menu);
-    }
-
-    /// The surface that was right clicked, if it is worked in offset lines.
-    fn offset_surface_of_menu(&self) -> Option<u32> {
-        let surface = *self.derived.surfaces.of_facet.get(self.session.menu_place?.0 as usize)?;
-        self.document.job().offset_start(SurfaceId(surface)).is_some().then_some(surface)
-    }
-
-    /// The border nearest to the place that was right clicked, if the surface there is worked in offset lines:
-    /// surface and border.
-    pub(super) fn border_place(&self) -> Option<(u32, u32)> {
-        let (_, at) = self.session.menu_place?;
-        let surface = self.offset_surface_of_menu()?;
-        Some((surface, self.borders.nearest(surface, &at)?))
     }
 }
 

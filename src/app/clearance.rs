@@ -1,8 +1,6 @@
 //! How far arm, head and part keep from everything over a program: looked at on a thread once the curves
 //! are shown, and kept for one plan.
 
-use super::App;
-use super::command::Toggle;
 use super::motion::Motion;
 use crate::cell::Collision;
 use crate::part::Digest;
@@ -26,7 +24,8 @@ pub struct ClearanceCurve {
 pub struct ClearanceSearch(Stage<ClearanceCurve, Infallible>);
 
 impl ClearanceSearch {
-    fn sync(&mut self, current: Option<(Arc<PlannedJob>, Arc<Motion>)>, executor: &dyn Executor) {
+    /// Takes what has arrived, and looks at a plan in motion unless that is known.
+    pub fn sync(&mut self, current: Option<(Arc<PlannedJob>, Arc<Motion>)>, executor: &dyn Executor) {
         self.0.poll();
         let Some((planned, motion)) = current.filter(|(planned, _)| !self.0.is_running() && self.0.lacks(planned.key))
         else {
@@ -54,20 +53,5 @@ impl ClearanceCurve {
         let whole = planned.plan.grown.last().map_or(&*planned.part, |g| &g.part);
         let collision = Collision::new(motion.timeline.as_ref()?.setup(), whole)?;
         Some(ClearanceCurve { samples: clearances(&motion.curves, &collision), margin_mm: collision.margin_mm() })
-    }
-}
-
-impl App {
-    /// The clearance of the plan that is shown; `None`: that is being looked at.
-    pub(super) fn clearance(&self) -> Option<&Arc<ClearanceCurve>> {
-        self.derived.clearance.of(self.derived.plan()?.key)
-    }
-
-    /// Brings the clearance up to date, if the curves are shown.
-    pub(super) fn sync_clearance(&mut self) {
-        let planned = self.context().plan().filter(|_| self.session.show.is_on(Toggle::Plots)).cloned();
-        let current = planned.and_then(|p| Some((p.clone(), self.derived.motion.of(p.key)?.clone())));
-        let executor = self.derived.pipeline.executor().clone();
-        self.derived.clearance.sync(current, &*executor);
     }
 }

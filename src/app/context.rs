@@ -11,15 +11,24 @@
 //! - sends nothing unasked: an action in every frame would be work in every frame.
 //!
 //! Questions that only one feature has stand in the feature's own file as functions of the context. State that only
-//! one feature has (a timeline's place, a search) is a type of its own with the methods that change it.
+//! one feature has (a timeline's place, a search) is a type of its own with the methods that change it; where the
+//! session keeps it, its file knows no context (`panels/recipe/draft`, `panels/compare/state`).
 
 use super::App;
+use super::access::AccessViews;
+use super::border::Borders;
+use super::clearance::ClearanceCurve;
 use super::command::{Command, Toggle};
 use super::derived::Derived;
+use super::dialogs::Answers;
+use super::dose::DoseView;
+use super::questions::Question;
+use super::reading::Reading;
 use super::remedy::Proposal;
 use super::session::Session;
+use super::spacing::{SpacingPicture, SpacingView};
 use crate::beam::Work;
-use crate::document::Document;
+use crate::document::{Document, Library};
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{PlannedJob, Stage};
 use crate::pose::Target;
@@ -41,6 +50,20 @@ pub(super) struct Context<'a> {
     pub exporting: &'a Stage<Exported, ExportError>,
     /// Files that were opened or saved last, the newest first.
     pub recent: &'a [PathBuf],
+    /// Recipes beside those of the job.
+    pub recipes: &'a Library,
+    /// Dots and scale of the achieved spacing.
+    pub spacing: &'a SpacingView,
+    /// Borders that offset lines may start from.
+    pub borders: &'a Borders,
+    /// From where the current place, and its line, can be reached.
+    pub access: &'a AccessViews,
+    /// What waits for the operator's word.
+    pub question: Option<&'a Question>,
+    /// What files are asked for.
+    pub answers: &'a Answers,
+    /// What is being read.
+    pub reading: &'a Reading,
 }
 
 impl App {
@@ -52,6 +75,13 @@ impl App {
             session: &self.session,
             exporting: &self.exporting,
             recent: &self.recent,
+            recipes: &self.recipes,
+            spacing: &self.spacing,
+            borders: &self.borders,
+            access: &self.access,
+            question: self.question.as_ref(),
+            answers: &self.answers,
+            reading: &self.reading,
         }
     }
 }
@@ -70,6 +100,22 @@ impl<'a> Context<'a> {
     /// The set-up that is proposed for it.
     pub fn proposal(self) -> Option<&'a Proposal> {
         self.derived.remedy.proposal(self.plan()?.key)
+    }
+
+    /// Whether a set-up was looked for in vain.
+    pub fn has_no_proposal(self) -> bool {
+        self.plan().is_some_and(|planned| self.derived.remedy.found_no_proposal(planned.key))
+    }
+
+    /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
+    pub fn dose(self) -> Option<&'a Arc<DoseView>> {
+        self.plan()?;
+        self.derived.dose.of(self.derived.pipeline.dose_key()?)
+    }
+
+    /// The clearance over the plan that is shown; `None`: it is being measured.
+    pub fn clearance(self) -> Option<&'a Arc<ClearanceCurve>> {
+        self.derived.clearance.of(self.derived.plan()?.key)
     }
 
     /// Surfaces to clean, in the order of work.
@@ -97,6 +143,12 @@ impl<'a> Context<'a> {
     pub fn work(self) -> Work {
         let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.playback.at.0));
         pass.map_or_else(Work::default, |p| p.work)
+    }
+
+    /// The achieved spacing of the plan that is shown, if it is shown too.
+    pub fn spacing_picture(self) -> Option<&'a SpacingPicture> {
+        let planned = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing))?;
+        self.spacing.of(planned)
     }
 
     /// Whether a command has something shown that it would hide.

@@ -1,10 +1,6 @@
 //! The dose of the plan that is shown: computed on a thread once it is asked for, with progress and
-//! cancel, and kept for one plan. And what of it stands at a clicked place.
+//! cancel, and kept for one plan. And what of it lands at a clicked place.
 
-use super::App;
-use super::command::Toggle;
-use super::context::Context;
-use super::session::Coloring;
 use crate::document::Job;
 use crate::part::{Digest, Surfaces};
 use crate::picture::dose::{DoseLook, dose_item};
@@ -48,7 +44,7 @@ pub struct Dose(Stage<DoseView, PlanError>);
 impl Dose {
     /// Takes what has arrived, and computes the dose of a plan if it is wanted. Nobody waits for the dose of a plan
     /// that is out of date. Thresholds are those of the job as it is; all else of it is the plan's.
-    fn sync(
+    pub fn sync(
         &mut self,
         current: Option<(Digest, Arc<PlannedJob>)>,
         job: &Job,
@@ -103,41 +99,20 @@ impl DoseView {
         let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, surfaces, look));
         Ok(DoseView { map, patches, report, surfaces: surfaces.clone(), items })
     }
-}
 
-impl App {
-    /// Brings the dose up to date, if it is shown.
-    pub(super) fn sync_dose(&mut self) {
-        let planned = self.context().plan().cloned();
-        let current = self.derived.pipeline.dose_key().zip(planned);
-        let executor = self.derived.pipeline.executor().clone();
-        let is_wanted = self.session.show.is_on(Toggle::Dose);
-        self.derived.dose.sync(current, self.document.job(), is_wanted, &*executor);
-    }
-}
-
-impl<'a> Context<'a> {
-    /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
-    pub fn dose(self) -> Option<&'a Arc<DoseView>> {
-        self.plan()?;
-        self.derived.dose.of(self.derived.pipeline.dose_key()?)
+    /// The part coloured by it.
+    pub fn picture(&self, look: DoseLook) -> &MeshItem {
+        let [by_dose, by_incidence] = &self.items;
+        match look {
+            DoseLook::Dose => by_dose,
+            DoseLook::Incidence => by_incidence,
+        }
     }
 
-    /// The part coloured by what lands, if that is asked for and known.
-    pub fn dose_picture(self) -> Option<MeshItem> {
-        let which = match self.session.coloring {
-            Coloring::Surface => return None,
-            Coloring::Dose => 0,
-            Coloring::Incidence => 1,
-        };
-        Some(self.dose()?.items[which].clone())
-    }
-
-    /// What lands at a place of the part, if the dose is known.
-    pub fn dose_at(self, facet: u32, p: Point3<f64>) -> Option<Clicked> {
-        let (view, planned) = (self.dose()?, self.plan()?);
-        let normal = view.surfaces.normals.get(facet as usize)?;
-        let hits = view.map.hits_at(&planned.part, &planned.setup.tool.clamps, facet, &p, normal);
+    /// What lands at a place of the part of a plan: facet, and point in the part frame, mm.
+    pub fn at(&self, of: &PlannedJob, facet: u32, p: Point3<f64>) -> Option<Clicked> {
+        let normal = self.surfaces.normals.get(facet as usize)?;
+        let hits = self.map.hits_at(&of.part, &of.setup.tool.clamps, facet, &p, normal);
         Some(Clicked { p, facet, hits })
     }
 }

@@ -1,9 +1,11 @@
 //! The one way that every edit of the window takes, and edits that need more than a value.
 
 use super::App;
+use crate::cell::Robot;
 use crate::document::{Edit, Lost, Parameter, RecutAnchor};
 use crate::part::{Placement, SurfaceId};
 use crate::text::{Sentence as _, say};
+use std::path::Path;
 
 impl App {
     /// Applies an edit as a step of its own.
@@ -32,6 +34,19 @@ impl App {
     pub(super) fn place(&mut self, change: impl FnOnce(&Placement) -> Placement) {
         let placement = change(&self.document.job().part.placement);
         self.edit(Edit::Place(placement));
+    }
+
+    /// Takes a robot by its key or file, with the language of its controller; an empty name is none.
+    pub(super) fn choose_robot(&mut self, name: &str) {
+        let dialect = self.document.job().cell.dialect.clone();
+        if name.is_empty() {
+            self.edit(Edit::Robot(String::new(), dialect));
+            return;
+        }
+        match Robot::load(name, self.document.file().and_then(Path::parent)) {
+            Ok(robot) => self.edit(Edit::Robot(name.into(), robot.dialect)),
+            Err(e) => self.session.error = Some(e.sentence()),
+        }
     }
 
     /// Sets a number of the parameter table. One that cuts the surfaces anew carries over what is said of them.

@@ -5,8 +5,10 @@
 //! [`Command`]s and edits; nothing else changes the document. Work over 100 ms runs on a pool of threads, and a result that nobody wants any more is dropped.
 
 mod access;
+mod access_place;
 mod actions;
-mod asked;
+mod at_cursor;
+mod better_setup;
 mod border;
 mod clearance;
 mod command;
@@ -17,15 +19,18 @@ mod dose;
 mod edits;
 mod files;
 mod journal;
+mod menu_place;
 mod motion;
 mod opening;
 mod outside;
 mod panels;
 mod pick;
 mod playback;
+mod program_view;
 mod quantity;
 mod questions;
 mod reading;
+mod recipe_library;
 mod remedy;
 mod run;
 mod scene;
@@ -159,32 +164,41 @@ impl eframe::App for App {
         egui::Panel::bottom("status")
             .show(ui, |ui| self.panel(|context, actions| panels::status::ui(ui, context, actions)));
         if self.derived.part.is_some() {
-            if self.session.show.is_on(Toggle::Plots) && self.timeline().is_some() {
-                egui::Panel::bottom("plots").default_size(240.0).min_size(160.0).show(ui, |ui| self.plots(ui));
+            if self.session.show.is_on(Toggle::Plots) && self.context().timeline().is_some() {
+                let panel = egui::Panel::bottom("plots").default_size(240.0).min_size(160.0);
+                panel.show(ui, |ui| self.panel(|context, actions| panels::plots::ui(ui, context, actions)));
             }
             if self.session.show.is_on(Toggle::AccessMap) && self.derived.plan().is_some() {
-                egui::Panel::bottom("access").default_size(230.0).min_size(150.0).show(ui, |ui| self.access_panel(ui));
+                self.sync_access();
+                let panel = egui::Panel::bottom("access").default_size(230.0).min_size(150.0);
+                panel.show(ui, |ui| self.panel(|context, actions| panels::access::ui(ui, context, actions)));
             }
-            egui::Panel::left("lists").default_size(330.0).min_size(240.0).show(ui, |ui| self.lists(ui));
-            egui::Panel::right("parameters").default_size(300.0).min_size(240.0).show(ui, |ui| self.parameters(ui));
-            egui::Panel::bottom("timeline").show(ui, |ui| self.timeline_panel(ui));
+            let panel = egui::Panel::left("lists").default_size(330.0).min_size(240.0);
+            panel.show(ui, |ui| self.panel(|context, actions| panels::lists::ui(ui, context, actions)));
+            let panel = egui::Panel::right("parameters").default_size(300.0).min_size(240.0);
+            panel.show(ui, |ui| self.panel(|context, actions| panels::parameters::ui(ui, context, actions)));
+            let panel = egui::Panel::bottom("timeline");
+            panel.show(ui, |ui| self.panel(|context, actions| panels::timeline::ui(ui, context, actions)));
             if self.session.show.is_on(Toggle::ProgramText) && self.derived.motion().is_some() {
-                egui::Panel::right("text").default_size(330.0).min_size(180.0).show(ui, |ui| self.program_text(ui));
+                let panel = egui::Panel::right("text").default_size(330.0).min_size(180.0);
+                panel.show(ui, |ui| self.panel(|context, actions| panels::program_text::ui(ui, context, actions)));
             }
             if self.session.show.is_on(Toggle::Dose) && self.derived.plan().is_some() {
-                egui::Panel::right("dose").default_size(260.0).min_size(200.0).show(ui, |ui| self.dose_panel(ui));
+                let panel = egui::Panel::right("dose").default_size(260.0).min_size(200.0);
+                panel.show(ui, |ui| self.panel(|context, actions| panels::dose::ui(ui, context, actions)));
             }
             let frame = egui::Frame::NONE.fill(ui.visuals().panel_fill);
             egui::CentralPanel::default().frame(frame).show(ui, |ui| self.view(ui));
         } else {
-            egui::CentralPanel::default().show(ui, |ui| self.start(ui));
+            egui::CentralPanel::default()
+                .show(ui, |ui| self.panel(|context, actions| panels::start::ui(ui, context, actions)));
         }
-        self.help(ui.ctx());
-        self.guard_dialog(ui.ctx());
-        self.questions(ui.ctx());
-        self.message_dialog(ui.ctx());
-        self.compare_window(ui.ctx());
-        self.dragged_recipe(ui.ctx());
+        self.panel(|context, actions| panels::dialogs::help(ui.ctx(), context, actions));
+        self.panel(|context, actions| panels::dialogs::guard(ui.ctx(), context, actions));
+        self.panel(|context, actions| panels::questions::ui(ui.ctx(), context, actions));
+        self.panel(|context, actions| panels::dialogs::message(ui.ctx(), context, actions));
+        self.panel(|context, actions| panels::compare::ui(ui.ctx(), context, actions));
+        panels::library::at_cursor(ui.ctx());
         // Edits of this frame are kept with it: there may be no other for a while.
         self.keep_journal();
     }

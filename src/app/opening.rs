@@ -11,6 +11,7 @@ use crate::document::stamps::Stamp;
 use crate::document::{Document, Edit, Job};
 use crate::part::{Part, PartFinding, Source};
 use crate::planning::Failure;
+use crate::sample::{SAMPLES, stl_bytes};
 use crate::text::{Sentence as _, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -31,6 +32,21 @@ impl App {
             self.session.after_guard = Some(AfterGuard::Open(path));
         } else {
             self.open(path);
+        }
+    }
+
+    /// Puts a sample into the user's temporary folder, and opens it from there.
+    pub(super) fn open_sample(&mut self, name: &str) {
+        let Some(sample) = SAMPLES.into_iter().find(|s| s.name == name) else { return };
+        let folder = std::env::temp_dir().join("clearbeam-samples");
+        let file = folder.join(format!("{name}.stl"));
+        let bytes = stl_bytes(&(sample.triangles)());
+        let written = std::fs::create_dir_all(&folder)
+            .map_err(|e| say!(start_no_folder, folder = folder.display().to_string(), reason = e.to_string()))
+            .and_then(|()| files::write_atomic(&file, &bytes).map_err(|e| e.sentence()));
+        match written {
+            Ok(()) => self.open_guarded(file),
+            Err(why) => self.session.error = Some(why),
         }
     }
 

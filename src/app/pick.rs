@@ -1,22 +1,23 @@
 //! The 3D view as a panel: clicks, hover, its context menu, and what stands at the cursor.
 
 use super::actions::Actions;
-use super::command::{Command, More, Toggle};
+use super::command::Toggle;
 use super::context::Context;
+use super::dose::Clicked;
 use super::session::Tool;
-use super::{App, panels};
+use super::{App, at_cursor, panels};
 use crate::document::Edit;
 use crate::part::Shape;
-use crate::text::{Sentence as _, say};
+use crate::text::Sentence as _;
 use crate::view::{Bounds, Camera, ViewportResponse};
-use eframe::egui::{self, Color32};
+use eframe::egui;
 use nalgebra::{Point2, Point3, Vector3};
 
 impl App {
     /// The central panel.
     pub(super) fn view(&mut self, ui: &mut egui::Ui) {
         self.panel(|context, actions| panels::toolbar::ui(ui, context, actions));
-        self.proposal_strip(ui);
+        self.panel(|context, actions| panels::proposal::ui(ui, context, actions));
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
@@ -27,7 +28,7 @@ impl App {
             Some(origin + dir * hit.t_mm)
         };
         let response = self.viewport.show_with_pick(ui, &scene, &pick);
-        self.spacing_legend(ui, response.response.rect);
+        self.panel(|context, actions| panels::spacing::ui(ui, response.response.rect, context, actions));
         if let Some(why) = &response.failure {
             ui.painter().text(
                 response.response.rect.center(),
@@ -42,12 +43,12 @@ impl App {
         cursor_text(ui, self.context());
         let menu = response.response.clone();
         if response.secondary_clicked_px.is_some() || menu.context_menu_opened() {
-            menu.context_menu(|ui| self.view_menu(ui));
+            menu.context_menu(|ui| self.panel(|context, actions| panels::view_menu::ui(ui, context, actions)));
         }
     }
 
     fn fit_if_pending(&mut self) {
-        if self.session.fit_pending && self.is_in_cell() {
+        if self.session.fit_pending && self.context().is_in_cell() {
             self.fit_cell();
         } else if let (true, Some(part)) = (self.session.fit_pending, &self.derived.part) {
             let (min, max) = part.mesh.bounds();
@@ -66,43 +67,6 @@ impl App {
         if let Some(b) = Bounds::around(s.facets.iter().flat_map(|&f| part.mesh.corners(f as usize)).map(|p| place * p))
         {
             self.viewport.fit(b);
-        }
-    }
-
-    fn view_menu(&mut self, ui: &mut egui::Ui) {
-        use Command as C;
-        let place = self.spiral_place();
-        let button = ui.add_enabled(place.is_some(), egui::Button::new(say!(view_spiral_centre_here)));
-        if button.on_disabled_hover_text(say!(view_only_with_spiral)).clicked() {
-            self.put_spiral_centre();
-            ui.close();
-        }
-        let border = self.border_place();
-        let button = ui.add_enabled(border.is_some(), egui::Button::new(say!(view_offset_from_this_border)));
-        let button = match border.and_then(|(surface, index)| self.borders.words(surface, index)) {
-            Some(words) => button.on_hover_text(words),
-            None => button,
-        };
-        if button.on_disabled_hover_text(say!(view_only_with_offset)).clicked() {
-            self.start_from_border();
-            ui.close();
-        }
-        for command in [
-            C::Clean,
-            C::Unclean,
-            C::Hide,
-            C::Isolate,
-            C::ShowAll,
-            C::Select(More::SameShape),
-            C::Select(More::Neighbours),
-            C::FlipSurface,
-            C::Fit,
-        ] {
-            let button = egui::Button::new(command.name());
-            if ui.add_enabled(self.context().is_enabled(command), button).clicked() {
-                self.run(command);
-                ui.close();
-            }
         }
     }
 }
@@ -124,7 +88,7 @@ fn pointer(r: &ViewportResponse, camera: &Camera, context: Context<'_>, actions:
     if let Some(px) = r.double_clicked_px {
         match picked(px).and_then(|(facet, _)| context.surface_of(facet)) {
             Some(n) => {
-                actions.session(move |s| (s.selected, s.scroll_to) = ([n].into(), Some(n)));
+                actions.reveal(n);
                 actions.focus(n);
             }
             None => actions.session(|s| s.fit_pending = true),
@@ -198,6 +162,11 @@ impl Context<'_> {
         None
     }
 
+    /// What lands at a place of the part, if the dose is known.
+    fn dose_at(self, facet: u32, point: Point3<f64>) -> Option<Clicked> {
+        self.dose()?.at(self.plan()?, facet, point)
+    }
+
     /// The surface that a facet belongs to.
     fn surface_of(self, facet: u32) -> Option<u32> {
         self.derived.surfaces.of_facet.get(facet as usize).copied()
@@ -209,17 +178,7 @@ fn cursor_text(ui: &egui::Ui, context: Context<'_>) {
     let Some(surface) = hovered else { return };
     let Some(pointer) = ui.ctx().pointer_hover_pos() else { return };
     let label = context.derived.label(context.document.job(), surface);
-    text_at(ui.ctx(), pointer, format!("{surface}  {label}"));
-}
-
-/// A text beside the cursor.
-pub(super) fn text_at(ctx: &egui::Context, pointer: egui::Pos2, text: String) {
-    let at = pointer + egui::vec2(16.0, 10.0);
-    let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Tooltip, egui::Id::unique("cursor")));
-    let galley = painter.layout_no_wrap(text, egui::FontId::proportional(13.0), Color32::WHITE);
-    let rect = egui::Rect::from_min_size(at, galley.size()).expand2(egui::vec2(5.0, 3.0));
-    painter.rect_filled(rect, 4, Color32::from_black_alpha(190));
-    painter.galley(at, galley, Color32::WHITE);
+    at_cursor::text(ui.ctx(), pointer, format!("{surface}  {label}"));
 }
 
 /// Where the origin goes for a picked place: the middle of a hole or sphere, a corner or an edge's

@@ -5,7 +5,7 @@ use super::dialogs::Purpose;
 use super::journal::JournalKeeper;
 use super::reading::LookedAt;
 use crate::document::journal::{LeftBehind, Leftover};
-use crate::document::{Document, Forgotten, journal};
+use crate::document::{Document, IfChanged, journal};
 use crate::planning::export::FileConflict;
 use crate::text::Sentence as _;
 use std::path::{Path, PathBuf};
@@ -41,6 +41,29 @@ pub(super) enum Question {
     },
 }
 
+/// The answer to a question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reply {
+    /// The part's file is taken as it is now.
+    UsePart,
+    /// Another file is looked for in its place.
+    OtherFile,
+    /// One of the states that were left behind is opened, by its place among them.
+    Restore(usize),
+    /// One of them is thrown away.
+    Discard(usize),
+    /// What stands there is replaced.
+    Overwrite,
+    /// The job is saved in another file.
+    SaveAs,
+    /// The file is opened as it is, instead of being written over.
+    Reload,
+    /// The program is written into another folder.
+    OtherFolder,
+    /// Nothing is done.
+    Cancel,
+}
+
 impl App {
     /// The window with a journal of unsaved changes in a folder; it asks about those that were left there.
     pub fn with_journal(mut self, folder: Option<PathBuf>) -> App {
@@ -58,6 +81,37 @@ impl App {
         self
     }
 
+    /// Does what a question was answered with.
+    pub(super) fn take_reply(&mut self, reply: Reply) {
+        // A file that is still to be picked leaves the question open.
+        if reply == Reply::OtherFile {
+            self.ask(Purpose::Part);
+            return;
+        }
+        match (reply, self.question.take()) {
+            (Reply::UsePart, Some(Question::PartChanged { looked, opening })) => self.use_part(looked, opening),
+            // As long as the document is open, its part's file is not asked about again.
+            (Reply::Cancel, Some(Question::PartChanged { looked, opening: None })) => self.reading.refuse(&looked),
+            (Reply::Restore(at), Some(Question::Restore(mut found))) if at < found.leftovers.len() => {
+                // The others wait for the next start.
+                let leftover = found.leftovers.remove(at);
+                self.restore(leftover);
+            }
+            (Reply::Discard(at), Some(Question::Restore(mut found))) if at < found.leftovers.len() => {
+                if let Err(why) = found.leftovers.remove(at).discard() {
+                    self.session.error = Some(why.sentence());
+                }
+                self.question = (!found.leftovers.is_empty()).then_some(Question::Restore(found));
+            }
+            (Reply::Overwrite, Some(Question::SaveOver(path))) => self.save_into(path, IfChanged::Overwrite),
+            (Reply::SaveAs, _) => self.ask(Purpose::SaveJob),
+            (Reply::Reload, Some(Question::SaveOver(path))) => self.open(path),
+            (Reply::Overwrite, Some(Question::ExportOver { dir, .. })) => self.export(dir, true),
+            (Reply::OtherFolder, _) => self.ask(Purpose::Export),
+            _ => self.session.after_guard = None,
+        }
+    }
+
     /// Keeps the unsaved changes, so that a killed program loses nothing.
     pub(super) fn keep_journal(&mut self) {
         if let Some(why) = self.journal.keep(&self.document) {
@@ -68,32 +122,6 @@ impl App {
     /// Nothing of the unsaved changes is wanted any more.
     pub(super) fn clear_journal(&mut self) {
         if let Err(why) = self.journal.clear() {
-            self.session.error = Some(why.sentence());
-        }
-    }
-
-    /// The changed part's file is not wanted: as long as the document is open it is not asked about again.
-    pub(super) fn keep_part(&mut self, looked: &LookedAt) {
-        self.reading.refuse(looked);
-    }
-
-    /// Asks for another file in the place of the part.
-    pub(super) fn ask_for_part(&mut self) {
-        self.ask(Purpose::Part);
-    }
-
-    /// Takes a recipe out of the user's library; it can come back.
-    pub(super) fn forget_recipe(&mut self, name: &str) {
-        match self.recipes.forget(name) {
-            Ok(forgotten) => self.session.forgotten = Some(forgotten),
-            Err(why) => self.session.error = Some(why.sentence()),
-        }
-    }
-
-    /// Brings the recipe back that was taken out last.
-    pub(super) fn bring_recipe_back(&mut self, forgotten: &Forgotten) {
-        self.session.forgotten = None;
-        if let Err(why) = self.recipes.bring_back(forgotten) {
             self.session.error = Some(why.sentence());
         }
     }

@@ -2,12 +2,8 @@
 //! with its picture. Both are looked for on a thread, with progress and cancel, and belong to one plan:
 //! with that they go.
 
-use super::App;
-use super::context::Context;
-use crate::cell::motion::Arm;
+use crate::cell::Setup;
 use crate::cell::motion::advice::BetterSetup;
-use crate::cell::{Joints, Setup};
-use crate::document::Edit;
 use crate::part::{Digest, Hasher};
 use crate::picture::CellPicture;
 use crate::picture::palette::state;
@@ -50,6 +46,12 @@ impl Proposal {
             .map(|(kind, color, size_px)| points(spots.iter().filter(|s| s.1 == kind).map(|s| s.0), color, size_px));
         let refused = [left, of.plan.refusals.len()];
         Ok(Some(Proposal { picture: CellPicture::new(&setup), found, refused, setup, points }))
+    }
+
+    /// The dots of the preview where the part stands, at a share of their size.
+    pub fn points_at(&self, place: Isometry3<f64>, share: f32) -> impl Iterator<Item = PointItem> {
+        let at = move |i: &PointItem| PointItem { scene_from_item: place, size_px: share * i.size_px, ..i.clone() };
+        self.points.iter().map(at)
     }
 }
 
@@ -153,56 +155,5 @@ impl Remedy {
     /// Forgets the proposed set-up.
     pub fn forget_proposal(&mut self) {
         self.proposal.clear();
-    }
-}
-
-impl App {
-    /// Brings advice and proposal up to date with the plan.
-    pub(super) fn sync_advice(&mut self) {
-        let (refusing, executor) = (self.context().refusing_plan().cloned(), self.derived.pipeline.executor().clone());
-        self.derived.remedy.sync(refusing, &*executor);
-    }
-
-    /// Looks for a better set-up.
-    pub(super) fn propose(&mut self) {
-        let Some(planned) = self.context().refusing_plan().cloned() else { return };
-        let (cache, executor) = (self.derived.pipeline.cache.clone(), self.derived.pipeline.executor().clone());
-        self.derived.remedy.propose(planned, cache, &*executor);
-    }
-
-    /// Takes the proposed set-up into the job.
-    pub(super) fn apply_proposal(&mut self) {
-        let Some(proposal) = self.context().proposal() else { return };
-        let cell = advice::applied(&self.document.job().cell, proposal.setup.mount, &proposal.found);
-        self.derived.remedy.forget_proposal();
-        self.edit(Edit::Frames(Box::new(cell)));
-    }
-
-    /// Forgets the proposed set-up; whether there was one.
-    pub(super) fn dismiss_proposal(&mut self) -> bool {
-        let there = self.context().proposal().is_some() || self.has_no_proposal();
-        self.derived.remedy.forget_proposal();
-        there
-    }
-}
-
-impl Context<'_> {
-    /// The sample of a proposal, where the part is.
-    pub fn proposed_points(self, place: Isometry3<f64>) -> Vec<PointItem> {
-        let items = self.proposal().map_or(&[][..], |p| &p.points);
-        // In the cell the part is small: dots must not hide it.
-        let share = if self.is_in_cell() { 0.5 } else { 1.0 };
-        let at = |i: &PointItem| PointItem { scene_from_item: place, size_px: share * i.size_px, ..i.clone() };
-        items.iter().map(at).collect()
-    }
-
-    /// The arm in a proposed set-up: at the current target, else at home.
-    pub fn proposed_joints_deg(self, proposal: &Proposal) -> Joints {
-        let job = self.document.job();
-        let frame = self.target().map(|t| t.frame(self.work().defocus_mm));
-        let states = frame.and_then(|f| Arm::new(&proposal.setup, job.cell.spin)?.states(&f).ok());
-        // The one that is furthest from a singular pose.
-        let best = states.and_then(|s| s.into_iter().max_by(|a, b| a.singularity.total_cmp(&b.singularity)));
-        best.map_or(proposal.setup.home_joints_deg(), |s| s.joints_deg)
     }
 }

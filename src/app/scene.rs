@@ -4,7 +4,8 @@ use super::App;
 use super::command::Toggle;
 use super::context::Context;
 use super::derived::Derived;
-use super::session::Session;
+use super::session::{Coloring, Session};
+use crate::picture::dose::DoseLook;
 use crate::picture::{PartLook, PathLook, paths, section};
 use crate::pose::State;
 use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
@@ -35,8 +36,8 @@ impl App {
             scene.lines = section::section(part, &d.surfaces, &of.plan, s.playback.at.0, &look, of.picture_key());
         } else {
             let place = self.context().scene_from_part();
-            let dose = self.context().dose_picture();
-            let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.clean_list())));
+            let dose = self.context().dose_picture().cloned();
+            let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.context().clean_list())));
             scene.meshes.push(MeshItem { scene_from_item: place, ..part });
             let laid = d.laid.as_ref().map(|(_, lines)| lines);
             if let Some(lines) = laid.filter(|_| look.lines) {
@@ -52,15 +53,15 @@ impl App {
                 scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             }
             scene.lines.extend(self.borders.lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
-            let dots = self.spacing_points().iter();
+            let dots = self.context().spacing_picture().map_or(&[][..], |s| &s.dots).iter();
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
             self.context().add_simulation(&mut scene, place);
             self.context().add_tool(&mut scene, place);
-            scene.points.extend(self.context().proposed_points(place));
+            self.context().add_proposal(&mut scene, place);
         }
         let on_part = self.derived.plan_on_part().filter(|_| self.derived.laid.is_none());
-        if let (Some(of), Some(t)) = (on_part, self.target()) {
-            let (line, point) = paths::marked(t, self.work().defocus_mm, &look, of.picture_key());
+        if let (Some(of), Some(t)) = (on_part, self.context().target()) {
+            let (line, point) = paths::marked(t, self.context().work().defocus_mm, &look, of.picture_key());
             let scene_from_item = self.context().scene_from_part();
             scene.lines.push(LineItem { scene_from_item, ..line });
             scene.points.push(PointItem { scene_from_item, ..point });
@@ -83,7 +84,24 @@ impl App {
     }
 }
 
-impl Context<'_> {
+impl<'a> Context<'a> {
+    /// The part coloured by what lands, if that is asked for and known.
+    fn dose_picture(self) -> Option<&'a MeshItem> {
+        let look = match self.session.coloring {
+            Coloring::Surface => return None,
+            Coloring::Dose => DoseLook::Dose,
+            Coloring::Incidence => DoseLook::Incidence,
+        };
+        Some(self.dose()?.picture(look))
+    }
+
+    /// Targets within reach and out of it, in a proposed set-up.
+    fn add_proposal(self, scene: &mut Scene, place: Isometry3<f64>) {
+        // In the cell the part is small: dots must not hide it.
+        let share = if self.is_in_cell() { 0.5 } else { 1.0 };
+        scene.points.extend(self.proposal().into_iter().flat_map(|p| p.points_at(place, share)));
+    }
+
     /// What is shown of paths.
     pub fn path_look(self) -> PathLook {
         let size = self.derived.part.as_ref().map_or(100.0, |p| p.mesh.diagonal());

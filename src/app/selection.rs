@@ -9,9 +9,9 @@ use nalgebra::Vector3;
 impl App {
     /// Moves the selection to the list to clean or back; focus stays on the neighbour.
     pub(super) fn move_selected(&mut self, to_clean: bool) {
-        let clean = self.clean_list();
+        let clean = self.context().clean_list();
         let list: Vec<u32> = self.session.selected.iter().copied().filter(|n| clean.contains(n) != to_clean).collect();
-        let from: Vec<u32> = if to_clean { self.rows_left() } else { clean };
+        let from: Vec<u32> = if to_clean { self.context().rows_left() } else { clean };
         let neighbour = from
             .iter()
             .position(|n| list.contains(n))
@@ -36,7 +36,7 @@ impl App {
         };
         let near = |a: Vector3<f64>, b: u32| normal(b).is_some_and(|v| angle::between_deg(&a, &v) < 1.0);
         let more: Vec<u32> = match which {
-            More::Listed => self.rows_left(),
+            More::Listed => self.context().rows_left(),
             More::SameShape => {
                 d.numbers().into_iter().filter(|&n| selected.iter().any(|&s| same_shape(s, n))).collect()
             }

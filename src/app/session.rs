@@ -2,8 +2,10 @@
 
 use super::command::Toggle;
 use super::dose::Clicked;
-use super::panels::{Compare, Draft};
+use super::panels::compare::state::Compare;
+use super::panels::recipe::draft::Draft;
 use super::playback::Playback;
+use super::program_view::ProgramView;
 use crate::cell::Mount;
 use crate::document::{Forgotten, Job, RecutAnchor};
 use crate::part::SurfaceId;
@@ -39,12 +41,8 @@ pub struct Session {
     pub playback: Playback,
     /// Stretch of time that the curves show, s; `None`: all.
     pub plot_span: Option<[f64; 2]>,
-    /// Line of the program's text that was last scrolled to.
-    pub text_line: Option<(usize, usize)>,
-    /// Rows of it that are in sight.
-    pub text_rows: std::ops::Range<usize>,
-    /// File of the program that is shown.
-    pub text_file: usize,
+    /// What is in sight of the program's text.
+    pub program_view: ProgramView,
     /// Camera of the other mode, part or cell, when that was left.
     pub other_camera: Option<Camera>,
     /// Cell, robot and mount that were shown last: the camera is fitted to others anew.
@@ -186,9 +184,7 @@ impl Default for Session {
             sort: (Column::Number, false),
             playback: Playback::default(),
             plot_span: None,
-            text_line: None,
-            text_rows: 0..0,
-            text_file: 0,
+            program_view: ProgramView::default(),
             other_camera: None,
             cell_shown: None,
             recut_anchor: None,

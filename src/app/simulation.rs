@@ -4,6 +4,8 @@
 use super::App;
 use super::command::{Jump, Toggle};
 use super::context::Context;
+use super::remedy::Proposal;
+use crate::cell::motion::Arm;
 use crate::cell::{Joints, Setup};
 use crate::picture::CellPicture;
 use crate::view::{Bounds, Camera};
@@ -128,6 +130,16 @@ impl<'a> Context<'a> {
             base_from_focus: setup.mounted().focus_at(&flange),
             lit: moment.is_some_and(|m| m.lit),
         })
+    }
+
+    /// The arm in a proposed set-up: at the current target, else at home.
+    fn proposed_joints_deg(self, proposal: &Proposal) -> Joints {
+        let job = self.document.job();
+        let frame = self.target().map(|t| t.frame(self.work().defocus_mm));
+        let states = frame.and_then(|f| Arm::new(&proposal.setup, job.cell.spin)?.states(&f).ok());
+        // The one that is furthest from a singular pose.
+        let best = states.and_then(|s| s.into_iter().max_by(|a, b| a.singularity.total_cmp(&b.singularity)));
+        best.map_or(proposal.setup.home_joints_deg(), |s| s.joints_deg)
     }
 
     /// Where the part stands in the view: in its own frame, or in the base.

@@ -1,58 +1,36 @@
 //! The achieved spacing of the plan that is shown: made once for each plan, when it is asked for.
 
-use super::App;
-use super::command::Toggle;
 use crate::picture::spacing::{SpacingScale, items, scale};
 use crate::planning::PlannedJob;
 use crate::view::PointItem;
 
-/// Dots and scale of one plan.
+/// What is shown of the spacing, kept for one plan.
 #[derive(Default)]
-pub(super) struct SpacingView(Option<Made>);
+pub(super) struct SpacingView(Option<SpacingPicture>);
 
-struct Made {
+/// Dots and scale of a plan.
+pub(super) struct SpacingPicture {
     /// The picture key of the plan.
     of: u64,
-    scale: Option<SpacingScale>,
-    items: Vec<PointItem>,
+    /// The scale; `None`: no two lines are neighbours.
+    pub scale: Option<SpacingScale>,
+    /// The dots on the lines, in the part's frame.
+    pub dots: Vec<PointItem>,
 }
 
 impl SpacingView {
     /// Makes dots and scale of a plan, unless they are there.
-    fn sync(&mut self, planned: &PlannedJob) {
-        let (plan, job, of) = (&planned.plan, &planned.job, planned.picture_key());
-        if self.of(of).is_none() {
+    pub fn sync(&mut self, planned: &PlannedJob) {
+        if self.of(planned).is_none() {
+            let (plan, job, of) = (&planned.plan, &planned.job, planned.picture_key());
             let scale = scale(plan, job);
-            let items = scale.as_ref().map_or_else(Vec::new, |scale| items(plan, job, scale, of));
-            self.0 = Some(Made { of, scale, items });
+            let dots = scale.as_ref().map_or_else(Vec::new, |scale| items(plan, job, scale, of));
+            self.0 = Some(SpacingPicture { of, scale, dots });
         }
     }
 
-    fn of(&self, plan: u64) -> Option<&Made> {
-        self.0.as_ref().filter(|made| made.of == plan)
-    }
-}
-
-impl App {
-    /// Brings dots and scale up to date, if they are shown.
-    pub(super) fn sync_spacing(&mut self) {
-        if let Some(planned) = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing)) {
-            self.spacing.sync(planned);
-        }
-    }
-
-    fn spacing_shown(&self) -> Option<&Made> {
-        let planned = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing))?;
-        self.spacing.of(planned.picture_key())
-    }
-
-    /// The scale; `None`: no two lines are neighbours.
-    pub(super) fn spacing_scale(&self) -> Option<&SpacingScale> {
-        self.spacing_shown()?.scale.as_ref()
-    }
-
-    /// The dots that are shown.
-    pub(super) fn spacing_points(&self) -> &[PointItem] {
-        self.spacing_shown().map_or(&[], |made| &made.items)
+    /// Dots and scale of a plan, once they are made.
+    pub fn of(&self, planned: &PlannedJob) -> Option<&SpacingPicture> {
+        self.0.as_ref().filter(|made| made.of == planned.picture_key())
     }
 }

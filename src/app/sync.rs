@@ -2,10 +2,11 @@
 //! what is missing.
 
 use super::App;
+use super::access::Ground;
 use super::command::Toggle;
 use super::context::Context;
 use super::motion::Motion;
-use crate::part::Shape;
+use crate::part::{Shape, SurfaceId};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::body;
 use crate::planning::{Failure, PartError, PlanningError};
@@ -49,6 +50,23 @@ impl App {
         self.session.hidden.retain(there);
         (d.part, d.surfaces) = (Some(part), surfaces);
         d.part_of.clone_from(&self.document.job().part);
+    }
+
+    /// Finds the borders that are chosen, and those of the surface that was right clicked.
+    fn sync_borders(&mut self) {
+        let Some(part) = &self.derived.part else { return };
+        let job = self.document.job();
+        let start = |n: u32| Some((n, job.offset_start(SurfaceId(n))?.border()?));
+        let chosen: Vec<(u32, u32)> = self.context().clean_list().into_iter().filter_map(start).collect();
+        let besides = self.context().offset_surface().map(|surface| surface.0);
+        self.borders.sync(part, &self.derived.surfaces, chosen, besides);
+    }
+
+    /// Brings dots and scale of the spacing up to date, if they are shown.
+    fn sync_spacing(&mut self) {
+        if let Some(planned) = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing)) {
+            self.spacing.sync(planned);
+        }
     }
 
     fn sync_shapes(&mut self) {
@@ -118,9 +136,48 @@ impl App {
         }
         if arrived && self.derived.motion().is_some() {
             self.session.plot_span = None;
-            self.session.text_line = None;
+            self.session.program_view.line = None;
             self.go_to_target(self.session.playback.at);
         }
+    }
+
+    /// Brings the dose up to date, if it is shown.
+    fn sync_dose(&mut self) {
+        let planned = self.context().plan().cloned();
+        let current = self.derived.pipeline.dose_key().zip(planned);
+        let executor = self.derived.pipeline.executor().clone();
+        let is_wanted = self.session.show.is_on(Toggle::Dose);
+        self.derived.dose.sync(current, self.document.job(), is_wanted, &*executor);
+    }
+
+    /// Brings advice and proposal up to date with the plan.
+    fn sync_advice(&mut self) {
+        let (refusing, executor) = (self.context().refusing_plan().cloned(), self.derived.pipeline.executor().clone());
+        self.derived.remedy.sync(refusing, &*executor);
+    }
+
+    /// Brings the clearance up to date, if the curves are shown.
+    fn sync_clearance(&mut self) {
+        let planned = self.context().plan().filter(|_| self.session.show.is_on(Toggle::Plots)).cloned();
+        let current = planned.and_then(|p| Some((p.clone(), self.derived.motion.of(p.key)?.clone())));
+        let executor = self.derived.pipeline.executor().clone();
+        self.derived.clearance.sync(current, &*executor);
+    }
+
+    /// Looks from where the place under the cursor, or the current target, can be reached, and from where along its
+    /// line. Asked right before it is drawn: place and target may have changed in this frame.
+    pub(super) fn sync_access(&mut self) {
+        let place = self.context().access_place();
+        let (d, job) = (&self.derived, self.document.job());
+        let (number, over) = (self.session.playback.at.0, self.session.strip_over);
+        let setup = d.pipeline.setup().and_then(Result::ok);
+        let planned = d.plan();
+        let plan = planned.map_or(0, |of| of.picture_key());
+        let on = d.part.as_ref().zip(setup).map(|(part, setup)| Ground { part, job, setup, plan });
+        self.access.look_at(place, on.as_ref());
+        let pass = planned.and_then(|of| Some((number, of.plan.passes.get(number)?)));
+        let on = planned.zip(setup).map(|(of, setup)| Ground { part: &of.part, job, setup, plan });
+        self.access.look_along(pass, over, on.as_ref());
     }
 
     /// Looks at the files when the operator comes back to the window: he may have been to his CAD.

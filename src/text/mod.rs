@@ -53,7 +53,6 @@ pub use changed_part::carried_lines;
 pub use dose::dose_lines;
 pub(crate) use inspect::{inspected, shape_label};
 pub use naming::{NamedSentence, Naming};
-pub(crate) use notice::left_out;
 pub use notice::{example, notice_line, remedy};
 pub(crate) use number::{clock, exact, fixed, hour_and_minute, percent, short};
 pub(crate) use picture::{legend_entry, spacing_labels};

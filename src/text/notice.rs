@@ -89,7 +89,7 @@ fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
 }
 
 /// Targets of a surface that are left out for a cause, and the surface that is in the way.
-pub(crate) fn left_out(surface: &str, cause: Cause, by: Option<String>, targets: usize) -> String {
+fn left_out(surface: &str, cause: Cause, by: Option<String>, targets: usize) -> String {
     match (cause, by) {
         (Cause::Head, Some(by)) => say!(notice_blocked_for_head, surface, targets, by),
         (_, Some(by)) => say!(notice_blocked_by, surface, targets, by),

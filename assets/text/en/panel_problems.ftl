@@ -6,15 +6,11 @@ problems_heading = Problems
 problems_out_of_date = Problems: out of date
 problems_none = Problems: none
 problems_count = Problems ({ $count })
+problems_found = Found in the part's file
 problems_beam_hits = the beam hits surface { $surface } (facet { $facet })
 problems_beam_hits_something = the beam hits something
 problems_left_out = left out
-problems_missed_by_planes = surface { $surface }: { $area } mm² missed by the planes; try direction auto
-problems_missed_by_lines = surface { $surface }: { $area } mm² missed by the lines
 problems_go = Go there
-problems_why_and_go =
-    { $why }
-    Go there
 problems_show = Show it
 
 ## What would help

@@ -1,9 +1,11 @@
 //! Where laser, part and flange stand: the frames in use, each may be set for this job, and how well
 //! those of the cell file fit what was measured.
 
-use super::super::{App, quantity, theme};
+use super::super::actions::Actions;
+use super::super::context::Context;
+use super::super::{quantity, theme};
 use crate::cell::calibration::CalibrationNote;
-use crate::cell::{Cell, Frame, Mount};
+use crate::cell::{Frame, Mount};
 use crate::document::Edit;
 use crate::document::model::CellFile;
 use crate::text::{fixed, id, say, short};
@@ -79,78 +81,95 @@ fn fit(note: &CalibrationNote) -> (String, String) {
     (text, if is_of_poses { say!(frames_poses_off, each) } else { say!(frames_points_off, each) })
 }
 
-impl App {
-    pub(super) fn frames(&mut self, ui: &mut egui::Ui) {
-        let Some(Ok(cell)) = self.derived.pipeline.cell() else { return };
-        let cell = cell.clone();
-        let mount = self.document.job().cell.mount.unwrap_or(cell.mount);
-        let rows = ROWS.iter().filter(|r| r.mount == mount);
-        let notes = cell.calibrations();
-        for row in rows {
-            let note = notes.iter().find(|n| n.frame == row.key);
-            self.frame(ui, row, &cell, note);
+pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let Some(Ok(cell)) = context.derived.pipeline.cell() else { return };
+    let mount = context.document.job().cell.mount.unwrap_or(cell.mount);
+    let notes = cell.calibrations();
+    for row in ROWS.iter().filter(|r| r.mount == mount) {
+        let Some(of_cell) = cell.frames().into_iter().find(|(key, _)| *key == row.key).map(|(_, f)| f) else {
+            continue;
+        };
+        let note = notes.iter().find(|n| n.frame == row.key);
+        match &row.own {
+            Some(own) => of_job(ui, row, own, of_cell, note, context, actions),
+            None => {
+                ui.label((row.name)()).on_hover_text((row.tip)());
+                ui.add(egui::Label::new(RichText::new(said(of_cell)).monospace().small()).wrap());
+                calibrated(ui, note);
+            }
         }
     }
+}
 
-    fn frame(&mut self, ui: &mut egui::Ui, row: &Row, cell: &Cell, note: Option<&CalibrationNote>) {
-        let Some(of_cell) = cell.frames().into_iter().find(|(key, _)| *key == row.key).map(|(_, f)| f) else { return };
-        let mut job_cell = self.document.job().cell.clone();
-        let (name, tip) = ((row.name)(), (row.tip)());
-        let Some((own, reset_name)) = row.own.as_ref().map(|own| ((own.frame)(&mut job_cell), own.reset)) else {
-            ui.label(name).on_hover_text(tip);
-            ui.add(egui::Label::new(RichText::new(said(of_cell)).monospace().small()).wrap());
-            calibrated(ui, note);
-            return;
-        };
-        let is_own = own.is_some();
-        let mut frame = own.clone().unwrap_or_else(|| of_cell.clone());
-        let mut changed = false;
+/// A frame that the job can set in place of the cell file's.
+fn of_job(
+    ui: &mut egui::Ui,
+    row: &Row,
+    own: &Own,
+    of_cell: &Frame,
+    note: Option<&CalibrationNote>,
+    context: Context<'_>,
+    actions: &mut Actions,
+) {
+    let mut job_cell = context.document.job().cell.clone();
+    let now = (own.frame)(&mut job_cell);
+    let is_own = now.is_some();
+    if heading(ui, row, is_own.then_some(own), of_cell) {
+        *now = None;
+        actions.edit(Edit::Frames(Box::new(job_cell)));
+        return;
+    }
+    let mut frame = now.clone().unwrap_or_else(|| of_cell.clone());
+    let is_finite = |f: &Frame| f.position_mm.iter().chain(&f.rz_ry_rx_deg).all(|v| v.is_finite());
+    if figures(ui, row, &mut frame) && is_finite(&frame) {
+        *now = Some(Frame::new(frame.position_mm, frame.rz_ry_rx_deg));
+        actions.drag(Edit::Frames(Box::new(job_cell)), row.key);
+    }
+    // The measurements are of the cell file's frame.
+    calibrated(ui, note.filter(|_| !is_own));
+}
+
+/// The frame's name, and the way back if it is the job's own; whether that was taken.
+fn heading(ui: &mut egui::Ui, row: &Row, own: Option<&Own>, of_cell: &Frame) -> bool {
+    let taken = ui.horizontal(|ui| {
+        ui.label((row.name)()).on_hover_text((row.tip)());
+        let Some(own) = own else { return false };
+        let dot = RichText::new("●").small().color(theme::ACCENT);
+        ui.label(dot).on_hover_text(say!(frames_set_for_job));
+        let reset = ui.small_button("↺").on_hover_text(say!(frames_back, pose = said(of_cell)));
+        reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, (own.reset)()));
+        reset.clicked()
+    });
+    taken.inner
+}
+
+/// Place and angles of a frame, in a line each; whether they were changed.
+fn figures(ui: &mut egui::Ui, row: &Row, frame: &mut Frame) -> bool {
+    let (name, tip) = ((row.name)(), (row.tip)());
+    let mut changed = false;
+    let lines = [
+        (["x", "y", "z"], say!(unit_mm), 10_000.0, 0.5, &mut frame.position_mm),
+        (["RZ", "RY", "RX"], say!(unit_deg), 360.0, 0.2, &mut frame.rz_ry_rx_deg),
+    ];
+    for (axes, unit, most, speed, values) in lines {
         ui.horizontal(|ui| {
-            ui.label(&name).on_hover_text(&tip);
-            if is_own {
-                let dot = RichText::new("●").small().color(theme::ACCENT);
-                ui.label(dot).on_hover_text(say!(frames_set_for_job));
-                let reset = ui.small_button("↺").on_hover_text(say!(frames_back, pose = said(of_cell)));
-                reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, reset_name()));
-                if reset.clicked() {
-                    *own = None;
-                    changed = true;
-                }
+            for (axis, value) in axes.into_iter().zip(values) {
+                let field = DragValue::new(value)
+                    .speed(speed)
+                    .range(-most..=most)
+                    .custom_formatter(|v, _| short(v))
+                    .prefix(format!("{axis} "))
+                    .suffix(&unit)
+                    .update_while_editing(false)
+                    .custom_parser(quantity::read);
+                let response = ui.add_sized([82.0, 20.0], field).on_hover_text(&tip);
+                let told = || say!(frames_field, frame = &name, axis);
+                response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
+                changed |= response.changed();
             }
         });
-        if changed {
-            self.edit(Edit::Frames(Box::new(job_cell)));
-            return;
-        }
-        let lines = [
-            (["x", "y", "z"], say!(unit_mm), 10_000.0, 0.5, &mut frame.position_mm),
-            (["RZ", "RY", "RX"], say!(unit_deg), 360.0, 0.2, &mut frame.rz_ry_rx_deg),
-        ];
-        for (axes, unit, most, speed, values) in lines {
-            ui.horizontal(|ui| {
-                for (axis, value) in axes.into_iter().zip(values) {
-                    let field = DragValue::new(value)
-                        .speed(speed)
-                        .range(-most..=most)
-                        .custom_formatter(|v, _| short(v))
-                        .prefix(format!("{axis} "))
-                        .suffix(&unit)
-                        .update_while_editing(false)
-                        .custom_parser(quantity::read);
-                    let response = ui.add_sized([82.0, 20.0], field).on_hover_text(&tip);
-                    let told = || say!(frames_field, frame = &name, axis);
-                    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
-                    changed |= response.changed();
-                }
-            });
-        }
-        if changed && frame.position_mm.iter().chain(&frame.rz_ry_rx_deg).all(|v| v.is_finite()) {
-            *own = Some(Frame::new(frame.position_mm, frame.rz_ry_rx_deg));
-            self.edit_dragging(&Edit::Frames(Box::new(job_cell)), row.key);
-        }
-        // The measurements are of the cell file's frame.
-        calibrated(ui, note.filter(|_| !is_own));
     }
+    changed
 }
 
 fn calibrated(ui: &mut egui::Ui, note: Option<&CalibrationNote>) {

@@ -1,84 +1,100 @@
 //! The program as it would be written; the line that is being done is lit and kept in sight.
 
-use super::super::{App, theme};
+use super::super::actions::Actions;
+use super::super::context::Context;
+use super::super::motion::{Motion, TextFile};
+use super::super::program_view::ProgramView;
+use super::super::theme;
 use crate::text::say;
 use eframe::egui::{self, RichText, ScrollArea, Sense, TextStyle};
 
-impl App {
-    pub(in super::super) fn program_text(&mut self, ui: &mut egui::Ui) {
-        let Some(motion) = self.derived.motion().cloned() else { return };
-        let current = motion.current_line(self.session.playback.time_s, self.session.playback.at);
-        // The file follows the simulation, until another is looked at.
-        let moved = current.is_some() && current != self.session.text_line;
-        if let (true, Some((file, _))) = (moved, current) {
-            self.session.text_file = file;
+pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let Some(motion) = context.derived.motion() else { return };
+    let playback = &context.session.playback;
+    let current = motion.current_line(playback.time_s, playback.at);
+    let mut view = context.session.program_view.clone();
+    let moved = view.follow(current, motion.text.len());
+    let is_current = context.plan().is_some();
+    theme::heading(ui, &if is_current { say!(program_panel_heading) } else { say!(program_panel_out_of_date) });
+    file_choice(ui, &motion.text, &mut view.file);
+    if let Some(file) = motion.text.get(view.file) {
+        let lit = current.filter(|c| c.0 == view.file).map(|c| c.1);
+        let wanted = lit.filter(|_| moved);
+        if let Some(row) = lines(ui, file, lit, wanted, &mut view) {
+            go_to_line(motion, (view.file, row), actions);
         }
-        self.session.text_file = self.session.text_file.min(motion.text.len().saturating_sub(1));
-        let is_current = self.plan().is_some();
-        theme::heading(ui, &if is_current { say!(program_panel_heading) } else { say!(program_panel_out_of_date) });
-        let name = motion.text.get(self.session.text_file).map_or("", |f| f.name.as_str());
-        if motion.text.len() <= 1 {
-            ui.monospace(name);
-        } else {
-            // A long program has dozens of files.
-            ui.horizontal(|ui| {
-                let label = ui.label(say!(program_panel_files, count = motion.text.len()));
-                let combo = egui::ComboBox::from_id_salt("program file").selected_text(name).show_ui(ui, |ui| {
-                    for (number, file) in motion.text.iter().enumerate() {
-                        ui.selectable_value(&mut self.session.text_file, number, &file.name);
-                    }
-                });
-                combo.response.labelled_by(label.id);
-            });
+        if wanted.is_some() {
+            view.line = current;
         }
-        let Some(file) = motion.text.get(self.session.text_file) else {
-            let why = motion.why_none.clone().unwrap_or_else(|| say!(program_panel_none));
-            ui.label(RichText::new(why).color(theme::WRONG));
-            return;
-        };
-        let height = ui.text_style_height(&TextStyle::Monospace);
-        let lit = current.filter(|c| c.0 == self.session.text_file).map(|c| c.1);
-        let mut area = ScrollArea::both().auto_shrink([false, false]).id_salt(("program", self.session.text_file));
-        if let (true, Some(line)) = (moved, lit) {
-            let seen = &self.session.text_rows;
-            if !(seen.start + 2..seen.end.saturating_sub(2)).contains(&line) {
-                let whole = height + ui.spacing().item_spacing.y;
-                let middle = 0.4 * ui.available_height();
-                area = area.vertical_scroll_offset((line as f32 * whole - middle).max(0.0));
-            }
-            self.session.text_line = current;
-        }
-        let mut clicked = None;
-        let digits = file.count().to_string().len();
-        area.show_rows(ui, height, file.count(), |ui, rows| {
-            self.session.text_rows = rows.clone();
-            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-            for row in rows {
-                let text = format!("{:>digits$}  {}", row + 1, file.line(row));
-                let mut text = RichText::new(text).monospace();
-                if lit == Some(row) {
-                    text = text.strong().background_color(ui.visuals().selection.bg_fill);
-                }
-                if ui.add(egui::Label::new(text).sense(Sense::click()).selectable(false)).clicked() {
-                    clicked = Some(row);
-                }
+    } else {
+        let why = motion.why_none.clone().unwrap_or_else(|| say!(program_panel_none));
+        ui.label(RichText::new(why).color(theme::WRONG));
+    }
+    if view != context.session.program_view {
+        actions.session(|s| s.program_view = view);
+    }
+}
+
+/// The name of the file, and a choice of others: a long program has dozens.
+fn file_choice(ui: &mut egui::Ui, files: &[TextFile], chosen: &mut usize) {
+    let name = files.get(*chosen).map_or("", |f| f.name.as_str());
+    if files.len() <= 1 {
+        ui.monospace(name);
+        return;
+    }
+    ui.horizontal(|ui| {
+        let label = ui.label(say!(program_panel_files, count = files.len()));
+        let combo = egui::ComboBox::from_id_salt("program file").selected_text(name).show_ui(ui, |ui| {
+            for (number, file) in files.iter().enumerate() {
+                ui.selectable_value(chosen, number, &file.name);
             }
         });
-        if let Some(row) = clicked {
-            self.go_to_line((self.session.text_file, row));
-        }
-    }
+        combo.response.labelled_by(label.id);
+    });
+}
 
-    /// Goes to the move that a line is, or the next one after it.
-    fn go_to_line(&mut self, place: (usize, usize)) {
-        let Some(motion) = self.derived.motion().cloned() else { return };
-        let Some(number) = motion.move_of_line(place) else { return };
-        match &motion.timeline {
-            Some(t) => self.go_to_time(t.stops().get(number).map_or(0.0, |s| s.at_s)),
-            None => {
-                let target = motion.move_to.iter().find(|(_, n)| **n >= number).map(|(target, _)| *target);
-                target.into_iter().for_each(|t| self.go_to_target(t));
+/// The lines in sight, one of them lit; scrolls to the row that is wanted. The row that was clicked.
+fn lines(
+    ui: &mut egui::Ui,
+    file: &TextFile,
+    lit: Option<usize>,
+    wanted: Option<usize>,
+    view: &mut ProgramView,
+) -> Option<usize> {
+    let height = ui.text_style_height(&TextStyle::Monospace);
+    let mut area = ScrollArea::both().auto_shrink([false, false]).id_salt(("program", view.file));
+    if let Some(line) = wanted.filter(|line| !view.shows(*line)) {
+        let whole = height + ui.spacing().item_spacing.y;
+        let middle = 0.4 * ui.available_height();
+        area = area.vertical_scroll_offset((line as f32 * whole - middle).max(0.0));
+    }
+    let mut clicked = None;
+    let digits = file.count().to_string().len();
+    area.show_rows(ui, height, file.count(), |ui, rows| {
+        view.rows = rows.clone();
+        ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+        for row in rows {
+            let text = format!("{:>digits$}  {}", row + 1, file.line(row));
+            let mut text = RichText::new(text).monospace();
+            if lit == Some(row) {
+                text = text.strong().background_color(ui.visuals().selection.bg_fill);
             }
+            if ui.add(egui::Label::new(text).sense(Sense::click()).selectable(false)).clicked() {
+                clicked = Some(row);
+            }
+        }
+    });
+    clicked
+}
+
+/// Goes to the move that a line is, or the next one after it.
+fn go_to_line(motion: &Motion, place: (usize, usize), actions: &mut Actions) {
+    let Some(number) = motion.move_of_line(place) else { return };
+    match &motion.timeline {
+        Some(t) => actions.go_to_time(t.stops().get(number).map_or(0.0, |s| s.at_s)),
+        None => {
+            let target = motion.move_to.iter().find(|(_, n)| **n >= number).map(|(target, _)| *target);
+            target.into_iter().for_each(|t| actions.go_to_target(t));
         }
     }
 }

@@ -1,7 +1,10 @@
 //! The time as a strip: the laser's stretches, what is left out, and where the simulation is.
 
+use super::super::actions::Actions;
+use super::super::context::Context;
 use super::super::motion::Mark;
-use super::super::{App, theme};
+use super::super::theme;
+use super::problems::why_left_out;
 use crate::program::Timeline;
 use crate::text::{id, say};
 use eframe::egui::{self, Color32, Rect, Sense, Stroke, pos2, vec2};
@@ -10,61 +13,58 @@ const HEIGHT: f32 = 26.0;
 /// A mark is caught this far to each side, points.
 const CATCH: f32 = 4.0;
 
-impl App {
-    pub(super) fn scrub(&mut self, ui: &mut egui::Ui, width: f32) {
-        let Some(timeline) = self.timeline() else { return };
-        let total_s = timeline.total_s().max(1e-9);
-        let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
-        let time_s = self.session.playback.time_s;
-        response.widget_info(|| egui::WidgetInfo::slider(true, time_s, say!(scrub_name)));
-        let track = rect.shrink2(vec2(2.0, 6.0));
-        let x_of = |t: f64| track.left() + (t / total_s) as f32 * track.width();
-        paint_track(ui, track, timeline, x_of);
-        let marks = self.mark_places(x_of);
-        for (x, _) in &marks {
-            let tick = Rect::from_min_max(pos2(x - 1.0, rect.top() + 1.0), pos2(x + 1.0, rect.bottom() - 1.0));
-            ui.painter().rect_filled(tick, 1, theme::WRONG);
-        }
-        paint_head(ui, rect, x_of(time_s));
-        let pointer = response.hover_pos().or(response.interact_pointer_pos());
-        let caught = pointer.and_then(|p| {
-            let near = marks.iter().filter(|(x, _)| (x - p.x).abs() <= CATCH);
-            near.min_by(|a, b| (a.0 - p.x).abs().total_cmp(&(b.0 - p.x).abs())).map(|(_, m)| *m)
-        });
-        if let (Some(mark), false) = (caught, response.dragged()) {
-            let why = self.why(&mark);
-            response.clone().on_hover_text_at_pointer(why);
-        }
-        match (caught, response.interact_pointer_pos()) {
-            (Some(mark), _) if response.clicked() => self.go_to_target(mark.first),
-            (_, Some(p)) if response.clicked() || response.dragged() => {
-                self.go_to_time(f64::from((p.x - track.left()) / track.width()) * total_s);
-            }
-            _ => {}
-        }
+pub(super) fn ui(ui: &mut egui::Ui, width: f32, context: Context<'_>, actions: &mut Actions) {
+    let Some(timeline) = context.timeline() else { return };
+    let total_s = timeline.total_s().max(1e-9);
+    let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
+    let time_s = context.session.playback.time_s;
+    response.widget_info(|| egui::WidgetInfo::slider(true, time_s, say!(scrub_name)));
+    let track = rect.shrink2(vec2(2.0, 6.0));
+    let x_of = |t: f64| track.left() + (t / total_s) as f32 * track.width();
+    paint_track(ui, track, timeline, x_of);
+    let marks = mark_places(context, x_of);
+    for (x, _) in &marks {
+        let tick = Rect::from_min_max(pos2(x - 1.0, rect.top() + 1.0), pos2(x + 1.0, rect.bottom() - 1.0));
+        ui.painter().rect_filled(tick, 1, theme::WRONG);
     }
+    paint_head(ui, rect, x_of(time_s));
+    let pointer = response.hover_pos().or(response.interact_pointer_pos());
+    let caught = pointer.and_then(|p| {
+        let near = marks.iter().filter(|(x, _)| (x - p.x).abs() <= CATCH);
+        near.min_by(|a, b| (a.0 - p.x).abs().total_cmp(&(b.0 - p.x).abs())).map(|(_, m)| *m)
+    });
+    if let (Some(mark), false) = (caught, response.dragged()) {
+        response.clone().on_hover_text_at_pointer(why(&mark, context));
+    }
+    match (caught, response.interact_pointer_pos()) {
+        (Some(mark), _) if response.clicked() => actions.go_to_target(mark.first),
+        (_, Some(p)) if response.clicked() || response.dragged() => {
+            actions.go_to_time(f64::from((p.x - track.left()) / track.width()) * total_s);
+        }
+        _ => {}
+    }
+}
 
-    /// The marks with their places; of those that share a point, the first.
-    fn mark_places(&self, x_of: impl Fn(f64) -> f32) -> Vec<(f32, Mark)> {
-        let (Some(motion), Some(timeline)) = (self.derived.motion(), self.timeline()) else { return Vec::new() };
-        let mut out: Vec<(f32, Mark)> = Vec::new();
-        for mark in &motion.marks {
-            let at_s = mark.after.and_then(|n| timeline.stops().get(n)).map_or(0.0, |s| s.at_s);
-            let x = x_of(at_s);
-            match out.last_mut() {
-                Some((last, m)) if x - *last < 1.5 => m.count += mark.count,
-                _ => out.push((x, *mark)),
-            }
+/// The marks with their places; of those that share a point, the first.
+fn mark_places(context: Context<'_>, x_of: impl Fn(f64) -> f32) -> Vec<(f32, Mark)> {
+    let (Some(motion), Some(timeline)) = (context.derived.motion(), context.timeline()) else { return Vec::new() };
+    let mut out: Vec<(f32, Mark)> = Vec::new();
+    for mark in &motion.marks {
+        let at_s = mark.after.and_then(|n| timeline.stops().get(n)).map_or(0.0, |s| s.at_s);
+        let x = x_of(at_s);
+        match out.last_mut() {
+            Some((last, m)) if x - *last < 1.5 => m.count += mark.count,
+            _ => out.push((x, *mark)),
         }
-        out
     }
+    out
+}
 
-    /// What is left out at a mark, and for what cause.
-    fn why(&self, mark: &Mark) -> String {
-        let (pass, point) = mark.first;
-        let cause = self.why_blocked(mark.first);
-        say!(scrub_mark, count = mark.count, pass = id(pass), point = id(point), cause)
-    }
+/// What is left out at a mark, and for what cause.
+fn why(mark: &Mark, context: Context<'_>) -> String {
+    let (pass, point) = mark.first;
+    let cause = why_left_out(context, mark.first);
+    say!(scrub_mark, count = mark.count, pass = id(pass), point = id(point), cause)
 }
 
 fn paint_track(ui: &egui::Ui, track: Rect, timeline: &Timeline, x_of: impl Fn(f64) -> f32) {

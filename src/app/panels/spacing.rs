@@ -1,62 +1,62 @@
 //! The legend of the achieved spacing, in a corner of the view: scale, and the two places to go to.
 
-use super::super::App;
+use super::super::actions::Actions;
 use super::super::command::Toggle;
+use super::super::context::Context;
 use super::dose::bar;
-use crate::picture::spacing::Place;
+use crate::picture::spacing::{Place, SpacingScale};
 use crate::text::{fixed, id, say, spacing_labels};
-use crate::view::Bounds;
 use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
-use nalgebra::Vector3;
 
 const WIDTH: f32 = 200.0;
 
-impl App {
-    pub(in super::super) fn spacing_legend(&mut self, ui: &egui::Ui, view: Rect) {
-        if !self.session.show.is_on(Toggle::Spacing)
-            || self.session.show.is_on(Toggle::SectionPlane)
-            || self.derived.plan_on_part().is_none()
-        {
-            return;
-        }
-        let scale = self.spacing_scale().cloned();
-        let at = view.left_top() + vec2(10.0, 10.0);
-        Area::new(Id::unique("achieved spacing")).fixed_pos(at).show(ui.ctx(), |ui| {
-            egui::Frame::popup(ui.style()).show(ui, |ui| {
-                ui.set_width(WIDTH);
-                ui.label(RichText::new(say!(spacing_legend)).strong());
-                let Some(scale) = scale else {
+/// The legend over a view, while the spacing is shown.
+pub(in super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_>, actions: &mut Actions) {
+    let show = &context.session.show;
+    let is_shown = show.is_on(Toggle::Spacing) && !show.is_on(Toggle::SectionPlane);
+    if !is_shown || context.derived.plan_on_part().is_none() {
+        return;
+    }
+    let at = view.left_top() + vec2(10.0, 10.0);
+    Area::new(Id::unique("achieved spacing")).fixed_pos(at).show(ui.ctx(), |ui| {
+        egui::Frame::popup(ui.style()).show(ui, |ui| {
+            ui.set_width(WIDTH);
+            ui.label(RichText::new(say!(spacing_legend)).strong());
+            match context.spacing_picture().and_then(|s| s.scale.as_ref()) {
+                Some(scale) => legend(ui, scale, actions),
+                None => {
                     ui.label(say!(spacing_legend_none));
-                    return;
-                };
-                bar(ui, WIDTH, || say!(spacing_legend_scale), |share| share);
-                thirds(ui, spacing_labels(&scale));
-                let sides = [say!(spacing_legend_closer), say!(spacing_legend_wanted), say!(spacing_legend_farther)];
-                thirds(ui, sides);
-                let [(least, on_least), (greatest, on_greatest)] =
-                    [&scale.least, &scale.greatest].map(|p| (fixed(p.mm, 2), id(p.surface)));
-                let links = [
-                    (say!(spacing_legend_least, mm = least, surface = on_least), scale.least),
-                    (say!(spacing_legend_greatest, mm = greatest, surface = on_greatest), scale.greatest),
-                ];
-                for (text, place) in links {
-                    if ui.link(text).on_hover_text(say!(problems_go)).clicked() {
-                        self.look_at_place(&place);
-                    }
                 }
-                if scale.wanted_mm.is_none() {
-                    ui.label(RichText::new(say!(spacing_legend_percent)).weak());
-                }
-            });
+            }
         });
-    }
+    });
+}
 
-    fn look_at_place(&mut self, place: &Place) {
-        self.session.selected = [place.surface].into();
-        self.session.scroll_to = Some(place.surface);
-        let (at, out) = (self.scene_from_part() * place.at, Vector3::repeat((10.0 * place.mm).max(3.0)));
-        self.viewport.fit(Bounds { min: at - out, max: at + out });
+fn legend(ui: &mut egui::Ui, scale: &SpacingScale, actions: &mut Actions) {
+    bar(ui, WIDTH, || say!(spacing_legend_scale), |share| share);
+    thirds(ui, spacing_labels(scale));
+    let sides = [say!(spacing_legend_closer), say!(spacing_legend_wanted), say!(spacing_legend_farther)];
+    thirds(ui, sides);
+    let [(least, on_least), (greatest, on_greatest)] =
+        [&scale.least, &scale.greatest].map(|p| (fixed(p.mm, 2), id(p.surface)));
+    let links = [
+        (say!(spacing_legend_least, mm = least, surface = on_least), &scale.least),
+        (say!(spacing_legend_greatest, mm = greatest, surface = on_greatest), &scale.greatest),
+    ];
+    for (text, place) in links {
+        if ui.link(text).on_hover_text(say!(problems_go)).clicked() {
+            look_at(place, actions);
+        }
     }
+    if scale.wanted_mm.is_none() {
+        ui.label(RichText::new(say!(spacing_legend_percent)).weak());
+    }
+}
+
+/// Selects the surface of a place, and goes there.
+fn look_at(place: &Place, actions: &mut Actions) {
+    actions.reveal(place.surface);
+    actions.look_at(place.at, (10.0 * place.mm).max(3.0));
 }
 
 /// Words under the ends and the middle of the scale.

@@ -1,7 +1,7 @@
 //! The section of overlapping beads as a drawing to scale, with its measures drawn in and written below.
 
-use super::super::theme;
-use super::fields::Owner;
+use super::super::super::theme;
+use super::super::fields::Owner;
 use crate::document::Job;
 use crate::picture::beads::{BeadSection, section};
 use crate::process::bead::Bead;

@@ -1,0 +1,64 @@
+//! What the selected surface asks of the tilt.
+
+use super::super::super::actions::Actions;
+use super::super::super::context::Context;
+use super::super::super::{quantity, theme};
+use crate::document::Edit;
+use crate::part::SurfaceId;
+use crate::pose::tilt::{Side, TiltRule};
+use crate::text::{id, say};
+use eframe::egui::{self, DragValue, RichText};
+
+pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let selected = &context.session.selected;
+    let Some(&surface) = selected.first().filter(|_| selected.len() == 1) else {
+        ui.label(RichText::new(say!(tool_tilt_select)).small());
+        return;
+    };
+    let before = &context.document.job().settings.of(SurfaceId(surface)).tilt;
+    let mut rule = before.clone();
+    ui.label(RichText::new(say!(tool_tilt_surface, surface = id(surface))).strong());
+    angles(ui, &mut rule);
+    forbidden(ui, &mut rule);
+    if rule != *before {
+        actions.drag(Edit::Tilt(SurfaceId(surface), rule), "tilt");
+    }
+}
+
+fn angles(ui: &mut egui::Ui, rule: &mut TiltRule) {
+    let numbers = [
+        (say!(tool_lead), say!(tool_lead_tip), -75.0, &mut rule.preferred.lead_deg),
+        (say!(tool_lean), say!(tool_lean_tip), -75.0, &mut rule.preferred.lean_deg),
+        (say!(tool_least_tilt), say!(tool_least_tilt_tip), 0.0, &mut rule.least_deg),
+    ];
+    for (name, tip, least, value) in numbers {
+        ui.horizontal(|ui| {
+            let label = theme::name(ui, &name, 130.0).on_hover_text(tip);
+            let field = DragValue::new(value).speed(0.5).range(least..=75.0).max_decimals(1).suffix(say!(unit_deg));
+            ui.add(field.custom_parser(quantity::read)).labelled_by(label.id);
+        });
+    }
+}
+
+/// Sides that the beam never tilts to.
+fn forbidden(ui: &mut egui::Ui, rule: &mut TiltRule) {
+    let sides = [
+        (Side::Lead, say!(tool_ahead)),
+        (Side::Lag, say!(tool_behind)),
+        (Side::Left, say!(tool_left)),
+        (Side::Right, say!(tool_right)),
+    ];
+    ui.horizontal_wrapped(|ui| {
+        theme::name(ui, &say!(tool_never_to), 60.0).on_hover_text(say!(tool_never_to_tip));
+        for (side, name) in sides {
+            let on = rule.forbidden.contains(&side);
+            if ui.selectable_label(on, name).clicked() {
+                rule.forbidden.retain(|s| *s != side);
+                if !on {
+                    rule.forbidden.push(side);
+                    rule.forbidden.sort();
+                }
+            }
+        }
+    });
+}

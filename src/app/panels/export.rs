@@ -1,0 +1,32 @@
+//! What is wrong, and under it the button that writes the program into a folder.
+
+use super::super::actions::Actions;
+use super::super::command::Command;
+use super::super::context::Context;
+use super::super::theme;
+use super::problems;
+use crate::text::say;
+use eframe::egui::{self, RichText, ScrollArea};
+
+pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    // What would help stands under what is wrong.
+    let height = if context.refusing_plan().is_some() { 230.0 } else { 130.0 };
+    // As high as its text, whatever height the panel had before.
+    let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+    area.auto_shrink([false, true]).show(ui, |ui| problems::ui(ui, context, actions));
+    button(ui, context, actions);
+}
+
+fn button(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    ui.add_space(2.0);
+    let ready = context.plan().is_some();
+    let text = RichText::new(say!(cell_panel_export)).strong();
+    let button = egui::Button::new(text).fill(theme::ACCENT.gamma_multiply(0.6));
+    let tip = say!(cell_panel_export_tip, keys = Command::Export.keys_text(ui.ctx()));
+    let size = egui::vec2(ui.available_width(), 28.0);
+    let response = ui.add_enabled_ui(ready, |ui| ui.add_sized(size, button)).inner;
+    if response.on_hover_text(tip).on_disabled_hover_text(say!(cell_panel_not_planned)).clicked() {
+        actions.command(Command::Export);
+    }
+    ui.add_space(2.0);
+}

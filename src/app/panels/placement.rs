@@ -1,0 +1,70 @@
+//! The part as its file is read: units, turn and move, and what was found of it.
+
+use super::super::actions::Actions;
+use super::super::command::Command;
+use super::super::context::Context;
+use super::super::{quantity, theme};
+use super::numbers;
+use crate::document::Edit;
+use crate::document::parameter::Group;
+use crate::part::{PartFinding, Units};
+use crate::text::{Sentence as _, choices, say};
+use eframe::egui::{self, DragValue, RichText};
+
+pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    units(ui, context, actions);
+    numbers::of_job(ui, Group::Part, context, actions);
+    turn_and_move(ui, context, actions);
+    for command in [Command::PickOrigin, Command::LayFlat] {
+        if ui.button(command.name()).clicked() {
+            actions.command(command);
+        }
+    }
+    if let Some(part) = &context.derived.part {
+        for finding in PartFinding::of(part) {
+            ui.label(RichText::new(finding.sentence()).small());
+        }
+    }
+}
+
+fn units(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    ui.horizontal(|ui| {
+        ui.label(say!(parameters_units));
+        for u in Units::ALL {
+            if ui.selectable_label(context.document.job().part.units == u, choices::units(u)).clicked() {
+                actions.edit(Edit::Units(u));
+            }
+        }
+    });
+    let better = context.derived.part.as_ref().and_then(|p| p.findings.better_units);
+    if let Some(better) = better {
+        ui.label(RichText::new(say!(parameters_implausible)).color(theme::ATTENTION));
+        if ui.button(say!(parameters_take_units, units = choices::units(better))).clicked() {
+            actions.edit(Edit::Units(better));
+        }
+    }
+}
+
+fn turn_and_move(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let mut placement = context.document.job().part.placement;
+    let mut changed = false;
+    let rows = [
+        (say!(parameters_turn), say!(unit_deg), &mut placement.rotation_deg),
+        (say!(parameters_move), say!(unit_mm), &mut placement.translation_mm),
+    ];
+    for (name, unit, values) in rows {
+        ui.horizontal(|ui| {
+            theme::name(ui, &name, 50.0);
+            for (value, axis) in values.iter_mut().zip(["x", "y", "z"]) {
+                let field = DragValue::new(value).speed(0.5).max_decimals(3).suffix(&unit);
+                let response = ui.add(field.custom_parser(quantity::read));
+                let told = || say!(parameters_place_field, name = &name, axis);
+                response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
+                changed |= response.changed();
+            }
+        });
+    }
+    if changed {
+        actions.drag(Edit::Place(placement), "place");
+    }
+}

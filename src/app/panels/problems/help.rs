@@ -1,0 +1,41 @@
+//! Changes that were tried, and make targets possible that the robot refuses.
+
+use super::super::super::command::Command;
+use super::super::super::context::Context;
+use super::super::super::theme;
+use crate::planning::advice::Help;
+use crate::text::{Sentence as _, say};
+use eframe::egui::{self, RichText};
+
+/// Nothing where the robot refuses nothing.
+pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>) {
+    let Some(planned) = context.refusing_plan() else { return };
+    theme::heading(ui, &say!(problems_help));
+    match context.derived.remedy.advice(planned.key) {
+        None => {
+            ui.label(RichText::new(say!(problems_help_looking)).weak());
+        }
+        Some(Err(_)) => {
+            let keys = Command::Plan.keys_text(ui.ctx());
+            ui.label(RichText::new(say!(problems_help_cancelled, keys)).weak());
+        }
+        Some(Ok([])) => {
+            ui.label(RichText::new(say!(problems_help_none)).weak());
+        }
+        Some(Ok(list)) => list.iter().for_each(|help| row(ui, help)),
+    }
+}
+
+fn row(ui: &mut egui::Ui, help: &Help) {
+    let text = match help {
+        Help::Sampled { .. } => RichText::new(help.sentence()).small().weak(),
+        _ => RichText::new(say!(problems_help_row, advice = capital(&help.sentence()))),
+    };
+    ui.add(egui::Label::new(text).wrap());
+}
+
+/// As a sentence begins.
+fn capital(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}

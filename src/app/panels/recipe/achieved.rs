@@ -1,0 +1,30 @@
+//! What came of the wanted spacing, and what else is to be said of how lines lie.
+
+use super::super::super::context::Context;
+use super::super::super::theme;
+use crate::part::SurfaceId;
+use crate::text::{Sentence as _, fixed, id, say};
+use eframe::egui::{self, RichText};
+
+/// Surfaces whose spacing is told, at most.
+const TOLD: usize = 4;
+
+pub(super) fn ui(ui: &mut egui::Ui, selected: &[SurfaceId], context: Context<'_>) {
+    let Some(of) = context.derived.plan() else { return };
+    let (plan, job) = (&of.plan, &of.job);
+    for s in plan.surfaces.iter().filter(|s| selected.contains(&SurfaceId(s.laid.surface))).take(TOLD) {
+        let n = SurfaceId(s.laid.surface);
+        let told = |what: String| match selected.len() {
+            0..=1 => what,
+            _ => say!(recipe_panel_of_surface, surface = id(n), what),
+        };
+        if let Some(a) = &s.laid.achieved {
+            let wanted = job.of_surface(n).layers.spacing_mm;
+            let (least, greatest) = (fixed(a.min_mm, 2), fixed(a.max_mm, 2));
+            ui.label(told(say!(recipe_panel_spacing, least, greatest, wanted = fixed(wanted, 2))));
+        }
+        for (_, remark) in plan.remarks().filter(|r| r.0 == n) {
+            ui.label(RichText::new(told(remark.sentence())).small().color(theme::ATTENTION));
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Which file and lines of the program's text are in sight, and how they follow the simulation.
+
+use std::ops::Range;
+
+/// The part of the program's text that is in sight.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ProgramView {
+    /// The file that is shown, by its place in the program.
+    pub file: usize,
+    /// File and line that were last scrolled to.
+    pub line: Option<(usize, usize)>,
+    /// Rows of the file that are in sight.
+    pub rows: Range<usize>,
+}
+
+impl ProgramView {
+    /// Turns to the file of the line that is being done when that line changes; until then another file can be looked
+    /// at. Whether the line has changed.
+    pub fn follow(&mut self, current: Option<(usize, usize)>, files: usize) -> bool {
+        let moved = current.filter(|_| current != self.line);
+        if let Some((file, _)) = moved {
+            self.file = file;
+        }
+        self.file = self.file.min(files.saturating_sub(1));
+        moved.is_some()
+    }
+
+    /// Whether a row is in sight with some rows around it.
+    pub fn shows(&self, row: usize) -> bool {
+        (self.rows.start + 2..self.rows.end.saturating_sub(2)).contains(&row)
+    }
+}
