@@ -1,5 +1,5 @@
-//! What is done about a better set-up: it is looked for, taken into the job, or forgotten. The searches themselves stand
-//! in `remedy`.
+//! What is done about a better set-up: it is looked for, taken into the job, or forgotten. The searches themselves
+//! stand in `remedy`.
 
 use super::App;
 use crate::document::Edit;

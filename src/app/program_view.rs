@@ -30,3 +30,27 @@ impl ProgramView {
         (self.rows.start + 2..self.rows.end.saturating_sub(2)).contains(&row)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_file_follows_the_line_until_another_is_looked_at() {
+        let mut view = ProgramView::default();
+        assert!(view.follow(Some((2, 7)), 5), "the line has changed");
+        assert_eq!(view.file, 2);
+        view.line = Some((2, 7));
+        view.file = 4;
+        assert!(!view.follow(Some((2, 7)), 5));
+        assert_eq!(view.file, 4, "the line is still the same: the other file stays");
+        assert!(!view.follow(None, 3));
+        assert_eq!(view.file, 2, "a program of fewer files");
+    }
+
+    #[test]
+    fn rows_at_the_edge_are_not_well_in_sight() {
+        let view = ProgramView { rows: 10..20, ..ProgramView::default() };
+        assert_eq!([11, 12, 17, 18].map(|row| view.shows(row)), [false, true, true, false]);
+    }
+}
