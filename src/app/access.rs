@@ -7,7 +7,7 @@ use crate::document::Job;
 use crate::part::{Part, SurfaceId, angle};
 use crate::planning::surface_plan::body;
 use crate::pose::access::{AccessMap, AccessStrip, Over};
-use crate::pose::{Beam, Pass, State, Tilt, TiltRule};
+use crate::pose::{Beam, Pass, TargetState, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
 /// Cells of the map and of the strip, degrees: seven hundred directions are looked at in a few
@@ -94,7 +94,7 @@ impl App {
         self.hovered_place().or_else(|| {
             let t = self.target()?;
             let surface = self.derived.plan()?.plan.passes.get(self.session.playback.at.0)?.surface;
-            let chosen = (t.state != State::Blocked).then(|| t.tilt());
+            let chosen = (t.state != TargetState::Blocked).then(|| t.tilt());
             Some(Place { p: t.p, n: t.n, tangent: t.tangent(), surface, chosen, hovered: false })
         })
     }
@@ -115,7 +115,7 @@ impl App {
         let n = near.map_or(flat, |t| t.n);
         let tangent = near.map_or_else(|| angle::any_square_to(&flat), |t| t.tangent());
         let spacing_mm = self.document.job().layers.spacing_mm;
-        let on_it = near.filter(|t| (t.p - p).norm() <= spacing_mm && t.state != State::Blocked);
+        let on_it = near.filter(|t| (t.p - p).norm() <= spacing_mm && t.state != TargetState::Blocked);
         Some(Place { p, n, tangent, surface, chosen: on_it.map(|t| t.tilt()), hovered: true })
     }
 

@@ -4,7 +4,7 @@ use super::App;
 use super::command::Command;
 use super::dose::DoseView;
 use super::remedy::Proposal;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::planning::Failure;
 use crate::planning::advice::Help;
 use crate::pose::Target;
@@ -42,7 +42,7 @@ impl App {
     }
 
     /// What the current pass is worked with.
-    pub(super) fn work(&self) -> Work {
+    pub(super) fn work(&self) -> ProcessSettings {
         self.context().work()
     }
 

@@ -18,7 +18,7 @@ use super::command::{Command, Toggle};
 use super::derived::Derived;
 use super::remedy::Proposal;
 use super::session::Session;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::document::Document;
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{PlannedJob, Stage};
@@ -94,9 +94,9 @@ impl<'a> Context<'a> {
     }
 
     /// What the current pass is worked with.
-    pub fn work(self) -> Work {
+    pub fn work(self) -> ProcessSettings {
         let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.playback.at.0));
-        pass.map_or_else(Work::default, |p| p.work)
+        pass.map_or_else(ProcessSettings::default, |p| p.settings)
     }
 
     /// Whether a command has something shown that it would hide.

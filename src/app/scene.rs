@@ -6,7 +6,7 @@ use super::context::Context;
 use super::derived::Derived;
 use super::session::Session;
 use crate::picture::{PartLook, PathLook, paths, section};
-use crate::pose::State;
+use crate::pose::TargetState;
 use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
 use nalgebra::{Isometry3, Vector3};
 use std::sync::Arc;
@@ -127,7 +127,7 @@ impl Context<'_> {
             scene.meshes.extend(self.placed().map_or_else(Vec::new, |p| tool.at(&p.base_from_focus, p.lit)));
         } else if let Some(t) = self.target() {
             let focus = place * t.frame(self.work().defocus_mm);
-            scene.meshes.extend(tool.at(&focus, t.state != State::Blocked));
+            scene.meshes.extend(tool.at(&focus, t.state != TargetState::Blocked));
         }
     }
 }

@@ -3,7 +3,7 @@
 //! The spot is round, so the turn about the beam is free, and a head that is clear whatever the turn is
 //! clear with all of them. A cable that sticks out to one side counts as a disc.
 
-use super::head::HeadPart;
+use super::HeadPart;
 use crate::part::Mesh;
 use nalgebra::Point3;
 

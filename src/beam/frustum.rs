@@ -28,15 +28,15 @@ impl Frustum {
     }
 
     /// Where it stands with t = 0 in `p` and its axis along the unit vector `a`.
-    pub fn placed(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Placed {
+    pub fn placed(&self, p: &Point3<f64>, a: &Vector3<f64>) -> PlacedFrustum {
         let slope = (self.r1_mm - self.r0_mm) / (self.t1_mm - self.t0_mm);
-        Placed { origin: *p, axis: *a, shape: *self, slope, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
+        PlacedFrustum { origin: *p, axis: *a, shape: *self, slope, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
     }
 }
 
 /// A cut cone in space.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed {
+pub struct PlacedFrustum {
     origin: Point3<f64>,
     axis: Vector3<f64>,
     shape: Frustum,
@@ -48,7 +48,7 @@ pub struct Placed {
 /// So many steps at most; four or five are usual, and what is undecided then counts as near.
 const MOST_STEPS: usize = 48;
 
-impl Placed {
+impl PlacedFrustum {
     /// Whether a box might come within `reach_mm`; `false` is certain.
     #[inline]
     pub fn near_box(&self, lo: &[f64; 3], hi: &[f64; 3], reach_mm: f64) -> bool {

@@ -3,27 +3,14 @@
 //! Both are measured from the focus, the stack along a, against the light; an STL stands with its
 //! origin in the focus and its z along a. Cables and nozzles are pieces like any other.
 
+use super::HeadPart;
 use super::envelope::envelope;
 use super::obstacle::Obstacle;
 use crate::file::{self, FileError};
 use crate::part::{Hasher, Keyed, LoadError, Part};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::path::Path;
 use thiserror::Error;
-
-/// A piece of the stack: a cylinder or a cut cone, its ends flat.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct HeadPart {
-    /// Where it begins, mm from the focus along a.
-    pub from_mm: f64,
-    /// Where it ends, mm from the focus along a.
-    pub to_mm: f64,
-    /// Radius where it begins, mm.
-    pub r0_mm: f64,
-    /// Radius where it ends, mm.
-    pub r1_mm: f64,
-}
 
 /// A head.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,8 +20,6 @@ pub enum Head {
     /// Facets, and the stack that they sweep as they turn about the beam.
     Solid(Obstacle, Vec<HeadPart>),
 }
-
-crate::part::keyed!(HeadPart { from_mm, to_mm, r0_mm, r1_mm });
 
 impl Keyed for Head {
     fn feed(&self, into: &mut Hasher) {

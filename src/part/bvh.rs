@@ -3,8 +3,8 @@
 //! Nodes are split by the surface area heuristic over 16 bins. Boxes are f64 and queries exact to
 //! rounding; what a hit means (own neighbourhood, interference) is decided by the caller.
 
-mod near;
 mod prepared;
+mod proximity;
 
 use super::topology::{Dead, Mesh};
 use nalgebra::{Point3, Vector3};
@@ -18,7 +18,7 @@ const SIDE_BY_SIDE: usize = 1 << 13;
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    bounds: Bounds,
+    bounds: Aabb,
     /// First facet of a leaf, or index of the first child (the second follows it).
     at: u32,
     /// Facets of a leaf; 0 for an inner node.
@@ -46,8 +46,8 @@ impl Bvh {
     /// Builds over all facets with area.
     pub fn new(mesh: &Mesh) -> Bvh {
         let facet: Vec<u32> = (0..mesh.facets.len() as u32).filter(|&f| mesh.dead[f as usize] == Dead::No).collect();
-        let bounded = |&facet: &u32| Item { bounds: Bounds::of(&mesh.corners(facet as usize)), facet };
-        let mut items: Vec<Item> = facet.par_iter().map(bounded).collect();
+        let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
+        let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
         let nodes = if items.is_empty() { Vec::new() } else { built(&mut items, 0) };
         let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
@@ -175,7 +175,7 @@ impl Slabs {
 
     /// Where the ray enters a box before `far`.
     #[inline]
-    fn entry(&self, b: &Bounds, far: f64) -> Option<f64> {
+    fn entry(&self, b: &Aabb, far: f64) -> Option<f64> {
         let (mut near, mut far) = (self.t0, far);
         for k in 0..3 {
             let x = (b.lo[k] - self.origin[0][k]) * self.inverse[k];
@@ -221,26 +221,26 @@ pub fn meet([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vector3<f6
 
 /// A facet on its way into the tree.
 #[derive(Clone, Copy)]
-struct Item {
-    bounds: Bounds,
+struct FacetBox {
+    bounds: Aabb,
     facet: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Bounds {
+struct Aabb {
     lo: [f64; 3],
     hi: [f64; 3],
 }
 
-impl Bounds {
-    const NONE: Bounds = Bounds { lo: [f64::INFINITY; 3], hi: [f64::NEG_INFINITY; 3] };
+impl Aabb {
+    const NONE: Aabb = Aabb { lo: [f64::INFINITY; 3], hi: [f64::NEG_INFINITY; 3] };
 
-    fn of(corners: &[Point3<f64>; 3]) -> Bounds {
-        corners.iter().fold(Bounds::NONE, |b, p| b.with(&Bounds { lo: [p.x, p.y, p.z], hi: [p.x, p.y, p.z] }))
+    fn of(corners: &[Point3<f64>; 3]) -> Aabb {
+        corners.iter().fold(Aabb::NONE, |b, p| b.with(&Aabb { lo: [p.x, p.y, p.z], hi: [p.x, p.y, p.z] }))
     }
 
-    fn with(&self, o: &Bounds) -> Bounds {
-        Bounds {
+    fn with(&self, o: &Aabb) -> Aabb {
+        Aabb {
             lo: std::array::from_fn(|k| smaller(self.lo[k], o.lo[k])),
             hi: std::array::from_fn(|k| larger(self.hi[k], o.hi[k])),
         }
@@ -258,15 +258,15 @@ impl Bounds {
 
 /// The nodes over `items`, which are put in the order of the leaves; the root is the first.
 /// `offset`: how many items stand before these.
-fn built(items: &mut [Item], offset: u32) -> Vec<Node> {
+fn built(items: &mut [FacetBox], offset: u32) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
-    nodes.push(Node { bounds: Bounds::NONE, at: 0, count: 0 });
+    nodes.push(Node { bounds: Aabb::NONE, at: 0, count: 0 });
     build(items, offset, &mut nodes, 0);
     nodes
 }
 
-fn build(items: &mut [Item], offset: u32, nodes: &mut Vec<Node>, me: usize) {
-    let bounds = items.iter().fold(Bounds::NONE, |b, i| b.with(&i.bounds));
+fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize) {
+    let bounds = items.iter().fold(Aabb::NONE, |b, i| b.with(&i.bounds));
     if items.len() <= LEAF {
         nodes[me] = Node { bounds, at: offset, count: items.len() as u32 };
         return;
@@ -301,14 +301,14 @@ fn graft(nodes: &mut Vec<Node>, place: usize, tree: &[Node]) {
 }
 
 /// Orders facets into two groups and tells where the second begins (neither is empty).
-fn split(items: &mut [Item]) -> usize {
-    let centres = items.iter().fold(Bounds::NONE, |b, i| {
+fn split(items: &mut [FacetBox]) -> usize {
+    let centres = items.iter().fold(Aabb::NONE, |b, i| {
         let c = [0, 1, 2].map(|k| i.bounds.middle(k));
-        b.with(&Bounds { lo: c, hi: c })
+        b.with(&Aabb { lo: c, hi: c })
     });
     let width = [0, 1, 2].map(|k| centres.hi[k] - centres.lo[k]);
     let scale = width.map(|w| BINS as f64 / w);
-    let mut bins = [[(Bounds::NONE, 0usize); BINS]; 3];
+    let mut bins = [[(Aabb::NONE, 0usize); BINS]; 3];
     for i in items.iter() {
         for axis in (0..3).filter(|&k| width[k] > 0.0) {
             let bin = &mut bins[axis][bin_of(i.bounds.middle(axis), centres.lo[axis], scale[axis])];
@@ -318,12 +318,12 @@ fn split(items: &mut [Item]) -> usize {
     let mut best = (f64::INFINITY, 0, 0);
     for (axis, bins) in bins.iter().enumerate() {
         let mut right = [(0.0, 0usize); BINS];
-        let mut sum = (Bounds::NONE, 0);
+        let mut sum = (Aabb::NONE, 0);
         for k in (1..BINS).rev() {
             sum = (sum.0.with(&bins[k].0), sum.1 + bins[k].1);
             right[k] = (sum.0.half_area(), sum.1);
         }
-        let mut left = (Bounds::NONE, 0);
+        let mut left = (Aabb::NONE, 0);
         for k in 1..BINS {
             left = (left.0.with(&bins[k - 1].0), left.1 + bins[k - 1].1);
             if left.1 == 0 || right[k].1 == 0 {

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 /// A part and its surfaces with metal on them.
 #[derive(Clone, Debug, Default)]
-pub struct Grown {
+pub struct GrownPart {
     /// The part; what is known of its file and its merge tree are those of the bare part.
     pub part: Part,
     /// The surfaces of the bare part, with the areas that they have on this one.
@@ -27,7 +27,7 @@ const ROUND: f64 = 0.05;
 ///
 /// # Errors
 /// The surface that folds.
-pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) -> Result<Grown, u32> {
+pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) -> Result<GrownPart, u32> {
     let height = |f: u32| heights_mm.get(&surfaces.of_facet[f as usize]).copied().filter(|h| *h > 0.0);
     let is_grown: Vec<bool> = (0..part.mesh.facets.len() as u32).map(|f| height(f).is_some()).collect();
     let mut mesh = part.mesh.clone();
@@ -71,7 +71,7 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
     }
     let dihedral_deg = super::merge_tree::dihedral_angles(&mesh);
     let part = Part { bvh: Bvh::new(&mesh), dihedral_deg, digest: hasher.finish(), mesh, ..part.clone() };
-    Ok(Grown { part, surfaces })
+    Ok(GrownPart { part, surfaces })
 }
 
 /// The grown surface at whose vertices an edge has come to run backwards, or a facet to look elsewhere: a bore

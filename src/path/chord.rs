@@ -23,16 +23,16 @@ crate::part::keyed!(ChordLimits { chord_error_mm, max_step_mm, max_turn_deg });
 
 /// A place on a dense line: at a point, or between it and the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct LinePlace {
     /// Index of the point.
     pub index: usize,
     /// Share of the way to the next point, 0 to 1 (1 excluded).
     pub share: f64,
 }
 
-impl Place {
-    fn point(index: usize) -> Place {
-        Place { index, share: 0.0 }
+impl LinePlace {
+    fn point(index: usize) -> LinePlace {
+        LinePlace { index, share: 0.0 }
     }
 
     /// The point at this place.
@@ -44,7 +44,7 @@ impl Place {
     }
 
     /// Points strictly between this place and a later one.
-    fn until(self, to: Place) -> std::ops::Range<usize> {
+    fn until(self, to: LinePlace) -> std::ops::Range<usize> {
         self.index + 1..to.index + usize::from(to.share > 0.0)
     }
 }
@@ -56,23 +56,23 @@ pub fn simplify(
     points: &[DensePoint],
     fixed: &[bool],
     limits: &ChordLimits,
-    mut may_span: impl FnMut(Place, Place) -> bool,
-) -> Vec<Place> {
-    let mut kept = vec![Place::point(0)];
-    let mut from = Place::point(0);
+    mut may_span: impl FnMut(LinePlace, LinePlace) -> bool,
+) -> Vec<LinePlace> {
+    let mut kept = vec![LinePlace::point(0)];
+    let mut from = LinePlace::point(0);
     let last = points.len() - 1;
     while from.index < last {
         let mut to = from.index + 1;
-        while to < last && !fixed[to] && spans(points, from, Place::point(to + 1), limits) {
+        while to < last && !fixed[to] && spans(points, from, LinePlace::point(to + 1), limits) {
             to += 1;
         }
-        let mut end = Place::point(to);
+        let mut end = LinePlace::point(to);
         if to < last && !fixed[to] {
             // Part of the way to the next point may still do; so few chords reach their limit by chance.
             let (mut low, mut high) = (0.0, 1.0);
             for _ in 0..6 {
                 let middle = 0.5 * (low + high);
-                if spans(points, from, Place { index: to, share: middle }, limits) {
+                if spans(points, from, LinePlace { index: to, share: middle }, limits) {
                     low = middle
                 } else {
                     high = middle
@@ -85,9 +85,9 @@ pub fn simplify(
         if (end.share > 0.0 || to > good) && !may_span(from, end) {
             while bad > good + 1 {
                 let middle = usize::midpoint(good, bad);
-                if may_span(from, Place::point(middle)) { good = middle } else { bad = middle }
+                if may_span(from, LinePlace::point(middle)) { good = middle } else { bad = middle }
             }
-            end = Place::point(good);
+            end = LinePlace::point(good);
         }
         kept.push(end);
         from = end;
@@ -95,7 +95,7 @@ pub fn simplify(
     kept
 }
 
-fn spans(points: &[DensePoint], from: Place, to: Place, limits: &ChordLimits) -> bool {
+fn spans(points: &[DensePoint], from: LinePlace, to: LinePlace, limits: &ChordLimits) -> bool {
     let (a, b) = (from.on(points), to.on(points));
     let turn = |q: &DensePoint| angle::between_deg(&a.n, &q.n);
     // Dropped points may not lie beyond a chord's turn either: a bump returns to its first normal.
@@ -106,7 +106,7 @@ fn spans(points: &[DensePoint], from: Place, to: Place, limits: &ChordLimits) ->
 }
 
 /// Largest distance of the points between two places from the chord that joins them, mm.
-pub fn chord_error_mm(points: &[DensePoint], from: Place, to: Place) -> f64 {
+pub fn chord_error_mm(points: &[DensePoint], from: LinePlace, to: LinePlace) -> f64 {
     let (a, b) = (from.on(points).p, to.on(points).p);
     points[from.until(to)].iter().map(|q| point_segment(&q.p, &a, &b)).fold(0.0, f64::max)
 }
@@ -155,7 +155,7 @@ mod tests {
             }).collect();
             let limits = ChordLimits { chord_error_mm: error, max_step_mm: step, max_turn_deg: turn };
             let kept = simplify(&points, &vec![false; points.len()], &limits, |_, _| true);
-            prop_assert_eq!((kept[0], kept[kept.len() - 1]), (Place::point(0), Place::point(points.len() - 1)));
+            prop_assert_eq!((kept[0], kept[kept.len() - 1]), (LinePlace::point(0), LinePlace::point(points.len() - 1)));
             for w in kept.windows(2) {
                 // Neighbours of the dense line are not cut further here.
                 if w[0].until(w[1]).is_empty() { continue }

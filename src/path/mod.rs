@@ -16,7 +16,7 @@ pub mod strategy;
 pub mod tour;
 
 pub use dense::DensePoint;
-pub use neighbour_axes::Axis;
+pub use neighbour_axes::AxisSource;
 pub use order::Order;
 pub use planes::{Direction, DirectionError, SurfacePlanes};
 pub use section::{SectionPoint, TransversalLine};

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 /// What the beam stands along where nothing is in its way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Axis {
+pub enum AxisSource {
     /// The normal of the mesh, between those of its vertices (P2 4.2.3).
     #[default]
     Mesh,
@@ -24,7 +24,7 @@ pub enum Axis {
     Neighbours,
 }
 
-crate::part::keyed_words!(Axis: Mesh, Neighbours);
+crate::part::keyed_words!(AxisSource: Mesh, Neighbours);
 
 /// A neighbouring pass is looked for within so many spacings.
 const REACH: f64 = 2.0;
@@ -41,7 +41,7 @@ const BLOCK: usize = 16;
 ///
 /// Where the plane across the travel meets no neighbouring pass within two spacings the normal stays.
 pub fn neighbour_axes(lines: &mut [TransversalLine], spacing_mm: f64) {
-    let blocks: Vec<Vec<Block>> = lines.iter().map(blocks).collect();
+    let blocks: Vec<Vec<SideBlock>> = lines.iter().map(blocks).collect();
     let of_rank = |rank: usize| lines.iter().zip(&blocks).filter(move |(l, _)| l.plane == rank).map(|(_, b)| b);
     let axes: Vec<Vec<Vector3<f64>>> = lines
         .par_iter()
@@ -91,24 +91,24 @@ fn tangents(line: &TransversalLine, step_mm: f64) -> Vec<Option<Vector3<f64>>> {
 }
 
 /// Some neighbouring sides of a line, and the box around them.
-struct Block {
+struct SideBlock {
     low: Point3<f64>,
     high: Point3<f64>,
     sides: Vec<(SectionPoint, SectionPoint)>,
 }
 
-fn blocks(line: &TransversalLine) -> Vec<Block> {
+fn blocks(line: &TransversalLine) -> Vec<SideBlock> {
     let sides: Vec<_> = line.sides().collect();
     let block = |sides: &[(SectionPoint, SectionPoint)]| {
         let (low, high) = bounds_of(sides.iter().flat_map(|(a, b)| [a.p, b.p]));
-        Block { low, high, sides: sides.to_vec() }
+        SideBlock { low, high, sides: sides.to_vec() }
     };
     sides.chunks(BLOCK).map(block).collect()
 }
 
 /// Where the plane through a point, square to its travel, cuts passes: the nearest place on the same side of
 /// the part.
-fn met(blocks: &[&Block], q: &SectionPoint, travel: &Vector3<f64>, reach_mm: f64) -> Option<Point3<f64>> {
+fn met(blocks: &[&SideBlock], q: &SectionPoint, travel: &Vector3<f64>, reach_mm: f64) -> Option<Point3<f64>> {
     let mut best = (reach_mm, None);
     for block in blocks {
         let off_mm = (block.low - q.p).sup(&(q.p - block.high)).sup(&Vector3::zeros()).norm();

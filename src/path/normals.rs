@@ -40,12 +40,12 @@ impl VertexNormals {
         VertexNormals { vertices, normals }
     }
 
-    /// Those of a surface and of facets around it, on the same side of the part.
+    /// The normals of a surface and of facets around it, on one side of the part.
     ///
     /// The surface's own vertices keep their normals, so lines on it stay as they were. Each of the others has
     /// the normal it has within the surface that it belongs to (of several that of the first facet), so a beam
     /// that runs on over the rim turns over the first facet beyond it.
-    pub fn grown(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface, beyond: &[u32]) -> VertexNormals {
+    pub fn extended(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface, beyond: &[u32]) -> VertexNormals {
         let VertexNormals { vertices, normals } = VertexNormals::new(mesh, surfaces, surface);
         let mut all: Vec<(u32, Vector3<f64>)> = vertices.iter().copied().zip(normals).collect();
         let is_live = |f: usize| mesh.dead.get(f) == Some(&Dead::No);

@@ -4,7 +4,7 @@
 //! For looking at; the search for clearance asks the same routine, and does not use these maps.
 
 use super::interference::{Beam, Blocker};
-use super::target::{Pass, State};
+use super::target::{Pass, TargetState};
 use super::tilt::{Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
@@ -127,7 +127,7 @@ impl Over {
 
 /// One place of a strip.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Column {
+pub struct AccessColumn {
     /// Target of the pass.
     pub point: usize,
     /// Place on the line, mm from its start.
@@ -148,7 +148,7 @@ pub struct AccessStrip {
     /// Cells from 0 to either end.
     pub half: usize,
     /// Along the line.
-    pub columns: Vec<Column>,
+    pub columns: Vec<AccessColumn>,
 }
 
 impl AccessStrip {
@@ -179,14 +179,14 @@ impl AccessStrip {
             if point % every != 0 && point + 1 != pass.targets.len() {
                 continue;
             }
-            let chosen = (t.state != State::Blocked).then(|| t.tilt());
+            let chosen = (t.state != TargetState::Blocked).then(|| t.tilt());
             let tangent = t.tangent();
             let around = chosen.unwrap_or_default();
             let cell = |i: usize| {
                 let tilt = over.with(around, (i as f64 - half as f64) * step_deg);
                 (tilt.angle_deg() <= max_tilt_deg + 1e-9).then(|| access(beam, &t.p, &t.n, &tangent, rule, tilt))
             };
-            columns.push(Column { point, at_mm, chosen, cells: (0..=2 * half).map(cell).collect() });
+            columns.push(AccessColumn { point, at_mm, chosen, cells: (0..=2 * half).map(cell).collect() });
         }
         AccessStrip { over, step_deg, half, columns }
     }

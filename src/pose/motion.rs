@@ -5,28 +5,13 @@
 //! it can move, or is so short that its middle stands for it. So a fin however thin between two free
 //! targets is met, by the beam or by the head alone.
 
-use super::around::Conflict;
-use super::interference::{Beam, Blocker};
+use super::Pose;
+use super::interference::{Beam, Blocker, Conflict};
 use crate::part::angle;
-use nalgebra::{Point3, Vector3};
 
 /// On a piece no point of the beam moves further than this, mm, before its middle is looked at: the
 /// beam's own margin (0.02 mm) then covers the piece from end to end.
 const PIECE_MM: f64 = 0.02;
-
-/// A beam: point on the part (or on a chord of it) and unit axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pose {
-    /// Point, mm.
-    pub p: Point3<f64>,
-    /// Axis.
-    pub a: Vector3<f64>,
-}
-
-/// The pose at a share `t` of the way.
-pub fn midway(from: &Pose, to: &Pose, t: f64) -> Pose {
-    Pose { p: from.p + (to.p - from.p) * t, a: angle::slerp(&from.a, &to.a, t) }
-}
 
 /// A motion over t from 0 to 1.
 pub trait Motion {
@@ -51,7 +36,7 @@ struct Straight {
 
 impl Motion for Straight {
     fn between(&self, from: (&Pose, f64), to: (&Pose, f64)) -> Pose {
-        midway(from.0, to.0, 0.5)
+        from.0.midway(to.0, 0.5)
     }
 
     fn sag_mm(&self) -> f64 {
@@ -92,12 +77,12 @@ pub struct Swept {
 }
 
 /// Sweeps a motion between two poses at their shares of the way: `None` is a proof that beam and head
-/// keep clear of everything, but for what `Body::short_mm` allows of the margin.
+/// keep clear of everything, but for what `ToolGeometry::short_mm` allows of the margin.
 pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Swept> {
     let middle = motion.between(from, to);
     let share = to.1 - from.1;
     let stray = |reach_mm: f64| motion.stray_mm(share, reach_mm);
-    let reach_mm = beam.conflict(from.0, to.0, &middle, motion.sag_mm(), stray);
+    let reach_mm = beam.ray_conflict(from.0, to.0, &middle, motion.sag_mm(), stray);
     let body = beam.body_conflict([from.0, &middle, to.0], motion.sag_mm(), stray);
     if reach_mm.is_none() && body == Conflict::None {
         return None;
@@ -113,7 +98,7 @@ pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Po
     swept(beam, motion, from, (&middle, t)).or_else(|| swept(beam, motion, (&middle, t), to))
 }
 
-/// What the head hits on a motion of the focus, told by a body without a beam (`Body::head_alone`): `None` is a
+/// What the head hits on a motion of the focus, told by a body without a beam (`ToolGeometry::head_alone`): `None` is a
 /// proof that it keeps its margin.
 pub fn head_hit(head: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Blocker> {
     let (middle, share) = (motion.between(from, to), to.1 - from.1);

@@ -2,7 +2,7 @@
 //! open decided: no common point O, runs at a line's end, closed lines, and the test of the result.
 
 use super::interference::{Beam, Obstruction};
-use super::motion::{self, Pose};
+use super::{Pose, motion};
 use crate::part::{Part, angle};
 use crate::path::DensePoint;
 use nalgebra::{Point3, Vector3};
@@ -41,7 +41,7 @@ pub fn correct(
         return points.iter().map(|q| Some(q.n)).collect();
     }
     if !closed {
-        return Line { part, beam, points, free, m: Vector3::zeros(), limits_deg }.corrected(m);
+        return LineCorrection { part, beam, points, free, m: Vector3::zeros(), limits_deg }.corrected(m);
     }
     // A closed line is opened in the middle of its longest free stretch, so that every run has two
     // free ends.
@@ -52,7 +52,7 @@ pub fn correct(
     let turned: Vec<usize> = (0..=count).map(|i| (i + seam) % count).collect();
     let opened: Vec<DensePoint> = turned.iter().map(|&i| points[i]).collect();
     let opened_free: Vec<bool> = turned.iter().map(|&i| free[i]).collect();
-    let line = Line { part, beam, points: &opened, free: &opened_free, m: Vector3::zeros(), limits_deg };
+    let line = LineCorrection { part, beam, points: &opened, free: &opened_free, m: Vector3::zeros(), limits_deg };
     let axes = line.corrected(m);
     let mut out: Vec<Option<Vector3<f64>>> = (0..count).map(|i| axes[(i + count - seam) % count]).collect();
     out.push(out[0]);
@@ -84,7 +84,7 @@ fn in_plane(v: &Vector3<f64>, m: &Vector3<f64>) -> Vector3<f64> {
 }
 
 #[derive(Clone, Copy)]
-struct Line<'a> {
+struct LineCorrection<'a> {
     part: &'a Part,
     beam: &'a Beam<'a>,
     points: &'a [DensePoint],
@@ -104,13 +104,13 @@ struct Attempt {
     faults: usize,
 }
 
-impl Line<'_> {
+impl LineCorrection<'_> {
     fn corrected(&self, m: Option<Vector3<f64>>) -> Vec<Option<Vector3<f64>>> {
         let mut out: Vec<Option<Vector3<f64>>> =
             self.points.iter().zip(self.free).map(|(q, f)| f.then_some(q.n)).collect();
         let mut at = 0;
         while let Some(first) = (at..self.points.len()).find(|&i| !self.free[i]) {
-            let line = Line { m: m.unwrap_or_else(|| self.local_plane(first)), ..*self };
+            let line = LineCorrection { m: m.unwrap_or_else(|| self.local_plane(first)), ..*self };
             let attempt = line.run_from(first);
             at = attempt.first + attempt.axes.len();
             let place = attempt.first;

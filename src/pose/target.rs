@@ -2,13 +2,13 @@
 
 use super::interference::Blocker;
 use super::tilt::Tilt;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::part::angle;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 /// What became of a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum State {
+pub enum TargetState {
     /// The beam stands along the surface normal, or as the surface's rule and the pins ask.
     Free,
     /// The beam was tilted out of something's way.
@@ -17,13 +17,13 @@ pub enum State {
     Blocked,
 }
 
-impl State {
+impl TargetState {
     /// The word in `path.csv`.
     pub fn word(self) -> &'static str {
         match self {
-            State::Free => "free",
-            State::Corrected => "corrected",
-            State::Blocked => "blocked",
+            TargetState::Free => "free",
+            TargetState::Corrected => "corrected",
+            TargetState::Blocked => "blocked",
         }
     }
 }
@@ -40,7 +40,7 @@ pub struct Target {
     /// Travel direction, square to a.
     pub o: Vector3<f64>,
     /// What became of it.
-    pub state: State,
+    pub state: TargetState,
     /// Whether the move that ends here is made with the laser on.
     pub laser: bool,
     /// What the beam along the normal hits here.
@@ -100,8 +100,8 @@ pub fn travel(tangent: &Vector3<f64>, a: &Vector3<f64>) -> Vector3<f64> {
 pub struct Pass {
     /// Surface number.
     pub surface: u32,
-    /// What it is worked with.
-    pub work: Work,
+    /// What it is made with.
+    pub settings: ProcessSettings,
     /// Unit normal of its section plane (m).
     pub plane_normal: Vector3<f64>,
     /// Whether it ends where it began.
@@ -140,12 +140,12 @@ impl Pass {
     /// Whether the laser is off between two neighbouring targets though nothing blocks the beam: a gap that the
     /// line passes over, or a split.
     pub fn is_gap(from: &Target, to: &Target) -> bool {
-        !to.laser && from.state != State::Blocked && to.state != State::Blocked
+        !to.laser && from.state != TargetState::Blocked && to.state != TargetState::Blocked
     }
 
     /// Fastest turn of the beam against the normal on lit moves that touch a corrected target, degrees/mm.
     pub fn max_tilt_rate_deg_mm(&self) -> f64 {
-        let is = |t: &Target| t.state == State::Corrected;
+        let is = |t: &Target| t.state == TargetState::Corrected;
         let rate = |w: &[Target]| {
             let way_mm = (w[1].p - w[0].p).norm();
             against_normal_deg((&w[0].n, &w[0].a), (&w[1].n, &w[1].a)) / way_mm.max(1e-9)

@@ -64,7 +64,7 @@ fn frame(n: &Vector3<f64>, tangent: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64
 /// A side of the normal as seen along the travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Side {
+pub enum TiltSide {
     /// Ahead.
     Lead,
     /// Behind.
@@ -83,7 +83,7 @@ pub struct TiltRule {
     /// A beam nearer the normal than this is not taken, degrees.
     pub least_deg: f64,
     /// Beams that stand to one of these sides by more than a degree are not taken.
-    pub forbidden: Vec<Side>,
+    pub forbidden: Vec<TiltSide>,
 }
 
 /// A beam stands to a side if it does so by more than this, degrees.
@@ -92,11 +92,11 @@ const TO_A_SIDE_DEG: f64 = 1.0;
 impl TiltRule {
     /// Whether the rule lets a beam stand so.
     pub fn allows(&self, tilt: Tilt) -> bool {
-        let to = |side: &Side| match side {
-            Side::Lead => tilt.lead_deg,
-            Side::Lag => -tilt.lead_deg,
-            Side::Left => -tilt.lean_deg,
-            Side::Right => tilt.lean_deg,
+        let to = |side: &TiltSide| match side {
+            TiltSide::Lead => tilt.lead_deg,
+            TiltSide::Lag => -tilt.lead_deg,
+            TiltSide::Left => -tilt.lean_deg,
+            TiltSide::Right => tilt.lean_deg,
         };
         // A hair of tolerance: what is asked for is allowed, whatever the rounding.
         tilt.angle_deg() >= self.least_deg - 1e-6 && self.forbidden.iter().all(|side| to(side) <= TO_A_SIDE_DEG + 1e-6)
@@ -129,7 +129,7 @@ pub struct Pin {
 }
 
 keyed!(Tilt { lead_deg, lean_deg });
-keyed_words!(Side: Lead, Lag, Left, Right);
+keyed_words!(TiltSide: Lead, Lag, Left, Right);
 keyed!(TiltRule { preferred, least_deg, forbidden });
 keyed!(Pin { line, at_mm, tilt });
 

@@ -7,7 +7,7 @@
 use super::light::Light;
 use super::parameters::Thresholds;
 use super::reach::{Near, lit_facets};
-use super::samples::{MOST_SAMPLES, Plot, Sample, cut, parcel};
+use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut, parcel};
 use super::shade::{Last, Shade};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::Dead};
@@ -27,7 +27,7 @@ const CHUNK: usize = 64;
 
 /// What a dose is computed from.
 #[derive(Clone, Debug)]
-pub struct Task<'a> {
+pub struct DoseInput<'a> {
     /// The part.
     pub part: &'a Part,
     /// Its surfaces: which side of a facet is worked on.
@@ -46,7 +46,7 @@ pub struct Task<'a> {
 #[derive(Clone, Debug)]
 pub struct DoseMap {
     /// Facet by facet.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<DoseSample>,
     /// Their corners, mm, part frame.
     pub corners: Vec<[f32; 3]>,
     /// Where the samples of each facet begin; one more than there are facets.
@@ -159,15 +159,15 @@ pub const J_CM2: f64 = 100.0;
 
 /// Computes the dose. `step` is called once for every share of `steps` work done, and ends it by
 /// returning false; then there is no map.
-pub fn dose(task: &Task<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
+pub fn dose(task: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
     let shade = Shade::new(task.part, task.clamps);
     let near = near_facets(task, &light, &shade, step)?;
     let (pitch_mm, coarsened, plots) = plots(task, &light, near, step)?;
-    let chunks: Vec<(Vec<Sample>, Vec<[f32; 3]>)> = plots
+    let chunks: Vec<(Vec<DoseSample>, Vec<[f32; 3]>)> = plots
         .par_chunks(CHUNK)
         .map(|plots| step().then(|| worked(task, &light, &shade, pitch_mm, plots)))
         .collect::<Option<_>>()?;
-    let mut samples: Vec<Sample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
+    let mut samples: Vec<DoseSample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
     let mut corners: Vec<[f32; 3]> = Vec::with_capacity(chunks.iter().map(|c| c.1.len()).sum());
     for (mut some, their) in chunks {
         some.iter_mut().for_each(|s| s.first_corner += corners.len() as u32);
@@ -194,7 +194,7 @@ pub fn dose(task: &Task<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> 
     })
 }
 
-fn own_of_facets(task: &Task<'_>) -> BTreeMap<u32, Thresholds> {
+fn own_of_facets(task: &DoseInput<'_>) -> BTreeMap<u32, Thresholds> {
     let facets = |(n, t): (&u32, &Thresholds)| {
         let (facets, t) = (task.surfaces.get(*n).map_or(&[][..], |s| &s.facets), *t);
         facets.iter().map(move |f| (*f, t)).collect::<Vec<_>>()
@@ -204,7 +204,7 @@ fn own_of_facets(task: &Task<'_>) -> BTreeMap<u32, Thresholds> {
 
 /// The light near each facet, in the order of the program.
 fn near_facets(
-    task: &Task<'_>,
+    task: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
     step: &(dyn Fn() -> bool + Sync),
@@ -224,7 +224,7 @@ fn near_facets(
 }
 
 /// The facets that a run lights; all of it is one pass's.
-fn lit_of_run(task: &Task<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
+fn lit_of_run(task: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
     let run = light.run(index).1;
     let Some(piece) = run.first() else { return Vec::new() };
     lit_facets(task.part, task.surfaces, shade, light.spot(piece), run)
@@ -233,7 +233,7 @@ fn lit_of_run(task: &Task<'_>, light: &Light, shade: &Shade<'_>, index: usize) -
 /// All live facets as plots, large ones cut; with the pitch at which they can be sampled, and whether
 /// that is more than it should be.
 fn plots(
-    task: &Task<'_>,
+    task: &DoseInput<'_>,
     light: &Light,
     near: Vec<Vec<Near>>,
     step: &(dyn Fn() -> bool + Sync),
@@ -280,12 +280,12 @@ fn count(light: &Light, pitch_mm: f64, plot: &Plot) -> usize {
 
 /// The samples of some plots, and their corners.
 fn worked(
-    task: &Task<'_>,
+    task: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
     pitch_mm: f64,
     plots: &[Plot],
-) -> (Vec<Sample>, Vec<[f32; 3]>) {
+) -> (Vec<DoseSample>, Vec<[f32; 3]>) {
     let (mut out, mut all_corners) = (Vec::new(), Vec::new());
     let mut last = Last::default();
     let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
@@ -312,7 +312,7 @@ fn worked(
             } else {
                 all_corners.extend(corners)
             }
-            out.push(Sample {
+            out.push(DoseSample {
                 centre: stored(q),
                 area_mm2: area_mm2 as f32,
                 facet: plot.facet,
@@ -331,13 +331,13 @@ fn worked(
 
 impl DoseMap {
     /// The samples of a facet: none where it has no area.
-    pub fn of_facet(&self, facet: u32) -> &[Sample] {
+    pub fn of_facet(&self, facet: u32) -> &[DoseSample] {
         let at = |f: usize| self.starts.get(f).map_or(self.samples.len(), |s| *s as usize);
         &self.samples[at(facet as usize)..at(facet as usize + 1)]
     }
 
     /// The corners of a sample, counter-clockwise seen from the side that is worked on.
-    pub fn corners_of(&self, sample: &Sample) -> &[[f32; 3]] {
+    pub fn corners_of(&self, sample: &DoseSample) -> &[[f32; 3]] {
         let first = sample.first_corner as usize;
         self.corners.get(first..first + usize::from(sample.corner_count)).unwrap_or_default()
     }

@@ -5,7 +5,7 @@
 //! by in a straight line, at every height above and below the spot, and neighbouring pieces join.
 
 use super::spot::Spot;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::part::angle;
 use crate::pose::{Pass, target};
 use nalgebra::{Point3, Vector3};
@@ -30,7 +30,7 @@ const NEGLIGIBLE: f64 = 1e-5;
 
 /// Where the beam stands: spot, axis, travel direction and n = o × a, in the part frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Stand {
+pub struct BeamFrame {
     /// The spot, mm.
     pub p: Point3<f64>,
     /// Axis towards the laser.
@@ -41,29 +41,29 @@ pub struct Stand {
     pub n: Vector3<f64>,
 }
 
-impl Stand {
+impl BeamFrame {
     /// At a spot, with axis and travel direction (unit, square to it).
-    pub fn new(p: Point3<f64>, a: Vector3<f64>, o: Vector3<f64>) -> Stand {
-        Stand { p, a, o, n: o.cross(&a) }
+    pub fn new(p: Point3<f64>, a: Vector3<f64>, o: Vector3<f64>) -> BeamFrame {
+        BeamFrame { p, a, o, n: o.cross(&a) }
     }
 
-    fn between(from: &Stand, to: &Stand, t: f64) -> Stand {
+    fn between(from: &BeamFrame, to: &BeamFrame, t: f64) -> BeamFrame {
         let a = angle::slerp(&from.a, &to.a, t);
-        Stand::new(from.p + (to.p - from.p) * t, a, target::travel(&angle::slerp(&from.o, &to.o, t), &a))
+        BeamFrame::new(from.p + (to.p - from.p) * t, a, target::travel(&angle::slerp(&from.o, &to.o, t), &a))
     }
 }
 
 /// A stretch of a lit move.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece {
+pub struct LightPiece {
     /// Number of its pass.
     pub pass: u32,
     /// What it shines with, among [`Light::lamps`].
     pub lamp: u32,
     /// Where it begins.
-    pub from: Stand,
+    pub from: BeamFrame,
     /// Where it ends.
-    pub to: Stand,
+    pub to: BeamFrame,
     /// How long it takes, s.
     pub seconds: f64,
     /// When it ends, s.
@@ -73,7 +73,7 @@ pub struct Piece {
 /// A point as seen from a piece: its places (x, y) about the axis at both ends, and how high it stands
 /// above the spot, mm.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub struct SeenPoint {
     /// From the axis, at the start.
     pub from: [f64; 2],
     /// At the end.
@@ -84,14 +84,14 @@ pub struct Seen {
     pub z_mm: f64,
 }
 
-impl Seen {
+impl SeenPoint {
     /// Its place at a share of the way.
     pub fn at(&self, t: f64) -> [f64; 2] {
         [0, 1].map(|k| self.from[k] + (self.to[k] - self.from[k]) * t)
     }
 }
 
-impl Piece {
+impl LightPiece {
     /// The axis at a share of the way; the turn is small enough for the chord.
     pub fn axis(&self, t: f64) -> Vector3<f64> {
         (self.from.a * (1.0 - t) + self.to.a * t).normalize()
@@ -99,7 +99,7 @@ impl Piece {
 
     /// A point as it is seen from here.
     #[inline]
-    pub fn sees(&self, q: &Point3<f64>, defocus_mm: f64) -> Seen {
+    pub fn sees(&self, q: &Point3<f64>, defocus_mm: f64) -> SeenPoint {
         let (u, v) = (q - self.from.p, q - self.to.p);
         let from = [u.dot(&self.from.o), u.dot(&self.from.n)];
         let to = [v.dot(&self.to.o), v.dot(&self.to.n)];
@@ -107,7 +107,7 @@ impl Piece {
         let dd = d[0] * d[0] + d[1] * d[1];
         let nearest = if dd > 0.0 { (-(from[0] * d[0] + from[1] * d[1]) / dd).clamp(0.0, 1.0) } else { 0.5 };
         let height = u.dot(&self.from.a) * (1.0 - nearest) + v.dot(&self.to.a) * nearest;
-        Seen { from, to, nearest, z_mm: defocus_mm - height }
+        SeenPoint { from, to, nearest, z_mm: defocus_mm - height }
     }
 }
 
@@ -115,7 +115,7 @@ impl Piece {
 #[derive(Clone, Copy, Debug)]
 pub struct Passing {
     /// The point as seen.
-    pub seen: Seen,
+    pub seen: SeenPoint,
     /// From when to when it is in the light, as shares of the way.
     pub window: [f64; 2],
     /// Energy per area square to the beam, J/mm².
@@ -126,7 +126,7 @@ pub struct Passing {
 #[derive(Clone, Debug)]
 pub struct Light {
     /// In the order of the program.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<LightPiece>,
     /// Pieces that follow one another and lie near together: where each such run ends in `pieces`.
     pub runs: Vec<u32>,
     /// What the passes shine with.
@@ -136,7 +136,7 @@ pub struct Light {
 /// A spot and its power.
 #[derive(Clone, Debug)]
 pub struct Lamp {
-    work: Work,
+    work: ProcessSettings,
     /// The spot.
     pub spot: Spot,
     /// Below this, J/mm², a piece is neglected at a point.
@@ -144,7 +144,7 @@ pub struct Lamp {
 }
 
 impl Lamp {
-    fn new(work: Work, spot: &Spot) -> Lamp {
+    fn new(work: ProcessSettings, spot: &Spot) -> Lamp {
         let spot = Spot { spot_mm: work.spot_mm, defocus_mm: work.defocus_mm, ..*spot };
         Lamp { work, negligible_j_mm2: NEGLIGIBLE * work.power_w / (work.speed_mm_s * work.spot_mm), spot }
     }
@@ -158,15 +158,15 @@ impl Light {
         let mut lamps: Vec<Lamp> = Vec::new();
         let longest = |spot: &Spot| (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
         for (number, pass) in passes.iter().enumerate() {
-            let lamp = lamps.iter().position(|l| l.work == pass.work).unwrap_or_else(|| {
-                lamps.push(Lamp::new(pass.work, spot));
+            let lamp = lamps.iter().position(|l| l.work == pass.settings).unwrap_or_else(|| {
+                lamps.push(Lamp::new(pass.settings, spot));
                 lamps.len() - 1
             });
-            let (spot, speed_mm_s) = (&lamps[lamp].spot, pass.work.speed_mm_s);
+            let (spot, speed_mm_s) = (&lamps[lamp].spot, pass.settings.speed_mm_s);
             let longest_mm = longest(spot);
             for (start, end) in pass.lit_pieces() {
                 let Some(lit) = pass.targets.get(start..=end) else { continue };
-                let stands: Vec<Stand> = lit.iter().map(|t| Stand::new(t.p, t.a, t.o)).collect();
+                let stands: Vec<BeamFrame> = lit.iter().map(|t| BeamFrame::new(t.p, t.a, t.o)).collect();
                 let mut at = 0;
                 while at + 1 < stands.len() {
                     let last = at + joined(&stands[at..], longest_mm, STRAIGHT_SPOTS * spot.spot_mm);
@@ -177,9 +177,12 @@ impl Light {
                     let mut from = stands[at];
                     for k in 1..=count {
                         let share = f64::from(k) / f64::from(count);
-                        let to =
-                            if k < count { Stand::between(&stands[at], &stands[last], share) } else { stands[last] };
-                        pieces.push(Piece {
+                        let to = if k < count {
+                            BeamFrame::between(&stands[at], &stands[last], share)
+                        } else {
+                            stands[last]
+                        };
+                        pieces.push(LightPiece {
                             pass: number as u32,
                             lamp: lamp as u32,
                             from,
@@ -199,13 +202,13 @@ impl Light {
 
     /// What a piece shines with.
     #[inline]
-    pub fn lamp(&self, piece: &Piece) -> &Lamp {
+    pub fn lamp(&self, piece: &LightPiece) -> &Lamp {
         &self.lamps[piece.lamp as usize]
     }
 
     /// Its spot.
     #[inline]
-    pub fn spot(&self, piece: &Piece) -> &Spot {
+    pub fn spot(&self, piece: &LightPiece) -> &Spot {
         &self.lamp(piece).spot
     }
 
@@ -215,12 +218,12 @@ impl Light {
     }
 
     /// About what the middle of a line gets, J/mm².
-    pub fn line_j_mm2(&self, piece: &Piece) -> f64 {
+    pub fn line_j_mm2(&self, piece: &LightPiece) -> f64 {
         self.lamp(piece).negligible_j_mm2 / NEGLIGIBLE
     }
 
     /// The pieces of a run: number of the first, and all of them.
-    pub fn run(&self, index: usize) -> (u32, &[Piece]) {
+    pub fn run(&self, index: usize) -> (u32, &[LightPiece]) {
         let end = |i: usize| self.runs.get(i).map_or(self.pieces.len(), |e| *e as usize);
         let start = index.checked_sub(1).map_or(0, end);
         (start as u32, self.pieces.get(start..end(index)).unwrap_or_default())
@@ -228,7 +231,7 @@ impl Light {
 
     /// Whether any light of a piece may come within `radius_mm` of a point.
     #[inline]
-    pub fn reaches(&self, piece: &Piece, centre: &Point3<f64>, radius_mm: f64) -> bool {
+    pub fn reaches(&self, piece: &LightPiece, centre: &Point3<f64>, radius_mm: f64) -> bool {
         let spot = self.spot(piece);
         let seen = piece.sees(centre, spot.defocus_mm);
         let reach = spot.reach_mm(seen.z_mm.abs() + radius_mm);
@@ -240,7 +243,7 @@ impl Light {
 
     /// What comes by a point from a piece, if it is worth a look.
     #[inline]
-    pub fn passing(&self, piece: &Piece, q: &Point3<f64>) -> Option<Passing> {
+    pub fn passing(&self, piece: &LightPiece, q: &Point3<f64>) -> Option<Passing> {
         let lamp = self.lamp(piece);
         let seen = piece.sees(q, lamp.spot.defocus_mm);
         if seen.z_mm + lamp.spot.optics.lens_to_focus_mm <= 0.0 {
@@ -252,20 +255,20 @@ impl Light {
     }
 
     /// Energy per area square to the beam within a window, J/mm².
-    pub fn energy(&self, piece: &Piece, seen: &Seen, window: [f64; 2]) -> f64 {
+    pub fn energy(&self, piece: &LightPiece, seen: &SeenPoint, window: [f64; 2]) -> f64 {
         let lamp = self.lamp(piece);
         lamp.work.power_w * piece.seconds * lamp.spot.passed(seen.from, seen.to, seen.z_mm, window)
     }
 }
 
 /// Into how many pieces a way has to be cut.
-fn pieces_of(from: &Stand, to: &Stand, longest_mm: f64) -> u32 {
+fn pieces_of(from: &BeamFrame, to: &BeamFrame, longest_mm: f64) -> u32 {
     let turn_deg = angle::between_deg(&from.a, &to.a).max(angle::between_deg(&from.o, &to.o));
     ((to.p - from.p).norm() / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0) as u32
 }
 
 /// How many moves from the first stand on are one piece; the first is in any case.
-fn joined(stands: &[Stand], longest_mm: f64, off_mm: f64) -> usize {
+fn joined(stands: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize {
     let Some(first) = stands.first() else { return 0 };
     let mut way_mm = vec![0.0];
     let mut count = 1;
@@ -273,7 +276,7 @@ fn joined(stands: &[Stand], longest_mm: f64, off_mm: f64) -> usize {
         way_mm.push(way_mm[i - 1] + (to.p - stands[i - 1].p).norm());
         let is_even = |k: usize| {
             let t = way_mm[k] / way_mm[i];
-            let stand = Stand::between(first, to, t);
+            let stand = BeamFrame::between(first, to, t);
             (stand.p - stands[k].p).norm() <= off_mm && angle::between_deg(&stand.a, &stands[k].a) <= EVEN_DEG
         };
         let fits = way_mm[i] > 0.0 && pieces_of(first, to, longest_mm) == 1 && (1..i).all(is_even);
@@ -285,9 +288,9 @@ fn joined(stands: &[Stand], longest_mm: f64, off_mm: f64) -> usize {
     count
 }
 
-fn runs(pieces: &[Piece], longest_mm: impl Fn(&Piece) -> f64) -> Vec<u32> {
+fn runs(pieces: &[LightPiece], longest_mm: impl Fn(&LightPiece) -> f64) -> Vec<u32> {
     let mut ends = Vec::new();
-    let mut first: Option<&Piece> = None;
+    let mut first: Option<&LightPiece> = None;
     let mut length_mm = 0.0;
     for (i, piece) in pieces.iter().enumerate() {
         let own_mm = (piece.to.p - piece.from.p).norm();

@@ -5,9 +5,9 @@
 //! pulses, heat and reflected light are not looked at.
 
 pub mod bead;
-mod cell;
 pub mod closeness;
 pub mod dose;
+mod facet_polygon;
 mod floor;
 pub mod light;
 pub mod parameters;
@@ -18,10 +18,10 @@ pub mod shade;
 pub mod spot;
 pub mod statistics;
 
-pub use dose::{DoseMap, SpotHit, Task, dose};
+pub use dose::{DoseInput, DoseMap, SpotHit, dose};
 pub use light::Light;
 pub use parameters::{DoseParameters, Profile, Thresholds};
-pub use patches::{Cause, Patch};
-pub use samples::Sample;
+pub use patches::{Patch, PatchCause};
+pub use samples::DoseSample;
 pub use spot::Spot;
-pub use statistics::{Collateral, Shares, Verdict};
+pub use statistics::{Collateral, DoseVerdict, Shares};

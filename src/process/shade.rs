@@ -2,7 +2,7 @@
 //!
 //! The light that lands beside the axis comes along its own ray, through the focus and on to the lens.
 
-use super::light::{Light, Passing, Piece};
+use super::light::{Light, LightPiece, Passing};
 use crate::beam::Obstacle;
 use crate::part::{Bvh, Part, bvh::meet};
 use crate::pose::Obstruction;
@@ -71,7 +71,7 @@ impl<'a> Shade<'a> {
     pub fn landing(
         &self,
         light: &Light,
-        piece: &Piece,
+        piece: &LightPiece,
         (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         last: &mut Last,
@@ -130,7 +130,7 @@ impl<'a> Shade<'a> {
     fn wall(
         &self,
         light: &Light,
-        piece: &Piece,
+        piece: &LightPiece,
         (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         t: f64,

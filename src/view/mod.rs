@@ -28,6 +28,7 @@ mod gl_state;
 mod gpu_cache;
 mod gpu_mesh;
 mod gpu_strokes;
+mod projecting;
 mod target;
 mod to_three_d;
 

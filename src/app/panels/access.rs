@@ -110,7 +110,7 @@ impl App {
         };
         if response.clicked() {
             let nearest = strip.columns.iter().min_by(|x, y| {
-                let off = |c: &crate::pose::access::Column| (frame.x(c.at_mm) - pointer.x).abs();
+                let off = |c: &crate::pose::access::AccessColumn| (frame.x(c.at_mm) - pointer.x).abs();
                 off(x).total_cmp(&off(y))
             });
             if let Some(c) = nearest {
@@ -293,7 +293,7 @@ fn draw_strip(ui: &egui::Ui, frame: &Frame, strip: &AccessStrip, pins: &[Pin], a
     let zero = [frame.at(0.0, 0.0), frame.at(frame.length_mm, 0.0)];
     painter.line_segment(zero, Stroke::new(0.7, line.gamma_multiply(0.5)));
     for piece in strip.columns.chunk_by(|a, b| a.chosen.is_some() && b.chosen.is_some()) {
-        let chosen = |c: &crate::pose::access::Column| Some(frame.at(c.at_mm, strip.over.of(c.chosen?)));
+        let chosen = |c: &crate::pose::access::AccessColumn| Some(frame.at(c.at_mm, strip.over.of(c.chosen?)));
         let points: Vec<Pos2> = piece.iter().filter_map(chosen).collect();
         painter.line(points, Stroke::new(2.5, Color32::BLACK));
     }

@@ -8,7 +8,7 @@ use crate::document::Edit;
 use crate::document::parameter::{Group, Parameter};
 use crate::part::SurfaceId;
 use crate::pose::Correction;
-use crate::pose::tilt::Side;
+use crate::pose::tilt::TiltSide;
 use crate::process::Profile;
 use crate::text::{choices, exact, fixed, id, say};
 use eframe::egui::{self, DragValue, RichText};
@@ -139,10 +139,10 @@ impl App {
             });
         }
         let sides = [
-            (Side::Lead, say!(tool_ahead)),
-            (Side::Lag, say!(tool_behind)),
-            (Side::Left, say!(tool_left)),
-            (Side::Right, say!(tool_right)),
+            (TiltSide::Lead, say!(tool_ahead)),
+            (TiltSide::Lag, say!(tool_behind)),
+            (TiltSide::Left, say!(tool_left)),
+            (TiltSide::Right, say!(tool_right)),
         ];
         ui.horizontal_wrapped(|ui| {
             theme::name(ui, &say!(tool_never_to), 60.0).on_hover_text(say!(tool_never_to_tip));

@@ -3,7 +3,7 @@
 use super::super::App;
 use super::super::command::Toggle;
 use super::dose::bar;
-use crate::picture::spacing::Place;
+use crate::picture::spacing::SpacingSample;
 use crate::text::{fixed, id, say, spacing_labels};
 use crate::view::Bounds;
 use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
@@ -51,7 +51,7 @@ impl App {
         });
     }
 
-    fn look_at_place(&mut self, place: &Place) {
+    fn look_at_place(&mut self, place: &SpacingSample) {
         self.session.selected = [place.surface].into();
         self.session.scroll_to = Some(place.surface);
         let (at, out) = (self.scene_from_part() * place.at, Vector3::repeat((10.0 * place.mm).max(3.0)));

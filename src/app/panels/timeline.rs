@@ -6,7 +6,7 @@ use super::super::{App, theme};
 use crate::part::rpy;
 use crate::picture::palette::state;
 use crate::planning::Plan;
-use crate::pose::State;
+use crate::pose::TargetState;
 use crate::program::Timeline;
 use crate::text::{clock, fixed, id, say};
 use eframe::egui::{self, Color32, RichText, Slider};
@@ -120,9 +120,9 @@ impl App {
     fn target_numbers(&self, ui: &mut egui::Ui) {
         let Some(t) = self.target() else { return };
         let (word, [r, g, b]) = match t.state {
-            State::Free => (say!(timeline_free), [90, 140, 230]),
-            State::Corrected => (say!(timeline_corrected), state::CORRECTED),
-            State::Blocked => (say!(timeline_blocked), [240, 70, 70]),
+            TargetState::Free => (say!(timeline_free), [90, 140, 230]),
+            TargetState::Corrected => (say!(timeline_corrected), state::CORRECTED),
+            TargetState::Blocked => (say!(timeline_blocked), [240, 70, 70]),
         };
         let (pass, point) = self.session.playback.at;
         ui.horizontal_wrapped(|ui| {
@@ -143,7 +143,7 @@ impl App {
                 let text = say!(timeline_flange, x, y, z, rz, ry, rx);
                 ui.monospace(text).on_hover_text(say!(timeline_flange_tip));
             }
-            if t.state == State::Blocked {
+            if t.state == TargetState::Blocked {
                 ui.label(RichText::new(self.why_blocked((pass, point))).color(theme::WRONG));
             }
         });

@@ -1,12 +1,12 @@
 //! Segments, motions and boxes made ready for many distances. All gaps of boxes are a hair too small, never too
 //! large: who asks skips a box only if nothing in it can be nearer.
 
-use super::{Bounds, meet};
+use super::{Aabb, meet};
 use crate::part::distance::segment_triangle;
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 
 /// A segment made ready for facets.
-pub(super) struct Slender {
+pub(super) struct SegmentForFacets {
     pub(super) from: Point3<f64>,
     pub(super) to: Point3<f64>,
     /// Unit; z where the ends are one point.
@@ -15,12 +15,12 @@ pub(super) struct Slender {
     pub(super) length: f64,
 }
 
-impl Slender {
-    pub(super) fn new(from: &Point3<f64>, to: &Point3<f64>) -> Slender {
+impl SegmentForFacets {
+    pub(super) fn new(from: &Point3<f64>, to: &Point3<f64>) -> SegmentForFacets {
         let along = to - from;
         let length = along.norm();
         let dir = if length > 0.0 { along / length } else { Vector3::z() };
-        Slender { from: *from, to: *to, dir, length }
+        SegmentForFacets { from: *from, to: *to, dir, length }
     }
 
     pub(super) fn distance(&self, corners: &[Point3<f64>; 3]) -> f64 {
@@ -30,25 +30,25 @@ impl Slender {
 }
 
 /// A segment made ready for boxes.
-pub(super) struct Sides {
+pub(super) struct SegmentForBoxes {
     from: Point3<f64>,
-    bounds: Bounds,
+    bounds: Aabb,
     /// Square to the segment and to an axis each.
     across: [Vector3<f64>; 3],
 }
 
-impl Sides {
-    pub(super) fn new(s: &Slender) -> Sides {
+impl SegmentForBoxes {
+    pub(super) fn new(s: &SegmentForFacets) -> SegmentForBoxes {
         let across = [0, 1, 2].map(|k| {
             let square = s.dir.cross(&Vector3::ith(k, 1.0));
             let norm = square.norm();
             if norm > 1e-6 { square / norm } else { Vector3::zeros() }
         });
-        Sides { from: s.from, bounds: Bounds::of(&[s.from, s.to, s.to]), across }
+        SegmentForBoxes { from: s.from, bounds: Aabb::of(&[s.from, s.to, s.to]), across }
     }
 
     /// A box is at least so far away: as far as the gap between the two seen along any line.
-    pub(super) fn gap(&self, b: &Bounds) -> f64 {
+    pub(super) fn gap(&self, b: &Aabb) -> f64 {
         let middle = Vector3::from_fn(|k, _| b.middle(k)) - self.from.coords;
         let half = Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
         let beside = self.across.iter().map(|u| less(u.dot(&middle).abs() - u.abs().dot(&half)));
@@ -75,22 +75,22 @@ impl Turn {
     }
 
     /// The box around a moved box.
-    pub(super) fn bounds(&self, b: &Bounds) -> Bounds {
+    pub(super) fn bounds(&self, b: &Aabb) -> Aabb {
         let middle = self.rotation * Vector3::from_fn(|k, _| b.middle(k)) + self.shift;
         let half = self.spread * Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
-        Bounds { lo: (middle - half).into(), hi: (middle + half).into() }
+        Aabb { lo: (middle - half).into(), hi: (middle + half).into() }
     }
 }
 
-impl Bounds {
-    pub(super) fn is_near(&self, o: &Bounds, reach_mm: f64) -> bool {
+impl Aabb {
+    pub(super) fn is_near(&self, o: &Aabb, reach_mm: f64) -> bool {
         // Wider by more than the rounding of a turned box.
         let reach = reach_mm * (1.0 + 1e-9) + 1e-9;
         (0..3).all(|k| self.lo[k] <= o.hi[k] + reach && o.lo[k] <= self.hi[k] + reach)
     }
 
     /// Distance of two boxes, less by more than the rounding of a turned one.
-    pub(super) fn gap(&self, o: &Bounds) -> f64 {
+    pub(super) fn gap(&self, o: &Aabb) -> f64 {
         let apart = Vector3::from_fn(|k, _| (o.lo[k] - self.hi[k]).max(self.lo[k] - o.hi[k]).max(0.0));
         less(apart.norm())
     }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 /// Why a surface, a shell or an edit is lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
+pub enum LostReason {
     /// Nothing like it is there.
     NothingAlike,
     /// Several are so much alike that none can be told to be it.
@@ -35,7 +35,7 @@ pub(super) struct Paired {
     /// New numbers by old ones.
     pub numbers: BTreeMap<u32, u32>,
     /// The others.
-    pub lost: BTreeMap<u32, Why>,
+    pub lost: BTreeMap<u32, LostReason>,
 }
 
 impl Lineup {
@@ -84,10 +84,10 @@ pub(super) fn paired(old: impl IntoIterator<Item = Landmark>, new: &Lineup, diag
     for Landmark { number, print } in old {
         match new.candidates(&print, diagonal)[..] {
             [] => {
-                paired.lost.insert(number, Why::NothingAlike);
+                paired.lost.insert(number, LostReason::NothingAlike);
             }
             [(nearest, _), (next, _), ..] if !clearly_nearer(nearest, next) => {
-                paired.lost.insert(number, Why::SeveralAlike);
+                paired.lost.insert(number, LostReason::SeveralAlike);
             }
             [(nearest, claimed), ..] => claims.entry(claimed).or_default().push((nearest, number)),
         }
@@ -97,9 +97,9 @@ pub(super) fn paired(old: impl IntoIterator<Item = Landmark>, new: &Lineup, diag
         let tied = by.len() > 1 && !clearly_nearer(by[0].0, by[1].0);
         for (rank, &(_, number)) in by.iter().enumerate() {
             match (rank, tied) {
-                (_, true) => paired.lost.insert(number, Why::SeveralAlike).is_some(),
+                (_, true) => paired.lost.insert(number, LostReason::SeveralAlike).is_some(),
                 (0, false) => paired.numbers.insert(number, claimed).is_some(),
-                _ => paired.lost.insert(number, Why::NothingAlike).is_some(),
+                _ => paired.lost.insert(number, LostReason::NothingAlike).is_some(),
             };
         }
     }

@@ -1,6 +1,6 @@
 //! Lines cut at a distance from the rim: within the surface, or beyond it.
 
-use super::grown::Grown;
+use super::extended_surface::ExtendedSurface;
 use super::rim::rim;
 use super::tree::Tree;
 use crate::part::distance::point_triangle;
@@ -33,21 +33,21 @@ pub fn inset(
     clipped(lines, |line| near(line, &tree, inset_mm - HAIR_MM))
 }
 
-/// What of lines that were cut on the grown surface lies on the surface itself or within its reach beyond; and
+/// What of lines that were cut on the extended surface lies on the surface itself or within its reach beyond; and
 /// how many of their ends stop before that, at a sharp edge or at the end of the part.
 pub fn run_over(
     mesh: &Mesh,
     surface: &Surface,
-    grown: &Grown,
+    extended: &ExtendedSurface,
     lines: Vec<TransversalLine>,
 ) -> (Vec<TransversalLine>, usize) {
     let tree = Tree::new(rim(mesh, surface).segments(0.0));
     let beyond =
-        Mesh::from_indexed(mesh.vertices.clone(), grown.beyond.iter().map(|&f| mesh.facets[f as usize]).collect());
-    let (bvh, on_mm) = (Bvh::new(&beyond), (1e-5 * mesh.diagonal()).min(0.1 * grown.over_mm));
+        Mesh::from_indexed(mesh.vertices.clone(), extended.beyond.iter().map(|&f| mesh.facets[f as usize]).collect());
+    let (bvh, on_mm) = (Bvh::new(&beyond), (1e-5 * mesh.diagonal()).min(0.1 * extended.over_mm));
     let lines = clipped(lines, |line| {
         let sides: Vec<_> = line.sides().collect();
-        let far = rest(&near(line, &tree, grown.over_mm + HAIR_MM), sides.len() as f64);
+        let far = rest(&near(line, &tree, extended.over_mm + HAIR_MM), sides.len() as f64);
         // A stretch so far from the rim does not cross it: one place tells on which side all of it is.
         let is_beyond = |stretch: &Stretch| {
             let Some(q) = at(&sides, 0.5 * (stretch.0 + stretch.1)) else { return false };
@@ -57,7 +57,7 @@ pub fn run_over(
         };
         far.into_iter().filter(is_beyond).collect()
     });
-    let stops = Tree::new(grown.stops.iter().copied());
+    let stops = Tree::new(extended.stops.iter().copied());
     let reach_mm = 2e-6 * mesh.diagonal();
     let ends = lines.iter().filter(|l| !l.closed).flat_map(|l| [l.points.first(), l.points.last()]).flatten();
     let stopped = ends.filter(|q| stops.has_within(&q.p, reach_mm)).count();

@@ -57,7 +57,7 @@ impl Rim {
 ///
 /// A facet's file order makes the order of loops. Slits without width are left out.
 pub fn rim(mesh: &Mesh, surface: &Surface) -> Rim {
-    let own = Own { mesh, surface };
+    let own = SurfaceFacets { mesh, surface };
     let sides: Vec<(u32, usize)> = surface
         .facets
         .iter()
@@ -93,12 +93,12 @@ pub fn rim(mesh: &Mesh, surface: &Surface) -> Rim {
 }
 
 /// The live facets of a surface.
-struct Own<'a> {
+struct SurfaceFacets<'a> {
     mesh: &'a Mesh,
     surface: &'a Surface,
 }
 
-impl Own<'_> {
+impl SurfaceFacets<'_> {
     fn has(&self, facet: u32) -> bool {
         self.mesh.dead[facet as usize] == Dead::No && self.surface.facets.binary_search(&facet).is_ok()
     }

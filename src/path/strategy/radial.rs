@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Where a spiral turns about.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
+pub(super) struct SpiralAxis {
     /// A point of it: the centre, where that is on the surface.
     pub at: Point3<f64>,
     /// Directions: the axis itself and two square to it.
@@ -23,7 +23,7 @@ pub(super) struct Axis {
     pub vertex: Option<u32>,
 }
 
-impl Axis {
+impl SpiralAxis {
     /// Where a point stands across the axis, mm.
     pub fn across(&self, p: &Point3<f64>) -> Vector2<f64> {
         Vector2::new((p - self.at).dot(&self.u), (p - self.at).dot(&self.v))
@@ -52,7 +52,7 @@ const GROUPS: usize = 16;
 /// tells it: on the axis, but for the centre.
 ///
 /// `polar`: distance from the axis and angle of every vertex.
-pub(super) fn excess(net: &Net, axis: &Axis, polar: &[(f64, f64)]) -> Vec<f64> {
+pub(super) fn excess(net: &Net, axis: &SpiralAxis, polar: &[(f64, f64)]) -> Vec<f64> {
     let walk = Walk { net, axis, polar, rims: rims(net, polar) };
     let count = polar.len();
     let mut order: Vec<u32> = (0..count as u32).collect();
@@ -101,7 +101,7 @@ type Entry = (u32, u32, Point3<f64>);
 
 struct Walk<'a> {
     net: &'a Net,
-    axis: &'a Axis,
+    axis: &'a SpiralAxis,
     polar: &'a [(f64, f64)],
     rims: Vec<Vec<u32>>,
 }

@@ -21,7 +21,7 @@ const ENOUGH: usize = 64;
 
 /// A direction of the coarse grid, and whether it is free.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Direction {
+pub struct TestedDirection {
     /// Against the normal.
     pub tilt: Tilt,
     /// Unit axis.
@@ -38,12 +38,12 @@ pub fn free_set(
     n: &Vector3<f64>,
     tangent: &Vector3<f64>,
     max_tilt_deg: f64,
-) -> Vec<Direction> {
+) -> Vec<TestedDirection> {
     let cells = grid::disc(max_tilt_deg, grid::coarse_spacing_deg(max_tilt_deg));
     let direction = |c: Lean| {
         let tilt = Tilt { lead_deg: c.x, lean_deg: c.y };
         let axis = tilt.axis(n, tangent);
-        Direction { tilt, axis, is_free: beam.is_free(p, &axis) }
+        TestedDirection { tilt, axis, is_free: beam.is_free(p, &axis) }
     };
     cells.into_iter().map(direction).collect()
 }

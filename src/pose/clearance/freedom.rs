@@ -1,8 +1,8 @@
 //! Which candidates are free, what they cost, and whether the ways between them are free.
 
 use super::bins::Bins;
-use super::grid::{self, Cell};
-use super::search::{Dp, Stage, Steps};
+use super::grid::{self, GridCell};
+use super::search::{ChainSearch, ChainSteps, LayerCosts};
 use super::track::{Lean, Track};
 use crate::pose::motion;
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,9 +21,9 @@ fn cost_of(track: &Track<'_>, site: usize, tilt: &Lean) -> f64 {
     s.pull * (tilt - s.aim).norm() + DOSE_DEG * (1.0 - libm::cos(tilt.norm().to_radians()))
 }
 
-impl Dp<'_> {
+impl ChainSearch<'_> {
     /// Asks a layer's candidates, and weighs those that are free.
-    pub(super) fn stage(&self, k: usize) -> Stage {
+    pub(super) fn stage(&self, k: usize) -> LayerCosts {
         let layer = &self.layers[k];
         let mut coarse = BTreeMap::new();
         let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(|t| self.asked(k, t, &mut coarse)).collect();
@@ -41,11 +41,11 @@ impl Dp<'_> {
         let reach_deg = if k + 1 < self.layers.len() { self.reach_deg(k) } else { 1.0 };
         let bins = Bins::new(&layer.tilts, &weight, reach_deg);
         let assumed = asked.into_iter().map(|a| a.1).collect();
-        Stage { weight, assumed, bins, arrive: Vec::new(), off: (Default::default(), None), leave: Vec::new() }
+        LayerCosts { weight, assumed, bins, arrive: Vec::new(), off: (Default::default(), None), leave: Vec::new() }
     }
 
     /// Whether a candidate is free (`None`: not allowed at all), and whether that is only assumed.
-    fn asked(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<Cell, Option<bool>>) -> (Option<bool>, bool) {
+    fn asked(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<GridCell, Option<bool>>) -> (Option<bool>, bool) {
         let layer = &self.layers[k];
         let site = &self.track.sites[layer.site];
         let Some(spacing_deg) = layer.coarser_deg.filter(|_| !layer.given && self.track.allows(site, tilt)) else {
@@ -90,7 +90,7 @@ impl Dp<'_> {
     }
 
     /// Tests the ways of a chain; the first layer to be made anew.
-    pub(super) fn first_failing(&mut self, chain: &Steps) -> Option<usize> {
+    pub(super) fn first_failing(&mut self, chain: &ChainSteps) -> Option<usize> {
         let mut first: Option<usize> = None;
         let mut fails = |k: usize| first = Some(first.map_or(k, |f| f.min(k)));
         for k in 0..chain.len().saturating_sub(1) {

@@ -13,10 +13,10 @@ pub fn coarse_spacing_deg(max_tilt_deg: f64) -> f64 {
 }
 
 /// A cell: row and column.
-pub type Cell = (i32, i32);
+pub type GridCell = (i32, i32);
 
 /// The middle of a cell of the lattice with this spacing.
-pub fn middle((row, column): Cell, spacing_deg: f64) -> Lean {
+pub fn middle((row, column): GridCell, spacing_deg: f64) -> Lean {
     let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
     Lean::new((f64::from(column) + shift) * spacing_deg, f64::from(row) * row_deg(spacing_deg))
 }
@@ -26,7 +26,7 @@ fn row_deg(spacing_deg: f64) -> f64 {
 }
 
 /// Adds the cells within a radius of a tilt.
-pub fn add_disc(cells: &mut BTreeSet<Cell>, around: &Lean, radius_deg: f64, spacing_deg: f64) {
+pub fn add_disc(cells: &mut BTreeSet<GridCell>, around: &Lean, radius_deg: f64, spacing_deg: f64) {
     let rows = |y: f64| y / row_deg(spacing_deg);
     for row in rows(around.y - radius_deg).floor() as i32..=rows(around.y + radius_deg).ceil() as i32 {
         let columns = |x: f64| x / spacing_deg;

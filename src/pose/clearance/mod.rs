@@ -13,14 +13,15 @@ mod grid;
 mod polish;
 mod rows;
 mod search;
+mod site_tilts;
 mod track;
 mod window;
 mod windows;
 
-pub use free_set::{Direction, free_set};
+pub use free_set::{TestedDirection, free_set};
 
 use super::interference::Beam;
-use super::line::LineRules;
+use super::line_rules::LineRules;
 use super::tilt::Pin;
 use crate::part::Part;
 use crate::path::{DensePoint, dense};
@@ -30,7 +31,7 @@ use windows::Windows;
 
 /// A point of the corrected line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
+pub struct CorrectedPoint {
     /// Point and normal.
     pub q: DensePoint,
     /// The beam; `None`: blocked.
@@ -51,7 +52,7 @@ pub fn correct(
     closed: bool,
     number: u32,
     rules: &LineRules,
-) -> Vec<Row> {
+) -> Vec<CorrectedPoint> {
     let pins: Vec<Pin> = rules.pins.iter().filter(|p| p.line == number).copied().collect();
     let mut places_mm = vec![0.0];
     for w in points.windows(2) {

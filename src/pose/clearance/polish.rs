@@ -1,8 +1,8 @@
 //! The last step on the sphere: off the grid, and as near to the aim as the way stays free.
 
 use super::freedom::NEARNESS_DEG2;
+use super::site_tilts::SiteTilts;
 use super::track::{Lean, Track};
-use super::windows::Stand;
 use crate::pose::{Beam, motion};
 
 /// Steps in which a tilt is drawn to the aim, degrees; what is found has more to spare.
@@ -20,7 +20,7 @@ const FARTHER_DEG: f64 = 1.0;
 const SWEEPS: usize = 6;
 
 /// Draws the tilts of points `first` to `last` to their aims.
-pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), stands: &mut [Stand]) {
+pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), stands: &mut [SiteTilts]) {
     let mut at = first;
     while at < last {
         // A piece: lit from point to point, without a split inside.
@@ -40,7 +40,7 @@ pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize),
         }
         // At the window's own ends the beam joins what is outside.
         let held = (from == first && first > 0, at == last && last + 1 < track.sites.len());
-        let piece = Piece { beam, track, from };
+        let piece = LitRun { beam, track, from };
         let better = piece.polished(&tilts, held);
         for (k, tilt) in better.into_iter().enumerate() {
             let i = from + k;
@@ -54,13 +54,13 @@ pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize),
     }
 }
 
-struct Piece<'a> {
+struct LitRun<'a> {
     beam: &'a Beam<'a>,
     track: &'a Track<'a>,
     from: usize,
 }
 
-impl Piece<'_> {
+impl LitRun<'_> {
     fn is_free(&self, k: usize, tilt: &Lean) -> bool {
         let site = &self.track.sites[self.from + k];
         self.track.allows(site, tilt) && self.beam.is_free(&site.q.p, &site.axis(tilt))

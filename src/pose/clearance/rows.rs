@@ -1,9 +1,9 @@
 //! From stands to the rows of a line: splits are doubled points, and what is blocked ends where the
 //! beam does.
 
-use super::Row;
+use super::CorrectedPoint;
+use super::site_tilts::SiteTilts;
 use super::track::{Lean, Site, Track};
-use super::windows::Stand;
 use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
@@ -12,10 +12,10 @@ use nalgebra::Vector3;
 const END_MM: f64 = 0.05;
 
 /// The rows of a line.
-pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
+pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[SiteTilts]) -> Vec<CorrectedPoint> {
     // Tested once more, whatever a tilt came from.
     let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
-    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| Row {
+    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| CorrectedPoint {
         q: site.q,
         axis: tilt.map(|t| site.axis(&t)).filter(|a| is_free(&site.q, a)),
         aim: site.axis(&site.aim),
@@ -76,7 +76,7 @@ fn gone(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: 
 }
 
 /// Turns the rows of a closed line that was opened elsewhere so that they begin and end at a point.
-pub fn from_start(mut rows: Vec<Row>, start: &DensePoint) -> Vec<Row> {
+pub fn from_start(mut rows: Vec<CorrectedPoint>, start: &DensePoint) -> Vec<CorrectedPoint> {
     rows.pop();
     let Some(at) = rows.iter().position(|r| r.q == *start) else { return rows };
     rows.rotate_left(at);

@@ -19,7 +19,7 @@ const MOST_ROUNDS: usize = 80;
 
 /// Candidates at one point of the line.
 #[derive(Clone, Debug)]
-pub struct Layer {
+pub struct TiltLayer {
     /// Index of the point.
     pub site: usize,
     /// Its candidates.
@@ -60,8 +60,8 @@ pub struct Chain {
 }
 
 /// The best chain through the layers, none of which is empty.
-pub fn best(beam: &Beam<'_>, track: &Track<'_>, layers: &[Layer]) -> Chain {
-    let mut dp = Dp { beam, track, layers, stages: Vec::new(), known: BTreeMap::new(), only_known: false };
+pub fn best(beam: &Beam<'_>, track: &Track<'_>, layers: &[TiltLayer]) -> Chain {
+    let mut dp = ChainSearch { beam, track, layers, stages: Vec::new(), known: BTreeMap::new(), only_known: false };
     dp.stages = (0..layers.len()).map(|k| dp.stage(k)).collect();
     let mut from = 0;
     for _ in 0..MOST_ROUNDS {
@@ -80,10 +80,10 @@ pub fn best(beam: &Beam<'_>, track: &Track<'_>, layers: &[Layer]) -> Chain {
 }
 
 /// Indices of the candidates by which a chain comes to each layer and leaves it.
-pub(super) type Steps = Vec<(Option<usize>, Option<usize>)>;
+pub(super) type ChainSteps = Vec<(Option<usize>, Option<usize>)>;
 
 /// A layer as it is worked on.
-pub(super) struct Stage {
+pub(super) struct LayerCosts {
     /// Cost per mm of each candidate; `None`: not free.
     pub(super) weight: Vec<Option<f64>>,
     /// Whether a candidate's freedom was taken from a coarser grid.
@@ -98,17 +98,17 @@ pub(super) struct Stage {
     pub(super) leave: Vec<Option<(Cost, bool)>>,
 }
 
-pub(super) struct Dp<'a> {
+pub(super) struct ChainSearch<'a> {
     pub(super) beam: &'a Beam<'a>,
     pub(super) track: &'a Track<'a>,
-    pub(super) layers: &'a [Layer],
-    pub(super) stages: Vec<Stage>,
+    pub(super) layers: &'a [TiltLayer],
+    pub(super) stages: Vec<LayerCosts>,
     /// Whether the way between two candidates, from the layer of that number on, is free.
     pub(super) known: BTreeMap<(usize, usize, usize), bool>,
     pub(super) only_known: bool,
 }
 
-impl Dp<'_> {
+impl ChainSearch<'_> {
     fn arc_mm(&self, k: usize) -> f64 {
         self.track.sites[self.layers[k].site].arc_mm
     }
@@ -176,7 +176,7 @@ impl Dp<'_> {
         best
     }
 
-    fn back(&self) -> Steps {
+    fn back(&self) -> ChainSteps {
         let mut out = vec![(None, None); self.layers.len()];
         let Some(end) = self.stages.last() else { return out };
         let lit = end.arrive.iter().enumerate().filter_map(|(u, a)| a.map(|a| (a.0, u)));
@@ -198,7 +198,7 @@ impl Dp<'_> {
         out
     }
 
-    fn told(&self, chain: &Steps) -> Chain {
+    fn told(&self, chain: &ChainSteps) -> Chain {
         let tilt = |k: usize, u: Option<usize>| u.map(|u| self.layers[k].tilts[u]);
         let arrive = chain.iter().enumerate().map(|(k, s)| tilt(k, s.0)).collect();
         let leave = chain.iter().enumerate().map(|(k, s)| tilt(k, s.1)).collect();

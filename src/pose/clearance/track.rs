@@ -7,7 +7,7 @@
 
 use crate::part::angle;
 use crate::path::DensePoint;
-use crate::pose::motion::Pose;
+use crate::pose::Pose;
 use crate::pose::tilt::{Pin, Tilt, TiltRule};
 use nalgebra::{Vector2, Vector3};
 

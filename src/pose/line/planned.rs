@@ -3,10 +3,10 @@
 
 use super::super::clearance;
 use super::super::interference::{Beam, Blocker};
-use super::super::motion::{self, Pose};
-use super::super::target::{Pass, Split, State, Target, against_normal_deg, travel};
+use super::super::target::{Pass, Split, Target, TargetState, against_normal_deg, travel};
+use super::super::{Pose, motion};
 use crate::part::angle;
-use crate::path::chord::{self, ChordLimits, Place};
+use crate::path::chord::{self, ChordLimits, LinePlace};
 use crate::path::dense::{self, DensePoint};
 use nalgebra::Vector3;
 
@@ -46,7 +46,7 @@ impl Planned {
     }
 
     /// What the search for tilts found.
-    pub(super) fn of_rows(rows: &[clearance::Row], rate_deg_mm: f64) -> Planned {
+    pub(super) fn of_rows(rows: &[clearance::CorrectedPoint], rate_deg_mm: f64) -> Planned {
         Planned {
             points: rows.iter().map(|r| r.q).collect(),
             axes: rows.iter().map(|r| r.axis).collect(),
@@ -60,11 +60,11 @@ impl Planned {
         self.axes[i].map(|a| Pose { p: self.points[i].p, a })
     }
 
-    fn state(&self, i: usize) -> State {
+    fn state(&self, i: usize) -> TargetState {
         match self.axes[i] {
-            None => State::Blocked,
-            Some(a) if a == self.aims[i] => State::Free,
-            Some(_) => State::Corrected,
+            None => TargetState::Blocked,
+            Some(a) if a == self.aims[i] => TargetState::Free,
+            Some(_) => TargetState::Corrected,
         }
     }
 
@@ -90,7 +90,7 @@ impl Planned {
                 let t = k as f64 / steps;
                 let q = between(t);
                 let aim = if tilted { angle::slerp(&old.aims[i], &old.aims[next], t) } else { q.n };
-                self.push(q, Some(motion::midway(&from, &to, t).a), aim, false);
+                self.push(q, Some(from.midway(&to, t).a), aim, false);
             }
         }
     }
@@ -103,7 +103,7 @@ impl Planned {
     }
 
     /// The places that become targets.
-    pub(super) fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<Place> {
+    pub(super) fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<LinePlace> {
         let last = self.points.len() - 1;
         // Points at which the state changes stay, on both sides; and those of a split.
         let fixed: Vec<bool> = (0..=last)
@@ -117,20 +117,20 @@ impl Planned {
     }
 
     /// Axis at a place; between two points of one state.
-    fn axis(&self, place: Place) -> Option<Vector3<f64>> {
+    fn axis(&self, place: LinePlace) -> Option<Vector3<f64>> {
         let a = self.axes[place.index]?;
         if place.share == 0.0 {
             return Some(a);
         }
-        if a == self.points[place.index].n && self.state(place.index) == State::Free {
+        if a == self.points[place.index].n && self.state(place.index) == TargetState::Free {
             return Some(place.on(&self.points).n);
         }
         Some(angle::slerp(&a, &self.axes[place.index + 1]?, place.share))
     }
 
     /// Whether the straight motion between two places can stand for the points between.
-    fn may_span(&self, beam: &Beam<'_>, i: Place, j: Place, max_turn_deg: f64) -> bool {
-        let pose = |place: Place| self.axis(place).map(|a| Pose { p: place.on(&self.points).p, a });
+    fn may_span(&self, beam: &Beam<'_>, i: LinePlace, j: LinePlace, max_turn_deg: f64) -> bool {
+        let pose = |place: LinePlace| self.axis(place).map(|a| Pose { p: place.on(&self.points).p, a });
         let (Some(from), Some(to)) = (pose(i), pose(j)) else {
             // Blocked rows only say where; nothing moves along them with the laser on.
             return self.axes[i.index].is_none() && self.axes[j.index].is_none();
@@ -147,7 +147,7 @@ impl Planned {
             let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
             self.axes[k].is_some_and(|a| angle::between_deg(&arc.at(share), &a) <= AXIS_ERROR_DEG)
         };
-        let corrected = self.state(i.index) == State::Corrected || self.state(j.index) == State::Corrected;
+        let corrected = self.state(i.index) == TargetState::Corrected || self.state(j.index) == TargetState::Corrected;
         let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };
         let (n, to_n) = (i.on(&self.points).n, j.on(&self.points).n);
         angle::between_deg(&from.a, &to.a) <= max_turn_deg + 1e-6
@@ -157,7 +157,7 @@ impl Planned {
     }
 
     /// Fills a pass with targets at the places that were kept.
-    pub(super) fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[Place]) -> Pass {
+    pub(super) fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[LinePlace]) -> Pass {
         let tangents = dense::tangents(&self.points, pass.closed);
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
         let mut splits = Vec::new();
@@ -166,8 +166,9 @@ impl Planned {
             let axis = self.axis(place);
             let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
             let is_split = place.share == 0.0 && self.splits[place.index];
-            let laser =
-                !is_split && state != State::Blocked && targets.last().is_some_and(|t| t.state != State::Blocked);
+            let laser = !is_split
+                && state != TargetState::Blocked
+                && targets.last().is_some_and(|t| t.state != TargetState::Blocked);
             if is_split {
                 splits.push(Split { point: targets.len(), wall: self.wall(beam, place.index) });
             }

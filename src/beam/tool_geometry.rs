@@ -1,5 +1,5 @@
-//! The space that beam and head take up at a pose: cut cones about the axis, from the point on the
-//! part upwards.
+//! Tool geometry: the space that beam and head take up at a pose, as cut cones about the axis, from the
+//! point on the part upwards.
 //!
 //! # The spot's own neighbourhood
 //! A beam of any width touches the surface that it works on. What it is allowed to be near is told by
@@ -8,8 +8,9 @@
 //! the beam stands more steeply on them than the cone's half angle; a wall 0.2 mm away enters it at a
 //! height of 0.2/tan 15° = 0.75 mm, and is seen.
 
+use super::HeadPart;
 use super::frustum::Frustum;
-use super::head::{Head, HeadPart};
+use super::head::Head;
 use super::optics::Optics;
 use super::{Obstacle, Tool};
 
@@ -32,7 +33,7 @@ pub(crate) const START_MM: f64 = 0.05;
 
 /// Beam, head and clamps, ready to be asked for many poses.
 #[derive(Clone, Debug)]
-pub struct Body<'a> {
+pub struct ToolGeometry<'a> {
     /// D, mm.
     pub defocus_mm: f64,
     /// What beam and head keep from everything, mm.
@@ -47,29 +48,35 @@ pub struct Body<'a> {
     pub has_head: bool,
     /// The beam's radius along t, mm: corners of a line.
     profile: Vec<(f64, f64)>,
-    own: Own,
-    /// A body that moves no farther than this to either side is told by its middle, mm: a tenth of the margin
-    /// may be lost on it. The same for all that is eased from this one, so that all cut a motion alike.
+    own: OwnCone,
+    /// A piece of the tool that moves no farther than this to either side is judged by its middle, mm: a tenth of the margin
+    /// may be lost on it. Whatever is eased from this geometry keeps its value, so that all cut a motion alike.
     pub short_mm: f64,
 }
 
 /// The cone of the spot's own neighbourhood.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Own {
+struct OwnCone {
     /// Tangent of its half angle.
     slope: f64,
     /// Where the beam begins to be looked at.
     start_mm: f64,
 }
 
-impl Own {
-    const WHOLE: Own = Own { slope: OWN_SLOPE, start_mm: START_MM };
+impl OwnCone {
+    const WHOLE: OwnCone = OwnCone { slope: OWN_SLOPE, start_mm: START_MM };
 }
 
-impl<'a> Body<'a> {
+impl<'a> ToolGeometry<'a> {
     /// The tool of a job. `spot_mm` is the spot's diameter on the part at the defocus distance.
     /// `None`: the beam is a ray, and nothing is clamped on.
-    pub fn new(tool: &'a Tool, optics: &Optics, spot_mm: f64, defocus_mm: f64, margin_mm: f64) -> Option<Body<'a>> {
+    pub fn new(
+        tool: &'a Tool,
+        optics: &Optics,
+        spot_mm: f64,
+        defocus_mm: f64,
+        margin_mm: f64,
+    ) -> Option<ToolGeometry<'a>> {
         if tool.head.is_none() && tool.clamps.is_empty() {
             return None;
         }
@@ -82,11 +89,11 @@ impl<'a> Body<'a> {
         let has_head = tool.head.is_some();
         let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { vec![(0.0, RAY_MM), (1e4, RAY_MM)] };
         let margin_mm = if has_head { margin_mm } else { 0.0 };
-        Some(Body {
+        Some(ToolGeometry {
             defocus_mm,
             margin_mm,
-            beam: widened(&profile, margin_mm, Own::WHOLE),
-            own: Own::WHOLE,
+            beam: widened(&profile, margin_mm, OwnCone::WHOLE),
+            own: OwnCone::WHOLE,
             short_mm: (0.1 * margin_mm).max(0.02),
             head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
             clamps: &tool.clamps,
@@ -96,21 +103,21 @@ impl<'a> Body<'a> {
     }
 
     /// The head of a tool alone, told from its focus: what moves with the laser off. `None` without a head.
-    pub fn head_alone(tool: &'a Tool, margin_mm: f64) -> Option<Body<'a>> {
+    pub fn head_alone(tool: &'a Tool, margin_mm: f64) -> Option<ToolGeometry<'a>> {
         tool.head.as_ref()?;
-        let body = Body::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
-        Some(Body { beam: Vec::new(), ..body })
+        let body = ToolGeometry::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
+        Some(ToolGeometry { beam: Vec::new(), ..body })
     }
 
-    /// A body that keeps a little less: by so much of its margin, and by so many steps of half a degree of
+    /// A geometry that keeps a little less: by so much of its margin, and by so many steps of half a degree of
     /// the cone of its own neighbourhood. What just passes with the one must not just hit with the other.
-    pub fn eased(&self, less_mm: f64, steps: u8) -> Body<'a> {
+    pub fn eased(&self, less_mm: f64, steps: u8) -> ToolGeometry<'a> {
         let margin_mm = (self.margin_mm - less_mm).max(0.0);
-        let own = Own {
+        let own = OwnCone {
             slope: libm::tan((OWN_CONE_DEG - 0.5 * f64::from(steps)).to_radians()),
             start_mm: START_MM * (1.0 + 0.5 * f64::from(steps)),
         };
-        Body { margin_mm, beam: widened(&self.profile, margin_mm, own), own, ..self.clone() }
+        ToolGeometry { margin_mm, beam: widened(&self.profile, margin_mm, own), own, ..self.clone() }
     }
 
     /// The beam with another margin.
@@ -134,7 +141,7 @@ fn profile(optics: &Optics, spot_mm: f64, defocus_mm: f64) -> Vec<(f64, f64)> {
 }
 
 /// A beam wider by the margin, but no wider than the cone of its own neighbourhood.
-fn widened(profile: &[(f64, f64)], margin_mm: f64, own: Own) -> Vec<Frustum> {
+fn widened(profile: &[(f64, f64)], margin_mm: f64, own: OwnCone) -> Vec<Frustum> {
     let mut out = Vec::new();
     for w in profile.windows(2) {
         let ((t0, r0), (t1, r1)) = (w[0], w[1]);
@@ -173,7 +180,7 @@ mod tests {
     fn the_cone_has_no_gap_and_keeps_to_both_bounds() {
         let tool = Tool { head: Some(Head::Stack(Vec::new())), clamps: Vec::new() };
         for defocus_mm in [-15.0, 0.0, 20.0] {
-            let body = Body::new(&tool, &Optics::default(), 1.0, defocus_mm, 0.5).expect("a head");
+            let body = ToolGeometry::new(&tool, &Optics::default(), 1.0, defocus_mm, 0.5).expect("a head");
             assert!(body.beam.windows(2).all(|w| (w[0].t1_mm, w[0].r1_mm) == (w[1].t0_mm, w[1].r0_mm)));
             let last = body.beam[body.beam.len() - 1];
             assert!((last.t1_mm - defocus_mm - 200.0).abs() < 1e-9 && (last.r1_mm - 5.5).abs() < 1e-9);

@@ -1,12 +1,12 @@
-//! What a pass is worked with: where the focus stands, how wide, how fast and how strong the spot is.
+//! The process settings of a pass: where the focus stands, how wide, how fast and how strong the spot is.
 //!
 //! Values alone; which surface has which is told by the job.
 
-use super::{Body, Optics, Tool};
+use super::Optics;
 
-/// What a pass is worked with.
+/// The settings that a pass is made with.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Work {
+pub struct ProcessSettings {
     /// D: the focus stands at `p + D·a`, mm.
     pub defocus_mm: f64,
     /// Diameter of the spot on the part, mm.
@@ -25,10 +25,10 @@ pub struct Work {
     pub layer: u32,
 }
 
-impl Default for Work {
+impl Default for ProcessSettings {
     /// P1 Table 1.
     fn default() -> Self {
-        Work {
+        ProcessSettings {
             defocus_mm: 20.0,
             spot_mm: 1.0,
             speed_mm_s: 3.0,
@@ -41,33 +41,12 @@ impl Default for Work {
     }
 }
 
-impl Work {
-    /// The work with the head drawn back along the beam by so much (pushed forward where negative): the
+impl ProcessSettings {
+    /// The settings with the head drawn back along the beam by `lift_mm` (pushed forward where negative): the
     /// spot gets as wide as the optics make it, in proportion.
-    pub fn lifted(&self, optics: &Optics, lift_mm: f64) -> Work {
+    pub fn lifted(&self, optics: &Optics, lift_mm: f64) -> ProcessSettings {
         let defocus_mm = self.defocus_mm + lift_mm;
         let wider = optics.spot_mm(defocus_mm) / optics.spot_mm(self.defocus_mm);
-        Work { defocus_mm, spot_mm: self.spot_mm * wider, ..*self }
-    }
-}
-
-/// A way to hold the head over a line: what it is worked with, and the space that takes.
-#[derive(Clone, Debug)]
-pub struct Stance<'a> {
-    /// What the line is worked with.
-    pub work: Work,
-    /// What stands around the ray; `None`: nothing.
-    pub body: Option<Body<'a>>,
-}
-
-impl<'a> Stance<'a> {
-    /// The stance of a tool. `margin_mm`: what cone and head keep from everything.
-    pub fn new(tool: &'a Tool, optics: &Optics, work: Work, margin_mm: f64) -> Stance<'a> {
-        Stance { work, body: Body::new(tool, optics, work.spot_mm, work.defocus_mm, margin_mm) }
-    }
-
-    /// The beam as a ray.
-    pub fn ray(work: Work) -> Stance<'a> {
-        Stance { work, body: None }
+        ProcessSettings { defocus_mm, spot_mm: self.spot_mm * wider, ..*self }
     }
 }

@@ -4,7 +4,7 @@
 //! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
 //! box first, and no box is entered that keeps farther away than what was found.
 
-use super::prepared::{Sides, Slender, Turn};
+use super::prepared::{SegmentForBoxes, SegmentForFacets, Turn};
 use super::{Bvh, Node, meet};
 use crate::part::distance::triangles;
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -32,7 +32,7 @@ impl Bvh {
 
     /// Whether a facet is within `reach_mm` of the segment.
     pub fn near_segment(&self, from: &Point3<f64>, to: &Point3<f64>, reach_mm: f64) -> bool {
-        let segment = Slender::new(from, to);
+        let segment = SegmentForFacets::new(from, to);
         let mut near = false;
         self.visit_ray(from, &segment.dir, 0.0, segment.length, reach_mm, |_, corners| {
             near = near || segment.distance(corners) <= reach_mm;
@@ -132,8 +132,8 @@ impl Bvh {
     /// Distance of the nearest facet from the segment, mm, 0 where it passes through one; `None`: at
     /// least `within_mm`.
     pub fn distance_to_segment(&self, from: &Point3<f64>, to: &Point3<f64>, within_mm: f64) -> Option<f64> {
-        let segment = Slender::new(from, to);
-        let sides = Sides::new(&segment);
+        let segment = SegmentForFacets::new(from, to);
+        let sides = SegmentForBoxes::new(&segment);
         let mut best = within_mm;
         let mut open = Vec::from_iter(self.nodes.first().map(|n| (sides.gap(&n.bounds), 0u32)));
         while let Some((gap, i)) = open.pop() {
