@@ -526,7 +526,9 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
         lines.cloned().collect::<Vec<_>>()
     };
     let without = planned(0.0);
-    assert!(between(&without).iter().all(|l| l.settings.defocus_mm == DEFOCUS_MM && l.length_mm(|_, to| !to.laser) > 50.0));
+    assert!(
+        between(&without).iter().all(|l| l.settings.defocus_mm == DEFOCUS_MM && l.length_mm(|_, to| !to.laser) > 50.0)
+    );
     let with = planned(8.0);
     let lifted = between(&with);
     assert!(!lifted.is_empty());

@@ -170,7 +170,7 @@ impl PlacedFrustum {
             if high - bound <= 1e-12 * high || simplex.has(&w) {
                 return;
             }
-            let Some(next) = simplex.with(w) else {
+            let Some(next) = simplex.added(w) else {
                 enough(0.0, 0.0);
                 return;
             };
@@ -196,7 +196,7 @@ impl Simplex {
 
     /// Adds a point, keeps those that the point nearest to the origin needs, and returns it; `None`:
     /// the origin is inside.
-    fn with(&mut self, w: Vector3<f64>) -> Option<Vector3<f64>> {
+    fn added(&mut self, w: Vector3<f64>) -> Option<Vector3<f64>> {
         self.points[self.count] = w;
         self.count += 1;
         let p = self.points;

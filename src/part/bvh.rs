@@ -48,7 +48,7 @@ impl Bvh {
         let facet: Vec<u32> = (0..mesh.facets.len() as u32).filter(|&f| mesh.dead[f as usize] == Dead::No).collect();
         let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
         let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
-        let nodes = if items.is_empty() { Vec::new() } else { built(&mut items, 0) };
+        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0) };
         let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
         Bvh { nodes, corners, facet }
@@ -121,7 +121,7 @@ impl Bvh {
     pub fn nearest_hit(&self, origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, t1: f64) -> Option<Hit> {
         let mut best: Option<Hit> = None;
         self.visit_ray(origin, dir, t0, t1, 0.0, |facet, corners| {
-            if let Some(t_mm) = meet(corners, origin, dir).filter(|t| (t0..=t1).contains(t)) {
+            if let Some(t_mm) = ray_hit_mm(corners, origin, dir).filter(|t| (t0..=t1).contains(t)) {
                 // Equal distances (a ray through an edge): the lower facet, whatever the order.
                 let better = best.is_none_or(|b| t_mm < b.t_mm || (t_mm == b.t_mm && facet < b.facet));
                 if better {
@@ -203,7 +203,7 @@ fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// Möller–Trumbore: distance along the ray to a facet, any sign.
-pub fn meet([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vector3<f64>) -> Option<f64> {
+pub fn ray_hit_mm([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vector3<f64>) -> Option<f64> {
     let (e1, e2) = (b - a, c - a);
     let p = dir.cross(&e2);
     let det = e1.dot(&p);
@@ -258,7 +258,7 @@ impl Aabb {
 
 /// The nodes over `items`, which are put in the order of the leaves; the root is the first.
 /// `offset`: how many items stand before these.
-fn built(items: &mut [FacetBox], offset: u32) -> Vec<Node> {
+fn build_tree(items: &mut [FacetBox], offset: u32) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
     nodes.push(Node { bounds: Aabb::NONE, at: 0, count: 0 });
     build(items, offset, &mut nodes, 0);
@@ -279,7 +279,7 @@ fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize) 
     let (left, right) = items.split_at_mut(middle);
     let behind = offset + middle as u32;
     if side_by_side {
-        let pair = rayon::join(|| built(left, offset), || built(right, behind));
+        let pair = rayon::join(|| build_tree(left, offset), || build_tree(right, behind));
         graft(nodes, children, &pair.0);
         graft(nodes, children + 1, &pair.1);
     } else {
@@ -376,7 +376,7 @@ mod tests {
             let (o, d) = (Point3::from(Vector3::from(o)), d.normalize());
             let expected = (0..mesh.facets.len())
                 .filter(|&f| mesh.dead[f] == Dead::No)
-                .filter_map(|f| meet(&mesh.corners(f), &o, &d).map(|t| (t, f as u32)))
+                .filter_map(|f| ray_hit_mm(&mesh.corners(f), &o, &d).map(|t| (t, f as u32)))
                 .filter(|(t, _)| *t >= 0.0)
                 .min_by(|a, b| a.0.total_cmp(&b.0));
             let found = Bvh::new(&mesh).nearest_hit(&o, &d, 0.0, f64::INFINITY);

@@ -40,7 +40,7 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
             spread += n * n.transpose() * weight;
             wanted += n * (weight * height_mm);
         }
-        *at += shift(spread, &wanted);
+        *at += vertex_shift(spread, &wanted);
     }
     mesh.update_geometry();
     if let Some(surface) = folded(&part.mesh, &mesh, |f| is_grown[f as usize].then(|| surfaces.of_facet[f as usize])) {
@@ -96,7 +96,7 @@ fn corner_deg(mesh: &Mesh, facet: u32, vertex: u32) -> f64 {
 }
 
 /// The shortest way that moves all facets' planes by their heights as nearly as can be.
-fn shift(spread: Matrix3<f64>, wanted: &Vector3<f64>) -> Vector3<f64> {
+fn vertex_shift(spread: Matrix3<f64>, wanted: &Vector3<f64>) -> Vector3<f64> {
     let eigen = SymmetricEigen::new(spread);
     let most = eigen.eigenvalues.max();
     if most <= 0.0 {

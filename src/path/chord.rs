@@ -36,7 +36,7 @@ impl LinePlace {
     }
 
     /// The point at this place.
-    pub fn on(self, points: &[DensePoint]) -> DensePoint {
+    pub fn point_on(self, points: &[DensePoint]) -> DensePoint {
         if self.share == 0.0 {
             return points[self.index];
         }
@@ -96,7 +96,7 @@ pub fn simplify(
 }
 
 fn spans(points: &[DensePoint], from: LinePlace, to: LinePlace, limits: &ChordLimits) -> bool {
-    let (a, b) = (from.on(points), to.on(points));
+    let (a, b) = (from.point_on(points), to.point_on(points));
     let turn = |q: &DensePoint| angle::between_deg(&a.n, &q.n);
     // Dropped points may not lie beyond a chord's turn either: a bump returns to its first normal.
     // Whole numbers of gaps must not lose one by rounding.
@@ -107,7 +107,7 @@ fn spans(points: &[DensePoint], from: LinePlace, to: LinePlace, limits: &ChordLi
 
 /// Largest distance of the points between two places from the chord that joins them, mm.
 pub fn chord_error_mm(points: &[DensePoint], from: LinePlace, to: LinePlace) -> f64 {
-    let (a, b) = (from.on(points).p, to.on(points).p);
+    let (a, b) = (from.point_on(points).p, to.point_on(points).p);
     points[from.until(to)].iter().map(|q| point_segment(&q.p, &a, &b)).fold(0.0, f64::max)
 }
 
@@ -159,7 +159,7 @@ mod tests {
             for w in kept.windows(2) {
                 // Neighbours of the dense line are not cut further here.
                 if w[0].until(w[1]).is_empty() { continue }
-                let (a, b) = (w[0].on(&points), w[1].on(&points));
+                let (a, b) = (w[0].point_on(&points), w[1].point_on(&points));
                 prop_assert!(chord_error_mm(&points, w[0], w[1]) <= error);
                 prop_assert!((b.p - a.p).norm() <= step * (1.0 + 1e-9));
                 prop_assert!(angle::between_deg(&a.n, &b.n) <= turn + 1e-9);

@@ -63,7 +63,7 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
 }
 
 /// Draws lines of which nothing is known yet but where they lie.
-pub fn laid(lines: &[Arc<Laid>]) -> LineItem {
+pub fn toolpath_item(lines: &[Arc<Laid>]) -> LineItem {
     let points = lines.iter().flat_map(|l| &l.lines);
     let segments: Vec<LineSegment> = points
         .flat_map(|line| {

@@ -12,11 +12,11 @@ const CLOSEST_SHARE: f64 = 0.1;
 
 impl Spot {
     /// What a long line leaves at a distance from it, 1/mm: times power and over speed it is the energy per area.
-    pub fn beside(&self, y_mm: f64) -> f64 {
+    pub fn density_beside_line(&self, y_mm: f64) -> f64 {
         let [reach, _] = self.reach_mm(self.defocus_mm);
         let (from, to) = ([-reach, y_mm], [reach, y_mm]);
         let window = self.window(from, to, self.defocus_mm);
-        window.map_or(0.0, |w| 2.0 * reach * self.passed(from, to, self.defocus_mm, w))
+        window.map_or(0.0, |w| 2.0 * reach * self.density_integral(from, to, self.defocus_mm, w))
     }
 
     /// The least that lands anywhere between parallel lines `spacing_mm` apart, 1/mm; on the average it is one over
@@ -24,7 +24,7 @@ impl Spot {
     pub fn least_between(&self, spacing_mm: f64) -> f64 {
         let [_, reach] = self.reach_mm(self.defocus_mm);
         let lines = (reach / spacing_mm).ceil() as i64 + 1;
-        let at = |y: f64| (-lines..=lines).map(|k| self.beside(y - spacing_mm * k as f64)).sum::<f64>();
+        let at = |y: f64| (-lines..=lines).map(|k| self.density_beside_line(y - spacing_mm * k as f64)).sum::<f64>();
         (0..=PLACES).map(|i| at(0.5 * spacing_mm * f64::from(i) / f64::from(PLACES))).fold(f64::INFINITY, f64::min)
     }
 
@@ -65,7 +65,7 @@ mod tests {
         let gauss = (2.0 / PI).sqrt() / r * libm::exp(-2.0 * y * y / (r * r));
         let chord = 2.0 * (r * r - y * y).sqrt() / (PI * r * r);
         for (profile, expected) in [(Profile::Gaussian, gauss), (Profile::TopHat, chord), (Profile::Line, 1.0 / 3.0)] {
-            let found = spot(profile, 2.0 * r).beside(y);
+            let found = spot(profile, 2.0 * r).density_beside_line(y);
             // A Gaussian spot ends at two and a half radii.
             assert!((found - expected).abs() < 1e-5 * expected, "{profile:?}: {found}, not {expected}");
         }

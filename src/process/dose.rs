@@ -7,7 +7,7 @@
 use super::light::Light;
 use super::parameters::Thresholds;
 use super::reach::{Near, lit_facets};
-use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut, parcel};
+use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut_plot, split_plot};
 use super::shade::{Last, Shade};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::Dead};
@@ -159,13 +159,13 @@ pub const J_CM2: f64 = 100.0;
 
 /// Computes the dose. `step` is called once for every share of `steps` work done, and ends it by
 /// returning false; then there is no map.
-pub fn dose(task: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
-    let shade = Shade::new(task.part, task.clamps);
-    let near = near_facets(task, &light, &shade, step)?;
-    let (pitch_mm, coarsened, plots) = plots(task, &light, near, step)?;
+pub fn dose(input: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
+    let shade = Shade::new(input.part, input.clamps);
+    let near = near_facets(input, &light, &shade, step)?;
+    let (pitch_mm, coarsened, plots) = plots(input, &light, near, step)?;
     let chunks: Vec<(Vec<DoseSample>, Vec<[f32; 3]>)> = plots
         .par_chunks(CHUNK)
-        .map(|plots| step().then(|| worked(task, &light, &shade, pitch_mm, plots)))
+        .map(|plots| step().then(|| samples_of(input, &light, &shade, pitch_mm, plots)))
         .collect::<Option<_>>()?;
     let mut samples: Vec<DoseSample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
     let mut corners: Vec<[f32; 3]> = Vec::with_capacity(chunks.iter().map(|c| c.1.len()).sum());
@@ -174,7 +174,7 @@ pub fn dose(task: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)
         samples.append(&mut some);
         corners.extend(their);
     }
-    let mut starts = vec![0u32; task.part.mesh.facets.len() + 1];
+    let mut starts = vec![0u32; input.part.mesh.facets.len() + 1];
     for s in &samples {
         starts[s.facet as usize + 1] += 1;
     }
@@ -187,33 +187,33 @@ pub fn dose(task: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)
         starts,
         sample_mm: pitch_mm * 2f64.sqrt(),
         coarsened,
-        thresholds: task.thresholds,
-        own: own_of_facets(task),
-        chosen: task.chosen.clone(),
+        thresholds: input.thresholds,
+        own: own_of_facets(input),
+        chosen: input.chosen.clone(),
         light,
     })
 }
 
-fn own_of_facets(task: &DoseInput<'_>) -> BTreeMap<u32, Thresholds> {
+fn own_of_facets(input: &DoseInput<'_>) -> BTreeMap<u32, Thresholds> {
     let facets = |(n, t): (&u32, &Thresholds)| {
-        let (facets, t) = (task.surfaces.get(*n).map_or(&[][..], |s| &s.facets), *t);
+        let (facets, t) = (input.surfaces.get(*n).map_or(&[][..], |s| &s.facets), *t);
         facets.iter().map(move |f| (*f, t)).collect::<Vec<_>>()
     };
-    task.own.iter().flat_map(facets).collect()
+    input.own.iter().flat_map(facets).collect()
 }
 
 /// The light near each facet, in the order of the program.
 fn near_facets(
-    task: &DoseInput<'_>,
+    input: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<Vec<Vec<Near>>> {
     let lit: Vec<Vec<(u32, bool)>> = (0..light.runs.len())
         .into_par_iter()
-        .map(|i| step().then(|| lit_of_run(task, light, shade, i)))
+        .map(|i| step().then(|| lit_of_run(input, light, shade, i)))
         .collect::<Option<_>>()?;
-    let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); task.part.mesh.facets.len()];
+    let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); input.part.mesh.facets.len()];
     for (i, facets) in lit.into_iter().enumerate() {
         let (first, run) = light.run(i);
         for (facet, clear) in facets {
@@ -224,24 +224,24 @@ fn near_facets(
 }
 
 /// The facets that a run lights; all of it is one pass's.
-fn lit_of_run(task: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
+fn lit_of_run(input: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
     let run = light.run(index).1;
     let Some(piece) = run.first() else { return Vec::new() };
-    lit_facets(task.part, task.surfaces, shade, light.spot(piece), run)
+    lit_facets(input.part, input.surfaces, shade, light.spot(piece), run)
 }
 
 /// All live facets as plots, large ones cut; with the pitch at which they can be sampled, and whether
 /// that is more than it should be.
 fn plots(
-    task: &DoseInput<'_>,
+    input: &DoseInput<'_>,
     light: &Light,
     near: Vec<Vec<Near>>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<(f64, bool, Vec<Plot>)> {
     let spot_mm = light.least_spot_mm();
     let mut pitch_mm = SAMPLE_SPOTS * spot_mm / 2f64.sqrt();
-    let mesh = &task.part.mesh;
-    let size_mm = task.part.bvh.diagonal_mm();
+    let mesh = &input.part.mesh;
+    let size_mm = input.part.bvh.diagonal_mm();
     // No smaller than this, however small the spot: there are not too many of them.
     let dark_mm = (DARK_SPOTS * spot_mm).max(size_mm / 500.0);
     let plot_mm = (PLOT_SIDES * pitch_mm).max(size_mm / 500.0);
@@ -250,11 +250,11 @@ fn plots(
         .enumerate()
         .filter(|(f, _)| mesh.dead[*f] == Dead::No)
         .map(|(f, near)| {
-            let is_chosen = task.surfaces.of_facet.get(f).is_some_and(|n| task.chosen.contains(n));
+            let is_chosen = input.surfaces.of_facet.get(f).is_some_and(|n| input.chosen.contains(n));
             Plot::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
         })
         .collect();
-    let plots: Vec<Plot> = whole.into_par_iter().flat_map_iter(|plot| parcel(light, plot_mm, plot)).collect();
+    let plots: Vec<Plot> = whole.into_par_iter().flat_map_iter(|plot| split_plot(light, plot_mm, plot)).collect();
     let mut coarsened = false;
     loop {
         let count: Option<usize> = plots
@@ -274,13 +274,13 @@ fn plots(
 /// How many samples a plot gives.
 fn count(light: &Light, pitch_mm: f64, plot: &Plot) -> usize {
     let mut n = 0;
-    cut(light, pitch_mm, plot, |_, _| n += 1);
+    cut_plot(light, pitch_mm, plot, |_, _| n += 1);
     n
 }
 
 /// The samples of some plots, and their corners.
-fn worked(
-    task: &DoseInput<'_>,
+fn samples_of(
+    input: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
     pitch_mm: f64,
@@ -290,9 +290,9 @@ fn worked(
     let mut last = Last::default();
     let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     for plot in plots {
-        let normal = task.surfaces.normals[plot.facet as usize];
-        let flips = task.part.mesh.normals[plot.facet as usize].dot(&normal) < 0.0;
-        cut(light, pitch_mm, plot, |cell, near| {
+        let normal = input.surfaces.normals[plot.facet as usize];
+        let flips = input.part.mesh.normals[plot.facet as usize].dot(&normal) < 0.0;
+        cut_plot(light, pitch_mm, plot, |cell, near| {
             let (area_mm2, middle) = cell.area();
             if area_mm2 <= 1e-9 * pitch_mm * pitch_mm {
                 return; // a corner that a line of the grid has just touched

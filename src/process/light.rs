@@ -136,7 +136,7 @@ pub struct Light {
 /// A spot and its power.
 #[derive(Clone, Debug)]
 pub struct Lamp {
-    work: ProcessSettings,
+    settings: ProcessSettings,
     /// The spot.
     pub spot: Spot,
     /// Below this, J/mm², a piece is neglected at a point.
@@ -144,9 +144,13 @@ pub struct Lamp {
 }
 
 impl Lamp {
-    fn new(work: ProcessSettings, spot: &Spot) -> Lamp {
-        let spot = Spot { spot_mm: work.spot_mm, defocus_mm: work.defocus_mm, ..*spot };
-        Lamp { work, negligible_j_mm2: NEGLIGIBLE * work.power_w / (work.speed_mm_s * work.spot_mm), spot }
+    fn new(settings: ProcessSettings, spot: &Spot) -> Lamp {
+        let spot = Spot { spot_mm: settings.spot_mm, defocus_mm: settings.defocus_mm, ..*spot };
+        Lamp {
+            settings,
+            negligible_j_mm2: NEGLIGIBLE * settings.power_w / (settings.speed_mm_s * settings.spot_mm),
+            spot,
+        }
     }
 }
 
@@ -158,7 +162,7 @@ impl Light {
         let mut lamps: Vec<Lamp> = Vec::new();
         let longest = |spot: &Spot| (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
         for (number, pass) in passes.iter().enumerate() {
-            let lamp = lamps.iter().position(|l| l.work == pass.settings).unwrap_or_else(|| {
+            let lamp = lamps.iter().position(|l| l.settings == pass.settings).unwrap_or_else(|| {
                 lamps.push(Lamp::new(pass.settings, spot));
                 lamps.len() - 1
             });
@@ -166,21 +170,21 @@ impl Light {
             let longest_mm = longest(spot);
             for (start, end) in pass.lit_pieces() {
                 let Some(lit) = pass.targets.get(start..=end) else { continue };
-                let stands: Vec<BeamFrame> = lit.iter().map(|t| BeamFrame::new(t.p, t.a, t.o)).collect();
+                let frames: Vec<BeamFrame> = lit.iter().map(|t| BeamFrame::new(t.p, t.a, t.o)).collect();
                 let mut at = 0;
-                while at + 1 < stands.len() {
-                    let last = at + joined(&stands[at..], longest_mm, STRAIGHT_SPOTS * spot.spot_mm);
-                    let length_mm: f64 = stands[at..=last].windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
+                while at + 1 < frames.len() {
+                    let last = at + count_even_moves(&frames[at..], longest_mm, STRAIGHT_SPOTS * spot.spot_mm);
+                    let length_mm: f64 = frames[at..=last].windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
                     let whole_s = length_mm / speed_mm_s;
                     let starts_s = ends_s(number, start + last) - whole_s;
-                    let count = pieces_of(&stands[at], &stands[last], longest_mm);
-                    let mut from = stands[at];
+                    let count = piece_count(&frames[at], &frames[last], longest_mm);
+                    let mut from = frames[at];
                     for k in 1..=count {
                         let share = f64::from(k) / f64::from(count);
                         let to = if k < count {
-                            BeamFrame::between(&stands[at], &stands[last], share)
+                            BeamFrame::between(&frames[at], &frames[last], share)
                         } else {
-                            stands[last]
+                            frames[last]
                         };
                         pieces.push(LightPiece {
                             pass: number as u32,
@@ -196,7 +200,8 @@ impl Light {
                 }
             }
         }
-        let runs = runs(&pieces, |piece| lamps.get(piece.lamp as usize).map_or(LENGTH_MM, |l| longest(&l.spot)));
+        let runs =
+            ends_of_runs(&pieces, |piece| lamps.get(piece.lamp as usize).map_or(LENGTH_MM, |l| longest(&l.spot)));
         Light { pieces, runs, lamps }
     }
 
@@ -257,29 +262,29 @@ impl Light {
     /// Energy per area square to the beam within a window, J/mm².
     pub fn energy(&self, piece: &LightPiece, seen: &SeenPoint, window: [f64; 2]) -> f64 {
         let lamp = self.lamp(piece);
-        lamp.work.power_w * piece.seconds * lamp.spot.passed(seen.from, seen.to, seen.z_mm, window)
+        lamp.settings.power_w * piece.seconds * lamp.spot.density_integral(seen.from, seen.to, seen.z_mm, window)
     }
 }
 
 /// Into how many pieces a way has to be cut.
-fn pieces_of(from: &BeamFrame, to: &BeamFrame, longest_mm: f64) -> u32 {
+fn piece_count(from: &BeamFrame, to: &BeamFrame, longest_mm: f64) -> u32 {
     let turn_deg = angle::between_deg(&from.a, &to.a).max(angle::between_deg(&from.o, &to.o));
     ((to.p - from.p).norm() / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0) as u32
 }
 
 /// How many moves from the first stand on are one piece; the first is in any case.
-fn joined(stands: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize {
-    let Some(first) = stands.first() else { return 0 };
+fn count_even_moves(frames: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize {
+    let Some(first) = frames.first() else { return 0 };
     let mut way_mm = vec![0.0];
     let mut count = 1;
-    for (i, to) in stands.iter().enumerate().skip(1) {
-        way_mm.push(way_mm[i - 1] + (to.p - stands[i - 1].p).norm());
+    for (i, to) in frames.iter().enumerate().skip(1) {
+        way_mm.push(way_mm[i - 1] + (to.p - frames[i - 1].p).norm());
         let is_even = |k: usize| {
             let t = way_mm[k] / way_mm[i];
-            let stand = BeamFrame::between(first, to, t);
-            (stand.p - stands[k].p).norm() <= off_mm && angle::between_deg(&stand.a, &stands[k].a) <= EVEN_DEG
+            let frame = BeamFrame::between(first, to, t);
+            (frame.p - frames[k].p).norm() <= off_mm && angle::between_deg(&frame.a, &frames[k].a) <= EVEN_DEG
         };
-        let fits = way_mm[i] > 0.0 && pieces_of(first, to, longest_mm) == 1 && (1..i).all(is_even);
+        let fits = way_mm[i] > 0.0 && piece_count(first, to, longest_mm) == 1 && (1..i).all(is_even);
         if i > 1 && !fits {
             break;
         }
@@ -288,7 +293,7 @@ fn joined(stands: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize {
     count
 }
 
-fn runs(pieces: &[LightPiece], longest_mm: impl Fn(&LightPiece) -> f64) -> Vec<u32> {
+fn ends_of_runs(pieces: &[LightPiece], longest_mm: impl Fn(&LightPiece) -> f64) -> Vec<u32> {
     let mut ends = Vec::new();
     let mut first: Option<&LightPiece> = None;
     let mut length_mm = 0.0;

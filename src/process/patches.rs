@@ -81,7 +81,7 @@ impl DoseMap {
             .collect();
         let mut stretches: BTreeMap<u32, Vec<PassStretch>> = BTreeMap::new();
         for pass in passes {
-            stretches.entry(pass.surface).or_default().extend(of_pass(pass));
+            stretches.entry(pass.surface).or_default().extend(stretches_of_pass(pass));
         }
         let spot_mm = self.light.least_spot_mm();
         let spot_mm2 = 0.25 * std::f64::consts::PI * spot_mm * spot_mm;
@@ -212,7 +212,7 @@ fn same(a: &Option<Blocker>, b: &Option<Blocker>) -> bool {
     a.map(|b| (b.tool_body, b.obstruction)) == b.map(|b| (b.tool_body, b.obstruction))
 }
 
-fn of_pass(pass: &Pass) -> impl Iterator<Item = PassStretch> {
+fn stretches_of_pass(pass: &Pass) -> impl Iterator<Item = PassStretch> {
     pass.targets.windows(2).filter(|w| !Pass::is_gap(&w[0], &w[1])).map(|w| {
         let blocked = w.iter().find(|t| t.state == TargetState::Blocked).filter(|_| !w[1].laser);
         PassStretch { from: w[0].p, to: w[1].p, blocked: blocked.map(|t| t.normal_hits) }

@@ -111,10 +111,10 @@ impl RunFrame {
         let o = target::travel(&first.o, &a);
         let (p, axes) = (nalgebra::center(&first.p, &last.p), [o, o.cross(&a), a]);
         let mut frame = RunFrame { p, axes, half: [0.0; 3], turn: 0.0 };
-        for stand in run.iter().map(|piece| &piece.to).chain([first]) {
-            let place = in_frame(&stand.p, &frame.p, &frame.axes);
+        for at in run.iter().map(|piece| &piece.to).chain([first]) {
+            let place = in_frame(&at.p, &frame.p, &frame.axes);
             frame.half = [0, 1, 2].map(|k| frame.half[k].max(place[k].abs()));
-            frame.turn = frame.turn.max(stand.a.cross(&a).norm());
+            frame.turn = frame.turn.max(at.a.cross(&a).norm());
         }
         Some(frame)
     }

@@ -59,7 +59,7 @@ impl Plot {
 
 /// Cuts a plot until its pieces are no wider than a square of `pitch_mm`, or no light comes near, and
 /// hands every piece on with the light that does.
-pub fn cut(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[Near])) {
+pub fn cut_plot(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[Near])) {
     let mut lists = plot.near.clone();
     let whole = lists.len();
     halve(light, pitch_mm, plot, &plot.cell, (&mut lists, 0, whole), &mut leaf);
@@ -97,12 +97,12 @@ fn halve(
 }
 
 /// Cuts a plot into smaller ones, so that many hands may work on it.
-pub fn parcel(light: &Light, pitch_mm: f64, plot: Plot) -> Vec<Plot> {
+pub fn split_plot(light: &Light, pitch_mm: f64, plot: Plot) -> Vec<Plot> {
     if plot.cell.size_mm() <= pitch_mm {
         return vec![plot];
     }
     let mut out = Vec::new();
-    cut(light, pitch_mm, &plot, |cell, near| {
+    cut_plot(light, pitch_mm, &plot, |cell, near| {
         out.push(Plot { cell: *cell, near: near.to_vec(), ..plot });
     });
     out

@@ -4,7 +4,7 @@
 
 use super::light::{Light, LightPiece, Passing};
 use crate::beam::Obstacle;
-use crate::part::{Bvh, Part, bvh::meet};
+use crate::part::{Bvh, Part, bvh::ray_hit_mm};
 use crate::pose::Obstruction;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -145,7 +145,8 @@ impl<'a> Shade<'a> {
         let length = ray.norm();
         let dir = ray / length;
         let until = (z_mm + light.spot(piece).optics.lens_to_focus_mm) * length;
-        let stops = |corners: &[Point3<f64>; 3]| meet(corners, q, &dir).is_some_and(|s| s > START_MM && s < until);
+        let stops =
+            |corners: &[Point3<f64>; 3]| ray_hit_mm(corners, q, &dir).is_some_and(|s| s > START_MM && s < until);
         if let Some((facet, corners)) = last.facet
             && facet != own
             && stops(&corners)

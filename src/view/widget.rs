@@ -157,7 +157,7 @@ impl Viewport {
         let before = self.camera;
         self.size = Some(frame.size);
         self.start_moves(ui, frame.size);
-        self.obey(ui, &response, &frame, pick);
+        self.apply_gestures(ui, &response, &frame, pick);
         self.fly(ui);
 
         self.paint(ui, scene, &frame);
@@ -216,7 +216,7 @@ impl Viewport {
     }
 
     /// Mouse to camera. A hand on the mouse ends a glide where it is.
-    fn obey(&mut self, ui: &egui::Ui, response: &Response, frame: &PixelRect, pick: Pick<'_>) {
+    fn apply_gestures(&mut self, ui: &egui::Ui, response: &Response, frame: &PixelRect, pick: Pick<'_>) {
         let delta = response.drag_delta();
         let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
         let pans = [PointerButton::Middle, PointerButton::Secondary];

@@ -1,7 +1,7 @@
 //! Segments, motions and boxes made ready for many distances. All gaps of boxes are a hair too small, never too
 //! large: who asks skips a box only if nothing in it can be nearer.
 
-use super::{Aabb, meet};
+use super::{Aabb, ray_hit_mm};
 use crate::part::distance::segment_triangle;
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 
@@ -24,7 +24,7 @@ impl SegmentForFacets {
     }
 
     pub(super) fn distance(&self, corners: &[Point3<f64>; 3]) -> f64 {
-        let through = meet(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t));
+        let through = ray_hit_mm(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t));
         if through { 0.0 } else { segment_triangle(&self.from, &self.to, corners) }
     }
 }

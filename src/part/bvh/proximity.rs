@@ -5,7 +5,7 @@
 //! box first, and no box is entered that keeps farther away than what was found.
 
 use super::prepared::{SegmentForBoxes, SegmentForFacets, Turn};
-use super::{Bvh, Node, meet};
+use super::{Bvh, Node, ray_hit_mm};
 use crate::part::distance::triangles;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -225,7 +225,7 @@ impl Bvh {
             let dir = dir.normalize();
             let mut first = (f64::INFINITY, 0.0);
             self.visit_ray(point, &dir, 0.0, f64::INFINITY, 0.0, |_, corners| {
-                if let Some(t) = meet(corners, point, &dir).filter(|t| (0.0..first.0).contains(t)) {
+                if let Some(t) = ray_hit_mm(corners, point, &dir).filter(|t| (0.0..first.0).contains(t)) {
                     let [a, b, c] = corners;
                     first = (t, (b - a).cross(&(c - a)).dot(&dir));
                 }
@@ -280,7 +280,7 @@ mod tests {
             let (p, q) = (point([ends[0], ends[1], ends[2]]), point([ends[3], ends[4], ends[5]]));
             let dir = (q - p).normalize();
             let least = live(&mesh).map(|c| {
-                let through = meet(&c, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
+                let through = ray_hit_mm(&c, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
                 if through { 0.0 } else { segment_triangle(&p, &q, &c) }
             }).fold(f64::INFINITY, f64::min);
             let tree = Bvh::new(&mesh);

@@ -17,7 +17,7 @@ pub(super) fn grid(diagonal: f64, farthest: f64) -> f64 {
 
 /// Twelve hexadecimal digits a facet: among a million facets one pair in five hundred million agrees
 /// by chance.
-pub(super) fn written(now: &Segmentation, facets: &[u32], grid: f64) -> String {
+pub(super) fn hash_facets(now: &Segmentation, facets: &[u32], grid: f64) -> String {
     let mut digests: Vec<u64> = facets
         .iter()
         .map(|&f| {
@@ -30,7 +30,7 @@ pub(super) fn written(now: &Segmentation, facets: &[u32], grid: f64) -> String {
 }
 
 /// The facets of that surface that were written down; `None` unless each of them is there.
-pub(super) fn found(
+pub(super) fn find_facets(
     now: &Segmentation,
     surface: u32,
     written: &str,

@@ -71,7 +71,7 @@ pub fn find(
     let search = SurfaceSearch { landmarks, loaded: *loaded, base, shells, edits, needed };
     let in_place = search.trial(&Similarity3::identity());
     if in_place.complete && search.is_borne_out(&in_place) {
-        return search.found(in_place, None);
+        return search.found_again(in_place, None);
     }
     let mut outcome = search.best_of(&shifts(landmarks, &new), &in_place);
     if let BestMotion::None { missed } = outcome {
@@ -83,18 +83,18 @@ pub fn find(
     match outcome {
         BestMotion::One(trial) => {
             let motion = trial.new_from_old.isometry;
-            return search.found(*trial, Some(motion));
+            return search.found_again(*trial, Some(motion));
         }
-        BestMotion::Several => return search.nothing(LostReason::SeveralMotions),
+        BestMotion::Several => return search.nothing_found(LostReason::SeveralMotions),
         // What was found in place may be another hole of a row, the file having moved by one pitch.
         BestMotion::None { missed } if !search.is_borne_out(&in_place) && clearly_fewer(missed, in_place.missed) => {
-            return search.nothing(LostReason::PartMoved);
+            return search.nothing_found(LostReason::PartMoved);
         }
         BestMotion::None { .. } => {}
     }
     match search.scale(part).filter(|_| !in_place.complete) {
-        Some(scale) => FoundAgain { scale: Some(scale), ..search.nothing(LostReason::NothingAlike) },
-        None => search.found(in_place, None),
+        Some(scale) => FoundAgain { scale: Some(scale), ..search.nothing_found(LostReason::NothingAlike) },
+        None => search.found_again(in_place, None),
     }
 }
 
@@ -151,7 +151,7 @@ impl SurfaceSearch<'_> {
         (trial.complete && self.is_borne_out(&trial)).then_some(scale)
     }
 
-    fn found(&self, trial: Trial, motion: Option<Isometry3<f64>>) -> FoundAgain {
+    fn found_again(&self, trial: Trial, motion: Option<Isometry3<f64>>) -> FoundAgain {
         let lost = |numbers: &mut dyn Iterator<Item = u32>, of: &Paired| -> Vec<LostLandmark> {
             numbers
                 .filter(|n| !of.numbers.contains_key(n))
@@ -174,7 +174,7 @@ impl SurfaceSearch<'_> {
     }
 
     /// Everything is lost for one reason.
-    fn nothing(&self, why: LostReason) -> FoundAgain {
+    fn nothing_found(&self, why: LostReason) -> FoundAgain {
         let lost =
             |numbers: &mut dyn Iterator<Item = u32>| numbers.map(|number| LostLandmark { number, why }).collect();
         FoundAgain {

@@ -1,6 +1,6 @@
 //! Gives each remembered surface the one new surface that it must be, or none.
 
-use super::alike::{clearly_nearer, in_place, reach};
+use super::alike::{clearly_nearer, reach, unlikeness_in_place};
 use super::fingerprint::{Fingerprint, Landmark};
 use std::collections::BTreeMap;
 
@@ -69,7 +69,7 @@ impl Lineup {
         let mut found: Vec<(f64, u32)> = self.sorted[first..]
             .iter()
             .take_while(|l| l.print.centroid[self.axis] <= at + reach)
-            .filter_map(|l| Some((in_place(old, &l.print, diagonal)?, l.number)))
+            .filter_map(|l| Some((unlikeness_in_place(old, &l.print, diagonal)?, l.number)))
             .collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         found

@@ -74,7 +74,7 @@ impl SurfaceSearch<'_> {
                 Err(why) => {
                     lost_edits.push(LostEdit { index, why });
                     spoilt.0.extend(operands(edit).iter().map(|&n| n..=n));
-                    spoilt.0.push(self.landmarks.made(index));
+                    spoilt.0.push(self.landmarks.numbers_given_by(index));
                 }
             }
         }
@@ -131,7 +131,7 @@ impl SurfaceSearch<'_> {
             }
             SurfaceEdit::Cut { cut, .. } => match number(cut) {
                 Some(cut) => {
-                    let facets = cut_facets::found(now, cut, &mark.facets, self.landmarks.grid, new_from_old);
+                    let facets = cut_facets::find_facets(now, cut, &mark.facets, self.landmarks.grid, new_from_old);
                     Some(SurfaceEdit::Cut { cut, facets: facets.ok_or(LostReason::OtherFacets)? })
                 }
                 None => None,

@@ -30,7 +30,7 @@ pub fn inset(
     ignore_holes_mm: f64,
 ) -> Vec<TransversalLine> {
     let tree = Tree::new(rim(mesh, surface).segments(ignore_holes_mm));
-    clipped(lines, |line| near(line, &tree, inset_mm - HAIR_MM))
+    clipped(lines, |line| stretches_within(line, &tree, inset_mm - HAIR_MM))
 }
 
 /// What of lines that were cut on the extended surface lies on the surface itself or within its reach beyond; and
@@ -47,7 +47,7 @@ pub fn run_over(
     let (bvh, on_mm) = (Bvh::new(&beyond), (1e-5 * mesh.diagonal()).min(0.1 * extended.over_mm));
     let lines = clipped(lines, |line| {
         let sides: Vec<_> = line.sides().collect();
-        let far = rest(&near(line, &tree, extended.over_mm + HAIR_MM), sides.len() as f64);
+        let far = rest(&stretches_within(line, &tree, extended.over_mm + HAIR_MM), sides.len() as f64);
         // A stretch so far from the rim does not cross it: one place tells on which side all of it is.
         let is_beyond = |stretch: &Stretch| {
             let Some(q) = at(&sides, 0.5 * (stretch.0 + stretch.1)) else { return false };
@@ -90,10 +90,10 @@ fn clipped(
 }
 
 /// Where a line is nearer than a radius to the segments of a tree: sorted, apart.
-fn near(line: &TransversalLine, tree: &Tree, radius_mm: f64) -> Vec<Stretch> {
+fn stretches_within(line: &TransversalLine, tree: &Tree, radius_mm: f64) -> Vec<Stretch> {
     let mut all: Vec<Stretch> = Vec::new();
     for (i, (a, b)) in line.sides().enumerate() {
-        for (from, to) in tree.near(&a.p, &b.p, radius_mm) {
+        for (from, to) in tree.shares_within(&a.p, &b.p, radius_mm) {
             let (from, to) = (i as f64 + from, i as f64 + to);
             match all.last_mut() {
                 // On over a point of the line.

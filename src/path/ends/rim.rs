@@ -57,13 +57,13 @@ impl Rim {
 ///
 /// A facet's file order makes the order of loops. Slits without width are left out.
 pub fn rim(mesh: &Mesh, surface: &Surface) -> Rim {
-    let own = SurfaceFacets { mesh, surface };
+    let facets = SurfaceFacets { mesh, surface };
     let sides: Vec<(u32, usize)> = surface
         .facets
         .iter()
-        .filter(|&&f| own.has(f))
+        .filter(|&&f| facets.has(f))
         .flat_map(|&f| (0..3).map(move |k| (f, k)))
-        .filter(|&(f, k)| own.is_rim(mesh.facet_edges[f as usize][k]))
+        .filter(|&(f, k)| facets.is_rim(mesh.facet_edges[f as usize][k]))
         .collect();
     let mut done = vec![false; sides.len()];
     let mut loops = Vec::new();
@@ -80,7 +80,7 @@ pub fn rim(mesh: &Mesh, surface: &Surface) -> Rim {
             found.edges.push(edge);
             found.segments.push(segment);
             found.length_mm += (segment[1] - segment[0]).norm();
-            let (next, inner_deg) = own.around(facet, edge, to);
+            let (next, inner_deg) = facets.next_side(facet, edge, to);
             found.turning_deg += 180.0 - inner_deg;
             from = to;
             at = next.and_then(|next| sides.binary_search(&next).ok());
@@ -113,7 +113,7 @@ impl SurfaceFacets<'_> {
     }
 
     /// From a side of the outline round its end to the next side, with the angle between, degrees.
-    fn around(&self, mut facet: u32, mut edge: u32, vertex: u32) -> (Option<(u32, usize)>, f64) {
+    fn next_side(&self, mut facet: u32, mut edge: u32, vertex: u32) -> (Option<(u32, usize)>, f64) {
         let mut inner_deg = 0.0;
         for _ in 0..=self.mesh.vertex_facets(vertex).len() {
             let corners = self.mesh.facets[facet as usize];

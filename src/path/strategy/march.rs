@@ -48,7 +48,7 @@ impl Field {
         let mut heap = BinaryHeap::new();
         for &e in from {
             for v in net.mesh.edges[e as usize] {
-                field.fan(net, e, v);
+                field.set_border_slopes(net, e, v);
                 field.is_border[v as usize] = true;
                 field.mm[v as usize] = 0.0;
                 heap.push(Reverse((0u64, v)));
@@ -67,7 +67,7 @@ impl Field {
                 for k in (0..3).filter(|&k| corners[k] != v) {
                     // Over the edge from v to the third corner.
                     let across = (k + 1) % 3;
-                    if let Some((mm, direction)) = field.way(net, f, across)
+                    if let Some((mm, direction)) = field.nearest_way(net, f, across)
                         && mm < field.mm[corners[k] as usize] - grain_mm
                         && turns[corners[k] as usize] < MOST_TURNS
                     {
@@ -84,7 +84,7 @@ impl Field {
     }
 
     /// Slopes along the edges that leave a border vertex, by their angle to one border edge there.
-    fn fan(&mut self, net: &Net, edge: u32, vertex: u32) {
+    fn set_border_slopes(&mut self, net: &Net, edge: u32, vertex: u32) {
         let end = |e: u32| usize::from(net.mesh.edges[e as usize][1] == vertex);
         self.border[edge as usize][end(edge)] = 0.0;
         let (mut e, mut angle) = (edge, 0.0);
@@ -132,7 +132,7 @@ impl Field {
     }
 
     /// The nearest way to the corner of a facet opposite to its edge `k`.
-    fn way(&self, net: &Net, facet: u32, k: usize) -> Option<(f64, Vector3<f64>)> {
+    fn nearest_way(&self, net: &Net, facet: u32, k: usize) -> Option<(f64, Vector3<f64>)> {
         let f = facet as usize;
         let corners = net.mesh.facets[f];
         let at = |i: usize| net.mesh.vertices[corners[i % 3] as usize];

@@ -169,7 +169,7 @@ fn crossed(one: SurfaceLines, mut two: SurfaceLines) -> SurfaceLines {
     two.lines.iter_mut().for_each(|l| l.plane += ranks);
     SurfaceLines {
         lines: [one.lines, two.lines].concat(),
-        achieved: Achieved::both(one.achieved, two.achieved),
+        achieved: Achieved::of_both(one.achieved, two.achieved),
         planes: [one.planes, two.planes].concat(),
         finding: one.finding.or(two.finding),
     }

@@ -33,11 +33,11 @@ impl SpiralAxis {
     pub fn polar(&self, p: &Point3<f64>) -> (f64, f64) {
         let across = self.across(p);
         let angle = libm::atan2(across.y, across.x);
-        (self.off(p), if angle < 0.0 { (angle + TAU).min(TAU * (1.0 - f64::EPSILON)) } else { angle })
+        (self.radius_mm(p), if angle < 0.0 { (angle + TAU).min(TAU * (1.0 - f64::EPSILON)) } else { angle })
     }
 
     /// Distance from the axis, mm.
-    pub fn off(&self, p: &Point3<f64>) -> f64 {
+    pub fn radius_mm(&self, p: &Point3<f64>) -> f64 {
         libm::sqrt(self.across(p).norm_squared())
     }
 }
@@ -176,7 +176,7 @@ impl Walk<'_> {
             here = at;
             let (a, b) = (a as usize, b as usize);
             if known[a] && known[b] && a != vertex as usize && b != vertex as usize {
-                let rest = self.axis.off(&at) + known_excess[a] + (known_excess[b] - known_excess[a]) * t;
+                let rest = self.axis.radius_mm(&at) + known_excess[a] + (known_excess[b] - known_excess[a]) * t;
                 return length + rest - off;
             }
             let edge = mesh.facet_edges[facet as usize][leaves];
@@ -204,7 +204,7 @@ impl Walk<'_> {
         crossing: &impl Fn(u32, u32) -> (Point3<f64>, f64),
     ) -> Option<Entry> {
         let mesh = &self.net.mesh;
-        let from = self.axis.off(here) * (1.0 - 1e-9);
+        let from = self.axis.radius_mm(here) * (1.0 - 1e-9);
         let sector = ((angle / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
         let mut best: Option<(f64, Entry)> = None;
         for &e in &self.rims[sector] {
@@ -214,7 +214,7 @@ impl Walk<'_> {
             // Only where the curve comes in by this edge.
             if height(a) < 0.0 && height(b) >= 0.0 {
                 let at = crossing(a, b).0;
-                let off = self.axis.off(&at);
+                let off = self.axis.radius_mm(&at);
                 let same_side = wrapped(self.axis.polar(&at).1 - angle).abs() < 1.0;
                 if same_side && off < from && best.as_ref().is_none_or(|b| off > b.0) {
                     best = Some((off, (f, e, at)));

@@ -36,7 +36,7 @@ impl Achieved {
     }
 
     /// That of two rasters, each measured by itself.
-    pub(super) fn both(one: Option<Achieved>, two: Option<Achieved>) -> Option<Achieved> {
+    pub(super) fn of_both(one: Option<Achieved>, two: Option<Achieved>) -> Option<Achieved> {
         let samples = [one, two].into_iter().flatten().flat_map(|a| a.samples).collect();
         Achieved::of(samples)
     }

@@ -25,11 +25,11 @@ pub(super) fn lines(
 ) -> SurfaceLines {
     let (net, axis) = centred(mesh, surface, Net::new(mesh, surface, normals), rule);
     let finest = rule.spacing_mm / 24.0;
-    let net = net.refined(false, |p| libm::sqrt(8.0 * CHORD_MM * axis.off(p)).max(finest));
+    let net = net.refined(false, |p| libm::sqrt(8.0 * CHORD_MM * axis.radius_mm(p)).max(finest));
     let winding = Winding::new(&net, &axis, rule.spacing_mm);
     let (mut lines, mut turns) = winding.lines(merge_mm);
     // Near the axis a spiral leads outwards more than around, and turns lie nearer.
-    let around = |p: &Point3<f64>| axis.off(p) >= 2.5 * rule.spacing_mm;
+    let around = |p: &Point3<f64>| axis.radius_mm(p) >= 2.5 * rule.spacing_mm;
     let achieved = spacing::measured(&lines, &turns, None, around, rule.spacing_mm);
     if rule.inward {
         lines.reverse();

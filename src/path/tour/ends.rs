@@ -111,7 +111,7 @@ impl<'a> TourLines<'a> {
 }
 
 /// A line run from this entry.
-pub(super) fn run(mut line: TransversalLine, entry: usize) -> TransversalLine {
+pub(super) fn run_from(mut line: TransversalLine, entry: usize) -> TransversalLine {
     if line.closed {
         line.points.rotate_left(entry);
         return line;

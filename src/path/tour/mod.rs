@@ -78,7 +78,7 @@ pub fn toured(
         }
     }
     let mut taken: Vec<Option<TransversalLine>> = zigzag.into_iter().map(Some).collect();
-    best.into_iter().filter_map(|visit| Some(ends::run(taken.get_mut(visit.line)?.take()?, visit.entry))).collect()
+    best.into_iter().filter_map(|visit| Some(ends::run_from(taken.get_mut(visit.line)?.take()?, visit.entry))).collect()
 }
 
 /// The zigzag, and nearest neighbours from its corners where there is no place to come from.

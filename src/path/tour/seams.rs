@@ -24,7 +24,7 @@ pub(super) fn chosen(tour: &TourLines<'_>, order: Vec<LineVisit>) -> Vec<LineVis
                 continue;
             }
             let there = tour.visit(order[i].line, best_seam(tour, &order, i));
-            let way = |visit: &LineVisit| around(tour, &order, i, visit);
+            let way = |visit: &LineVisit| way_beside_mm(tour, &order, i, visit);
             if way(&there) < way(&order[i]) - 1e-9 {
                 order[i] = there;
                 next[i] = true;
@@ -38,7 +38,7 @@ pub(super) fn chosen(tour: &TourLines<'_>, order: Vec<LineVisit>) -> Vec<LineVis
     order
 }
 
-fn around(tour: &TourLines<'_>, order: &[LineVisit], i: usize, visit: &LineVisit) -> f64 {
+fn way_beside_mm(tour: &TourLines<'_>, order: &[LineVisit], i: usize, visit: &LineVisit) -> f64 {
     let before = i.checked_sub(1).map(|k| &order[k]);
     tour.hop(before, Some(visit)) + tour.hop(Some(visit), order.get(i + 1))
 }

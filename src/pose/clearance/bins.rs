@@ -26,7 +26,7 @@ impl Bins {
     }
 
     /// All within a bin's width of a tilt, and some others.
-    pub fn near(&self, t: &Lean, mut with: impl FnMut(usize)) {
+    pub fn for_each_near(&self, t: &Lean, mut with: impl FnMut(usize)) {
         let (row, column) = self.place(t);
         for r in row - 1..=row + 1 {
             let from = self.list.partition_point(|x| (x.0, x.1) < (r, column - 1));

@@ -89,7 +89,8 @@ impl Openings<'_> {
             |half: f64| [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| Lean::new(x, y));
         if let Some(facet) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
             let facet = self.part.mesh.corners(facet as usize);
-            let is_behind = |c: Lean| bvh::meet(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
+            let is_behind =
+                |c: Lean| bvh::ray_hit_mm(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
             if corners(half_deg * INFLATED).into_iter().all(is_behind) {
                 return;
             }

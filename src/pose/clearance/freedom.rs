@@ -23,10 +23,10 @@ fn cost_of(track: &Track<'_>, site: usize, tilt: &Lean) -> f64 {
 
 impl ChainSearch<'_> {
     /// Asks a layer's candidates, and weighs those that are free.
-    pub(super) fn stage(&self, k: usize) -> LayerCosts {
+    pub(super) fn costs_of(&self, k: usize) -> LayerCosts {
         let layer = &self.layers[k];
         let mut coarse = BTreeMap::new();
-        let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(|t| self.asked(k, t, &mut coarse)).collect();
+        let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(|t| self.freedom_of(k, t, &mut coarse)).collect();
         let weights = |which: Option<bool>| -> Vec<Option<f64>> {
             asked.iter().map(|(f, _)| (*f == which).then_some(0.0)).collect()
         };
@@ -34,7 +34,7 @@ impl ChainSearch<'_> {
         let mut weight = weights(Some(true));
         for (t, w) in layer.tilts.iter().zip(&mut weight).filter(|(_, w)| w.is_some()) {
             let mut nearest = NEAR_DEG * NEAR_DEG;
-            blocked.near(t, |b| nearest = nearest.min((layer.tilts[b] - t).norm_squared()));
+            blocked.for_each_near(t, |b| nearest = nearest.min((layer.tilts[b] - t).norm_squared()));
             let near = NEARNESS_DEG2 / nearest.sqrt().max(1e-6) - NEARNESS_DEG2 / NEAR_DEG;
             *w = Some(cost_of(self.track, layer.site, t) + near);
         }
@@ -45,7 +45,7 @@ impl ChainSearch<'_> {
     }
 
     /// Whether a candidate is free (`None`: not allowed at all), and whether that is only assumed.
-    fn asked(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<GridCell, Option<bool>>) -> (Option<bool>, bool) {
+    fn freedom_of(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<GridCell, Option<bool>>) -> (Option<bool>, bool) {
         let layer = &self.layers[k];
         let site = &self.track.sites[layer.site];
         let Some(spacing_deg) = layer.coarser_deg.filter(|_| !layer.given && self.track.allows(site, tilt)) else {
@@ -114,13 +114,13 @@ impl ChainSearch<'_> {
 
     /// Whether a candidate that counts as free is.
     fn is_sure(&mut self, k: usize, u: usize) -> bool {
-        if self.stages[k].assumed[u] {
+        if self.layer_costs[k].assumed[u] {
             let is = self.is_free(k, &self.layers[k].tilts[u]) == Some(true);
-            let stage = &mut self.stages[k];
-            stage.assumed[u] = false;
-            stage.weight[u] = stage.weight[u].filter(|_| is);
+            let costs = &mut self.layer_costs[k];
+            costs.assumed[u] = false;
+            costs.weight[u] = costs.weight[u].filter(|_| is);
         }
-        self.stages[k].weight[u].is_some()
+        self.layer_costs[k].weight[u].is_some()
     }
 
     /// Whether the beam is free from one candidate to one of the next layer, at the points between and

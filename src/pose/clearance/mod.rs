@@ -7,11 +7,11 @@
 //! result is drawn to the aim as far as it stays free; the caller tests it again.
 
 mod bins;
+mod corrected_line;
 pub mod free_set;
 mod freedom;
 mod grid;
 mod polish;
-mod rows;
 mod search;
 mod site_tilts;
 mod track;
@@ -65,7 +65,7 @@ pub fn correct(
     let windows = Windows::new(part, beam, &track, free);
     let has_search = !windows.ok.iter().all(|ok| *ok);
     if !closed || !has_search {
-        return rows::rows(beam, &track, &windows.corrected(None));
+        return corrected_line::corrected_points(beam, &track, &windows.corrected(None));
     }
     // A closed line is opened where the beam may have its aim; where it may nowhere, it is solved as an
     // open one first, and opened again half way round with the beam that was found there.
@@ -83,13 +83,13 @@ pub fn correct(
     let (seam, held) = match windows::middle_of_longest(ok) {
         Some(seam) => (seam, None),
         None => {
-            let stands = windows.corrected(None);
+            let site_tilts = windows.corrected(None);
             let half = count / 2;
-            (half, stands[half].arrive.map(|t| track.sites[half].axis(&t)))
+            (half, site_tilts[half].arrive.map(|t| track.sites[half].axis(&t)))
         }
     };
     let (track, free) = opened(seam);
     let windows = Windows::new(part, beam, &track, &free);
-    let out = rows::rows(beam, &track, &windows.corrected(held));
-    rows::from_start(out, &points[0])
+    let out = corrected_line::corrected_points(beam, &track, &windows.corrected(held));
+    corrected_line::from_start(out, &points[0])
 }

@@ -20,21 +20,21 @@ const FARTHER_DEG: f64 = 1.0;
 const SWEEPS: usize = 6;
 
 /// Draws the tilts of points `first` to `last` to their aims.
-pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), stands: &mut [SiteTilts]) {
+pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), site_tilts: &mut [SiteTilts]) {
     let mut at = first;
     while at < last {
         // A piece: lit from point to point, without a split inside.
-        let (Some(start), Some(_)) = (stands[at].leave, stands[at + 1].arrive) else {
+        let (Some(start), Some(_)) = (site_tilts[at].leave, site_tilts[at + 1].arrive) else {
             at += 1;
             continue;
         };
         let mut tilts = vec![start];
         let from = at;
         while at < last {
-            let (Some(_), Some(tilt)) = (stands[at].leave, stands[at + 1].arrive) else { break };
+            let (Some(_), Some(tilt)) = (site_tilts[at].leave, site_tilts[at + 1].arrive) else { break };
             at += 1;
             tilts.push(tilt);
-            if stands[at].leave != stands[at].arrive {
+            if site_tilts[at].leave != site_tilts[at].arrive {
                 break;
             }
         }
@@ -44,11 +44,11 @@ pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize),
         let better = piece.polished(&tilts, held);
         for (k, tilt) in better.into_iter().enumerate() {
             let i = from + k;
-            if k > 0 || stands[i].arrive == stands[i].leave {
-                stands[i].arrive = Some(tilt);
+            if k > 0 || site_tilts[i].arrive == site_tilts[i].leave {
+                site_tilts[i].arrive = Some(tilt);
             }
-            if i < at || stands[i].leave == Some(tilts[k]) {
-                stands[i].leave = Some(tilt);
+            if i < at || site_tilts[i].leave == Some(tilts[k]) {
+                site_tilts[i].leave = Some(tilt);
             }
         }
     }
@@ -76,7 +76,7 @@ impl LitRun<'_> {
     }
 
     fn polished(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
-        let drawn = self.drawn(tilts, held);
+        let drawn = self.drawn_to_aim(tilts, held);
         let smooth = self.smoothed(&drawn, held);
         [smooth, drawn].into_iter().find(|t| self.is_good(t)).unwrap_or_else(|| tilts.to_vec())
     }
@@ -92,7 +92,7 @@ impl LitRun<'_> {
 
     /// Towards the aim along the straight way, each as far as it is free with something to spare, and no
     /// farther than its neighbours' rates allow.
-    fn drawn(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+    fn drawn_to_aim(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
         let last = tilts.len() - 1;
         let whole: Vec<f64> = tilts.iter().enumerate().map(|(k, t)| (t - self.aim(k)).norm()).collect();
         let at = |k: usize, size: f64| match whole[k] {
@@ -101,7 +101,9 @@ impl LitRun<'_> {
             w => self.aim(k) + (tilts[k] - self.aim(k)) * (size / w),
         };
         let mut size: Vec<f64> = (0..=last)
-            .map(|k| if k == 0 && held.0 || k == last && held.1 { whole[k] } else { self.least(k, whole[k], &at) })
+            .map(|k| {
+                if k == 0 && held.0 || k == last && held.1 { whole[k] } else { self.least_free_size(k, whole[k], &at) }
+            })
             .collect();
         let sites = &self.track.sites[self.from..];
         let way_deg = |k: usize| self.track.rate_deg_mm * (sites[k + 1].arc_mm - sites[k].arc_mm);
@@ -130,7 +132,7 @@ impl LitRun<'_> {
     }
 
     /// The least size of a tilt that is free all the way down from what it is, and what it keeps to spare.
-    fn least(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+    fn least_free_size(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
         let good = |size: f64| self.is_free(k, &at(k, size));
         let mut low = whole;
         loop {
@@ -144,7 +146,7 @@ impl LitRun<'_> {
                     let middle = 0.5 * (low + blocked);
                     if good(middle) { low = middle } else { blocked = middle }
                 }
-                return self.spared(k, low, whole, at);
+                return self.size_with_clearance(k, low, whole, at);
             }
             low = next;
         }
@@ -152,7 +154,7 @@ impl LitRun<'_> {
 
     /// From the least free size on, where tilt and nearness together are least: 1/clearance where beam and head
     /// have one, and for a ray that of what is blocked beside it.
-    fn spared(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+    fn size_with_clearance(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
         let site = &self.track.sites[self.from + k];
         let cost = |size: f64| {
             let clearance_mm = self.beam.clearance_within_mm(&site.q.p, &site.axis(&at(k, size)), FAR_MM)?;

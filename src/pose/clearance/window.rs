@@ -57,7 +57,7 @@ impl Window<'_> {
                 found_deg = 0.5 * coarse_deg;
             }
         }
-        self.put(&layers, &chain, out);
+        self.take_over(&layers, &chain, out);
         let none = vec![Vec::new(); track.sites.len()];
         let step_deg = track.rate_deg_mm * 0.9 * self.widest_gap_mm();
         let middle_deg = step_deg.clamp(FINEST_DEG, 0.25 * coarse_deg);
@@ -130,7 +130,7 @@ impl Window<'_> {
             })
         };
         let layers: Vec<TiltLayer> = self.knots(spacing_deg).into_iter().map(layer).collect();
-        let chain = search::best(self.beam, track, &layers);
+        let chain = search::best_chain(self.beam, track, &layers);
         (layers, chain)
     }
 
@@ -143,7 +143,7 @@ impl Window<'_> {
                 let s = &track.sites[site];
                 let mut middles: Vec<Lean> = [before[site].arrive, before[site].leave].into_iter().flatten().collect();
                 if middles.is_empty() {
-                    middles.extend(self.held(site, &before));
+                    middles.extend(self.tilts_beside(site, &before));
                 }
                 middles.extend(&openings[site]);
                 let mut cells = BTreeSet::new();
@@ -160,21 +160,22 @@ impl Window<'_> {
             })
         };
         let layers: Vec<TiltLayer> = self.knots(spacing_deg).into_iter().map(layer).collect();
-        let chain = search::best(self.beam, track, &layers);
-        self.put(&layers, &chain, out);
+        let chain = search::best_chain(self.beam, track, &layers);
+        self.take_over(&layers, &chain, out);
     }
 
     /// Beams of the nearest points on both sides where the laser is on.
-    fn held(&self, site: usize, stands: &[SiteTilts]) -> Vec<Lean> {
+    fn tilts_beside(&self, site: usize, site_tilts: &[SiteTilts]) -> Vec<Lean> {
         let sites = &self.track.sites;
         let near = |i: &usize| (sites[*i].arc_mm - sites[site].arc_mm).abs() <= HOLD_MM;
-        let before = (self.first..site).rev().take_while(near).find_map(|i| stands[i].leave.or(stands[i].arrive));
-        let behind = (site + 1..=self.last).take_while(near).find_map(|i| stands[i].arrive.or(stands[i].leave));
+        let before =
+            (self.first..site).rev().take_while(near).find_map(|i| site_tilts[i].leave.or(site_tilts[i].arrive));
+        let behind = (site + 1..=self.last).take_while(near).find_map(|i| site_tilts[i].arrive.or(site_tilts[i].leave));
         before.into_iter().chain(behind).collect()
     }
 
     /// Takes over a chain.
-    fn put(&self, layers: &[TiltLayer], chain: &Chain, out: &mut [SiteTilts]) {
+    fn take_over(&self, layers: &[TiltLayer], chain: &Chain, out: &mut [SiteTilts]) {
         let sites = &self.track.sites;
         for k in 0..layers.len() {
             let here = layers[k].site;
@@ -202,10 +203,10 @@ impl Window<'_> {
     }
 
     /// Openings at points that are still blocked.
-    fn openings(&self, stands: &[SiteTilts]) -> Vec<Vec<Lean>> {
+    fn openings(&self, site_tilts: &[SiteTilts]) -> Vec<Vec<Lean>> {
         let (track, sites) = (self.track, &self.track.sites);
         let mut out = vec![Vec::new(); sites.len()];
-        let is_dark = |i: usize| stands[i].arrive.is_none() && stands[i].leave.is_none();
+        let is_dark = |i: usize| site_tilts[i].arrive.is_none() && site_tilts[i].leave.is_none();
         let mut looked_mm = f64::NEG_INFINITY;
         for i in self.first..=self.last {
             let is_rim = is_dark(i) && (i == self.first || i == self.last || !is_dark(i - 1) || !is_dark(i + 1));

@@ -49,14 +49,14 @@ impl Beam<'_> {
             }
             f64::INFINITY
         });
-        free && self.obstacles().skip(1).all(|(_, bvh, at)| first_in(bvh, at.as_ref(), p, a).is_none())
+        free && self.obstacles().skip(1).all(|(_, bvh, at)| first_ray_hit(bvh, at.as_ref(), p, a).is_none())
     }
 
     /// The nearest thing in the way of the ray.
     pub(super) fn ray_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
         self.obstacles()
             .filter_map(|(clamp, bvh, at)| {
-                let (facet, t_mm) = first_in(bvh, at.as_ref(), p, a)?;
+                let (facet, t_mm) = first_ray_hit(bvh, at.as_ref(), p, a)?;
                 let obstruction = clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp);
                 Some(Blocker { tool_body: ToolBody::Beam, obstruction, t_mm })
             })
@@ -119,7 +119,7 @@ impl Beam<'_> {
     pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, share: f64) -> Option<u32> {
         let mut first: Option<(f64, u32)> = None;
         self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, share * GRAZE_MM, |facet, corners| {
-            let through = crate::part::bvh::meet(corners, p, a).filter(|t| *t > from_mm);
+            let through = crate::part::bvh::ray_hit_mm(corners, p, a).filter(|t| *t > from_mm);
             let beside = || {
                 let near = share > 0.0 && is_beside(p, a, corners, from_mm, share);
                 near.then(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(from_mm))
@@ -142,7 +142,7 @@ impl Beam<'_> {
         self.bvh.visit_ray(&start, a, 0.0, 2.0 * window_mm, 0.0, |_, corners| {
             let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
             let stands = n.dot(a).abs() > STANDS_SINE * n.norm();
-            if let Some(t) = crate::part::bvh::meet(corners, &start, a).filter(|_| stands) {
+            if let Some(t) = crate::part::bvh::ray_hit_mm(corners, &start, a).filter(|_| stands) {
                 let off = t - window_mm;
                 if off.abs() <= window_mm && best.is_none_or(|b| (off.abs(), off) < (b.abs(), b)) {
                     best = Some(off);
@@ -155,13 +155,13 @@ impl Beam<'_> {
 }
 
 /// The first facet that the ray interferes with, and where, mm along it; the facets stand at `at`.
-fn first_in(bvh: &Bvh, at: Option<&Isometry3<f64>>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<(u32, f64)> {
+fn first_ray_hit(bvh: &Bvh, at: Option<&Isometry3<f64>>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<(u32, f64)> {
     let (p, a) = &into_frame(at, p, a);
     let ray = distance::WideRay::new(p, a, GRAZE_MM);
     let mut first: Option<(f64, u32)> = None;
     bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |facet, corners| {
         if !ray.surely_misses(corners) && interferes(p, a, corners) {
-            let t_mm = crate::part::bvh::meet(corners, p, a)
+            let t_mm = crate::part::bvh::ray_hit_mm(corners, p, a)
                 .filter(|t| *t > 0.0)
                 .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
             if first.is_none_or(|f| (t_mm, facet) < f) {

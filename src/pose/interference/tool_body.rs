@@ -32,8 +32,8 @@ pub(in crate::pose) enum Conflict {
 #[derive(Clone, Copy)]
 struct ToolShape<'f> {
     tool_body: ToolBody,
-    shape: &'f Frustum,
-    /// What it keeps, mm; the beam's margin is in its shape.
+    frustum: &'f Frustum,
+    /// What it keeps, mm; the beam's margin is in its frustum.
     keeps_mm: f64,
 }
 
@@ -41,8 +41,8 @@ impl<'a> Beam<'a> {
     /// The tool's bodies, the head's first.
     fn shapes<'f>(body: &'f ToolGeometry<'a>) -> impl Iterator<Item = ToolShape<'f>> {
         let head =
-            body.head.iter().map(|shape| ToolShape { tool_body: ToolBody::Head, shape, keeps_mm: body.margin_mm });
-        head.chain(body.beam.iter().map(|shape| ToolShape { tool_body: ToolBody::Beam, shape, keeps_mm: 0.0 }))
+            body.head.iter().map(|frustum| ToolShape { tool_body: ToolBody::Head, frustum, keeps_mm: body.margin_mm });
+        head.chain(body.beam.iter().map(|frustum| ToolShape { tool_body: ToolBody::Beam, frustum, keeps_mm: 0.0 }))
     }
 
     /// Whether cone and head keep their margin.
@@ -57,7 +57,7 @@ impl<'a> Beam<'a> {
         let all = (1u64 << shapes.len()) - 1;
         self.obstacles().all(|(clamp, bvh, at)| {
             let (p, a) = into_frame(at.as_ref(), p, a);
-            let placed: Vec<PlacedFrustum> = shapes.iter().map(|shape| shape.shape.placed(&p, &a)).collect();
+            let placed: Vec<PlacedFrustum> = shapes.iter().map(|shape| shape.frustum.placed(&p, &a)).collect();
             let among = |of: u32| (0..shapes.len()).filter(move |i| of >> i & 1 == 1);
             let hits = |corners: &[Point3<f64>; 3], of: u32| {
                 let own = clamp.is_none() && leaves(&p, &a, corners);
@@ -94,14 +94,14 @@ impl<'a> Beam<'a> {
     /// The first of the tool's bodies that does not keep its margin, and from what.
     pub fn body_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
         let (shape, obstruction) =
-            Self::shapes(self.geometry?).find_map(|shape| Some((shape, self.hit_of(&shape, p, a)?)))?;
-        Some(Blocker { tool_body: shape.tool_body, obstruction, t_mm: shape.shape.t0_mm })
+            Self::shapes(self.geometry?).find_map(|shape| Some((shape, self.first_obstruction(&shape, p, a)?)))?;
+        Some(Blocker { tool_body: shape.tool_body, obstruction, t_mm: shape.frustum.t0_mm })
     }
 
-    fn hit_of(&self, shape: &ToolShape<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Obstruction> {
+    fn first_obstruction(&self, shape: &ToolShape<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Obstruction> {
         self.obstacles().find_map(|(clamp, bvh, at)| {
             let (p, a) = into_frame(at.as_ref(), p, a);
-            let placed = shape.shape.placed(&p, &a);
+            let placed = shape.frustum.placed(&p, &a);
             let mut hit = None;
             bvh.visit_near_boxes(
                 |lo, hi| placed.near_box(lo, hi, shape.keeps_mm),
@@ -197,7 +197,7 @@ impl<'a> Beam<'a> {
         let half_turn = libm::sin(0.25 * angle::between_deg(&from.a, &to.a).to_radians()) * 2.0;
         let mut worst = Conflict::None;
         for shape in Self::shapes(body) {
-            let reach_mm = shape.shape.reach_mm();
+            let reach_mm = shape.frustum.reach_mm();
             let moved_mm = half_mm + half_turn * reach_mm + stray_mm(reach_mm);
             let keeps_mm = shape.keeps_mm + moved_mm;
             let meets = self.obstacles().any(|(clamp, bvh, at)| {
@@ -205,7 +205,7 @@ impl<'a> Beam<'a> {
                     let (p, a) = into_frame(at.as_ref(), &q.p, &q.a);
                     Pose { p, a }
                 });
-                let placed = shape.shape.placed(&middle.p, &middle.a);
+                let placed = shape.frustum.placed(&middle.p, &middle.a);
                 let mut met = false;
                 bvh.visit_near_boxes(
                     |lo, hi| placed.near_box(lo, hi, keeps_mm),

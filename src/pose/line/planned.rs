@@ -123,14 +123,14 @@ impl Planned {
             return Some(a);
         }
         if a == self.points[place.index].n && self.state(place.index) == TargetState::Free {
-            return Some(place.on(&self.points).n);
+            return Some(place.point_on(&self.points).n);
         }
         Some(angle::slerp(&a, &self.axes[place.index + 1]?, place.share))
     }
 
     /// Whether the straight motion between two places can stand for the points between.
     fn may_span(&self, beam: &Beam<'_>, i: LinePlace, j: LinePlace, max_turn_deg: f64) -> bool {
-        let pose = |place: LinePlace| self.axis(place).map(|a| Pose { p: place.on(&self.points).p, a });
+        let pose = |place: LinePlace| self.axis(place).map(|a| Pose { p: place.point_on(&self.points).p, a });
         let (Some(from), Some(to)) = (pose(i), pose(j)) else {
             // Blocked rows only say where; nothing moves along them with the laser on.
             return self.axes[i.index].is_none() && self.axes[j.index].is_none();
@@ -149,7 +149,7 @@ impl Planned {
         };
         let corrected = self.state(i.index) == TargetState::Corrected || self.state(j.index) == TargetState::Corrected;
         let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };
-        let (n, to_n) = (i.on(&self.points).n, j.on(&self.points).n);
+        let (n, to_n) = (i.point_on(&self.points).n, j.point_on(&self.points).n);
         angle::between_deg(&from.a, &to.a) <= max_turn_deg + 1e-6
             && (!corrected || against_normal_deg((&n, &from.a), (&to_n, &to.a)) <= self.rate_deg_mm * whole)
             && between.clone().all(on_axis)
@@ -162,7 +162,7 @@ impl Planned {
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
         let mut splits = Vec::new();
         for &place in kept {
-            let q = place.on(&self.points);
+            let q = place.point_on(&self.points);
             let axis = self.axis(place);
             let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
             let is_split = place.share == 0.0 && self.splits[place.index];

@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 const END_MM: f64 = 0.05;
 
 /// The rows of a line.
-pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[SiteTilts]) -> Vec<CorrectedPoint> {
+pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTilts]) -> Vec<CorrectedPoint> {
     // Tested once more, whatever a tilt came from.
     let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
     let row = |site: &Site, tilt: Option<Lean>, is_split: bool| CorrectedPoint {
@@ -21,26 +21,26 @@ pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[SiteTilts]) -> Vec<Cor
         aim: site.axis(&site.aim),
         is_split,
     };
-    let mut out = Vec::with_capacity(stands.len());
-    for (i, (site, stand)) in track.sites.iter().zip(stands).enumerate() {
-        out.push(row(site, stand.arrive.or(stand.leave), false));
-        if let (Some(from), Some(to)) = (stand.arrive, stand.leave)
+    let mut out = Vec::with_capacity(site_tilts.len());
+    for (i, (site, tilts)) in track.sites.iter().zip(site_tilts).enumerate() {
+        out.push(row(site, tilts.arrive.or(tilts.leave), false));
+        if let (Some(from), Some(to)) = (tilts.arrive, tilts.leave)
             && from != to
         {
             out.push(row(site, Some(to), true));
         }
-        let (Some(next), Some(after)) = (track.sites.get(i + 1), stands.get(i + 1)) else { break };
-        if stand.leave.is_some() && after.arrive.is_some() {
+        let (Some(next), Some(after)) = (track.sites.get(i + 1), site_tilts.get(i + 1)) else { break };
+        if tilts.leave.is_some() && after.arrive.is_some() {
             continue;
         }
         // Dark from here to the next point: each side goes on as far as its beam is free.
-        let (low, high) = (stand.leave.or(stand.arrive), after.arrive.or(after.leave));
+        let (low, high) = (tilts.leave.or(tilts.arrive), after.arrive.or(after.leave));
         let (mut from, mut to) = (site.midway(next, 0.0), site.midway(next, 1.0));
         if let Some(tilt) = low {
-            from = gone(beam, track, (site, next), tilt, 0.0);
+            from = last_free_site(beam, track, (site, next), tilt, 0.0);
         }
         if let Some(tilt) = high {
-            to = gone(beam, track, (site, next), tilt, 1.0);
+            to = last_free_site(beam, track, (site, next), tilt, 1.0);
         }
         if low.is_some() && from.arc_mm > site.arc_mm && from.arc_mm < next.arc_mm {
             out.push(row(&from, low, false));
@@ -59,7 +59,7 @@ pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[SiteTilts]) -> Vec<Cor
 }
 
 /// How far a tilt that is held stays free from one end of a gap.
-fn gone(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
+fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
     let start = site.midway(next, from);
     let good = |t: f64| {
         let there = site.midway(next, t);
