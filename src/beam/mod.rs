@@ -22,12 +22,12 @@ pub use process_settings::ProcessSettings;
 pub use tool_configuration::ToolConfiguration;
 pub use tool_geometry::ToolGeometry;
 
-/// What the files of a job hold of the tool: read once, and kept with the set-up.
+/// The tool as the files of a job describe it: read once, and kept with the set-up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tool {
     /// The head; `None`: the beam is a ray.
     pub head: Option<Head>,
-    /// What stands on the part, in its frame; behind it, where the head is carried, what stands in the cell.
+    /// Clamps on the part, in its frame; where the robot carries the head, obstacles of the cell follow them.
     pub clamps: Vec<Obstacle>,
 }
 

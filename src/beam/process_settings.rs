@@ -1,6 +1,6 @@
 //! The process settings of a pass: where the focus stands, how wide, how fast and how strong the spot is.
 //!
-//! Values alone; which surface has which is told by the job.
+//! Values alone; the job says which surface is made with which.
 
 use super::Optics;
 
@@ -17,9 +17,9 @@ pub struct ProcessSettings {
     pub power_w: f64,
     /// Frequency of its pulses, kHz; 0: without pulses, or as it is set at the laser.
     pub frequency_khz: f64,
-    /// The spot comes so far along the line at that speed before the laser goes on, mm.
+    /// Length of the run-up along the line, at that speed, before the laser is switched on, mm.
     pub lead_in_mm: f64,
-    /// The spot goes on so far behind the line's end, mm.
+    /// Length by which the spot runs on beyond the line's end, mm.
     pub lead_out_mm: f64,
     /// Layer of a build-up, from 0: the part has grown by those before.
     pub layer: u32,

@@ -2,7 +2,7 @@
 //! point on the part upwards.
 //!
 //! # The spot's own neighbourhood
-//! A beam of any width touches the surface that it works on. What it is allowed to be near is told by
+//! A beam of any width touches the surface that it works on. What it is allowed to be near is decided by
 //! direction, not by distance: beam and margin together count only within [`OWN_CONE_DEG`] of the axis
 //! as seen from the spot. Facets that the spot stands on or beside are outside of that cone as long as
 //! the beam stands more steeply on them than the cone's half angle; a wall 0.2 mm away enters it at a
@@ -27,30 +27,30 @@ pub(crate) const OWN_SLOPE: f64 = 0.267_949_192_431_122_7;
 /// Its sine.
 pub(crate) const OWN_SINE: f64 = 0.258_819_045_102_520_74;
 
-/// The beam is looked at from here on, mm above the spot: nearer, even that cone is within the rounding
-/// of f32 coordinates on a large part.
+/// Height above the spot from which on the beam is checked, mm: below it even that cone is within the
+/// rounding of f32 coordinates on a large part.
 pub(crate) const START_MM: f64 = 0.05;
 
-/// Beam, head and clamps, ready to be asked for many poses.
+/// Beam, head and clamps, prepared for queries at many poses.
 #[derive(Clone, Debug)]
 pub struct ToolGeometry<'a> {
     /// D, mm.
     pub defocus_mm: f64,
-    /// What beam and head keep from everything, mm.
+    /// Clearance that beam and head keep from everything, mm.
     pub margin_mm: f64,
     /// The beam, wider by the margin, within the cone of its own neighbourhood.
     pub beam: Vec<Frustum>,
     /// The head, as it is.
     pub head: Vec<Frustum>,
-    /// What stands on the part, in its frame.
+    /// Clamps on the part, in its frame.
     pub clamps: &'a [Obstacle],
     /// Whether there is a head; without one the beam is a ray, and keeps no margin.
     pub has_head: bool,
-    /// The beam's radius along t, mm: corners of a line.
+    /// The beam's radius along t, mm: the corners of a polyline (t, radius).
     profile: Vec<(f64, f64)>,
     own: OwnCone,
-    /// A piece of the tool that moves no farther than this to either side is judged by its middle, mm: a tenth of the margin
-    /// may be lost on it. Whatever is eased from this geometry keeps its value, so that all cut a motion alike.
+    /// A motion on which the tool moves no farther than this to either side is judged by its middle, mm: it may
+    /// cost a tenth of the margin. Eased copies keep this value, so that all of them divide a motion alike.
     pub short_mm: f64,
 }
 
@@ -59,7 +59,7 @@ pub struct ToolGeometry<'a> {
 struct OwnCone {
     /// Tangent of its half angle.
     slope: f64,
-    /// Where the beam begins to be looked at.
+    /// Where along t the check of the beam begins, mm.
     start_mm: f64,
 }
 
@@ -102,15 +102,15 @@ impl<'a> ToolGeometry<'a> {
         })
     }
 
-    /// The head of a tool alone, told from its focus: what moves with the laser off. `None` without a head.
+    /// The head of a tool alone, measured from its focus: what moves with the laser off. `None` without a head.
     pub fn head_alone(tool: &'a Tool, margin_mm: f64) -> Option<ToolGeometry<'a>> {
         tool.head.as_ref()?;
         let body = ToolGeometry::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
         Some(ToolGeometry { beam: Vec::new(), ..body })
     }
 
-    /// A geometry that keeps a little less: by so much of its margin, and by so many steps of half a degree of
-    /// the cone of its own neighbourhood. What just passes with the one must not just hit with the other.
+    /// A geometry that keeps a little less: `less_mm` of its margin, and `steps` times half a degree of the cone of
+    /// its own neighbourhood. So what just passes with the one does not just hit with the other.
     pub fn eased(&self, less_mm: f64, steps: u8) -> ToolGeometry<'a> {
         let margin_mm = (self.margin_mm - less_mm).max(0.0);
         let own = OwnCone {
@@ -126,7 +126,7 @@ impl<'a> ToolGeometry<'a> {
     }
 }
 
-/// Radius of a ray, mm: what it keeps from clamps, and the part.
+/// Radius that stands for a ray, mm: the clearance it keeps from clamps and the part.
 const RAY_MM: f64 = 0.02;
 
 /// Spot, waist and aperture joined by straight lines: outside of the beam's own curve, which bends
@@ -150,7 +150,7 @@ fn widened(profile: &[(f64, f64)], margin_mm: f64, own: OwnCone) -> Vec<Frustum>
             continue;
         }
         let slope = (r1 - r0) / (t1 - t0);
-        // Where the two are as wide as each other.
+        // Where the widened beam and the cone are equally wide.
         let even = (r0 + margin_mm - slope * t0) / (own.slope - slope);
         let mut stops = vec![start];
         stops.extend([even].into_iter().filter(|t| *t > start && *t < t1));

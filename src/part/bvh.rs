@@ -13,7 +13,7 @@ use rayon::prelude::*;
 const LEAF: usize = 4;
 const BINS: usize = 16;
 
-/// Subtrees of more facets than this are built side by side.
+/// Subtrees of more facets than this are built in parallel.
 const SIDE_BY_SIDE: usize = 1 << 13;
 
 #[derive(Clone, Copy, Debug)]
@@ -158,7 +158,7 @@ impl Bvh {
     }
 }
 
-/// A ray made ready for boxes, which it may pass by at `radius` (per axis).
+/// A ray prepared for tests against boxes, each widened by `radius` (per axis).
 struct Slabs {
     origin: [[f64; 3]; 2],
     inverse: [f64; 3],
@@ -214,12 +214,12 @@ pub fn ray_hit_mm([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vect
     let u = s.dot(&p) / det;
     let q = s.cross(&e1);
     let v = dir.dot(&q) / det;
-    // A hair over the rim: two facets at an edge must not both miss the ray that runs through it.
+    // Slightly beyond the rim: two facets at an edge must not both miss the ray that runs through it.
     let slack = 1e-9;
     (u >= -slack && v >= -slack && u + v <= 1.0 + slack).then(|| e2.dot(&q) / det)
 }
 
-/// A facet on its way into the tree.
+/// A facet with its box, while the tree is built.
 #[derive(Clone, Copy)]
 struct FacetBox {
     bounds: Aabb,
@@ -288,7 +288,7 @@ fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize) 
     }
 }
 
-/// Takes a tree over, its root to `place`, the rest behind all others.
+/// Moves a tree into `nodes`: its root to `place`, the rest to the end.
 fn graft(nodes: &mut Vec<Node>, place: usize, tree: &[Node]) {
     // A child's index in `tree` counts the root.
     let shift = nodes.len() as u32 - 1;
@@ -300,7 +300,7 @@ fn graft(nodes: &mut Vec<Node>, place: usize, tree: &[Node]) {
     nodes.extend(tree);
 }
 
-/// Orders facets into two groups and tells where the second begins (neither is empty).
+/// Orders facets into two groups, and returns where the second begins (neither is empty).
 fn split(items: &mut [FacetBox]) -> usize {
     let centres = items.iter().fold(Aabb::NONE, |b, i| {
         let c = [0, 1, 2].map(|k| i.bounds.middle(k));

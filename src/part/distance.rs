@@ -67,7 +67,7 @@ pub fn segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f6
     if inside { ends.min((w + u * s - v * t).norm()) } else { ends }
 }
 
-/// A ray with a width, made ready to tell most triangles that keep farther away at little cost.
+/// A ray with a width, prepared to rule out most triangles that are farther away at little cost.
 #[derive(Clone, Copy, Debug)]
 pub struct WideRay {
     origin: Point3<f64>,
@@ -90,10 +90,10 @@ impl WideRay {
         WideRay { origin: *origin, dir: *dir, u, v, radius_mm: radius_mm * 1.001 + 1e-9 }
     }
 
-    /// `true`: the triangle is certainly farther than the radius. `false`: who knows.
+    /// `true`: the triangle is certainly farther away than the radius. `false`: undecided.
     ///
-    /// Seen along the ray, its start is a point; it is looked for a line between it and the
-    /// triangle along one of the sides.
+    /// Seen along the ray, its start is a point: the test looks for a line parallel to a side of the triangle that
+    /// separates the two.
     #[inline]
     pub fn surely_misses(&self, corners: &[Point3<f64>; 3]) -> bool {
         let d = corners.map(|c| c - self.origin);

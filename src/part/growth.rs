@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// A part and its surfaces with metal on them.
 #[derive(Clone, Debug, Default)]
 pub struct GrownPart {
-    /// The part; what is known of its file and its merge tree are those of the bare part.
+    /// The part; figures of its file and merge tree are those of the bare part.
     pub part: Part,
     /// The surfaces of the bare part, with the areas that they have on this one.
     pub surfaces: Surfaces,
@@ -95,7 +95,7 @@ fn corner_deg(mesh: &Mesh, facet: u32, vertex: u32) -> f64 {
     angle::between_deg(&(corners[(k + 1) % 3] - corners[k]), &(corners[(k + 2) % 3] - corners[k]))
 }
 
-/// The shortest way that moves all facets' planes by their heights as nearly as can be.
+/// The shortest shift of a vertex that moves the planes of its facets by their heights (least squares).
 fn vertex_shift(spread: Matrix3<f64>, wanted: &Vector3<f64>) -> Vector3<f64> {
     let eigen = SymmetricEigen::new(spread);
     let most = eigen.eigenvalues.max();

@@ -19,7 +19,7 @@ pub struct InspectReport {
     pub boundary_edges: usize,
     /// Edges with more than two facets.
     pub non_manifold_edges: usize,
-    /// What hangs together through edges.
+    /// Shells: facets connected through edges.
     pub shells: usize,
     /// Whether every edge has exactly two facets.
     pub watertight: bool,

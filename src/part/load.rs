@@ -21,7 +21,7 @@ impl Part {
         flipped_shells: &[u32],
     ) -> Result<Part, StlError> {
         let made = Source::from_bytes(bytes)?.part(units, placement, flipped_shells, &Progress::default())?;
-        // Nobody can have cancelled it.
+        // It cannot have been cancelled: nobody else holds this progress.
         Ok(made.unwrap_or_default())
     }
 }

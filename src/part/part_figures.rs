@@ -21,9 +21,9 @@ pub struct PartFigures {
     pub duplicate_facets: usize,
     /// Enclosed volume, mm³; `None` where the part is not watertight.
     pub volume_mm3: Option<f64>,
-    /// The unit that was taken.
+    /// The unit that the file was read in.
     pub units: Units,
-    /// A unit that would give a plausible size, where that one does not.
+    /// A unit that would give a plausible size, where the one above does not.
     pub better_units: Option<Units>,
     /// Solids in the file.
     pub solids: usize,

@@ -2,7 +2,7 @@
 //!
 //! The promise: every dropped point lies within the chord error of the kept chord that spans it;
 //! no chord is longer, or turns the normal more, than allowed. From each kept point the farthest
-//! one that keeps the promise is taken, P2's own way, checked against all points between: on a
+//! one that keeps the promise is taken, as P2 does, checked against all points between: on a
 //! circle of radius R that is within one of `ceil(π / acos(1 − dε/R))`.
 
 use super::dense::{DensePoint, midway};
@@ -80,7 +80,7 @@ pub fn simplify(
             }
             end.share = low;
         }
-        // The dear question is asked of the farthest place first, then of those half way back.
+        // `may_span` is expensive: it is asked of the farthest place first, then by bisection.
         let (mut good, mut bad) = (from.index + 1, to + usize::from(end.share > 0.0));
         if (end.share > 0.0 || to > good) && !may_span(from, end) {
             while bad > good + 1 {
@@ -99,7 +99,7 @@ fn spans(points: &[DensePoint], from: LinePlace, to: LinePlace, limits: &ChordLi
     let (a, b) = (from.point_on(points), to.point_on(points));
     let turn = |q: &DensePoint| angle::between_deg(&a.n, &q.n);
     // Dropped points may not lie beyond a chord's turn either: a bump returns to its first normal.
-    // Whole numbers of gaps must not lose one by rounding.
+    // The tolerance keeps rounding from losing one of a whole number of gaps.
     (b.p - a.p).norm() <= limits.max_step_mm * (1.0 + 1e-9)
         && points[from.until(to)].iter().chain([&b]).all(|q| turn(q) <= limits.max_turn_deg + 1e-9)
         && chord_error_mm(points, from, to) <= limits.chord_error_mm

@@ -13,7 +13,7 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// What the beam stands along where nothing is in its way.
+/// Where the axis of the beam comes from where nothing is in its way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AxisSource {
@@ -30,9 +30,9 @@ crate::part::keyed_words!(AxisSource: Mesh, Neighbours);
 const REACH: f64 = 2.0;
 /// A pass that ends so far before the plane is met all the same, as a share of that reach.
 const SHORT: f64 = 0.05;
-/// Neighbours nearer together than this share of the spacing tell no direction.
+/// Distance of two neighbours, as a share of the spacing, below which they give no direction.
 const APART: f64 = 0.1;
-/// What stands farther off the mesh's normal than this came from no neighbours of one surface, degrees.
+/// Greatest angle to the mesh's normal, degrees; beyond it the neighbours are not those of one surface.
 const MOST_OFF_DEG: f64 = 45.0;
 /// Segments that share a box.
 const BLOCK: usize = 16;
@@ -106,8 +106,8 @@ fn blocks(line: &TransversalLine) -> Vec<SideBlock> {
     sides.chunks(BLOCK).map(block).collect()
 }
 
-/// Where the plane through a point, square to its travel, cuts passes: the nearest place on the same side of
-/// the part.
+/// Where the plane through a point, square to its travel, cuts neighbouring passes: the nearest crossing on the
+/// same side of the part.
 fn nearest_crossing(
     blocks: &[&SideBlock],
     q: &SectionPoint,

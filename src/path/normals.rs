@@ -76,7 +76,7 @@ impl VertexNormals {
     }
 }
 
-/// Normal between two points, by the share `t` of the way (P2 4.2.3; the print has the weights
+/// Normal between two points, at the share `t` of the way (P2 4.2.3; the print has the weights
 /// swapped).
 pub fn between(from: &Vector3<f64>, to: &Vector3<f64>, t: f64) -> Vector3<f64> {
     angle::unit(from * (1.0 - t) + to * t).unwrap_or(*from)

@@ -22,7 +22,7 @@ pub enum DoseLook {
 pub const UNLIT: Rgb = [120, 122, 126];
 /// More than the window allows.
 pub const OVER: Rgb = [226, 58, 38];
-/// A chosen surface that gets too little for want of light.
+/// A chosen surface that gets too little because too little light comes.
 pub const UNDER: Rgb = [30, 32, 36];
 /// A chosen surface that gets too little because something shades it.
 pub const SHADED: Rgb = state::MISSED;

@@ -62,7 +62,7 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     items
 }
 
-/// Draws lines of which nothing is known yet but where they lie.
+/// Lines that are laid but not planned yet, as one item.
 pub fn toolpath_item(lines: &[Arc<Laid>]) -> LineItem {
     let points = lines.iter().flat_map(|l| &l.lines);
     let segments: Vec<LineSegment> = points
@@ -79,7 +79,7 @@ pub fn toolpath_item(lines: &[Arc<Laid>]) -> LineItem {
     LineItem { key, segments: Arc::new(segments), width_px: 1.4, depth, scene_from_item }
 }
 
-/// Evenly every k-th target, but all that interfere up to the limit.
+/// Every k-th target; those that interfere are kept more densely.
 fn thinned<'a>(
     passes: impl Iterator<Item = &'a Pass>,
     count: usize,

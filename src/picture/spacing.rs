@@ -9,10 +9,10 @@ use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
 use std::sync::Arc;
 
-/// The scale is at least so wide to each side of what is wanted: less is as wanted.
+/// Least half width of the scale, as a share of the wanted spacing: smaller deviations do not matter.
 const AS_WANTED: f64 = 0.02;
 
-/// A place with the spacing there.
+/// A sample: a place, and the spacing measured there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpacingSample {
     /// Surface number.

@@ -1,4 +1,4 @@
-//! Head, beam and clamps as they stand at a target: what the proof is about, to be looked at.
+//! Head, beam and clamps as they stand at a target: the bodies that the proof is about.
 
 use super::palette::Rgb;
 use super::solid::ColoredSolid;

@@ -17,7 +17,7 @@ use crate::path::{SectionPoint, TransversalLine};
 use nalgebra::Vector3;
 use planned::Planned;
 
-/// Ends of an interfering run are found to this, mm.
+/// Precision of the ends of an interfering run, mm.
 const RUN_END_MM: f64 = 0.05;
 
 /// A line to be planned.
@@ -33,8 +33,8 @@ pub struct LineOnSurface<'a> {
     pub m: Option<Vector3<f64>>,
 }
 
-/// Plans one line of one surface. Of several configurations the first is what is wanted; another one is taken
-/// where it leaves less of the line blocked. Over the line's dark gaps the laser is off.
+/// Plans one line of one surface. The first configuration is preferred; a later one is taken if it leaves less of
+/// the line blocked. The laser is off over the line's dark gaps.
 pub fn plan_line(
     part: &Part,
     configurations: &[ToolConfiguration<'_>],
@@ -60,7 +60,7 @@ pub fn plan_line(
     )
 }
 
-/// Plans a line by the section plane within the greatest tilt of `rules`: what the search is compared with.
+/// Plans a line by the section plane within the greatest tilt of `rules`, for comparison with the search.
 pub fn plan_line_by_section_plane(
     part: &Part,
     configuration: &ToolConfiguration<'_>,
@@ -81,8 +81,8 @@ fn planned(
         return planned_piece(part, configuration, whole_line, rules, correction);
     }
     let LineOnSurface { line, surface, m, .. } = whole_line;
-    // What a beam keeps clear of on one side of a gap says nothing of the other side: each piece is planned
-    // by itself, and its first target is reached with the laser off, as any pass's.
+    // Obstacles on one side of a gap do not matter on the other, so each piece is planned by itself; its first
+    // target is reached with the laser off, as in any pass.
     let mut whole = Pass {
         surface: *surface,
         settings: configuration.settings,
@@ -99,7 +99,7 @@ fn planned(
         let way_mm = |w: &[SectionPoint]| (w[1].p - w[0].p).norm();
         start_mm += last.map_or(0.0, |last: SectionPoint| (points[0].p - last.p).norm());
         last = points.last().copied();
-        // Pins are told by their place on the whole line.
+        // Pins are placed on the whole line.
         let moved = |pin: &Pin| Pin { at_mm: pin.at_mm - start_mm, ..*pin };
         let rules = LineRules { pins: rules.pins.iter().map(moved).collect(), ..rules.clone() };
         start_mm += points.windows(2).map(way_mm).fold(0.0, |a, b| a + b);
@@ -168,7 +168,7 @@ fn planned_piece(
     planned.fill(&beam, pass, &kept)
 }
 
-/// Finds out which points are free, and adds those at which that changes.
+/// Finds which points are free, and adds points where a run of interference begins or ends.
 fn detected(beam: &Beam<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<bool>) {
     let is_free = |q: &DensePoint| beam.is_free(&q.p, &q.n);
     let (mut out, mut free): (Vec<DensePoint>, Vec<bool>) = (Vec::with_capacity(points.len()), Vec::new());

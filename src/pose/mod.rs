@@ -1,7 +1,7 @@
-//! How the beam stands at every target: path frames, interference, the corrections, the motion
-//! between targets, and an independent checker.
+//! How the beam stands at every target: path frames, interference of beam and head, the corrections, the
+//! motion between targets, and an independent checker.
 //!
-//! Part frame, millimetres and degrees. The beam here is a ray (P1); robots come later.
+//! Part frame, millimetres and degrees. Robots are unknown here; they come in `cell`.
 
 pub mod access;
 mod beam_pose;

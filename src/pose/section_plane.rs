@@ -13,9 +13,9 @@ pub const MAX_TILT_DEG: f64 = 45.0;
 /// Greatest tilt of a beam towards O, degrees: a round spot is 5.8 times as long as wide there. On
 /// every V-groove narrow enough to interfere the beam at its root is tilted more than 45°.
 const MAX_TILT_TO_O_DEG: f64 = 80.0;
-/// What a turned beam keeps to the nearest blocked direction, degrees.
+/// Angle that a turned beam keeps from the nearest blocked direction, degrees.
 const SPARE_DEG: f64 = 1.0;
-/// Below this length a normal's part in the section plane gives no direction.
+/// Length below which the projection of a normal into the section plane gives no direction.
 const IN_PLANE: f64 = 0.1;
 /// A run whose corrected beams still interfere is tried again from wider ends, up to so many dense
 /// points on each side. Between gear teeth the end beams graze the same tip, so O lies beside it
@@ -175,13 +175,13 @@ impl LineCorrection<'_> {
         best.map_or_else(|| Attempt { first, axes: vec![None; last + 1 - first], faults: 0 }, |b| self.completed(b))
     }
 
-    /// A run at a line's end, or a line that is one run.
+    /// A run at a line's end, or one that is the whole line.
     fn one_ended(&self, first: usize, last: usize, end: Option<usize>) -> Attempt {
         let axes = (first..=last).map(|i| self.turned_away(i, &self.points[end?].n)).collect();
         Attempt { first, axes, faults: 0 }
     }
 
-    /// What the ends' beams cannot do, a turn of the point's own may.
+    /// Turns single points by themselves where the axes of the run still hit something.
     fn completed(&self, mut attempt: Attempt) -> Attempt {
         let last = attempt.first + attempt.axes.len() - 1;
         if attempt.axes.iter().any(Option::is_none) {
@@ -266,7 +266,7 @@ impl LineCorrection<'_> {
                 && self.beam.is_free(&q.p, &a)
                 && self.beam.is_free(&q.p, &axis(by - SPARE_DEG))
         };
-        // What is found has a degree to spare, so steps of a degree pass over no more than that.
+        // A beam that is found keeps a degree to spare, so steps of a degree miss nothing usable.
         const STEP_DEG: f64 = 1.0;
         let steps = (2.0 * self.limits_deg.0 / STEP_DEG) as usize;
         let found = (0..=steps).map(|k| k as f64 * STEP_DEG).find(|&by| good(by))?;

@@ -78,19 +78,19 @@ pub enum TiltSide {
 /// What a surface asks of the tilt.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TiltRule {
-    /// The tilt that is best, in place of none; P3 asks for a small one against back reflection.
+    /// The tilt to prefer to none; P3 asks for a small one against back reflection.
     pub preferred: Tilt,
-    /// A beam nearer the normal than this is not taken, degrees.
+    /// Least angle between beam and normal, degrees.
     pub least_deg: f64,
-    /// Beams that stand to one of these sides by more than a degree are not taken.
+    /// Sides to which the beam must not be tilted by more than a degree.
     pub forbidden: Vec<TiltSide>,
 }
 
-/// A beam stands to a side if it does so by more than this, degrees.
+/// Tilt to a side up to which a beam does not count as tilted to it, degrees.
 const TO_A_SIDE_DEG: f64 = 1.0;
 
 impl TiltRule {
-    /// Whether the rule lets a beam stand so.
+    /// Whether the rule allows a tilt.
     pub fn allows(&self, tilt: Tilt) -> bool {
         let to = |side: &TiltSide| match side {
             TiltSide::Lead => tilt.lead_deg,
@@ -98,7 +98,7 @@ impl TiltRule {
             TiltSide::Left => -tilt.lean_deg,
             TiltSide::Right => tilt.lean_deg,
         };
-        // A hair of tolerance: what is asked for is allowed, whatever the rounding.
+        // A small tolerance: the tilt that was asked for is allowed, whatever the rounding.
         tilt.angle_deg() >= self.least_deg - 1e-6 && self.forbidden.iter().all(|side| to(side) <= TO_A_SIDE_DEG + 1e-6)
     }
 

@@ -1,17 +1,17 @@
 //! How close lines have to lie for enough to land between them: long parallel lines on a plate, which the spot
-//! crosses at its defocus. Rims, bends and slopes are not looked at.
+//! crosses at its defocus. Rims, bends and slopes are not modelled.
 
 use super::spot::Spot;
 
-/// Places between two lines that are looked at.
+/// Number of places sampled between two lines.
 const PLACES: u32 = 32;
-/// Spacings are tried downwards by this share.
+/// Ratio of one trial spacing to the one before.
 const STEP: f64 = 0.99;
-/// Closer than this share of the spot is no advice: there the power is too little, or the speed too great.
+/// Least spacing worth advising, as a share of the spot; below it the power is too low, or the speed too high.
 const CLOSEST_SHARE: f64 = 0.1;
 
 impl Spot {
-    /// What a long line leaves at a distance from it, 1/mm: times power and over speed it is the energy per area.
+    /// Density that a long line leaves at a distance from it, 1/mm: times power over speed it is the energy per area.
     pub fn density_beside_line(&self, y_mm: f64) -> f64 {
         let [reach, _] = self.reach_mm(self.defocus_mm);
         let (from, to) = ([-reach, y_mm], [reach, y_mm]);
@@ -29,8 +29,8 @@ impl Spot {
     }
 
     /// The greatest spacing below `from_mm`, to a hundredth of it, at which what lands between lines is enough;
-    /// `is_enough` is asked with a spacing and the least that lands at it. `None` where it is enough as it is, or at
-    /// none that is worth the name.
+    /// `is_enough` gets a spacing and the least that lands at it. `None` if `from_mm` is close enough already, or if no
+    /// practicable spacing is.
     pub fn closer_than(&self, from_mm: f64, is_enough: &dyn Fn(f64, f64) -> bool) -> Option<f64> {
         let enough = |mm: f64| is_enough(mm, self.least_between(mm));
         let closest = CLOSEST_SHARE * self.spot_mm;

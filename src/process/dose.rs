@@ -16,13 +16,13 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Samples are no wider than this share of the spot, corner to corner.
+/// Greatest width of a sample, corner to corner, as a share of the spot.
 const SAMPLE_SPOTS: f64 = 0.25;
-/// Nor, on chosen surfaces where no light comes, than so many spots.
+/// Greatest width of a sample on chosen surfaces where no light comes, in spots.
 const DARK_SPOTS: f64 = 1.0;
-/// Large facets are shared out in plots so many samples wide.
+/// Width of the plots that large facets are divided into, in samples.
 const PLOT_SIDES: f64 = 32.0;
-/// Plots that are worked on in one go.
+/// Plots per parallel job.
 const CHUNK: usize = 64;
 
 /// What a dose is computed from.
@@ -36,7 +36,7 @@ pub struct DoseInput<'a> {
     pub clamps: &'a [Obstacle],
     /// The surfaces that are to be cleaned.
     pub chosen: Vec<u32>,
-    /// What is little and what is much.
+    /// Which doses are too little and too much.
     pub thresholds: Thresholds,
     /// Thresholds of surfaces that have their own, by their numbers.
     pub own: BTreeMap<u32, Thresholds>,
@@ -51,11 +51,11 @@ pub struct DoseMap {
     pub corners: Vec<[f32; 3]>,
     /// Where the samples of each facet begin; one more than there are facets.
     starts: Vec<u32>,
-    /// No sample in the light is wider, corner to corner, mm.
+    /// Greatest width of a sample in the light, corner to corner, mm.
     pub sample_mm: f64,
     /// The part was so large that samples are larger than a quarter of the spot.
     pub coarsened: bool,
-    /// What is little and what is much.
+    /// Which doses are too little and too much.
     pub thresholds: Thresholds,
     /// Thresholds of facets whose surfaces have their own, by facet.
     pub(super) own: BTreeMap<u32, Thresholds>,
@@ -65,7 +65,7 @@ pub struct DoseMap {
     pub light: Light,
 }
 
-/// One pass at a point.
+/// What one pass leaves at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotHit {
     /// Number of the pass.
@@ -78,7 +78,7 @@ pub struct SpotHit {
     pub j_cm2: f64,
 }
 
-/// Energy by energy and angle, from one point.
+/// Energy that lands at one point, summed over pieces of the light.
 #[derive(Default)]
 struct Sum {
     j_mm2: f64,
@@ -86,7 +86,7 @@ struct Sum {
     angle_j: f64,
     last_pass: Option<u32>,
     passes: u16,
-    /// What shades, and how much.
+    /// What shades it, and how much energy each keeps off, J/mm².
     walls: Vec<(Obstruction, f64)>,
 }
 
@@ -109,7 +109,7 @@ impl Sum {
     }
 }
 
-/// What of one piece lands at a point.
+/// The energy of one piece of the light that lands at a point.
 struct Landed {
     pass: u32,
     at_s: f64,
@@ -223,15 +223,15 @@ fn near_facets(
     Some(of_facet)
 }
 
-/// The facets that a run lights; all of it is one pass's.
+/// The facets that a run lights. All pieces of a run belong to one pass.
 fn lit_of_run(input: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
     let run = light.run(index).1;
     let Some(piece) = run.first() else { return Vec::new() };
     lit_facets(input.part, input.surfaces, shade, light.spot(piece), run)
 }
 
-/// All live facets as plots, large ones cut; with the pitch at which they can be sampled, and whether
-/// that is more than it should be.
+/// The pitch at which the facets can be sampled, whether it is coarser than wanted, and all live facets as plots,
+/// large ones divided.
 fn plots(
     input: &DoseInput<'_>,
     light: &Light,
@@ -242,7 +242,7 @@ fn plots(
     let mut pitch_mm = SAMPLE_SPOTS * spot_mm / 2f64.sqrt();
     let mesh = &input.part.mesh;
     let size_mm = input.part.bvh.diagonal_mm();
-    // No smaller than this, however small the spot: there are not too many of them.
+    // Not below this share of the part, however small the spot, so that there are not too many.
     let dark_mm = (DARK_SPOTS * spot_mm).max(size_mm / 500.0);
     let plot_mm = (PLOT_SIDES * pitch_mm).max(size_mm / 500.0);
     let whole: Vec<Plot> = near

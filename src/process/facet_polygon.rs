@@ -1,6 +1,6 @@
 //! A piece of a facet: a convex polygon in the facet's own plane, cut along a grid that lies along the
-//! facet's longest side. So a long thin facet gives as few pieces as its area needs, and a part that is
-//! turned gives the same ones.
+//! facet's longest side. So a long thin facet gives no more pieces than its area needs, and turning the
+//! part does not change them.
 
 use nalgebra::{Point3, Vector3};
 

@@ -1,5 +1,5 @@
-//! The light of a plan: moves of the spot with the laser on, cut into pieces on which the beam hardly
-//! turns, and what of a piece's energy comes by a point.
+//! The light of a plan: moves of the spot with the laser on, cut into pieces on which the beam hardly turns, and
+//! the energy that a piece brings to a point if nothing shades it.
 //!
 //! On a piece the spot goes straight and the axis turns evenly. Seen from a point, the axis then goes
 //! by in a straight line, at every height above and below the spot, and neighbouring pieces join.
@@ -10,25 +10,24 @@ use crate::part::angle;
 use crate::pose::{Pass, target};
 use nalgebra::{Point3, Vector3};
 
-/// The beam turns no more than this on a piece, degrees: 30 mm from the spot the way of its axis then
-/// bends by 0.02 mm.
+/// Greatest turn of the beam on a piece, degrees: 30 mm from the spot the path of its axis then bends by
+/// 0.02 mm.
 const TURN_DEG: f64 = 4.0;
 /// Moves that follow one another are one piece as long as the targets between lie on the way, to this
 /// share of the spot, and the axes there to this angle.
 const STRAIGHT_SPOTS: f64 = 0.005;
 /// That angle, degrees: 0.1 mm at 30 mm from the spot.
 const EVEN_DEG: f64 = 0.2;
-/// No piece is longer than so many spots, so that what is near one of them is not far from its middle.
+/// Greatest length of a piece, in spots, so that what is near a piece is not far from its middle.
 const LENGTH_SPOTS: f64 = 3.0;
-/// Nor is it cut shorter than this for that reason, mm.
+/// Pieces are not cut shorter than this for that reason, mm.
 const LENGTH_MM: f64 = 1.0;
-/// Pieces that follow one another are looked at together as far as the beam turns no more than this,
-/// degrees.
+/// Greatest turn of the beam over a run of successive pieces that are processed together, degrees.
 const RUN_TURN_DEG: f64 = 8.0;
-/// What comes by a point is neglected below this share of what the middle of one line gets.
+/// Share of the energy in the middle of one line below which a piece is neglected at a point.
 const NEGLIGIBLE: f64 = 1e-5;
 
-/// Where the beam stands: spot, axis, travel direction and n = o × a, in the part frame.
+/// The path frame at the spot: spot, axis a, travel direction o and n = o × a, in the part frame.
 #[derive(Clone, Copy, Debug)]
 pub struct BeamFrame {
     /// The spot, mm.
@@ -53,12 +52,12 @@ impl BeamFrame {
     }
 }
 
-/// A stretch of a lit move.
+/// A piece of a lit move.
 #[derive(Clone, Copy, Debug)]
 pub struct LightPiece {
     /// Number of its pass.
     pub pass: u32,
-    /// What it shines with, among [`Light::lamps`].
+    /// Its lamp, an index into [`Light::lamps`].
     pub lamp: u32,
     /// Where it begins.
     pub from: BeamFrame,
@@ -97,7 +96,7 @@ impl LightPiece {
         (self.from.a * (1.0 - t) + self.to.a * t).normalize()
     }
 
-    /// A point as it is seen from here.
+    /// A point in the frames of both ends.
     #[inline]
     pub fn sees(&self, q: &Point3<f64>, defocus_mm: f64) -> SeenPoint {
         let (u, v) = (q - self.from.p, q - self.to.p);
@@ -111,7 +110,7 @@ impl LightPiece {
     }
 }
 
-/// What comes by a point from one piece.
+/// The energy that one piece brings to a point if nothing shades it.
 #[derive(Clone, Copy, Debug)]
 pub struct Passing {
     /// The point as seen.
@@ -129,7 +128,7 @@ pub struct Light {
     pub pieces: Vec<LightPiece>,
     /// Pieces that follow one another and lie near together: where each such run ends in `pieces`.
     pub runs: Vec<u32>,
-    /// What the passes shine with.
+    /// Spots and powers of the passes.
     pub lamps: Vec<Lamp>,
 }
 
@@ -205,7 +204,7 @@ impl Light {
         Light { pieces, runs, lamps }
     }
 
-    /// What a piece shines with.
+    /// The lamp of a piece.
     #[inline]
     pub fn lamp(&self, piece: &LightPiece) -> &Lamp {
         &self.lamps[piece.lamp as usize]
@@ -246,7 +245,7 @@ impl Light {
         })
     }
 
-    /// What comes by a point from a piece, if it is worth a look.
+    /// The energy that a piece brings to a point; `None` where it is negligible.
     #[inline]
     pub fn passing(&self, piece: &LightPiece, q: &Point3<f64>) -> Option<Passing> {
         let lamp = self.lamp(piece);
@@ -272,7 +271,7 @@ fn piece_count(from: &BeamFrame, to: &BeamFrame, longest_mm: f64) -> u32 {
     ((to.p - from.p).norm() / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0) as u32
 }
 
-/// How many moves from the first stand on are one piece; the first is in any case.
+/// How many moves from the first frame on go straight and turn evenly enough to be one piece; at least one.
 fn count_even_moves(frames: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize {
     let Some(first) = frames.first() else { return 0 };
     let mut way_mm = vec![0.0];

@@ -1,8 +1,8 @@
 //! What the beam does to the surface: energy per area where it really lands, and what that leaves
-//! unclean, harms, or hits beside what was chosen.
+//! unclean, damages, or hits outside the chosen surfaces.
 //!
 //! Part frame, mm; energy per area J/mm² inside, J/cm² in what is handed out. The laser runs evenly:
-//! pulses, heat and reflected light are not looked at.
+//! pulses, heat and reflected light are not modelled.
 
 pub mod bead;
 pub mod closeness;

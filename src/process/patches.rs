@@ -16,7 +16,7 @@ pub enum PatchCause {
     Shaded,
     /// No line comes near.
     Missed,
-    /// Lines come, but too little lands: other values would clean it, not another job.
+    /// Lines come near, but too little lands: other process settings would clean it.
     Thin,
 }
 
@@ -56,10 +56,10 @@ pub struct Patch {
     /// Twice as far as any of it lies from the nearest line, mm: between two lines that is their distance here.
     /// Infinite where there is no line.
     pub gap_mm: f64,
-    /// A spacing below this would bring enough to the gap between lines, mm; none where it is no such gap, or none
-    /// was looked for.
+    /// A spacing below this would bring enough to the gap between lines, mm; `None` if it is not such a gap, or no
+    /// spacing was looked for.
     pub closer_than_mm: Option<f64>,
-    /// The facets of which the larger half lies in it: what a second list takes over.
+    /// The facets that lie in it by more than half: what the list for later takes over.
     pub facets: Vec<u32>,
 }
 
@@ -205,7 +205,7 @@ impl DoseMap {
     }
 }
 
-/// Samples of one patch whose cause is looked for.
+/// Number of samples of a patch that its cause is judged by.
 const MOST_JUDGED: usize = 2000;
 
 fn same(a: &Option<Blocker>, b: &Option<Blocker>) -> bool {

@@ -1,7 +1,7 @@
 //! Which facets a run of the light comes near, and which of them nothing can shade.
 //!
 //! Most of a part is lit without anything in between, and a ray for each sample would cost more than
-//! all the rest: a facet that no other facet near the beam can shade is told here, once for a run.
+//! all the rest: so facets that no other facet near the beam can shade are found here, once for a run.
 
 use super::floor::{floor_mm, in_frame};
 use super::light::LightPiece;
@@ -11,7 +11,7 @@ use crate::part::{Part, Surfaces, angle, topology::Dead};
 use crate::pose::target;
 use nalgebra::{Point3, Vector3};
 
-/// A plane may be missed by this much before a corner counts as beyond it, mm: the rounding of f32
+/// Tolerance before a corner counts as beyond a plane, mm: the rounding of f32
 /// coordinates on a metre, which is far less than any shadow is wide.
 const PLANE_MM: f64 = 1e-4;
 /// Length of the first stretch above and below the spot that is looked at by itself, mm; each further
@@ -23,7 +23,7 @@ const FIRST_STRETCH_MM: f64 = 2.0;
 pub struct Near {
     /// Its place in [`super::light::Light::pieces`].
     pub piece: u32,
-    /// Nothing stands between.
+    /// Nothing can shade it.
     pub clear: bool,
 }
 
@@ -36,7 +36,7 @@ struct SeenFacet {
     up: Vector3<f64>,
     /// How steeply it rises to the light: sine.
     rise: f64,
-    /// Whether its side to be worked on is lit.
+    /// Whether the light comes to the side that is worked on.
     lit: bool,
     /// Least and greatest x, y and height.
     low: [f64; 3],
@@ -119,7 +119,7 @@ impl RunFrame {
         Some(frame)
     }
 
-    /// How far along and across the light reaches between two heights.
+    /// How far along and across the light reaches between two heights, mm.
     fn reach(&self, spot: &Spot, low: f64, high: f64) -> [f64; 2] {
         let deepest = (spot.defocus_mm - low).abs().max((spot.defocus_mm - high).abs()) + self.half[2];
         let sway = self.turn * (low.abs().max(high.abs()) + self.half[2]);
@@ -159,7 +159,7 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[LightPiece], frame
     far = FIRST_STRETCH_MM;
     let mut floor = f64::NEG_INFINITY;
     while far < -bottom {
-        // Looked at as wide as the light is at the end of the stretch.
+        // Searched as wide as the light is at the end of the stretch.
         let half = frame.reach(spot, -far, far);
         floor = floor_mm(half, found.iter().map(|f| &f.1)).filter(|f| *f > -far).unwrap_or(floor);
         if floor > -far {

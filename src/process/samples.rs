@@ -7,7 +7,7 @@ use super::reach::Near;
 use crate::pose::Obstruction;
 use nalgebra::Point3;
 
-/// So many samples at most, then they are cut more coarsely: some 400 MB.
+/// Greatest number of samples, some 400 MB; beyond it they are cut more coarsely.
 pub const MOST_SAMPLES: usize = 4_000_000;
 
 /// A piece of the surface and what lands on it.
@@ -31,7 +31,7 @@ pub struct DoseSample {
     pub unshaded_j_cm2: f32,
     /// Angle between light and normal, degrees, weighed by energy; −1 where nothing lands.
     pub incidence_deg: f32,
-    /// What keeps most off.
+    /// What keeps the most energy off.
     pub shaded_by: Option<Obstruction>,
 }
 
@@ -96,7 +96,7 @@ fn halve(
     lists.truncate(end);
 }
 
-/// Cuts a plot into smaller ones, so that many hands may work on it.
+/// Divides a plot into smaller ones for parallel work.
 pub fn split_plot(light: &Light, pitch_mm: f64, plot: Plot) -> Vec<Plot> {
     if plot.cell.size_mm() <= pitch_mm {
         return vec![plot];

@@ -8,7 +8,7 @@ use super::parameters::Profile;
 use crate::beam::Optics;
 use std::f64::consts::PI;
 
-/// A Gaussian spot is looked at out to so many of its radii: 3.7e-6 of its power lies beyond.
+/// Radius at which a Gaussian spot is cut off, in radii at 1/e²: 3.7e-6 of its power lies beyond.
 const GAUSSIAN_REACH: f64 = 2.5;
 
 /// The spot of a job at any height.
@@ -52,7 +52,7 @@ impl Spot {
         }
     }
 
-    /// Whether a place is within the spot's diameter, or within the line.
+    /// Whether a place is within the spot's diameter, or within the scanned line.
     pub fn covers(&self, [x, y]: [f64; 2], z_mm: f64) -> bool {
         let r = self.radius_mm(z_mm);
         match self.profile {

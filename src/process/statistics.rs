@@ -1,11 +1,11 @@
-//! What a dose comes to: shares of the chosen area, what lands where it should not, a histogram.
+//! Statistics of a dose: shares of the chosen area, what lands where it should not, a histogram.
 
 use super::dose::DoseMap;
 use super::samples::DoseSample;
 use crate::part::Surfaces;
 use std::collections::BTreeMap;
 
-/// What became of a sample of a chosen surface.
+/// How the dose on a sample of a chosen surface is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DoseVerdict {
     /// Enough and not too much.
@@ -14,7 +14,7 @@ pub enum DoseVerdict {
     Under,
     /// Too much.
     Over,
-    /// It would be enough, but for what shades it.
+    /// Too little, because something shades it.
     Shaded,
 }
 
@@ -27,11 +27,11 @@ pub struct Shares {
     pub under: f64,
     /// Too much.
     pub over: f64,
-    /// It would be enough, but for what shades it.
+    /// Too little, because something shades it.
     pub shaded: f64,
 }
 
-/// A surface that was not chosen and gets more than it may.
+/// A surface that was not chosen and gets more than is allowed there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collateral {
     /// Its number.
@@ -43,7 +43,7 @@ pub struct Collateral {
 }
 
 impl DoseMap {
-    /// What became of a sample, if its surface is chosen.
+    /// How the dose on a sample is judged, if its surface is chosen.
     pub fn verdict(&self, sample: &DoseSample) -> DoseVerdict {
         let t = self.own.get(&sample.facet).unwrap_or(&self.thresholds);
         let (dose, unshaded) = (f64::from(sample.fluence_j_cm2), f64::from(sample.unshaded_j_cm2));

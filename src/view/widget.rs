@@ -215,7 +215,7 @@ impl Viewport {
         }
     }
 
-    /// Mouse to camera. A hand on the mouse ends a glide where it is.
+    /// Moves the camera by the mouse. A hand on the mouse ends a glide where it is.
     fn apply_gestures(&mut self, ui: &egui::Ui, response: &Response, frame: &PixelRect, pick: Pick<'_>) {
         let delta = response.drag_delta();
         let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));

@@ -1,17 +1,17 @@
-//! Segments, motions and boxes made ready for many distances. All gaps of boxes are a hair too small, never too
-//! large: who asks skips a box only if nothing in it can be nearer.
+//! Segments, motions and boxes prepared for many distance tests. Gaps between boxes are slightly too small, never
+//! too large, so a box is skipped only if nothing in it can be nearer.
 
 use super::{Aabb, ray_hit_mm};
 use crate::part::distance::segment_triangle;
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 
-/// A segment made ready for facets.
+/// A segment prepared for tests against facets.
 pub(super) struct SegmentForFacets {
     pub(super) from: Point3<f64>,
     pub(super) to: Point3<f64>,
     /// Unit; z where the ends are one point.
     pub(super) dir: Vector3<f64>,
-    /// mm.
+    /// Length, mm.
     pub(super) length: f64,
 }
 
@@ -29,7 +29,7 @@ impl SegmentForFacets {
     }
 }
 
-/// A segment made ready for boxes.
+/// A segment prepared for tests against boxes.
 pub(super) struct SegmentForBoxes {
     from: Point3<f64>,
     bounds: Aabb,
@@ -47,7 +47,7 @@ impl SegmentForBoxes {
         SegmentForBoxes { from: s.from, bounds: Aabb::of(&[s.from, s.to, s.to]), across }
     }
 
-    /// A box is at least so far away: as far as the gap between the two seen along any line.
+    /// Lower bound of the distance to a box: the widest gap between the two along any of the directions tried.
     pub(super) fn gap(&self, b: &Aabb) -> f64 {
         let middle = Vector3::from_fn(|k, _| b.middle(k)) - self.from.coords;
         let half = Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
@@ -56,12 +56,12 @@ impl SegmentForBoxes {
     }
 }
 
-/// A gap, less by more than the rounding of turned boxes.
+/// A gap, reduced by more than the rounding of turned boxes.
 fn less(gap: f64) -> f64 {
     gap * (1.0 - 1e-9) - 1e-9
 }
 
-/// A motion made ready for boxes.
+/// A motion prepared for boxes.
 pub(super) struct Turn {
     rotation: Matrix3<f64>,
     spread: Matrix3<f64>,

@@ -1,5 +1,5 @@
-//! Whether something comes near the facets of a hierarchy, and how near: a capsule, another mesh, a
-//! half space.
+//! Proximity queries: whether a capsule, another mesh or a half space comes near the facets of a hierarchy, and how
+//! near.
 //!
 //! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
 //! box first, and no box is entered that keeps farther away than what was found.
@@ -19,7 +19,7 @@ impl Bvh {
     }
 
     /// Centre and radius of the sphere around the box of all facets, mm: wider than [`Self::sphere`],
-    /// and known at once.
+    /// but known without visiting facets.
     pub fn sphere_of_box(&self) -> Option<(Point3<f64>, f64)> {
         let b = &self.nodes.first()?.bounds;
         Some((Point3::from(Vector3::from_fn(|k, _| b.middle(k))), 0.5 * self.diagonal_mm()))
@@ -41,7 +41,7 @@ impl Bvh {
         near
     }
 
-    /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` says no.
+    /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` returns false.
     pub fn visit_near_boxes(
         &self,
         near: impl Fn(&[f64; 3], &[f64; 3]) -> bool,
@@ -69,9 +69,9 @@ impl Bvh {
         }
     }
 
-    /// Visits every facet of a leaf whose box is near one of several bodies, one bit each, until `visit` says no.
-    /// Of the bodies that a box was not ruled out for, `near` tells which a box within it is not ruled out for;
-    /// `visit` gets those with the facet.
+    /// Visits every facet of a leaf whose box is near one of several bodies, until `visit` returns false. Bodies are
+    /// bits: `near` gets a box with the bodies that may be near it and returns those that still are; `visit` gets
+    /// them with the facet.
     pub fn visit_near_boxes_of(
         &self,
         all: u32,

@@ -1,4 +1,4 @@
-//! The facets of a cut, known again in another order, with other corners first, and after a motion.
+//! The facets of a cut, recognised in another order, with other corners first, and after a motion.
 //!
 //! Corners are rounded to a grid and hashed; the three hashes of a facet are summed, so that it does
 //! not matter which corner comes first. f32 coordinates that were moved differ in their last digits,
@@ -29,7 +29,7 @@ pub(super) fn hash_facets(now: &Segmentation, facets: &[u32], grid: f64) -> Stri
     digests.iter().map(|d| format!("{d:012x}")).collect()
 }
 
-/// The facets of that surface that were written down; `None` unless each of them is there.
+/// The facets of a surface whose hashes were kept; `None` unless every one of them is found.
 pub(super) fn find_facets(
     now: &Segmentation,
     surface: u32,

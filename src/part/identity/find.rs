@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// onto each other: fits to other surfaces differ by some thousandths, turns about a symmetry by tenths.
 const SAME_MOTION: f64 = 0.02;
 
-/// Millimetres, centimetres, metres and inches in each other.
+/// Ratios of millimetres, centimetres, metres and inches.
 const UNIT_RATIOS: [f64; 10] = [25.4, 1.0 / 25.4, 10.0, 0.1, 100.0, 0.01, 1000.0, 0.001, 1000.0 / 25.4, 25.4 / 1000.0];
 
 /// A surface or a shell that was not found.
@@ -42,9 +42,9 @@ pub struct FoundAgain {
     pub lost_edits: Vec<LostEdit>,
     /// The flipped shells that were not found.
     pub lost_shells: Vec<LostLandmark>,
-    /// In the file's coordinates: by it everything was found, and only so. `None`: in place.
+    /// The one motion of the file, in its coordinates, that brings everything to its place. `None`: found in place.
     pub motion: Option<Isometry3<f64>>,
-    /// Everything is there, but so many times larger; then nothing counts as found.
+    /// Everything is there, but larger by this factor; then nothing counts as found.
     pub scale: Option<f64>,
 }
 
@@ -98,18 +98,18 @@ pub fn find(
     }
 }
 
-/// What comes of several assumed motions.
+/// The best of several assumed motions.
 enum BestMotion {
     /// One brings everything needed to its place.
     One(Box<Trial>),
     /// Several do, equally well.
     Several,
-    /// None does; the best of them missed so many.
+    /// None does; the best of them missed this many surfaces.
     None { missed: usize },
 }
 
-/// Whether so few missed tell that one motion is right and another wrong: less than half as many.
-/// One surface of many that differs is what tells the two ends of a part apart.
+/// Whether so few are missed that one motion is right and another wrong: less than half as many. Sometimes a single
+/// surface is all that distinguishes the two ends of a part.
 fn clearly_fewer(missed: usize, other: usize) -> bool {
     2 * missed < other
 }
@@ -120,7 +120,7 @@ impl SurfaceSearch<'_> {
         2 * trial.missed <= self.landmarks.surfaces.len()
     }
 
-    /// The motion that explains what the place does not.
+    /// The motion that explains what is not found in place.
     fn best_of(&self, motions: &[Isometry3<f64>], in_place: &Trial) -> BestMotion {
         let of = |m: &Isometry3<f64>| Similarity3::from_isometry(*m, 1.0);
         let trials: Vec<Trial> = motions.iter().map(|m| self.trial(&of(m))).collect();
@@ -138,7 +138,7 @@ impl SurfaceSearch<'_> {
         if others.iter().any(as_good) { BestMotion::Several } else { BestMotion::One(Box::new(best.clone())) }
     }
 
-    /// How many times larger everything is about the file's origin, if that explains it.
+    /// The scale about the file's origin, if it explains everything.
     fn scale(&self, part: &Part) -> Option<f64> {
         let area = FileFrame::new(&self.loaded).area(part.mesh.areas.iter().sum());
         let ratio = (area / self.landmarks.area).sqrt();
@@ -173,7 +173,7 @@ impl SurfaceSearch<'_> {
         }
     }
 
-    /// Everything is lost for one reason.
+    /// The result where everything is lost, for one reason.
     fn nothing_found(&self, why: LostReason) -> FoundAgain {
         let lost =
             |numbers: &mut dyn Iterator<Item = u32>| numbers.map(|number| LostLandmark { number, why }).collect();

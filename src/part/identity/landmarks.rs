@@ -33,12 +33,12 @@ pub struct Landmarks {
     pub(super) surfaces: Vec<Landmark>,
     /// The shells.
     pub(super) shells: Vec<Landmark>,
-    /// For each edit what it was made on.
+    /// The operands of each edit.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) edits: Vec<EditMark>,
 }
 
-/// What one edit was made on.
+/// The operands of one edit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct EditMark {

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 pub enum LostReason {
     /// Nothing like it is there.
     NothingAlike,
-    /// Several are so much alike that none can be told to be it.
+    /// Several are so much alike that none can be told apart.
     SeveralAlike,
-    /// It comes of an edit that could not be repeated.
+    /// It results from an edit that could not be repeated.
     EditNotRepeated,
     /// It was cut out facet by facet, and the facets are others now.
     OtherFacets,
@@ -23,13 +23,13 @@ pub enum LostReason {
     PartMoved,
 }
 
-/// New surfaces in the order in which they lie along the axis that parts them most.
+/// New surfaces, sorted along the axis on which they are spread most.
 pub(super) struct Lineup {
     axis: usize,
     sorted: Vec<Landmark>,
 }
 
-/// Which are which.
+/// The result of pairing old surfaces with new ones.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Paired {
     /// New numbers by old ones.
@@ -56,7 +56,7 @@ impl Lineup {
         &self.sorted
     }
 
-    /// Whether there is any that may be this one.
+    /// Whether any may be this one.
     pub(super) fn holds(&self, old: &Fingerprint, diagonal: f64) -> bool {
         !self.candidates(old, diagonal).is_empty()
     }

@@ -32,7 +32,7 @@ pub(super) struct SurfaceSearch<'a> {
     pub needed: &'a BTreeSet<u32>,
 }
 
-/// What comes of one motion.
+/// The result of one assumed motion.
 #[derive(Clone, Debug)]
 pub(super) struct Trial {
     pub new_from_old: Similarity3<f64>,
@@ -47,7 +47,7 @@ pub(super) struct Trial {
     pub missed: usize,
 }
 
-/// Old numbers that an edit was made on, or gave out, which could not be repeated.
+/// Old numbers used or given out by edits that could not be repeated.
 #[derive(Default)]
 struct Spoilt(Vec<RangeInclusive<u32>>);
 
@@ -101,7 +101,7 @@ impl SurfaceSearch<'_> {
         }
     }
 
-    /// An edit in the new numbers; `None` if it was of nothing.
+    /// An edit in the new numbers; `None` if its surfaces never existed.
     fn repeated(
         &self,
         now: &mut Segmentation,

@@ -10,15 +10,15 @@ use crate::path::section::{SectionPoint, TransversalLine};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// A line at exactly the distance asked for stays, mm.
+/// Tolerance by which a line at exactly the distance asked for stays, mm.
 const HAIR_MM: f64 = 1e-9;
-/// Pieces of less than this only touch the distance asked for, mm.
+/// Length below which a piece is dropped, mm: it only touches the distance asked for.
 const NOTHING_MM: f64 = 1e-6;
 
 /// A stretch of a line: number of a side plus the share of it, from and to.
 type Stretch = (f64, f64);
 
-/// What of the lines is at least `inset_mm` from the rim of their surface. Holes smaller than a circle of the
+/// The parts of lines that are at least `inset_mm` from the rim of their surface. Holes smaller than a circle of the
 /// diameter `ignore_holes_mm` do not count as rim.
 ///
 /// A closed line that is cut becomes open pieces, and a dark gap ends a line.
@@ -33,8 +33,8 @@ pub fn inset(
     clipped(lines, |line| stretches_within(line, &tree, inset_mm - HAIR_MM))
 }
 
-/// What of lines that were cut on the extended surface lies on the surface itself or within its reach beyond; and
-/// how many of their ends stop before that, at a sharp edge or at the end of the part.
+/// The parts of lines, cut on the extended surface, that lie on the surface itself or within the reach beyond its
+/// rim; and how many of their ends stop short of that reach, at a sharp edge or at the end of the part.
 pub fn run_over(
     mesh: &Mesh,
     surface: &Surface,

@@ -37,7 +37,7 @@ impl RimLoop {
         self.is_hole() && self.length_mm < std::f64::consts::PI * diameter_mm
     }
 
-    /// A slit without width, where a facet without area joins others: no line keeps off that.
+    /// Whether it is a slit without width, where a facet without area joins others: lines need not keep off it.
     fn is_slit(&self) -> bool {
         let Some(origin) = self.segments.first().map(|s| s[0]) else { return true };
         let around = self.segments.iter().map(|[a, b]| (a - origin).cross(&(b - origin)));
@@ -112,7 +112,7 @@ impl SurfaceFacets<'_> {
         edge != NO_EDGE && self.at_edge(edge).count() != 2
     }
 
-    /// From a side of the outline round its end to the next side, with the angle between, degrees.
+    /// The next side of the outline around the end of a side, and the angle within the surface between them, degrees.
     fn next_side(&self, mut facet: u32, mut edge: u32, vertex: u32) -> (Option<(u32, usize)>, f64) {
         let mut inner_deg = 0.0;
         for _ in 0..=self.mesh.vertex_facets(vertex).len() {

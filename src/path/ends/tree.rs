@@ -1,4 +1,4 @@
-//! Segments in a tree of boxes, so that of a long rim only what is near is looked at.
+//! Segments in a tree of boxes, so that only the near ones of a long rim are visited.
 
 use crate::part::distance::point_segment;
 use nalgebra::Point3;

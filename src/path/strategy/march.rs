@@ -22,7 +22,7 @@ pub(super) struct Field {
     /// its higher.
     border: Vec<[f64; 2]>,
     is_border: Vec<bool>,
-    /// Whether a vertex's turn has come since its distance was last changed. A slope that may still
+    /// Whether a vertex was processed since its distance last changed. A slope that may still
     /// change would let the cubic sink below the truth, and what is too short is never made longer.
     is_settled: Vec<bool>,
 }
@@ -30,8 +30,8 @@ pub(super) struct Field {
 /// A difference of slopes that tells a ridge from a curved front: 17°.
 const RIDGE: f64 = 0.3;
 
-/// How often a vertex is taken up at most. Behind an obtuse corner once more is enough; two corners of a
-/// sliver could better each other for ever by what the cubic is off.
+/// How often a vertex is processed at most. Behind an obtuse corner once more is enough; without a limit two
+/// corners of a sliver could improve each other for ever by the error of the cubic.
 const MOST_TURNS: u8 = 4;
 
 impl Field {

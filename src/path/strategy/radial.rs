@@ -44,7 +44,7 @@ impl SpiralAxis {
 
 /// Sectors by which rims are looked up.
 const SECTORS: usize = 1024;
-/// Vertices are worked out in so many groups, from the axis outwards: a curve that meets an edge of the
+/// Number of groups in which vertices are computed, from the axis outwards: a curve that meets an edge of the
 /// groups before it has its length from there.
 const GROUPS: usize = 16;
 

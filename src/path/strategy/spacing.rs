@@ -35,7 +35,7 @@ impl Achieved {
         Some(Achieved { min_mm: min.1, min_at: min.0, max_mm: max.1, max_at: max.0, samples })
     }
 
-    /// That of two rasters, each measured by itself.
+    /// The spacing of two rasters, each measured by itself.
     pub(super) fn of_both(one: Option<Achieved>, two: Option<Achieved>) -> Option<Achieved> {
         let samples = [one, two].into_iter().flatten().flat_map(|a| a.samples).collect();
         Achieved::of(samples)
@@ -151,7 +151,7 @@ struct RankedSegment {
 }
 
 impl RankedSegment {
-    /// Whether the point stands beside the line and not beyond its end.
+    /// Whether a point lies beside the segment and not beyond an end of its line.
     fn beside(&self, p: &Point3<f64>, distance_mm: f64) -> bool {
         let along = (self.b - self.a).normalize();
         let past = [(self.a - p).dot(&along), (p - self.b).dot(&along)];

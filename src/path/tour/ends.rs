@@ -1,10 +1,10 @@
-//! Where lines are entered and left, and the way between.
+//! The lines of a tour: where each is entered and left, and the way between.
 
 use super::Sense;
 use crate::path::section::TransversalLine;
 use nalgebra::Point3;
 
-/// A line as it is run: entry 0 of an open line is its first point, 1 its last; of a closed line it is the
+/// A visit to a line: entry 0 of an open line is its first point, 1 its last; of a closed line it is the
 /// point at which it is begun.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LineVisit {
@@ -22,7 +22,7 @@ impl LineVisit {
     }
 }
 
-/// The ends of all lines.
+/// All lines of a tour, with the start and the sense they may be run in.
 pub(super) struct TourLines<'a> {
     lines: &'a [TransversalLine],
     pub start: Option<Point3<f64>>,
@@ -52,7 +52,7 @@ impl<'a> TourLines<'a> {
         }
     }
 
-    /// A line run from one of its entries; an open line has 1 also where its sense is kept.
+    /// The visit of a line from one of its entries; an open line has 1 also where its sense is kept.
     pub fn visit(&self, line: usize, entry: usize) -> LineVisit {
         let points = &self.lines[line].points;
         if self.lines[line].closed {
@@ -110,7 +110,7 @@ impl<'a> TourLines<'a> {
     }
 }
 
-/// A line run from this entry.
+/// Turns or rotates a line so that it begins at this entry.
 pub(super) fn run_from(mut line: TransversalLine, entry: usize) -> TransversalLine {
     if line.closed {
         line.points.rotate_left(entry);

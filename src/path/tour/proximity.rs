@@ -2,7 +2,7 @@
 
 use super::ends::{LineVisit, TourLines};
 
-/// Neighbours looked for at every entry.
+/// Number of neighbours kept for every entry.
 const NEAREST: usize = 6;
 /// Entries of a closed line that are looked at.
 const SPREAD: usize = 4;

@@ -16,9 +16,9 @@ const MOVED: usize = 3;
 const KICKS: (usize, usize, usize) = (60_000, 50, 600);
 /// Stretches that a kick exchanges are no longer than this.
 const KICKED: u64 = 30;
-/// What counts as shorter, mm: more than rounding.
+/// Least gain that counts as shorter, mm: more than rounding.
 const GAIN_MM: f64 = 1e-9;
-/// Exchanges and seams by turns.
+/// Rounds that alternate exchanges and seams.
 const ROUNDS: usize = 3;
 
 /// Nearest neighbours: from this entry always the nearest that is left.

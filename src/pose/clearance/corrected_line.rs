@@ -1,5 +1,5 @@
-//! From stands to the rows of a line: splits are doubled points, and what is blocked ends where the
-//! beam does.
+//! From the tilts at the sites of a line to its corrected points: a split becomes two points at one place, and a
+//! blocked stretch ends where the beam is no longer free.
 
 use super::CorrectedPoint;
 use super::site_tilts::SiteTilts;
@@ -8,12 +8,12 @@ use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
 
-/// Ends of a blocked stretch are found to this, mm.
+/// Precision of the ends of a blocked stretch, mm.
 const END_MM: f64 = 0.05;
 
-/// The rows of a line.
+/// The corrected points of a line.
 pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTilts]) -> Vec<CorrectedPoint> {
-    // Tested once more, whatever a tilt came from.
+    // Tested once more, whatever step a tilt came from.
     let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
     let row = |site: &Site, tilt: Option<Lean>, is_split: bool| CorrectedPoint {
         q: site.q,
@@ -46,7 +46,7 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
             out.push(row(&from, low, false));
         }
         if low.is_some() && high.is_some() {
-            // Nothing else tells that it is dark between.
+            // A blocked point between them says that the laser is off there.
             let way_mm = (next.arc_mm - site.arc_mm).max(1e-12);
             let t = (0.5 * (from.arc_mm + to.arc_mm) - site.arc_mm) / way_mm;
             out.push(row(&site.midway(next, t.clamp(0.0, 1.0)), None, false));
@@ -58,7 +58,7 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
     out
 }
 
-/// How far a tilt that is held stays free from one end of a gap.
+/// The last site, going from one end of a gap, at which a constant tilt is free.
 fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
     let start = site.midway(next, from);
     let good = |t: f64| {
@@ -75,7 +75,7 @@ fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Sit
     site.midway(next, free)
 }
 
-/// Turns the rows of a closed line that was opened elsewhere so that they begin and end at a point.
+/// Rotates the points of a closed line that was opened elsewhere so that they begin and end at `start`.
 pub fn from_start(mut rows: Vec<CorrectedPoint>, start: &DensePoint) -> Vec<CorrectedPoint> {
     rows.pop();
     let Some(at) = rows.iter().position(|r| r.q == *start) else { return rows };

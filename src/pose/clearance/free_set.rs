@@ -1,5 +1,5 @@
-//! The directions at one point in which nothing is in the way: on the coarse grid, and searched
-//! through to half a degree where the coarse grid finds none.
+//! The free set: the directions at one point in which nothing is in the way, on the coarse grid, and down to
+//! half a degree where the coarse grid finds none.
 
 use super::grid;
 use super::track::{Lean, Site, Track};
@@ -8,21 +8,21 @@ use crate::pose::Beam;
 use crate::pose::tilt::Tilt;
 use nalgebra::{Point3, Vector3};
 
-/// Half the side of the squares that the search begins with, degrees.
+/// Half the side of the first squares of the search, degrees.
 const HALF_SQUARE_DEG: f64 = 4.0;
-/// Half the side of those that it ends with: their middles are half a degree apart.
+/// Half the side of the last ones, degrees: their middles are half a degree apart.
 const HALF_LEAST_DEG: f64 = 0.25;
-/// A square counts as behind a facet if one so much larger is: its sides are not quite great circles.
+/// Factor by which a square is enlarged before it counts as behind a facet: its sides are not quite great circles.
 const INFLATED: f64 = 1.15;
 /// A facet nearer than this may be one that the point stands on, mm.
 const NEAR_MM: f64 = 0.05;
-/// So many openings are enough to lead a beam through.
+/// Number of openings at which the search stops.
 const ENOUGH: usize = 64;
 
 /// A direction of the coarse grid, and whether it is free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TestedDirection {
-    /// Against the normal.
+    /// Its tilt against the normal.
     pub tilt: Tilt,
     /// Unit axis.
     pub axis: Vector3<f64>,
@@ -48,15 +48,15 @@ pub fn free_set(
     cells.into_iter().map(direction).collect()
 }
 
-/// Free tilts at a point, half a degree apart; none only if there are none. Squares that lie behind a
-/// single facet are passed over whole.
+/// Free tilts at a point, on a grid of half a degree; empty only if none of that grid is free. Squares that lie
+/// behind a single facet are skipped as a whole.
 pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) -> Vec<Lean> {
     let mut out = Vec::new();
     let search = Openings { part, beam, track, site };
     let count = (track.max_tilt_deg / (2.0 * HALF_SQUARE_DEG)).ceil() as i32;
     for row in -count..=count {
         for column in -count..=count {
-            // So that the last middles are the multiples of half a degree.
+            // Shifted so that the middles of the last squares are multiples of half a degree.
             let middle =
                 Lean::new(f64::from(column), f64::from(row)) * (2.0 * HALF_SQUARE_DEG) + Lean::repeat(HALF_LEAST_DEG);
             search.within(&middle, HALF_SQUARE_DEG, &mut out);

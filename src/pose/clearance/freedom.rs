@@ -1,4 +1,4 @@
-//! Which candidates are free, what they cost, and whether the ways between them are free.
+//! Which candidates are free, what they cost, and whether the beam can move freely from one to the next.
 
 use super::bins::Bins;
 use super::grid::{self, GridCell};
@@ -9,20 +9,20 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Energy lost to a tilt, 1 − cos, in degrees of tilt: at 45° it doubles what the tilt itself costs.
 const DOSE_DEG: f64 = 150.0;
-/// A beam one degree beside a blocked one costs as much as so many degrees of tilt. With it alone a
-/// beam would keep √4 = 2° from what is in the way.
+/// Cost of a beam one degree beside a blocked one, in degrees of tilt. On its own it makes a beam keep
+/// √4 = 2° from what is in the way.
 pub const NEARNESS_DEG2: f64 = 4.0;
-/// Farther than this nothing is near, degrees.
+/// Blocked directions farther away than this cost nothing, degrees.
 const NEAR_DEG: f64 = 6.0;
 
-/// What stands in for the cost of a tilt, per mm.
+/// Cost of a tilt itself, per mm of line.
 fn cost_of(track: &Track<'_>, site: usize, tilt: &Lean) -> f64 {
     let s = &track.sites[site];
     s.pull * (tilt - s.aim).norm() + DOSE_DEG * (1.0 - libm::cos(tilt.norm().to_radians()))
 }
 
 impl ChainSearch<'_> {
-    /// Asks a layer's candidates, and weighs those that are free.
+    /// Tests a layer's candidates, and gives the free ones their costs.
     pub(super) fn costs_of(&self, k: usize) -> LayerCosts {
         let layer = &self.layers[k];
         let mut coarse = BTreeMap::new();
@@ -44,7 +44,7 @@ impl ChainSearch<'_> {
         LayerCosts { weight, assumed, bins, arrive: Vec::new(), off: (Default::default(), None), leave: Vec::new() }
     }
 
-    /// Whether a candidate is free (`None`: not allowed at all), and whether that is only assumed.
+    /// Whether a candidate is free (`None`: not allowed at all), and whether that was only inferred from a coarser grid.
     fn freedom_of(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<GridCell, Option<bool>>) -> (Option<bool>, bool) {
         let layer = &self.layers[k];
         let site = &self.track.sites[layer.site];
@@ -89,7 +89,7 @@ impl ChainSearch<'_> {
         Some(free(here) && before.take_while(|&i| i > first).all(free) && behind.take_while(|&i| i < last).all(free))
     }
 
-    /// Tests the ways of a chain; the first layer to be made anew.
+    /// Tests the motions of a chain; returns the first layer that has to be computed again.
     pub(super) fn first_failing(&mut self, chain: &ChainSteps) -> Option<usize> {
         let mut first: Option<usize> = None;
         let mut fails = |k: usize| first = Some(first.map_or(k, |f| f.min(k)));
@@ -112,7 +112,7 @@ impl ChainSearch<'_> {
         first
     }
 
-    /// Whether a candidate that counts as free is.
+    /// Tests a candidate whose freedom was only inferred.
     fn is_sure(&mut self, k: usize, u: usize) -> bool {
         if self.layer_costs[k].assumed[u] {
             let is = self.is_free(k, &self.layers[k].tilts[u]) == Some(true);

@@ -1,10 +1,9 @@
-//! The spherical grid around a normal: tilts on a hexagonal lattice, in the plane of the two tilts.
+//! The grid of tilts around a normal: a hexagonal lattice in the plane of lead and lean.
 
 use super::track::Lean;
 use std::collections::BTreeSet;
 
-/// So many spacings from the middle of the coarse grid to its edge: 241 cells, whatever the greatest
-/// tilt.
+/// Radius of the coarse grid in spacings: 241 cells, whatever the greatest tilt.
 const SPACINGS: f64 = 8.1;
 
 /// Spacing of the coarse grid, degrees.
@@ -38,8 +37,8 @@ pub fn add_disc(cells: &mut BTreeSet<GridCell>, around: &Lean, radius_deg: f64, 
     }
 }
 
-/// A tilt that lies beyond the greatest by no more than half a spacing is taken at the greatest: so the
-/// rim has candidates, too.
+/// Moves a tilt that exceeds the greatest by no more than half a spacing onto the greatest, so that the rim has
+/// candidates, too; `None` if it exceeds it by more.
 pub fn at_rim(tilt: Lean, max_tilt_deg: f64, spacing_deg: f64) -> Option<Lean> {
     (tilt.norm() <= max_tilt_deg + 0.5 * spacing_deg).then(|| tilt.cap_magnitude(max_tilt_deg))
 }

@@ -36,9 +36,9 @@ pub struct CorrectedPoint {
     pub q: DensePoint,
     /// The beam; `None`: blocked.
     pub axis: Option<Vector3<f64>>,
-    /// The beam that would be best here.
+    /// The beam axis that is aimed for here.
     pub aim: Vector3<f64>,
-    /// Whether it is the point of the row before, with another beam; the laser is off between the two.
+    /// Whether it lies where the point before it does, with another beam; the laser is off between the two.
     pub is_split: bool,
 }
 
@@ -67,8 +67,8 @@ pub fn correct(
     if !closed || !has_search {
         return corrected_line::corrected_points(beam, &track, &windows.corrected(None));
     }
-    // A closed line is opened where the beam may have its aim; where it may nowhere, it is solved as an
-    // open one first, and opened again half way round with the beam that was found there.
+    // A closed line is opened where its aim is free. If that is nowhere, it is solved as an open line first, then
+    // opened again half way round with the beam that was found there.
     let count = points.len() - 1;
     let opened = |seam: usize| -> (Track<'_>, Vec<bool>) {
         let at: Vec<usize> = (0..=count).map(|i| (i + seam) % count).collect();

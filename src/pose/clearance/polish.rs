@@ -1,22 +1,22 @@
-//! The last step on the sphere: off the grid, and as near to the aim as the way stays free.
+//! The last step of the search: tilts leave the grid and come as near to their aims as the motion stays free.
 
 use super::freedom::NEARNESS_DEG2;
 use super::site_tilts::SiteTilts;
 use super::track::{Lean, Track};
 use crate::pose::{Beam, motion};
 
-/// Steps in which a tilt is drawn to the aim, degrees; what is found has more to spare.
+/// Steps in which a tilt is drawn towards its aim, degrees.
 const STEP_DEG: f64 = 1.0;
-/// To this the last free tilt is found.
+/// Precision of the last free tilt, degrees.
 const EXACT_DEG: f64 = 0.05;
 /// A millimetre of clearance costs as much as so many degrees of tilt, half a millimetre twice as much: a beam
 /// that clears a wall 20 mm above the spot by half a millimetre turns away by another degree or two.
 const NEARNESS_DEG_MM: f64 = 1.0;
-/// More clearance than this is worth no tilt, mm.
+/// Clearance beyond this is not worth any tilt, mm.
 const FAR_MM: f64 = 4.0;
-/// So far beyond the best found a better one is looked for, degrees.
+/// A better tilt is looked for up to this far beyond the best one found, degrees.
 const FARTHER_DEG: f64 = 1.0;
-/// So often points are laid between their neighbours.
+/// Number of smoothing sweeps.
 const SWEEPS: usize = 6;
 
 /// Draws the tilts of points `first` to `last` to their aims.
@@ -81,7 +81,7 @@ impl LitRun<'_> {
         [smooth, drawn].into_iter().find(|t| self.is_good(t)).unwrap_or_else(|| tilts.to_vec())
     }
 
-    /// Whether a piece can be gone: allowed, not too fast, free between.
+    /// Whether the beam can follow these tilts: no turn too fast, and every motion free.
     fn is_good(&self, tilts: &[Lean]) -> bool {
         let sites = &self.track.sites[self.from..];
         tilts.windows(2).enumerate().all(|(k, w)| {
@@ -90,8 +90,8 @@ impl LitRun<'_> {
         })
     }
 
-    /// Towards the aim along the straight way, each as far as it is free with something to spare, and no
-    /// farther than its neighbours' rates allow.
+    /// The tilts drawn straight towards their aims, each as far as it is free with something to spare, and no farther
+    /// than the tilt rate allows beside its neighbours.
     fn drawn_to_aim(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
         let last = tilts.len() - 1;
         let whole: Vec<f64> = tilts.iter().enumerate().map(|(k, t)| (t - self.aim(k)).norm()).collect();
@@ -113,7 +113,7 @@ impl LitRun<'_> {
         for k in (0..last).rev() {
             size[k] = size[k].max((size[k + 1] - way_deg(k)).min(whole[k]));
         }
-        // Turning about the aim uses up some of the rate: give way outwards until all fits.
+        // Turning about the aim uses up some of the rate: enlarge tilts until all fits.
         for _ in 0..last.min(200) {
             let mut fits = true;
             for k in 0..last {
@@ -131,7 +131,7 @@ impl LitRun<'_> {
         (0..=last).map(|k| at(k, size[k])).collect()
     }
 
-    /// The least size of a tilt that is free all the way down from what it is, and what it keeps to spare.
+    /// The least size to which a tilt can shrink without being blocked on the way, enlarged by what it keeps to spare.
     fn least_free_size(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
         let good = |size: f64| self.is_free(k, &at(k, size));
         let mut low = whole;
@@ -152,8 +152,8 @@ impl LitRun<'_> {
         }
     }
 
-    /// From the least free size on, where tilt and nearness together are least: 1/clearance where beam and head
-    /// have one, and for a ray that of what is blocked beside it.
+    /// The size, from the least free one on, at which the cost of tilt and nearness is least. Nearness is 1/clearance
+    /// for beam and head; a ray keeps a fixed angle from what is blocked.
     fn size_with_clearance(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
         let site = &self.track.sites[self.from + k];
         let cost = |size: f64| {
@@ -170,7 +170,7 @@ impl LitRun<'_> {
         best.1
     }
 
-    /// Points laid between their neighbours where they stay free, with a step to spare.
+    /// Each tilt moved between those of its neighbours, where it stays free with a step to spare.
     fn smoothed(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
         let mut out = tilts.to_vec();
         let last = tilts.len() - 1;

@@ -14,20 +14,20 @@ use std::collections::BTreeMap;
 /// Each degree that the tilt turns costs as much as a degree of tilt over this length, mm: of equal
 /// ways the steadier one.
 const TURN_MM: f64 = 0.05;
-/// So often the chain is made again before what still fails is switched off.
+/// Rounds after which a motion that still fails is given up, the laser off.
 const MOST_ROUNDS: usize = 80;
 
-/// Candidates at one point of the line.
+/// The candidate tilts at one point of the line.
 #[derive(Clone, Debug)]
 pub struct TiltLayer {
     /// Index of the point.
     pub site: usize,
     /// Its candidates.
     pub tilts: Vec<Lean>,
-    /// Whether they are given: not asked whether they are free.
+    /// Whether they are fixed from outside; then they are not tested.
     pub given: bool,
-    /// Spacing of a coarser grid whose cells are asked first: candidates among free ones count as free
-    /// until they are gone to, those among blocked ones as blocked.
+    /// Spacing of a coarser grid that is tested first: candidates among its free cells count as free until the chain
+    /// uses them, candidates among blocked cells as blocked.
     pub coarser_deg: Option<f64>,
 }
 
@@ -36,7 +36,7 @@ pub struct TiltLayer {
 pub struct Cost {
     /// Length with the laser off, µm.
     pub blocked_um: u64,
-    /// Times that it is switched on again.
+    /// Number of times the laser is switched on again.
     pub splits: u32,
     /// Tilt, dose, nearness, mm·degrees.
     pub other: f64,
@@ -51,7 +51,7 @@ impl Cost {
 /// The tilts by which a sequence comes to each layer and leaves it; `None`: the laser is off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
-    /// Coming.
+    /// Arriving.
     pub arrive: Vec<Option<Lean>>,
     /// Leaving.
     pub leave: Vec<Option<Lean>>,
@@ -73,7 +73,7 @@ pub fn best_chain(beam: &Beam<'_>, track: &Track<'_>, layers: &[TiltLayer]) -> C
             Some(first) => from = first,
         }
     }
-    // What is still untested may not be gone.
+    // From here on only motions that were tested may be used.
     dp.only_known = true;
     dp.forward(0);
     let chain = dp.traced_back();
@@ -83,13 +83,13 @@ pub fn best_chain(beam: &Beam<'_>, track: &Track<'_>, layers: &[TiltLayer]) -> C
 /// Indices of the candidates by which a chain comes to each layer and leaves it.
 pub(super) type ChainSteps = Vec<(Option<usize>, Option<usize>)>;
 
-/// A layer as it is worked on.
+/// Costs of the candidates of a layer, and the best ways to them.
 pub(super) struct LayerCosts {
     /// Cost per mm of each candidate; `None`: not free.
     pub(super) weight: Vec<Option<f64>>,
-    /// Whether a candidate's freedom was taken from a coarser grid.
+    /// Whether a candidate's freedom was only inferred from a coarser grid.
     pub(super) assumed: Vec<bool>,
-    /// The free ones.
+    /// The free candidates.
     pub(super) bins: Bins,
     /// Best way to come to each candidate, and from which of the layer before.
     pub(super) arrive: Vec<Option<(Cost, usize)>>,
@@ -119,7 +119,7 @@ impl ChainSearch<'_> {
         self.track.rate_deg_mm * (self.arc_mm(k + 1) - self.arc_mm(k)) + 1e-9
     }
 
-    /// Makes the stages anew from one on.
+    /// Computes the best ways to all candidates, from one layer on.
     fn forward(&mut self, from: usize) {
         for k in from..self.layers.len() {
             let count = self.layers[k].tilts.len();

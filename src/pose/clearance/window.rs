@@ -39,7 +39,7 @@ pub(super) struct Window<'a> {
 }
 
 impl Window<'_> {
-    /// Searches it, and puts what is found into the line.
+    /// Searches the window, and puts the tilts that it finds into `out`.
     pub(super) fn solve(&self, out: &mut [SiteTilts]) {
         let track = self.track;
         for (end, given) in [(self.first, self.start), (self.last, self.finish)] {
@@ -105,7 +105,7 @@ impl Window<'_> {
         TiltLayer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]), coarser_deg }
     }
 
-    /// Whether a tilt can be reached from a given end; beside the core nothing asks for more.
+    /// Whether a tilt can be reached from the given ends. Only tilts beside the core are limited by this.
     fn is_within_reach(&self, site: usize, tilt: &Lean) -> bool {
         let track = self.track;
         let arc_mm = |i: usize| track.sites[i].arc_mm;
@@ -174,12 +174,12 @@ impl Window<'_> {
         before.into_iter().chain(behind).collect()
     }
 
-    /// Takes over a chain.
+    /// Puts the tilts of a chain into `out`, interpolated between its layers.
     fn take_over(&self, layers: &[TiltLayer], chain: &Chain, out: &mut [SiteTilts]) {
         let sites = &self.track.sites;
         for k in 0..layers.len() {
             let here = layers[k].site;
-            // What was given holds, whatever became of the way from it.
+            // A given tilt stays, whatever became of the motion from it.
             if k > 0 || !layers[k].given {
                 out[here].arrive = chain.arrive[k];
             }

@@ -7,7 +7,7 @@ use crate::part::Part;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
 
-/// A line, and where its aim is free.
+/// A line, and the points at which its aim is free.
 pub struct Windows<'a> {
     part: &'a Part,
     beam: &'a Beam<'a>,
@@ -29,7 +29,7 @@ impl<'a> Windows<'a> {
             .collect();
         for i in 0..sites.len().saturating_sub(1) {
             let (from, to) = (&sites[i], &sites[i + 1]);
-            // Between normals the detection has looked.
+            // The detection has already tested motions between normals.
             let stays = plain(i) && plain(i + 1)
                 || track.may_turn((from, &from.aim), (to, &to.aim))
                     && motion::is_free(beam, &from.pose(&from.aim), &to.pose(&to.aim), 0.0);
@@ -40,7 +40,7 @@ impl<'a> Windows<'a> {
         Windows { part, beam, track, ok }
     }
 
-    /// How the beam stands at every point. `held`: the axis at both ends of an opened closed line.
+    /// The tilts at every point. `held`: the axis at both ends of a closed line that was opened.
     pub fn corrected(&self, held: Option<Vector3<f64>>) -> Vec<SiteTilts> {
         let sites = &self.track.sites;
         let aim = |i: usize| SiteTilts { arrive: Some(sites[i].aim), leave: Some(sites[i].aim) };

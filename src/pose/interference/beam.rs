@@ -1,4 +1,5 @@
-//! The beam on a part: what is asked, and of which facets. The questions stand in `ray` and `tool_body`.
+//! The beam on a part: its ray, its geometry, and the facets that they may meet. The queries stand in `ray` and
+//! `tool_body`.
 
 use crate::beam::ToolGeometry;
 use crate::part::{Bvh, Part};
@@ -15,11 +16,11 @@ pub struct Beam<'a> {
     pub(super) bvh: &'a Bvh,
     /// Diagonal of the part: nothing lies further along a beam.
     pub(super) size_mm: f64,
-    /// What stands around the ray.
+    /// Cone, head and clamps; `None`: the ray alone.
     pub(super) geometry: Option<&'a ToolGeometry<'a>>,
-    /// The facet of the part that stopped cone or head last.
+    /// The facet of the part that cone or head hit last; it is tested first.
     pub(super) last_body_facet: Cell<Option<[Point3<f64>; 3]>>,
-    /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
+    /// The facet that the ray hit last. It is tested first: the next ray is likely to hit it as well.
     pub(super) last_ray_facet: Cell<Option<[Point3<f64>; 3]>>,
 }
 

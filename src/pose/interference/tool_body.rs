@@ -17,12 +17,12 @@ use std::cell::RefCell;
 /// Clearances are measured up to here, mm: farther away nothing depends on them.
 pub const FAR_MM: f64 = 100.0;
 
-/// What is known of a motion, beside the ray's.
+/// What can be said of cone and head on a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::pose) enum Conflict {
     /// Cone and head are clear by more than they can move.
     None,
-    /// Something may be touched, by a body that moves so little that the middle stands for the motion.
+    /// Something may be touched, but the tool moves so little that the middle of the motion decides.
     Short,
     /// Undecided: bisect the motion.
     Wide,
@@ -33,7 +33,7 @@ pub(in crate::pose) enum Conflict {
 struct ToolShape<'f> {
     tool_body: ToolBody,
     frustum: &'f Frustum,
-    /// What it keeps, mm; the beam's margin is in its frustum.
+    /// Clearance it keeps, mm; the beam's margin is in its frustum.
     keeps_mm: f64,
 }
 
@@ -52,7 +52,7 @@ impl<'a> Beam<'a> {
         shapes.chunks(32).all(|shapes| self.are_free(shapes, p, a))
     }
 
-    /// Whether up to 32 of the tool's bodies keep their margin: looked for together.
+    /// Whether up to 32 of the tool's bodies keep their margin, all in one traversal.
     fn are_free(&self, shapes: &[ToolShape<'_>], p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         let all = (1u64 << shapes.len()) - 1;
         self.obstacles().all(|(clamp, bvh, at)| {
@@ -65,7 +65,7 @@ impl<'a> Beam<'a> {
                     (!own || shapes[i].tool_body == ToolBody::Head) && placed[i].is_near(corners, shapes[i].keeps_mm)
                 })
             };
-            // What stopped one last is likely to stop the next as well.
+            // The facet that was hit last is likely to be hit again.
             if self.last_body_facet.get().is_some_and(|corners| clamp.is_none() && hits(&corners, all as u32)) {
                 return false;
             }
@@ -91,7 +91,7 @@ impl<'a> Beam<'a> {
         })
     }
 
-    /// The first of the tool's bodies that does not keep its margin, and from what.
+    /// The first of the tool's bodies that does not keep its margin, and what it is too close to.
     pub fn body_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
         let (shape, obstruction) =
             Self::shapes(self.geometry?).find_map(|shape| Some((shape, self.first_obstruction(&shape, p, a)?)))?;
@@ -117,14 +117,14 @@ impl<'a> Beam<'a> {
         })
     }
 
-    /// What beam and head keep from everything, mm, at most [`FAR_MM`]: the head's distance, or the widest
+    /// Clearance of beam and head, mm, at most [`FAR_MM`]: the head's distance, or the widest
     /// margin with which the beam would still be free, whichever is less; `None` without a head.
     pub fn clearance_mm(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<f64> {
         self.clearance_within_mm(p, a, FAR_MM)
     }
 
-    /// What beam and head keep from everything, mm, at most `most_mm`; `None` without a head. The less
-    /// `most_mm` is, the fewer facets are looked at.
+    /// Clearance of beam and head, mm, at most `most_mm`; `None` without a head. The less `most_mm` is, the fewer
+    /// facets are visited.
     pub(in crate::pose) fn clearance_within_mm(&self, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> Option<f64> {
         let body = self.geometry.filter(|b| b.has_head)?;
         let mut least = most_mm;
@@ -133,7 +133,7 @@ impl<'a> Beam<'a> {
                 let (p, a) = into_frame(at.as_ref(), p, a);
                 let placed = shape.placed(&p, &a);
                 if at.is_none() {
-                    // No farther than the spot itself: most facets are told from that alone.
+                    // The spot itself is a facet corner at that distance: it bounds the search.
                     least = least.min(placed.distance_mm(&[p, p, p]) + 1e-6);
                 }
                 let nearest = std::cell::Cell::new(least);
@@ -165,7 +165,7 @@ impl<'a> Beam<'a> {
                 if !counts || !beam.borrow().iter().any(|f| f.is_near(corners, 0.0)) {
                     return true;
                 }
-                // This facet alone tells how wide it may be; the others are asked about that.
+                // Narrowed for this facet alone; the remaining ones are tested with the narrower beam.
                 let mut low = 0.0;
                 while widest - low > MARGIN_STEP_MM {
                     let middle = 0.5 * (low + widest);
@@ -184,8 +184,8 @@ impl<'a> Beam<'a> {
     }
 
     /// Whether cone or head may touch anything on the motion between two poses; see
-    /// [`Beam::ray_conflict`]. `stray_mm` tells how far a point of the tool so far from the spot may lie from
-    /// where straight spot and constant turn put it.
+    /// [`Beam::ray_conflict`]. `stray_mm`: how far a point of the tool at this distance from the spot may stray from
+    /// the motion with a straight spot and a constant turn.
     pub(in crate::pose) fn body_conflict(
         &self,
         [from, middle, to]: [&Pose; 3],
@@ -244,5 +244,5 @@ fn rises(q: &Pose, corners: &[Point3<f64>; 3], sag_mm: f64) -> bool {
     corners.iter().any(|c| (c - q.p).dot(&q.a) > RISE_MM + 2.0 * sag_mm)
 }
 
-/// Margins are told apart to this, mm.
+/// Precision of the widest margin, mm.
 const MARGIN_STEP_MM: f64 = 0.002;

@@ -10,7 +10,7 @@ use crate::path::chord::{self, ChordLimits, LinePlace};
 use crate::path::dense::{self, DensePoint};
 use nalgebra::Vector3;
 
-/// A corrected axis that was dropped lies within this of the motion that replaces it, degrees.
+/// Greatest difference between a dropped corrected axis and the motion that replaces it, degrees.
 const AXIS_ERROR_DEG: f64 = 1.0;
 
 /// A move beside something that the beam was tilted away from turns the axis by no more than this,
@@ -18,7 +18,7 @@ const AXIS_ERROR_DEG: f64 = 1.0;
 /// spot the spot then strays 0.02 mm, the beam's own margin; with 5° it strays 0.1 mm.
 const CORRECTED_TURN_DEG: f64 = 2.5;
 
-/// The wall that a beam would run into behind a split is looked for this far, mm.
+/// How far behind a split the wall that the beam would run into is looked for, mm.
 const WALL_MM: f64 = 20.0;
 
 /// A dense line with its axes.
@@ -28,7 +28,7 @@ pub(super) struct Planned {
     axes: Vec<Option<Vector3<f64>>>,
     /// What the axes would be if nothing were in the way.
     aims: Vec<Vector3<f64>>,
-    /// Whether it is the point of the one before, with another beam; the laser is off between the two.
+    /// Whether a point lies where the one before it does, with another beam; the laser is off between the two.
     splits: Vec<bool>,
     /// How fast a corrected beam may turn against the normal, degrees/mm.
     rate_deg_mm: f64,
@@ -37,7 +37,7 @@ pub(super) struct Planned {
 impl Planned {
     /// Along the normals, or corrected away from them; `None`: blocked.
     pub(super) fn along_normals(points: Vec<DensePoint>, axes: Vec<Option<Vector3<f64>>>) -> Planned {
-        // What a correction leaves within rounding of the normal is the normal.
+        // An axis within rounding of the normal is the normal.
         let snapped =
             |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
         let axes = points.iter().zip(axes).map(snapped).collect();
@@ -45,7 +45,7 @@ impl Planned {
         Planned { points, axes, aims, splits, rate_deg_mm: f64::INFINITY }
     }
 
-    /// What the search for tilts found.
+    /// From the corrected points that the search for tilts found.
     pub(super) fn of_rows(rows: &[clearance::CorrectedPoint], rate_deg_mm: f64) -> Planned {
         Planned {
             points: rows.iter().map(|r| r.q).collect(),
@@ -68,8 +68,8 @@ impl Planned {
         }
     }
 
-    /// Where the beam hits something between two neighbours that are free, a blocked point is put;
-    /// where it turns more than a move may, points between.
+    /// Inserts a blocked point where the beam hits something between two free neighbours, and points in between where
+    /// it turns more than a move may.
     pub(super) fn test_motion(&mut self, beam: &Beam<'_>, max_turn_deg: f64) {
         let max_turn_deg = max_turn_deg.min(CORRECTED_TURN_DEG);
         let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new()));
@@ -132,7 +132,7 @@ impl Planned {
     fn may_span(&self, beam: &Beam<'_>, i: LinePlace, j: LinePlace, max_turn_deg: f64) -> bool {
         let pose = |place: LinePlace| self.axis(place).map(|a| Pose { p: place.point_on(&self.points).p, a });
         let (Some(from), Some(to)) = (pose(i), pose(j)) else {
-            // Blocked rows only say where; nothing moves along them with the laser on.
+            // Blocked points only mark the place; nothing moves along them with the laser on.
             return self.axes[i.index].is_none() && self.axes[j.index].is_none();
         };
         let whole = (to.p - from.p).norm().max(1e-12);
@@ -140,7 +140,7 @@ impl Planned {
         let same_axis = from.a == to.a && between.clone().all(|k| self.axes[k] == Some(from.a));
         let sag = chord::chord_error_mm(&self.points, i, j);
         if same_axis && sag < 1e-7 {
-            return true; // a flat: the detection has looked at this very motion
+            return true; // flat: the detection has tested this motion
         }
         let arc = angle::Arc::new(&from.a, &to.a);
         let on_axis = |k: usize| {
@@ -194,8 +194,8 @@ impl Planned {
         Pass { targets, chord_error_mm, splits, ..pass }
     }
 
-    /// What keeps the beam from turning at the split `i`: on the way from one beam to the other, or where
-    /// the one before would come to if it were kept on.
+    /// What keeps the beam from turning at the split `i`: something on the turn from one beam to the other, or ahead
+    /// on the line if the beam kept the tilt it has before the split.
     fn wall(&self, beam: &Beam<'_>, i: usize) -> Option<Blocker> {
         let (q, from, to) = (self.points[i], self.axes[i.checked_sub(1)?]?, self.axes[i]?);
         let arc = angle::Arc::new(&from, &to);
