@@ -98,8 +98,8 @@ pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Po
     swept(beam, motion, from, (&middle, t)).or_else(|| swept(beam, motion, (&middle, t), to))
 }
 
-/// What the head hits on a motion of the focus, checked with a geometry without a beam (`ToolGeometry::head_alone`): `None` is a
-/// proof that it keeps its margin.
+/// What the head hits on a motion of the focus. `head` has a geometry without a beam (`ToolGeometry::head_alone`);
+/// `None` is a proof that it keeps its margin.
 pub fn head_hit(head: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Blocker> {
     let (middle, share) = (motion.between(from, to), to.1 - from.1);
     match head.body_conflict([from.0, &middle, to.0], 0.0, |reach_mm| motion.stray_mm(share, reach_mm)) {
