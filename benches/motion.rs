@@ -6,7 +6,7 @@
 #[path = "../tests/common/all_pairs.rs"]
 mod all_pairs;
 
-use clearbeam::beam::Work;
+use clearbeam::beam::ProcessSettings;
 use clearbeam::cell::motion::{Arm, State, Watch, choose};
 use clearbeam::cell::{Robot, Setup, Spin};
 use clearbeam::part::{Part, Placement, Units};
@@ -36,11 +36,20 @@ fn passes(count: usize) -> Vec<Pass> {
         let n = Vector3::new(x / 120.0, -1.0, (z - 25.0) / 120.0).normalize();
         let p = Point3::new(x, 120.0 * n.y + 110.0, z);
         let o = pose::target::travel(&Vector3::x(), &n);
-        Target { p, n, a: n, o, state: pose::State::Free, laser: along > 0, normal_hits: None, clearance_mm: None }
+        Target {
+            p,
+            n,
+            a: n,
+            o,
+            state: pose::TargetState::Free,
+            laser: along > 0,
+            normal_hits: None,
+            clearance_mm: None,
+        }
     };
     let line = |k: usize| Pass {
         surface: 1,
-        work: Work::default(),
+        settings: ProcessSettings::default(),
         plane_normal: Vector3::z(),
         closed: false,
         targets: (k * 100..(k + 1) * 100).map(target).collect(),

@@ -4,7 +4,7 @@
 //! Stages that planning runs on all cores are run so here, too. `benches/peers.py` times the same
 //! stages of other programs on the same meshes; compare figures of one sitting only.
 
-use clearbeam::beam::{Head, Optics, Stance, Tool, Work};
+use clearbeam::beam::{Head, Optics, ProcessSettings, Tool, ToolConfiguration};
 use clearbeam::cell::Setup;
 use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::merge_tree::dihedral_angles;
@@ -17,7 +17,7 @@ use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
 use clearbeam::planning::{Cache, plan};
 use clearbeam::pose::clearance::free_set;
-use clearbeam::pose::{Beam, Correction, Line, LineRules, Pass, TiltRule, plan_line};
+use clearbeam::pose::{Beam, Correction, LineOnSurface, LineRules, Pass, TiltRule, plan_line};
 use clearbeam::progress::Progress;
 use clearbeam::sample::solids::helical_gear;
 use clearbeam::sample::stl_bytes;
@@ -152,15 +152,21 @@ fn surface_points(mesh: &Mesh) -> Vec<(Point3<f64>, Vector3<f64>)> {
     out
 }
 
-fn planned(part: &Part, stance: &Stance<'_>, surface: u32, line: &TransversalLine, rules: &LineRules) -> Pass {
-    plan_line(part, std::slice::from_ref(stance), &Line { line, surface, number: 0, m: Some(Z) }, rules)
+fn planned(
+    part: &Part,
+    configuration: &ToolConfiguration<'_>,
+    surface: u32,
+    line: &TransversalLine,
+    rules: &LineRules,
+) -> Pass {
+    plan_line(part, std::slice::from_ref(configuration), &LineOnSurface { line, surface, number: 0, m: Some(Z) }, rules)
 }
 
 /// Lines over tooth gaps (flank, root, flank). With 40 teeth 228 of the 240 have a run on either
 /// flank, and all of it is corrected; the 14 teeth of 10 k stand too far apart: detection alone.
 fn correction(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let rules = line_rules(Correction::SectionPlane);
-    let ray = Stance::ray(Work::default());
+    let ray = ToolConfiguration::ray(ProcessSettings::default());
     let lines = gap_lines(part);
     group.bench_function(format!("correction, {} lines/{size}", lines.len()), |b| {
         b.iter(|| lines.par_iter().map(|(s, line)| planned(part, &ray, *s, line, &rules)).collect::<Vec<_>>());
@@ -198,7 +204,7 @@ const HEAD: &str = "[[part]]\nfrom_mm = 40\nto_mm = 80\nr0_mm = 5\nr1_mm = 18\n\
 /// The search over the same lines, as many as have 3000 points; and the free sets of 3000 points alone.
 fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let rules = line_rules(Correction::Clearance);
-    let ray = Stance::ray(Work::default());
+    let ray = ToolConfiguration::ray(ProcessSettings::default());
     let mut points = 0;
     let mut lines = gap_lines(part);
     lines.retain(|(_, line)| {
@@ -211,7 +217,7 @@ fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) 
     });
     let Ok(head) = Head::from_toml(HEAD) else { return };
     let tool = Tool { head: Some(head), clamps: Vec::new() };
-    let held = Stance::new(&tool, &Optics::default(), Work::default(), 0.5);
+    let held = ToolConfiguration::new(&tool, &Optics::default(), ProcessSettings::default(), 0.5);
     group.bench_function(format!("search and polish with a head, {points} points/{size}"), |b| {
         b.iter(|| lines.par_iter().map(|(s, line)| planned(part, &held, *s, line, &rules)).collect::<Vec<_>>());
     });

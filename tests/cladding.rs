@@ -3,7 +3,7 @@
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces, Units, angle};
-use clearbeam::path::Axis;
+use clearbeam::path::AxisSource;
 use clearbeam::planning::proof::prover;
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, Cache, Plan, PlanError, export, verify};
@@ -66,13 +66,13 @@ fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
     assert_eq!(report.surfaces[0].passes, plan.passes.len());
     assert!((plan.grown[2].part.mesh.bounds().1.z - 11.5).abs() < 1e-9, "what connecting moves keep clear of");
     assert!((report.surfaces[0].work_mm - report.work_mm).abs() < 1e-9);
-    let layers: Vec<u32> = plan.passes.iter().map(|p| p.work.layer).collect();
+    let layers: Vec<u32> = plan.passes.iter().map(|p| p.settings.layer).collect();
     assert!(layers.is_sorted() && layers.contains(&2));
     for pass in &plan.passes {
-        let z = 10.0 + 0.5 * f64::from(pass.work.layer);
+        let z = 10.0 + 0.5 * f64::from(pass.settings.layer);
         assert!(pass.targets.iter().all(|t| (t.p.z - z).abs() < 1e-9), "each on top of the one before");
         // Every second layer runs across.
-        let m = if pass.work.layer == 1 { pass.plane_normal.y } else { pass.plane_normal.x };
+        let m = if pass.settings.layer == 1 { pass.plane_normal.y } else { pass.plane_normal.x };
         assert!((m.abs() - 1.0).abs() < 1e-9);
     }
     let proof = plan.proof.as_ref().expect("a proof");
@@ -110,7 +110,7 @@ fn closed_lines_begin_elsewhere_in_each_layer() {
         let lowest = plan
             .passes
             .iter()
-            .filter(|p| p.work.layer == layer)
+            .filter(|p| p.settings.layer == layer)
             .min_by(|a, b| a.targets[0].p.z.total_cmp(&b.targets[0].p.z));
         lowest.expect("a pass").targets[0].p
     };
@@ -155,7 +155,7 @@ fn another_layer_leaves_those_below_as_they_are() {
     assert!(fresh.passes == three.passes && fresh.steps == three.steps, "and nothing depends on the cache");
     case.job.bead = Default::default();
     let bare = case.plan_with(&cache).expect("plans");
-    assert!(bare.grown.is_empty() && bare.passes.iter().all(|p| p.work.layer == 0));
+    assert!(bare.grown.is_empty() && bare.passes.iter().all(|p| p.settings.layer == 0));
 }
 
 #[test]
@@ -173,7 +173,7 @@ fn a_robot_lays_layers_too() {
     let plan = case.plan();
     let report = Report::new(&plan, &case.surfaces);
     assert_eq!((report.layers, report.proven), (2, true), "{:?}", report.problems);
-    assert!(plan.passes.iter().filter(|p| p.work.layer == 1).any(|p| p.targets.iter().any(|t| t.laser)));
+    assert!(plan.passes.iter().filter(|p| p.settings.layer == 1).any(|p| p.targets.iter().any(|t| t.laser)));
     assert_eq!(case.verified(&plan).findings, []);
 }
 
@@ -181,7 +181,7 @@ fn a_robot_lays_layers_too() {
 fn axes_from_neighbours_stand_on_the_cup_as_its_radii_do() {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/samples/acetabular_cup.toml");
     let mut job = files::read(&file).expect("reads");
-    (job.layers.spacing_mm, job.path.axis) = (1.0, Axis::Neighbours);
+    (job.layers.spacing_mm, job.path.axis) = (1.0, AxisSource::Neighbours);
     (job.path.chord_error_mm, job.path.max_turn_deg) = (0.02, 5.0);
     let part = files::load_part(&job, Some(&file)).expect("loads");
     let setup = files::load_setup(&job, Some(&file)).expect("a cell");

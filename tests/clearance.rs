@@ -9,8 +9,8 @@ use clearbeam::part::SurfaceId;
 use clearbeam::path::Order;
 use clearbeam::planning::report::Report;
 use clearbeam::pose::clearance::free_set;
-use clearbeam::pose::tilt::{Pin, Side, Tilt};
-use clearbeam::pose::{Beam, Correction, State, Target};
+use clearbeam::pose::tilt::{Pin, Tilt, TiltSide};
+use clearbeam::pose::{Beam, Correction, Target, TargetState};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{Planned, block, job, on, part, planned, planned_at, sample, sheet};
@@ -42,7 +42,7 @@ fn at_floor(triangles: &Triangles, job: Job) -> Planned {
 }
 
 fn lit(p: &Planned) -> impl Iterator<Item = &Target> {
-    p.targets().filter(|t| t.state != State::Blocked)
+    p.targets().filter(|t| t.state != TargetState::Blocked)
 }
 
 fn atan_deg(x: f64) -> f64 {
@@ -80,7 +80,7 @@ fn under_a_roof_the_beam_leans_out_by_the_least_that_is_free() {
     let inner = |t: &&Target| t.p.x < -0.1 && t.p.x > -4.5 && (t.p.y - 10.0).abs() < 3.0;
     let mut tried = 0;
     for t in p.targets().filter(inner) {
-        assert_eq!(t.state, State::Corrected, "{t:?}");
+        assert_eq!(t.state, TargetState::Corrected, "{t:?}");
         let least = atan_deg(-t.p.x / 5.0);
         assert!(t.tilt_deg() > least && t.tilt_deg() < least + 3.0, "{} for {least}: {t:?}", t.tilt_deg());
         tried += 1;
@@ -92,12 +92,12 @@ fn under_a_roof_the_beam_leans_out_by_the_least_that_is_free() {
     assert!(
         p.targets()
             .filter(|t| t.p.x < -5.1 && t.p.x > -6.9 && (t.p.y - 10.0).abs() < 3.0)
-            .all(|t| t.state == State::Blocked)
+            .all(|t| t.state == TargetState::Blocked)
     );
     // Within the section plane none of it is free.
     job.path.correction = Correction::SectionPlane;
     let q = at_floor(&roof(), job);
-    assert!(q.targets().filter(inner).all(|t| t.state == State::Blocked));
+    assert!(q.targets().filter(inner).all(|t| t.state == TargetState::Blocked));
     let report = p.report();
     let [own, other] = report.corrections.as_slice() else { panic!("both corrections are told") };
     assert_eq!((own.correction, other.correction), ("clearance", "section-plane"));
@@ -109,7 +109,7 @@ fn a_roof_over_half_the_line_is_met_by_a_ramp() {
     let half = floor(&[([-12.0, 10.0, 5.0], [2.5, 31.0, 6.0])]);
     let p = at_floor(&half, searched("x", 1.0));
     let line = p.plan.passes.iter().find(|l| l.targets[0].p.x.abs() < 0.6).expect("a line");
-    assert!(line.splits.is_empty() && line.targets.iter().all(|t| t.state != State::Blocked));
+    assert!(line.splits.is_empty() && line.targets.iter().all(|t| t.state != TargetState::Blocked));
     assert!(line.max_tilt_rate_deg_mm() <= RATE + 1e-6);
     // It rises as late as the rate allows, from nothing.
     let tilted = line.targets.iter().filter(|t| t.tilt_deg() > 0.5).map(|t| t.p.y).fold(f64::INFINITY, f64::min);
@@ -125,7 +125,7 @@ fn where_the_two_sides_need_opposite_tilts_the_pass_is_split_and_the_wall_named(
     let roofs = [p.surface_at([0.0, 5.0, 5.0]), p.surface_at([0.0, 15.0, 5.0])];
     let mut tried = 0;
     for (number, line) in p.plan.passes.iter().enumerate().filter(|(_, l)| l.targets[0].p.x.abs() < 0.8) {
-        assert!(line.targets.iter().all(|t| t.state != State::Blocked));
+        assert!(line.targets.iter().all(|t| t.state != TargetState::Blocked));
         let [split] = line.splits.as_slice() else { panic!("{} splits", line.splits.len()) };
         let (before, behind) = (&line.targets[split.point - 1], &line.targets[split.point]);
         assert_eq!(before.p, behind.p);
@@ -149,14 +149,14 @@ fn a_forbidden_side_is_not_taken() {
     let open = at_floor(&roof(), job.clone());
     let inner = |t: &&Target| t.p.x < -1.0 && t.p.x > -4.5 && (t.p.y - 10.0).abs() < 3.0;
     let side = open.targets().find(inner).map(|t| t.o.cross(&t.n).x).expect("a target");
-    let (out, other) = if side > 0.0 { (Side::Right, Side::Left) } else { (Side::Left, Side::Right) };
+    let (out, other) = if side > 0.0 { (TiltSide::Right, TiltSide::Left) } else { (TiltSide::Left, TiltSide::Right) };
     let surface = SurfaceId(open.plan.passes[0].surface);
     job.settings.change(surface, |s| s.tilt.forbidden = vec![other]);
     let p = at_floor(&roof(), job.clone());
-    assert!(p.targets().filter(inner).all(|t| t.state == State::Corrected && t.a.x > 0.0));
+    assert!(p.targets().filter(inner).all(|t| t.state == TargetState::Corrected && t.a.x > 0.0));
     job.settings.change(surface, |s| s.tilt.forbidden = vec![out]);
     let p = at_floor(&roof(), job);
-    assert!(p.targets().filter(inner).all(|t| t.state == State::Blocked));
+    assert!(p.targets().filter(inner).all(|t| t.state == TargetState::Blocked));
     assert!(lit(&p).all(|t| t.a.x < libm::sin(1.01f64.to_radians())));
 }
 
@@ -171,7 +171,7 @@ fn the_least_tilt_is_kept_everywhere() {
     let away: Vec<_> = p.targets().filter(|t| t.p.x > 1.0).collect();
     assert!(!away.is_empty());
     for t in away {
-        assert!(t.state == State::Free && (t.tilt_deg() - 6.0).abs() < 1e-6 && t.a.dot(&t.o) > -1e-9, "{t:?}");
+        assert!(t.state == TargetState::Free && (t.tilt_deg() - 6.0).abs() < 1e-6 && t.a.dot(&t.o) > -1e-9, "{t:?}");
         assert!((t.a.y.abs() - libm::sin(6f64.to_radians())).abs() < 1e-6);
     }
     assert!(p.report().max_tilt_rate_deg_per_mm <= RATE + 1e-6);
@@ -232,7 +232,7 @@ fn compared(what: &str, p: &Planned) -> Report {
 /// Looks half a degree by half a degree for what the search may have missed.
 fn nothing_is_free(what: &str, p: &Planned, stride: usize) {
     let beam = Beam::on(&p.part);
-    let blocked: Vec<&Target> = p.targets().filter(|t| t.state == State::Blocked).collect();
+    let blocked: Vec<&Target> = p.targets().filter(|t| t.state == TargetState::Blocked).collect();
     let steps = (2.0 * p.job.path.max_tilt_deg) as i32;
     for t in blocked.iter().step_by(stride) {
         for i in -steps..=steps {
@@ -287,9 +287,9 @@ fn a_closed_line_begins_and_ends_with_the_same_beam() {
     for pass in p.plan.passes.iter().filter(|l| l.closed) {
         let (first, last) = (&pass.targets[0], &pass.targets[pass.targets.len() - 1]);
         assert!(first.p == last.p && first.a == last.a && first.state == last.state);
-        let blocked = pass.targets.iter().find(|t| t.state == State::Blocked);
+        let blocked = pass.targets.iter().find(|t| t.state == TargetState::Blocked);
         assert!(blocked.is_none(), "{blocked:?}");
-        tried += usize::from(first.state == State::Corrected);
+        tried += usize::from(first.state == TargetState::Corrected);
     }
     assert!(tried > 0);
     assert!(p.report().max_tilt_rate_deg_per_mm <= RATE + 1e-6);

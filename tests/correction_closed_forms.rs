@@ -8,7 +8,7 @@ use clearbeam::document::Offset;
 use clearbeam::path::DensePoint;
 use clearbeam::pose::interference::GRAZE_MM;
 use clearbeam::pose::section_plane::correct;
-use clearbeam::pose::{Beam, State, Target};
+use clearbeam::pose::{Beam, Target, TargetState};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{Planned, angle_deg, block, job, near, on, part, planned, planned_at, sample, sheet};
@@ -71,11 +71,11 @@ fn runs_between_gear_teeth_point_to_the_o_of_their_free_neighbours() {
     for pass in &p.plan.passes {
         let rows = &pass.targets;
         let mut at = 0;
-        while let Some(first) = (at..rows.len()).find(|&i| rows[i].state == State::Corrected) {
-            let behind = (first..rows.len()).find(|&i| rows[i].state != State::Corrected).expect("a free end");
+        while let Some(first) = (at..rows.len()).find(|&i| rows[i].state == TargetState::Corrected) {
+            let behind = (first..rows.len()).find(|&i| rows[i].state != TargetState::Corrected).expect("a free end");
             at = behind;
             let (p0, pn) = (&rows[first - 1], &rows[behind]);
-            assert_eq!((p0.state, pn.state), (State::Free, State::Free));
+            assert_eq!((p0.state, pn.state), (TargetState::Free, TargetState::Free));
             let o = crossing(flat(&p0.p.coords), flat(&p0.n), flat(&pn.p.coords), flat(&pn.n)).expect("O");
             for t in &rows[first..behind] {
                 let wanted = Vector3::new(o[0] - t.p.x, o[1] - t.p.y, 0.0);
@@ -96,18 +96,20 @@ fn step() -> Triangles {
 #[test]
 fn at_the_foot_of_a_step_the_beam_leans_away_by_a_degree_or_two() {
     let p = planned_at(&step(), &[[5.0, 10.0, 0.0]], job("y", 1.0));
-    let rows: Vec<&Target> = p.targets().filter(|t| t.state != State::Free).collect();
+    let rows: Vec<&Target> = p.targets().filter(|t| t.state != TargetState::Free).collect();
     assert!(rows.len() >= p.plan.passes.len(), "every line begins at the foot");
     for t in rows {
-        assert_eq!(t.state, State::Corrected, "{t:?}");
+        assert_eq!(t.state, TargetState::Corrected, "{t:?}");
         assert!(t.p.x < GRAZE_MM + 0.05 && (1.0..=3.0).contains(&t.tilt_deg()), "{t:?}");
         assert!(t.a.x > 0.0 && t.a.y.abs() < 1e-12, "away from the wall, in the section plane: {t:?}");
     }
     // The same for the wall's own foot over the floor.
     let p = planned_at(&step(), &[[0.0, 10.0, 5.0]], job("y", 1.0));
-    assert!(p.targets().all(|t| t.state != State::Blocked));
+    assert!(p.targets().all(|t| t.state != TargetState::Blocked));
     assert!(
-        p.targets().filter(|t| t.state == State::Corrected).all(|t| t.a.z > 0.0 && (1.0..=3.0).contains(&t.tilt_deg()))
+        p.targets()
+            .filter(|t| t.state == TargetState::Corrected)
+            .all(|t| t.a.z > 0.0 && (1.0..=3.0).contains(&t.tilt_deg()))
     );
 }
 
@@ -118,8 +120,8 @@ fn a_line_along_the_foot_is_blocked_and_says_by_which_wall() {
     let p = planned_at(&step(), &[[5.0, 10.0, 0.0]], job);
     let wall = p.surface_at([0.0, 10.0, 5.0]);
     let (along, others) = p.plan.passes.split_first().expect("passes");
-    assert!(along.targets.iter().all(|t| t.state == State::Blocked && !t.laser && t.p.x < GRAZE_MM));
-    assert!(others.iter().flat_map(|l| &l.targets).all(|t| t.state == State::Free));
+    assert!(along.targets.iter().all(|t| t.state == TargetState::Blocked && !t.laser && t.p.x < GRAZE_MM));
+    assert!(others.iter().flat_map(|l| &l.targets).all(|t| t.state == TargetState::Free));
     let problems = p.report().problems;
     assert_eq!(problems.len(), along.targets.len());
     assert!(problems.iter().all(|q| (q.pass, q.cause.word(), q.by_surface) == (Some(0), "beam", Some(wall))));

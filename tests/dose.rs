@@ -4,13 +4,13 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::beam::{Obstacle, Optics, Work};
+use clearbeam::beam::{Obstacle, Optics, ProcessSettings};
 use clearbeam::document::{Document, Edit, Job, segmented};
 use clearbeam::part::{Part, Placement, SurfaceId, Surfaces};
 use clearbeam::planning;
 use clearbeam::pose::target::travel;
-use clearbeam::pose::{Correction, Obstruction, Pass, State, Target};
-use clearbeam::process::{Cause, DoseMap, Light, Patch, Profile, Sample, Spot, Task, Thresholds, dose};
+use clearbeam::pose::{Correction, Obstruction, Pass, Target, TargetState};
+use clearbeam::process::{DoseInput, DoseMap, DoseSample, Light, Patch, PatchCause, Profile, Spot, Thresholds, dose};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
 use clearbeam::text::{Naming, Sentence, dose_lines};
@@ -41,14 +41,20 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
         n: a,
         a,
         o,
-        state: State::Free,
+        state: TargetState::Free,
         laser,
         normal_hits: None,
         clearance_mm: None,
     };
     Pass {
         surface: 1,
-        work: Work { defocus_mm: 20.0, spot_mm: 1.2, speed_mm_s: SPEED, power_w: POWER_W, ..Work::default() },
+        settings: ProcessSettings {
+            defocus_mm: 20.0,
+            spot_mm: 1.2,
+            speed_mm_s: SPEED,
+            power_w: POWER_W,
+            ..ProcessSettings::default()
+        },
         plane_normal: Vector3::z(),
         closed: false,
         targets: vec![target(p, false), target(q, true)],
@@ -60,15 +66,15 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
 }
 
 fn light(passes: &[Pass], spot: Spot) -> Light {
-    let work = |p: &Pass| Work { defocus_mm: spot.defocus_mm, spot_mm: spot.spot_mm, ..p.work };
-    let passes: Vec<Pass> = passes.iter().map(|p| Pass { work: work(p), ..p.clone() }).collect();
+    let work = |p: &Pass| ProcessSettings { defocus_mm: spot.defocus_mm, spot_mm: spot.spot_mm, ..p.settings };
+    let passes: Vec<Pass> = passes.iter().map(|p| Pass { settings: work(p), ..p.clone() }).collect();
     Light::new(&passes, &spot, |_, _| 0.0)
 }
 
 fn map_on(part: &Part, passes: &[Pass], spot: Spot, clamps: &[Obstacle]) -> (DoseMap, Surfaces) {
     let surfaces = segmented(part, &Job::default());
     let chosen = surfaces.list.iter().map(|s| s.number).collect();
-    let task = Task { part, surfaces: &surfaces, clamps, chosen, thresholds: LOW, own: BTreeMap::new() };
+    let task = DoseInput { part, surfaces: &surfaces, clamps, chosen, thresholds: LOW, own: BTreeMap::new() };
     let map = dose(&task, light(passes, spot), &|| true).expect("nobody cancels");
     (map, surfaces)
 }
@@ -78,7 +84,7 @@ fn plate() -> Triangles {
     sheet(&[[-10.0, 0.0], [10.0, 0.0]], 20.0)
 }
 
-fn centre(s: &Sample) -> [f64; 3] {
+fn centre(s: &DoseSample) -> [f64; 3] {
     s.centre.map(f64::from)
 }
 
@@ -151,7 +157,7 @@ fn a_raster_has_the_mean_and_the_ripple_of_its_spacing() {
         let (map, _) = map_on(&part(&plate()), &passes, spot(Profile::Gaussian), &[]);
         let mean = 100.0 * POWER_W / (SPEED * spacing);
         let (mut area, mut sum) = (0.0, 0.0);
-        let inner = |s: &&Sample| centre(s)[0].abs() < 4.0 && (centre(s)[1] - 10.0).abs() < 2.0 * spacing;
+        let inner = |s: &&DoseSample| centre(s)[0].abs() < 4.0 && (centre(s)[1] - 10.0).abs() < 2.0 * spacing;
         for s in map.samples.iter().filter(inner) {
             let (y, dose, a) = (centre(s)[1], f64::from(s.fluence_j_cm2), f64::from(s.area_mm2));
             // The sum of Gaussians by its harmonics (Poisson): closed form of the ripple.
@@ -198,7 +204,7 @@ fn round_surfaces_are_lit_at_the_angle_of_the_place() {
     let (map, _) = map_on(&ball, &[line([-2.0, 0.0, 5.0], [2.0, 0.0, 5.0], [0.0, 0.0, 1.0])], wide, &[]);
     let cylinder = part(&solids::cylinder(5.0, 12.0, 360));
     let (side, _) = map_on(&cylinder, &[line([5.0, 0.0, 3.0], [5.0, 0.0, 9.0], [1.0, 0.0, 0.0])], wide, &[]);
-    let check = |s: &Sample, cosine: f64, place: [f64; 2], half: f64| {
+    let check = |s: &DoseSample, cosine: f64, place: [f64; 2], half: f64| {
         if cosine < 0.05 {
             return; // where the facets turn away
         }
@@ -457,8 +463,14 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
     let passes: Vec<Pass> = [9.6, 10.0, 14.0].map(|y| line([-5.0, y, 0.0], [5.0, y, 0.0], [0.0, 0.0, 1.0])).to_vec();
     let body = part(&plate());
     let surfaces = segmented(&body, &Job::default());
-    let task =
-        Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![1], thresholds: LOW, own: BTreeMap::new() };
+    let task = DoseInput {
+        part: &body,
+        surfaces: &surfaces,
+        clamps: &[],
+        chosen: vec![1],
+        thresholds: LOW,
+        own: BTreeMap::new(),
+    };
     let ends = [2.5, 10.0, 20.0];
     let light = Light::new(&passes, &spot(Profile::Gaussian), |pass, _| ends[pass]);
     let map = dose(&task, light, &|| true).expect("a map");
@@ -516,7 +528,7 @@ fn what_stays_unclean_has_its_cause() {
     // Top of a block, planes that lie in it.
     let missed = planned_at(&block([0.0; 3], [10.0, 10.0, 5.0]), &[[5.0, 5.0, 5.0]], parts::job("z", 1.0));
     let [patch] = &patches_of(&missed)[..] else { panic!("one patch") };
-    assert_eq!((patch.cause, patch.facets.len()), (Cause::Missed, 2));
+    assert_eq!((patch.cause, patch.facets.len()), (PatchCause::Missed, 2));
     near("area", patch.area_mm2, 100.0, 1e-4);
     assert!((patch.centre - Point3::new(5.0, 5.0, 5.0)).norm() < 0.01);
 
@@ -526,7 +538,7 @@ fn what_stays_unclean_has_its_cause() {
     job.dose.high_j_cm2 = 1e7;
     let thin = planned_at(&block([0.0; 3], [10.0, 10.0, 5.0]), &[[5.0, 5.0, 5.0]], job);
     let [patch] = &patches_of(&thin)[..] else { panic!("one patch") };
-    assert_eq!(patch.cause, Cause::Thin);
+    assert_eq!(patch.cause, PatchCause::Thin);
     near("area", patch.area_mm2, 100.0, 1e-4);
 
     // Under a roof: no beam, where none is tilted.
@@ -534,7 +546,7 @@ fn what_stays_unclean_has_its_cause() {
     job.path.correction = Correction::None;
     let blocked = planned_at(&roofed(), &[[5.0, 10.0, 0.0]], job);
     let patch = &patches_of(&blocked)[0];
-    assert_eq!(patch.cause, Cause::Blocked);
+    assert_eq!(patch.cause, PatchCause::Blocked);
     assert!((patch.area_mm2 - 128.0).abs() < 10.0, "{}", patch.area_mm2);
     let wall = patch.blocker.map(|b| b.obstruction);
     let plate = blocked.surface_at([5.0, 10.0, 0.0]);
@@ -548,11 +560,17 @@ fn what_stays_unclean_has_its_cause() {
         .collect();
     let surfaces = segmented(&body, &Job::default());
     let thresholds = Thresholds { low_j_cm2: 5000.0, high_j_cm2: 1e6, collateral_j_cm2: 1.0 };
-    let task =
-        Task { part: &body, surfaces: &surfaces, clamps: &[], chosen: vec![plate], thresholds, own: BTreeMap::new() };
+    let task = DoseInput {
+        part: &body,
+        surfaces: &surfaces,
+        clamps: &[],
+        chosen: vec![plate],
+        thresholds,
+        own: BTreeMap::new(),
+    };
     let map = dose(&task, light(&passes, spot(Profile::Gaussian)), &|| true).expect("a map");
     let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6)[0];
-    assert_eq!(patch.cause, Cause::Shaded);
+    assert_eq!(patch.cause, PatchCause::Shaded);
     near("area", patch.area_mm2, 128.0, 0.05);
     assert!(matches!(patch.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate));
     let shares = map.shares(&surfaces);
@@ -576,7 +594,7 @@ fn striped(spacing_mm: f64) -> parts::Planned {
 fn a_gap_between_lines_tells_the_spacing_that_closes_it() {
     let wide = striped(3.0);
     let patches = patches_of(&wide);
-    assert!(patches.len() >= 5 && patches.iter().all(|p| p.cause == Cause::Thin), "{patches:?}");
+    assert!(patches.len() >= 5 && patches.iter().all(|p| p.cause == PatchCause::Thin), "{patches:?}");
     let closer_mm = patches[0].closer_than_mm.expect("a spacing");
     // The first line keeps half a spacing off the rim, where no second one comes.
     let inside = |p: &Patch, spacing_mm: f64| (p.centre.y - 10.0).abs() < 10.0 - spacing_mm;
@@ -607,7 +625,7 @@ fn too_little_power_is_put_aside_by_nobody() {
     assert_eq!((patches.len(), patches[0].facets.len(), patches[0].closer_than_mm), (1, 2, None));
     assert_eq!(Edit::aside(&patches, &weak.surfaces), None);
     // Beside a patch that no light comes to, that one goes alone.
-    let blocked = Patch { cause: Cause::Blocked, facets: patches[0].facets[..1].to_vec(), ..patches[0].clone() };
+    let blocked = Patch { cause: PatchCause::Blocked, facets: patches[0].facets[..1].to_vec(), ..patches[0].clone() };
     let alone = Edit::aside(std::slice::from_ref(&blocked), &weak.surfaces);
     assert!(alone.is_some());
     assert_eq!(Edit::aside(&[patches[0].clone(), blocked], &weak.surfaces), alone);

@@ -3,11 +3,11 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::beam::{Stance, Work};
+use clearbeam::beam::{ProcessSettings, ToolConfiguration};
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::ends::joined;
 use clearbeam::path::{TransversalLine, dense};
-use clearbeam::pose::{Correction, Line, LineRules, Pass, Pin, Tilt, TiltRule, plan_line};
+use clearbeam::pose::{Correction, LineOnSurface, LineRules, Pass, Pin, Tilt, TiltRule, plan_line};
 use clearbeam::sample::solids;
 use nalgebra::Vector3;
 use parts::{cut, part};
@@ -36,8 +36,8 @@ fn rules(correction: Correction, pins: Vec<Pin>) -> LineRules {
 
 fn planned(line: &TransversalLine, rules: &LineRules) -> Pass {
     let plate = part(&solids::blind_hole(40.0, 5.0, 10.0, 48));
-    let line = Line { line, surface: 1, number: 0, m: Some(Vector3::y()) };
-    plan_line(&plate, &[Stance::ray(Work::default())], &line, rules)
+    let line = LineOnSurface { line, surface: 1, number: 0, m: Some(Vector3::y()) };
+    plan_line(&plate, &[ToolConfiguration::ray(ProcessSettings::default())], &line, rules)
 }
 
 #[test]

@@ -8,7 +8,7 @@
 mod parts;
 
 use clearbeam::pose::interference::GRAZE_MM;
-use clearbeam::pose::{Correction, State};
+use clearbeam::pose::{Correction, TargetState};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::Point3;
 use parts::{Planned, job, near, planned_at};
@@ -24,7 +24,7 @@ fn interferes_where(p: &Planned, depth: impl Fn(&Point3<f64>) -> f64, width: f64
     let (mut hit, mut clear) = (0, 0);
     for t in p.targets().filter(|t| depth(&t.p).abs() > width) {
         assert_eq!(t.normal_hits.is_some(), depth(&t.p) < 0.0, "{t:?}");
-        assert!(t.state != State::Blocked || t.normal_hits.is_some(), "{t:?}");
+        assert!(t.state != TargetState::Blocked || t.normal_hits.is_some(), "{t:?}");
         (hit, clear) = (hit + usize::from(t.normal_hits.is_some()), clear + usize::from(t.normal_hits.is_none()));
     }
     assert!(hit + clear > 20, "{hit} hit, {clear} clear");
@@ -53,7 +53,7 @@ fn floors_between_fins_are_free_but_at_the_foot() {
 fn walls_between_fins_are_blocked_and_outer_walls_free() {
     let inner = planned_at(&fins(), &[[6.0, 25.0, 7.0], [8.0, 25.0, 7.0]], job("y", 3.0));
     for t in inner.targets() {
-        assert_eq!((t.state, t.laser, t.normal_hits.is_some()), (State::Blocked, false, true), "{t:?}");
+        assert_eq!((t.state, t.laser, t.normal_hits.is_some()), (TargetState::Blocked, false, true), "{t:?}");
     }
     // Fin 2 has its walls at 6 and 8; opposite stand those at 2 and 12.
     let opposite = [[6.0, 2.0], [8.0, 12.0]];
@@ -69,7 +69,7 @@ fn walls_between_fins_are_blocked_and_outer_walls_free() {
         assert_eq!((problem.cause.word(), problem.by_surface), ("beam", Some(inner.surface_at(by))), "{row:?}");
     }
     let outer = planned_at(&fins(), &[[0.0, 25.0, 7.0], [14.0, 25.0, 7.0], [7.0, 25.0, 15.0]], job("y", 3.0));
-    assert!(outer.targets().all(|t| t.state == State::Free && t.a == t.n));
+    assert!(outer.targets().all(|t| t.state == TargetState::Free && t.a == t.n));
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn a_blind_hole_has_a_free_floor_and_a_blocked_wall() {
     let (radius, sides) = (5.0, 64);
     let hole = solids::blind_hole(30.0, radius, 12.0, sides);
     let wall = planned_at(&hole, &[[radius, 0.0, -6.0]], job("z", 1.0));
-    assert!(wall.targets().all(|t| t.state == State::Blocked && t.normal_hits.is_some()));
+    assert!(wall.targets().all(|t| t.state == TargetState::Blocked && t.normal_hits.is_some()));
     assert_eq!(wall.report().work_mm, 0.0);
     let floor = planned_at(&hole, &[[0.0, 0.0, -12.0]], uncorrected("y", 0.7));
     let half = std::f64::consts::PI / sides as f64;

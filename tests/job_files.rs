@@ -5,7 +5,7 @@ use clearbeam::cell::Spin;
 use clearbeam::document::{Chosen, Job, JobError, Offset, Recipe, StartFrom, files};
 use clearbeam::part::{Placement, SurfaceEdit, SurfaceId, Units};
 use clearbeam::path::{Direction, Strategy};
-use clearbeam::pose::tilt::Side;
+use clearbeam::pose::tilt::TiltSide;
 use clearbeam::pose::{Correction, Pin, Tilt, TiltRule};
 use clearbeam::text::Sentence;
 use std::path::{Path, PathBuf};
@@ -45,14 +45,14 @@ fn every_list_of_surfaces_is_read() {
         job.settings.change(SurfaceId(n), c);
     };
     change(&mut job, 1, &|s| {
-        s.tilt.forbidden = vec![Side::Lag];
+        s.tilt.forbidden = vec![TiltSide::Lag];
         let tilt = Tilt { lead_deg: 1.0, lean_deg: 20.0 };
         s.pins = vec![Pin { line: 3, at_mm: 12.5, tilt }, Pin { line: 0, at_mm: 2.0, tilt: Tilt::default() }];
     });
     change(&mut job, 4, &|s| {
         s.name = "Dichtfläche".into();
         let preferred = Tilt { lead_deg: 3.0, lean_deg: -2.0 };
-        s.tilt = TiltRule { preferred, least_deg: 5.0, forbidden: vec![Side::Lead, Side::Right] };
+        s.tilt = TiltRule { preferred, least_deg: 5.0, forbidden: vec![TiltSide::Lead, TiltSide::Right] };
         s.pins = vec![Pin { line: 0, at_mm: 0.0, tilt: Tilt { lead_deg: -4.0, lean_deg: 0.0 } }];
     });
     change(&mut job, 3, &|s| s.flipped = true);

@@ -12,7 +12,7 @@ use clearbeam::document::{Job, segmented};
 use clearbeam::part::Placement;
 use clearbeam::path::Direction;
 use clearbeam::planning::Cache;
-use clearbeam::pose::{Correction, State};
+use clearbeam::pose::{Correction, TargetState};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
@@ -140,9 +140,9 @@ fn various() -> Vec<Planned> {
 fn the_report_adds_up() {
     for p in various() {
         let r = p.report();
-        let rows = |s: State| p.targets().filter(|t| t.state == s).count();
-        assert_eq!((r.corrected, r.blocked), (rows(State::Corrected), rows(State::Blocked)));
-        assert_eq!(r.points, rows(State::Free) + r.corrected + r.blocked);
+        let rows = |s: TargetState| p.targets().filter(|t| t.state == s).count();
+        assert_eq!((r.corrected, r.blocked), (rows(TargetState::Corrected), rows(TargetState::Blocked)));
+        assert_eq!(r.points, rows(TargetState::Free) + r.corrected + r.blocked);
         assert_eq!(r.passes, p.plan.passes.len());
         assert_eq!(r.interfering, p.targets().filter(|t| t.normal_hits.is_some()).count());
         let whole: f64 = p.plan.passes.iter().map(|l| l.length_mm(|_, _| true)).sum();
@@ -191,7 +191,7 @@ fn a_plan_from_the_cache_is_the_plan() {
     let targets =
         |plan: &clearbeam::planning::Plan| plan.passes.iter().flat_map(|p| p.targets.clone()).collect::<Vec<_>>();
     assert!(targets(&nearer) == targets(&first) && nearer.steps != first.steps, "D moves the focus alone");
-    assert!(nearer.passes.iter().all(|p| p.work.defocus_mm == 3.0));
+    assert!(nearer.passes.iter().all(|p| p.settings.defocus_mm == 3.0));
 }
 
 #[test]
@@ -234,7 +234,7 @@ fn rows_keep_the_rules_of_path_csv() {
 fn a_corrected_beam_differs_from_the_normal() {
     let groove = solids::v_groove(30.0, 8.0, 6.1, 21.3);
     let p = planned_at(&groove, &[[-2.0, 10.0, -4.5358984]], job("0.1,1,0.2", 0.83));
-    for t in p.targets().filter(|t| t.state == State::Corrected) {
+    for t in p.targets().filter(|t| t.state == TargetState::Corrected) {
         assert!(angle_deg(&t.a, &t.n) > 1e-6, "corrected by nothing: {t:?}");
     }
 }

@@ -4,7 +4,7 @@
 #[path = "common/programs.rs"]
 mod programs;
 
-use clearbeam::beam::Work;
+use clearbeam::beam::ProcessSettings;
 use clearbeam::cell::{Mount, Robot, Setup};
 use clearbeam::program::dialect::{Goal, Read, ReadLine, Reading};
 use clearbeam::program::dialects::abb::Rapid;
@@ -88,7 +88,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
         timing: MoveTiming::Percent(10.0),
         lit: false,
         target: None,
-        work: Work::default(),
+        work: ProcessSettings::default(),
     })));
     let way_in = Seed::Joint([1.0, -2.0, 3.0, -4.0, 5.0, -6.0], 10);
     for seed in std::iter::once(&way_in).chain(seeds) {
@@ -106,7 +106,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
                 timing: timing(mm, deg),
                 lit,
                 target: None,
-                work: Work::default(),
+                work: ProcessSettings::default(),
             }))
         };
         out.push(match seed {

@@ -10,7 +10,7 @@ use clearbeam::cell::motion::{Arm, Cause, Watch, Why, choose};
 use clearbeam::cell::{BodyId, Contact, Link, Mount, Robot, Setup, Spin};
 use clearbeam::part::angle;
 use clearbeam::planning::{Cache, advice};
-use clearbeam::pose::{Pass, State};
+use clearbeam::pose::{Pass, TargetState};
 use clearbeam::program::{Interpolation, Step};
 use clearbeam::progress::Progress;
 use nalgebra::Vector3;
@@ -38,7 +38,7 @@ fn the_chain_is_as_cheap_as_over_all_pairs() {
     let setup = setup("mz04", Mount::PartInHand);
     for spin in [Spin::Free, Spin::Travel] {
         let arm = Arm::new(&setup, spin).expect("a robot");
-        for pass in p.plan.passes.iter().filter(|p| p.targets.iter().all(|t| t.state != State::Blocked)).take(3) {
+        for pass in p.plan.passes.iter().filter(|p| p.targets.iter().all(|t| t.state != TargetState::Blocked)).take(3) {
             let pass = first(pass, 14);
             let choice = choose(&arm, std::slice::from_ref(&pass), &Watch::default()).expect("goes on");
             let seconds = all_pairs::seconds(&pass, 3.0);
@@ -62,7 +62,7 @@ fn holds(robot: &str, mount: Mount, spin: Spin, name: &str, spacing_mm: f64) {
     for (number, pass) in p.plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate() {
             let row = &choice.rows[number][point];
-            assert_eq!(row.is_some(), t.state != State::Blocked, "pass {number}, point {point}");
+            assert_eq!(row.is_some(), t.state != TargetState::Blocked, "pass {number}, point {point}");
             let Some(c) = row else { continue };
             rows += 1;
             assert!(robot.beyond(&c.joints_deg).is_none());
@@ -150,7 +150,7 @@ fn what_cannot_be_done_says_why() {
     far.cell.base_from_laser.position_mm = [2000.0, 0.0, 300.0];
     let reach = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &far);
     assert!(!reach.plan.refusals.is_empty() && reach.plan.refusals.iter().all(|r| r.cause == Cause::Reach));
-    assert!(reach.plan.passes.iter().flat_map(|p| &p.targets).all(|t| t.state == State::Blocked && !t.laser));
+    assert!(reach.plan.passes.iter().flat_map(|p| &p.targets).all(|t| t.state == TargetState::Blocked && !t.laser));
 
     let mut narrow = setup("mz04", Mount::PartInHand);
     narrow.robot.as_mut().expect("a robot").limits_deg[4] = [-20.0, 20.0];

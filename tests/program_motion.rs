@@ -11,7 +11,7 @@ mod nachi_text;
 mod parts;
 
 use clearbeam::cell::Cell;
-use clearbeam::part::bvh::meet;
+use clearbeam::part::bvh::ray_hit_mm;
 use clearbeam::part::distance::point_triangle;
 use nachi_text::{air, frame_on_part, gear, lit, read, text, workpiece};
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
@@ -97,7 +97,7 @@ fn beams_are_free(p: &Planned) {
             let a = frame.rotation * Vector3::z();
             let start = Point3::from(frame.translation.vector - a * (p.job.beam.defocus_mm + 1.5));
             let off = |t: &f64| (t - 1.5).abs();
-            let met = corners.iter().filter_map(|c| meet(c, &start, &a)).filter(|t| off(t) < 1.5);
+            let met = corners.iter().filter_map(|c| ray_hit_mm(c, &start, &a)).filter(|t| off(t) < 1.5);
             let spot = start + a * met.min_by(|s, t| off(s).total_cmp(&off(t)))?;
             check.hit(&spot, &a, 0.1)?;
             let turn = w[0].flange.rotation.angle_to(&w[1].flange.rotation).to_degrees();

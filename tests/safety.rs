@@ -11,7 +11,7 @@ use clearbeam::document::Job;
 use clearbeam::part::Part;
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::interference::GRAZE_MM;
-use clearbeam::pose::{Beam, Correction, Pass, State};
+use clearbeam::pose::{Beam, Correction, Pass, TargetState};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Unit, Vector3};
 use parts::{Planned, checker, job, on, part, planned, sample, sheet};
@@ -143,17 +143,17 @@ fn without_correction_the_corrected_rows_are_blocked() {
     for (before, after) in [without(gear(&[1])), without(planned(part(&sample("workpiece")), on(job("z", 1.0), &[2])))]
     {
         is_safe("uncorrected", &before);
-        assert!(before.targets().all(|t| t.state != State::Corrected && t.a == t.n));
-        assert!(before.targets().all(|t| (t.state == State::Blocked) == t.normal_hits.is_some()));
+        assert!(before.targets().all(|t| t.state != TargetState::Corrected && t.a == t.n));
+        assert!(before.targets().all(|t| (t.state == TargetState::Blocked) == t.normal_hits.is_some()));
         assert_eq!(before.plan.passes.len(), after.plan.passes.len());
         let mut rows = 0;
         for (b, a) in before.plan.passes.iter().zip(&after.plan.passes) {
-            for t in a.targets.iter().filter(|t| t.state == State::Corrected && t.normal_hits.is_some()) {
+            for t in a.targets.iter().filter(|t| t.state == TargetState::Corrected && t.normal_hits.is_some()) {
                 let off =
                     |w: &[clearbeam::pose::Target]| clearbeam::part::distance::point_segment(&t.p, &w[0].p, &w[1].p);
                 let on = b.targets.windows(2).min_by(|v, w| off(v).total_cmp(&off(w))).expect("a move");
                 // At the run's end two moves are as near.
-                let touching = on.iter().any(|q| q.state == State::Blocked && (q.p - t.p).norm() < 1e-9);
+                let touching = on.iter().any(|q| q.state == TargetState::Blocked && (q.p - t.p).norm() < 1e-9);
                 assert!(!on[1].laser || touching, "{t:?} is lit in {on:?}");
                 rows += 1;
             }

@@ -8,7 +8,7 @@ use clearbeam::document::{
     Document, Edit, Job, Lost, Parameter, Recipe, RecutAnchor, StartFrom, SurfaceSettings, files, segmented,
 };
 use clearbeam::part::{Part, SurfaceId, Surfaces};
-use clearbeam::pose::tilt::Side;
+use clearbeam::pose::tilt::TiltSide;
 use clearbeam::pose::{Pin, TiltRule};
 use clearbeam::text::Sentence;
 use parts::{part, sheet};
@@ -83,7 +83,7 @@ fn set(job: &mut Job, surface: u32, change: impl Fn(&mut SurfaceSettings)) {
     job.settings.change(SurfaceId(surface), change);
 }
 
-fn forbidding(sides: &[Side]) -> TiltRule {
+fn forbidding(sides: &[TiltSide]) -> TiltRule {
     TiltRule { forbidden: sides.to_vec(), ..TiltRule::default() }
 }
 
@@ -102,7 +102,7 @@ fn another_angle_keeps_what_is_said_on_its_surface() {
         job.settings.choose([3, 2]);
         set(job, 3, |s| {
             (s.name, s.recipe, s.flipped) = ("Lip".into(), Some("Fine".into()), true);
-            s.tilt = forbidding(&[Side::Left]);
+            s.tilt = forbidding(&[TiltSide::Left]);
             s.centre_mm = Some([1.0, 2.0, 3.0]);
         });
         set(job, 1, |s| s.later = true);
@@ -166,9 +166,9 @@ fn what_most_of_a_surface_was_counts_where_several_become_one() {
 fn a_merged_surface_forbids_what_any_of_them_did() {
     let mut desk = Desk::new(three(), |job| {
         job.settings.choose([3]);
-        set(job, 1, |s| (s.later, s.recipe, s.tilt) = (true, Some("A".into()), forbidding(&[Side::Right])));
+        set(job, 1, |s| (s.later, s.recipe, s.tilt) = (true, Some("A".into()), forbidding(&[TiltSide::Right])));
         set(job, 2, |s| (s.recipe, s.tilt.least_deg) = (Some("B".into()), 9.0));
-        set(job, 3, |s| (s.name, s.tilt, s.flipped) = ("Lip".into(), forbidding(&[Side::Left]), true));
+        set(job, 3, |s| (s.name, s.tilt, s.flipped) = ("Lip".into(), forbidding(&[TiltSide::Left]), true));
         set(job, 3, |s| s.pins = vec![Pin::default(); 2]);
     });
     let lost = desk.apply(&Edit::Merge([3, 1, 99].map(SurfaceId).to_vec()));
@@ -177,7 +177,7 @@ fn a_merged_surface_forbids_what_any_of_them_did() {
         name: "Lip".into(),
         recipe: Some("A".into()),
         work: Some(0),
-        tilt: forbidding(&[Side::Left, Side::Right]),
+        tilt: forbidding(&[TiltSide::Left, TiltSide::Right]),
         ..SurfaceSettings::default()
     };
     assert_eq!(*desk.of(1), merged);
@@ -192,7 +192,7 @@ fn pieces_are_worked_as_what_they_were_cut_off() {
             job.settings.choose([2, 1]);
             set(job, 2, |s| {
                 (s.name, s.recipe, s.flipped) = ("Mid".into(), Some("Fine".into()), true);
-                (s.tilt, s.centre_mm) = (forbidding(&[Side::Lag]), Some([0.0; 3]));
+                (s.tilt, s.centre_mm) = (forbidding(&[TiltSide::Lag]), Some([0.0; 3]));
                 (s.pins, s.border) = (vec![Pin::default()], Some(StartFrom::Whole));
             });
             set(job, 4, |s| s.name = "stray".into());
@@ -207,7 +207,7 @@ fn pieces_are_worked_as_what_they_were_cut_off() {
         let piece = SurfaceSettings {
             recipe: Some("Fine".into()),
             flipped: true,
-            tilt: forbidding(&[Side::Lag]),
+            tilt: forbidding(&[TiltSide::Lag]),
             ..SurfaceSettings::default()
         };
         assert_eq!(*desk.of(4), piece);
@@ -249,7 +249,7 @@ enum Deed {
     Later(usize),
     TakeBack(usize),
     Rename(usize, u8),
-    Tilt(usize, Side),
+    Tilt(usize, TiltSide),
     Pin(usize),
     Border(usize, u32),
     Centre(usize),
@@ -260,7 +260,7 @@ enum Deed {
 fn deeds() -> impl Strategy<Value = Deed> {
     let one = || 0usize..12;
     let some = || prop::collection::vec(0usize..12, 1..4);
-    let side = prop_oneof![Just(Side::Lead), Just(Side::Lag), Just(Side::Left), Just(Side::Right)];
+    let side = prop_oneof![Just(TiltSide::Lead), Just(TiltSide::Lag), Just(TiltSide::Left), Just(TiltSide::Right)];
     prop_oneof![
         Just(Deed::All),
         some().prop_map(Deed::Clean),
@@ -314,7 +314,7 @@ fn edit_of(deed: &Deed, desk: &Desk) -> Option<Edit> {
 }
 
 /// What a surface may not do afterwards that it might not before, by facet.
-fn forbidden(desk: &Desk) -> Vec<BTreeSet<Side>> {
+fn forbidden(desk: &Desk) -> Vec<BTreeSet<TiltSide>> {
     let of = |n: &u32| desk.of(*n).tilt.forbidden.iter().copied().collect();
     desk.surfaces().of_facet.iter().map(of).collect()
 }

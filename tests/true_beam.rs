@@ -4,15 +4,15 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::beam::{Body, Frustum, Head, Obstacle, Optics, Tool};
+use clearbeam::beam::{Frustum, Head, Obstacle, Optics, Tool, ToolGeometry};
 use clearbeam::cell::{Cell, Frame, Mount};
 use clearbeam::document::files::set_up;
 use clearbeam::document::{Job, JobError};
 use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
 use clearbeam::pose::checker::{Checker, CutCone};
-use clearbeam::pose::motion::{self, Pose};
 use clearbeam::pose::{Beam, Obstruction, Tilt, ToolBody};
+use clearbeam::pose::{Pose, motion};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 use parts::{block, cylinder, part};
@@ -28,8 +28,8 @@ fn needle() -> Tool {
     Tool { head: Some(Head::from_toml(text).expect("a stack")), clamps: Vec::new() }
 }
 
-fn body(tool: &Tool) -> Body<'_> {
-    Body::new(tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a head")
+fn body(tool: &Tool) -> ToolGeometry<'_> {
+    ToolGeometry::new(tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a head")
 }
 
 fn floor_and(more: &[Triangles]) -> Part {
@@ -43,7 +43,7 @@ fn lean(deg: f64) -> Vector3<f64> {
 }
 
 /// The least angle away from +x at which a beam on the origin is free, by halving.
-fn least_lean(part: &Part, body: Option<&Body<'_>>) -> f64 {
+fn least_lean(part: &Part, body: Option<&ToolGeometry<'_>>) -> f64 {
     // A wide head that leans more comes down on the floor.
     let most = if body.is_some() { 25.0 } else { 60.0 };
     let beam = Beam::with(part, body);
@@ -145,7 +145,7 @@ fn a_blind_hole_is_reached_as_deep_as_the_cone_allows() {
 fn between_fins_the_window_is_as_wide_as_the_closed_form() {
     let p = part(&solids::fin_row(3, 2.0, 4.0, 15.0, 50.0, 7.0));
     let middle = Point3::new(4.0, 25.0, 0.0);
-    let half = |body: Option<&Body<'_>>| {
+    let half = |body: Option<&ToolGeometry<'_>>| {
         let beam = Beam::with(&p, body);
         let free = |deg: f64| beam.is_free(&middle, &lean(deg));
         let (mut low, mut high) = (0.0, 45.0);
@@ -279,7 +279,7 @@ fn a_clamp_is_in_the_way_like_the_part() {
     let at = |x: f64| (Point3::new(x, 0.0, 0.0), Vector3::z());
     // The ray alone.
     let tool = Tool { head: None, clamps: vec![clamp.clone()] };
-    let b = Body::new(&tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a clamp");
+    let b = ToolGeometry::new(&tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a clamp");
     let beam = Beam::with(&plate, Some(&b));
     assert_eq!(beam.blocker(&at(30.0).0, &at(30.0).1).map(|h| h.obstruction), Some(Obstruction::Clamp(0)));
     assert!(beam.is_free(&at(31.1).0, &at(31.1).1) && !beam.is_free(&at(30.9).0, &at(30.9).1));
@@ -455,7 +455,7 @@ proptest! {
         let narrow = b.eased(b.short_mm, 0);
         let mut worst = f64::INFINITY;
         for k in 0..=12 {
-            let q = motion::midway(&from, &to, f64::from(k) / 12.0);
+            let q = from.midway(&to, f64::from(k) / 12.0);
             if !on_floor(&boxes, q.p.x, q.p.y) {
                 worst = -1.0;
                 continue;
@@ -526,16 +526,18 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
         lines.cloned().collect::<Vec<_>>()
     };
     let without = planned(0.0);
-    assert!(between(&without).iter().all(|l| l.work.defocus_mm == DEFOCUS_MM && l.length_mm(|_, to| !to.laser) > 50.0));
+    assert!(
+        between(&without).iter().all(|l| l.settings.defocus_mm == DEFOCUS_MM && l.length_mm(|_, to| !to.laser) > 50.0)
+    );
     let with = planned(8.0);
     let lifted = between(&with);
     assert!(!lifted.is_empty());
     for line in &lifted {
         // Half of the window is enough, and the spot is as wide as the optics make it there.
-        assert_eq!(line.work.defocus_mm, DEFOCUS_MM + 4.0);
+        assert_eq!(line.settings.defocus_mm, DEFOCUS_MM + 4.0);
         let optics = Optics::default();
         let wider = optics.spot_mm(24.0) / optics.spot_mm(20.0);
-        assert!((line.work.spot_mm - wider * SPOT_MM).abs() < 1e-12);
+        assert!((line.settings.spot_mm - wider * SPOT_MM).abs() < 1e-12);
         assert_eq!(line.length_mm(|_, to| !to.laser), 0.0);
     }
     let proof = with.plan.proof.as_ref().expect("swept");
@@ -547,7 +549,7 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
         let number = |i: usize| cells[i].parse::<f64>().expect("a number");
         let pass = &with.plan.passes[number(0) as usize];
         let target = &pass.targets[number(1) as usize];
-        let focus = target.focus(pass.work.defocus_mm);
+        let focus = target.focus(pass.settings.defocus_mm);
         for k in 0..3 {
             assert!((number(17 + k) - focus[k]).abs() < 1e-6);
         }

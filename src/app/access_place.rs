@@ -3,7 +3,7 @@
 use super::access::Place;
 use super::context::Context;
 use crate::part::angle;
-use crate::pose::State;
+use crate::pose::TargetState;
 
 /// Under the cursor the normal of a target is taken, if it is no farther than this from the facet's, degrees:
 /// that of a smooth surface, where the facets are not.
@@ -15,7 +15,7 @@ impl Context<'_> {
         self.hovered_place().or_else(|| {
             let t = self.target()?;
             let surface = self.derived.plan()?.plan.passes.get(self.session.playback.at.0)?.surface;
-            let chosen = (t.state != State::Blocked).then(|| t.tilt());
+            let chosen = (t.state != TargetState::Blocked).then(|| t.tilt());
             Some(Place { p: t.p, n: t.n, tangent: t.tangent(), surface, chosen, hovered: false })
         })
     }
@@ -36,7 +36,7 @@ impl Context<'_> {
         let n = near.map_or(flat, |t| t.n);
         let tangent = near.map_or_else(|| angle::any_square_to(&flat), |t| t.tangent());
         let spacing_mm = self.document.job().layers.spacing_mm;
-        let on_it = near.filter(|t| (t.p - p).norm() <= spacing_mm && t.state != State::Blocked);
+        let on_it = near.filter(|t| (t.p - p).norm() <= spacing_mm && t.state != TargetState::Blocked);
         Some(Place { p, n, tangent, surface, chosen: on_it.map(|t| t.tilt()), hovered: true })
     }
 

@@ -27,7 +27,7 @@ use super::reading::Reading;
 use super::remedy::Proposal;
 use super::session::Session;
 use super::spacing::{SpacingPicture, SpacingView};
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::document::{Document, Library};
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{PlannedJob, Stage};
@@ -140,9 +140,9 @@ impl<'a> Context<'a> {
     }
 
     /// What the current pass is worked with.
-    pub fn work(self) -> Work {
+    pub fn work(self) -> ProcessSettings {
         let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.playback.at.0));
-        pass.map_or_else(Work::default, |p| p.work)
+        pass.map_or_else(ProcessSettings::default, |p| p.settings)
     }
 
     /// The achieved spacing of the plan that is shown, if it is shown too.

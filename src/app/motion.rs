@@ -4,7 +4,7 @@
 use crate::cell::Setup;
 use crate::picture::Trail;
 use crate::planning::{Plan, PlannedJob, export};
-use crate::pose::State;
+use crate::pose::TargetState;
 use crate::program::dialect::{Read, Reading};
 use crate::program::{CurveSample, ProgramFile, ProgramLine, Timeline, dialects, lines, series};
 use crate::text::{Sentence as _, program_comment};
@@ -135,7 +135,7 @@ fn before(move_to: &BTreeMap<(usize, usize), usize>, target: (usize, usize)) -> 
 fn marks(plan: &Plan, move_to: &BTreeMap<(usize, usize), usize>) -> Vec<Mark> {
     let mut out: Vec<Mark> = Vec::new();
     for (number, pass) in plan.passes.iter().enumerate() {
-        for (point, _) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
+        for (point, _) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == TargetState::Blocked) {
             let (first, after) = ((number, point), before(move_to, (number, point)));
             match out.last_mut() {
                 Some(m) if m.after == after && m.first.0 == number => m.count += 1,

@@ -86,7 +86,7 @@ impl Playback {
         while let Some(pass) = plan.passes.get(self.at.0) {
             let point = self.at.1;
             let needed_s = match (pass.targets.get(point), pass.targets.get(point + 1)) {
-                (Some(a), Some(b)) => (b.p - a.p).norm() / pass.work.speed_mm_s,
+                (Some(a), Some(b)) => (b.p - a.p).norm() / pass.settings.speed_mm_s,
                 _ => STAY_S,
             };
             if self.since_target_s < needed_s {

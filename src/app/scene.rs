@@ -7,7 +7,7 @@ use super::derived::Derived;
 use super::session::{Coloring, Session};
 use crate::picture::dose::DoseLook;
 use crate::picture::{PartLook, PathLook, paths, section};
-use crate::pose::State;
+use crate::pose::TargetState;
 use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
 use nalgebra::{Isometry3, Vector3};
 use std::sync::Arc;
@@ -145,7 +145,7 @@ impl<'a> Context<'a> {
             scene.meshes.extend(self.placed().map_or_else(Vec::new, |p| tool.at(&p.base_from_focus, p.lit)));
         } else if let Some(t) = self.target() {
             let focus = place * t.frame(self.work().defocus_mm);
-            scene.meshes.extend(tool.at(&focus, t.state != State::Blocked));
+            scene.meshes.extend(tool.at(&focus, t.state != TargetState::Blocked));
         }
     }
 }

@@ -116,7 +116,7 @@ impl App {
         }
         let shown = d.plan_on_part().into_iter().flat_map(|planned| &planned.plan.surfaces);
         let shown = shown.filter(|s| s.laid.layer == 0).map(|s| Arc::as_ptr(&s.laid));
-        d.laid = (!shown.eq(laid.iter().map(Arc::as_ptr))).then(|| (key, paths::laid(laid)));
+        d.laid = (!shown.eq(laid.iter().map(Arc::as_ptr))).then(|| (key, paths::toolpath_item(laid)));
     }
 
     /// Works out the motion of the newest plan.

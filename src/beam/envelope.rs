@@ -1,16 +1,16 @@
-//! The body that a head of facets sweeps as it turns about the beam: a stack of cylinders around it.
+//! The envelope that a head of facets sweeps as it turns about the beam: a stack of cylinders.
 //!
 //! The spot is round, so the turn about the beam is free, and a head that is clear whatever the turn is
 //! clear with all of them. A cable that sticks out to one side counts as a disc.
 
-use super::head::HeadPart;
+use super::HeadPart;
 use crate::part::Mesh;
 use nalgebra::Point3;
 
 /// Slices along the axis. A nozzle of 20° half angle and 60 mm length is taken 0.7 mm too wide.
 const SLICES: usize = 32;
 
-/// Cylinders about z around all facets; none of no height.
+/// Cylinders about z that contain all facets; empty for a mesh without height.
 pub fn envelope(mesh: &Mesh) -> Vec<HeadPart> {
     let (lo, hi) = mesh.bounds();
     let height = (hi.z - lo.z) / SLICES as f64;
@@ -24,7 +24,7 @@ pub fn envelope(mesh: &Mesh) -> Vec<HeadPart> {
         let low = corners.iter().map(|c| c.z).fold(f64::INFINITY, f64::min);
         let high = corners.iter().map(|c| c.z).fold(f64::NEG_INFINITY, f64::max);
         let slice = |z: f64| (((z - lo.z) / height) as usize).min(SLICES - 1);
-        // A hair wider: a corner on a border belongs to both slices.
+        // Slightly wider: a corner on the border between two slices belongs to both.
         for (i, most) in radius2.iter_mut().enumerate().take(slice(high) + 1).skip(slice(low).saturating_sub(1)) {
             *most = most.max(farthest2(&corners, at(i) - 1e-9, at(i + 1) + 1e-9));
         }

@@ -27,16 +27,16 @@ impl Frustum {
         end(self.t0_mm, self.r0_mm).max(end(self.t1_mm, self.r1_mm))
     }
 
-    /// Where it stands with t = 0 in `p` and its axis along the unit vector `a`.
-    pub fn placed(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Placed {
+    /// Places it with t = 0 at `p` and its axis along the unit vector `a`.
+    pub fn placed(&self, p: &Point3<f64>, a: &Vector3<f64>) -> PlacedFrustum {
         let slope = (self.r1_mm - self.r0_mm) / (self.t1_mm - self.t0_mm);
-        Placed { origin: *p, axis: *a, shape: *self, slope, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
+        PlacedFrustum { origin: *p, axis: *a, shape: *self, slope, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
     }
 }
 
 /// A cut cone in space.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed {
+pub struct PlacedFrustum {
     origin: Point3<f64>,
     axis: Vector3<f64>,
     shape: Frustum,
@@ -45,10 +45,10 @@ pub struct Placed {
     inverse: Vector3<f64>,
 }
 
-/// So many steps at most; four or five are usual, and what is undecided then counts as near.
+/// Maximum number of iterations. Four or five are usual; a case still undecided counts as near.
 const MOST_STEPS: usize = 48;
 
-impl Placed {
+impl PlacedFrustum {
     /// Whether a box might come within `reach_mm`; `false` is certain.
     #[inline]
     pub fn near_box(&self, lo: &[f64; 3], hi: &[f64; 3], reach_mm: f64) -> bool {
@@ -107,7 +107,7 @@ impl Placed {
         least.max(0.0)
     }
 
-    /// Told by the axis and by the greatest radius alone.
+    /// A quick test that uses only the axis and the greatest radius.
     #[inline]
     fn surely_apart(&self, corners: &[Point3<f64>; 3], reach_mm: f64) -> bool {
         let s = &self.shape;
@@ -136,7 +136,7 @@ impl Placed {
         let along = d.dot(&self.axis);
         let flat = d - self.axis * along;
         let length = flat.norm();
-        // Along the axis what is left is rounding, and points anywhere: also along the axis.
+        // For `d` along the axis the rest is rounding and points anywhere, even along the axis.
         let flat = flat - self.axis * flat.dot(&self.axis);
         let s = &self.shape;
         let (t, r) = if s.t0_mm * along + s.r0_mm * length >= s.t1_mm * along + s.r1_mm * length {
@@ -148,7 +148,7 @@ impl Placed {
         self.origin + self.axis * t + out
     }
 
-    /// Tells bounds of the distance, better and better, until `enough` says so.
+    /// Passes ever tighter lower and upper bounds of the distance to `enough` until it returns true.
     fn approach(&self, corners: &[Point3<f64>; 3], mut enough: impl FnMut(f64, f64) -> bool) {
         let mut v = self.origin + self.axis * (0.5 * (self.shape.t0_mm + self.shape.t1_mm)) - corners[0];
         let mut simplex = Simplex::default();
@@ -166,16 +166,16 @@ impl Placed {
             if enough(low, high) {
                 return;
             }
-            // No nearer by more than rounding, or a point that is there already.
+            // No progress beyond rounding, or a point that the simplex already has.
             if high - bound <= 1e-12 * high || simplex.has(&w) {
                 return;
             }
-            let Some(next) = simplex.with(w) else {
+            let Some(next) = simplex.added(w) else {
                 enough(0.0, 0.0);
                 return;
             };
             if next.norm_squared() >= v.norm_squared() && low > 0.0 && simplex.count > 1 {
-                return; // rounding: it gets no better
+                return; // only rounding is left
             }
             v = next;
         }
@@ -196,7 +196,7 @@ impl Simplex {
 
     /// Adds a point, keeps those that the point nearest to the origin needs, and returns it; `None`:
     /// the origin is inside.
-    fn with(&mut self, w: Vector3<f64>) -> Option<Vector3<f64>> {
+    fn added(&mut self, w: Vector3<f64>) -> Option<Vector3<f64>> {
         self.points[self.count] = w;
         self.count += 1;
         let p = self.points;
@@ -277,7 +277,7 @@ fn nearest_on_tetrahedron(p: &[Vector3<f64>; 4]) -> Option<(Vector3<f64>, [bool;
     for [i, j, k, l] in [[0, 1, 2, 3], [0, 3, 1, 2], [0, 2, 3, 1], [1, 3, 2, 0]] {
         let n = (p[j] - p[i]).cross(&(p[k] - p[i]));
         let (origin, other) = (-p[i].dot(&n), (p[l] - p[i]).dot(&n));
-        // On the fourth corner's side of this face: not nearest there. A flat one is looked at as well.
+        // The origin is on the fourth corner's side of this face, so it is not nearest. A flat tetrahedron is checked too.
         if origin * other > 0.0 && other.abs() > 1e-14 * n.norm() {
             continue;
         }

@@ -3,27 +3,14 @@
 //! Both are measured from the focus, the stack along a, against the light; an STL stands with its
 //! origin in the focus and its z along a. Cables and nozzles are pieces like any other.
 
+use super::HeadPart;
 use super::envelope::envelope;
 use super::obstacle::Obstacle;
 use crate::file::{self, FileError};
 use crate::part::{Hasher, Keyed, LoadError, Part};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::path::Path;
 use thiserror::Error;
-
-/// A piece of the stack: a cylinder or a cut cone, its ends flat.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct HeadPart {
-    /// Where it begins, mm from the focus along a.
-    pub from_mm: f64,
-    /// Where it ends, mm from the focus along a.
-    pub to_mm: f64,
-    /// Radius where it begins, mm.
-    pub r0_mm: f64,
-    /// Radius where it ends, mm.
-    pub r1_mm: f64,
-}
 
 /// A head.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,8 +20,6 @@ pub enum Head {
     /// Facets, and the stack that they sweep as they turn about the beam.
     Solid(Obstacle, Vec<HeadPart>),
 }
-
-crate::part::keyed!(HeadPart { from_mm, to_mm, r0_mm, r1_mm });
 
 impl Keyed for Head {
     fn feed(&self, into: &mut Hasher) {
@@ -55,13 +40,13 @@ struct StackFile {
     part: Vec<HeadPart>,
 }
 
-/// Why there is no head.
+/// Why a head cannot be loaded.
 #[derive(Debug, Error)]
 pub enum HeadError {
     /// It cannot be read.
     #[error(transparent)]
     File(#[from] FileError),
-    /// It is no stack, or has absurd figures.
+    /// It is not a stack, or its dimensions are implausible.
     #[error("{file}: {what}")]
     Stack {
         /// The file.
@@ -69,21 +54,21 @@ pub enum HeadError {
         /// What is wrong with it.
         what: StackError,
     },
-    /// It is no STL.
+    /// It is not a usable STL.
     #[error(transparent)]
     Solid(#[from] LoadError),
 }
 
-/// Why a text is no stack of cylinders and cones.
+/// Why a text does not describe a stack of cylinders and cones.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum StackError {
-    /// It is no TOML, or has a key or a value that does not belong there, or lacks one.
+    /// It is not TOML, or a key or value is unknown or missing.
     #[error("not parsed")]
     Toml(#[source] Box<toml::de::Error>),
-    /// It has no piece.
+    /// It has no pieces.
     #[error("no part")]
     Empty,
-    /// A piece ends before it begins, or beyond all reason.
+    /// A piece ends before it begins, or lies implausibly far away.
     #[error("part {part} from {from_mm} to {to_mm}")]
     Span {
         /// The piece, from 1.
@@ -93,7 +78,7 @@ pub enum StackError {
         /// Where it ends.
         to_mm: f64,
     },
-    /// The radii of a piece are none, or both 0.
+    /// The radii of a piece are out of range, or both 0.
     #[error("part {part}, radii {r0_mm} and {r1_mm}")]
     Radii {
         /// The piece, from 1.
@@ -109,7 +94,7 @@ impl Head {
     /// Reads a head: a `.stl` file as facets, any other as a stack.
     ///
     /// # Errors
-    /// It cannot be read, or has absurd figures.
+    /// It cannot be read, or its dimensions are implausible.
     pub fn load(file: &Path) -> Result<Head, HeadError> {
         let name = file.display().to_string();
         if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("stl")) {
@@ -125,7 +110,7 @@ impl Head {
     /// A stack from the text of its file.
     ///
     /// # Errors
-    /// What is missing or absurd.
+    /// Something is missing or implausible.
     pub fn from_toml(text: &str) -> Result<Head, StackError> {
         let file: StackFile = toml::from_str(text).map_err(|e| StackError::Toml(Box::new(e)))?;
         if file.part.is_empty() {

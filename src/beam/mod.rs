@@ -3,27 +3,31 @@
 //!
 //! Millimetres; along the beam, t runs from the point on the part and z from the focus.
 
-pub mod body;
 pub mod envelope;
 pub mod frustum;
 pub mod head;
+mod head_part;
 pub mod obstacle;
 pub mod optics;
-pub mod work;
+pub mod process_settings;
+pub mod tool_configuration;
+pub mod tool_geometry;
 
-pub use body::Body;
 pub use frustum::Frustum;
-pub use head::{Head, HeadError, HeadPart, StackError};
+pub use head::{Head, HeadError, StackError};
+pub use head_part::HeadPart;
 pub use obstacle::Obstacle;
 pub use optics::Optics;
-pub use work::{Stance, Work};
+pub use process_settings::ProcessSettings;
+pub use tool_configuration::ToolConfiguration;
+pub use tool_geometry::ToolGeometry;
 
-/// What the files of a job hold of the tool: read once, and kept with the set-up.
+/// The tool as the files of a job describe it: read once, and kept with the set-up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tool {
     /// The head; `None`: the beam is a ray.
     pub head: Option<Head>,
-    /// What stands on the part, in its frame; behind it, where the head is carried, what stands in the cell.
+    /// Clamps on the part, in its frame; where the robot carries the head, obstacles of the cell follow them.
     pub clamps: Vec<Obstacle>,
 }
 

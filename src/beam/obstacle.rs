@@ -1,6 +1,6 @@
 //! A body of facets that stands somewhere: a clamp on the part, a fixture or a fence in the cell.
 //!
-//! In whose frame it stands is said where it is listed.
+//! The frame that its place refers to is that of the list it stands in.
 
 use crate::part::{self, Hasher, Keyed, LoadError, Part, Placement, Units, rpy};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
@@ -63,7 +63,7 @@ impl Obstacle {
         Isometry3::from_parts(Translation3::from(self.position_mm), turn)
     }
 
-    /// The obstacle as it stands in another frame, into which `frame_from_its` leads.
+    /// The obstacle expressed in another frame; `frame_from_its` maps its present frame to that one.
     pub fn seen_in(&self, frame_from_its: &Isometry3<f64>) -> Obstacle {
         let at = frame_from_its * self.at();
         let rz_ry_rx_deg = rpy::from_rotation(&at.rotation.to_rotation_matrix());

@@ -2,7 +2,7 @@
 //! spot.
 //!
 //! `d(z) = d0·√(1 + (z/zR)²)` (ISO 11146-1); z from the focus, mm, to either side. Spots are diameters
-//! at 1/e². Aberrations and the laser's pulse are not looked at.
+//! at 1/e². Aberrations and pulses are not modelled.
 
 use crate::number_fields::number_fields;
 use serde::{Deserialize, Serialize};
@@ -22,7 +22,7 @@ pub struct Optics {
     pub focus_spot_mm: f64,
     /// Distance from the focus at which the spot is √2 times as wide (zR), mm.
     pub rayleigh_mm: f64,
-    /// Wavelength, nm; it enters M² alone.
+    /// Wavelength, nm; used only for M².
     pub wavelength_nm: f64,
 }
 
@@ -35,7 +35,7 @@ impl Default for Optics {
 crate::part::keyed!(Optics { lens_to_focus_mm, aperture_mm, focus_spot_mm, rayleigh_mm, wavelength_nm });
 number_fields!(Optics { lens_to_focus_mm, aperture_mm, focus_spot_mm, rayleigh_mm, wavelength_nm });
 
-/// The spot may be wrong by this share where a tolerance of the defocus is stated.
+/// Relative change of the spot that a stated tolerance of the defocus allows.
 pub const SPOT_TOLERANCE: f64 = 0.1;
 
 impl Optics {
@@ -54,7 +54,7 @@ impl Optics {
         self.focus_spot_mm * (1.0 + x * x).sqrt()
     }
 
-    /// Distance from the focus, to either side, at which the spot is so wide; `None`: narrower than
+    /// Distance from the focus, to either side, at which the spot has this diameter; `None`: narrower than
     /// at the focus.
     pub fn defocus_for(&self, spot_mm: f64) -> Option<f64> {
         let ratio = spot_mm / self.focus_spot_mm;

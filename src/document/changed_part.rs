@@ -6,7 +6,7 @@ use super::landmarks::{loaded_as, mentioned};
 use super::model::{Job, PartFile};
 use super::remembered::Remembered;
 use super::renumber::Renumbering;
-use crate::part::identity::{Why, find};
+use crate::part::identity::{LostReason, find};
 use crate::part::{LoadError, Part, Source, SurfaceId};
 use crate::progress::Progress;
 use nalgebra::Isometry3;
@@ -23,7 +23,7 @@ pub struct LostSurface {
     /// Whether it was to be cleaned.
     pub is_chosen: bool,
     /// Why it was not found.
-    pub why: Why,
+    pub why: LostReason,
 }
 
 /// What becomes of a job on the part's file as it is now.
@@ -123,7 +123,7 @@ impl CarriedOver {
 }
 
 impl LostSurface {
-    fn new(job: &Job, surface: SurfaceId, why: Why) -> LostSurface {
+    fn new(job: &Job, surface: SurfaceId, why: LostReason) -> LostSurface {
         let settings = job.settings.of(surface);
         let is_chosen = settings.work.is_some() || job.settings.cleans_all() && !settings.later;
         LostSurface { surface, name: settings.name.clone(), is_chosen, why }
@@ -140,7 +140,7 @@ mod tests {
     use super::*;
     use crate::document::{Chosen, segmented};
     use crate::part::{Placement, Units};
-    use crate::pose::tilt::Side;
+    use crate::pose::tilt::TiltSide;
     use crate::sample::{Triangles, solids, stl_bytes};
 
     fn part(triangles: &Triangles) -> Part {
@@ -157,7 +157,7 @@ mod tests {
         job.part.sha256.clone_from(&part.sha256);
         job.settings.choose([4, 2]);
         job.settings.change(SurfaceId(4), |s| s.name = "Flank".into());
-        job.settings.change(SurfaceId(2), |s| s.tilt.forbidden = vec![Side::Left]);
+        job.settings.change(SurfaceId(2), |s| s.tilt.forbidden = vec![TiltSide::Left]);
         job.settings.change(SurfaceId(3), |s| s.later = true);
         job.part.landmarks = Remembered::of(&job, part, &job.part);
         job
@@ -224,7 +224,7 @@ mod tests {
         turned.reverse();
         let carried = CarriedOver::new(&job, &part(&turned));
         assert_eq!((carried.kept.len(), carried.lost.len()), (0, 3));
-        assert!(carried.lost.iter().all(|l| l.why == Why::NotRemembered), "{carried:?}");
+        assert!(carried.lost.iter().all(|l| l.why == LostReason::NotRemembered), "{carried:?}");
         let none = Job { settings: Default::default(), ..job.clone() };
         assert!(CarriedOver::new(&none, &part(&turned)).is_complete(), "there is nothing to lose");
         let mut all = none;

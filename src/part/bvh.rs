@@ -3,8 +3,8 @@
 //! Nodes are split by the surface area heuristic over 16 bins. Boxes are f64 and queries exact to
 //! rounding; what a hit means (own neighbourhood, interference) is decided by the caller.
 
-mod near;
 mod prepared;
+mod proximity;
 
 use super::topology::{Dead, Mesh};
 use nalgebra::{Point3, Vector3};
@@ -13,12 +13,12 @@ use rayon::prelude::*;
 const LEAF: usize = 4;
 const BINS: usize = 16;
 
-/// Subtrees of more facets than this are built side by side.
+/// Subtrees of more facets than this are built in parallel.
 const SIDE_BY_SIDE: usize = 1 << 13;
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    bounds: Bounds,
+    bounds: Aabb,
     /// First facet of a leaf, or index of the first child (the second follows it).
     at: u32,
     /// Facets of a leaf; 0 for an inner node.
@@ -46,9 +46,9 @@ impl Bvh {
     /// Builds over all facets with area.
     pub fn new(mesh: &Mesh) -> Bvh {
         let facet: Vec<u32> = (0..mesh.facets.len() as u32).filter(|&f| mesh.dead[f as usize] == Dead::No).collect();
-        let bounded = |&facet: &u32| Item { bounds: Bounds::of(&mesh.corners(facet as usize)), facet };
-        let mut items: Vec<Item> = facet.par_iter().map(bounded).collect();
-        let nodes = if items.is_empty() { Vec::new() } else { built(&mut items, 0) };
+        let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
+        let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
+        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0) };
         let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
         Bvh { nodes, corners, facet }
@@ -121,7 +121,7 @@ impl Bvh {
     pub fn nearest_hit(&self, origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, t1: f64) -> Option<Hit> {
         let mut best: Option<Hit> = None;
         self.visit_ray(origin, dir, t0, t1, 0.0, |facet, corners| {
-            if let Some(t_mm) = meet(corners, origin, dir).filter(|t| (t0..=t1).contains(t)) {
+            if let Some(t_mm) = ray_hit_mm(corners, origin, dir).filter(|t| (t0..=t1).contains(t)) {
                 // Equal distances (a ray through an edge): the lower facet, whatever the order.
                 let better = best.is_none_or(|b| t_mm < b.t_mm || (t_mm == b.t_mm && facet < b.facet));
                 if better {
@@ -158,7 +158,7 @@ impl Bvh {
     }
 }
 
-/// A ray made ready for boxes, which it may pass by at `radius` (per axis).
+/// A ray prepared for tests against boxes, each widened by `radius` (per axis).
 struct Slabs {
     origin: [[f64; 3]; 2],
     inverse: [f64; 3],
@@ -175,7 +175,7 @@ impl Slabs {
 
     /// Where the ray enters a box before `far`.
     #[inline]
-    fn entry(&self, b: &Bounds, far: f64) -> Option<f64> {
+    fn entry(&self, b: &Aabb, far: f64) -> Option<f64> {
         let (mut near, mut far) = (self.t0, far);
         for k in 0..3 {
             let x = (b.lo[k] - self.origin[0][k]) * self.inverse[k];
@@ -203,7 +203,7 @@ fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// Möller–Trumbore: distance along the ray to a facet, any sign.
-pub fn meet([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vector3<f64>) -> Option<f64> {
+pub fn ray_hit_mm([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vector3<f64>) -> Option<f64> {
     let (e1, e2) = (b - a, c - a);
     let p = dir.cross(&e2);
     let det = e1.dot(&p);
@@ -214,33 +214,33 @@ pub fn meet([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vector3<f6
     let u = s.dot(&p) / det;
     let q = s.cross(&e1);
     let v = dir.dot(&q) / det;
-    // A hair over the rim: two facets at an edge must not both miss the ray that runs through it.
+    // Slightly beyond the rim: two facets at an edge must not both miss the ray that runs through it.
     let slack = 1e-9;
     (u >= -slack && v >= -slack && u + v <= 1.0 + slack).then(|| e2.dot(&q) / det)
 }
 
-/// A facet on its way into the tree.
+/// A facet with its box, while the tree is built.
 #[derive(Clone, Copy)]
-struct Item {
-    bounds: Bounds,
+struct FacetBox {
+    bounds: Aabb,
     facet: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Bounds {
+struct Aabb {
     lo: [f64; 3],
     hi: [f64; 3],
 }
 
-impl Bounds {
-    const NONE: Bounds = Bounds { lo: [f64::INFINITY; 3], hi: [f64::NEG_INFINITY; 3] };
+impl Aabb {
+    const NONE: Aabb = Aabb { lo: [f64::INFINITY; 3], hi: [f64::NEG_INFINITY; 3] };
 
-    fn of(corners: &[Point3<f64>; 3]) -> Bounds {
-        corners.iter().fold(Bounds::NONE, |b, p| b.with(&Bounds { lo: [p.x, p.y, p.z], hi: [p.x, p.y, p.z] }))
+    fn of(corners: &[Point3<f64>; 3]) -> Aabb {
+        corners.iter().fold(Aabb::NONE, |b, p| b.with(&Aabb { lo: [p.x, p.y, p.z], hi: [p.x, p.y, p.z] }))
     }
 
-    fn with(&self, o: &Bounds) -> Bounds {
-        Bounds {
+    fn with(&self, o: &Aabb) -> Aabb {
+        Aabb {
             lo: std::array::from_fn(|k| smaller(self.lo[k], o.lo[k])),
             hi: std::array::from_fn(|k| larger(self.hi[k], o.hi[k])),
         }
@@ -258,15 +258,15 @@ impl Bounds {
 
 /// The nodes over `items`, which are put in the order of the leaves; the root is the first.
 /// `offset`: how many items stand before these.
-fn built(items: &mut [Item], offset: u32) -> Vec<Node> {
+fn build_tree(items: &mut [FacetBox], offset: u32) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
-    nodes.push(Node { bounds: Bounds::NONE, at: 0, count: 0 });
+    nodes.push(Node { bounds: Aabb::NONE, at: 0, count: 0 });
     build(items, offset, &mut nodes, 0);
     nodes
 }
 
-fn build(items: &mut [Item], offset: u32, nodes: &mut Vec<Node>, me: usize) {
-    let bounds = items.iter().fold(Bounds::NONE, |b, i| b.with(&i.bounds));
+fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize) {
+    let bounds = items.iter().fold(Aabb::NONE, |b, i| b.with(&i.bounds));
     if items.len() <= LEAF {
         nodes[me] = Node { bounds, at: offset, count: items.len() as u32 };
         return;
@@ -279,7 +279,7 @@ fn build(items: &mut [Item], offset: u32, nodes: &mut Vec<Node>, me: usize) {
     let (left, right) = items.split_at_mut(middle);
     let behind = offset + middle as u32;
     if side_by_side {
-        let pair = rayon::join(|| built(left, offset), || built(right, behind));
+        let pair = rayon::join(|| build_tree(left, offset), || build_tree(right, behind));
         graft(nodes, children, &pair.0);
         graft(nodes, children + 1, &pair.1);
     } else {
@@ -288,7 +288,7 @@ fn build(items: &mut [Item], offset: u32, nodes: &mut Vec<Node>, me: usize) {
     }
 }
 
-/// Takes a tree over, its root to `place`, the rest behind all others.
+/// Moves a tree into `nodes`: its root to `place`, the rest to the end.
 fn graft(nodes: &mut Vec<Node>, place: usize, tree: &[Node]) {
     // A child's index in `tree` counts the root.
     let shift = nodes.len() as u32 - 1;
@@ -300,15 +300,15 @@ fn graft(nodes: &mut Vec<Node>, place: usize, tree: &[Node]) {
     nodes.extend(tree);
 }
 
-/// Orders facets into two groups and tells where the second begins (neither is empty).
-fn split(items: &mut [Item]) -> usize {
-    let centres = items.iter().fold(Bounds::NONE, |b, i| {
+/// Orders facets into two groups, and returns where the second begins (neither is empty).
+fn split(items: &mut [FacetBox]) -> usize {
+    let centres = items.iter().fold(Aabb::NONE, |b, i| {
         let c = [0, 1, 2].map(|k| i.bounds.middle(k));
-        b.with(&Bounds { lo: c, hi: c })
+        b.with(&Aabb { lo: c, hi: c })
     });
     let width = [0, 1, 2].map(|k| centres.hi[k] - centres.lo[k]);
     let scale = width.map(|w| BINS as f64 / w);
-    let mut bins = [[(Bounds::NONE, 0usize); BINS]; 3];
+    let mut bins = [[(Aabb::NONE, 0usize); BINS]; 3];
     for i in items.iter() {
         for axis in (0..3).filter(|&k| width[k] > 0.0) {
             let bin = &mut bins[axis][bin_of(i.bounds.middle(axis), centres.lo[axis], scale[axis])];
@@ -318,12 +318,12 @@ fn split(items: &mut [Item]) -> usize {
     let mut best = (f64::INFINITY, 0, 0);
     for (axis, bins) in bins.iter().enumerate() {
         let mut right = [(0.0, 0usize); BINS];
-        let mut sum = (Bounds::NONE, 0);
+        let mut sum = (Aabb::NONE, 0);
         for k in (1..BINS).rev() {
             sum = (sum.0.with(&bins[k].0), sum.1 + bins[k].1);
             right[k] = (sum.0.half_area(), sum.1);
         }
-        let mut left = (Bounds::NONE, 0);
+        let mut left = (Aabb::NONE, 0);
         for k in 1..BINS {
             left = (left.0.with(&bins[k - 1].0), left.1 + bins[k - 1].1);
             if left.1 == 0 || right[k].1 == 0 {
@@ -376,7 +376,7 @@ mod tests {
             let (o, d) = (Point3::from(Vector3::from(o)), d.normalize());
             let expected = (0..mesh.facets.len())
                 .filter(|&f| mesh.dead[f] == Dead::No)
-                .filter_map(|f| meet(&mesh.corners(f), &o, &d).map(|t| (t, f as u32)))
+                .filter_map(|f| ray_hit_mm(&mesh.corners(f), &o, &d).map(|t| (t, f as u32)))
                 .filter(|(t, _)| *t >= 0.0)
                 .min_by(|a, b| a.0.total_cmp(&b.0));
             let found = Bvh::new(&mesh).nearest_hit(&o, &d, 0.0, f64::INFINITY);

@@ -1,7 +1,7 @@
 //! Hashes: of a part file (SHA-256, kept in the job), and of the inputs of a computed stage
 //! (so that only what changed is computed again). Neither depends on machine or run.
 //!
-//! A type says by [`Keyed`] what of it a result can depend on. `keyed!` and `keyed_words!` write that from a
+//! A type says by [`Keyed`] which of its fields a result can depend on. `keyed!` and `keyed_words!` write that from a
 //! list of its fields or variants, and do not compile where one was forgotten.
 
 use nalgebra::{Point3, Vector3};
@@ -59,7 +59,7 @@ impl fmt::Display for Digest {
 pub struct Hasher(Sha256);
 
 impl Hasher {
-    /// Adds whatever knows what of it counts.
+    /// Adds a value by what its type says a result can depend on.
     pub fn of(mut self, value: &(impl Keyed + ?Sized)) -> Self {
         value.feed(&mut self);
         self

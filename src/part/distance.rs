@@ -23,7 +23,7 @@ pub fn point_segment(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
 
 /// Distance from the part `t >= t0` of a ray (unit direction) to a triangle, mm.
 pub fn ray_triangle(origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, corners: &[Point3<f64>; 3]) -> f64 {
-    if super::bvh::meet(corners, origin, dir).is_some_and(|t| t >= t0) {
+    if super::bvh::ray_hit_mm(corners, origin, dir).is_some_and(|t| t >= t0) {
         return 0.0;
     }
     let [a, b, c] = corners;
@@ -46,7 +46,7 @@ pub fn triangles(one: &[Point3<f64>; 3], two: &[Point3<f64>; 3]) -> f64 {
     let side = |corners: &[Point3<f64>; 3], i: usize, of: &[Point3<f64>; 3]| {
         let (p, q) = (&corners[i], &corners[(i + 1) % 3]);
         let length = (q - p).norm();
-        let through = super::bvh::meet(of, p, &((q - p) / length.max(1e-300)));
+        let through = super::bvh::ray_hit_mm(of, p, &((q - p) / length.max(1e-300)));
         if through.is_some_and(|t| (0.0..=length).contains(&t)) { 0.0 } else { segment_triangle(p, q, of) }
     };
     (0..3).map(|i| side(one, i, two).min(side(two, i, one))).fold(f64::INFINITY, f64::min)
@@ -67,7 +67,7 @@ pub fn segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f6
     if inside { ends.min((w + u * s - v * t).norm()) } else { ends }
 }
 
-/// A ray with a width, made ready to tell most triangles that keep farther away at little cost.
+/// A ray with a width, prepared to rule out most triangles that are farther away at little cost.
 #[derive(Clone, Copy, Debug)]
 pub struct WideRay {
     origin: Point3<f64>,
@@ -90,10 +90,10 @@ impl WideRay {
         WideRay { origin: *origin, dir: *dir, u, v, radius_mm: radius_mm * 1.001 + 1e-9 }
     }
 
-    /// `true`: the triangle is certainly farther than the radius. `false`: who knows.
+    /// `true`: the triangle is certainly farther away than the radius. `false`: undecided.
     ///
-    /// Seen along the ray, its start is a point; it is looked for a line between it and the
-    /// triangle along one of the sides.
+    /// Seen along the ray, its start is a point: the test looks for a line parallel to a side of the triangle that
+    /// separates the two.
     #[inline]
     pub fn surely_misses(&self, corners: &[Point3<f64>; 3]) -> bool {
         let d = corners.map(|c| c - self.origin);
@@ -195,7 +195,7 @@ mod tests {
             let (p, q) = (point([d[0], d[1], d[2]]), point([d[3], d[4], d[5]]));
             prop_assume!((q - p).norm() > 0.1);
             let dir = (q - p).normalize();
-            let through = crate::part::bvh::meet(&corners, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
+            let through = crate::part::bvh::ray_hit_mm(&corners, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
             prop_assume!(!through);
             let (mut lo, mut hi) = (0.0, 1.0);
             for _ in 0..200 {

@@ -69,7 +69,7 @@ pub const NAMED: usize = 3;
 impl PartFinding {
     /// What there is to say of a part's file, the worst first; empty for a clean one.
     pub fn of(part: &Part) -> Vec<PartFinding> {
-        let found = &part.findings;
+        let found = &part.figures;
         let dropped = (!found.invalid.is_empty()).then(|| PartFinding::FacetsDropped {
             count: found.invalid.len(),
             first: found.invalid.iter().take(NAMED).copied().collect(),
@@ -89,7 +89,7 @@ impl PartFinding {
 }
 
 fn implausible_size(part: &Part) -> Option<PartFinding> {
-    let (units, better_units) = (part.findings.units, part.findings.better_units?);
+    let (units, better_units) = (part.figures.units, part.figures.better_units?);
     let (lo, hi) = part.mesh.bounds();
     let size = hi - lo;
     let better = size / units.mm() * better_units.mm();

@@ -12,8 +12,8 @@ use std::collections::BTreeMap;
 
 /// A part and its surfaces with metal on them.
 #[derive(Clone, Debug, Default)]
-pub struct Grown {
-    /// The part; what is known of its file and its merge tree are those of the bare part.
+pub struct GrownPart {
+    /// The part; figures of its file and merge tree are those of the bare part.
     pub part: Part,
     /// The surfaces of the bare part, with the areas that they have on this one.
     pub surfaces: Surfaces,
@@ -27,7 +27,7 @@ const ROUND: f64 = 0.05;
 ///
 /// # Errors
 /// The surface that folds.
-pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) -> Result<Grown, u32> {
+pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) -> Result<GrownPart, u32> {
     let height = |f: u32| heights_mm.get(&surfaces.of_facet[f as usize]).copied().filter(|h| *h > 0.0);
     let is_grown: Vec<bool> = (0..part.mesh.facets.len() as u32).map(|f| height(f).is_some()).collect();
     let mut mesh = part.mesh.clone();
@@ -40,7 +40,7 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
             spread += n * n.transpose() * weight;
             wanted += n * (weight * height_mm);
         }
-        *at += shift(spread, &wanted);
+        *at += vertex_shift(spread, &wanted);
     }
     mesh.update_geometry();
     if let Some(surface) = folded(&part.mesh, &mesh, |f| is_grown[f as usize].then(|| surfaces.of_facet[f as usize])) {
@@ -71,7 +71,7 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
     }
     let dihedral_deg = super::merge_tree::dihedral_angles(&mesh);
     let part = Part { bvh: Bvh::new(&mesh), dihedral_deg, digest: hasher.finish(), mesh, ..part.clone() };
-    Ok(Grown { part, surfaces })
+    Ok(GrownPart { part, surfaces })
 }
 
 /// The grown surface at whose vertices an edge has come to run backwards, or a facet to look elsewhere: a bore
@@ -95,8 +95,8 @@ fn corner_deg(mesh: &Mesh, facet: u32, vertex: u32) -> f64 {
     angle::between_deg(&(corners[(k + 1) % 3] - corners[k]), &(corners[(k + 2) % 3] - corners[k]))
 }
 
-/// The shortest way that moves all facets' planes by their heights as nearly as can be.
-fn shift(spread: Matrix3<f64>, wanted: &Vector3<f64>) -> Vector3<f64> {
+/// The shortest shift of a vertex that moves the planes of its facets by their heights (least squares).
+fn vertex_shift(spread: Matrix3<f64>, wanted: &Vector3<f64>) -> Vector3<f64> {
     let eigen = SymmetricEigen::new(spread);
     let most = eigen.eigenvalues.max();
     if most <= 0.0 {

@@ -1,61 +1,10 @@
-//! What was counted in a part's file: facets, vertices, edges, open and non-manifold edges, shells,
-//! degenerate, duplicate, flipped and dropped facets, size and unit.
+//! The report of `inspect`: facets, vertices, edges, shells, what was repaired or dropped, size and surfaces.
 //!
-//! Figures alone: what of them an operator should know is [`super::finding`]'s.
+//! Figures alone: which of them an operator should know about is decided in [`super::finding`].
 
-use super::orient::{Orientation, volume};
-use super::stl::{InvalidFacet, RawPart};
-use super::topology::{Dead, Mesh};
-use super::{Shape, Surfaces, Units};
+use super::{Part, Shape, Surfaces};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
-
-/// Figures of a file that do not depend on the crease angle.
-#[derive(Clone, Debug, Default)]
-pub struct Findings {
-    /// Facets that were dropped.
-    pub invalid: Vec<InvalidFacet>,
-    /// Edges with one facet.
-    pub boundary_edges: usize,
-    /// Edges with more than two.
-    pub non_manifold_edges: usize,
-    /// Facets without area.
-    pub degenerate_facets: usize,
-    /// Facets with the vertices of an earlier one.
-    pub duplicate_facets: usize,
-    /// Enclosed volume, mm³; `None` where the part is not watertight.
-    pub volume_mm3: Option<f64>,
-    /// The unit that was taken.
-    pub units: Units,
-    /// A unit that would give a plausible size, where that one does not.
-    pub better_units: Option<Units>,
-    /// Solids in the file.
-    pub solids: usize,
-    /// Bytes behind the last facet of a binary file.
-    pub tail_bytes: usize,
-}
-
-impl Findings {
-    /// Counts what there is.
-    pub fn new(raw: &RawPart, mesh: &Mesh, orientation: &Orientation, units: Units) -> Findings {
-        let facets_at =
-            |test: fn(usize) -> bool| (0..mesh.edges.len() as u32).filter(|&e| test(mesh.edge_facets(e).len())).count();
-        let dead = |kind| mesh.dead.iter().filter(|&&d| d == kind).count();
-        let (lo, hi) = mesh.bounds();
-        Findings {
-            invalid: raw.invalid.clone(),
-            boundary_edges: facets_at(|n| n == 1),
-            non_manifold_edges: facets_at(|n| n > 2),
-            degenerate_facets: dead(Dead::Degenerate),
-            duplicate_facets: dead(Dead::Duplicate),
-            volume_mm3: orientation.watertight.then(|| volume(mesh)),
-            units,
-            better_units: units.better_guess((hi - lo).max() / units.mm()),
-            solids: raw.solids,
-            tail_bytes: raw.tail_bytes,
-        }
-    }
-}
 
 /// `inspect --json`: names and order are a contract.
 #[derive(Clone, Debug, Serialize)]
@@ -70,7 +19,7 @@ pub struct InspectReport {
     pub boundary_edges: usize,
     /// Edges with more than two facets.
     pub non_manifold_edges: usize,
-    /// What hangs together through edges.
+    /// Shells: facets connected through edges.
     pub shells: usize,
     /// Whether every edge has exactly two facets.
     pub watertight: bool,
@@ -123,8 +72,8 @@ fn as_word<S: Serializer>(shape: &Shape, to: S) -> Result<S::Ok, S::Error> {
 
 impl InspectReport {
     /// The report of a part segmented at `angle_deg`.
-    pub fn new(part: &super::Part, surfaces: &Surfaces, angle_deg: f64) -> InspectReport {
-        let (mesh, found) = (&part.mesh, &part.findings);
+    pub fn new(part: &Part, surfaces: &Surfaces, angle_deg: f64) -> InspectReport {
+        let (mesh, found) = (&part.mesh, &part.figures);
         let (lo, hi) = mesh.bounds();
         InspectReport {
             facets: mesh.facets.len(),

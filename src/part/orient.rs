@@ -1,7 +1,7 @@
 //! Winding: neighbours agree, closed shells look outward, closed shells inside an odd number of
 //! others look towards their void, open sheets to the side that most of their area has in the file.
 //!
-//! A *sheet* here is what hangs together through edges of exactly two facets; where it cannot be
+//! A *sheet* here is a set of facets connected through edges of exactly two facets; where it cannot be
 //! oriented (a Möbius strip) its seam stays a place where two facets disagree.
 
 use super::topology::{Mesh, NO_EDGE, bounds_of};
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 pub struct Orientation {
     /// Facets whose winding differs from the file's.
     pub flipped_facets: usize,
-    /// Shell (counted from 1 in the order of their lowest facet) of each facet: what hangs together
+    /// Shell (counted from 1 in the order of their lowest facet) of each facet: facets connected
     /// through shared edges of any kind.
     pub shell_of: Vec<u32>,
     /// Number of shells.

@@ -39,12 +39,12 @@ pub enum Shape {
         /// Its centre.
         centre: Point3<f64>,
     },
-    /// None of these.
+    /// Any other shape.
     Freeform,
 }
 
 impl Shape {
-    /// One word, as in `inspect --json`.
+    /// Its word in `inspect --json`.
     pub fn word(&self) -> &'static str {
         match self {
             Shape::Plane { .. } => "plane",
@@ -55,7 +55,7 @@ impl Shape {
         }
     }
 
-    /// Whether another is of this kind and as large: diameters to 0.01 mm, angles to 0.1°.
+    /// Whether another shape is of this kind and size: diameters to 0.01 mm, angles to 0.1°.
     pub fn is_like(&self, other: &Shape) -> bool {
         match (self, other) {
             (Shape::Plane { .. }, Shape::Plane { .. }) | (Shape::Freeform, Shape::Freeform) => true,

@@ -1,10 +1,36 @@
 //! A part's file as it was read: its facets and its digest, before unit and placement. A part is built from it
 //! anew whenever those change, without reading again.
 
-use super::stl::{self, RawPart};
-use super::{LoadError, Part, Placement, Units, digest_of, stl::StlError};
-use crate::progress::Progress;
+use super::merge_tree::{MergeTree, dihedral_angles};
+use super::orient::orient;
+use super::part_figures::PartFigures;
+use super::stl::{self, FacetFault, RawPart, StlError};
+use super::topology::Dead;
+use super::{Bvh, Hasher, Mesh, Part, Placement, Units, digest_of};
+use crate::progress::{Activity, Progress};
 use std::path::Path;
+use thiserror::Error;
+
+/// Why a part cannot be loaded.
+#[derive(Debug, Error)]
+pub enum LoadError {
+    /// The file cannot be read.
+    #[error("{file}: not read: {source}")]
+    Io {
+        /// The file.
+        file: String,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// It can, but is no usable STL.
+    #[error("{file}: {source}")]
+    Stl {
+        /// The file.
+        file: String,
+        /// What is wrong.
+        source: StlError,
+    },
+}
 
 /// What a part is built from.
 #[derive(Debug, Default)]
@@ -45,6 +71,38 @@ impl Source {
         flipped_shells: &[u32],
         progress: &Progress,
     ) -> Result<Option<Part>, StlError> {
-        Part::built(self, units, placement, flipped_shells, progress)
+        progress.begin(Activity::BuildingPart, 5);
+        let mut mesh = Mesh::weld(&self.raw.facets, units.mm());
+        if progress.step().is_err() {
+            return Ok(None);
+        }
+        if *placement != Placement::default() {
+            for v in &mut mesh.vertices {
+                *v = placement.apply(v);
+            }
+            mesh.update_geometry();
+        }
+        if mesh.dead.iter().all(|d| *d != Dead::No) {
+            return Err(StlError::NoFacet { dropped: mesh.facets.len(), first: Some(FacetFault::NoArea) });
+        }
+        let orientation = orient(&mut mesh);
+        for f in 0..mesh.facets.len() {
+            if flipped_shells.contains(&orientation.shell_of[f]) {
+                mesh.flip(f);
+            }
+        }
+        let figures = PartFigures::new(&self.raw, &mesh, &orientation, units);
+        if progress.step().is_err() {
+            return Ok(None);
+        }
+        let dihedral_deg = dihedral_angles(&mesh);
+        let tree = MergeTree::new(&mesh, &dihedral_deg);
+        if progress.step().is_err() {
+            return Ok(None);
+        }
+        let bvh = Bvh::new(&mesh);
+        let digest = Hasher::default().of(&self.sha256).of(&units).of(placement).of(flipped_shells).finish();
+        let sha256 = self.sha256.clone();
+        Ok(Some(Part { mesh, orientation, figures, dihedral_deg, tree, bvh, digest, sha256 }))
     }
 }

@@ -1,7 +1,7 @@
 //! The text form of STL: tokens, any case, any white space, any bytes in names (GBK occurs),
 //! several solids in one file.
 
-use super::stl::{FacetFault, Form, InvalidFacet, RawFacet, RawPart, StlError, push_checked};
+use super::raw_part::{FacetFault, InvalidFacet, RawFacet, RawPart, StlError, StlFormat};
 
 /// Whether the bytes begin like the text form: `solid`, no NUL early on (binary headers are padded
 /// with them), and `facet` or `endsolid` further on.
@@ -77,7 +77,7 @@ impl Tokens<'_> {
 /// # Errors
 /// [`StlError::TextCutOff`] when a solid has no `endsolid`.
 pub(super) fn read(bytes: &[u8]) -> Result<RawPart, StlError> {
-    let mut part = RawPart { form: Form::Text, ..Default::default() };
+    let mut part = RawPart { format: StlFormat::Text, ..Default::default() };
     let mut tokens = Tokens { bytes, at: bom_len(bytes) };
     let mut number = 0;
     let mut inside = false;
@@ -91,7 +91,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, StlError> {
             tokens.skip_name();
         } else if is(token.word, "facet") {
             match facet(&mut tokens) {
-                Ok(f) => push_checked(&mut part, f, number, token.byte),
+                Ok(f) => part.push_checked(f, number, token.byte),
                 Err(Bad::Ends) => return Err(StlError::TextCutOff { facets: number, byte: bytes.len() }),
                 Err(Bad::Facet(fault)) => part.invalid.push(InvalidFacet { facet: number, byte: token.byte, fault }),
             }

@@ -2,7 +2,7 @@
 //! operator's own merges and splits.
 //!
 //! Numbers count from 1 in the order of the lowest facet. Merging keeps the lowest number,
-//! splitting appends new ones: what a job says of surface 7 stays true.
+//! splitting appends new ones: so the settings of surface 7 stay those of surface 7.
 
 use super::merge_tree::{MergeTree, Sets, below};
 use super::topology::{Mesh, NO_EDGE};
@@ -12,8 +12,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// What a feature surface is called: its number, as a type of its own wherever something is said of a surface
-/// that has to stay true of it.
+/// The number of a feature surface, as a type of its own wherever something refers to the surface for good.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct SurfaceId(pub u32);
@@ -142,7 +141,7 @@ impl Surfaces {
         Surfaces { of_facet, list, normals, last_number }
     }
 
-    /// What they are called, ascending.
+    /// Their numbers, ascending.
     pub fn ids(&self) -> impl Iterator<Item = SurfaceId> + '_ {
         self.list.iter().map(|s| SurfaceId(s.number))
     }
@@ -269,7 +268,7 @@ fn absorb_islands(mesh: &Mesh, dihedral_deg: &[f64], min_area_mm2: f64, of_facet
 }
 
 impl Numbering {
-    /// What the rule makes of a part, before the operator's own edits.
+    /// The surfaces by the rule alone, before the operator's own edits.
     pub(super) fn new(mesh: &Mesh, tree: &MergeTree, dihedral_deg: &[f64], rule: &SurfaceRule) -> Numbering {
         let mut of_facet = if rule.hysteresis_deg > 0.0 && rule.hysteresis_deg < rule.angle_deg {
             with_hysteresis(mesh, dihedral_deg, rule)

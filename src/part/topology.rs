@@ -138,7 +138,7 @@ impl Mesh {
         range(&self.vertex_start, &self.vertex_list, vertex)
     }
 
-    /// The two facets of an edge that has just two.
+    /// The two facets of an edge that has exactly two.
     pub fn two_facets(&self, edge: u32) -> Option<[u32; 2]> {
         self.edge_facets(edge).try_into().ok()
     }

@@ -2,7 +2,7 @@
 //!
 //! The promise: every dropped point lies within the chord error of the kept chord that spans it;
 //! no chord is longer, or turns the normal more, than allowed. From each kept point the farthest
-//! one that keeps the promise is taken, P2's own way, checked against all points between: on a
+//! one that keeps the promise is taken, as P2 does, checked against all points between: on a
 //! circle of radius R that is within one of `ceil(π / acos(1 − dε/R))`.
 
 use super::dense::{DensePoint, midway};
@@ -23,20 +23,20 @@ crate::part::keyed!(ChordLimits { chord_error_mm, max_step_mm, max_turn_deg });
 
 /// A place on a dense line: at a point, or between it and the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct LinePlace {
     /// Index of the point.
     pub index: usize,
     /// Share of the way to the next point, 0 to 1 (1 excluded).
     pub share: f64,
 }
 
-impl Place {
-    fn point(index: usize) -> Place {
-        Place { index, share: 0.0 }
+impl LinePlace {
+    fn point(index: usize) -> LinePlace {
+        LinePlace { index, share: 0.0 }
     }
 
     /// The point at this place.
-    pub fn on(self, points: &[DensePoint]) -> DensePoint {
+    pub fn point_on(self, points: &[DensePoint]) -> DensePoint {
         if self.share == 0.0 {
             return points[self.index];
         }
@@ -44,7 +44,7 @@ impl Place {
     }
 
     /// Points strictly between this place and a later one.
-    fn until(self, to: Place) -> std::ops::Range<usize> {
+    fn until(self, to: LinePlace) -> std::ops::Range<usize> {
         self.index + 1..to.index + usize::from(to.share > 0.0)
     }
 }
@@ -56,23 +56,23 @@ pub fn simplify(
     points: &[DensePoint],
     fixed: &[bool],
     limits: &ChordLimits,
-    mut may_span: impl FnMut(Place, Place) -> bool,
-) -> Vec<Place> {
-    let mut kept = vec![Place::point(0)];
-    let mut from = Place::point(0);
+    mut may_span: impl FnMut(LinePlace, LinePlace) -> bool,
+) -> Vec<LinePlace> {
+    let mut kept = vec![LinePlace::point(0)];
+    let mut from = LinePlace::point(0);
     let last = points.len() - 1;
     while from.index < last {
         let mut to = from.index + 1;
-        while to < last && !fixed[to] && spans(points, from, Place::point(to + 1), limits) {
+        while to < last && !fixed[to] && spans(points, from, LinePlace::point(to + 1), limits) {
             to += 1;
         }
-        let mut end = Place::point(to);
+        let mut end = LinePlace::point(to);
         if to < last && !fixed[to] {
             // Part of the way to the next point may still do; so few chords reach their limit by chance.
             let (mut low, mut high) = (0.0, 1.0);
             for _ in 0..6 {
                 let middle = 0.5 * (low + high);
-                if spans(points, from, Place { index: to, share: middle }, limits) {
+                if spans(points, from, LinePlace { index: to, share: middle }, limits) {
                     low = middle
                 } else {
                     high = middle
@@ -80,14 +80,14 @@ pub fn simplify(
             }
             end.share = low;
         }
-        // The dear question is asked of the farthest place first, then of those half way back.
+        // `may_span` is expensive: it is asked of the farthest place first, then by bisection.
         let (mut good, mut bad) = (from.index + 1, to + usize::from(end.share > 0.0));
         if (end.share > 0.0 || to > good) && !may_span(from, end) {
             while bad > good + 1 {
                 let middle = usize::midpoint(good, bad);
-                if may_span(from, Place::point(middle)) { good = middle } else { bad = middle }
+                if may_span(from, LinePlace::point(middle)) { good = middle } else { bad = middle }
             }
-            end = Place::point(good);
+            end = LinePlace::point(good);
         }
         kept.push(end);
         from = end;
@@ -95,19 +95,19 @@ pub fn simplify(
     kept
 }
 
-fn spans(points: &[DensePoint], from: Place, to: Place, limits: &ChordLimits) -> bool {
-    let (a, b) = (from.on(points), to.on(points));
+fn spans(points: &[DensePoint], from: LinePlace, to: LinePlace, limits: &ChordLimits) -> bool {
+    let (a, b) = (from.point_on(points), to.point_on(points));
     let turn = |q: &DensePoint| angle::between_deg(&a.n, &q.n);
     // Dropped points may not lie beyond a chord's turn either: a bump returns to its first normal.
-    // Whole numbers of gaps must not lose one by rounding.
+    // The tolerance keeps rounding from losing one of a whole number of gaps.
     (b.p - a.p).norm() <= limits.max_step_mm * (1.0 + 1e-9)
         && points[from.until(to)].iter().chain([&b]).all(|q| turn(q) <= limits.max_turn_deg + 1e-9)
         && chord_error_mm(points, from, to) <= limits.chord_error_mm
 }
 
 /// Largest distance of the points between two places from the chord that joins them, mm.
-pub fn chord_error_mm(points: &[DensePoint], from: Place, to: Place) -> f64 {
-    let (a, b) = (from.on(points).p, to.on(points).p);
+pub fn chord_error_mm(points: &[DensePoint], from: LinePlace, to: LinePlace) -> f64 {
+    let (a, b) = (from.point_on(points).p, to.point_on(points).p);
     points[from.until(to)].iter().map(|q| point_segment(&q.p, &a, &b)).fold(0.0, f64::max)
 }
 
@@ -155,11 +155,11 @@ mod tests {
             }).collect();
             let limits = ChordLimits { chord_error_mm: error, max_step_mm: step, max_turn_deg: turn };
             let kept = simplify(&points, &vec![false; points.len()], &limits, |_, _| true);
-            prop_assert_eq!((kept[0], kept[kept.len() - 1]), (Place::point(0), Place::point(points.len() - 1)));
+            prop_assert_eq!((kept[0], kept[kept.len() - 1]), (LinePlace::point(0), LinePlace::point(points.len() - 1)));
             for w in kept.windows(2) {
                 // Neighbours of the dense line are not cut further here.
                 if w[0].until(w[1]).is_empty() { continue }
-                let (a, b) = (w[0].on(&points), w[1].on(&points));
+                let (a, b) = (w[0].point_on(&points), w[1].point_on(&points));
                 prop_assert!(chord_error_mm(&points, w[0], w[1]) <= error);
                 prop_assert!((b.p - a.p).norm() <= step * (1.0 + 1e-9));
                 prop_assert!(angle::between_deg(&a.n, &b.n) <= turn + 1e-9);

@@ -27,9 +27,9 @@ pub struct Coverage {
 }
 
 /// Looks for missed facets: parallel within 10° to the planes (of two families: to both), or crossed by no line
-/// of the surface and further than one spacing from any. Lines that no planes cut are looked at alone.
+/// of the surface and further than one spacing from any. Lines that were not cut by planes are judged by distance alone.
 ///
-/// The spacing is that of planes at equal distances; lines laid otherwise are measured.
+/// The spacing is that of planes at equal distances; other strategies measure it.
 pub fn coverage(
     mesh: &Mesh,
     surface: &Surface,
@@ -72,14 +72,14 @@ struct PointGrid {
     cell_mm: f64,
     /// Steps to the cells around one, the nearest first.
     around: Vec<[i64; 3]>,
-    cells: BTreeMap<[i64; 3], Vec<Piece>>,
+    cells: BTreeMap<[i64; 3], Vec<LinePiece>>,
 }
 
-type Piece = (Point3<f64>, Point3<f64>);
+type LinePiece = (Point3<f64>, Point3<f64>);
 
 impl PointGrid {
     fn new(lines: &[TransversalLine], cell_mm: f64) -> PointGrid {
-        let mut cells: BTreeMap<[i64; 3], Vec<Piece>> = BTreeMap::new();
+        let mut cells: BTreeMap<[i64; 3], Vec<LinePiece>> = BTreeMap::new();
         for line in lines {
             for (from, to) in line.sides() {
                 let pieces = ((to.p - from.p).norm() / cell_mm).ceil().max(1.0);
@@ -99,11 +99,11 @@ impl PointGrid {
         let lo = key(&corners[0].inf(&corners[1]).inf(&corners[2]), self.cell_mm).map(|k| k - 2);
         let hi = key(&corners[0].sup(&corners[1]).sup(&corners[2]), self.cell_mm).map(|k| k + 2);
         let near = |cell: &[i64; 3]| (0..3).all(|k| (lo[k]..=hi[k]).contains(&cell[k]));
-        let reaches = |(a, b): &Piece| crate::part::distance::segment_triangle(a, b, corners) <= distance_mm;
-        // Mostly a line passes near the middle: the nearest cells tell that at little cost.
+        let reaches = |(a, b): &LinePiece| crate::part::distance::segment_triangle(a, b, corners) <= distance_mm;
+        // Mostly a line passes near the middle, which the nearest cells show at little cost.
         let middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
         let here = key(&middle, self.cell_mm);
-        let passes = |(a, b): &Piece| crate::part::distance::point_segment(&middle, a, b) <= distance_mm;
+        let passes = |(a, b): &LinePiece| crate::part::distance::point_segment(&middle, a, b) <= distance_mm;
         let around =
             self.around.iter().filter_map(|d| self.cells.get(&[here[0] + d[0], here[1] + d[1], here[2] + d[2]]));
         if around.flatten().any(passes) {

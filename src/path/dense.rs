@@ -71,7 +71,7 @@ pub fn tangents(points: &[DensePoint], closed: bool) -> Vec<Vector3<f64>> {
                 last
             };
             let from = |a: usize, b: usize| angle::unit(points[b].p - points[a].p);
-            // There and back again (a blade's tip) has no mean direction: that of leaving.
+            // A line that turns back on itself (a blade's tip) has no mean direction: the leaving one is taken.
             from(before, behind).or_else(|| from(i.min(last - 1), (i + 1).min(last))).unwrap_or_else(Vector3::x)
         })
         .collect()

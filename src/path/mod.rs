@@ -1,7 +1,7 @@
 //! Where the spot travels: section planes, transversal lines, normals along them, chord error,
 //! order, and what no line reaches.
 //!
-//! Part frame, millimetres. Nothing here knows whether a beam can get there: that is `pose`.
+//! Part frame, millimetres. Whether a beam can get there is decided in `pose`.
 
 pub mod chord;
 pub mod coverage;
@@ -16,7 +16,7 @@ pub mod strategy;
 pub mod tour;
 
 pub use dense::DensePoint;
-pub use neighbour_axes::Axis;
+pub use neighbour_axes::AxisSource;
 pub use order::Order;
 pub use planes::{Direction, DirectionError, SurfacePlanes};
 pub use section::{SectionPoint, TransversalLine};

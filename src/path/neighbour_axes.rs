@@ -13,10 +13,10 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// What the beam stands along where nothing is in its way.
+/// Where the axis of the beam comes from where nothing is in its way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Axis {
+pub enum AxisSource {
     /// The normal of the mesh, between those of its vertices (P2 4.2.3).
     #[default]
     Mesh,
@@ -24,15 +24,15 @@ pub enum Axis {
     Neighbours,
 }
 
-crate::part::keyed_words!(Axis: Mesh, Neighbours);
+crate::part::keyed_words!(AxisSource: Mesh, Neighbours);
 
 /// A neighbouring pass is looked for within so many spacings.
 const REACH: f64 = 2.0;
 /// A pass that ends so far before the plane is met all the same, as a share of that reach.
 const SHORT: f64 = 0.05;
-/// Neighbours nearer together than this share of the spacing tell no direction.
+/// Distance of two neighbours, as a share of the spacing, below which they give no direction.
 const APART: f64 = 0.1;
-/// What stands farther off the mesh's normal than this came from no neighbours of one surface, degrees.
+/// Greatest angle to the mesh's normal, degrees; beyond it the neighbours are not those of one surface.
 const MOST_OFF_DEG: f64 = 45.0;
 /// Segments that share a box.
 const BLOCK: usize = 16;
@@ -41,7 +41,7 @@ const BLOCK: usize = 16;
 ///
 /// Where the plane across the travel meets no neighbouring pass within two spacings the normal stays.
 pub fn neighbour_axes(lines: &mut [TransversalLine], spacing_mm: f64) {
-    let blocks: Vec<Vec<Block>> = lines.iter().map(blocks).collect();
+    let blocks: Vec<Vec<SideBlock>> = lines.iter().map(blocks).collect();
     let of_rank = |rank: usize| lines.iter().zip(&blocks).filter(move |(l, _)| l.plane == rank).map(|(_, b)| b);
     let axes: Vec<Vec<Vector3<f64>>> = lines
         .par_iter()
@@ -51,7 +51,7 @@ pub fn neighbour_axes(lines: &mut [TransversalLine], spacing_mm: f64) {
             let tangents = tangents(line, 0.5 * spacing_mm);
             let axis = |(q, t): (&SectionPoint, Option<Vector3<f64>>)| {
                 let t = t?;
-                let met = [&before, &behind].map(|blocks| met(blocks, q, &t, REACH * spacing_mm));
+                let met = [&before, &behind].map(|blocks| nearest_crossing(blocks, q, &t, REACH * spacing_mm));
                 let across = met[1].unwrap_or(q.p) - met[0].unwrap_or(q.p);
                 let axis = angle::unit(t.cross(&across)).filter(|_| across.norm() > APART * spacing_mm)?;
                 let axis = if axis.dot(&q.n) < 0.0 { -axis } else { axis };
@@ -91,24 +91,29 @@ fn tangents(line: &TransversalLine, step_mm: f64) -> Vec<Option<Vector3<f64>>> {
 }
 
 /// Some neighbouring sides of a line, and the box around them.
-struct Block {
+struct SideBlock {
     low: Point3<f64>,
     high: Point3<f64>,
     sides: Vec<(SectionPoint, SectionPoint)>,
 }
 
-fn blocks(line: &TransversalLine) -> Vec<Block> {
+fn blocks(line: &TransversalLine) -> Vec<SideBlock> {
     let sides: Vec<_> = line.sides().collect();
     let block = |sides: &[(SectionPoint, SectionPoint)]| {
         let (low, high) = bounds_of(sides.iter().flat_map(|(a, b)| [a.p, b.p]));
-        Block { low, high, sides: sides.to_vec() }
+        SideBlock { low, high, sides: sides.to_vec() }
     };
     sides.chunks(BLOCK).map(block).collect()
 }
 
-/// Where the plane through a point, square to its travel, cuts passes: the nearest place on the same side of
-/// the part.
-fn met(blocks: &[&Block], q: &SectionPoint, travel: &Vector3<f64>, reach_mm: f64) -> Option<Point3<f64>> {
+/// Where the plane through a point, square to its travel, cuts neighbouring passes: the nearest crossing on the
+/// same side of the part.
+fn nearest_crossing(
+    blocks: &[&SideBlock],
+    q: &SectionPoint,
+    travel: &Vector3<f64>,
+    reach_mm: f64,
+) -> Option<Point3<f64>> {
     let mut best = (reach_mm, None);
     for block in blocks {
         let off_mm = (block.low - q.p).sup(&(q.p - block.high)).sup(&Vector3::zeros()).norm();
@@ -136,7 +141,7 @@ mod tests {
     use super::*;
 
     /// Lines of `count` points each, from a point and its true normal by rank and share of the way.
-    fn laid(
+    fn raster(
         ranks: usize,
         count: usize,
         closed: bool,
@@ -176,7 +181,7 @@ mod tests {
     fn a_plane_has_its_own_normal() {
         let n = Vector3::new(0.36, 0.48, 0.8);
         let (u, v) = (Vector3::new(0.8, -0.6, 0.0), n.cross(&Vector3::new(0.8, -0.6, 0.0)));
-        let lines = laid(5, 40, false, |rank, t| (Point3::from(u * (30.0 * t) + v * rank as f64), n));
+        let lines = raster(5, 40, false, |rank, t| (Point3::from(u * (30.0 * t) + v * rank as f64), n));
         let [all, _] = worst_deg(lines, 1.0, |_| n);
         assert!(all < 1e-6, "{all}");
     }
@@ -186,14 +191,14 @@ mod tests {
         let out = |turn: f64| Vector3::new(libm::cos(turn), libm::sin(turn), 0.0);
         let truth = |p: &Point3<f64>| Vector3::new(p.x, p.y, 0.0).normalize();
         // Round it: neighbours lie straight above.
-        let lines = laid(5, 200, true, |rank, t| {
+        let lines = raster(5, 200, true, |rank, t| {
             let n = out(t * std::f64::consts::TAU);
             (Point3::from(n * 20.0 + Vector3::z() * rank as f64), n)
         });
         let [all, _] = worst_deg(lines, 1.0, truth);
         assert!(all < 0.6, "{all}");
         // Along it, 1 mm apart: the first and last pass see one neighbour, half of 1/20 to the side.
-        let lines = laid(9, 30, false, |rank, t| {
+        let lines = raster(9, 30, false, |rank, t| {
             let n = out(0.05 * rank as f64);
             (Point3::from(n * 20.0 + Vector3::z() * (30.0 * t)), n)
         });
@@ -203,7 +208,7 @@ mod tests {
 
     #[test]
     fn a_sphere_has_its_radii() {
-        let lines = laid(20, 300, true, |rank, t| {
+        let lines = raster(20, 300, true, |rank, t| {
             let (height, turn) = (rank as f64 - 9.5, t * std::f64::consts::TAU);
             let flat = (900.0 - height * height).sqrt();
             let p = Point3::new(flat * libm::cos(turn), flat * libm::sin(turn), height);
@@ -218,13 +223,13 @@ mod tests {
     #[test]
     fn without_a_neighbour_the_normal_stays() {
         let n = Vector3::z();
-        let lines = laid(2, 10, false, |rank, t| (Point3::new(10.0 * t, 3.0 * rank as f64, 0.0), n));
+        let lines = raster(2, 10, false, |rank, t| (Point3::new(10.0 * t, 3.0 * rank as f64, 0.0), n));
         let mut moved = lines.clone();
         neighbour_axes(&mut moved, 1.0);
         assert_eq!(moved, lines, "three spacings away is no neighbour");
         neighbour_axes(&mut moved, 2.0);
         assert!(moved.iter().flat_map(|l| &l.points).all(|q| angle::between_deg(&q.n, &n) < 1e-6));
-        let mut spiral = laid(1, 100, false, |_, t| (Point3::new(t, t * t, 0.0), n));
+        let mut spiral = raster(1, 100, false, |_, t| (Point3::new(t, t * t, 0.0), n));
         let before = spiral.clone();
         neighbour_axes(&mut spiral, 1.0);
         assert_eq!(spiral, before);

@@ -40,12 +40,12 @@ impl VertexNormals {
         VertexNormals { vertices, normals }
     }
 
-    /// Those of a surface and of facets around it, on the same side of the part.
+    /// The normals of a surface and of facets around it, on one side of the part.
     ///
     /// The surface's own vertices keep their normals, so lines on it stay as they were. Each of the others has
     /// the normal it has within the surface that it belongs to (of several that of the first facet), so a beam
     /// that runs on over the rim turns over the first facet beyond it.
-    pub fn grown(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface, beyond: &[u32]) -> VertexNormals {
+    pub fn extended(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface, beyond: &[u32]) -> VertexNormals {
         let VertexNormals { vertices, normals } = VertexNormals::new(mesh, surfaces, surface);
         let mut all: Vec<(u32, Vector3<f64>)> = vertices.iter().copied().zip(normals).collect();
         let is_live = |f: usize| mesh.dead.get(f) == Some(&Dead::No);
@@ -76,7 +76,7 @@ impl VertexNormals {
     }
 }
 
-/// Normal between two points, by the share `t` of the way (P2 4.2.3; the print has the weights
+/// Normal between two points, at the share `t` of the way (P2 4.2.3; the print has the weights
 /// swapped).
 pub fn between(from: &Vector3<f64>, to: &Vector3<f64>, t: f64) -> Vector3<f64> {
     angle::unit(from * (1.0 - t) + to * t).unwrap_or(*from)

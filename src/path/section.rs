@@ -86,7 +86,7 @@ pub fn sections(
             facets.push(f);
         }
     }
-    let cut = Cut { mesh, vertex_normals, normal };
+    let cut = PlaneCut { mesh, vertex_normals, normal };
     per_plane
         .par_iter()
         .enumerate()
@@ -100,13 +100,13 @@ pub fn sections(
         .collect()
 }
 
-struct Cut<'a> {
+struct PlaneCut<'a> {
     mesh: &'a Mesh,
     vertex_normals: &'a VertexNormals,
     normal: &'a Vector3<f64>,
 }
 
-impl Cut<'_> {
+impl PlaneCut<'_> {
     /// Lines of the crossed facets of one plane.
     fn lines(&self, facets: &[u32], height: f64) -> Vec<(Vec<SectionPoint>, bool)> {
         let gates: Vec<(u32, u32)> = facets.iter().filter_map(|&f| self.gates(f, height)).collect();

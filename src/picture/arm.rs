@@ -2,7 +2,7 @@
 //! in the base. Solids are made once for a setup; a moment only says where they stand.
 
 use super::palette::Rgb;
-use super::solid::{Solid, along};
+use super::solid::{ColoredSolid, along};
 use crate::cell::bodies::HeadCapsule;
 use crate::cell::{Joints, Mount, Robot, Setup};
 use crate::part::Hasher;
@@ -25,17 +25,17 @@ const LEAST_LINK_MM: f64 = 1.0;
 #[derive(Clone, Debug)]
 pub struct CellPicture {
     robot: Robot,
-    plate: Solid,
-    links: [Solid; 5],
+    plate: ColoredSolid,
+    links: [ColoredSolid; 5],
     /// Shoulder, elbow, wrist.
-    joints: [Solid; 3],
-    flange: Solid,
+    joints: [ColoredSolid; 3],
+    flange: ColoredSolid,
     /// From the flange to the part or the head.
-    holder: Option<(Solid, Isometry3<f64>)>,
+    holder: Option<(ColoredSolid, Isometry3<f64>)>,
     /// In the focus frame.
-    head: Vec<(Solid, Isometry3<f64>)>,
+    head: Vec<(ColoredSolid, Isometry3<f64>)>,
     obstacles: Vec<MeshItem>,
-    cone: Solid,
+    cone: ColoredSolid,
     /// Of the head, above the focus.
     tip_mm: f64,
     top_mm: f64,
@@ -53,15 +53,15 @@ impl CellPicture {
         let length = |i: usize| (capsules[i].to - capsules[i].from).norm();
         // The column stands on the floor, and the flange is flat.
         let links = std::array::from_fn(|i| {
-            Solid::rod(capsules[i].radius_mm, length(i), [i > 0, i < 4 || length(4) < LEAST_LINK_MM], LINK)
+            ColoredSolid::rod(capsules[i].radius_mm, length(i), [i > 0, i < 4 || length(4) < LEAST_LINK_MM], LINK)
         });
         let ball = |i: usize| {
             let radius_mm = 1.03 * capsules[i].radius_mm.max(capsules[i + 1].radius_mm);
-            Solid::rod(radius_mm, 0.0, [true, true], JOINT)
+            ColoredSolid::rod(radius_mm, 0.0, [true, true], JOINT)
         };
         let (base_mm, wrist_mm) = (capsules[0].radius_mm, capsules[4].radius_mm);
-        let plate = Solid::rod(1.35 * base_mm, 14.0, [false, false], JOINT);
-        let flange = Solid::rod(0.85 * wrist_mm, 5.0, [false, false], JOINT);
+        let plate = ColoredSolid::rod(1.35 * base_mm, 14.0, [false, false], JOINT);
+        let flange = ColoredSolid::rod(0.85 * wrist_mm, 5.0, [false, false], JOINT);
         let hand = match setup.mount {
             Mount::PartInHand => setup.cell.flange_from_part.isometry(),
             Mount::ToolInHand => setup.cell.flange_from_tool.isometry(),
@@ -75,7 +75,7 @@ impl CellPicture {
             }
         };
         let holder = (held.coords.norm() > LEAST_LINK_MM).then(|| {
-            let rod = Solid::rod(0.3 * wrist_mm.max(10.0), held.coords.norm(), [false, false], METAL);
+            let rod = ColoredSolid::rod(0.3 * wrist_mm.max(10.0), held.coords.norm(), [false, false], METAL);
             (rod, along(&Point3::origin(), &held))
         });
         let bodies = &setup.cell.bodies.head;
@@ -98,7 +98,7 @@ impl CellPicture {
             holder,
             head: head(bodies, &profile),
             obstacles: setup.cell.bodies.obstacles.iter().map(super::tool::obstacle).collect(),
-            cone: Solid::turned(&[[0.0, 0.0], [0.018 * head_mm, tip_mm]], LIGHT, 150),
+            cone: ColoredSolid::turned(&[[0.0, 0.0], [0.018 * head_mm, tip_mm]], LIGHT, 150),
             tip_mm,
             top_mm,
             floor: Arc::new(floor(reach_mm)),
@@ -196,13 +196,13 @@ fn ends(capsules: &[HeadCapsule]) -> Option<(f64, f64)> {
 }
 
 /// The head as the cell file gives it; a nozzle where it does not.
-fn head(capsules: &[HeadCapsule], nozzle: &[[f64; 2]]) -> Vec<(Solid, Isometry3<f64>)> {
+fn head(capsules: &[HeadCapsule], nozzle: &[[f64; 2]]) -> Vec<(ColoredSolid, Isometry3<f64>)> {
     if capsules.is_empty() {
-        return vec![(Solid::turned(nozzle, HEAD, 255), Isometry3::identity())];
+        return vec![(ColoredSolid::turned(nozzle, HEAD, 255), Isometry3::identity())];
     }
     let body = |c: &HeadCapsule| {
         let (low, high) = (c.from_mm.min(c.to_mm), c.from_mm.max(c.to_mm));
-        (Solid::rod(c.radius_mm, high - low, [true, true], HEAD), Isometry3::translation(0.0, 0.0, low))
+        (ColoredSolid::rod(c.radius_mm, high - low, [true, true], HEAD), Isometry3::translation(0.0, 0.0, low))
     };
     capsules.iter().map(body).collect()
 }

@@ -4,7 +4,7 @@
 use super::colormap::viridis;
 use super::palette::{Rgb, mixed, state};
 use crate::part::{Hasher, Surfaces};
-use crate::process::{DoseMap, Sample, Verdict};
+use crate::process::{DoseMap, DoseSample, DoseVerdict};
 use crate::view::MeshItem;
 use nalgebra::Isometry3;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ pub enum DoseLook {
 pub const UNLIT: Rgb = [120, 122, 126];
 /// More than the window allows.
 pub const OVER: Rgb = [226, 58, 38];
-/// A chosen surface that gets too little for want of light.
+/// A chosen surface that gets too little because too little light comes.
 pub const UNDER: Rgb = [30, 32, 36];
 /// A chosen surface that gets too little because something shades it.
 pub const SHADED: Rgb = state::MISSED;
@@ -124,15 +124,15 @@ pub fn dose_item(map: &DoseMap, surfaces: &Surfaces, look: DoseLook) -> MeshItem
     }
 }
 
-fn color(map: &DoseMap, s: &Sample, chosen: bool, look: DoseLook) -> Rgb {
+fn color(map: &DoseMap, s: &DoseSample, chosen: bool, look: DoseLook) -> Rgb {
     let dose = f64::from(s.fluence_j_cm2);
     match look {
         DoseLook::Incidence if s.incidence_deg < 0.0 => UNLIT,
         DoseLook::Incidence => viridis(1.0 - f64::from(s.incidence_deg) / 90.0),
         DoseLook::Dose => match map.verdict(s) {
-            Verdict::Over => OVER,
-            Verdict::Shaded if chosen => SHADED,
-            Verdict::Under if chosen => {
+            DoseVerdict::Over => OVER,
+            DoseVerdict::Shaded if chosen => SHADED,
+            DoseVerdict::Under if chosen => {
                 // The nearer to the window, the more of the scale shows through.
                 mixed(UNDER, viridis(share(map, dose)), (dose / map.thresholds.low_j_cm2) as f32 * 0.5)
             }

@@ -1,11 +1,11 @@
 //! Path lines, frames and beams (P1 Figs 7, 9, 13), and the moves between.
 
 use super::palette::{Rgb, state};
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::part::Hasher;
 use crate::planning::Plan;
 use crate::planning::lay::Laid;
-use crate::pose::{Pass, State, Target};
+use crate::pose::{Pass, Target, TargetState};
 use crate::program::Step;
 use crate::view::{Depth, LineItem, LineSegment, PointItem};
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -62,8 +62,8 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     items
 }
 
-/// Draws lines of which nothing is known yet but where they lie.
-pub fn laid(lines: &[Arc<Laid>]) -> LineItem {
+/// Lines that are laid but not planned yet, as one item.
+pub fn toolpath_item(lines: &[Arc<Laid>]) -> LineItem {
     let points = lines.iter().flat_map(|l| &l.lines);
     let segments: Vec<LineSegment> = points
         .flat_map(|line| {
@@ -79,16 +79,16 @@ pub fn laid(lines: &[Arc<Laid>]) -> LineItem {
     LineItem { key, segments: Arc::new(segments), width_px: 1.4, depth, scene_from_item }
 }
 
-/// Evenly every k-th target, but all that interfere up to the limit.
+/// Every k-th target; those that interfere are kept more densely.
 fn thinned<'a>(
     passes: impl Iterator<Item = &'a Pass>,
     count: usize,
     most: usize,
     before: bool,
-) -> impl Iterator<Item = (&'a Target, &'a Work)> {
+) -> impl Iterator<Item = (&'a Target, &'a ProcessSettings)> {
     let every = count.div_ceil(most).max(1);
     passes
-        .flat_map(|p| p.targets.iter().map(|t| (t, &p.work)))
+        .flat_map(|p| p.targets.iter().map(|t| (t, &p.settings)))
         .enumerate()
         .filter(move |(i, (t, _))| i % every == 0 || (every < 8 && before && t.normal_hits.is_some() && i % 2 == 0))
         .map(|(_, t)| t)
@@ -98,9 +98,9 @@ fn thinned<'a>(
 pub fn color(t: &Target, before: bool) -> Rgb {
     match (before, t.state) {
         (true, _) if t.normal_hits.is_some() => state::BLOCKED,
-        (true, _) | (_, State::Free) => state::FREE,
-        (_, State::Corrected) => state::CORRECTED,
-        (_, State::Blocked) => state::BLOCKED,
+        (true, _) | (_, TargetState::Free) => state::FREE,
+        (_, TargetState::Corrected) => state::CORRECTED,
+        (_, TargetState::Blocked) => state::BLOCKED,
     }
 }
 

@@ -15,16 +15,16 @@ const RINGS: usize = 10;
 
 /// A solid in its own frame, mm.
 #[derive(Clone, Debug)]
-pub struct Solid {
+pub struct ColoredSolid {
     geometry_key: u64,
     positions: Arc<Vec<[f32; 3]>>,
     colors_key: u64,
     facet_colors: Arc<Vec<[u8; 4]>>,
 }
 
-impl Solid {
+impl ColoredSolid {
     /// Turns a profile of radius and height about z; it runs upwards along the outside.
-    pub fn turned(profile: &[[f64; 2]], [r, g, b]: Rgb, alpha: u8) -> Solid {
+    pub fn turned(profile: &[[f64; 2]], [r, g, b]: Rgb, alpha: u8) -> ColoredSolid {
         let ring = |[radius, z]: [f64; 2], k: usize| {
             let (sin, cos) = libm::sincos(TAU * (k % AROUND) as f64 / AROUND as f64);
             [(radius * cos) as f32, (radius * sin) as f32, z as f32]
@@ -44,7 +44,7 @@ impl Solid {
         }
         let numbers: Vec<f64> = profile.iter().flatten().copied().collect();
         let facet_colors = vec![[r, g, b, alpha]; positions.len() / 3];
-        Solid {
+        ColoredSolid {
             geometry_key: Hasher::default().f64s(&numbers).finish().0 as u64,
             positions: Arc::new(positions),
             colors_key: u64::from(u32::from_be_bytes([r, g, b, alpha])),
@@ -53,7 +53,7 @@ impl Solid {
     }
 
     /// A rod from z = 0 to z = length, either end flat or a hemisphere that reaches beyond it.
-    pub fn rod(radius_mm: f64, length_mm: f64, domes: [bool; 2], color: Rgb) -> Solid {
+    pub fn rod(radius_mm: f64, length_mm: f64, domes: [bool; 2], color: Rgb) -> ColoredSolid {
         let quarter = |z: f64, sense: f64| {
             (0..=RINGS).map(move |k| {
                 let (sin, cos) = libm::sincos(FRAC_PI_2 * k as f64 / RINGS as f64);
@@ -70,7 +70,7 @@ impl Solid {
             true => low.extend(quarter(length_mm, 1.0)),
             false => low.extend([[radius_mm, length_mm], [0.0, length_mm]]),
         }
-        Solid::turned(&low, color, 255)
+        ColoredSolid::turned(&low, color, 255)
     }
 
     /// The solid at a place.
@@ -97,7 +97,7 @@ mod tests {
     use super::*;
 
     /// Volume by the divergence theorem: positive only if facets face outwards.
-    fn volume(solid: &Solid) -> f64 {
+    fn volume(solid: &ColoredSolid) -> f64 {
         let v = |p: [f32; 3]| Vector3::from(p).cast::<f64>();
         solid.positions.chunks_exact(3).map(|c| v(c[0]).dot(&v(c[1]).cross(&v(c[2]))) / 6.0).sum()
     }
@@ -105,13 +105,13 @@ mod tests {
     #[test]
     fn solids_face_outwards_and_have_their_volume() {
         let pi = std::f64::consts::PI;
-        let near = |solid: Solid, mm3: f64| {
+        let near = |solid: ColoredSolid, mm3: f64| {
             let off = volume(&solid) / mm3 - 1.0;
             assert!((-0.012..0.0).contains(&off), "inscribed, so a little less: {off}");
         };
-        near(Solid::rod(20.0, 100.0, [false, false], [0; 3]), pi * 400.0 * 100.0);
-        near(Solid::rod(20.0, 100.0, [true, true], [0; 3]), pi * 400.0 * 100.0 + 4.0 / 3.0 * pi * 8000.0);
-        near(Solid::turned(&[[0.0, 0.0], [30.0, 0.0], [0.0, 60.0]], [0; 3], 255), pi * 900.0 * 20.0);
+        near(ColoredSolid::rod(20.0, 100.0, [false, false], [0; 3]), pi * 400.0 * 100.0);
+        near(ColoredSolid::rod(20.0, 100.0, [true, true], [0; 3]), pi * 400.0 * 100.0 + 4.0 / 3.0 * pi * 8000.0);
+        near(ColoredSolid::turned(&[[0.0, 0.0], [30.0, 0.0], [0.0, 60.0]], [0; 3], 255), pi * 900.0 * 20.0);
     }
 
     #[test]

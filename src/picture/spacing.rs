@@ -9,12 +9,12 @@ use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
 use std::sync::Arc;
 
-/// The scale is at least so wide to each side of what is wanted: less is as wanted.
+/// Least half width of the scale, as a share of the wanted spacing: smaller deviations do not matter.
 const AS_WANTED: f64 = 0.02;
 
-/// A place with the spacing there.
+/// A sample: a place, and the spacing measured there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct SpacingSample {
     /// Surface number.
     pub surface: u32,
     /// Where, mm, part frame.
@@ -25,7 +25,7 @@ pub struct Place {
     pub wanted_mm: f64,
 }
 
-impl Place {
+impl SpacingSample {
     fn ratio(&self) -> f64 {
         self.mm / self.wanted_mm
     }
@@ -39,9 +39,9 @@ pub struct SpacingScale {
     /// What is wanted, where all surfaces want the same, mm.
     pub wanted_mm: Option<f64>,
     /// Where lines are closest together for what is wanted there.
-    pub least: Place,
+    pub least: SpacingSample,
     /// Where they are farthest apart.
-    pub greatest: Place,
+    pub greatest: SpacingSample,
 }
 
 impl SpacingScale {
@@ -53,11 +53,11 @@ impl SpacingScale {
 }
 
 /// All places of a plan that were measured; `job` is what it was made for.
-fn places<'a>(plan: &'a Plan, job: &'a Job) -> impl Iterator<Item = Place> + 'a {
+fn places<'a>(plan: &'a Plan, job: &'a Job) -> impl Iterator<Item = SpacingSample> + 'a {
     plan.surfaces.iter().flat_map(|s| {
         let (surface, wanted_mm) = (s.laid.surface, job.of_surface(SurfaceId(s.laid.surface)).layers.spacing_mm);
         let samples = s.laid.achieved.iter().flat_map(|a| &a.samples);
-        samples.map(move |&(at, mm)| Place { surface, at, mm, wanted_mm })
+        samples.map(move |&(at, mm)| SpacingSample { surface, at, mm, wanted_mm })
     })
 }
 
@@ -75,8 +75,8 @@ pub fn scale(plan: &Plan, job: &Job) -> Option<SpacingScale> {
 
 /// The dots of all places, and the two marked ones on top. `key` changes with the plan.
 pub fn items(plan: &Plan, job: &Job, scale: &SpacingScale, key: u64) -> Vec<PointItem> {
-    let color = |p: &Place| viridis(scale.share(p.ratio()));
-    let item = |part: u32, places: Vec<(Place, Rgb)>, size_px: f32, depth: Depth| PointItem {
+    let color = |p: &SpacingSample| viridis(scale.share(p.ratio()));
+    let item = |part: u32, places: Vec<(SpacingSample, Rgb)>, size_px: f32, depth: Depth| PointItem {
         key: Hasher::default().u32s(&[key as u32, (key >> 32) as u32, part]).finish().0 as u64,
         points: Arc::new(places.into_iter().map(|(p, rgb)| dot(p.at, rgb)).collect()),
         size_px,
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     fn of(least: f64, greatest: f64) -> SpacingScale {
-        let place = |mm: f64| Place { surface: 1, at: Point3::origin(), mm, wanted_mm: 0.5 };
+        let place = |mm: f64| SpacingSample { surface: 1, at: Point3::origin(), mm, wanted_mm: 0.5 };
         let ends = [(least / 0.5_f64).min(1.0 - AS_WANTED), (greatest / 0.5_f64).max(1.0 + AS_WANTED)];
         SpacingScale { ends, wanted_mm: Some(0.5), least: place(least), greatest: place(greatest) }
     }

@@ -1,8 +1,8 @@
-//! Head, beam and clamps as they stand at a target: what the proof is about, to be looked at.
+//! Head, beam and clamps as they stand at a target: the bodies that the proof is about.
 
 use super::palette::Rgb;
-use super::solid::Solid;
-use crate::beam::{Body, Frustum, Head, Obstacle, Tool};
+use super::solid::ColoredSolid;
+use crate::beam::{Frustum, Head, Obstacle, Tool, ToolGeometry};
 use crate::part::{Hasher, Part};
 use crate::view::MeshItem;
 use nalgebra::{Isometry3, Translation3};
@@ -17,18 +17,22 @@ const LIGHT_ALPHA: u8 = 110;
 
 /// Solids of a tool, made once.
 pub struct ToolPicture {
-    head: Vec<Solid>,
+    head: Vec<ColoredSolid>,
     facets: Option<MeshItem>,
-    light: Vec<Solid>,
+    light: Vec<ColoredSolid>,
     defocus_mm: f64,
     clamps: Vec<MeshItem>,
 }
 
 impl ToolPicture {
     /// The solids; `body` is what the plan was made with, and tells how wide the beam is.
-    pub fn new(tool: &Tool, body: Option<&Body<'_>>) -> ToolPicture {
+    pub fn new(tool: &Tool, body: Option<&ToolGeometry<'_>>) -> ToolPicture {
         let turned = |f: &Frustum, color, alpha| {
-            Solid::turned(&[[0.0, f.t0_mm], [f.r0_mm, f.t0_mm], [f.r1_mm, f.t1_mm], [0.0, f.t1_mm]], color, alpha)
+            ColoredSolid::turned(
+                &[[0.0, f.t0_mm], [f.r0_mm, f.t0_mm], [f.r1_mm, f.t1_mm], [0.0, f.t1_mm]],
+                color,
+                alpha,
+            )
         };
         let head = match &tool.head {
             Some(Head::Stack(_)) => body.map_or(&[][..], |b| &b.head),

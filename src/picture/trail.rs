@@ -30,7 +30,8 @@ impl Trail {
         let (mut before, mut defocus_mm) = (None, 0.0);
         for (i, stop) in timeline.stops().iter().enumerate() {
             // Stops between targets are on the way to one of the same pass, behind one of it.
-            defocus_mm = stop.target.and_then(|(pass, _)| passes.get(pass)).map_or(defocus_mm, |p| p.work.defocus_mm);
+            defocus_mm =
+                stop.target.and_then(|(pass, _)| passes.get(pass)).map_or(defocus_mm, |p| p.settings.defocus_mm);
             let flange = timeline.robot().forward(&stop.joints_deg);
             let spot = spot(&timeline.setup().focus_for(&flange), defocus_mm);
             if let (true, Some(before)) = (stop.lit, before) {

@@ -5,13 +5,13 @@ use super::PlanError;
 use super::driving::drive;
 use super::plan::Plan;
 use super::surface_plan::Cache;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
 use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
 use crate::cell::{Mount, Setup};
 use crate::document::model::{CellFile, Job};
 use crate::part::{Part, Surfaces};
-use crate::pose::{Pass, State};
+use crate::pose::{Pass, TargetState};
 use crate::progress::{Activity, Cancelled, Progress};
 use nalgebra::{Isometry3, Point3};
 
@@ -31,12 +31,12 @@ fn frames(plan: &Plan) -> [Vec<Isometry3<f64>>; 2] {
     let done = plan
         .passes
         .iter()
-        .flat_map(|p| p.targets.iter().map(|t| (t, p.work.defocus_mm)))
-        .filter(|(t, _)| t.state != State::Blocked)
+        .flat_map(|p| p.targets.iter().map(|t| (t, p.settings.defocus_mm)))
+        .filter(|(t, _)| t.state != TargetState::Blocked)
         .map(|(t, defocus_mm)| t.frame(defocus_mm))
         .collect();
     let placed = |r: &&Refusal| matches!(r.cause, Cause::Reach | Cause::Limit | Cause::Singularity);
-    let frame = |r: &Refusal| plan.passes[r.pass].targets[r.point].frame(plan.passes[r.pass].work.defocus_mm);
+    let frame = |r: &Refusal| plan.passes[r.pass].targets[r.point].frame(plan.passes[r.pass].settings.defocus_mm);
     let refused = refusals(plan).iter().filter(placed).map(frame).collect();
     [done, refused]
 }
@@ -86,10 +86,10 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
             let mut pass = plan.passes[n].clone();
             for r in refusals(plan).iter().filter(|r| r.pass == n) {
                 // As it was before it was refused.
-                pass.targets[r.point].state = State::Free;
+                pass.targets[r.point].state = TargetState::Free;
                 pass.targets[r.point].laser = r.point > 0;
                 if let Some(next) = pass.targets.get_mut(r.point + 1) {
-                    next.laser = next.state != State::Blocked;
+                    next.laser = next.state != TargetState::Blocked;
                 }
             }
             pass
@@ -102,11 +102,14 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
     for share in SLOWER {
         let slower: Vec<Pass> = again
             .iter()
-            .map(|p| Pass { work: Work { speed_mm_s: share * p.work.speed_mm_s, ..p.work }, ..p.clone() })
+            .map(|p| Pass {
+                settings: ProcessSettings { speed_mm_s: share * p.settings.speed_mm_s, ..p.settings },
+                ..p.clone()
+            })
             .collect();
         let choice = choose(&arm, &slower, &watch).ok_or(Cancelled)?;
         if !choice.refusals.iter().any(|r| r.cause == Cause::Speed) {
-            let speed_mm_s = slower.iter().map(|p| p.work.speed_mm_s).fold(f64::INFINITY, f64::min);
+            let speed_mm_s = slower.iter().map(|p| p.settings.speed_mm_s).fold(f64::INFINITY, f64::min);
             return Ok(Some(speed_mm_s));
         }
         progress.step()?;

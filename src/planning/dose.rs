@@ -9,7 +9,7 @@ use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
 use crate::pose::{Obstruction, Pass};
-use crate::process::{Cause, DoseMap, Light, Patch, Spot, Task, Thresholds, dose as computed};
+use crate::process::{DoseInput, DoseMap, Light, Patch, PatchCause, Spot, Thresholds, dose as computed};
 use crate::program::Timeline;
 use crate::program::{MoveTiming, Step};
 use crate::progress::{Activity, Progress};
@@ -50,7 +50,7 @@ pub struct PatchReport {
     pub area_cm2: f64,
     /// `blocked`, `shaded`, `missed` or `thin`.
     #[serde(serialize_with = "word")]
-    pub cause: Cause,
+    pub cause: PatchCause,
     /// What it is blocked or shaded by.
     pub by_surface: Option<u32>,
     /// A spacing below this would bring enough to a gap between lines, mm.
@@ -73,7 +73,7 @@ pub struct CollateralReport {
 
 /// The passes of a plan that run on the bare part: the first layer's.
 fn on_the_part(plan: &Plan) -> &[Pass] {
-    let first = plan.passes.iter().take_while(|p| p.work.layer == 0).count();
+    let first = plan.passes.iter().take_while(|p| p.settings.layer == 0).count();
     plan.passes.get(..first).unwrap_or_default()
 }
 
@@ -95,7 +95,7 @@ pub fn dose(
     let spot = spot(job);
     let times = ends_s(plan);
     let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
-    let task = Task { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
+    let task = DoseInput { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
     progress.begin(Activity::SummingDose, 2 * light.runs.len());
     computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
 }
@@ -160,7 +160,7 @@ impl DoseReport {
     }
 }
 
-fn word<S: Serializer>(cause: &Cause, s: S) -> Result<S::Ok, S::Error> {
+fn word<S: Serializer>(cause: &PatchCause, s: S) -> Result<S::Ok, S::Error> {
     s.serialize_str(cause.word())
 }
 
@@ -182,14 +182,14 @@ impl PatchReport {
 
     /// Whether other values of the job would clean it.
     pub fn is_thin(&self) -> bool {
-        self.cause == Cause::Thin
+        self.cause == PatchCause::Thin
     }
 }
 
 /// What a plan leaves unclean, by its dose.
 pub fn not_cleanable(part: &Part, surfaces: &Surfaces, plan: &Plan, job: &Job, map: &DoseMap) -> Vec<Patch> {
     let mut patches = map.not_cleanable(&part.mesh, surfaces, on_the_part(plan), job.layers.spacing_mm);
-    for patch in patches.iter_mut().filter(|p| p.cause == Cause::Thin) {
+    for patch in patches.iter_mut().filter(|p| p.cause == PatchCause::Thin) {
         patch.closer_than_mm = closer_than_mm(&job.of_surface(SurfaceId(patch.surface)), patch.gap_mm);
     }
     patches

@@ -12,7 +12,7 @@ use crate::path::neighbour_axes::neighbour_axes;
 use crate::path::normals::VertexNormals;
 use crate::path::strategy::{self, Achieved, Layout, Strategy};
 use crate::path::tour::{Sense, shift_seams, toured, way_mm};
-use crate::path::{Axis, Order, SurfacePlanes, TransversalLine, order};
+use crate::path::{AxisSource, Order, SurfacePlanes, TransversalLine, order};
 use nalgebra::{Point3, Vector3};
 
 /// The lines of one surface, not yet in order.
@@ -43,7 +43,7 @@ pub struct LayingRules<'a> {
     /// Strategy, spacing, rim.
     pub layers: &'a Layers,
     /// What the beam stands along.
-    pub axis: Axis,
+    pub axis: AxisSource,
     /// Every second layer runs across the others.
     pub is_alternate: bool,
     /// How far closed lines of a layer begin behind those of the one before, mm.
@@ -96,12 +96,12 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
     };
     let mut found;
     if over_mm > 0.0 {
-        let grown = ends::grown(mesh, surface, over_mm);
-        let normals = VertexNormals::grown(mesh, surfaces, surface, &grown.beyond);
-        let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
-        found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
+        let extended = ends::extended(mesh, surface, over_mm);
+        let normals = VertexNormals::extended(mesh, surfaces, surface, &extended.beyond);
+        let family = widened(mesh, &extended.surface, family.clone(), l.spacing_mm);
+        found = strategy::lines(mesh, &extended.surface, &normals, &rule, &family, merge_mm);
         stand(&mut found.lines, by);
-        let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
+        let (lines, stopped) = ends::run_over(mesh, surface, &extended, found.lines);
         found.lines = lines;
         if stopped > 0 {
             remarks.push(LayingRemark::StopsAtRim { ends: stopped });
@@ -140,12 +140,12 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
 
 /// Gives lines the axes that the job wants in place of the mesh's normals.
 fn stand(lines: &mut [TransversalLine], by: &LayingRules<'_>) {
-    if by.axis == Axis::Neighbours {
+    if by.axis == AxisSource::Neighbours {
         neighbour_axes(lines, by.layers.spacing_mm);
     }
 }
 
-/// A family with more planes of the same distance, as far as a grown surface goes.
+/// A family with more planes of the same distance, as far as an extended surface goes.
 fn widened(mesh: &crate::part::Mesh, surface: &Surface, mut family: SurfacePlanes, spacing_mm: f64) -> SurfacePlanes {
     let corners = surface.facets.iter().flat_map(|&f| mesh.corners(f as usize));
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

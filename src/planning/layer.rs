@@ -8,7 +8,7 @@ use super::lay;
 use super::surface_plan::{Cache, Kept, SurfacePlan, key_of, plan_surface, raster, rules_of, with_ways, worked};
 use crate::beam::Tool;
 use crate::document::model::Job;
-use crate::part::{Digest, Grown, Part, Surfaces, grown};
+use crate::part::{Digest, GrownPart, Part, Surfaces, grown};
 use crate::path::Order;
 use crate::path::planes::{self, Raster};
 use crate::progress::{Activity, Cancelled, Progress};
@@ -30,7 +30,7 @@ pub(super) fn count(own: &Own<'_>) -> u32 {
 ///
 /// # Errors
 /// A surface that is too hollow for its build-up.
-pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<Vec<Arc<Grown>>, PlanError> {
+pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<Vec<Arc<GrownPart>>, PlanError> {
     let last = if own.values().any(|j| j.section_of_bead().is_some()) { count(own) } else { 0 };
     let made: Vec<_> = (1..=last)
         .into_par_iter()

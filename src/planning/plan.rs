@@ -4,8 +4,8 @@ use super::cell_report::CellReport;
 use super::remark::Remark;
 use super::surface_plan::SurfacePlan;
 use crate::cell::motion::{Choice, Refusal};
-use crate::part::{Grown, SurfaceId};
-use crate::pose::{Pass, State};
+use crate::part::{GrownPart, SurfaceId};
+use crate::pose::{Pass, TargetState};
 use crate::program::sweep::Proof;
 use crate::program::{Steps, Timeline};
 use std::sync::Arc;
@@ -18,7 +18,7 @@ pub struct Plan {
     /// All passes in program order.
     pub passes: Vec<Pass>,
     /// The part as it has grown behind each layer; none where nothing is laid.
-    pub grown: Vec<Arc<Grown>>,
+    pub grown: Vec<Arc<GrownPart>>,
     /// The program, step by step.
     pub steps: Steps,
     /// Joints and spin of every target that the robot does, and what it does not; without a robot
@@ -57,7 +57,7 @@ impl Plan {
 /// The laser is off at a target, and on the way to the next.
 fn block(pass: &mut Pass, point: usize) {
     if let Some(t) = pass.targets.get_mut(point) {
-        t.state = State::Blocked;
+        t.state = TargetState::Blocked;
         t.laser = false;
     }
     if let Some(next) = pass.targets.get_mut(point + 1) {

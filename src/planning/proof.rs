@@ -1,10 +1,10 @@
 //! What proves the lit moves of a job, in its plan and in its program. The sweep itself is `program::sweep`'s.
 
-use super::surface_plan::stances;
-use crate::beam::Stance;
+use super::surface_plan::configurations;
+use crate::beam::ToolConfiguration;
 use crate::cell::Setup;
 use crate::document::model::Job;
-use crate::part::{Grown, Part};
+use crate::part::{GrownPart, Part};
 use crate::program::lit::StraightFlange;
 use crate::program::sweep::Prover;
 use std::sync::Arc;
@@ -12,14 +12,14 @@ use std::sync::Arc;
 /// What proves the lit moves of a job.
 pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
     let deviation_mm = job.cell.deviation_mm;
-    let mut all: Vec<Stance<'_>> = stances(job, &setup.tool);
+    let mut all: Vec<ToolConfiguration<'_>> = configurations(job, &setup.tool);
     let mut sag_mm = job.path.chord_error_mm;
     for recipe in &job.recipes {
         let own = recipe.applied(job);
         sag_mm = sag_mm.max(own.path.chord_error_mm);
-        for stance in stances(&own, &setup.tool) {
-            if !all.iter().any(|s| s.work == stance.work) {
-                all.push(stance);
+        for configuration in configurations(&own, &setup.tool) {
+            if !all.iter().any(|s| s.settings == configuration.settings) {
+                all.push(configuration);
             }
         }
     }
@@ -27,7 +27,12 @@ pub fn prover<'a>(part: &'a Part, setup: &'a Setup, job: &Job) -> Prover<'a> {
 }
 
 /// What finds straight lit moves, with something to spare for the digits of the program.
-pub(super) fn straight<'a>(part: &'a Part, grown: &'a [Arc<Grown>], setup: &'a Setup, job: &Job) -> StraightFlange<'a> {
+pub(super) fn straight<'a>(
+    part: &'a Part,
+    grown: &'a [Arc<GrownPart>],
+    setup: &'a Setup,
+    job: &Job,
+) -> StraightFlange<'a> {
     let prover = prover(part, setup, job).on_layers(grown);
     StraightFlange { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
 }

@@ -2,7 +2,7 @@
 
 use super::error::PlanError;
 use super::lay::{self, Laid, LayingRules, Ordered};
-use crate::beam::{Body, Optics, Stance, Tool, Work};
+use crate::beam::{Optics, ProcessSettings, Tool, ToolConfiguration, ToolGeometry};
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::surfaces::Surface;
@@ -10,7 +10,9 @@ use crate::part::{Digest, Hasher, Part, SurfaceId, Surfaces, keyed};
 use crate::path::chord::ChordLimits;
 use crate::path::planes::Raster;
 use crate::path::{SurfacePlanes, dense};
-use crate::pose::{Correction, Line, LineRules, Pass, State, TiltRule, plan_line, plan_line_by_section_plane};
+use crate::pose::{
+    Correction, LineOnSurface, LineRules, Pass, TargetState, TiltRule, plan_line, plan_line_by_section_plane,
+};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -133,12 +135,12 @@ pub(super) fn rules(job: &Job) -> LineRules {
 /// focus stands does not either.
 pub(super) fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
     let wanted = work(job);
-    let own = |w: &Work| match tool.head {
-        None => Work { layer: w.layer, ..wanted },
-        Some(_) => Work { defocus_mm: w.defocus_mm, spot_mm: w.spot_mm, layer: w.layer, ..wanted },
+    let own = |w: &ProcessSettings| match tool.head {
+        None => ProcessSettings { layer: w.layer, ..wanted },
+        Some(_) => ProcessSettings { defocus_mm: w.defocus_mm, spot_mm: w.spot_mm, layer: w.layer, ..wanted },
     };
-    if made.passes.iter().any(|p| p.work != own(&p.work)) {
-        Arc::make_mut(&mut made).passes.iter_mut().for_each(|p| p.work = own(&p.work));
+    if made.passes.iter().any(|p| p.settings != own(&p.settings)) {
+        Arc::make_mut(&mut made).passes.iter_mut().for_each(|p| p.settings = own(&p.settings));
     }
     made
 }
@@ -154,23 +156,23 @@ pub(super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64)) -> Arc<
 }
 
 /// What stands around the beam; `None`: the beam is a ray.
-pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
-    stances(job, &setup.tool).swap_remove(0).body
+pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<ToolGeometry<'a>> {
+    configurations(job, &setup.tool).swap_remove(0).geometry
 }
 
 /// How the head may be held over lines, as wanted first: then drawn back and pushed forward by half of the
 /// standoff window and all of it.
-pub(super) fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>> {
+pub(super) fn configurations<'a>(job: &Job, tool: &'a Tool) -> Vec<ToolConfiguration<'a>> {
     let wanted = work(job);
     let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
     let lifted = |share: &f64| wanted.lifted(&job.optics, share * job.path.standoff_mm);
-    lifts.iter().map(|s| Stance::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
+    lifts.iter().map(|s| ToolConfiguration::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
 }
 
 /// What a job works with.
-fn work(job: &Job) -> Work {
+fn work(job: &Job) -> ProcessSettings {
     let b = &job.beam;
-    Work {
+    ProcessSettings {
         defocus_mm: b.defocus_mm,
         spot_mm: b.spot_mm,
         speed_mm_s: b.speed_mm_s,
@@ -193,19 +195,19 @@ pub(super) fn plan_surface(
     progress: &Progress,
 ) -> Result<SurfacePlan, PlanError> {
     let is_searched = rules.correction == Correction::Clearance;
-    let stances = stances(job, tool);
+    let configurations = configurations(job, tool);
     let both = ordered
         .lines
         .par_iter()
         .enumerate()
         .map(|(number, line)| {
             progress.step()?;
-            let line = Line { line, surface: laid.surface, number: number as u32, m: laid.plane_of(line) };
-            let mut pass = plan_line(part, &stances, &line, rules);
-            pass.work.layer = laid.layer;
-            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != State::Free);
+            let line = LineOnSurface { line, surface: laid.surface, number: number as u32, m: laid.plane_of(line) };
+            let mut pass = plan_line(part, &configurations, &line, rules);
+            pass.settings.layer = laid.layer;
+            let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != TargetState::Free);
             let other =
-                (is_searched && interferes).then(|| plan_line_by_section_plane(part, &stances[0], &line, rules));
+                (is_searched && interferes).then(|| plan_line_by_section_plane(part, &configurations[0], &line, rules));
             Ok((pass, other))
         })
         .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;

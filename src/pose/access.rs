@@ -1,17 +1,17 @@
-//! From where a spot can be reached: what beam and head meet over all tilts, at one place, and along a
-//! line.
+//! Access maps: from which directions a spot can be reached, at one place over all tilts, and along a line over
+//! one part of the tilt.
 //!
-//! For looking at; the search for clearance asks the same routine, and does not use these maps.
+//! For display only: the search for clearance asks the interference queries directly.
 
 use super::interference::{Beam, Blocker};
-use super::target::{Pass, State};
+use super::target::{Pass, TargetState};
 use super::tilt::{Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
-/// What a tilt meets.
+/// What becomes of the beam at a tilt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Access {
-    /// Nothing.
+    /// It is free.
     Free,
     /// Something is in the way.
     Blocked(Blocker),
@@ -23,7 +23,7 @@ pub enum Access {
 /// not looked at.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AccessMap {
-    /// From one cell to the next, degrees.
+    /// Step from one cell to the next, degrees.
     pub step_deg: f64,
     /// Cells from the middle to a side.
     pub half: usize,
@@ -32,7 +32,7 @@ pub struct AccessMap {
 }
 
 impl AccessMap {
-    /// Looks all round one place of a line. `tangent`: the travel direction.
+    /// The map at one place of a line. `tangent`: the travel direction.
     pub fn at(
         beam: &Beam<'_>,
         p: &Point3<f64>,
@@ -97,18 +97,18 @@ fn access(
     beam.blocker(p, &a).map_or(Access::Free, Access::Blocked)
 }
 
-/// Which part of the tilt a strip goes over.
+/// Which part of the tilt a strip varies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Over {
-    /// Lead, the lean as it was chosen.
+    /// Over lead; the lean stays as chosen.
     #[default]
     Lead,
-    /// Lean, the lead as it was chosen.
+    /// Over lean; the lead stays as chosen.
     Lean,
 }
 
 impl Over {
-    /// This part of a tilt.
+    /// The value of this part of a tilt, degrees.
     pub fn of(self, tilt: Tilt) -> f64 {
         match self {
             Over::Lead => tilt.lead_deg,
@@ -127,14 +127,14 @@ impl Over {
 
 /// One place of a strip.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    /// Target of the pass.
+pub struct AccessColumn {
+    /// Index of the target in the pass.
     pub point: usize,
     /// Place on the line, mm from its start.
     pub at_mm: f64,
     /// The chosen tilt; `None`: blocked.
     pub chosen: Option<Tilt>,
-    /// From the least value to the greatest.
+    /// Access at each value, ascending.
     pub cells: Vec<Option<Access>>,
 }
 
@@ -143,12 +143,12 @@ pub struct Column {
 pub struct AccessStrip {
     /// Which part.
     pub over: Over,
-    /// From one cell to the next, degrees.
+    /// Step from one cell to the next, degrees.
     pub step_deg: f64,
     /// Cells from 0 to either end.
     pub half: usize,
     /// Along the line.
-    pub columns: Vec<Column>,
+    pub columns: Vec<AccessColumn>,
 }
 
 impl AccessStrip {
@@ -158,7 +158,7 @@ impl AccessStrip {
         known.min_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, tilt)| tilt)
     }
 
-    /// Looks at a pass, at no more than `most` of its targets.
+    /// The strip of a pass, at no more than `most` of its targets.
     pub fn along(
         beam: &Beam<'_>,
         pass: &Pass,
@@ -179,14 +179,14 @@ impl AccessStrip {
             if point % every != 0 && point + 1 != pass.targets.len() {
                 continue;
             }
-            let chosen = (t.state != State::Blocked).then(|| t.tilt());
+            let chosen = (t.state != TargetState::Blocked).then(|| t.tilt());
             let tangent = t.tangent();
             let around = chosen.unwrap_or_default();
             let cell = |i: usize| {
                 let tilt = over.with(around, (i as f64 - half as f64) * step_deg);
                 (tilt.angle_deg() <= max_tilt_deg + 1e-9).then(|| access(beam, &t.p, &t.n, &tangent, rule, tilt))
             };
-            columns.push(Column { point, at_mm, chosen, cells: (0..=2 * half).map(cell).collect() });
+            columns.push(AccessColumn { point, at_mm, chosen, cells: (0..=2 * half).map(cell).collect() });
         }
         AccessStrip { over, step_deg, half, columns }
     }

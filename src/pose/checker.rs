@@ -1,5 +1,5 @@
 //! A second opinion, slow and simple: every facet, no hierarchy, no code shared with the planner's
-//! own interference routine. Tests and `verify` ask it.
+//! interference queries. Tests and `verify` use it.
 
 use nalgebra::{Point3, Vector3};
 
@@ -63,7 +63,7 @@ impl Checker {
         let centre = p + a * (0.5 * (t0 + t1));
         let size = 0.5 * (t1 - t0) + r0.max(r1);
         self.facets.iter().fold(within_mm, |least, f| {
-            // Farther than the ball around the cone, told by the ball around the facet.
+            // The bounding balls of cone and facet are farther apart than that.
             let middle = Point3::from((f[0].coords + f[1].coords + f[2].coords) / 3.0);
             let round = f.iter().map(|c| (c - middle).norm()).fold(0.0, f64::max);
             if (middle - centre).norm() - round - size > least {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Correction {
-    /// They are blocked: the state before correction (P1 Figs 7–9, left).
+    /// They count as blocked: the state before correction (P1 Figs 7–9, left).
     None,
     /// P1 3.2: turned within the section plane.
     #[default]
@@ -30,7 +30,7 @@ impl Correction {
         }
     }
 
-    /// The correction of that word.
+    /// The correction with this word.
     pub fn from_word(word: &str) -> Option<Correction> {
         Correction::ALL.into_iter().find(|c| c.word() == word)
     }

@@ -5,56 +5,24 @@ mod planned;
 
 use super::correction::Correction;
 use super::interference::Beam;
-use super::motion::{self, Pose};
+use super::line_rules::LineRules;
+use super::motion;
 use super::target::{Pass, Split};
-use super::tilt::{Pin, TiltRule};
-use super::{clearance, section_plane};
-use crate::beam::{Stance, Work};
+use super::tilt::Pin;
+use super::{Pose, clearance, section_plane};
+use crate::beam::{ProcessSettings, ToolConfiguration};
 use crate::part::Part;
-use crate::path::chord::ChordLimits;
 use crate::path::dense::{self, DensePoint};
 use crate::path::{SectionPoint, TransversalLine};
 use nalgebra::Vector3;
 use planned::Planned;
 
-/// What a line is planned by.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LineRules {
-    /// Largest gap of the dense line, mm.
-    pub max_gap_mm: f64,
-    /// Largest turn of the normal on it, degrees.
-    pub max_dense_turn_deg: f64,
-    /// What a chord may span.
-    pub chord: ChordLimits,
-    /// What is done about interference.
-    pub correction: Correction,
-    /// Greatest angle between beam and normal, degrees.
-    pub max_tilt_deg: f64,
-    /// How fast the search may turn the beam against the normal along the line, degrees/mm.
-    pub tilt_rate_deg_mm: f64,
-    /// What the surface asks of the tilt.
-    pub tilt: TiltRule,
-    /// What the operator has set on lines of the surface.
-    pub pins: Vec<Pin>,
-}
-
-crate::part::keyed!(LineRules {
-    max_gap_mm,
-    max_dense_turn_deg,
-    chord,
-    correction,
-    max_tilt_deg,
-    tilt_rate_deg_mm,
-    tilt,
-    pins
-});
-
-/// Ends of an interfering run are found to this, mm.
+/// Precision of the ends of an interfering run, mm.
 const RUN_END_MM: f64 = 0.05;
 
 /// A line to be planned.
 #[derive(Clone, Copy, Debug)]
-pub struct Line<'a> {
+pub struct LineOnSurface<'a> {
     /// Its points.
     pub line: &'a TransversalLine,
     /// Surface number.
@@ -65,14 +33,19 @@ pub struct Line<'a> {
     pub m: Option<Vector3<f64>>,
 }
 
-/// Plans one line of one surface. Of several stances the first is what is wanted; another one is taken
-/// where it leaves less of the line blocked. Over the line's dark gaps the laser is off.
-pub fn plan_line(part: &Part, stances: &[Stance<'_>], line: &Line<'_>, rules: &LineRules) -> Pass {
+/// Plans one line of one surface. The first configuration is preferred; a later one is taken if it leaves less of
+/// the line blocked. The laser is off over the line's dark gaps.
+pub fn plan_line(
+    part: &Part,
+    configurations: &[ToolConfiguration<'_>],
+    line: &LineOnSurface<'_>,
+    rules: &LineRules,
+) -> Pass {
     let mut best: Option<(f64, Pass)> = None;
-    for stance in stances {
+    for configuration in configurations {
         // Without a head the section plane keeps limits of its own.
-        let limit_deg = stance.body.as_ref().map(|_| rules.max_tilt_deg);
-        let pass = planned(part, stance, line, rules, (rules.correction, limit_deg));
+        let limit_deg = configuration.geometry.as_ref().map(|_| rules.max_tilt_deg);
+        let pass = planned(part, configuration, line, rules, (rules.correction, limit_deg));
         let blocked_mm = pass.length_mm(|from, to| !to.laser && !Pass::is_gap(from, to));
         if best.as_ref().is_none_or(|(least_mm, _)| blocked_mm < least_mm - 1e-6) {
             best = Some((blocked_mm, pass));
@@ -81,30 +54,38 @@ pub fn plan_line(part: &Part, stances: &[Stance<'_>], line: &Line<'_>, rules: &L
             break;
         }
     }
-    best.map_or_else(|| planned(part, &Stance::ray(Work::default()), line, rules, (Correction::None, None)), |b| b.1)
+    best.map_or_else(
+        || planned(part, &ToolConfiguration::ray(ProcessSettings::default()), line, rules, (Correction::None, None)),
+        |b| b.1,
+    )
 }
 
-/// Plans a line by the section plane within the greatest tilt of `rules`: what the search is compared with.
-pub fn plan_line_by_section_plane(part: &Part, stance: &Stance<'_>, line: &Line<'_>, rules: &LineRules) -> Pass {
-    planned(part, stance, line, rules, (Correction::SectionPlane, Some(rules.max_tilt_deg)))
+/// Plans a line by the section plane within the greatest tilt of `rules`, for comparison with the search.
+pub fn plan_line_by_section_plane(
+    part: &Part,
+    configuration: &ToolConfiguration<'_>,
+    line: &LineOnSurface<'_>,
+    rules: &LineRules,
+) -> Pass {
+    planned(part, configuration, line, rules, (Correction::SectionPlane, Some(rules.max_tilt_deg)))
 }
 
 fn planned(
     part: &Part,
-    stance: &Stance<'_>,
-    whole_line: &Line<'_>,
+    configuration: &ToolConfiguration<'_>,
+    whole_line: &LineOnSurface<'_>,
     rules: &LineRules,
     correction: (Correction, Option<f64>),
 ) -> Pass {
     if whole_line.line.dark.is_empty() {
-        return planned_piece(part, stance, whole_line, rules, correction);
+        return planned_piece(part, configuration, whole_line, rules, correction);
     }
-    let Line { line, surface, m, .. } = whole_line;
-    // What a beam keeps clear of on one side of a gap says nothing of the other side: each piece is planned
-    // by itself, and its first target is reached with the laser off, as any pass's.
+    let LineOnSurface { line, surface, m, .. } = whole_line;
+    // Obstacles on one side of a gap do not matter on the other, so each piece is planned by itself; its first
+    // target is reached with the laser off, as in any pass.
     let mut whole = Pass {
         surface: *surface,
-        work: stance.work,
+        settings: configuration.settings,
         plane_normal: plane_normal(line, *m),
         closed: false,
         targets: Vec::new(),
@@ -118,12 +99,13 @@ fn planned(
         let way_mm = |w: &[SectionPoint]| (w[1].p - w[0].p).norm();
         start_mm += last.map_or(0.0, |last: SectionPoint| (points[0].p - last.p).norm());
         last = points.last().copied();
-        // Pins are told by their place on the whole line.
+        // Pins are placed on the whole line.
         let moved = |pin: &Pin| Pin { at_mm: pin.at_mm - start_mm, ..*pin };
         let rules = LineRules { pins: rules.pins.iter().map(moved).collect(), ..rules.clone() };
         start_mm += points.windows(2).map(way_mm).fold(0.0, |a, b| a + b);
         let piece = TransversalLine { plane: line.plane, points: points.to_vec(), closed: false, dark: Vec::new() };
-        let pass = planned_piece(part, stance, &Line { line: &piece, ..*whole_line }, &rules, correction);
+        let pass =
+            planned_piece(part, configuration, &LineOnSurface { line: &piece, ..*whole_line }, &rules, correction);
         let before = whole.targets.len();
         whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
         whole.targets.extend(pass.targets);
@@ -147,12 +129,12 @@ fn plane_normal(line: &TransversalLine, m: Option<Vector3<f64>>) -> Vector3<f64>
 /// Plans a line without gaps.
 fn planned_piece(
     part: &Part,
-    stance: &Stance<'_>,
-    Line { line, surface, number, m }: &Line<'_>,
+    configuration: &ToolConfiguration<'_>,
+    LineOnSurface { line, surface, number, m }: &LineOnSurface<'_>,
     rules: &LineRules,
     (correction, limit_deg): (Correction, Option<f64>),
 ) -> Pass {
-    let beam = Beam::with(part, stance.body.as_ref());
+    let beam = Beam::with(part, configuration.geometry.as_ref());
     let dense = dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg);
     let dense_points = dense.len();
     let (points, free) = detected(&beam, dense);
@@ -174,7 +156,7 @@ fn planned_piece(
     let kept = planned.reduce(&beam, &rules.chord);
     let pass = Pass {
         surface: *surface,
-        work: stance.work,
+        settings: configuration.settings,
         plane_normal: plane_normal(line, *m),
         closed: line.closed,
         targets: Vec::new(),
@@ -186,7 +168,7 @@ fn planned_piece(
     planned.fill(&beam, pass, &kept)
 }
 
-/// Finds out which points are free, and adds those at which that changes.
+/// Finds which points are free, and adds points where a run of interference begins or ends.
 fn detected(beam: &Beam<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<bool>) {
     let is_free = |q: &DensePoint| beam.is_free(&q.p, &q.n);
     let (mut out, mut free): (Vec<DensePoint>, Vec<bool>) = (Vec::with_capacity(points.len()), Vec::new());

@@ -1,22 +1,25 @@
-//! How the beam stands at every target: path frames, interference, the corrections, the motion
-//! between targets, and an independent checker.
+//! How the beam stands at every target: path frames, interference of beam and head, the corrections, the
+//! motion between targets, and an independent checker.
 //!
-//! Part frame, millimetres and degrees. The beam here is a ray (P1); robots come later.
+//! Part frame, millimetres and degrees. Robots are unknown here; they come in `cell`.
 
 pub mod access;
-pub mod around;
+mod beam_pose;
 pub mod checker;
 pub mod clearance;
 pub mod correction;
 pub mod interference;
 pub mod line;
+pub mod line_rules;
 pub mod motion;
 pub mod section_plane;
 pub mod target;
 pub mod tilt;
 
+pub use beam_pose::Pose;
 pub use correction::Correction;
 pub use interference::{Beam, Blocker, Obstruction, ToolBody};
-pub use line::{Line, LineRules, plan_line, plan_line_by_section_plane};
-pub use target::{Pass, Split, State, Target};
+pub use line::{LineOnSurface, plan_line, plan_line_by_section_plane};
+pub use line_rules::LineRules;
+pub use target::{Pass, Split, Target, TargetState};
 pub use tilt::{Pin, Tilt, TiltRule};

@@ -1,32 +1,17 @@
 //! The motion between two targets: the point goes straight, the axis turns at constant rate, and
 //! the spot is where that axis meets the part.
 //!
-//! Conservative advancement: a motion is cut in halves until a piece is clear by more than anything on
-//! it can move, or is so short that its middle stands for it. So a fin however thin between two free
-//! targets is met, by the beam or by the head alone.
+//! Conservative advancement: a motion is bisected until a piece is clear by more than anything on it can move, or
+//! so short that its middle decides. So a fin between two free targets is found however thin it is, whether the
+//! beam or only the head hits it.
 
-use super::around::Conflict;
-use super::interference::{Beam, Blocker};
+use super::Pose;
+use super::interference::{Beam, Blocker, Conflict};
 use crate::part::angle;
-use nalgebra::{Point3, Vector3};
 
-/// On a piece no point of the beam moves further than this, mm, before its middle is looked at: the
-/// beam's own margin (0.02 mm) then covers the piece from end to end.
+/// Length of a piece, mm, from which on its middle decides: no point of the beam moves further on it, so the
+/// beam's own margin (0.02 mm) covers it from end to end.
 const PIECE_MM: f64 = 0.02;
-
-/// A beam: point on the part (or on a chord of it) and unit axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pose {
-    /// Point, mm.
-    pub p: Point3<f64>,
-    /// Axis.
-    pub a: Vector3<f64>,
-}
-
-/// The pose at a share `t` of the way.
-pub fn midway(from: &Pose, to: &Pose, t: f64) -> Pose {
-    Pose { p: from.p + (to.p - from.p) * t, a: angle::slerp(&from.a, &to.a, t) }
-}
 
 /// A motion over t from 0 to 1.
 pub trait Motion {
@@ -36,11 +21,11 @@ pub trait Motion {
     /// How far the part may lie from the chord between two poses, mm.
     fn sag_mm(&self) -> f64;
 
-    /// Over a share of the motion: how far a point of the tool, so far from the spot, may lie from where
-    /// a straight spot and a constant turn put it, mm.
+    /// How far a point of the tool at `reach_mm` from the spot may stray, over a share of the motion, from the motion
+    /// with a straight spot and a constant turn, mm.
     fn stray_mm(&self, share: f64, reach_mm: f64) -> f64;
 
-    /// What is in the way in the middle of a piece that is short.
+    /// What is in the way in the middle of a short piece.
     fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker>;
 }
 
@@ -51,7 +36,7 @@ struct Straight {
 
 impl Motion for Straight {
     fn between(&self, from: (&Pose, f64), to: (&Pose, f64)) -> Pose {
-        midway(from.0, to.0, 0.5)
+        from.0.midway(to.0, 0.5)
     }
 
     fn sag_mm(&self) -> f64 {
@@ -92,12 +77,12 @@ pub struct Swept {
 }
 
 /// Sweeps a motion between two poses at their shares of the way: `None` is a proof that beam and head
-/// keep clear of everything, but for what `Body::short_mm` allows of the margin.
+/// keep clear of everything, but for what `ToolGeometry::short_mm` allows of the margin.
 pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Swept> {
     let middle = motion.between(from, to);
     let share = to.1 - from.1;
     let stray = |reach_mm: f64| motion.stray_mm(share, reach_mm);
-    let reach_mm = beam.conflict(from.0, to.0, &middle, motion.sag_mm(), stray);
+    let reach_mm = beam.ray_conflict(from.0, to.0, &middle, motion.sag_mm(), stray);
     let body = beam.body_conflict([from.0, &middle, to.0], motion.sag_mm(), stray);
     if reach_mm.is_none() && body == Conflict::None {
         return None;
@@ -106,15 +91,15 @@ pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Po
     let is_short =
         reach_mm.is_none_or(|reach_mm| (to.0.p - from.0.p).norm() + 2.0 * reach_mm * libm::sin(half_turn) <= PIECE_MM);
     let t = 0.5 * (from.1 + to.1);
-    // A jump in the motion never gets short.
+    // A piece with a jump in it never gets short.
     if is_short && body != Conflict::Wide || share < LEAST_SHARE {
         return motion.blocker(beam, &middle).map(|blocker| Swept { t, pose: middle, blocker });
     }
     swept(beam, motion, from, (&middle, t)).or_else(|| swept(beam, motion, (&middle, t), to))
 }
 
-/// What the head hits on a motion of the focus, told by a body without a beam (`Body::head_alone`): `None` is a
-/// proof that it keeps its margin.
+/// What the head hits on a motion of the focus. `head` has a geometry without a beam (`ToolGeometry::head_alone`);
+/// `None` is a proof that it keeps its margin.
 pub fn head_hit(head: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Blocker> {
     let (middle, share) = (motion.between(from, to), to.1 - from.1);
     match head.body_conflict([from.0, &middle, to.0], 0.0, |reach_mm| motion.stray_mm(share, reach_mm)) {
@@ -127,5 +112,5 @@ pub fn head_hit(head: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (
     }
 }
 
-/// A motion is not cut further than into so small pieces: a metre into less than a micrometre.
+/// Least share of a motion that is bisected further: of a metre, a micrometre.
 const LEAST_SHARE: f64 = 1e-6;

@@ -2,7 +2,7 @@
 //! open decided: no common point O, runs at a line's end, closed lines, and the test of the result.
 
 use super::interference::{Beam, Obstruction};
-use super::motion::{self, Pose};
+use super::{Pose, motion};
 use crate::part::{Part, angle};
 use crate::path::DensePoint;
 use nalgebra::{Point3, Vector3};
@@ -13,9 +13,9 @@ pub const MAX_TILT_DEG: f64 = 45.0;
 /// Greatest tilt of a beam towards O, degrees: a round spot is 5.8 times as long as wide there. On
 /// every V-groove narrow enough to interfere the beam at its root is tilted more than 45°.
 const MAX_TILT_TO_O_DEG: f64 = 80.0;
-/// What a turned beam keeps to the nearest blocked direction, degrees.
+/// Angle that a turned beam keeps from the nearest blocked direction, degrees.
 const SPARE_DEG: f64 = 1.0;
-/// Below this length a normal's part in the section plane gives no direction.
+/// Length below which the projection of a normal into the section plane gives no direction.
 const IN_PLANE: f64 = 0.1;
 /// A run whose corrected beams still interfere is tried again from wider ends, up to so many dense
 /// points on each side. Between gear teeth the end beams graze the same tip, so O lies beside it
@@ -41,7 +41,7 @@ pub fn correct(
         return points.iter().map(|q| Some(q.n)).collect();
     }
     if !closed {
-        return Line { part, beam, points, free, m: Vector3::zeros(), limits_deg }.corrected(m);
+        return LineCorrection { part, beam, points, free, m: Vector3::zeros(), limits_deg }.corrected(m);
     }
     // A closed line is opened in the middle of its longest free stretch, so that every run has two
     // free ends.
@@ -52,7 +52,7 @@ pub fn correct(
     let turned: Vec<usize> = (0..=count).map(|i| (i + seam) % count).collect();
     let opened: Vec<DensePoint> = turned.iter().map(|&i| points[i]).collect();
     let opened_free: Vec<bool> = turned.iter().map(|&i| free[i]).collect();
-    let line = Line { part, beam, points: &opened, free: &opened_free, m: Vector3::zeros(), limits_deg };
+    let line = LineCorrection { part, beam, points: &opened, free: &opened_free, m: Vector3::zeros(), limits_deg };
     let axes = line.corrected(m);
     let mut out: Vec<Option<Vector3<f64>>> = (0..count).map(|i| axes[(i + count - seam) % count]).collect();
     out.push(out[0]);
@@ -84,7 +84,7 @@ fn in_plane(v: &Vector3<f64>, m: &Vector3<f64>) -> Vector3<f64> {
 }
 
 #[derive(Clone, Copy)]
-struct Line<'a> {
+struct LineCorrection<'a> {
     part: &'a Part,
     beam: &'a Beam<'a>,
     points: &'a [DensePoint],
@@ -104,13 +104,13 @@ struct Attempt {
     faults: usize,
 }
 
-impl Line<'_> {
+impl LineCorrection<'_> {
     fn corrected(&self, m: Option<Vector3<f64>>) -> Vec<Option<Vector3<f64>>> {
         let mut out: Vec<Option<Vector3<f64>>> =
             self.points.iter().zip(self.free).map(|(q, f)| f.then_some(q.n)).collect();
         let mut at = 0;
         while let Some(first) = (at..self.points.len()).find(|&i| !self.free[i]) {
-            let line = Line { m: m.unwrap_or_else(|| self.local_plane(first)), ..*self };
+            let line = LineCorrection { m: m.unwrap_or_else(|| self.local_plane(first)), ..*self };
             let attempt = line.run_from(first);
             at = attempt.first + attempt.axes.len();
             let place = attempt.first;
@@ -175,13 +175,13 @@ impl Line<'_> {
         best.map_or_else(|| Attempt { first, axes: vec![None; last + 1 - first], faults: 0 }, |b| self.completed(b))
     }
 
-    /// A run at a line's end, or a line that is one run.
+    /// A run at a line's end, or one that is the whole line.
     fn one_ended(&self, first: usize, last: usize, end: Option<usize>) -> Attempt {
         let axes = (first..=last).map(|i| self.turned_away(i, &self.points[end?].n)).collect();
         Attempt { first, axes, faults: 0 }
     }
 
-    /// What the ends' beams cannot do, a turn of the point's own may.
+    /// Turns single points by themselves where the axes of the run still hit something.
     fn completed(&self, mut attempt: Attempt) -> Attempt {
         let last = attempt.first + attempt.axes.len() - 1;
         if attempt.axes.iter().any(Option::is_none) {
@@ -266,7 +266,7 @@ impl Line<'_> {
                 && self.beam.is_free(&q.p, &a)
                 && self.beam.is_free(&q.p, &axis(by - SPARE_DEG))
         };
-        // What is found has a degree to spare, so steps of a degree pass over no more than that.
+        // A beam that is found keeps a degree to spare, so steps of a degree miss nothing usable.
         const STEP_DEG: f64 = 1.0;
         let steps = (2.0 * self.limits_deg.0 / STEP_DEG) as usize;
         let found = (0..=steps).map(|k| k as f64 * STEP_DEG).find(|&by| good(by))?;

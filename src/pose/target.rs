@@ -2,28 +2,28 @@
 
 use super::interference::Blocker;
 use super::tilt::Tilt;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::part::angle;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-/// What became of a target.
+/// Whether the beam is free at a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum State {
+pub enum TargetState {
     /// The beam stands along the surface normal, or as the surface's rule and the pins ask.
     Free,
-    /// The beam was tilted out of something's way.
+    /// The beam is tilted to avoid something.
     Corrected,
     /// No free beam was found; the laser is off here.
     Blocked,
 }
 
-impl State {
+impl TargetState {
     /// The word in `path.csv`.
     pub fn word(self) -> &'static str {
         match self {
-            State::Free => "free",
-            State::Corrected => "corrected",
-            State::Blocked => "blocked",
+            TargetState::Free => "free",
+            TargetState::Corrected => "corrected",
+            TargetState::Blocked => "blocked",
         }
     }
 }
@@ -39,13 +39,13 @@ pub struct Target {
     pub a: Vector3<f64>,
     /// Travel direction, square to a.
     pub o: Vector3<f64>,
-    /// What became of it.
-    pub state: State,
+    /// Whether the beam is free here.
+    pub state: TargetState,
     /// Whether the move that ends here is made with the laser on.
     pub laser: bool,
     /// What the beam along the normal hits here.
     pub normal_hits: Option<Blocker>,
-    /// What beam and head keep from everything here, mm; nothing is known without a head.
+    /// Clearance of beam and head here, mm; `None` without a head.
     pub clearance_mm: Option<f64>,
 }
 
@@ -95,26 +95,26 @@ pub fn travel(tangent: &Vector3<f64>, a: &Vector3<f64>) -> Vector3<f64> {
     angle::unit(tangent - a * a.dot(tangent)).unwrap_or_else(|| angle::any_square_to(a))
 }
 
-/// One line of one surface.
+/// The targets along one line of one surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pass {
     /// Surface number.
     pub surface: u32,
-    /// What it is worked with.
-    pub work: Work,
+    /// What it is made with.
+    pub settings: ProcessSettings,
     /// Unit normal of its section plane (m).
     pub plane_normal: Vector3<f64>,
     /// Whether it ends where it began.
     pub closed: bool,
     /// Its targets in order.
     pub targets: Vec<Target>,
-    /// Points of its line as it was laid: those of a section are where the plane crosses edges of the part.
+    /// Number of points of its line; those of a section are where the plane crosses edges of the part.
     pub line_points: usize,
-    /// Points of its dense line, of which the targets were chosen; a closed one ends with its first again.
+    /// Number of points of its dense line, from which the targets were chosen; a closed one repeats its first.
     pub dense_points: usize,
     /// Largest distance of a dropped point from its chord, mm.
     pub chord_error_mm: f64,
-    /// Where the laser is off while the beam turns, because nothing free leads from one side to the other.
+    /// Where the laser is off while the beam turns, because every lit way to turn is blocked.
     pub splits: Vec<Split>,
 }
 
@@ -140,12 +140,12 @@ impl Pass {
     /// Whether the laser is off between two neighbouring targets though nothing blocks the beam: a gap that the
     /// line passes over, or a split.
     pub fn is_gap(from: &Target, to: &Target) -> bool {
-        !to.laser && from.state != State::Blocked && to.state != State::Blocked
+        !to.laser && from.state != TargetState::Blocked && to.state != TargetState::Blocked
     }
 
     /// Fastest turn of the beam against the normal on lit moves that touch a corrected target, degrees/mm.
     pub fn max_tilt_rate_deg_mm(&self) -> f64 {
-        let is = |t: &Target| t.state == State::Corrected;
+        let is = |t: &Target| t.state == TargetState::Corrected;
         let rate = |w: &[Target]| {
             let way_mm = (w[1].p - w[0].p).norm();
             against_normal_deg((&w[0].n, &w[0].a), (&w[1].n, &w[1].a)) / way_mm.max(1e-9)

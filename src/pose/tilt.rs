@@ -64,7 +64,7 @@ fn frame(n: &Vector3<f64>, tangent: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64
 /// A side of the normal as seen along the travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Side {
+pub enum TiltSide {
     /// Ahead.
     Lead,
     /// Behind.
@@ -78,27 +78,27 @@ pub enum Side {
 /// What a surface asks of the tilt.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TiltRule {
-    /// The tilt that is best, in place of none; P3 asks for a small one against back reflection.
+    /// The tilt to prefer to none; P3 asks for a small one against back reflection.
     pub preferred: Tilt,
-    /// A beam nearer the normal than this is not taken, degrees.
+    /// Least angle between beam and normal, degrees.
     pub least_deg: f64,
-    /// Beams that stand to one of these sides by more than a degree are not taken.
-    pub forbidden: Vec<Side>,
+    /// Sides to which the beam must not be tilted by more than a degree.
+    pub forbidden: Vec<TiltSide>,
 }
 
-/// A beam stands to a side if it does so by more than this, degrees.
+/// Tilt to a side up to which a beam does not count as tilted to it, degrees.
 const TO_A_SIDE_DEG: f64 = 1.0;
 
 impl TiltRule {
-    /// Whether the rule lets a beam stand so.
+    /// Whether the rule allows a tilt.
     pub fn allows(&self, tilt: Tilt) -> bool {
-        let to = |side: &Side| match side {
-            Side::Lead => tilt.lead_deg,
-            Side::Lag => -tilt.lead_deg,
-            Side::Left => -tilt.lean_deg,
-            Side::Right => tilt.lean_deg,
+        let to = |side: &TiltSide| match side {
+            TiltSide::Lead => tilt.lead_deg,
+            TiltSide::Lag => -tilt.lead_deg,
+            TiltSide::Left => -tilt.lean_deg,
+            TiltSide::Right => tilt.lean_deg,
         };
-        // A hair of tolerance: what is asked for is allowed, whatever the rounding.
+        // A small tolerance: the tilt that was asked for is allowed, whatever the rounding.
         tilt.angle_deg() >= self.least_deg - 1e-6 && self.forbidden.iter().all(|side| to(side) <= TO_A_SIDE_DEG + 1e-6)
     }
 
@@ -129,7 +129,7 @@ pub struct Pin {
 }
 
 keyed!(Tilt { lead_deg, lean_deg });
-keyed_words!(Side: Lead, Lag, Left, Right);
+keyed_words!(TiltSide: Lead, Lag, Left, Right);
 keyed!(TiltRule { preferred, least_deg, forbidden });
 keyed!(Pin { line, at_mm, tilt });
 

@@ -2,7 +2,7 @@
 //!
 //! The distance of centres is that at which the metal of a bead fills its share of a layer as high as the bead:
 //! area / height. P3's formula has an arcsine for the arc's angle, which is right up to a half circle only; here
-//! it is `4·atan(2h/w)` all round. How a bead's size comes from power, speed and powder is not known here.
+//! it is `4·atan(2h/w)` all round. How power, speed and powder determine the size of a bead is not modelled here.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ pub struct Bead {
 
 /// Below this `2h/w` the area comes from a series: differences would lose digits.
 const FLAT: f64 = 0.01;
-/// `2h/w` is looked for within these, by halving.
+/// Bounds between which `2h/w` is searched by bisection.
 const STEEPNESS: (f64, f64) = (1e-6, 1e6);
 
 impl Bead {

@@ -1,22 +1,22 @@
 //! How close lines have to lie for enough to land between them: long parallel lines on a plate, which the spot
-//! crosses at its defocus. Rims, bends and slopes are not looked at.
+//! crosses at its defocus. Rims, bends and slopes are not modelled.
 
 use super::spot::Spot;
 
-/// Places between two lines that are looked at.
+/// Number of places sampled between two lines.
 const PLACES: u32 = 32;
-/// Spacings are tried downwards by this share.
+/// Ratio of one trial spacing to the one before.
 const STEP: f64 = 0.99;
-/// Closer than this share of the spot is no advice: there the power is too little, or the speed too great.
+/// Least spacing worth advising, as a share of the spot; below it the power is too low, or the speed too high.
 const CLOSEST_SHARE: f64 = 0.1;
 
 impl Spot {
-    /// What a long line leaves at a distance from it, 1/mm: times power and over speed it is the energy per area.
-    pub fn beside(&self, y_mm: f64) -> f64 {
+    /// Density that a long line leaves at a distance from it, 1/mm: times power over speed it is the energy per area.
+    pub fn density_beside_line(&self, y_mm: f64) -> f64 {
         let [reach, _] = self.reach_mm(self.defocus_mm);
         let (from, to) = ([-reach, y_mm], [reach, y_mm]);
         let window = self.window(from, to, self.defocus_mm);
-        window.map_or(0.0, |w| 2.0 * reach * self.passed(from, to, self.defocus_mm, w))
+        window.map_or(0.0, |w| 2.0 * reach * self.density_integral(from, to, self.defocus_mm, w))
     }
 
     /// The least that lands anywhere between parallel lines `spacing_mm` apart, 1/mm; on the average it is one over
@@ -24,13 +24,13 @@ impl Spot {
     pub fn least_between(&self, spacing_mm: f64) -> f64 {
         let [_, reach] = self.reach_mm(self.defocus_mm);
         let lines = (reach / spacing_mm).ceil() as i64 + 1;
-        let at = |y: f64| (-lines..=lines).map(|k| self.beside(y - spacing_mm * k as f64)).sum::<f64>();
+        let at = |y: f64| (-lines..=lines).map(|k| self.density_beside_line(y - spacing_mm * k as f64)).sum::<f64>();
         (0..=PLACES).map(|i| at(0.5 * spacing_mm * f64::from(i) / f64::from(PLACES))).fold(f64::INFINITY, f64::min)
     }
 
     /// The greatest spacing below `from_mm`, to a hundredth of it, at which what lands between lines is enough;
-    /// `is_enough` is asked with a spacing and the least that lands at it. `None` where it is enough as it is, or at
-    /// none that is worth the name.
+    /// `is_enough` gets a spacing and the least that lands at it. `None` if `from_mm` is close enough already, or if no
+    /// practicable spacing is.
     pub fn closer_than(&self, from_mm: f64, is_enough: &dyn Fn(f64, f64) -> bool) -> Option<f64> {
         let enough = |mm: f64| is_enough(mm, self.least_between(mm));
         let closest = CLOSEST_SHARE * self.spot_mm;
@@ -65,7 +65,7 @@ mod tests {
         let gauss = (2.0 / PI).sqrt() / r * libm::exp(-2.0 * y * y / (r * r));
         let chord = 2.0 * (r * r - y * y).sqrt() / (PI * r * r);
         for (profile, expected) in [(Profile::Gaussian, gauss), (Profile::TopHat, chord), (Profile::Line, 1.0 / 3.0)] {
-            let found = spot(profile, 2.0 * r).beside(y);
+            let found = spot(profile, 2.0 * r).density_beside_line(y);
             // A Gaussian spot ends at two and a half radii.
             assert!((found - expected).abs() < 1e-5 * expected, "{profile:?}: {found}, not {expected}");
         }

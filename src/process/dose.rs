@@ -7,7 +7,7 @@
 use super::light::Light;
 use super::parameters::Thresholds;
 use super::reach::{Near, lit_facets};
-use super::samples::{MOST_SAMPLES, Plot, Sample, cut, parcel};
+use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut_plot, split_plot};
 use super::shade::{Last, Shade};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::Dead};
@@ -16,18 +16,18 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Samples are no wider than this share of the spot, corner to corner.
+/// Greatest width of a sample, corner to corner, as a share of the spot.
 const SAMPLE_SPOTS: f64 = 0.25;
-/// Nor, on chosen surfaces where no light comes, than so many spots.
+/// Greatest width of a sample on chosen surfaces where no light comes, in spots.
 const DARK_SPOTS: f64 = 1.0;
-/// Large facets are shared out in plots so many samples wide.
+/// Width of the plots that large facets are divided into, in samples.
 const PLOT_SIDES: f64 = 32.0;
-/// Plots that are worked on in one go.
+/// Plots per parallel job.
 const CHUNK: usize = 64;
 
 /// What a dose is computed from.
 #[derive(Clone, Debug)]
-pub struct Task<'a> {
+pub struct DoseInput<'a> {
     /// The part.
     pub part: &'a Part,
     /// Its surfaces: which side of a facet is worked on.
@@ -36,7 +36,7 @@ pub struct Task<'a> {
     pub clamps: &'a [Obstacle],
     /// The surfaces that are to be cleaned.
     pub chosen: Vec<u32>,
-    /// What is little and what is much.
+    /// Which doses are too little and too much.
     pub thresholds: Thresholds,
     /// Thresholds of surfaces that have their own, by their numbers.
     pub own: BTreeMap<u32, Thresholds>,
@@ -46,16 +46,16 @@ pub struct Task<'a> {
 #[derive(Clone, Debug)]
 pub struct DoseMap {
     /// Facet by facet.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<DoseSample>,
     /// Their corners, mm, part frame.
     pub corners: Vec<[f32; 3]>,
     /// Where the samples of each facet begin; one more than there are facets.
     starts: Vec<u32>,
-    /// No sample in the light is wider, corner to corner, mm.
+    /// Greatest width of a sample in the light, corner to corner, mm.
     pub sample_mm: f64,
     /// The part was so large that samples are larger than a quarter of the spot.
     pub coarsened: bool,
-    /// What is little and what is much.
+    /// Which doses are too little and too much.
     pub thresholds: Thresholds,
     /// Thresholds of facets whose surfaces have their own, by facet.
     pub(super) own: BTreeMap<u32, Thresholds>,
@@ -65,7 +65,7 @@ pub struct DoseMap {
     pub light: Light,
 }
 
-/// One pass at a point.
+/// What one pass leaves at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotHit {
     /// Number of the pass.
@@ -78,7 +78,7 @@ pub struct SpotHit {
     pub j_cm2: f64,
 }
 
-/// Energy by energy and angle, from one point.
+/// Energy that lands at one point, summed over pieces of the light.
 #[derive(Default)]
 struct Sum {
     j_mm2: f64,
@@ -86,7 +86,7 @@ struct Sum {
     angle_j: f64,
     last_pass: Option<u32>,
     passes: u16,
-    /// What shades, and how much.
+    /// What shades it, and how much energy each keeps off, J/mm².
     walls: Vec<(Obstruction, f64)>,
 }
 
@@ -109,7 +109,7 @@ impl Sum {
     }
 }
 
-/// What of one piece lands at a point.
+/// The energy of one piece of the light that lands at a point.
 struct Landed {
     pass: u32,
     at_s: f64,
@@ -159,22 +159,22 @@ pub const J_CM2: f64 = 100.0;
 
 /// Computes the dose. `step` is called once for every share of `steps` work done, and ends it by
 /// returning false; then there is no map.
-pub fn dose(task: &Task<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
-    let shade = Shade::new(task.part, task.clamps);
-    let near = near_facets(task, &light, &shade, step)?;
-    let (pitch_mm, coarsened, plots) = plots(task, &light, near, step)?;
-    let chunks: Vec<(Vec<Sample>, Vec<[f32; 3]>)> = plots
+pub fn dose(input: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
+    let shade = Shade::new(input.part, input.clamps);
+    let near = near_facets(input, &light, &shade, step)?;
+    let (pitch_mm, coarsened, plots) = plots(input, &light, near, step)?;
+    let chunks: Vec<(Vec<DoseSample>, Vec<[f32; 3]>)> = plots
         .par_chunks(CHUNK)
-        .map(|plots| step().then(|| worked(task, &light, &shade, pitch_mm, plots)))
+        .map(|plots| step().then(|| samples_of(input, &light, &shade, pitch_mm, plots)))
         .collect::<Option<_>>()?;
-    let mut samples: Vec<Sample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
+    let mut samples: Vec<DoseSample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
     let mut corners: Vec<[f32; 3]> = Vec::with_capacity(chunks.iter().map(|c| c.1.len()).sum());
     for (mut some, their) in chunks {
         some.iter_mut().for_each(|s| s.first_corner += corners.len() as u32);
         samples.append(&mut some);
         corners.extend(their);
     }
-    let mut starts = vec![0u32; task.part.mesh.facets.len() + 1];
+    let mut starts = vec![0u32; input.part.mesh.facets.len() + 1];
     for s in &samples {
         starts[s.facet as usize + 1] += 1;
     }
@@ -187,33 +187,33 @@ pub fn dose(task: &Task<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> 
         starts,
         sample_mm: pitch_mm * 2f64.sqrt(),
         coarsened,
-        thresholds: task.thresholds,
-        own: own_of_facets(task),
-        chosen: task.chosen.clone(),
+        thresholds: input.thresholds,
+        own: own_of_facets(input),
+        chosen: input.chosen.clone(),
         light,
     })
 }
 
-fn own_of_facets(task: &Task<'_>) -> BTreeMap<u32, Thresholds> {
+fn own_of_facets(input: &DoseInput<'_>) -> BTreeMap<u32, Thresholds> {
     let facets = |(n, t): (&u32, &Thresholds)| {
-        let (facets, t) = (task.surfaces.get(*n).map_or(&[][..], |s| &s.facets), *t);
+        let (facets, t) = (input.surfaces.get(*n).map_or(&[][..], |s| &s.facets), *t);
         facets.iter().map(move |f| (*f, t)).collect::<Vec<_>>()
     };
-    task.own.iter().flat_map(facets).collect()
+    input.own.iter().flat_map(facets).collect()
 }
 
 /// The light near each facet, in the order of the program.
 fn near_facets(
-    task: &Task<'_>,
+    input: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<Vec<Vec<Near>>> {
     let lit: Vec<Vec<(u32, bool)>> = (0..light.runs.len())
         .into_par_iter()
-        .map(|i| step().then(|| lit_of_run(task, light, shade, i)))
+        .map(|i| step().then(|| lit_of_run(input, light, shade, i)))
         .collect::<Option<_>>()?;
-    let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); task.part.mesh.facets.len()];
+    let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); input.part.mesh.facets.len()];
     for (i, facets) in lit.into_iter().enumerate() {
         let (first, run) = light.run(i);
         for (facet, clear) in facets {
@@ -223,26 +223,26 @@ fn near_facets(
     Some(of_facet)
 }
 
-/// The facets that a run lights; all of it is one pass's.
-fn lit_of_run(task: &Task<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
+/// The facets that a run lights. All pieces of a run belong to one pass.
+fn lit_of_run(input: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: usize) -> Vec<(u32, bool)> {
     let run = light.run(index).1;
     let Some(piece) = run.first() else { return Vec::new() };
-    lit_facets(task.part, task.surfaces, shade, light.spot(piece), run)
+    lit_facets(input.part, input.surfaces, shade, light.spot(piece), run)
 }
 
-/// All live facets as plots, large ones cut; with the pitch at which they can be sampled, and whether
-/// that is more than it should be.
+/// The pitch at which the facets can be sampled, whether it is coarser than wanted, and all live facets as plots,
+/// large ones divided.
 fn plots(
-    task: &Task<'_>,
+    input: &DoseInput<'_>,
     light: &Light,
     near: Vec<Vec<Near>>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<(f64, bool, Vec<Plot>)> {
     let spot_mm = light.least_spot_mm();
     let mut pitch_mm = SAMPLE_SPOTS * spot_mm / 2f64.sqrt();
-    let mesh = &task.part.mesh;
-    let size_mm = task.part.bvh.diagonal_mm();
-    // No smaller than this, however small the spot: there are not too many of them.
+    let mesh = &input.part.mesh;
+    let size_mm = input.part.bvh.diagonal_mm();
+    // Not below this share of the part, however small the spot, so that there are not too many.
     let dark_mm = (DARK_SPOTS * spot_mm).max(size_mm / 500.0);
     let plot_mm = (PLOT_SIDES * pitch_mm).max(size_mm / 500.0);
     let whole: Vec<Plot> = near
@@ -250,11 +250,11 @@ fn plots(
         .enumerate()
         .filter(|(f, _)| mesh.dead[*f] == Dead::No)
         .map(|(f, near)| {
-            let is_chosen = task.surfaces.of_facet.get(f).is_some_and(|n| task.chosen.contains(n));
+            let is_chosen = input.surfaces.of_facet.get(f).is_some_and(|n| input.chosen.contains(n));
             Plot::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
         })
         .collect();
-    let plots: Vec<Plot> = whole.into_par_iter().flat_map_iter(|plot| parcel(light, plot_mm, plot)).collect();
+    let plots: Vec<Plot> = whole.into_par_iter().flat_map_iter(|plot| split_plot(light, plot_mm, plot)).collect();
     let mut coarsened = false;
     loop {
         let count: Option<usize> = plots
@@ -274,25 +274,25 @@ fn plots(
 /// How many samples a plot gives.
 fn count(light: &Light, pitch_mm: f64, plot: &Plot) -> usize {
     let mut n = 0;
-    cut(light, pitch_mm, plot, |_, _| n += 1);
+    cut_plot(light, pitch_mm, plot, |_, _| n += 1);
     n
 }
 
 /// The samples of some plots, and their corners.
-fn worked(
-    task: &Task<'_>,
+fn samples_of(
+    input: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
     pitch_mm: f64,
     plots: &[Plot],
-) -> (Vec<Sample>, Vec<[f32; 3]>) {
+) -> (Vec<DoseSample>, Vec<[f32; 3]>) {
     let (mut out, mut all_corners) = (Vec::new(), Vec::new());
     let mut last = Last::default();
     let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     for plot in plots {
-        let normal = task.surfaces.normals[plot.facet as usize];
-        let flips = task.part.mesh.normals[plot.facet as usize].dot(&normal) < 0.0;
-        cut(light, pitch_mm, plot, |cell, near| {
+        let normal = input.surfaces.normals[plot.facet as usize];
+        let flips = input.part.mesh.normals[plot.facet as usize].dot(&normal) < 0.0;
+        cut_plot(light, pitch_mm, plot, |cell, near| {
             let (area_mm2, middle) = cell.area();
             if area_mm2 <= 1e-9 * pitch_mm * pitch_mm {
                 return; // a corner that a line of the grid has just touched
@@ -312,7 +312,7 @@ fn worked(
             } else {
                 all_corners.extend(corners)
             }
-            out.push(Sample {
+            out.push(DoseSample {
                 centre: stored(q),
                 area_mm2: area_mm2 as f32,
                 facet: plot.facet,
@@ -331,13 +331,13 @@ fn worked(
 
 impl DoseMap {
     /// The samples of a facet: none where it has no area.
-    pub fn of_facet(&self, facet: u32) -> &[Sample] {
+    pub fn of_facet(&self, facet: u32) -> &[DoseSample] {
         let at = |f: usize| self.starts.get(f).map_or(self.samples.len(), |s| *s as usize);
         &self.samples[at(facet as usize)..at(facet as usize + 1)]
     }
 
     /// The corners of a sample, counter-clockwise seen from the side that is worked on.
-    pub fn corners_of(&self, sample: &Sample) -> &[[f32; 3]] {
+    pub fn corners_of(&self, sample: &DoseSample) -> &[[f32; 3]] {
         let first = sample.first_corner as usize;
         self.corners.get(first..first + usize::from(sample.corner_count)).unwrap_or_default()
     }

@@ -1,8 +1,8 @@
-//! How deep the light of a piece comes: where facets stop all of it, nothing beneath gets any.
+//! The floor of the light of a run: the height at which facets stop all of it.
 
 use nalgebra::Point3;
 
-/// Places looked at along travel and across. An opening narrower than the spacing between them, a
+/// Number of places sampled along travel and across. An opening narrower than the spacing between them, a
 /// twelfth of the light's reach to either side, may be taken for closed.
 const PLACES: [usize; 2] = [32, 24];
 

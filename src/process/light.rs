@@ -1,36 +1,35 @@
-//! The light of a plan: moves of the spot with the laser on, cut into pieces on which the beam hardly
-//! turns, and what of a piece's energy comes by a point.
+//! The light of a plan: moves of the spot with the laser on, cut into pieces on which the beam hardly turns, and
+//! the energy that a piece brings to a point if nothing shades it.
 //!
 //! On a piece the spot goes straight and the axis turns evenly. Seen from a point, the axis then goes
 //! by in a straight line, at every height above and below the spot, and neighbouring pieces join.
 
 use super::spot::Spot;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::part::angle;
 use crate::pose::{Pass, target};
 use nalgebra::{Point3, Vector3};
 
-/// The beam turns no more than this on a piece, degrees: 30 mm from the spot the way of its axis then
-/// bends by 0.02 mm.
+/// Greatest turn of the beam on a piece, degrees: 30 mm from the spot the path of its axis then bends by
+/// 0.02 mm.
 const TURN_DEG: f64 = 4.0;
 /// Moves that follow one another are one piece as long as the targets between lie on the way, to this
 /// share of the spot, and the axes there to this angle.
 const STRAIGHT_SPOTS: f64 = 0.005;
 /// That angle, degrees: 0.1 mm at 30 mm from the spot.
 const EVEN_DEG: f64 = 0.2;
-/// No piece is longer than so many spots, so that what is near one of them is not far from its middle.
+/// Greatest length of a piece, in spots, so that what is near a piece is not far from its middle.
 const LENGTH_SPOTS: f64 = 3.0;
-/// Nor is it cut shorter than this for that reason, mm.
+/// Pieces are not cut shorter than this for that reason, mm.
 const LENGTH_MM: f64 = 1.0;
-/// Pieces that follow one another are looked at together as far as the beam turns no more than this,
-/// degrees.
+/// Greatest turn of the beam over a run of successive pieces that are processed together, degrees.
 const RUN_TURN_DEG: f64 = 8.0;
-/// What comes by a point is neglected below this share of what the middle of one line gets.
+/// Share of the energy in the middle of one line below which a piece is neglected at a point.
 const NEGLIGIBLE: f64 = 1e-5;
 
-/// Where the beam stands: spot, axis, travel direction and n = o × a, in the part frame.
+/// The path frame at the spot: spot, axis a, travel direction o and n = o × a, in the part frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Stand {
+pub struct BeamFrame {
     /// The spot, mm.
     pub p: Point3<f64>,
     /// Axis towards the laser.
@@ -41,29 +40,29 @@ pub struct Stand {
     pub n: Vector3<f64>,
 }
 
-impl Stand {
+impl BeamFrame {
     /// At a spot, with axis and travel direction (unit, square to it).
-    pub fn new(p: Point3<f64>, a: Vector3<f64>, o: Vector3<f64>) -> Stand {
-        Stand { p, a, o, n: o.cross(&a) }
+    pub fn new(p: Point3<f64>, a: Vector3<f64>, o: Vector3<f64>) -> BeamFrame {
+        BeamFrame { p, a, o, n: o.cross(&a) }
     }
 
-    fn between(from: &Stand, to: &Stand, t: f64) -> Stand {
+    fn between(from: &BeamFrame, to: &BeamFrame, t: f64) -> BeamFrame {
         let a = angle::slerp(&from.a, &to.a, t);
-        Stand::new(from.p + (to.p - from.p) * t, a, target::travel(&angle::slerp(&from.o, &to.o, t), &a))
+        BeamFrame::new(from.p + (to.p - from.p) * t, a, target::travel(&angle::slerp(&from.o, &to.o, t), &a))
     }
 }
 
-/// A stretch of a lit move.
+/// A piece of a lit move.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece {
+pub struct LightPiece {
     /// Number of its pass.
     pub pass: u32,
-    /// What it shines with, among [`Light::lamps`].
+    /// Its lamp, an index into [`Light::lamps`].
     pub lamp: u32,
     /// Where it begins.
-    pub from: Stand,
+    pub from: BeamFrame,
     /// Where it ends.
-    pub to: Stand,
+    pub to: BeamFrame,
     /// How long it takes, s.
     pub seconds: f64,
     /// When it ends, s.
@@ -73,7 +72,7 @@ pub struct Piece {
 /// A point as seen from a piece: its places (x, y) about the axis at both ends, and how high it stands
 /// above the spot, mm.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub struct SeenPoint {
     /// From the axis, at the start.
     pub from: [f64; 2],
     /// At the end.
@@ -84,22 +83,22 @@ pub struct Seen {
     pub z_mm: f64,
 }
 
-impl Seen {
+impl SeenPoint {
     /// Its place at a share of the way.
     pub fn at(&self, t: f64) -> [f64; 2] {
         [0, 1].map(|k| self.from[k] + (self.to[k] - self.from[k]) * t)
     }
 }
 
-impl Piece {
+impl LightPiece {
     /// The axis at a share of the way; the turn is small enough for the chord.
     pub fn axis(&self, t: f64) -> Vector3<f64> {
         (self.from.a * (1.0 - t) + self.to.a * t).normalize()
     }
 
-    /// A point as it is seen from here.
+    /// A point in the frames of both ends.
     #[inline]
-    pub fn sees(&self, q: &Point3<f64>, defocus_mm: f64) -> Seen {
+    pub fn sees(&self, q: &Point3<f64>, defocus_mm: f64) -> SeenPoint {
         let (u, v) = (q - self.from.p, q - self.to.p);
         let from = [u.dot(&self.from.o), u.dot(&self.from.n)];
         let to = [v.dot(&self.to.o), v.dot(&self.to.n)];
@@ -107,15 +106,15 @@ impl Piece {
         let dd = d[0] * d[0] + d[1] * d[1];
         let nearest = if dd > 0.0 { (-(from[0] * d[0] + from[1] * d[1]) / dd).clamp(0.0, 1.0) } else { 0.5 };
         let height = u.dot(&self.from.a) * (1.0 - nearest) + v.dot(&self.to.a) * nearest;
-        Seen { from, to, nearest, z_mm: defocus_mm - height }
+        SeenPoint { from, to, nearest, z_mm: defocus_mm - height }
     }
 }
 
-/// What comes by a point from one piece.
+/// The energy that one piece brings to a point if nothing shades it.
 #[derive(Clone, Copy, Debug)]
 pub struct Passing {
     /// The point as seen.
-    pub seen: Seen,
+    pub seen: SeenPoint,
     /// From when to when it is in the light, as shares of the way.
     pub window: [f64; 2],
     /// Energy per area square to the beam, J/mm².
@@ -126,17 +125,17 @@ pub struct Passing {
 #[derive(Clone, Debug)]
 pub struct Light {
     /// In the order of the program.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<LightPiece>,
     /// Pieces that follow one another and lie near together: where each such run ends in `pieces`.
     pub runs: Vec<u32>,
-    /// What the passes shine with.
+    /// Spots and powers of the passes.
     pub lamps: Vec<Lamp>,
 }
 
 /// A spot and its power.
 #[derive(Clone, Debug)]
 pub struct Lamp {
-    work: Work,
+    settings: ProcessSettings,
     /// The spot.
     pub spot: Spot,
     /// Below this, J/mm², a piece is neglected at a point.
@@ -144,9 +143,13 @@ pub struct Lamp {
 }
 
 impl Lamp {
-    fn new(work: Work, spot: &Spot) -> Lamp {
-        let spot = Spot { spot_mm: work.spot_mm, defocus_mm: work.defocus_mm, ..*spot };
-        Lamp { work, negligible_j_mm2: NEGLIGIBLE * work.power_w / (work.speed_mm_s * work.spot_mm), spot }
+    fn new(settings: ProcessSettings, spot: &Spot) -> Lamp {
+        let spot = Spot { spot_mm: settings.spot_mm, defocus_mm: settings.defocus_mm, ..*spot };
+        Lamp {
+            settings,
+            negligible_j_mm2: NEGLIGIBLE * settings.power_w / (settings.speed_mm_s * settings.spot_mm),
+            spot,
+        }
     }
 }
 
@@ -158,28 +161,31 @@ impl Light {
         let mut lamps: Vec<Lamp> = Vec::new();
         let longest = |spot: &Spot| (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
         for (number, pass) in passes.iter().enumerate() {
-            let lamp = lamps.iter().position(|l| l.work == pass.work).unwrap_or_else(|| {
-                lamps.push(Lamp::new(pass.work, spot));
+            let lamp = lamps.iter().position(|l| l.settings == pass.settings).unwrap_or_else(|| {
+                lamps.push(Lamp::new(pass.settings, spot));
                 lamps.len() - 1
             });
-            let (spot, speed_mm_s) = (&lamps[lamp].spot, pass.work.speed_mm_s);
+            let (spot, speed_mm_s) = (&lamps[lamp].spot, pass.settings.speed_mm_s);
             let longest_mm = longest(spot);
             for (start, end) in pass.lit_pieces() {
                 let Some(lit) = pass.targets.get(start..=end) else { continue };
-                let stands: Vec<Stand> = lit.iter().map(|t| Stand::new(t.p, t.a, t.o)).collect();
+                let frames: Vec<BeamFrame> = lit.iter().map(|t| BeamFrame::new(t.p, t.a, t.o)).collect();
                 let mut at = 0;
-                while at + 1 < stands.len() {
-                    let last = at + joined(&stands[at..], longest_mm, STRAIGHT_SPOTS * spot.spot_mm);
-                    let length_mm: f64 = stands[at..=last].windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
+                while at + 1 < frames.len() {
+                    let last = at + count_even_moves(&frames[at..], longest_mm, STRAIGHT_SPOTS * spot.spot_mm);
+                    let length_mm: f64 = frames[at..=last].windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
                     let whole_s = length_mm / speed_mm_s;
                     let starts_s = ends_s(number, start + last) - whole_s;
-                    let count = pieces_of(&stands[at], &stands[last], longest_mm);
-                    let mut from = stands[at];
+                    let count = piece_count(&frames[at], &frames[last], longest_mm);
+                    let mut from = frames[at];
                     for k in 1..=count {
                         let share = f64::from(k) / f64::from(count);
-                        let to =
-                            if k < count { Stand::between(&stands[at], &stands[last], share) } else { stands[last] };
-                        pieces.push(Piece {
+                        let to = if k < count {
+                            BeamFrame::between(&frames[at], &frames[last], share)
+                        } else {
+                            frames[last]
+                        };
+                        pieces.push(LightPiece {
                             pass: number as u32,
                             lamp: lamp as u32,
                             from,
@@ -193,19 +199,20 @@ impl Light {
                 }
             }
         }
-        let runs = runs(&pieces, |piece| lamps.get(piece.lamp as usize).map_or(LENGTH_MM, |l| longest(&l.spot)));
+        let runs =
+            ends_of_runs(&pieces, |piece| lamps.get(piece.lamp as usize).map_or(LENGTH_MM, |l| longest(&l.spot)));
         Light { pieces, runs, lamps }
     }
 
-    /// What a piece shines with.
+    /// The lamp of a piece.
     #[inline]
-    pub fn lamp(&self, piece: &Piece) -> &Lamp {
+    pub fn lamp(&self, piece: &LightPiece) -> &Lamp {
         &self.lamps[piece.lamp as usize]
     }
 
     /// Its spot.
     #[inline]
-    pub fn spot(&self, piece: &Piece) -> &Spot {
+    pub fn spot(&self, piece: &LightPiece) -> &Spot {
         &self.lamp(piece).spot
     }
 
@@ -215,12 +222,12 @@ impl Light {
     }
 
     /// About what the middle of a line gets, J/mm².
-    pub fn line_j_mm2(&self, piece: &Piece) -> f64 {
+    pub fn line_j_mm2(&self, piece: &LightPiece) -> f64 {
         self.lamp(piece).negligible_j_mm2 / NEGLIGIBLE
     }
 
     /// The pieces of a run: number of the first, and all of them.
-    pub fn run(&self, index: usize) -> (u32, &[Piece]) {
+    pub fn run(&self, index: usize) -> (u32, &[LightPiece]) {
         let end = |i: usize| self.runs.get(i).map_or(self.pieces.len(), |e| *e as usize);
         let start = index.checked_sub(1).map_or(0, end);
         (start as u32, self.pieces.get(start..end(index)).unwrap_or_default())
@@ -228,7 +235,7 @@ impl Light {
 
     /// Whether any light of a piece may come within `radius_mm` of a point.
     #[inline]
-    pub fn reaches(&self, piece: &Piece, centre: &Point3<f64>, radius_mm: f64) -> bool {
+    pub fn reaches(&self, piece: &LightPiece, centre: &Point3<f64>, radius_mm: f64) -> bool {
         let spot = self.spot(piece);
         let seen = piece.sees(centre, spot.defocus_mm);
         let reach = spot.reach_mm(seen.z_mm.abs() + radius_mm);
@@ -238,9 +245,9 @@ impl Light {
         })
     }
 
-    /// What comes by a point from a piece, if it is worth a look.
+    /// The energy that a piece brings to a point; `None` where it is negligible.
     #[inline]
-    pub fn passing(&self, piece: &Piece, q: &Point3<f64>) -> Option<Passing> {
+    pub fn passing(&self, piece: &LightPiece, q: &Point3<f64>) -> Option<Passing> {
         let lamp = self.lamp(piece);
         let seen = piece.sees(q, lamp.spot.defocus_mm);
         if seen.z_mm + lamp.spot.optics.lens_to_focus_mm <= 0.0 {
@@ -252,31 +259,31 @@ impl Light {
     }
 
     /// Energy per area square to the beam within a window, J/mm².
-    pub fn energy(&self, piece: &Piece, seen: &Seen, window: [f64; 2]) -> f64 {
+    pub fn energy(&self, piece: &LightPiece, seen: &SeenPoint, window: [f64; 2]) -> f64 {
         let lamp = self.lamp(piece);
-        lamp.work.power_w * piece.seconds * lamp.spot.passed(seen.from, seen.to, seen.z_mm, window)
+        lamp.settings.power_w * piece.seconds * lamp.spot.density_integral(seen.from, seen.to, seen.z_mm, window)
     }
 }
 
 /// Into how many pieces a way has to be cut.
-fn pieces_of(from: &Stand, to: &Stand, longest_mm: f64) -> u32 {
+fn piece_count(from: &BeamFrame, to: &BeamFrame, longest_mm: f64) -> u32 {
     let turn_deg = angle::between_deg(&from.a, &to.a).max(angle::between_deg(&from.o, &to.o));
     ((to.p - from.p).norm() / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0) as u32
 }
 
-/// How many moves from the first stand on are one piece; the first is in any case.
-fn joined(stands: &[Stand], longest_mm: f64, off_mm: f64) -> usize {
-    let Some(first) = stands.first() else { return 0 };
+/// How many moves from the first frame on go straight and turn evenly enough to be one piece; at least one.
+fn count_even_moves(frames: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize {
+    let Some(first) = frames.first() else { return 0 };
     let mut way_mm = vec![0.0];
     let mut count = 1;
-    for (i, to) in stands.iter().enumerate().skip(1) {
-        way_mm.push(way_mm[i - 1] + (to.p - stands[i - 1].p).norm());
+    for (i, to) in frames.iter().enumerate().skip(1) {
+        way_mm.push(way_mm[i - 1] + (to.p - frames[i - 1].p).norm());
         let is_even = |k: usize| {
             let t = way_mm[k] / way_mm[i];
-            let stand = Stand::between(first, to, t);
-            (stand.p - stands[k].p).norm() <= off_mm && angle::between_deg(&stand.a, &stands[k].a) <= EVEN_DEG
+            let frame = BeamFrame::between(first, to, t);
+            (frame.p - frames[k].p).norm() <= off_mm && angle::between_deg(&frame.a, &frames[k].a) <= EVEN_DEG
         };
-        let fits = way_mm[i] > 0.0 && pieces_of(first, to, longest_mm) == 1 && (1..i).all(is_even);
+        let fits = way_mm[i] > 0.0 && piece_count(first, to, longest_mm) == 1 && (1..i).all(is_even);
         if i > 1 && !fits {
             break;
         }
@@ -285,9 +292,9 @@ fn joined(stands: &[Stand], longest_mm: f64, off_mm: f64) -> usize {
     count
 }
 
-fn runs(pieces: &[Piece], longest_mm: impl Fn(&Piece) -> f64) -> Vec<u32> {
+fn ends_of_runs(pieces: &[LightPiece], longest_mm: impl Fn(&LightPiece) -> f64) -> Vec<u32> {
     let mut ends = Vec::new();
-    let mut first: Option<&Piece> = None;
+    let mut first: Option<&LightPiece> = None;
     let mut length_mm = 0.0;
     for (i, piece) in pieces.iter().enumerate() {
         let own_mm = (piece.to.p - piece.from.p).norm();

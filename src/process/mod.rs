@@ -1,13 +1,13 @@
 //! What the beam does to the surface: energy per area where it really lands, and what that leaves
-//! unclean, harms, or hits beside what was chosen.
+//! unclean, damages, or hits outside the chosen surfaces.
 //!
 //! Part frame, mm; energy per area J/mm² inside, J/cm² in what is handed out. The laser runs evenly:
-//! pulses, heat and reflected light are not looked at.
+//! pulses, heat and reflected light are not modelled.
 
 pub mod bead;
-mod cell;
 pub mod closeness;
 pub mod dose;
+mod facet_polygon;
 mod floor;
 pub mod light;
 pub mod parameters;
@@ -18,10 +18,10 @@ pub mod shade;
 pub mod spot;
 pub mod statistics;
 
-pub use dose::{DoseMap, SpotHit, Task, dose};
+pub use dose::{DoseInput, DoseMap, SpotHit, dose};
 pub use light::Light;
 pub use parameters::{DoseParameters, Profile, Thresholds};
-pub use patches::{Cause, Patch};
-pub use samples::Sample;
+pub use patches::{Patch, PatchCause};
+pub use samples::DoseSample;
 pub use spot::Spot;
-pub use statistics::{Collateral, Shares, Verdict};
+pub use statistics::{Collateral, DoseVerdict, Shares};

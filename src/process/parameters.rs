@@ -41,9 +41,9 @@ pub struct DoseParameters {
     pub line_mm: f64,
     /// Less leaves the surface unclean.
     pub low_j_cm2: f64,
-    /// More harms it.
+    /// More damages it.
     pub high_j_cm2: f64,
-    /// So much may land on a surface that was not chosen.
+    /// Greatest dose allowed on a surface that was not chosen.
     pub collateral_j_cm2: f64,
 }
 
@@ -57,14 +57,14 @@ crate::part::keyed_words!(Profile: Gaussian, TopHat, Line);
 crate::part::keyed!(DoseParameters { profile, line_mm, low_j_cm2, high_j_cm2, collateral_j_cm2 });
 number_fields!(DoseParameters { profile: _, line_mm, low_j_cm2, high_j_cm2, collateral_j_cm2 });
 
-/// What is little and what is much, J/cm².
+/// Which doses are too little and too much, J/cm².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
     /// Less leaves the surface unclean.
     pub low_j_cm2: f64,
-    /// More harms it.
+    /// More damages it.
     pub high_j_cm2: f64,
-    /// So much may land on a surface that was not chosen.
+    /// Greatest dose allowed on a surface that was not chosen.
     pub collateral_j_cm2: f64,
 }
 

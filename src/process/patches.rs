@@ -1,39 +1,39 @@
 //! What a plan leaves unclean: connected pieces of the chosen surfaces that get too little, and why.
 
 use super::dose::DoseMap;
-use super::statistics::Verdict;
+use super::statistics::DoseVerdict;
 use crate::part::{Mesh, Surfaces, merge_tree::Sets};
-use crate::pose::{Blocker, Obstruction, Pass, State};
+use crate::pose::{Blocker, Obstruction, Pass, TargetState};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
 
 /// Why a patch gets too little.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Cause {
+pub enum PatchCause {
     /// The targets nearest to it are blocked.
     Blocked,
     /// Something stands in the way of the light that would be enough.
     Shaded,
     /// No line comes near.
     Missed,
-    /// Lines come, but too little lands: other values would clean it, not another job.
+    /// Lines come near, but too little lands: other process settings would clean it.
     Thin,
 }
 
-impl Cause {
+impl PatchCause {
     /// The word in the report.
     pub fn word(self) -> &'static str {
         match self {
-            Cause::Blocked => "blocked",
-            Cause::Shaded => "shaded",
-            Cause::Missed => "missed",
-            Cause::Thin => "thin",
+            PatchCause::Blocked => "blocked",
+            PatchCause::Shaded => "shaded",
+            PatchCause::Missed => "missed",
+            PatchCause::Thin => "thin",
         }
     }
 
     /// Whether the plan cannot bring light here, whatever its spacing, power and speed.
     pub fn keeps_light_away(self) -> bool {
-        self != Cause::Thin
+        self != PatchCause::Thin
     }
 }
 
@@ -47,7 +47,7 @@ pub struct Patch {
     /// Its middle, mm, part frame; on a bent surface it lies beside it.
     pub centre: Point3<f64>,
     /// Why, for most of its area.
-    pub cause: Cause,
+    pub cause: PatchCause,
     /// What is in the way of a blocked target's beam or head, most often. None where the robot cannot
     /// go there.
     pub blocker: Option<Blocker>,
@@ -56,15 +56,15 @@ pub struct Patch {
     /// Twice as far as any of it lies from the nearest line, mm: between two lines that is their distance here.
     /// Infinite where there is no line.
     pub gap_mm: f64,
-    /// A spacing below this would bring enough to the gap between lines, mm; none where it is no such gap, or none
-    /// was looked for.
+    /// A spacing below this would bring enough to the gap between lines, mm; `None` if it is not such a gap, or no
+    /// spacing was looked for.
     pub closer_than_mm: Option<f64>,
-    /// The facets of which the larger half lies in it: what a second list takes over.
+    /// The facets that lie in it by more than half: what the list for later takes over.
     pub facets: Vec<u32>,
 }
 
 /// A stretch of a line of the plan.
-struct Stretch {
+struct PassStretch {
     from: Point3<f64>,
     to: Point3<f64>,
     /// The laser is off because a target at one end is blocked, by this.
@@ -76,12 +76,12 @@ impl DoseMap {
     pub fn not_cleanable(&self, mesh: &Mesh, surfaces: &Surfaces, passes: &[Pass], spacing_mm: f64) -> Vec<Patch> {
         let low: Vec<(usize, u32)> = self
             .chosen_samples(surfaces)
-            .filter(|(_, s, _)| matches!(self.verdict(s), Verdict::Under | Verdict::Shaded))
+            .filter(|(_, s, _)| matches!(self.verdict(s), DoseVerdict::Under | DoseVerdict::Shaded))
             .map(|(i, _, surface)| (i, surface))
             .collect();
-        let mut stretches: BTreeMap<u32, Vec<Stretch>> = BTreeMap::new();
+        let mut stretches: BTreeMap<u32, Vec<PassStretch>> = BTreeMap::new();
         for pass in passes {
-            stretches.entry(pass.surface).or_default().extend(of_pass(pass));
+            stretches.entry(pass.surface).or_default().extend(stretches_of_pass(pass));
         }
         let spot_mm = self.light.least_spot_mm();
         let spot_mm2 = 0.25 * std::f64::consts::PI * spot_mm * spot_mm;
@@ -141,8 +141,8 @@ impl DoseMap {
         Point3::from(Vector3::from(self.samples[i].centre.map(f64::from)))
     }
 
-    fn patch(&self, mesh: &Mesh, surface: u32, group: &[usize], lines: &[Stretch], reach_mm: f64) -> Patch {
-        let mut causes: BTreeMap<Cause, f64> = BTreeMap::new();
+    fn patch(&self, mesh: &Mesh, surface: u32, group: &[usize], lines: &[PassStretch], reach_mm: f64) -> Patch {
+        let mut causes: BTreeMap<PatchCause, f64> = BTreeMap::new();
         let mut walls: BTreeMap<Obstruction, f64> = BTreeMap::new();
         let mut blockers: Vec<(Option<Blocker>, f64)> = Vec::new();
         let mut of_facet: BTreeMap<u32, f64> = BTreeMap::new();
@@ -163,15 +163,15 @@ impl DoseMap {
             let (cause, blocker) = self.cause(i, near.filter(|(mm, _)| *mm <= reach_mm).map(|(_, line)| line));
             *causes.entry(cause).or_default() += area;
             match (cause, s.shaded_by) {
-                (Cause::Shaded, Some(wall)) => *walls.entry(wall).or_default() += area,
-                (Cause::Blocked, _) => match blockers.iter_mut().find(|(b, _)| same(b, &blocker)) {
+                (PatchCause::Shaded, Some(wall)) => *walls.entry(wall).or_default() += area,
+                (PatchCause::Blocked, _) => match blockers.iter_mut().find(|(b, _)| same(b, &blocker)) {
                     Some((_, a)) => *a += area,
                     None => blockers.push((blocker, area)),
                 },
                 _ => {}
             }
         }
-        let cause = causes.iter().max_by(|a, b| a.1.total_cmp(b.1)).map_or(Cause::Thin, |c| *c.0);
+        let cause = causes.iter().max_by(|a, b| a.1.total_cmp(b.1)).map_or(PatchCause::Thin, |c| *c.0);
         let half = |f: &u32, a: &f64| *a >= 0.5 * mesh.areas.get(*f as usize).copied().unwrap_or(f64::INFINITY);
         Patch {
             surface,
@@ -180,10 +180,14 @@ impl DoseMap {
             cause,
             blocker: blockers
                 .iter()
-                .filter(|_| cause == Cause::Blocked)
+                .filter(|_| cause == PatchCause::Blocked)
                 .max_by(|a, b| a.1.total_cmp(&b.1))
                 .and_then(|b| b.0),
-            shaded_by: walls.iter().filter(|_| cause == Cause::Shaded).max_by(|a, b| a.1.total_cmp(b.1)).map(|w| *w.0),
+            shaded_by: walls
+                .iter()
+                .filter(|_| cause == PatchCause::Shaded)
+                .max_by(|a, b| a.1.total_cmp(b.1))
+                .map(|w| *w.0),
             gap_mm,
             closer_than_mm: None,
             facets: of_facet.iter().filter(|(f, a)| half(f, a)).map(|(f, _)| *f).collect(),
@@ -191,36 +195,36 @@ impl DoseMap {
     }
 
     /// Why a sample gets too little, by the line that it lies near.
-    fn cause(&self, i: usize, near: Option<&Stretch>) -> (Cause, Option<Blocker>) {
+    fn cause(&self, i: usize, near: Option<&PassStretch>) -> (PatchCause, Option<Blocker>) {
         match near {
-            Some(Stretch { blocked: Some(by), .. }) => (Cause::Blocked, *by),
-            _ if self.verdict(&self.samples[i]) == Verdict::Shaded => (Cause::Shaded, None),
-            None => (Cause::Missed, None),
-            Some(_) => (Cause::Thin, None),
+            Some(PassStretch { blocked: Some(by), .. }) => (PatchCause::Blocked, *by),
+            _ if self.verdict(&self.samples[i]) == DoseVerdict::Shaded => (PatchCause::Shaded, None),
+            None => (PatchCause::Missed, None),
+            Some(_) => (PatchCause::Thin, None),
         }
     }
 }
 
-/// Samples of one patch whose cause is looked for.
+/// Number of samples of a patch that its cause is judged by.
 const MOST_JUDGED: usize = 2000;
 
 fn same(a: &Option<Blocker>, b: &Option<Blocker>) -> bool {
     a.map(|b| (b.tool_body, b.obstruction)) == b.map(|b| (b.tool_body, b.obstruction))
 }
 
-fn of_pass(pass: &Pass) -> impl Iterator<Item = Stretch> {
+fn stretches_of_pass(pass: &Pass) -> impl Iterator<Item = PassStretch> {
     pass.targets.windows(2).filter(|w| !Pass::is_gap(&w[0], &w[1])).map(|w| {
-        let blocked = w.iter().find(|t| t.state == State::Blocked).filter(|_| !w[1].laser);
-        Stretch { from: w[0].p, to: w[1].p, blocked: blocked.map(|t| t.normal_hits) }
+        let blocked = w.iter().find(|t| t.state == TargetState::Blocked).filter(|_| !w[1].laser);
+        PassStretch { from: w[0].p, to: w[1].p, blocked: blocked.map(|t| t.normal_hits) }
     })
 }
 
 /// The stretch nearest to a point, and how far it is, mm.
-fn nearest<'a>(q: &Point3<f64>, lines: &'a [Stretch]) -> Option<(f64, &'a Stretch)> {
+fn nearest<'a>(q: &Point3<f64>, lines: &'a [PassStretch]) -> Option<(f64, &'a PassStretch)> {
     lines.iter().map(|s| (distance(q, s), s)).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-fn distance(q: &Point3<f64>, s: &Stretch) -> f64 {
+fn distance(q: &Point3<f64>, s: &PassStretch) -> f64 {
     let (d, w) = (s.to - s.from, q - s.from);
     let t = (w.dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
     (w - d * t).norm()

@@ -1,17 +1,17 @@
 //! Which facets a run of the light comes near, and which of them nothing can shade.
 //!
 //! Most of a part is lit without anything in between, and a ray for each sample would cost more than
-//! all the rest: a facet that no other facet near the beam can shade is told here, once for a run.
+//! all the rest: so facets that no other facet near the beam can shade are found here, once for a run.
 
 use super::floor::{floor_mm, in_frame};
-use super::light::Piece;
+use super::light::LightPiece;
 use super::shade::Shade;
 use super::spot::Spot;
 use crate::part::{Part, Surfaces, angle, topology::Dead};
 use crate::pose::target;
 use nalgebra::{Point3, Vector3};
 
-/// A plane may be missed by this much before a corner counts as beyond it, mm: the rounding of f32
+/// Tolerance before a corner counts as beyond a plane, mm: the rounding of f32
 /// coordinates on a metre, which is far less than any shadow is wide.
 const PLANE_MM: f64 = 1e-4;
 /// Length of the first stretch above and below the spot that is looked at by itself, mm; each further
@@ -23,12 +23,12 @@ const FIRST_STRETCH_MM: f64 = 2.0;
 pub struct Near {
     /// Its place in [`super::light::Light::pieces`].
     pub piece: u32,
-    /// Nothing stands between.
+    /// Nothing can shade it.
     pub clear: bool,
 }
 
 /// A facet near a run, seen along its middle axis.
-struct Seen {
+struct SeenFacet {
     facet: u32,
     corners: [Point3<f64>; 3],
     vertices: [u32; 3],
@@ -36,7 +36,7 @@ struct Seen {
     up: Vector3<f64>,
     /// How steeply it rises to the light: sine.
     rise: f64,
-    /// Whether its side to be worked on is lit.
+    /// Whether the light comes to the side that is worked on.
     lit: bool,
     /// Least and greatest x, y and height.
     low: [f64; 3],
@@ -45,13 +45,19 @@ struct Seen {
 
 /// The facets that light of a run comes to, and whether nothing can shade them. What lies beneath the spot
 /// and beneath others that stop all light is not among them: no light was meant for it.
-pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, spot: &Spot, run: &[Piece]) -> Vec<(u32, bool)> {
-    let Some(frame) = Frame::of(run) else { return Vec::new() };
+pub fn lit_facets(
+    part: &Part,
+    surfaces: &Surfaces,
+    shade: &Shade<'_>,
+    spot: &Spot,
+    run: &[LightPiece],
+) -> Vec<(u32, bool)> {
+    let Some(frame) = RunFrame::of(run) else { return Vec::new() };
     let (seen, floor) = seen(part, surfaces, spot, run, &frame);
     let slope = spot.greatest_slope() + frame.turn;
     let lit = seen.iter().filter(|f| f.lit && f.high[2] >= floor - PLANE_MM);
     // What shaded the last facet is likely to shade the next one too.
-    let mut last: Option<&Seen> = None;
+    let mut last: Option<&SeenFacet> = None;
     lit.map(|f| {
         last = last.filter(|g| may_shade(g, f, slope)).or_else(|| seen.iter().find(|g| may_shade(g, f, slope)));
         (f.facet, last.is_none() && !clamp_near(shade, spot, &frame, f.low[2]))
@@ -60,7 +66,7 @@ pub fn lit_facets(part: &Part, surfaces: &Surfaces, shade: &Shade<'_>, spot: &Sp
 }
 
 /// Whether a clamp comes near the light above a height.
-fn clamp_near(shade: &Shade<'_>, spot: &Spot, frame: &Frame, from_mm: f64) -> bool {
+fn clamp_near(shade: &Shade<'_>, spot: &Spot, frame: &RunFrame, from_mm: f64) -> bool {
     let lens_mm = spot.defocus_mm + spot.optics.lens_to_focus_mm;
     let [x, y] = frame.reach(spot, from_mm, lens_mm);
     let at = |h: f64| frame.p + frame.axes[2] * h;
@@ -68,7 +74,7 @@ fn clamp_near(shade: &Shade<'_>, spot: &Spot, frame: &Frame, from_mm: f64) -> bo
 }
 
 /// Whether some light to `f` may meet `g` first. `slope`: how far light may lean from the middle axis.
-fn may_shade(g: &Seen, f: &Seen, slope: f64) -> bool {
+fn may_shade(g: &SeenFacet, f: &SeenFacet, slope: f64) -> bool {
     if g.facet == f.facet || g.high[2] <= f.low[2] + PLANE_MM {
         return false;
     }
@@ -89,7 +95,7 @@ fn may_shade(g: &Seen, f: &Seen, slope: f64) -> bool {
 }
 
 /// The frame of a run: its middle, and its axes along travel, across, and to the laser.
-struct Frame {
+struct RunFrame {
     p: Point3<f64>,
     axes: [Vector3<f64>; 3],
     /// How far the spot goes from the middle along the axes, mm.
@@ -98,22 +104,22 @@ struct Frame {
     turn: f64,
 }
 
-impl Frame {
-    fn of(run: &[Piece]) -> Option<Frame> {
+impl RunFrame {
+    fn of(run: &[LightPiece]) -> Option<RunFrame> {
         let (first, last) = (&run.first()?.from, &run.last()?.to);
         let a = angle::slerp(&first.a, &last.a, 0.5);
         let o = target::travel(&first.o, &a);
         let (p, axes) = (nalgebra::center(&first.p, &last.p), [o, o.cross(&a), a]);
-        let mut frame = Frame { p, axes, half: [0.0; 3], turn: 0.0 };
-        for stand in run.iter().map(|piece| &piece.to).chain([first]) {
-            let place = in_frame(&stand.p, &frame.p, &frame.axes);
+        let mut frame = RunFrame { p, axes, half: [0.0; 3], turn: 0.0 };
+        for at in run.iter().map(|piece| &piece.to).chain([first]) {
+            let place = in_frame(&at.p, &frame.p, &frame.axes);
             frame.half = [0, 1, 2].map(|k| frame.half[k].max(place[k].abs()));
-            frame.turn = frame.turn.max(stand.a.cross(&a).norm());
+            frame.turn = frame.turn.max(at.a.cross(&a).norm());
         }
         Some(frame)
     }
 
-    /// How far along and across the light reaches between two heights.
+    /// How far along and across the light reaches between two heights, mm.
     fn reach(&self, spot: &Spot, low: f64, high: f64) -> [f64; 2] {
         let deepest = (spot.defocus_mm - low).abs().max((spot.defocus_mm - high).abs()) + self.half[2];
         let sway = self.turn * (low.abs().max(high.abs()) + self.half[2]);
@@ -124,7 +130,7 @@ impl Frame {
 
 /// All facets within the light's reach of a run, in the order of their numbers, and the height below
 /// which no light comes.
-fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[Piece], frame: &Frame) -> (Vec<Seen>, f64) {
+fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[LightPiece], frame: &RunFrame) -> (Vec<SeenFacet>, f64) {
     let Some((centre, radius)) = part.bvh.sphere_of_box() else { return (Vec::new(), 0.0) };
     let (p, a) = (&frame.p, &frame.axes[2]);
     let middle = (centre - p).dot(a);
@@ -153,7 +159,7 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[Piece], frame: &Fr
     far = FIRST_STRETCH_MM;
     let mut floor = f64::NEG_INFINITY;
     while far < -bottom {
-        // Looked at as wide as the light is at the end of the stretch.
+        // Searched as wide as the light is at the end of the stretch.
         let half = frame.reach(spot, -far, far);
         floor = floor_mm(half, found.iter().map(|f| &f.1)).filter(|f| *f > -far).unwrap_or(floor);
         if floor > -far {
@@ -178,7 +184,7 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[Piece], frame: &Fr
         let lit = run.iter().any(|piece| normal.dot(&piece.from.a) > 0.0 || normal.dot(&piece.to.a) > 0.0);
         let corners = part.mesh.corners(facet as usize);
         let vertices = part.mesh.facets[facet as usize];
-        Some(Seen { facet, corners, vertices, rise: up.dot(a), up, lit, low, high })
+        Some(SeenFacet { facet, corners, vertices, rise: up.dot(a), up, lit, low, high })
     });
     // Light is meant for the spot, whatever stands above it: that is shade.
     (seen.collect(), floor.min(-frame.half[2] - spot.spot_mm))

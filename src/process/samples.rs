@@ -1,18 +1,18 @@
 //! Samples of the surface: facets cut into pieces no wider than a quarter of the spot where light
 //! comes; a facet, or a piece of one, that no light comes near stays large.
 
-use super::cell::{Cell, Plane};
+use super::facet_polygon::{FacetPolygon, Plane};
 use super::light::Light;
 use super::reach::Near;
 use crate::pose::Obstruction;
 use nalgebra::Point3;
 
-/// So many samples at most, then they are cut more coarsely: some 400 MB.
+/// Greatest number of samples, some 400 MB; beyond it they are cut more coarsely.
 pub const MOST_SAMPLES: usize = 4_000_000;
 
 /// A piece of the surface and what lands on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub struct DoseSample {
     /// Its middle, mm, part frame.
     pub centre: [f32; 3],
     /// Its area, mm².
@@ -31,7 +31,7 @@ pub struct Sample {
     pub unshaded_j_cm2: f32,
     /// Angle between light and normal, degrees, weighed by energy; −1 where nothing lands.
     pub incidence_deg: f32,
-    /// What keeps most off.
+    /// What keeps the most energy off.
     pub shaded_by: Option<Obstruction>,
 }
 
@@ -42,7 +42,7 @@ pub struct Plot {
     /// The facet's plane.
     pub plane: Plane,
     /// The piece.
-    pub cell: Cell,
+    pub cell: FacetPolygon,
     /// In the order of the program.
     pub near: Vec<Near>,
     /// Where no light comes, pieces are no wider than this, mm.
@@ -59,7 +59,7 @@ impl Plot {
 
 /// Cuts a plot until its pieces are no wider than a square of `pitch_mm`, or no light comes near, and
 /// hands every piece on with the light that does.
-pub fn cut(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&Cell, &[Near])) {
+pub fn cut_plot(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[Near])) {
     let mut lists = plot.near.clone();
     let whole = lists.len();
     halve(light, pitch_mm, plot, &plot.cell, (&mut lists, 0, whole), &mut leaf);
@@ -71,9 +71,9 @@ fn halve(
     light: &Light,
     pitch_mm: f64,
     plot: &Plot,
-    cell: &Cell,
+    cell: &FacetPolygon,
     (lists, start, end): (&mut Vec<Near>, usize, usize),
-    leaf: &mut impl FnMut(&Cell, &[Near]),
+    leaf: &mut impl FnMut(&FacetPolygon, &[Near]),
 ) {
     let (middle, radius) = cell.disc();
     let centre = plot.plane.place(middle);
@@ -96,13 +96,13 @@ fn halve(
     lists.truncate(end);
 }
 
-/// Cuts a plot into smaller ones, so that many hands may work on it.
-pub fn parcel(light: &Light, pitch_mm: f64, plot: Plot) -> Vec<Plot> {
+/// Divides a plot into smaller ones for parallel work.
+pub fn split_plot(light: &Light, pitch_mm: f64, plot: Plot) -> Vec<Plot> {
     if plot.cell.size_mm() <= pitch_mm {
         return vec![plot];
     }
     let mut out = Vec::new();
-    cut(light, pitch_mm, &plot, |cell, near| {
+    cut_plot(light, pitch_mm, &plot, |cell, near| {
         out.push(Plot { cell: *cell, near: near.to_vec(), ..plot });
     });
     out

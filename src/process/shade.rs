@@ -2,9 +2,9 @@
 //!
 //! The light that lands beside the axis comes along its own ray, through the focus and on to the lens.
 
-use super::light::{Light, Passing, Piece};
+use super::light::{Light, LightPiece, Passing};
 use crate::beam::Obstacle;
-use crate::part::{Bvh, Part, bvh::meet};
+use crate::part::{Bvh, Part, bvh::ray_hit_mm};
 use crate::pose::Obstruction;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -13,15 +13,14 @@ use nalgebra::{Isometry3, Point3, Vector3};
 /// above: nothing that shades is nearer to what it shades, but at a crease, where the light comes by
 /// anyway.
 const START_MM: f64 = 1e-3;
-/// A window is looked at in no more places than this.
+/// Greatest number of places at which a window is tested.
 const MOST_LOOKS: usize = 7;
-/// They are so many radii of the spot apart, its ends among them: what shades for a shorter way is
-/// overlooked. One look, in the middle, stands for a way that is shorter than that.
+/// Distance of those places in radii of the spot, the ends among them: what shades for a shorter way is
+/// overlooked. A way shorter than that is tested once, in the middle.
 const LOOK_RADII: f64 = 0.5;
-/// What comes by is faint below this share of what the middle of one line gets: then the last look stands
-/// for it.
+/// Share of the energy in the middle of one line below which a passing is faint: then the last test decides.
 const FAINT: f64 = 1e-3;
-/// Where two of them differ, the edge of the shadow is halved so often between them.
+/// Bisections for the edge of a shadow between two places that differ.
 const HALVINGS: usize = 4;
 
 /// The bodies that shade.
@@ -30,8 +29,8 @@ pub struct Shade<'a> {
     clamps: Vec<(&'a Part, Isometry3<f64>)>,
 }
 
-/// What was found last: light and shade change little from one piece to the next, and from one point to
-/// its neighbour.
+/// The last results: light and shade change little from one piece to the next, and from one point to its
+/// neighbour.
 #[derive(Clone, Copy, Default)]
 pub struct Last {
     /// The facet that shaded is likely to shade the next point too.
@@ -41,13 +40,13 @@ pub struct Last {
 }
 
 impl Last {
-    /// Another point is looked at.
+    /// Moves on to another point.
     pub fn next_point(&mut self) {
         self.look = None;
     }
 }
 
-/// What of a passing lands.
+/// The part of a passing's energy that lands.
 #[derive(Clone, Copy, Debug)]
 pub struct Landing {
     /// Share of the passing's energy.
@@ -67,11 +66,11 @@ impl<'a> Shade<'a> {
         self.clamps.iter().any(|(solid, at)| solid.bvh.near_segment(&(at * from), &(at * to), reach_mm))
     }
 
-    /// What of a passing lands on a point of facet `own`.
+    /// The part of a passing's energy that lands on a point of facet `own`.
     pub fn landing(
         &self,
         light: &Light,
-        piece: &Piece,
+        piece: &LightPiece,
         (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         last: &mut Last,
@@ -130,7 +129,7 @@ impl<'a> Shade<'a> {
     fn wall(
         &self,
         light: &Light,
-        piece: &Piece,
+        piece: &LightPiece,
         (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         t: f64,
@@ -145,7 +144,8 @@ impl<'a> Shade<'a> {
         let length = ray.norm();
         let dir = ray / length;
         let until = (z_mm + light.spot(piece).optics.lens_to_focus_mm) * length;
-        let stops = |corners: &[Point3<f64>; 3]| meet(corners, q, &dir).is_some_and(|s| s > START_MM && s < until);
+        let stops =
+            |corners: &[Point3<f64>; 3]| ray_hit_mm(corners, q, &dir).is_some_and(|s| s > START_MM && s < until);
         if let Some((facet, corners)) = last.facet
             && facet != own
             && stops(&corners)

@@ -8,7 +8,7 @@ use super::parameters::Profile;
 use crate::beam::Optics;
 use std::f64::consts::PI;
 
-/// A Gaussian spot is looked at out to so many of its radii: 3.7e-6 of its power lies beyond.
+/// Radius at which a Gaussian spot is cut off, in radii at 1/e²: 3.7e-6 of its power lies beyond.
 const GAUSSIAN_REACH: f64 = 2.5;
 
 /// The spot of a job at any height.
@@ -52,7 +52,7 @@ impl Spot {
         }
     }
 
-    /// Whether a place is within the spot's diameter, or within the line.
+    /// Whether a place is within the spot's diameter, or within the scanned line.
     pub fn covers(&self, [x, y]: [f64; 2], z_mm: f64) -> bool {
         let r = self.radius_mm(z_mm);
         match self.profile {
@@ -103,7 +103,7 @@ impl Spot {
 
     /// Integral of the density over a window of the way, the whole way counting 1: times power and
     /// duration it is the energy per area. Closed form.
-    pub fn passed(&self, from: [f64; 2], to: [f64; 2], z_mm: f64, [t0, t1]: [f64; 2]) -> f64 {
+    pub fn density_integral(&self, from: [f64; 2], to: [f64; 2], z_mm: f64, [t0, t1]: [f64; 2]) -> f64 {
         let r = self.radius_mm(z_mm);
         match self.profile {
             Profile::TopHat => (t1 - t0) / (PI * r * r),
@@ -155,7 +155,7 @@ mod tests {
 
     /// The density at a place, from the way that is none.
     fn density(s: &Spot, at: [f64; 2], z: f64) -> f64 {
-        s.window(at, at, z).map_or(0.0, |w| s.passed(at, at, z, w))
+        s.window(at, at, z).map_or(0.0, |w| s.density_integral(at, at, z, w))
     }
 
     #[test]
@@ -198,7 +198,7 @@ mod tests {
         fn the_closed_form_is_the_integral(x in prop::array::uniform4(-1.5..1.5f64), z in -40.0..40.0f64, which in 0..3usize) {
             let s = spot(Profile::ALL[which]);
             let (from, to) = ([x[0], x[1]], [x[2], x[3]]);
-            let exact = s.window(from, to, z).map_or(0.0, |w| s.passed(from, to, z, w));
+            let exact = s.window(from, to, z).map_or(0.0, |w| s.density_integral(from, to, z, w));
             let n = 20_000;
             let at = |i: i32| {
                 let t = (f64::from(i) + 0.5) / f64::from(n);

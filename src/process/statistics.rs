@@ -1,20 +1,20 @@
-//! What a dose comes to: shares of the chosen area, what lands where it should not, a histogram.
+//! Statistics of a dose: shares of the chosen area, what lands where it should not, a histogram.
 
 use super::dose::DoseMap;
-use super::samples::Sample;
+use super::samples::DoseSample;
 use crate::part::Surfaces;
 use std::collections::BTreeMap;
 
-/// What became of a sample of a chosen surface.
+/// How the dose on a sample of a chosen surface is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Verdict {
+pub enum DoseVerdict {
     /// Enough and not too much.
     Within,
     /// Too little.
     Under,
     /// Too much.
     Over,
-    /// It would be enough, but for what shades it.
+    /// Too little, because something shades it.
     Shaded,
 }
 
@@ -27,11 +27,11 @@ pub struct Shares {
     pub under: f64,
     /// Too much.
     pub over: f64,
-    /// It would be enough, but for what shades it.
+    /// Too little, because something shades it.
     pub shaded: f64,
 }
 
-/// A surface that was not chosen and gets more than it may.
+/// A surface that was not chosen and gets more than is allowed there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collateral {
     /// Its number.
@@ -43,23 +43,23 @@ pub struct Collateral {
 }
 
 impl DoseMap {
-    /// What became of a sample, if its surface is chosen.
-    pub fn verdict(&self, sample: &Sample) -> Verdict {
+    /// How the dose on a sample is judged, if its surface is chosen.
+    pub fn verdict(&self, sample: &DoseSample) -> DoseVerdict {
         let t = self.own.get(&sample.facet).unwrap_or(&self.thresholds);
         let (dose, unshaded) = (f64::from(sample.fluence_j_cm2), f64::from(sample.unshaded_j_cm2));
         if dose > t.high_j_cm2 {
-            Verdict::Over
+            DoseVerdict::Over
         } else if dose >= t.low_j_cm2 {
-            Verdict::Within
+            DoseVerdict::Within
         } else if unshaded >= t.low_j_cm2 {
-            Verdict::Shaded
+            DoseVerdict::Shaded
         } else {
-            Verdict::Under
+            DoseVerdict::Under
         }
     }
 
     /// The samples of the chosen surfaces, by their places in [`DoseMap::samples`], with their surface.
-    pub fn chosen_samples(&self, surfaces: &Surfaces) -> impl Iterator<Item = (usize, &Sample, u32)> {
+    pub fn chosen_samples(&self, surfaces: &Surfaces) -> impl Iterator<Item = (usize, &DoseSample, u32)> {
         let chosen = flags(&self.chosen, surfaces);
         let of_facet = surfaces.of_facet.clone();
         self.samples.iter().enumerate().filter_map(move |(i, s)| {
@@ -75,12 +75,12 @@ impl DoseMap {
             areas[self.verdict(s) as usize] += f64::from(s.area_mm2);
         }
         let whole: f64 = areas.iter().sum();
-        let share = |v: Verdict| if whole > 0.0 { areas[v as usize] / whole } else { 0.0 };
+        let share = |v: DoseVerdict| if whole > 0.0 { areas[v as usize] / whole } else { 0.0 };
         Shares {
-            within: share(Verdict::Within),
-            under: share(Verdict::Under),
-            over: share(Verdict::Over),
-            shaded: share(Verdict::Shaded),
+            within: share(DoseVerdict::Within),
+            under: share(DoseVerdict::Under),
+            over: share(DoseVerdict::Over),
+            shaded: share(DoseVerdict::Shaded),
         }
     }
 

@@ -41,7 +41,7 @@ pub enum SamplePart {
 
 /// A sample part.
 #[derive(Clone, Copy, Debug)]
-pub struct Sample {
+pub struct ShippedSample {
     /// The file's name without `.stl`.
     pub name: &'static str,
     /// Which one it is.
@@ -51,12 +51,12 @@ pub struct Sample {
 }
 
 /// All sample parts.
-pub const SAMPLES: [Sample; 5] = [
-    Sample { name: "workpiece", part: SamplePart::Workpiece, triangles: workpiece::triangles },
-    Sample { name: "worm_gear", part: SamplePart::WormGear, triangles: worm_gear::triangles },
-    Sample { name: "acetabular_cup", part: SamplePart::AcetabularCup, triangles: cup::triangles },
-    Sample { name: "connecting_rod", part: SamplePart::ConnectingRod, triangles: connecting_rod::triangles },
-    Sample { name: "front_shaft", part: SamplePart::FrontShaft, triangles: front_shaft::triangles },
+pub const SAMPLES: [ShippedSample; 5] = [
+    ShippedSample { name: "workpiece", part: SamplePart::Workpiece, triangles: workpiece::triangles },
+    ShippedSample { name: "worm_gear", part: SamplePart::WormGear, triangles: worm_gear::triangles },
+    ShippedSample { name: "acetabular_cup", part: SamplePart::AcetabularCup, triangles: cup::triangles },
+    ShippedSample { name: "connecting_rod", part: SamplePart::ConnectingRod, triangles: connecting_rod::triangles },
+    ShippedSample { name: "front_shaft", part: SamplePart::FrontShaft, triangles: front_shaft::triangles },
 ];
 
 /// Binary STL. Corners are exact (they are f32 already); normals are computed from them.

@@ -75,7 +75,7 @@ mod tests {
     use std::f64::consts::PI;
 
     /// A point of gap 0 in a section, with its normal in the part and in the section plane.
-    struct Spot {
+    struct GapPoint {
         p: Point,
         n: Point,
         flat: Point,
@@ -84,7 +84,7 @@ mod tests {
     }
 
     /// Points of gap 0 at height z every 0.04 mm or so, from corner to corner.
-    fn spots(z: f64) -> Vec<Spot> {
+    fn spots(z: f64) -> Vec<GapPoint> {
         let (corner, centre) = gap_radii();
         let a = radians(FLANK_DEG);
         let foot = on_circle([0.0, centre], ROOT_RADIUS, 180.0 + FLANK_DEG);
@@ -112,7 +112,7 @@ mod tests {
                 let (p, n) = (placed(p, 0, z), placed(n, 0, z));
                 // The screw's surface: its normal leans along z by the twist.
                 let lean = twist() * (p[1] * n[0] - p[0] * n[1]);
-                Spot { p: [p[0], p[1], z], n: unit([n[0], n[1], lean]), flat: [n[0], n[1], 0.0], way }
+                GapPoint { p: [p[0], p[1], z], n: unit([n[0], n[1], lean]), flat: [n[0], n[1], 0.0], way }
             })
             .collect()
     }

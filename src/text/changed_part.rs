@@ -2,7 +2,7 @@
 
 use super::{Sentence, fixed, id, say};
 use crate::document::{CarriedOver, LostSurface};
-use crate::part::identity::Why;
+use crate::part::identity::LostReason;
 use nalgebra::Isometry3;
 
 /// Turns below this are not told, degrees.
@@ -53,15 +53,15 @@ impl Sentence for LostSurface {
     }
 }
 
-fn why(why: Why) -> String {
+fn why(why: LostReason) -> String {
     match why {
-        Why::NothingAlike => say!(lost_nothing_alike),
-        Why::SeveralAlike => say!(lost_several_alike),
-        Why::EditNotRepeated => say!(lost_edit_not_repeated),
-        Why::OtherFacets => say!(lost_other_facets),
-        Why::NotRemembered => say!(lost_not_remembered),
-        Why::SeveralMotions => say!(lost_several_motions),
-        Why::PartMoved => say!(lost_part_moved),
+        LostReason::NothingAlike => say!(lost_nothing_alike),
+        LostReason::SeveralAlike => say!(lost_several_alike),
+        LostReason::EditNotRepeated => say!(lost_edit_not_repeated),
+        LostReason::OtherFacets => say!(lost_other_facets),
+        LostReason::NotRemembered => say!(lost_not_remembered),
+        LostReason::SeveralMotions => say!(lost_several_motions),
+        LostReason::PartMoved => say!(lost_part_moved),
     }
 }
 
@@ -76,11 +76,11 @@ mod tests {
     fn what_becomes_of_a_job_is_told_line_by_line() {
         let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 30f64.to_radians());
         let (surface, name) = (SurfaceId(1204), "Rim".to_owned());
-        let lost = LostSurface { surface, name, is_chosen: true, why: Why::NothingAlike };
+        let lost = LostSurface { surface, name, is_chosen: true, why: LostReason::NothingAlike };
         let carried = CarriedOver {
             job: Job::default(),
             kept: vec![(SurfaceId(1), SurfaceId(1)), (SurfaceId(2), SurfaceId(3))],
-            lost: vec![lost.clone(), LostSurface { name: String::new(), why: Why::NotRemembered, ..lost }],
+            lost: vec![lost.clone(), LostSurface { name: String::new(), why: LostReason::NotRemembered, ..lost }],
             lost_edits: 1,
             lost_shells: 2,
             knows_no_surface: false,

@@ -3,7 +3,7 @@
 use super::{NamedSentence, Naming, fixed, say};
 use crate::part::SurfaceId;
 use crate::planning::dose::{DoseReport, PatchReport};
-use crate::process::Cause;
+use crate::process::PatchCause;
 
 /// Patches that are told one by one.
 const PATCHES_TOLD: usize = 8;
@@ -44,12 +44,12 @@ impl NamedSentence for PatchReport {
         }
         let by = self.by_surface.map(|n| naming.surface(SurfaceId(n)));
         match (self.cause, by) {
-            (Cause::Thin, _) => say!(patch_too_little),
-            (Cause::Missed, _) => say!(patch_missed),
-            (Cause::Blocked, Some(by)) => say!(patch_blocked_by, by),
-            (Cause::Blocked, None) => say!(patch_blocked),
-            (Cause::Shaded, Some(by)) => say!(patch_shaded_by, by),
-            (Cause::Shaded, None) => say!(patch_shaded),
+            (PatchCause::Thin, _) => say!(patch_too_little),
+            (PatchCause::Missed, _) => say!(patch_missed),
+            (PatchCause::Blocked, Some(by)) => say!(patch_blocked_by, by),
+            (PatchCause::Blocked, None) => say!(patch_blocked),
+            (PatchCause::Shaded, Some(by)) => say!(patch_shaded_by, by),
+            (PatchCause::Shaded, None) => say!(patch_shaded),
         }
     }
 }

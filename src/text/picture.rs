@@ -27,12 +27,12 @@ pub(crate) fn spacing_labels(scale: &SpacingScale) -> [String; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::spacing::Place;
+    use crate::picture::spacing::SpacingSample;
     use nalgebra::Point3;
 
     #[test]
     fn a_scale_is_told_in_mm_or_in_shares_of_what_each_surface_wants() {
-        let place = Place { surface: 1, at: Point3::origin(), mm: 0.5, wanted_mm: 0.5 };
+        let place = SpacingSample { surface: 1, at: Point3::origin(), mm: 0.5, wanted_mm: 0.5 };
         let scale = SpacingScale { ends: [0.8, 3.0], wanted_mm: Some(0.5), least: place, greatest: place };
         assert_eq!(spacing_labels(&scale), ["0.40 mm", "0.50 mm", "1.50 mm"]);
         assert_eq!(spacing_labels(&SpacingScale { wanted_mm: None, ..scale }), ["80 %", "100 %", "300 %"]);

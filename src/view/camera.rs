@@ -1,6 +1,6 @@
 //! The eye: a turntable camera (z stays up) that orbits a target, in perspective or parallel.
 //!
-//! All in f64 and free of OpenGL. Here is how it moves; how it projects is in [`super::lens`],
+//! All in f64 and free of OpenGL. Here is how it moves; how it projects is in `projecting`,
 //! gliding in [`super::flight`], gestures in [`super::widget`].
 
 use super::bounds::Bounds;

@@ -1,5 +1,5 @@
-//! What of the scene is on the graphics card, by key: uploaded when first seen, dropped when no
-//! longer in the scene.
+//! The buffers on the graphics card, by key: uploaded when an item is first seen, dropped when it is no longer in
+//! the scene.
 
 use super::gpu_mesh::{MeshColors, MeshGeometry};
 use super::gpu_strokes::{Dots, Lines, QuadIndices};

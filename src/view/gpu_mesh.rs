@@ -22,7 +22,7 @@ pub(super) struct MeshColors {
 
 /// Which facets a pass draws.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Pass {
+pub(super) enum DrawPass {
     Opaque,
     SeeThrough,
 }
@@ -75,15 +75,15 @@ impl MeshProgram {
         &self,
         geometry: &MeshGeometry,
         colors: &MeshColors,
-        pass: Pass,
+        pass: DrawPass,
         camera: &CameraUniforms,
         viewport: Viewport,
     ) {
         let (wanted, states) = match pass {
-            Pass::Opaque => {
+            DrawPass::Opaque => {
                 (colors.has_opaque, RenderStates { depth_test: DepthTest::LessOrEqual, ..RenderStates::default() })
             }
-            Pass::SeeThrough => (
+            DrawPass::SeeThrough => (
                 colors.has_see_through,
                 RenderStates {
                     depth_test: DepthTest::LessOrEqual,
@@ -100,7 +100,7 @@ impl MeshProgram {
         program.use_uniform("eye_from_item", camera.eye_from_item);
         program.use_uniform("clip_from_eye", camera.clip_from_eye);
         program.use_uniform("up_in_item", camera.up_in_item);
-        program.use_uniform("see_through", i32::from(pass == Pass::SeeThrough));
+        program.use_uniform("see_through", i32::from(pass == DrawPass::SeeThrough));
         program.use_vertex_attribute("position", &geometry.positions);
         program.use_vertex_attribute("packed_normal", &geometry.normals);
         program.use_vertex_attribute("color", &colors.colors);

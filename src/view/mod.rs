@@ -5,7 +5,7 @@
 //!   [`flight`] how one view glides into the next;
 //! - [`renderer`] draws one into the other with three-d on a glow context that somebody else
 //!   owns: eframe's window, or [`headless`] when there is no screen;
-//! - [`widget`] is the same as an egui widget with mouse, triad and view cube ([`overlay`]).
+//! - [`widget`] puts all of that into egui: the mouse, the triad and the view cube ([`overlay`]).
 //!
 //! It stops at pictures and gestures: it knows neither parts nor paths nor jobs, and picking
 //! is left to whoever owns the geometry ([`camera::Camera::ray_through`] gives the ray).
@@ -28,6 +28,7 @@ mod gl_state;
 mod gpu_cache;
 mod gpu_mesh;
 mod gpu_strokes;
+mod projecting;
 mod target;
 mod to_three_d;
 

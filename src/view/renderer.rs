@@ -9,11 +9,11 @@ use super::camera::Camera;
 use super::error::{DriverObject, ViewError};
 use super::gl_state::SavedState;
 use super::gpu_cache::{GpuCache, color_key};
-use super::gpu_mesh::{MeshProgram, Pass};
+use super::gpu_mesh::{DrawPass, MeshProgram};
 use super::gpu_strokes::StrokePrograms;
 use super::lens::ViewSize;
 use super::scene::{Depth, Scene};
-use super::target::Target;
+use super::target::RenderTarget;
 use super::to_three_d::CameraUniforms;
 use std::sync::Arc;
 use three_d::context::{self as gl, HasContext as _};
@@ -32,14 +32,14 @@ pub struct Renderer {
     strokes: StrokePrograms,
     cache: GpuCache,
     largest_side_px: u32,
-    target: Option<Target>,
+    target: Option<RenderTarget>,
     /// What the picture in `target` shows.
     drawn: Option<(Vec<u64>, Camera)>,
 }
 
 impl std::fmt::Debug for Renderer {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let size_px = self.target.as_ref().map(Target::size_px);
+        let size_px = self.target.as_ref().map(RenderTarget::size_px);
         f.debug_struct("Renderer").field("size_px", &size_px).finish_non_exhaustive()
     }
 }
@@ -96,7 +96,7 @@ impl Renderer {
         let kept = self.target.take().filter(|_| same_size);
         let target = match kept {
             Some(target) => target,
-            None => Target::new(&self.context, size_px)?,
+            None => RenderTarget::new(&self.context, size_px)?,
         };
         self.cache.follow(scene);
         target.begin();
@@ -139,11 +139,11 @@ impl Renderer {
         let uniforms = CameraUniforms::new(camera, size);
         let viewport = Viewport::new_at_origo(width_px, height_px);
         self.draw_background(scene, viewport);
-        self.draw_meshes(scene, Pass::Opaque, &uniforms, viewport);
+        self.draw_meshes(scene, DrawPass::Opaque, &uniforms, viewport);
         self.draw_edges(scene, &uniforms, viewport);
         self.draw_strokes(scene, Depth::Tested, &uniforms, viewport);
         // After all that can be seen through it.
-        self.draw_meshes(scene, Pass::SeeThrough, &uniforms, viewport);
+        self.draw_meshes(scene, DrawPass::SeeThrough, &uniforms, viewport);
         self.draw_strokes(scene, Depth::OnTop, &uniforms, viewport);
     }
 
@@ -157,7 +157,7 @@ impl Renderer {
         self.background.draw_arrays(states, viewport, 3);
     }
 
-    fn draw_meshes(&self, scene: &Scene, pass: Pass, camera: &CameraUniforms, viewport: Viewport) {
+    fn draw_meshes(&self, scene: &Scene, pass: DrawPass, camera: &CameraUniforms, viewport: Viewport) {
         for item in &scene.meshes {
             let geometry = self.cache.geometry.get(&item.geometry_key);
             let colors = self.cache.colors.get(&color_key(item));

@@ -11,7 +11,7 @@ use three_d::context::{self as gl, HasContext as _};
 const SAMPLES: i32 = 4;
 
 /// One size of picture.
-pub(super) struct Target {
+pub(super) struct RenderTarget {
     gl: Arc<gl::Context>,
     size_px: [u32; 2],
     drawn: gl::Framebuffer,
@@ -19,7 +19,7 @@ pub(super) struct Target {
     renderbuffers: [gl::Renderbuffer; 3],
 }
 
-impl Target {
+impl RenderTarget {
     /// Allocates; the size must be at least 1 × 1 and within the driver's limit.
     pub fn new(gl: &Arc<gl::Context>, size_px: [u32; 2]) -> Result<Self, ViewError> {
         let refuse = |reason: String| ViewError::Driver { what: DriverObject::Framebuffer, reason };
@@ -141,7 +141,7 @@ impl Target {
     }
 }
 
-impl Drop for Target {
+impl Drop for RenderTarget {
     fn drop(&mut self) {
         // SAFETY: our own objects, deleted once.
         unsafe {

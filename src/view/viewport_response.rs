@@ -34,13 +34,13 @@ pub struct ViewportResponse {
 }
 
 /// The widget's rectangle on whole pixels.
-pub(super) struct Frame {
+pub(super) struct PixelRect {
     pub rect: Rect,
     pub px_per_point: f64,
     pub size: ViewSize,
 }
 
-impl Frame {
+impl PixelRect {
     pub fn new(rect: Rect, pixels_per_point: f32) -> Self {
         let rect = rect.round_to_pixels(pixels_per_point);
         let px = |points: f32| f64::from((points * pixels_per_point).round());

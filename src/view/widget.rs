@@ -13,7 +13,7 @@ use super::overlay::{self, CubeLabels};
 use super::renderer::Renderer;
 use super::scene::Scene;
 use super::standard_view::StandardView;
-use super::viewport_response::{Frame, ViewportResponse};
+use super::viewport_response::{PixelRect, ViewportResponse};
 use eframe::egui::{self, PointerButton, Response, Sense};
 use eframe::{egui_glow, glow};
 use nalgebra::{Point3, Vector3};
@@ -39,14 +39,14 @@ pub struct Viewport {
     /// Accessible name of the view; empty until its owner gives one.
     pub name: String,
     flight: Option<Flight>,
-    moves: Vec<Move>,
+    moves: Vec<CameraMove>,
     size: Option<ViewSize>,
     drawing: Option<Arc<Mutex<Drawing>>>,
 }
 
 /// A camera move that waits until the size of the view is known.
 #[derive(Debug, Clone, Copy)]
-enum Move {
+enum CameraMove {
     Look(StandardView),
     Fit(Bounds),
     Focus(Point3<f64>),
@@ -93,22 +93,22 @@ impl Viewport {
 
     /// Glides to a standard view; target and zoom stay.
     pub fn look(&mut self, view: StandardView) {
-        self.moves.push(Move::Look(view));
+        self.moves.push(CameraMove::Look(view));
     }
 
     /// Glides until the box fills the view; the direction stays.
     pub fn fit(&mut self, bounds: Bounds) {
-        self.moves.push(Move::Fit(bounds));
+        self.moves.push(CameraMove::Fit(bounds));
     }
 
     /// Glides until the point is in the middle; direction and zoom stay.
     pub fn focus(&mut self, point: Point3<f64>) {
-        self.moves.push(Move::Focus(point));
+        self.moves.push(CameraMove::Focus(point));
     }
 
     /// Glides to any camera, for example one fitted to a problem and its beam.
     pub fn glide_to(&mut self, camera: Camera) {
-        self.moves.push(Move::Go(camera));
+        self.moves.push(CameraMove::Go(camera));
     }
 
     /// A glide is under way or about to start.
@@ -123,7 +123,7 @@ impl Viewport {
 
     /// Jumps to the iso view of a new part.
     pub fn reset(&mut self, bounds: Bounds) {
-        self.moves.push(Move::Reset(bounds));
+        self.moves.push(CameraMove::Reset(bounds));
     }
 
     /// Says how far the scene reaches, for clip planes and zoom limits.
@@ -153,11 +153,11 @@ impl Viewport {
     pub fn show_with_pick(&mut self, ui: &mut egui::Ui, scene: &Arc<Scene>, pick: Pick<'_>) -> ViewportResponse {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, self.name.clone()));
-        let frame = Frame::new(rect, ui.pixels_per_point());
+        let frame = PixelRect::new(rect, ui.pixels_per_point());
         let before = self.camera;
         self.size = Some(frame.size);
         self.start_moves(ui, frame.size);
-        self.obey(ui, &response, &frame, pick);
+        self.apply_gestures(ui, &response, &frame, pick);
         self.fly(ui);
 
         self.paint(ui, scene, &frame);
@@ -184,11 +184,11 @@ impl Viewport {
         let mut jump = ui.style().animation_time <= 0.0;
         for wanted in std::mem::take(&mut self.moves) {
             match wanted {
-                Move::Look(view) => to.look(view),
-                Move::Fit(bounds) => to.fit(&bounds, size),
-                Move::Focus(point) => to.target = point,
-                Move::Go(camera) => to = camera,
-                Move::Reset(bounds) => {
+                CameraMove::Look(view) => to.look(view),
+                CameraMove::Fit(bounds) => to.fit(&bounds, size),
+                CameraMove::Focus(point) => to.target = point,
+                CameraMove::Go(camera) => to = camera,
+                CameraMove::Reset(bounds) => {
                     to = Camera { projection: to.projection, ..Camera::fitted(bounds, size) };
                     to.fit(&bounds, size);
                     jump = true;
@@ -215,8 +215,8 @@ impl Viewport {
         }
     }
 
-    /// Mouse to camera. A hand on the mouse ends a glide where it is.
-    fn obey(&mut self, ui: &egui::Ui, response: &Response, frame: &Frame, pick: Pick<'_>) {
+    /// Moves the camera by the mouse. A hand on the mouse ends a glide where it is.
+    fn apply_gestures(&mut self, ui: &egui::Ui, response: &Response, frame: &PixelRect, pick: Pick<'_>) {
         let delta = response.drag_delta();
         let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
         let pans = [PointerButton::Middle, PointerButton::Secondary];
@@ -245,7 +245,7 @@ impl Viewport {
         }
     }
 
-    fn paint(&self, ui: &egui::Ui, scene: &Arc<Scene>, frame: &Frame) {
+    fn paint(&self, ui: &egui::Ui, scene: &Arc<Scene>, frame: &PixelRect) {
         let Some(drawing) = &self.drawing else {
             let [r, g, b] = scene.background_bottom;
             ui.painter().rect_filled(frame.rect, 0.0, egui::Color32::from_rgb(r, g, b));
@@ -272,7 +272,7 @@ impl Viewport {
         &self,
         ui: &egui::Ui,
         response: Response,
-        frame: &Frame,
+        frame: &PixelRect,
         before: Camera,
         view_chosen: Option<StandardView>,
     ) -> ViewportResponse {

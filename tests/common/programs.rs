@@ -1,7 +1,7 @@
 //! Programs that no planner made, and whether what was read is what was written.
 #![allow(dead_code, reason = "each test file uses its own share")]
 
-use clearbeam::beam::Work;
+use clearbeam::beam::ProcessSettings;
 use clearbeam::cell::{Robot, Setup};
 use clearbeam::program::dialect::{Goal, Read, ReadLine, Reading};
 use clearbeam::program::{
@@ -81,7 +81,7 @@ pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<ProgramLine> {
                 timing: *timing,
                 lit,
                 target: None,
-                work: Work::default(),
+                work: ProcessSettings::default(),
             }))
         }
     };

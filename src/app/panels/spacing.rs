@@ -4,7 +4,7 @@ use super::super::actions::Actions;
 use super::super::command::Toggle;
 use super::super::context::Context;
 use super::dose::bar;
-use crate::picture::spacing::{Place, SpacingScale};
+use crate::picture::spacing::{SpacingSample, SpacingScale};
 use crate::text::{fixed, id, say, spacing_labels};
 use eframe::egui::{self, Align, Area, Direction, Id, Layout, Rect, RichText, Sense, UiBuilder, vec2};
 
@@ -54,7 +54,7 @@ fn legend(ui: &mut egui::Ui, scale: &SpacingScale, actions: &mut Actions) {
 }
 
 /// Selects the surface of a place, and goes there.
-fn look_at(place: &Place, actions: &mut Actions) {
+fn look_at(place: &SpacingSample, actions: &mut Actions) {
     actions.reveal(place.surface);
     actions.look_at(place.at, (10.0 * place.mm).max(3.0));
 }

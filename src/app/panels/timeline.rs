@@ -10,7 +10,7 @@ use super::scrub;
 use crate::part::rpy;
 use crate::picture::palette::state;
 use crate::planning::Plan;
-use crate::pose::{State, Target};
+use crate::pose::{Target, TargetState};
 use crate::program::{Breakdown, Timeline};
 use crate::text::{clock, fixed, id, say};
 use eframe::egui::{self, Color32, RichText, Slider};
@@ -120,9 +120,9 @@ fn pass_row(ui: &mut egui::Ui, plan: &Plan, context: Context<'_>, actions: &mut 
 fn target_numbers(ui: &mut egui::Ui, context: Context<'_>) {
     let Some(t) = context.target() else { return };
     let (word, [r, g, b]) = match t.state {
-        State::Free => (say!(timeline_free), [90, 140, 230]),
-        State::Corrected => (say!(timeline_corrected), state::CORRECTED),
-        State::Blocked => (say!(timeline_blocked), [240, 70, 70]),
+        TargetState::Free => (say!(timeline_free), [90, 140, 230]),
+        TargetState::Corrected => (say!(timeline_corrected), state::CORRECTED),
+        TargetState::Blocked => (say!(timeline_blocked), [240, 70, 70]),
     };
     let (pass, point) = context.session.playback.at;
     ui.horizontal_wrapped(|ui| {
@@ -133,7 +133,7 @@ fn target_numbers(ui: &mut egui::Ui, context: Context<'_>) {
         let [x, y, z] = [t.p.x, t.p.y, t.p.z].map(|c| fixed(c, 3));
         ui.monospace(say!(timeline_xyz, x, y, z));
         flange(ui, t, context);
-        if t.state == State::Blocked {
+        if t.state == TargetState::Blocked {
             ui.label(RichText::new(why_left_out(context, (pass, point))).color(theme::WRONG));
         }
     });

@@ -107,9 +107,9 @@ pub fn choose_again(arm: &Arm<'_>, passes: &[Pass], watch: &Watch<'_>, memory: &
 fn stops(passes: &[Pass]) -> Vec<Stop> {
     let mut out = Vec::new();
     for (pass, p) in passes.iter().enumerate() {
-        for (point, t) in p.targets.iter().enumerate().filter(|(_, t)| t.state != pose::State::Blocked) {
-            let lit_s = t.laser.then(|| (t.p - p.targets[point - 1].p).norm() / p.work.speed_mm_s);
-            out.push(Stop { pass, point, part_from_focus: t.frame(p.work.defocus_mm), lit_s });
+        for (point, t) in p.targets.iter().enumerate().filter(|(_, t)| t.state != pose::TargetState::Blocked) {
+            let lit_s = t.laser.then(|| (t.p - p.targets[point - 1].p).norm() / p.settings.speed_mm_s);
+            out.push(Stop { pass, point, part_from_focus: t.frame(p.settings.defocus_mm), lit_s });
         }
     }
     out

@@ -2,7 +2,7 @@
 
 use super::error::JobError;
 use super::paths::resolved;
-use crate::beam::{Body, Head, Tool};
+use crate::beam::{Head, Tool, ToolGeometry};
 use crate::cell::robot::RobotFigureError;
 use crate::cell::{Cell, Mount, Robot, RobotError, Setup};
 use crate::document::model::Job;
@@ -89,7 +89,7 @@ fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let obstacles = &setup.cell.bodies.obstacles;
     let tool = Tool { head: setup.tool.head.clone(), clamps: obstacles.clone() };
     let (b, nothing) = (&job.beam, Part::default());
-    let body = Body::new(&tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm);
+    let body = ToolGeometry::new(&tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm);
     let laser = setup.cell.base_from_laser.isometry();
     let a = laser.rotation * Vector3::z();
     let spot = Point3::from(laser.translation.vector) - a * b.defocus_mm;

@@ -4,7 +4,7 @@ use crate::document::chosen::Chosen;
 use crate::document::start_from::StartFrom;
 use crate::part::SurfaceId;
 use crate::pose::Tilt;
-use crate::pose::tilt::Side;
+use crate::pose::tilt::TiltSide;
 use serde::{Deserialize, Serialize};
 
 /// Which surfaces are cleaned, and which are put aside.
@@ -23,7 +23,7 @@ pub(super) struct TiltRow {
     pub(super) surface: SurfaceId,
     pub(super) preferred: Tilt,
     pub(super) least_deg: f64,
-    pub(super) forbidden: Vec<Side>,
+    pub(super) forbidden: Vec<TiltSide>,
 }
 
 /// A tilt that is set on a line of one surface.

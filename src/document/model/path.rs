@@ -1,7 +1,7 @@
 //! The `[path]` table of a job: which points of a line become targets, and how the beam may stand there.
 
 use super::declare::parameters;
-use crate::path::Axis;
+use crate::path::AxisSource;
 use crate::pose::Correction;
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ parameters! {
         /// Largest turn of the normal between two targets, degrees.
         pub max_turn_deg: f64,
         /// What the beam stands along where nothing is in its way.
-        pub axis: Axis = Axis::Mesh,
+        pub axis: AxisSource = AxisSource::Mesh,
         /// What is done about interference.
         pub correction: Correction = Correction::SectionPlane,
         /// Greatest angle between beam and normal, degrees.

@@ -1,54 +1,54 @@
-//! Segments, motions and boxes made ready for many distances. All gaps of boxes are a hair too small, never too
-//! large: who asks skips a box only if nothing in it can be nearer.
+//! Segments, motions and boxes prepared for many distance tests. Gaps between boxes are slightly too small, never
+//! too large, so a box is skipped only if nothing in it can be nearer.
 
-use super::{Bounds, meet};
+use super::{Aabb, ray_hit_mm};
 use crate::part::distance::segment_triangle;
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 
-/// A segment made ready for facets.
-pub(super) struct Slender {
+/// A segment prepared for tests against facets.
+pub(super) struct SegmentForFacets {
     pub(super) from: Point3<f64>,
     pub(super) to: Point3<f64>,
     /// Unit; z where the ends are one point.
     pub(super) dir: Vector3<f64>,
-    /// mm.
+    /// Length, mm.
     pub(super) length: f64,
 }
 
-impl Slender {
-    pub(super) fn new(from: &Point3<f64>, to: &Point3<f64>) -> Slender {
+impl SegmentForFacets {
+    pub(super) fn new(from: &Point3<f64>, to: &Point3<f64>) -> SegmentForFacets {
         let along = to - from;
         let length = along.norm();
         let dir = if length > 0.0 { along / length } else { Vector3::z() };
-        Slender { from: *from, to: *to, dir, length }
+        SegmentForFacets { from: *from, to: *to, dir, length }
     }
 
     pub(super) fn distance(&self, corners: &[Point3<f64>; 3]) -> f64 {
-        let through = meet(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t));
+        let through = ray_hit_mm(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t));
         if through { 0.0 } else { segment_triangle(&self.from, &self.to, corners) }
     }
 }
 
-/// A segment made ready for boxes.
-pub(super) struct Sides {
+/// A segment prepared for tests against boxes.
+pub(super) struct SegmentForBoxes {
     from: Point3<f64>,
-    bounds: Bounds,
+    bounds: Aabb,
     /// Square to the segment and to an axis each.
     across: [Vector3<f64>; 3],
 }
 
-impl Sides {
-    pub(super) fn new(s: &Slender) -> Sides {
+impl SegmentForBoxes {
+    pub(super) fn new(s: &SegmentForFacets) -> SegmentForBoxes {
         let across = [0, 1, 2].map(|k| {
             let square = s.dir.cross(&Vector3::ith(k, 1.0));
             let norm = square.norm();
             if norm > 1e-6 { square / norm } else { Vector3::zeros() }
         });
-        Sides { from: s.from, bounds: Bounds::of(&[s.from, s.to, s.to]), across }
+        SegmentForBoxes { from: s.from, bounds: Aabb::of(&[s.from, s.to, s.to]), across }
     }
 
-    /// A box is at least so far away: as far as the gap between the two seen along any line.
-    pub(super) fn gap(&self, b: &Bounds) -> f64 {
+    /// Lower bound of the distance to a box: the widest gap between the two along any of the directions tried.
+    pub(super) fn gap(&self, b: &Aabb) -> f64 {
         let middle = Vector3::from_fn(|k, _| b.middle(k)) - self.from.coords;
         let half = Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
         let beside = self.across.iter().map(|u| less(u.dot(&middle).abs() - u.abs().dot(&half)));
@@ -56,12 +56,12 @@ impl Sides {
     }
 }
 
-/// A gap, less by more than the rounding of turned boxes.
+/// A gap, reduced by more than the rounding of turned boxes.
 fn less(gap: f64) -> f64 {
     gap * (1.0 - 1e-9) - 1e-9
 }
 
-/// A motion made ready for boxes.
+/// A motion prepared for boxes.
 pub(super) struct Turn {
     rotation: Matrix3<f64>,
     spread: Matrix3<f64>,
@@ -75,22 +75,22 @@ impl Turn {
     }
 
     /// The box around a moved box.
-    pub(super) fn bounds(&self, b: &Bounds) -> Bounds {
+    pub(super) fn bounds(&self, b: &Aabb) -> Aabb {
         let middle = self.rotation * Vector3::from_fn(|k, _| b.middle(k)) + self.shift;
         let half = self.spread * Vector3::from_fn(|k, _| 0.5 * (b.hi[k] - b.lo[k]));
-        Bounds { lo: (middle - half).into(), hi: (middle + half).into() }
+        Aabb { lo: (middle - half).into(), hi: (middle + half).into() }
     }
 }
 
-impl Bounds {
-    pub(super) fn is_near(&self, o: &Bounds, reach_mm: f64) -> bool {
+impl Aabb {
+    pub(super) fn is_near(&self, o: &Aabb, reach_mm: f64) -> bool {
         // Wider by more than the rounding of a turned box.
         let reach = reach_mm * (1.0 + 1e-9) + 1e-9;
         (0..3).all(|k| self.lo[k] <= o.hi[k] + reach && o.lo[k] <= self.hi[k] + reach)
     }
 
     /// Distance of two boxes, less by more than the rounding of a turned one.
-    pub(super) fn gap(&self, o: &Bounds) -> f64 {
+    pub(super) fn gap(&self, o: &Aabb) -> f64 {
         let apart = Vector3::from_fn(|k, _| (o.lo[k] - self.hi[k]).max(self.lo[k] - o.hi[k]).max(0.0));
         less(apart.norm())
     }

@@ -36,7 +36,7 @@ const CHANCE_SHAPE: f64 = 0.5;
 const SHELL_EDGE: f64 = 0.03;
 
 /// Unlikeness of two surfaces, place and turn aside; `None`: not alike.
-pub(super) fn anywhere(a: &Fingerprint, b: &Fingerprint) -> Option<f64> {
+pub(super) fn unlikeness_anywhere(a: &Fingerprint, b: &Fingerprint) -> Option<f64> {
     let flatness = (a.mean_normal.norm() - b.mean_normal.norm()) / NORMAL;
     total(form(a, b) + flatness * flatness, a, b)
 }
@@ -47,8 +47,8 @@ pub(super) fn unturned(a: &Fingerprint, b: &Fingerprint) -> Option<f64> {
 }
 
 /// Unlikeness of two surfaces that ought to be in one place. `diagonal` is that of the part.
-pub(super) fn in_place(a: &Fingerprint, b: &Fingerprint, diagonal: f64) -> Option<f64> {
-    total(form(a, b) + normal(a, b) + place(a, b, diagonal), a, b)
+pub(super) fn unlikeness_in_place(a: &Fingerprint, b: &Fingerprint, diagonal: f64) -> Option<f64> {
+    total(form(a, b) + normal(a, b) + unlikeness_of_place(a, b, diagonal), a, b)
 }
 
 /// The greatest distance of centroids that [`in_place`] can allow.
@@ -92,7 +92,7 @@ fn normal(a: &Fingerprint, b: &Fingerprint) -> f64 {
     (a.mean_normal - b.mean_normal).norm_squared() / (NORMAL * NORMAL)
 }
 
-fn place(a: &Fingerprint, b: &Fingerprint, diagonal: f64) -> f64 {
+fn unlikeness_of_place(a: &Fingerprint, b: &Fingerprint, diagonal: f64) -> f64 {
     let (between, size) = (b.centroid - a.centroid, a.area.max(b.area).sqrt());
     if a.form != FormWord::Plane {
         return between.norm_squared() / (PLACE * size + GRAIN * diagonal).powi(2);
@@ -132,7 +132,7 @@ mod tests {
     }
 
     fn alike(a: &Fingerprint, b: &Fingerprint) -> bool {
-        in_place(a, b, DIAGONAL).is_some()
+        unlikeness_in_place(a, b, DIAGONAL).is_some()
     }
 
     /// The cases that the constants are said to lie between.
@@ -164,7 +164,7 @@ mod tests {
     fn neighbours_tell_apart_and_do_not_rule_out() {
         let face = plane(8000.0);
         let other = Fingerprint { neighbours: 9, neighbour_area: 9000.0, ..face };
-        let unlike = in_place(&face, &other, DIAGONAL).expect("the same face");
+        let unlike = unlikeness_in_place(&face, &other, DIAGONAL).expect("the same face");
         assert!(clearly_nearer(0.0, unlike));
         let nothing = Fingerprint { area: f64::NAN, ..face };
         assert!(!alike(&face, &nothing), "what is no number is like nothing");

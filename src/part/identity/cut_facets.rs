@@ -1,4 +1,4 @@
-//! The facets of a cut, known again in another order, with other corners first, and after a motion.
+//! The facets of a cut, recognised in another order, with other corners first, and after a motion.
 //!
 //! Corners are rounded to a grid and hashed; the three hashes of a facet are summed, so that it does
 //! not matter which corner comes first. f32 coordinates that were moved differ in their last digits,
@@ -17,7 +17,7 @@ pub(super) fn grid(diagonal: f64, farthest: f64) -> f64 {
 
 /// Twelve hexadecimal digits a facet: among a million facets one pair in five hundred million agrees
 /// by chance.
-pub(super) fn written(now: &Segmentation, facets: &[u32], grid: f64) -> String {
+pub(super) fn hash_facets(now: &Segmentation, facets: &[u32], grid: f64) -> String {
     let mut digests: Vec<u64> = facets
         .iter()
         .map(|&f| {
@@ -29,8 +29,8 @@ pub(super) fn written(now: &Segmentation, facets: &[u32], grid: f64) -> String {
     digests.iter().map(|d| format!("{d:012x}")).collect()
 }
 
-/// The facets of that surface that were written down; `None` unless each of them is there.
-pub(super) fn found(
+/// The facets of a surface whose hashes were kept; `None` unless every one of them is found.
+pub(super) fn find_facets(
     now: &Segmentation,
     surface: u32,
     written: &str,

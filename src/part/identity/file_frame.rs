@@ -3,7 +3,7 @@
 use crate::part::{Placement, Units};
 use nalgebra::{Isometry3, Point3, Vector3};
 
-/// How a part came out of its file: what [`crate::part::Part::from_bytes`] was given beside the bytes.
+/// How a part was read from its file: what [`crate::part::Part::from_bytes`] was given beside the bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct LoadedAs<'a> {
     /// Unit of the file's coordinates.
@@ -14,7 +14,7 @@ pub struct LoadedAs<'a> {
     pub flipped_shells: &'a [u32],
 }
 
-/// The way back. Rounding aside it undoes unit and placement.
+/// The map back to the file. Rounding aside it undoes unit and placement.
 #[derive(Clone, Debug)]
 pub(super) struct FileFrame {
     unplaced: Isometry3<f64>,

@@ -3,10 +3,10 @@
 use super::file_frame::{FileFrame, LoadedAs};
 use super::landmarks::Landmarks;
 use super::motion::{Surround, shifts, turns};
-use super::pairing::{Lineup, Paired, Why};
+use super::pairing::{Lineup, LostReason, Paired};
 use super::segmentation::Segmentation;
 use super::shells::shells;
-use super::trial::{LostEdit, Search, Trial};
+use super::trial::{LostEdit, SurfaceSearch, Trial};
 use crate::part::{Part, SurfaceEdit, SurfaceRule};
 use nalgebra::{Isometry3, Similarity3};
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,16 +15,16 @@ use std::collections::{BTreeMap, BTreeSet};
 /// onto each other: fits to other surfaces differ by some thousandths, turns about a symmetry by tenths.
 const SAME_MOTION: f64 = 0.02;
 
-/// Millimetres, centimetres, metres and inches in each other.
+/// Ratios of millimetres, centimetres, metres and inches.
 const UNIT_RATIOS: [f64; 10] = [25.4, 1.0 / 25.4, 10.0, 0.1, 100.0, 0.01, 1000.0, 0.001, 1000.0 / 25.4, 25.4 / 1000.0];
 
 /// A surface or a shell that was not found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Lost {
+pub struct LostLandmark {
     /// Its old number.
     pub number: u32,
     /// Why.
-    pub why: Why,
+    pub why: LostReason,
 }
 
 /// What was found again.
@@ -37,14 +37,14 @@ pub struct FoundAgain {
     /// New numbers of shells by their old ones.
     pub shells: BTreeMap<u32, u32>,
     /// The surfaces needed that were not found.
-    pub lost: Vec<Lost>,
+    pub lost: Vec<LostLandmark>,
     /// The edits that could not be repeated.
     pub lost_edits: Vec<LostEdit>,
     /// The flipped shells that were not found.
-    pub lost_shells: Vec<Lost>,
-    /// In the file's coordinates: by it everything was found, and only so. `None`: in place.
+    pub lost_shells: Vec<LostLandmark>,
+    /// The one motion of the file, in its coordinates, that brings everything to its place. `None`: found in place.
     pub motion: Option<Isometry3<f64>>,
-    /// Everything is there, but so many times larger; then nothing counts as found.
+    /// Everything is there, but larger by this factor; then nothing counts as found.
     pub scale: Option<f64>,
 }
 
@@ -68,77 +68,77 @@ pub fn find(
     let mut base = Segmentation::new(part, loaded, rule);
     let new = Lineup::new(base.landmarks());
     let shells = Lineup::new(shells(part, loaded));
-    let search = Search { landmarks, loaded: *loaded, base, shells, edits, needed };
+    let search = SurfaceSearch { landmarks, loaded: *loaded, base, shells, edits, needed };
     let in_place = search.trial(&Similarity3::identity());
     if in_place.complete && search.is_borne_out(&in_place) {
-        return search.found(in_place, None);
+        return search.found_again(in_place, None);
     }
     let mut outcome = search.best_of(&shifts(landmarks, &new), &in_place);
-    if let Outcome::None { missed } = outcome {
+    if let BestMotion::None { missed } = outcome {
         outcome = match search.best_of(&turns(landmarks, &new), &in_place) {
-            Outcome::None { missed: turned } => Outcome::None { missed: missed.min(turned) },
+            BestMotion::None { missed: turned } => BestMotion::None { missed: missed.min(turned) },
             told => told,
         };
     }
     match outcome {
-        Outcome::One(trial) => {
+        BestMotion::One(trial) => {
             let motion = trial.new_from_old.isometry;
-            return search.found(*trial, Some(motion));
+            return search.found_again(*trial, Some(motion));
         }
-        Outcome::Several => return search.nothing(Why::SeveralMotions),
+        BestMotion::Several => return search.nothing_found(LostReason::SeveralMotions),
         // What was found in place may be another hole of a row, the file having moved by one pitch.
-        Outcome::None { missed } if !search.is_borne_out(&in_place) && clearly_fewer(missed, in_place.missed) => {
-            return search.nothing(Why::PartMoved);
+        BestMotion::None { missed } if !search.is_borne_out(&in_place) && clearly_fewer(missed, in_place.missed) => {
+            return search.nothing_found(LostReason::PartMoved);
         }
-        Outcome::None { .. } => {}
+        BestMotion::None { .. } => {}
     }
     match search.scale(part).filter(|_| !in_place.complete) {
-        Some(scale) => FoundAgain { scale: Some(scale), ..search.nothing(Why::NothingAlike) },
-        None => search.found(in_place, None),
+        Some(scale) => FoundAgain { scale: Some(scale), ..search.nothing_found(LostReason::NothingAlike) },
+        None => search.found_again(in_place, None),
     }
 }
 
-/// What comes of several assumed motions.
-enum Outcome {
+/// The best of several assumed motions.
+enum BestMotion {
     /// One brings everything needed to its place.
     One(Box<Trial>),
     /// Several do, equally well.
     Several,
-    /// None does; the best of them missed so many.
+    /// None does; the best of them missed this many surfaces.
     None { missed: usize },
 }
 
-/// Whether so few missed tell that one motion is right and another wrong: less than half as many.
-/// One surface of many that differs is what tells the two ends of a part apart.
+/// Whether so few are missed that one motion is right and another wrong: less than half as many. Sometimes a single
+/// surface is all that distinguishes the two ends of a part.
 fn clearly_fewer(missed: usize, other: usize) -> bool {
     2 * missed < other
 }
 
-impl Search<'_> {
+impl SurfaceSearch<'_> {
     /// Whether at least half of all that is remembered is there.
     fn is_borne_out(&self, trial: &Trial) -> bool {
         2 * trial.missed <= self.landmarks.surfaces.len()
     }
 
-    /// The motion that explains what the place does not.
-    fn best_of(&self, motions: &[Isometry3<f64>], in_place: &Trial) -> Outcome {
+    /// The motion that explains what is not found in place.
+    fn best_of(&self, motions: &[Isometry3<f64>], in_place: &Trial) -> BestMotion {
         let of = |m: &Isometry3<f64>| Similarity3::from_isometry(*m, 1.0);
         let trials: Vec<Trial> = motions.iter().map(|m| self.trial(&of(m))).collect();
         let missed = trials.iter().map(|t| t.missed).min().unwrap_or(self.landmarks.surfaces.len());
         let counts = |t: &Trial| t.complete && self.is_borne_out(t) && clearly_fewer(t.missed, in_place.missed);
         let mut good: Vec<Trial> = trials.into_iter().filter(counts).collect();
         good.sort_by_key(|t| t.missed);
-        let Some((best, others)) = good.split_first() else { return Outcome::None { missed } };
+        let Some((best, others)) = good.split_first() else { return BestMotion::None { missed } };
         let surround = Surround::new(self.landmarks);
         let as_good = |t: &Trial| {
             let apart = surround.apart(&best.new_from_old.isometry, &t.new_from_old.isometry);
             let other = apart > SAME_MOTION * self.landmarks.diagonal || t.surfaces.numbers != best.surfaces.numbers;
             other && !clearly_fewer(best.missed, t.missed)
         };
-        if others.iter().any(as_good) { Outcome::Several } else { Outcome::One(Box::new(best.clone())) }
+        if others.iter().any(as_good) { BestMotion::Several } else { BestMotion::One(Box::new(best.clone())) }
     }
 
-    /// How many times larger everything is about the file's origin, if that explains it.
+    /// The scale about the file's origin, if it explains everything.
     fn scale(&self, part: &Part) -> Option<f64> {
         let area = FileFrame::new(&self.loaded).area(part.mesh.areas.iter().sum());
         let ratio = (area / self.landmarks.area).sqrt();
@@ -151,11 +151,14 @@ impl Search<'_> {
         (trial.complete && self.is_borne_out(&trial)).then_some(scale)
     }
 
-    fn found(&self, trial: Trial, motion: Option<Isometry3<f64>>) -> FoundAgain {
-        let lost = |numbers: &mut dyn Iterator<Item = u32>, of: &Paired| -> Vec<Lost> {
+    fn found_again(&self, trial: Trial, motion: Option<Isometry3<f64>>) -> FoundAgain {
+        let lost = |numbers: &mut dyn Iterator<Item = u32>, of: &Paired| -> Vec<LostLandmark> {
             numbers
                 .filter(|n| !of.numbers.contains_key(n))
-                .map(|number| Lost { number, why: of.lost.get(&number).copied().unwrap_or(Why::NotRemembered) })
+                .map(|number| LostLandmark {
+                    number,
+                    why: of.lost.get(&number).copied().unwrap_or(LostReason::NotRemembered),
+                })
                 .collect()
         };
         FoundAgain {
@@ -170,9 +173,10 @@ impl Search<'_> {
         }
     }
 
-    /// Everything is lost for one reason.
-    fn nothing(&self, why: Why) -> FoundAgain {
-        let lost = |numbers: &mut dyn Iterator<Item = u32>| numbers.map(|number| Lost { number, why }).collect();
+    /// The result where everything is lost, for one reason.
+    fn nothing_found(&self, why: LostReason) -> FoundAgain {
+        let lost =
+            |numbers: &mut dyn Iterator<Item = u32>| numbers.map(|number| LostLandmark { number, why }).collect();
         FoundAgain {
             numbers: BTreeMap::new(),
             edits: Vec::new(),

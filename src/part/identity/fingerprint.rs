@@ -1,4 +1,4 @@
-//! What a surface or a shell is known by, and how a job file writes it: one array each.
+//! The fingerprint of a surface or a shell, and how a job file writes it: one array each.
 //!
 //! All in the file's coordinates and unit. Nothing here depends on the order of facets, but for
 //! rounding.
@@ -18,7 +18,7 @@ pub(super) enum FormWord {
     Shell,
 }
 
-/// What is known of a surface.
+/// The fingerprint of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fingerprint {
     pub area: f64,
@@ -35,7 +35,7 @@ pub(super) struct Fingerprint {
 }
 
 impl Fingerprint {
-    /// What it is after a motion, made larger by its scale.
+    /// The fingerprint after a motion with a scale.
     pub(super) fn moved(&self, new_from_old: &Similarity3<f64>) -> Fingerprint {
         let scale = new_from_old.scaling();
         Fingerprint {

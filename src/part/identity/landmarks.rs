@@ -33,12 +33,12 @@ pub struct Landmarks {
     pub(super) surfaces: Vec<Landmark>,
     /// The shells.
     pub(super) shells: Vec<Landmark>,
-    /// For each edit what it was made on.
+    /// The operands of each edit.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) edits: Vec<EditMark>,
 }
 
-/// What one edit was made on.
+/// The operands of one edit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct EditMark {
@@ -88,7 +88,7 @@ impl Landmarks {
     }
 
     /// The numbers that edit `index` gave out.
-    pub(super) fn made(&self, index: usize) -> RangeInclusive<u32> {
+    pub(super) fn numbers_given_by(&self, index: usize) -> RangeInclusive<u32> {
         let before = index.checked_sub(1).and_then(|i| self.edits.get(i)).map_or(self.last_number, |e| e.last_number);
         before.saturating_add(1)..=self.edits.get(index).map_or(0, |e| e.last_number)
     }
@@ -103,7 +103,7 @@ impl EditMark {
             SurfaceEdit::Cut { cut, facets } => {
                 let listed: BTreeSet<u32> = facets.iter().copied().collect();
                 let own: Vec<u32> = now.facets(*cut).iter().copied().filter(|f| listed.contains(f)).collect();
-                cut_facets::written(now, &own, grid)
+                cut_facets::hash_facets(now, &own, grid)
             }
             _ => String::new(),
         };

@@ -27,7 +27,7 @@ mod trial;
 mod tests;
 
 pub use file_frame::LoadedAs;
-pub use find::{FoundAgain, Lost, find};
+pub use find::{FoundAgain, LostLandmark, find};
 pub use landmarks::Landmarks;
-pub use pairing::Why;
+pub use pairing::LostReason;
 pub use trial::LostEdit;

@@ -7,7 +7,7 @@
 //! fitted to all that voted for it. Those are worth a trial that bring most surfaces onto some alike
 //! one, also such as are too common for an anchor: the teeth of a gear tell which of its pin holes is which.
 
-use super::alike::{anywhere, reach, unturned};
+use super::alike::{reach, unlikeness_anywhere, unturned};
 use super::fingerprint::{Fingerprint, Landmark};
 use super::landmarks::Landmarks;
 use super::pairing::Lineup;
@@ -60,7 +60,7 @@ pub(super) fn shifts(landmarks: &Landmarks, new: &Lineup) -> Vec<Isometry3<f64>>
 
 /// Turns with a shift, those first that more anchors agree with.
 pub(super) fn turns(landmarks: &Landmarks, new: &Lineup) -> Vec<Isometry3<f64>> {
-    let anchors = anchors(landmarks, new, anywhere);
+    let anchors = anchors(landmarks, new, unlikeness_anywhere);
     let mut found = Vec::new();
     for triple in triples(&anchors, landmarks.diagonal) {
         if found.len() > TURNS {

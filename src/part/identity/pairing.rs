@@ -1,17 +1,17 @@
 //! Gives each remembered surface the one new surface that it must be, or none.
 
-use super::alike::{clearly_nearer, in_place, reach};
+use super::alike::{clearly_nearer, reach, unlikeness_in_place};
 use super::fingerprint::{Fingerprint, Landmark};
 use std::collections::BTreeMap;
 
 /// Why a surface, a shell or an edit is lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
+pub enum LostReason {
     /// Nothing like it is there.
     NothingAlike,
-    /// Several are so much alike that none can be told to be it.
+    /// Several are so much alike that none can be told apart.
     SeveralAlike,
-    /// It comes of an edit that could not be repeated.
+    /// It results from an edit that could not be repeated.
     EditNotRepeated,
     /// It was cut out facet by facet, and the facets are others now.
     OtherFacets,
@@ -23,19 +23,19 @@ pub enum Why {
     PartMoved,
 }
 
-/// New surfaces in the order in which they lie along the axis that parts them most.
+/// New surfaces, sorted along the axis on which they are spread most.
 pub(super) struct Lineup {
     axis: usize,
     sorted: Vec<Landmark>,
 }
 
-/// Which are which.
+/// The result of pairing old surfaces with new ones.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Paired {
     /// New numbers by old ones.
     pub numbers: BTreeMap<u32, u32>,
     /// The others.
-    pub lost: BTreeMap<u32, Why>,
+    pub lost: BTreeMap<u32, LostReason>,
 }
 
 impl Lineup {
@@ -56,7 +56,7 @@ impl Lineup {
         &self.sorted
     }
 
-    /// Whether there is any that may be this one.
+    /// Whether any may be this one.
     pub(super) fn holds(&self, old: &Fingerprint, diagonal: f64) -> bool {
         !self.candidates(old, diagonal).is_empty()
     }
@@ -69,7 +69,7 @@ impl Lineup {
         let mut found: Vec<(f64, u32)> = self.sorted[first..]
             .iter()
             .take_while(|l| l.print.centroid[self.axis] <= at + reach)
-            .filter_map(|l| Some((in_place(old, &l.print, diagonal)?, l.number)))
+            .filter_map(|l| Some((unlikeness_in_place(old, &l.print, diagonal)?, l.number)))
             .collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         found
@@ -84,10 +84,10 @@ pub(super) fn paired(old: impl IntoIterator<Item = Landmark>, new: &Lineup, diag
     for Landmark { number, print } in old {
         match new.candidates(&print, diagonal)[..] {
             [] => {
-                paired.lost.insert(number, Why::NothingAlike);
+                paired.lost.insert(number, LostReason::NothingAlike);
             }
             [(nearest, _), (next, _), ..] if !clearly_nearer(nearest, next) => {
-                paired.lost.insert(number, Why::SeveralAlike);
+                paired.lost.insert(number, LostReason::SeveralAlike);
             }
             [(nearest, claimed), ..] => claims.entry(claimed).or_default().push((nearest, number)),
         }
@@ -97,9 +97,9 @@ pub(super) fn paired(old: impl IntoIterator<Item = Landmark>, new: &Lineup, diag
         let tied = by.len() > 1 && !clearly_nearer(by[0].0, by[1].0);
         for (rank, &(_, number)) in by.iter().enumerate() {
             match (rank, tied) {
-                (_, true) => paired.lost.insert(number, Why::SeveralAlike).is_some(),
+                (_, true) => paired.lost.insert(number, LostReason::SeveralAlike).is_some(),
                 (0, false) => paired.numbers.insert(number, claimed).is_some(),
-                _ => paired.lost.insert(number, Why::NothingAlike).is_some(),
+                _ => paired.lost.insert(number, LostReason::NothingAlike).is_some(),
             };
         }
     }

@@ -4,7 +4,7 @@ use super::cut_facets;
 use super::file_frame::LoadedAs;
 use super::fingerprint::Landmark;
 use super::landmarks::{EditMark, Landmarks};
-use super::pairing::{Lineup, Paired, Why, paired};
+use super::pairing::{Lineup, LostReason, Paired, paired};
 use super::segmentation::{Segmentation, operands};
 use crate::part::SurfaceEdit;
 use nalgebra::Similarity3;
@@ -17,11 +17,11 @@ pub struct LostEdit {
     /// Its place in the list, from 0.
     pub index: usize,
     /// Why.
-    pub why: Why,
+    pub why: LostReason,
 }
 
 /// What is sought, and where.
-pub(super) struct Search<'a> {
+pub(super) struct SurfaceSearch<'a> {
     pub landmarks: &'a Landmarks,
     pub loaded: LoadedAs<'a>,
     /// The new part before the first edit.
@@ -32,7 +32,7 @@ pub(super) struct Search<'a> {
     pub needed: &'a BTreeSet<u32>,
 }
 
-/// What comes of one motion.
+/// The result of one assumed motion.
 #[derive(Clone, Debug)]
 pub(super) struct Trial {
     pub new_from_old: Similarity3<f64>,
@@ -47,7 +47,7 @@ pub(super) struct Trial {
     pub missed: usize,
 }
 
-/// Old numbers that an edit was made on, or gave out, which could not be repeated.
+/// Old numbers used or given out by edits that could not be repeated.
 #[derive(Default)]
 struct Spoilt(Vec<RangeInclusive<u32>>);
 
@@ -57,7 +57,7 @@ impl Spoilt {
     }
 }
 
-impl Search<'_> {
+impl SurfaceSearch<'_> {
     /// Tries a motion of the file.
     pub(super) fn trial(&self, new_from_old: &Similarity3<f64>) -> Trial {
         let moved = |l: &Landmark| Landmark { number: l.number, print: l.print.moved(new_from_old) };
@@ -74,7 +74,7 @@ impl Search<'_> {
                 Err(why) => {
                     lost_edits.push(LostEdit { index, why });
                     spoilt.0.extend(operands(edit).iter().map(|&n| n..=n));
-                    spoilt.0.push(self.landmarks.made(index));
+                    spoilt.0.push(self.landmarks.numbers_given_by(index));
                 }
             }
         }
@@ -82,11 +82,12 @@ impl Search<'_> {
         let asked = self.landmarks.surfaces.iter().map(|l| l.number).chain(self.needed.iter().copied());
         for number in asked.filter(|n| spoilt.contains(*n)) {
             surfaces.numbers.remove(&number);
-            surfaces.lost.insert(number, Why::EditNotRepeated);
+            surfaces.lost.insert(number, LostReason::EditNotRepeated);
         }
         let shells = paired(self.landmarks.shells.iter().map(moved), &self.shells, diagonal);
-        let gone =
-            |l: &&Landmark| matches!(surfaces.lost.get(&l.number), Some(Why::NothingAlike | Why::EditNotRepeated));
+        let gone = |l: &&Landmark| {
+            matches!(surfaces.lost.get(&l.number), Some(LostReason::NothingAlike | LostReason::EditNotRepeated))
+        };
         Trial {
             new_from_old: *new_from_old,
             complete: lost_edits.is_empty()
@@ -100,24 +101,24 @@ impl Search<'_> {
         }
     }
 
-    /// An edit in the new numbers; `None` if it was of nothing.
+    /// An edit in the new numbers; `None` if its surfaces never existed.
     fn repeated(
         &self,
         now: &mut Segmentation,
         index: usize,
         spoilt: &Spoilt,
         new_from_old: &Similarity3<f64>,
-    ) -> Result<Option<SurfaceEdit>, Why> {
+    ) -> Result<Option<SurfaceEdit>, LostReason> {
         let edit = &self.edits[index];
-        let mark = self.landmarks.edits.get(index).ok_or(Why::NotRemembered)?;
+        let mark = self.landmarks.edits.get(index).ok_or(LostReason::NotRemembered)?;
         if mark.operands.is_empty() {
             return Ok(None);
         }
         if mark.operands.iter().any(|o| !operands(edit).contains(&o.number)) {
-            return Err(Why::NotRemembered);
+            return Err(LostReason::NotRemembered);
         }
         if mark.operands.iter().any(|o| spoilt.contains(o.number)) {
-            return Err(Why::EditNotRepeated);
+            return Err(LostReason::EditNotRepeated);
         }
         let numbers = self.operands_now(now, mark, new_from_old)?;
         let number = |old: &u32| numbers.get(old).copied();
@@ -130,8 +131,8 @@ impl Search<'_> {
             }
             SurfaceEdit::Cut { cut, .. } => match number(cut) {
                 Some(cut) => {
-                    let facets = cut_facets::found(now, cut, &mark.facets, self.landmarks.grid, new_from_old);
-                    Some(SurfaceEdit::Cut { cut, facets: facets.ok_or(Why::OtherFacets)? })
+                    let facets = cut_facets::find_facets(now, cut, &mark.facets, self.landmarks.grid, new_from_old);
+                    Some(SurfaceEdit::Cut { cut, facets: facets.ok_or(LostReason::OtherFacets)? })
                 }
                 None => None,
             },
@@ -144,7 +145,7 @@ impl Search<'_> {
         now: &mut Segmentation,
         mark: &EditMark,
         new_from_old: &Similarity3<f64>,
-    ) -> Result<BTreeMap<u32, u32>, Why> {
+    ) -> Result<BTreeMap<u32, u32>, LostReason> {
         let moved = mark.operands.iter().map(|l| Landmark { number: l.number, print: l.print.moved(new_from_old) });
         let diagonal = self.landmarks.diagonal * new_from_old.scaling();
         let Paired { numbers, lost } = paired(moved, &Lineup::new(now.landmarks()), diagonal);

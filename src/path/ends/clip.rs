@@ -1,6 +1,6 @@
 //! Lines cut at a distance from the rim: within the surface, or beyond it.
 
-use super::grown::Grown;
+use super::extended_surface::ExtendedSurface;
 use super::rim::rim;
 use super::tree::Tree;
 use crate::part::distance::point_triangle;
@@ -10,15 +10,15 @@ use crate::path::section::{SectionPoint, TransversalLine};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// A line at exactly the distance asked for stays, mm.
+/// Tolerance by which a line at exactly the distance asked for stays, mm.
 const HAIR_MM: f64 = 1e-9;
-/// Pieces of less than this only touch the distance asked for, mm.
+/// Length below which a piece is dropped, mm: it only touches the distance asked for.
 const NOTHING_MM: f64 = 1e-6;
 
 /// A stretch of a line: number of a side plus the share of it, from and to.
 type Stretch = (f64, f64);
 
-/// What of the lines is at least `inset_mm` from the rim of their surface. Holes smaller than a circle of the
+/// The parts of lines that are at least `inset_mm` from the rim of their surface. Holes smaller than a circle of the
 /// diameter `ignore_holes_mm` do not count as rim.
 ///
 /// A closed line that is cut becomes open pieces, and a dark gap ends a line.
@@ -30,24 +30,24 @@ pub fn inset(
     ignore_holes_mm: f64,
 ) -> Vec<TransversalLine> {
     let tree = Tree::new(rim(mesh, surface).segments(ignore_holes_mm));
-    clipped(lines, |line| near(line, &tree, inset_mm - HAIR_MM))
+    clipped(lines, |line| stretches_within(line, &tree, inset_mm - HAIR_MM))
 }
 
-/// What of lines that were cut on the grown surface lies on the surface itself or within its reach beyond; and
-/// how many of their ends stop before that, at a sharp edge or at the end of the part.
+/// The parts of lines, cut on the extended surface, that lie on the surface itself or within the reach beyond its
+/// rim; and how many of their ends stop short of that reach, at a sharp edge or at the end of the part.
 pub fn run_over(
     mesh: &Mesh,
     surface: &Surface,
-    grown: &Grown,
+    extended: &ExtendedSurface,
     lines: Vec<TransversalLine>,
 ) -> (Vec<TransversalLine>, usize) {
     let tree = Tree::new(rim(mesh, surface).segments(0.0));
     let beyond =
-        Mesh::from_indexed(mesh.vertices.clone(), grown.beyond.iter().map(|&f| mesh.facets[f as usize]).collect());
-    let (bvh, on_mm) = (Bvh::new(&beyond), (1e-5 * mesh.diagonal()).min(0.1 * grown.over_mm));
+        Mesh::from_indexed(mesh.vertices.clone(), extended.beyond.iter().map(|&f| mesh.facets[f as usize]).collect());
+    let (bvh, on_mm) = (Bvh::new(&beyond), (1e-5 * mesh.diagonal()).min(0.1 * extended.over_mm));
     let lines = clipped(lines, |line| {
         let sides: Vec<_> = line.sides().collect();
-        let far = rest(&near(line, &tree, grown.over_mm + HAIR_MM), sides.len() as f64);
+        let far = rest(&stretches_within(line, &tree, extended.over_mm + HAIR_MM), sides.len() as f64);
         // A stretch so far from the rim does not cross it: one place tells on which side all of it is.
         let is_beyond = |stretch: &Stretch| {
             let Some(q) = at(&sides, 0.5 * (stretch.0 + stretch.1)) else { return false };
@@ -57,7 +57,7 @@ pub fn run_over(
         };
         far.into_iter().filter(is_beyond).collect()
     });
-    let stops = Tree::new(grown.stops.iter().copied());
+    let stops = Tree::new(extended.stops.iter().copied());
     let reach_mm = 2e-6 * mesh.diagonal();
     let ends = lines.iter().filter(|l| !l.closed).flat_map(|l| [l.points.first(), l.points.last()]).flatten();
     let stopped = ends.filter(|q| stops.has_within(&q.p, reach_mm)).count();
@@ -90,10 +90,10 @@ fn clipped(
 }
 
 /// Where a line is nearer than a radius to the segments of a tree: sorted, apart.
-fn near(line: &TransversalLine, tree: &Tree, radius_mm: f64) -> Vec<Stretch> {
+fn stretches_within(line: &TransversalLine, tree: &Tree, radius_mm: f64) -> Vec<Stretch> {
     let mut all: Vec<Stretch> = Vec::new();
     for (i, (a, b)) in line.sides().enumerate() {
-        for (from, to) in tree.near(&a.p, &b.p, radius_mm) {
+        for (from, to) in tree.shares_within(&a.p, &b.p, radius_mm) {
             let (from, to) = (i as f64 + from, i as f64 + to);
             match all.last_mut() {
                 // On over a point of the line.

@@ -4,11 +4,11 @@
 //! Distances from the rim are straight ones in space. That is exact on flat surfaces and a little less than the
 //! way on curved ones (on a cylinder of radius R by the share (w/R)²/24 at the distance w).
 //!
-//! The order is: cut lines (on [`Grown::surface`] to run over), [`inset`] or [`run_over`], [`joined`],
+//! The order is: cut lines (on [`ExtendedSurface::surface`] to run over), [`inset`] or [`run_over`], [`joined`],
 //! [`without_short`]. Which of the lines comes first is not decided here.
 
 mod clip;
-mod grown;
+mod extended_surface;
 mod join;
 mod rim;
 mod tree;
@@ -17,6 +17,6 @@ mod tree;
 mod tests;
 
 pub use clip::{inset, run_over};
-pub use grown::{Grown, grown};
+pub use extended_surface::{ExtendedSurface, extended};
 pub use join::{Short, joined, without_short};
 pub use rim::{Rim, RimLoop, rim};

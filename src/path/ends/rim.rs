@@ -37,7 +37,7 @@ impl RimLoop {
         self.is_hole() && self.length_mm < std::f64::consts::PI * diameter_mm
     }
 
-    /// A slit without width, where a facet without area joins others: no line keeps off that.
+    /// Whether it is a slit without width, where a facet without area joins others: lines need not keep off it.
     fn is_slit(&self) -> bool {
         let Some(origin) = self.segments.first().map(|s| s[0]) else { return true };
         let around = self.segments.iter().map(|[a, b]| (a - origin).cross(&(b - origin)));
@@ -57,13 +57,13 @@ impl Rim {
 ///
 /// A facet's file order makes the order of loops. Slits without width are left out.
 pub fn rim(mesh: &Mesh, surface: &Surface) -> Rim {
-    let own = Own { mesh, surface };
+    let facets = SurfaceFacets { mesh, surface };
     let sides: Vec<(u32, usize)> = surface
         .facets
         .iter()
-        .filter(|&&f| own.has(f))
+        .filter(|&&f| facets.has(f))
         .flat_map(|&f| (0..3).map(move |k| (f, k)))
-        .filter(|&(f, k)| own.is_rim(mesh.facet_edges[f as usize][k]))
+        .filter(|&(f, k)| facets.is_rim(mesh.facet_edges[f as usize][k]))
         .collect();
     let mut done = vec![false; sides.len()];
     let mut loops = Vec::new();
@@ -80,7 +80,7 @@ pub fn rim(mesh: &Mesh, surface: &Surface) -> Rim {
             found.edges.push(edge);
             found.segments.push(segment);
             found.length_mm += (segment[1] - segment[0]).norm();
-            let (next, inner_deg) = own.around(facet, edge, to);
+            let (next, inner_deg) = facets.next_side(facet, edge, to);
             found.turning_deg += 180.0 - inner_deg;
             from = to;
             at = next.and_then(|next| sides.binary_search(&next).ok());
@@ -93,12 +93,12 @@ pub fn rim(mesh: &Mesh, surface: &Surface) -> Rim {
 }
 
 /// The live facets of a surface.
-struct Own<'a> {
+struct SurfaceFacets<'a> {
     mesh: &'a Mesh,
     surface: &'a Surface,
 }
 
-impl Own<'_> {
+impl SurfaceFacets<'_> {
     fn has(&self, facet: u32) -> bool {
         self.mesh.dead[facet as usize] == Dead::No && self.surface.facets.binary_search(&facet).is_ok()
     }
@@ -112,8 +112,8 @@ impl Own<'_> {
         edge != NO_EDGE && self.at_edge(edge).count() != 2
     }
 
-    /// From a side of the outline round its end to the next side, with the angle between, degrees.
-    fn around(&self, mut facet: u32, mut edge: u32, vertex: u32) -> (Option<(u32, usize)>, f64) {
+    /// The next side of the outline around the end of a side, and the angle within the surface between them, degrees.
+    fn next_side(&self, mut facet: u32, mut edge: u32, vertex: u32) -> (Option<(u32, usize)>, f64) {
         let mut inner_deg = 0.0;
         for _ in 0..=self.mesh.vertex_facets(vertex).len() {
             let corners = self.mesh.facets[facet as usize];

@@ -52,9 +52,9 @@ impl Cutting {
     }
 
     fn over(&self, surface: &Surface, over_mm: f64, m: Vector3<f64>, heights: &[f64]) -> (Vec<TransversalLine>, usize) {
-        let grown = grown(&self.mesh, surface, over_mm);
-        let normals = VertexNormals::grown(&self.mesh, &self.surfaces, surface, &grown.beyond);
-        run_over(&self.mesh, surface, &grown, self.cut(&grown.surface, &normals, m, heights))
+        let extended = extended(&self.mesh, surface, over_mm);
+        let normals = VertexNormals::extended(&self.mesh, &self.surfaces, surface, &extended.beyond);
+        run_over(&self.mesh, surface, &extended, self.cut(&extended.surface, &normals, m, heights))
     }
 }
 
@@ -236,7 +236,7 @@ fn the_spot_stops_at_a_sharp_edge() {
     let (lines, stopped) = cube.over(top, 3.0, Vector3::y(), &[5.0, 10.0]);
     near(&lengths(&lines), &[20.0, 20.0]);
     assert_eq!(stopped, 4);
-    assert!(grown(&cube.mesh, top, 3.0).beyond.is_empty());
+    assert!(extended(&cube.mesh, top, 3.0).beyond.is_empty());
     // And where the part ends.
     let sheet = Cutting::new(&roof(&[(0.0, 8.0)]));
     assert_eq!(sheet.over(&sheet.surfaces.list[0], 1.0, Vector3::y(), &[5.0]).1, 2);

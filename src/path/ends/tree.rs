@@ -1,4 +1,4 @@
-//! Segments in a tree of boxes, so that of a long rim only what is near is looked at.
+//! Segments in a tree of boxes, so that only the near ones of a long rim are visited.
 
 use crate::part::distance::point_segment;
 use nalgebra::Point3;
@@ -65,9 +65,9 @@ impl Tree {
     }
 
     /// The shares of the way from `p` to `q` that are nearer than `radius_mm` to a segment: sorted, apart.
-    pub fn near(&self, p: &Point3<f64>, q: &Point3<f64>, radius_mm: f64) -> Vec<(f64, f64)> {
+    pub fn shares_within(&self, p: &Point3<f64>, q: &Point3<f64>, radius_mm: f64) -> Vec<(f64, f64)> {
         let mut found = Vec::new();
-        self.visit(p, q, radius_mm, |segment| found.extend(nearer(p, q, segment, radius_mm)));
+        self.visit(p, q, radius_mm, |segment| found.extend(share_within(p, q, segment, radius_mm)));
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut apart: Vec<(f64, f64)> = Vec::with_capacity(found.len());
         for (from, to) in found {
@@ -84,7 +84,7 @@ impl Tree {
 ///
 /// The places so near to a segment are convex, so it is one stretch: from the first to the last of what lies in
 /// the balls about its ends and in the cylinder between.
-fn nearer(p: &Point3<f64>, q: &Point3<f64>, [a, b]: &Segment, radius_mm: f64) -> Option<(f64, f64)> {
+fn share_within(p: &Point3<f64>, q: &Point3<f64>, [a, b]: &Segment, radius_mm: f64) -> Option<(f64, f64)> {
     let (way, side, off) = (q - p, b - a, p - a);
     let roots = |w: nalgebra::Vector3<f64>, e: nalgebra::Vector3<f64>| -> Option<(f64, f64)> {
         // |w + t e| < radius
@@ -127,7 +127,7 @@ mod tests {
             let segment = |c: &[f64; 6]| [Point3::new(c[0], c[1], c[2]), Point3::new(c[3], c[4], c[5])];
             let segments: Vec<Segment> = c.iter().map(segment).collect();
             let [p, q] = segment(&w);
-            let shares = Tree::new(segments.iter().copied()).near(&p, &q, radius);
+            let shares = Tree::new(segments.iter().copied()).shares_within(&p, &q, radius);
             prop_assert!(shares.windows(2).all(|w| w[0].1 < w[1].0));
             let distance = |t: f64| {
                 let at = p + (q - p) * t;

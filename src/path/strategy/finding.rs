@@ -1,8 +1,8 @@
-//! Why the lines of a surface are not as they were wanted, or why there are none. Sentences stand in `text`.
+//! Why the lines of a surface differ from what was asked for, or why there are none. Sentences stand in `text`.
 
 use serde::Serialize;
 
-/// What is not as wanted of a surface's lines.
+/// How a surface's lines differ from what was asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 pub enum LinesFinding {

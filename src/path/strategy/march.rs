@@ -22,7 +22,7 @@ pub(super) struct Field {
     /// its higher.
     border: Vec<[f64; 2]>,
     is_border: Vec<bool>,
-    /// Whether a vertex's turn has come since its distance was last changed. A slope that may still
+    /// Whether a vertex was processed since its distance last changed. A slope that may still
     /// change would let the cubic sink below the truth, and what is too short is never made longer.
     is_settled: Vec<bool>,
 }
@@ -30,8 +30,8 @@ pub(super) struct Field {
 /// A difference of slopes that tells a ridge from a curved front: 17°.
 const RIDGE: f64 = 0.3;
 
-/// How often a vertex is taken up at most. Behind an obtuse corner once more is enough; two corners of a
-/// sliver could better each other for ever by what the cubic is off.
+/// How often a vertex is processed at most. Behind an obtuse corner once more is enough; without a limit two
+/// corners of a sliver could improve each other for ever by the error of the cubic.
 const MOST_TURNS: u8 = 4;
 
 impl Field {
@@ -48,7 +48,7 @@ impl Field {
         let mut heap = BinaryHeap::new();
         for &e in from {
             for v in net.mesh.edges[e as usize] {
-                field.fan(net, e, v);
+                field.set_border_slopes(net, e, v);
                 field.is_border[v as usize] = true;
                 field.mm[v as usize] = 0.0;
                 heap.push(Reverse((0u64, v)));
@@ -67,7 +67,7 @@ impl Field {
                 for k in (0..3).filter(|&k| corners[k] != v) {
                     // Over the edge from v to the third corner.
                     let across = (k + 1) % 3;
-                    if let Some((mm, direction)) = field.way(net, f, across)
+                    if let Some((mm, direction)) = field.nearest_way(net, f, across)
                         && mm < field.mm[corners[k] as usize] - grain_mm
                         && turns[corners[k] as usize] < MOST_TURNS
                     {
@@ -84,7 +84,7 @@ impl Field {
     }
 
     /// Slopes along the edges that leave a border vertex, by their angle to one border edge there.
-    fn fan(&mut self, net: &Net, edge: u32, vertex: u32) {
+    fn set_border_slopes(&mut self, net: &Net, edge: u32, vertex: u32) {
         let end = |e: u32| usize::from(net.mesh.edges[e as usize][1] == vertex);
         self.border[edge as usize][end(edge)] = 0.0;
         let (mut e, mut angle) = (edge, 0.0);
@@ -132,7 +132,7 @@ impl Field {
     }
 
     /// The nearest way to the corner of a facet opposite to its edge `k`.
-    fn way(&self, net: &Net, facet: u32, k: usize) -> Option<(f64, Vector3<f64>)> {
+    fn nearest_way(&self, net: &Net, facet: u32, k: usize) -> Option<(f64, Vector3<f64>)> {
         let f = facet as usize;
         let corners = net.mesh.facets[f];
         let at = |i: usize| net.mesh.vertices[corners[i % 3] as usize];

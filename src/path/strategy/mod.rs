@@ -83,7 +83,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// A strategy as it is without further choice: whole outline, middle, outward, square across.
+    /// A strategy with default choices: whole outline, middle, outward, square across.
     pub fn new(strategy: Strategy, spacing_mm: f64) -> Layout {
         Layout { strategy, spacing_mm, border: None, centre: None, inward: false, cross_deg: 90.0 }
     }
@@ -98,7 +98,7 @@ pub struct SurfaceLines {
     pub achieved: Option<Achieved>,
     /// The planes that cut them, for `coverage`: none for offset and spiral, two for a cross.
     pub planes: Vec<SurfacePlanes>,
-    /// What is not as wanted; without lines: why there are none.
+    /// How they differ from what was asked for; without lines, why there are none.
     pub finding: Option<LinesFinding>,
 }
 
@@ -169,7 +169,7 @@ fn crossed(one: SurfaceLines, mut two: SurfaceLines) -> SurfaceLines {
     two.lines.iter_mut().for_each(|l| l.plane += ranks);
     SurfaceLines {
         lines: [one.lines, two.lines].concat(),
-        achieved: Achieved::both(one.achieved, two.achieved),
+        achieved: Achieved::of_both(one.achieved, two.achieved),
         planes: [one.planes, two.planes].concat(),
         finding: one.finding.or(two.finding),
     }

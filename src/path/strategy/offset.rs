@@ -77,7 +77,7 @@ pub(super) fn lines(
 }
 
 /// Rank, distance and facets of one level.
-type Job = (usize, f64, Vec<u32>);
+type LevelJob = (usize, f64, Vec<u32>);
 
 /// A net that follows the ridges, with the distance at its vertices.
 struct Levels {
@@ -126,7 +126,7 @@ impl Levels {
         let facets = &self.net.mesh.facets;
         let band = |mm: f64| (mm / spacing_mm - 0.5).floor();
         let most = self.mm.iter().copied().filter(|d| d.is_finite()).fold(0.0, f64::max);
-        let mut jobs: Vec<Job> = (0..=band(most).max(-1.0) as i64)
+        let mut jobs: Vec<LevelJob> = (0..=band(most).max(-1.0) as i64)
             .map(|k| (k as usize, (k as f64 + 0.5) * spacing_mm, Vec::new()))
             .collect();
         if band(most) < 0.0 {
@@ -157,7 +157,7 @@ impl Levels {
     }
 
     /// Rank, distance and facets of the lines around greatest distances that would be left too wide.
-    fn leftovers(&self, spacing_mm: f64, band: impl Fn(f64) -> f64) -> Vec<Job> {
+    fn leftovers(&self, spacing_mm: f64, band: impl Fn(f64) -> f64) -> Vec<LevelJob> {
         let bands: Vec<f64> = self.mm.iter().map(|&d| band(d)).collect();
         let mut sets = Sets::new(bands.len());
         let equal = |[a, b]: [u32; 2]| bands[a as usize] == bands[b as usize];
@@ -174,7 +174,7 @@ impl Levels {
                 is_top[roots[lower as usize] as usize] = false;
             }
         }
-        let mut found: Vec<(u32, Job)> = Vec::new();
+        let mut found: Vec<(u32, LevelJob)> = Vec::new();
         for root in (0..bands.len()).filter(|&v| roots[v] as usize == v && is_top[v] && most[v].is_finite()) {
             // From the last line, or from the border where there is none.
             let last = ((bands[root] + 0.5) * spacing_mm).max(0.0);

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Where a spiral turns about.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
+pub(super) struct SpiralAxis {
     /// A point of it: the centre, where that is on the surface.
     pub at: Point3<f64>,
     /// Directions: the axis itself and two square to it.
@@ -23,7 +23,7 @@ pub(super) struct Axis {
     pub vertex: Option<u32>,
 }
 
-impl Axis {
+impl SpiralAxis {
     /// Where a point stands across the axis, mm.
     pub fn across(&self, p: &Point3<f64>) -> Vector2<f64> {
         Vector2::new((p - self.at).dot(&self.u), (p - self.at).dot(&self.v))
@@ -33,18 +33,18 @@ impl Axis {
     pub fn polar(&self, p: &Point3<f64>) -> (f64, f64) {
         let across = self.across(p);
         let angle = libm::atan2(across.y, across.x);
-        (self.off(p), if angle < 0.0 { (angle + TAU).min(TAU * (1.0 - f64::EPSILON)) } else { angle })
+        (self.radius_mm(p), if angle < 0.0 { (angle + TAU).min(TAU * (1.0 - f64::EPSILON)) } else { angle })
     }
 
     /// Distance from the axis, mm.
-    pub fn off(&self, p: &Point3<f64>) -> f64 {
+    pub fn radius_mm(&self, p: &Point3<f64>) -> f64 {
         libm::sqrt(self.across(p).norm_squared())
     }
 }
 
 /// Sectors by which rims are looked up.
 const SECTORS: usize = 1024;
-/// Vertices are worked out in so many groups, from the axis outwards: a curve that meets an edge of the
+/// Number of groups in which vertices are computed, from the axis outwards: a curve that meets an edge of the
 /// groups before it has its length from there.
 const GROUPS: usize = 16;
 
@@ -52,7 +52,7 @@ const GROUPS: usize = 16;
 /// tells it: on the axis, but for the centre.
 ///
 /// `polar`: distance from the axis and angle of every vertex.
-pub(super) fn excess(net: &Net, axis: &Axis, polar: &[(f64, f64)]) -> Vec<f64> {
+pub(super) fn excess(net: &Net, axis: &SpiralAxis, polar: &[(f64, f64)]) -> Vec<f64> {
     let walk = Walk { net, axis, polar, rims: rims(net, polar) };
     let count = polar.len();
     let mut order: Vec<u32> = (0..count as u32).collect();
@@ -101,64 +101,75 @@ type Entry = (u32, u32, Point3<f64>);
 
 struct Walk<'a> {
     net: &'a Net,
-    axis: &'a Axis,
+    axis: &'a SpiralAxis,
     polar: &'a [(f64, f64)],
     rims: Vec<Vec<u32>>,
 }
 
+/// The half-plane of one radial curve, from the axis outwards.
+struct HalfPlane<'a> {
+    net: &'a Net,
+    axis: &'a SpiralAxis,
+    /// The vertex that the curve begins at.
+    start: u32,
+    /// Its angle about the axis.
+    angle: f64,
+    /// Unit, square to the half-plane.
+    side: Vector3<f64>,
+}
+
+impl HalfPlane<'_> {
+    /// Signed distance of a vertex, mm. A vertex on the half-plane counts as before it; those that must lie on it
+    /// do.
+    fn height(&self, v: u32) -> f64 {
+        let exact = v == self.start || self.axis.vertex == Some(v);
+        if exact { 0.0 } else { (self.net.mesh.vertices[v as usize] - self.axis.at).dot(&self.side) }
+    }
+
+    /// Where it crosses an edge, and at which share of the edge.
+    fn crossing(&self, a: u32, b: u32) -> (Point3<f64>, f64) {
+        let (ha, hb) = (self.height(a), self.height(b));
+        let t = if ha == hb { 0.5 } else { (ha / (ha - hb)).clamp(0.0, 1.0) };
+        let (p, q) = (self.net.mesh.vertices[a as usize], self.net.mesh.vertices[b as usize]);
+        (p + (q - p) * t, t)
+    }
+}
+
 impl Walk<'_> {
+    fn half_plane(&self, start: u32, angle: f64) -> HalfPlane<'_> {
+        let outward = self.axis.u * libm::cos(angle) + self.axis.v * libm::sin(angle);
+        HalfPlane { net: self.net, axis: self.axis, start, angle, side: self.axis.along.cross(&outward) }
+    }
+
+    /// Length of the radial curve of a vertex less its distance from the axis, mm; NaN where there is none.
     fn excess(&self, vertex: u32, known_excess: &[f64], known: &[bool]) -> f64 {
         if self.axis.vertex == Some(vertex) {
             return 0.0;
         }
         let mesh = &self.net.mesh;
-        let start = mesh.vertices[vertex as usize];
         let (off, angle) = self.polar[vertex as usize];
         if off < 1e-9 {
             return f64::NAN;
         }
-        let outward = self.axis.u * libm::cos(angle) + self.axis.v * libm::sin(angle);
-        let side = self.axis.along.cross(&outward);
-        // A vertex on the half-plane counts as before it; those that must lie on it do.
-        let height = |v: u32| {
-            let exact = v == vertex || self.axis.vertex == Some(v);
-            if exact { 0.0 } else { (mesh.vertices[v as usize] - self.axis.at).dot(&side) }
-        };
-        let crossing = |a: u32, b: u32| {
-            let (ha, hb) = (height(a), height(b));
-            let t = if ha == hb { 0.5 } else { (ha / (ha - hb)).clamp(0.0, 1.0) };
-            let (p, q) = (mesh.vertices[a as usize], mesh.vertices[b as usize]);
-            (p + (q - p) * t, t)
-        };
-        let mut here = start;
+        let plane = self.half_plane(vertex, angle);
+        let mut here = mesh.vertices[vertex as usize];
         let mut length = 0.0;
-        let mut next = mesh.vertex_facets(vertex).iter().find_map(|&f| {
-            let k = mesh.facets[f as usize].iter().position(|&v| v == vertex)?;
-            let (p, q) = (mesh.facets[f as usize][(k + 1) % 3], mesh.facets[f as usize][(k + 2) % 3]);
-            (height(p) >= 0.0 && height(q) < 0.0).then_some((f, (k + 1) % 3))
-        });
+        let mut next = self.first_exit(&plane);
         // No curve passes a facet twice; one that does (on a Möbius strip) goes round for ever.
         let mut passed = u32::MAX;
         for step in 1..2 * mesh.facets.len() + 4 {
             let Some((facet, leaves)) = next else {
                 // Past a rim: on to the next one inwards, if there is one.
-                match self.over_gap(&here, angle, &height, &crossing) {
-                    Some((facet, entered, at)) => {
-                        length += (at - here).norm();
-                        here = at;
-                        next = self.exit(facet, entered, &height);
-                        if next.is_none() && self.axis.vertex.is_none_or(|c| !mesh.facets[facet as usize].contains(&c))
-                        {
-                            return f64::NAN;
-                        }
-                        if next.is_none() {
-                            next = Some((facet, 0));
-                        }
-                        continue;
-                    }
-                    None if self.axis.vertex.is_none() => return length - off,
-                    None => return f64::NAN,
+                let Some((facet, entered, at)) = self.over_gap(&here, &plane) else {
+                    return if self.axis.vertex.is_none() { length - off } else { f64::NAN };
+                };
+                length += (at - here).norm();
+                here = at;
+                next = self.exit(facet, entered, &plane).or_else(|| self.has_centre(facet).then_some((facet, 0)));
+                if next.is_none() {
+                    return f64::NAN;
                 }
+                continue;
             };
             if facet == passed {
                 return f64::NAN;
@@ -166,56 +177,65 @@ impl Walk<'_> {
             if step.is_power_of_two() {
                 passed = facet;
             }
-            let corners = mesh.facets[facet as usize];
-            if self.axis.vertex.is_some_and(|c| corners.contains(&c)) {
+            if self.has_centre(facet) {
                 return length + (here - self.axis.at).norm() - off;
             }
+            let corners = mesh.facets[facet as usize];
             let (a, b) = (corners[leaves], corners[(leaves + 1) % 3]);
-            let (at, t) = crossing(a, b);
+            let (at, t) = plane.crossing(a, b);
             length += (at - here).norm();
             here = at;
             let (a, b) = (a as usize, b as usize);
             if known[a] && known[b] && a != vertex as usize && b != vertex as usize {
-                let rest = self.axis.off(&at) + known_excess[a] + (known_excess[b] - known_excess[a]) * t;
+                let rest = self.axis.radius_mm(&at) + known_excess[a] + (known_excess[b] - known_excess[a]) * t;
                 return length + rest - off;
             }
             let edge = mesh.facet_edges[facet as usize][leaves];
             let over = mesh.two_facets(edge).map(|[f, g]| if f == facet { g } else { f });
-            next = over.and_then(|g| self.exit(g, edge, &height));
+            next = over.and_then(|g| self.exit(g, edge, &plane));
         }
         f64::NAN
     }
 
+    /// The facet that a curve enters from its first vertex, and the edge by which it leaves that facet.
+    fn first_exit(&self, plane: &HalfPlane<'_>) -> Option<(u32, usize)> {
+        let mesh = &self.net.mesh;
+        mesh.vertex_facets(plane.start).iter().find_map(|&f| {
+            let k = mesh.facets[f as usize].iter().position(|&v| v == plane.start)?;
+            let (p, q) = (mesh.facets[f as usize][(k + 1) % 3], mesh.facets[f as usize][(k + 2) % 3]);
+            (plane.height(p) >= 0.0 && plane.height(q) < 0.0).then_some((f, (k + 1) % 3))
+        })
+    }
+
+    /// Whether the centre of the spiral is a corner of a facet.
+    fn has_centre(&self, facet: u32) -> bool {
+        self.axis.vertex.is_some_and(|c| self.net.mesh.facets[facet as usize].contains(&c))
+    }
+
     /// The edge by which a curve leaves a facet that it has entered by another.
-    fn exit(&self, facet: u32, entered: u32, height: &impl Fn(u32) -> f64) -> Option<(u32, usize)> {
+    fn exit(&self, facet: u32, entered: u32, plane: &HalfPlane<'_>) -> Option<(u32, usize)> {
         let corners = self.net.mesh.facets[facet as usize];
-        let before = corners.map(|v| height(v) >= 0.0);
+        let before = corners.map(|v| plane.height(v) >= 0.0);
         (0..3)
             .find(|&k| before[k] && !before[(k + 1) % 3] && self.net.mesh.facet_edges[facet as usize][k] != entered)
             .map(|k| (facet, k))
     }
 
     /// The nearest rim further inwards in the half-plane: facet, edge and place.
-    fn over_gap(
-        &self,
-        here: &Point3<f64>,
-        angle: f64,
-        height: &impl Fn(u32) -> f64,
-        crossing: &impl Fn(u32, u32) -> (Point3<f64>, f64),
-    ) -> Option<Entry> {
+    fn over_gap(&self, here: &Point3<f64>, plane: &HalfPlane<'_>) -> Option<Entry> {
         let mesh = &self.net.mesh;
-        let from = self.axis.off(here) * (1.0 - 1e-9);
-        let sector = ((angle / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
+        let from = self.axis.radius_mm(here) * (1.0 - 1e-9);
+        let sector = ((plane.angle / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
         let mut best: Option<(f64, Entry)> = None;
         for &e in &self.rims[sector] {
             let Some(&f) = mesh.edge_facets(e).first() else { continue };
             let Some(k) = mesh.facet_edges[f as usize].iter().position(|&x| x == e) else { continue };
             let (a, b) = (mesh.facets[f as usize][k], mesh.facets[f as usize][(k + 1) % 3]);
             // Only where the curve comes in by this edge.
-            if height(a) < 0.0 && height(b) >= 0.0 {
-                let at = crossing(a, b).0;
-                let off = self.axis.off(&at);
-                let same_side = wrapped(self.axis.polar(&at).1 - angle).abs() < 1.0;
+            if plane.height(a) < 0.0 && plane.height(b) >= 0.0 {
+                let at = plane.crossing(a, b).0;
+                let off = self.axis.radius_mm(&at);
+                let same_side = wrapped(self.axis.polar(&at).1 - plane.angle).abs() < 1.0;
                 if same_side && off < from && best.as_ref().is_none_or(|b| off > b.0) {
                     best = Some((off, (f, e, at)));
                 }

@@ -1,4 +1,4 @@
-//! A net cut finer, until its edges are no longer than asked, in pieces that time allows.
+//! A net cut finer, until its edges are no longer than asked, or as fine as the limit of pieces allows.
 
 use super::super::normals::between;
 use super::net::{Net, split};
@@ -6,7 +6,7 @@ use crate::part::Mesh;
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Pieces that a surface is cut into at most, or a fifth more than it has facets.
+/// Greatest number of pieces of a surface; at least a fifth more than it has facets are allowed.
 const MOST_PIECES: f64 = 150_000.0;
 /// Every pass halves what is too long: these are more than any f64 length needs.
 const PASSES: usize = 40;

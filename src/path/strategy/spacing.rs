@@ -35,8 +35,8 @@ impl Achieved {
         Some(Achieved { min_mm: min.1, min_at: min.0, max_mm: max.1, max_at: max.0, samples })
     }
 
-    /// That of two rasters, each measured by itself.
-    pub(super) fn both(one: Option<Achieved>, two: Option<Achieved>) -> Option<Achieved> {
+    /// The spacing of two rasters, each measured by itself.
+    pub(super) fn of_both(one: Option<Achieved>, two: Option<Achieved>) -> Option<Achieved> {
         let samples = [one, two].into_iter().flatten().flat_map(|a| a.samples).collect();
         Achieved::of(samples)
     }
@@ -111,23 +111,23 @@ pub(super) fn measured(
 
 /// A side of a line as it is measured from: its first point up to its second, that one excluded.
 #[derive(Clone, Copy)]
-struct Side<'a> {
+struct LineSide<'a> {
     ends: [&'a SectionPoint; 2],
     ranks: [f64; 2],
 }
 
 /// The sides of a line; behind the last point of an open one a side without length.
-fn sides<'a>(line: &'a TransversalLine, ranks: &'a [f64]) -> impl Iterator<Item = Side<'a>> + 'a {
+fn sides<'a>(line: &'a TransversalLine, ranks: &'a [f64]) -> impl Iterator<Item = LineSide<'a>> + 'a {
     line.points.iter().zip(ranks).enumerate().map(|(i, (from, rank))| {
         let next = line.points.get(i + 1).zip(ranks.get(i + 1));
         // The closing side has one rank, as all closed lines do.
         let closing = line.points.first().filter(|_| line.closed).map(|first| (first, rank));
         let (to, other) = next.or(closing).unwrap_or((from, rank));
-        Side { ends: [from, to], ranks: [*rank, *other] }
+        LineSide { ends: [from, to], ranks: [*rank, *other] }
     })
 }
 
-impl Side<'_> {
+impl LineSide<'_> {
     fn length_mm(&self) -> f64 {
         (self.ends[1].p - self.ends[0].p).norm()
     }
@@ -141,7 +141,7 @@ impl Side<'_> {
     }
 }
 
-struct Segment {
+struct RankedSegment {
     a: Point3<f64>,
     b: Point3<f64>,
     n: Vector3<f64>,
@@ -150,8 +150,8 @@ struct Segment {
     ends: [bool; 2],
 }
 
-impl Segment {
-    /// Whether the point stands beside the line and not beyond its end.
+impl RankedSegment {
+    /// Whether a point lies beside the segment and not beyond an end of its line.
     fn beside(&self, p: &Point3<f64>, distance_mm: f64) -> bool {
         let along = (self.b - self.a).normalize();
         let past = [(self.a - p).dot(&along), (p - self.b).dot(&along)];
@@ -160,7 +160,7 @@ impl Segment {
     }
 }
 
-struct Block {
+struct SegmentBlock {
     low: Point3<f64>,
     high: Point3<f64>,
     ranks: (f64, f64),
@@ -168,15 +168,15 @@ struct Block {
     end: usize,
 }
 
-impl Block {
+impl SegmentBlock {
     fn distance_mm(&self, p: &Point3<f64>) -> f64 {
         (self.low - p).sup(&(p - self.high)).sup(&Vector3::zeros()).norm()
     }
 }
 
-fn blocks(lines: &[TransversalLine], ranks: &[Vec<f64>]) -> (Vec<Segment>, Vec<Block>) {
-    let mut segments: Vec<Segment> = Vec::new();
-    let mut blocks: Vec<Block> = Vec::new();
+fn blocks(lines: &[TransversalLine], ranks: &[Vec<f64>]) -> (Vec<RankedSegment>, Vec<SegmentBlock>) {
+    let mut segments: Vec<RankedSegment> = Vec::new();
+    let mut blocks: Vec<SegmentBlock> = Vec::new();
     for (line, ranks) in lines.iter().zip(ranks) {
         let first = segments.len();
         let count = line.points.len();
@@ -188,7 +188,7 @@ fn blocks(lines: &[TransversalLine], ranks: &[Vec<f64>]) -> (Vec<Segment>, Vec<B
             };
             if a.p != b.p {
                 let ends = [!line.closed && i == 0, !line.closed && i + 1 == pieces];
-                segments.push(Segment { a: a.p, b: b.p, n: a.n, rank: *rank, ends });
+                segments.push(RankedSegment { a: a.p, b: b.p, n: a.n, rank: *rank, ends });
             }
         }
         let mut at = first;
@@ -198,7 +198,7 @@ fn blocks(lines: &[TransversalLine], ranks: &[Vec<f64>]) -> (Vec<Segment>, Vec<B
             let (low, high) = crate::part::topology::bounds_of(of.iter().flat_map(|s| [s.a, s.b]));
             let fold = |init: f64, pick: fn(f64, f64) -> f64| of.iter().map(|s| s.rank).fold(init, pick);
             let ranks = (fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max));
-            blocks.push(Block { low, high, ranks, first: at, end });
+            blocks.push(SegmentBlock { low, high, ranks, first: at, end });
             at = end;
         }
     }

@@ -6,7 +6,7 @@
 
 use super::super::normals::VertexNormals;
 use super::net::Net;
-use super::radial::Axis;
+use super::radial::SpiralAxis;
 use super::winding::Winding;
 use super::{Layout, LinesFinding, SurfaceLines, mean_normal, spacing};
 use crate::part::{Mesh, angle, surfaces::Surface};
@@ -25,11 +25,11 @@ pub(super) fn lines(
 ) -> SurfaceLines {
     let (net, axis) = centred(mesh, surface, Net::new(mesh, surface, normals), rule);
     let finest = rule.spacing_mm / 24.0;
-    let net = net.refined(false, |p| libm::sqrt(8.0 * CHORD_MM * axis.off(p)).max(finest));
+    let net = net.refined(false, |p| libm::sqrt(8.0 * CHORD_MM * axis.radius_mm(p)).max(finest));
     let winding = Winding::new(&net, &axis, rule.spacing_mm);
     let (mut lines, mut turns) = winding.lines(merge_mm);
     // Near the axis a spiral leads outwards more than around, and turns lie nearer.
-    let around = |p: &Point3<f64>| axis.off(p) >= 2.5 * rule.spacing_mm;
+    let around = |p: &Point3<f64>| axis.radius_mm(p) >= 2.5 * rule.spacing_mm;
     let achieved = spacing::measured(&lines, &turns, None, around, rule.spacing_mm);
     if rule.inward {
         lines.reverse();
@@ -51,7 +51,7 @@ pub(super) fn lines(
 ///
 /// The middle is the centroid of the area, or the given point; its normal line meets the surface in the
 /// centre. Where it meets nothing, the centre is a hole. A closed surface has no mean normal; then it is z.
-fn centred(mesh: &Mesh, surface: &Surface, net: Net, rule: &Layout) -> (Net, Axis) {
+fn centred(mesh: &Mesh, surface: &Surface, net: Net, rule: &Layout) -> (Net, SpiralAxis) {
     let (sum, area) = live(mesh, surface)
         .fold((Vector3::zeros(), 0.0), |(s, a), f| (s + mesh.centroid(f).coords * mesh.areas[f], a + mesh.areas[f]));
     let middle = rule.centre.unwrap_or(Point3::from(sum / f64::max(area, 1e-300)));
@@ -65,7 +65,7 @@ fn centred(mesh: &Mesh, surface: &Surface, net: Net, rule: &Layout) -> (Net, Axi
     let hit = hits.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let axis = |at: Point3<f64>, along: Vector3<f64>, vertex: Option<u32>| {
         let u = angle::any_square_to(&along);
-        Axis { at, along, u, v: along.cross(&u), vertex }
+        SpiralAxis { at, along, u, v: along.cross(&u), vertex }
     };
     let Some((_, facet, weights)) = hit else { return (net, axis(middle, along, None)) };
     let own = net.mesh.normals[facet as usize];

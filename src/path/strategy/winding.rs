@@ -4,14 +4,14 @@
 
 use super::super::section::{SectionPoint, TransversalLine, chained, merged};
 use super::net::Net;
-use super::radial::{Axis, excess, wrapped};
+use super::radial::{SpiralAxis, excess, wrapped};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// The number of turns from the centre, less the angle, at the vertices of a net.
 pub(super) struct Winding<'a> {
     net: &'a Net,
-    axis: &'a Axis,
+    axis: &'a SpiralAxis,
     spacing_mm: f64,
     polar: Vec<(f64, f64)>,
     excess: Vec<f64>,
@@ -26,7 +26,7 @@ pub(super) struct Winding<'a> {
 type Corner = (i64, Option<u32>, i64);
 
 impl Winding<'_> {
-    pub fn new<'a>(net: &'a Net, axis: &'a Axis, spacing_mm: f64) -> Winding<'a> {
+    pub fn new<'a>(net: &'a Net, axis: &'a SpiralAxis, spacing_mm: f64) -> Winding<'a> {
         let polar: Vec<(f64, f64)> = net.mesh.vertices.par_iter().map(|p| axis.polar(p)).collect();
         let excess = excess(net, axis, &polar);
         let value: Vec<f64> =

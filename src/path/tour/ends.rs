@@ -1,13 +1,13 @@
-//! Where lines are entered and left, and the way between.
+//! The lines of a tour: where each is entered and left, and the way between.
 
 use super::Sense;
 use crate::path::section::TransversalLine;
 use nalgebra::Point3;
 
-/// A line as it is run: entry 0 of an open line is its first point, 1 its last; of a closed line it is the
+/// A visit to a line: entry 0 of an open line is its first point, 1 its last; of a closed line it is the
 /// point at which it is begun.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stop {
+pub(super) struct LineVisit {
     pub line: usize,
     pub entry: usize,
     /// Where it is entered and left.
@@ -15,24 +15,24 @@ pub(super) struct Stop {
     pub leave: Point3<f64>,
 }
 
-impl Stop {
+impl LineVisit {
     /// Way to the next, mm.
-    pub fn to(&self, next: &Stop) -> f64 {
+    pub fn to(&self, next: &LineVisit) -> f64 {
         (next.enter - self.leave).norm()
     }
 }
 
-/// The ends of all lines.
-pub(super) struct Stops<'a> {
+/// All lines of a tour, with the start and the sense they may be run in.
+pub(super) struct TourLines<'a> {
     lines: &'a [TransversalLine],
     pub start: Option<Point3<f64>>,
     pub sense: Sense,
 }
 
-impl<'a> Stops<'a> {
+impl<'a> TourLines<'a> {
     /// Lines must have points.
-    pub fn new(lines: &'a [TransversalLine], start: Option<Point3<f64>>, sense: Sense) -> Stops<'a> {
-        Stops { lines, start, sense }
+    pub fn new(lines: &'a [TransversalLine], start: Option<Point3<f64>>, sense: Sense) -> TourLines<'a> {
+        TourLines { lines, start, sense }
     }
 
     pub fn count(&self) -> usize {
@@ -52,28 +52,28 @@ impl<'a> Stops<'a> {
         }
     }
 
-    /// A line run from one of its entries; an open line has 1 also where its sense is kept.
-    pub fn stop(&self, line: usize, entry: usize) -> Stop {
+    /// The visit of a line from one of its entries; an open line has 1 also where its sense is kept.
+    pub fn visit(&self, line: usize, entry: usize) -> LineVisit {
         let points = &self.lines[line].points;
         if self.lines[line].closed {
             let seam = points[entry].p;
-            return Stop { line, entry, enter: seam, leave: seam };
+            return LineVisit { line, entry, enter: seam, leave: seam };
         }
         let (first, last) = (points[0].p, points[points.len() - 1].p);
         let (enter, leave) = if entry == 0 { (first, last) } else { (last, first) };
-        Stop { line, entry, enter, leave }
+        LineVisit { line, entry, enter, leave }
     }
 
     /// This line, run the other way; a closed line has one sense only.
-    pub fn turned(&self, stop: Stop) -> Stop {
-        if self.is_closed(stop.line) {
-            return stop;
+    pub fn turned(&self, visit: LineVisit) -> LineVisit {
+        if self.is_closed(visit.line) {
+            return visit;
         }
-        Stop { line: stop.line, entry: 1 - stop.entry, enter: stop.leave, leave: stop.enter }
+        LineVisit { line: visit.line, entry: 1 - visit.entry, enter: visit.leave, leave: visit.enter }
     }
 
     /// Way from one line to the next, mm. Before the first: from the start; behind the last: none.
-    pub fn hop(&self, from: Option<&Stop>, to: Option<&Stop>) -> f64 {
+    pub fn hop(&self, from: Option<&LineVisit>, to: Option<&LineVisit>) -> f64 {
         let Some(to) = to else { return 0.0 };
         match (from, self.start) {
             (Some(from), _) => from.to(to),
@@ -83,16 +83,16 @@ impl<'a> Stops<'a> {
     }
 
     /// Way of a whole order, mm.
-    pub fn way_mm(&self, order: &[Stop]) -> f64 {
+    pub fn way_mm(&self, order: &[LineVisit]) -> f64 {
         let first = self.hop(None, order.first());
         order.windows(2).map(|w| w[0].to(&w[1])).fold(first, |a, b| a + b)
     }
 
     /// Some entries of a line: both ends, or points spread over a closed line.
-    pub fn some_entries(&self, line: usize, most: usize) -> impl Iterator<Item = Stop> {
+    pub fn some_entries(&self, line: usize, most: usize) -> impl Iterator<Item = LineVisit> {
         let all = self.entries(line);
         let count = all.min(if self.is_closed(line) { most } else { 2 });
-        (0..count).map(move |i| self.stop(line, i * all / count))
+        (0..count).map(move |i| self.visit(line, i * all / count))
     }
 
     /// The point of a closed line that is nearest to all of these together.
@@ -110,8 +110,8 @@ impl<'a> Stops<'a> {
     }
 }
 
-/// A line run from this entry.
-pub(super) fn run(mut line: TransversalLine, entry: usize) -> TransversalLine {
+/// Turns or rotates a line so that it begins at this entry.
+pub(super) fn run_from(mut line: TransversalLine, entry: usize) -> TransversalLine {
     if line.closed {
         line.points.rotate_left(entry);
         return line;

@@ -1,21 +1,21 @@
 //! The best order of few lines: dynamic programming over the set of lines done and the entry of the last one
 //! (Held and Karp 1962). Every open line has all its entries; a closed one its points nearest to other lines.
 
-use super::ends::{Stop, Stops};
+use super::ends::{LineVisit, TourLines};
 use nalgebra::Point3;
 
 /// Entries of a closed line that are looked at.
 const SEAMS: usize = 8;
 
 /// The order with the least way. Memory doubles with every line: for few lines only.
-pub(super) fn solved(stops: &Stops<'_>) -> Vec<Stop> {
-    let count = stops.count();
-    let states: Vec<Stop> = (0..count).flat_map(|line| candidates(stops, line)).collect();
+pub(super) fn solved(tour: &TourLines<'_>) -> Vec<LineVisit> {
+    let count = tour.count();
+    let states: Vec<LineVisit> = (0..count).flat_map(|line| candidates(tour, line)).collect();
     let hops: Vec<Vec<f64>> = states.iter().map(|a| states.iter().map(|b| a.to(b)).collect()).collect();
     let mut way = vec![vec![f64::INFINITY; states.len()]; 1 << count];
     let mut before = vec![vec![usize::MAX; states.len()]; 1 << count];
-    for (s, stop) in states.iter().enumerate() {
-        way[1 << stop.line][s] = stops.hop(None, Some(stop));
+    for (s, visit) in states.iter().enumerate() {
+        way[1 << visit.line][s] = tour.hop(None, Some(visit));
     }
     for done in 1..1usize << count {
         for (s, here) in states.iter().enumerate() {
@@ -45,27 +45,27 @@ pub(super) fn solved(stops: &Stops<'_>) -> Vec<Stop> {
     order
 }
 
-fn candidates(stops: &Stops<'_>, line: usize) -> Vec<Stop> {
-    if !stops.is_closed(line) {
-        return stops.some_entries(line, 2).collect();
+fn candidates(tour: &TourLines<'_>, line: usize) -> Vec<LineVisit> {
+    if !tour.is_closed(line) {
+        return tour.some_entries(line, 2).collect();
     }
     // Where the way to another line would be shortest: from some of its points there and back again.
-    let onto = |line: usize, p: Point3<f64>| -> Stop {
-        let entry = if stops.is_closed(line) { stops.nearest_seam(line, &[p]) } else { 0 };
-        stops.stop(line, entry)
+    let onto = |line: usize, p: Point3<f64>| -> LineVisit {
+        let entry = if tour.is_closed(line) { tour.nearest_seam(line, &[p]) } else { 0 };
+        tour.visit(line, entry)
     };
     let mut found: Vec<(f64, usize)> = Vec::new();
     let mut see = |p: Point3<f64>| {
-        let stop = onto(line, p);
-        found.push(((stop.enter - p).norm(), stop.entry));
+        let visit = onto(line, p);
+        found.push(((visit.enter - p).norm(), visit.entry));
     };
-    if let Some(start) = stops.start {
+    if let Some(start) = tour.start {
         see(start);
     }
-    for other in (0..stops.count()).filter(|&o| o != line) {
-        for sample in stops.some_entries(other, 3) {
+    for other in (0..tour.count()).filter(|&o| o != line) {
+        for sample in tour.some_entries(other, 3) {
             let p = sample.enter;
-            if stops.is_closed(other) {
+            if tour.is_closed(other) {
                 let here = onto(line, p).enter;
                 see(onto(other, here).enter);
             } else {
@@ -80,5 +80,5 @@ fn candidates(stops: &Stops<'_>, line: usize) -> Vec<Stop> {
             seams.push(seam);
         }
     }
-    seams.into_iter().map(|entry| stops.stop(line, entry)).collect()
+    seams.into_iter().map(|entry| tour.visit(line, entry)).collect()
 }

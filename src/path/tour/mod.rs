@@ -7,7 +7,7 @@
 
 mod ends;
 mod exact;
-mod near;
+mod proximity;
 mod seams;
 mod search;
 mod shift;
@@ -16,7 +16,7 @@ pub use shift::shift_seams;
 
 use super::order::{Order, ordered};
 use super::section::TransversalLine;
-use ends::{Stop, Stops};
+use ends::{LineVisit, TourLines};
 use nalgebra::{Point3, Vector3};
 
 /// In which sense open lines may be run. Closed ones keep theirs.
@@ -68,25 +68,25 @@ pub fn toured(
         }
     }
     // Every line is now as the zigzag runs it, so the zigzag is the order of their numbers.
-    let stops = Stops::new(&zigzag, start.copied(), sense);
-    let plain: Vec<Stop> = (0..zigzag.len()).map(|line| stops.stop(line, 0)).collect();
-    let mut best = search::improved(&stops, starts(&stops, &plain));
+    let tour = TourLines::new(&zigzag, start.copied(), sense);
+    let plain: Vec<LineVisit> = (0..zigzag.len()).map(|line| tour.visit(line, 0)).collect();
+    let mut best = search::improved(&tour, starts(&tour, &plain));
     if zigzag.len() < EXACT_BELOW {
-        let exact = seams::chosen(&stops, exact::solved(&stops));
-        if stops.way_mm(&exact) < stops.way_mm(&best) - 1e-9 {
+        let exact = seams::chosen(&tour, exact::solved(&tour));
+        if tour.way_mm(&exact) < tour.way_mm(&best) - 1e-9 {
             best = exact;
         }
     }
     let mut taken: Vec<Option<TransversalLine>> = zigzag.into_iter().map(Some).collect();
-    best.into_iter().filter_map(|stop| Some(ends::run(taken.get_mut(stop.line)?.take()?, stop.entry))).collect()
+    best.into_iter().filter_map(|visit| Some(ends::run_from(taken.get_mut(visit.line)?.take()?, visit.entry))).collect()
 }
 
 /// The zigzag, and nearest neighbours from its corners where there is no place to come from.
-fn starts(stops: &Stops<'_>, plain: &[Stop]) -> Vec<Vec<Stop>> {
-    let corners = [plain.first(), plain.last()].into_iter().flatten().flat_map(|stop| [*stop, stops.turned(*stop)]);
-    let firsts = corners.filter(|c| c.entry < stops.entries(c.line)).map(Some);
-    let firsts: Vec<Option<Stop>> = if stops.start.is_some() { vec![None] } else { firsts.collect() };
-    let nearest = firsts.into_iter().map(|first| search::nearest(stops, first));
+fn starts(tour: &TourLines<'_>, plain: &[LineVisit]) -> Vec<Vec<LineVisit>> {
+    let corners = [plain.first(), plain.last()].into_iter().flatten().flat_map(|visit| [*visit, tour.turned(*visit)]);
+    let firsts = corners.filter(|c| c.entry < tour.entries(c.line)).map(Some);
+    let firsts: Vec<Option<LineVisit>> = if tour.start.is_some() { vec![None] } else { firsts.collect() };
+    let nearest = firsts.into_iter().map(|first| search::nearest(tour, first));
     std::iter::once(plain.to_vec()).chain(nearest).collect()
 }
 

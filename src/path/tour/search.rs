@@ -5,8 +5,8 @@
 //! Only lines near each other are tried as new neighbours, and only around what has changed, so the time
 //! grows little faster than the number of lines.
 
-use super::ends::{Stop, Stops};
-use super::near::neighbours;
+use super::ends::{LineVisit, TourLines};
+use super::proximity::neighbours;
 use super::{Sense, seams};
 use std::collections::VecDeque;
 
@@ -16,20 +16,20 @@ const MOVED: usize = 3;
 const KICKS: (usize, usize, usize) = (60_000, 50, 600);
 /// Stretches that a kick exchanges are no longer than this.
 const KICKED: u64 = 30;
-/// What counts as shorter, mm: more than rounding.
+/// Least gain that counts as shorter, mm: more than rounding.
 const GAIN_MM: f64 = 1e-9;
-/// Exchanges and seams by turns.
+/// Rounds that alternate exchanges and seams.
 const ROUNDS: usize = 3;
 
 /// Nearest neighbours: from this entry always the nearest that is left.
-pub(super) fn nearest(stops: &Stops<'_>, first: Option<Stop>) -> Vec<Stop> {
-    let most = (8000 / stops.count().max(1)).clamp(2, 16);
-    let mut left: Vec<Stop> = (0..stops.count()).flat_map(|line| stops.some_entries(line, most)).collect();
-    let mut order: Vec<Stop> = Vec::with_capacity(stops.count());
+pub(super) fn nearest(tour: &TourLines<'_>, first: Option<LineVisit>) -> Vec<LineVisit> {
+    let most = (8000 / tour.count().max(1)).clamp(2, 16);
+    let mut left: Vec<LineVisit> = (0..tour.count()).flat_map(|line| tour.some_entries(line, most)).collect();
+    let mut order: Vec<LineVisit> = Vec::with_capacity(tour.count());
     order.extend(first);
     left.retain(|s| first.is_none_or(|f| s.line != f.line));
     while !left.is_empty() {
-        let way = |to: &Stop| stops.hop(order.last(), Some(to));
+        let way = |to: &LineVisit| tour.hop(order.last(), Some(to));
         let mut best = (f64::INFINITY, left[0]);
         for to in &left {
             let mm = way(to);
@@ -46,42 +46,43 @@ pub(super) fn nearest(stops: &Stops<'_>, first: Option<Stop>) -> Vec<Stop> {
 /// The best that is found from these orders, no longer than any of them.
 ///
 /// Each is settled, and the best then kicked.
-pub(super) fn improved(stops: &Stops<'_>, starts: Vec<Vec<Stop>>) -> Vec<Stop> {
-    let near = neighbours(stops);
-    let settled = |order: Vec<Stop>, kicked: bool| {
-        let mut search = Search::new(stops, &near, seams::chosen(stops, order));
-        search.settle((0..stops.count()).collect());
+pub(super) fn improved(tour: &TourLines<'_>, starts: Vec<Vec<LineVisit>>) -> Vec<LineVisit> {
+    let near = neighbours(tour);
+    let settled = |order: Vec<LineVisit>, kicked: bool| {
+        let mut search = OrderSearch::new(tour, &near, seams::chosen(tour, order));
+        search.settle((0..tour.count()).collect());
         if kicked {
             search.kick();
         }
-        seams::chosen(stops, search.order)
+        seams::chosen(tour, search.order)
     };
     // Of equal ones the first, so that the zigzag stays where nothing is better.
-    let shorter = |a: Vec<Stop>, b: Vec<Stop>| if stops.way_mm(&b) < stops.way_mm(&a) - GAIN_MM { b } else { a };
+    let shorter =
+        |a: Vec<LineVisit>, b: Vec<LineVisit>| if tour.way_mm(&b) < tour.way_mm(&a) - GAIN_MM { b } else { a };
     let best = starts.into_iter().map(|order| settled(order, false)).reduce(shorter).unwrap_or_default();
     let mut order = settled(best, true);
     // Where seams have moved, other orders may be shorter.
     for _ in 0..ROUNDS {
-        let before = stops.way_mm(&order);
+        let before = tour.way_mm(&order);
         order = settled(order, false);
-        if stops.way_mm(&order) > before - 1e-6 {
+        if tour.way_mm(&order) > before - 1e-6 {
             break;
         }
     }
     order
 }
 
-struct Search<'a> {
-    stops: &'a Stops<'a>,
+struct OrderSearch<'a> {
+    tour: &'a TourLines<'a>,
     near: &'a [Vec<usize>],
-    order: Vec<Stop>,
+    order: Vec<LineVisit>,
     /// Place of each line in the order.
     place: Vec<usize>,
 }
 
-impl Search<'_> {
-    fn new<'a>(stops: &'a Stops<'a>, near: &'a [Vec<usize>], order: Vec<Stop>) -> Search<'a> {
-        let mut search = Search { stops, near, place: vec![0; order.len()], order };
+impl OrderSearch<'_> {
+    fn new<'a>(tour: &'a TourLines<'a>, near: &'a [Vec<usize>], order: Vec<LineVisit>) -> OrderSearch<'a> {
+        let mut search = OrderSearch { tour, near, place: vec![0; order.len()], order };
         search.number(0, search.order.len());
         search
     }
@@ -92,21 +93,21 @@ impl Search<'_> {
         }
     }
 
-    fn at(&self, i: usize) -> Option<&Stop> {
+    fn at(&self, i: usize) -> Option<&LineVisit> {
         self.order.get(i)
     }
 
-    fn before(&self, i: usize) -> Option<&Stop> {
+    fn before(&self, i: usize) -> Option<&LineVisit> {
         i.checked_sub(1).and_then(|k| self.at(k))
     }
 
     /// The line at a place, run the other way.
-    fn turned(&self, i: usize) -> Option<Stop> {
-        self.at(i).map(|s| self.stops.turned(*s))
+    fn turned(&self, i: usize) -> Option<LineVisit> {
+        self.at(i).map(|s| self.tour.turned(*s))
     }
 
-    fn hop(&self, from: Option<&Stop>, to: Option<&Stop>) -> f64 {
-        self.stops.hop(from, to)
+    fn hop(&self, from: Option<&LineVisit>, to: Option<&LineVisit>) -> f64 {
+        self.tour.hop(from, to)
     }
 
     /// Exchanges around these lines, and around what changes, until nothing gets shorter; the gain, mm.
@@ -136,7 +137,7 @@ impl Search<'_> {
     fn exchange(&mut self, line: usize) -> Option<(f64, Vec<usize>)> {
         let near = self.near;
         let i = self.place[line];
-        if self.stops.sense == Sense::Either {
+        if self.tour.sense == Sense::Either {
             let last = self.order.len() - 1;
             let others = near[line].iter().map(|&other| self.place[other]);
             let turns = others.flat_map(|j| {
@@ -163,8 +164,8 @@ impl Search<'_> {
 
     fn turn(&mut self, from: usize, to: usize) {
         self.order[from..=to].reverse();
-        for stop in &mut self.order[from..=to] {
-            *stop = self.stops.turned(*stop);
+        for visit in &mut self.order[from..=to] {
+            *visit = self.tour.turned(*visit);
         }
         self.number(from, to + 1);
     }
@@ -184,13 +185,14 @@ impl Search<'_> {
                 for gap in beside.chain([0, last + 1]).filter(|&g| g < from || g > to + 1) {
                     let (left, right) = (self.before(gap), self.at(gap));
                     let saved = self.hop(left, right);
-                    let cost =
-                        |first: Option<&Stop>, end: Option<&Stop>| self.hop(left, first) + self.hop(end, right) - saved;
+                    let cost = |first: Option<&LineVisit>, end: Option<&LineVisit>| {
+                        self.hop(left, first) + self.hop(end, right) - saved
+                    };
                     let gain = freed - cost(self.at(from), self.at(to));
                     if gain > best.0 {
                         best = (gain, Some((from, to, gap, false)));
                     }
-                    if self.stops.sense == Sense::Either {
+                    if self.tour.sense == Sense::Either {
                         let gain = freed - cost(turned.1.as_ref(), turned.0.as_ref());
                         if gain > best.0 {
                             best = (gain, Some((from, to, gap, true)));
@@ -240,14 +242,14 @@ impl Search<'_> {
                 let (one, two) = (1 + below(most) as usize, 1 + below(most) as usize);
                 let from = below((count - one - two) as u64 + 1) as usize;
                 let end = from + one + two;
-                let joints = |s: &Search<'_>, middle: usize| {
+                let joints = |s: &OrderSearch<'_>, middle: usize| {
                     let hop = |i: usize| s.hop(s.before(i), s.at(i));
                     hop(from) + hop(middle) + hop(end)
                 };
                 let before = joints(self, from + one);
                 self.order[from..end].rotate_left(one);
                 self.number(from, end);
-                if self.stops.sense == Sense::Either && below(2) == 0 {
+                if self.tour.sense == Sense::Either && below(2) == 0 {
                     self.turn(from, from + two - 1);
                 }
                 loss += joints(self, from + two) - before;

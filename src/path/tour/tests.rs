@@ -88,10 +88,10 @@ proptest! {
     #[test]
     fn the_search_comes_near_the_best(corners in prop::collection::vec(prop::array::uniform4(SIDE), 7..12)) {
         let lines = lines_of(&corners);
-        let stops = Stops::new(&lines, None, Sense::Either);
-        let least = stops.way_mm(&exact::solved(&stops));
-        let plain: Vec<Stop> = (0..lines.len()).map(|line| stops.stop(line, 0)).collect();
-        let found = stops.way_mm(&search::improved(&stops, starts(&stops, &plain)));
+        let tour = TourLines::new(&lines, None, Sense::Either);
+        let least = tour.way_mm(&exact::solved(&tour));
+        let plain: Vec<LineVisit> = (0..lines.len()).map(|line| tour.visit(line, 0)).collect();
+        let found = tour.way_mm(&search::improved(&tour, starts(&tour, &plain)));
         prop_assert!(found <= least * 1.05 && found >= least - 1e-6, "{found} against {least}");
     }
 

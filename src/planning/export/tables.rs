@@ -14,7 +14,7 @@ pub fn path_csv(plan: &Plan) -> String {
     for (number, pass) in plan.passes.iter().enumerate() {
         for (point, t) in pass.targets.iter().enumerate() {
             let _ = write!(out, "{number},{point},{},{},{}", pass.surface, u8::from(t.laser), t.state.word());
-            let focus = t.focus(pass.work.defocus_mm);
+            let focus = t.focus(pass.settings.defocus_mm);
             let vectors = [&t.p.coords, &t.n, &t.a, &t.o, &focus.coords];
             for value in vectors.into_iter().flat_map(|v| v.iter()).chain([&t.tilt_deg()]) {
                 out.push(',');

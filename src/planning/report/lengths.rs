@@ -1,6 +1,6 @@
 //! Lengths of moves, by what becomes of them.
 
-use crate::pose::{Pass, State, Target};
+use crate::pose::{Pass, Target, TargetState};
 
 /// Length of the moves that are so, mm.
 pub(super) fn length<'a>(
@@ -17,5 +17,5 @@ pub(super) fn is_blocked(from: &Target, to: &Target) -> bool {
 
 /// The laser is on, and an end of the move was corrected.
 pub(super) fn is_corrected(from: &Target, to: &Target) -> bool {
-    to.laser && (from.state == State::Corrected || to.state == State::Corrected)
+    to.laser && (from.state == TargetState::Corrected || to.state == TargetState::Corrected)
 }

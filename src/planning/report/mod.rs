@@ -26,7 +26,7 @@ use super::cell_report::CellReport;
 use super::dose::DoseReport;
 use super::plan::Plan;
 use crate::part::Surfaces;
-use crate::pose::{Pass, State, Target};
+use crate::pose::{Pass, Target, TargetState};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
 use lengths::{is_blocked, is_corrected, length};
@@ -116,9 +116,12 @@ impl Report {
         };
         let all = &plan.passes;
         let rows = surface_rows(plan, surfaces);
-        let clearance =
-            all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked).filter_map(|t| t.clearance_mm);
-        let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != State::Blocked);
+        let clearance = all
+            .iter()
+            .flat_map(|p| &p.targets)
+            .filter(|t| t.state != TargetState::Blocked)
+            .filter_map(|t| t.clearance_mm);
+        let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != TargetState::Blocked);
         let problems = problems(plan, surfaces);
         let nothing = nothing_planned(plan, &problems);
         Report {
@@ -134,8 +137,8 @@ impl Report {
             time_s: plan.timeline.as_ref().map_or(plan.steps.time_s, Timeline::total_s),
             order: OrderReport::new(plan),
             interfering: count(all, &|t| t.normal_hits.is_some()),
-            corrected: count(all, &|t| t.state == State::Corrected),
-            blocked: count(all, &|t| t.state == State::Blocked),
+            corrected: count(all, &|t| t.state == TargetState::Corrected),
+            blocked: count(all, &|t| t.state == TargetState::Blocked),
             max_tilt_deg: lit.map(Target::tilt_deg).fold(0.0, f64::max),
             max_tilt_rate_deg_per_mm: all.iter().map(Pass::max_tilt_rate_deg_mm).fold(0.0, f64::max),
             max_chord_error_mm: all.iter().map(|p| p.chord_error_mm).fold(0.0, f64::max),

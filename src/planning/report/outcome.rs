@@ -2,7 +2,7 @@
 
 use super::lengths::is_blocked;
 use crate::planning::plan::Plan;
-use crate::pose::{Correction, Pass, State, Target};
+use crate::pose::{Correction, Pass, Target, TargetState};
 use serde::Serialize;
 
 /// What a correction makes of the same lines.
@@ -25,13 +25,16 @@ pub struct Outcome {
 impl Outcome {
     fn of<'a>(correction: Correction, passes: impl Iterator<Item = &'a Pass> + Clone) -> Outcome {
         let targets = || passes.clone().flat_map(|p| &p.targets);
-        let count = |state: State| targets().filter(|t| t.state == state).count();
+        let count = |state: TargetState| targets().filter(|t| t.state == state).count();
         Outcome {
             correction: correction.word(),
-            corrected: count(State::Corrected),
-            blocked: count(State::Blocked),
+            corrected: count(TargetState::Corrected),
+            blocked: count(TargetState::Blocked),
             blocked_mm: passes.clone().map(|p| p.length_mm(is_blocked)).fold(0.0, |a, b| a + b),
-            max_tilt_deg: targets().filter(|t| t.state != State::Blocked).map(Target::tilt_deg).fold(0.0, f64::max),
+            max_tilt_deg: targets()
+                .filter(|t| t.state != TargetState::Blocked)
+                .map(Target::tilt_deg)
+                .fold(0.0, f64::max),
             max_tilt_rate_deg_per_mm: passes.map(Pass::max_tilt_rate_deg_mm).fold(0.0, f64::max),
         }
     }

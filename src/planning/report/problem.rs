@@ -4,7 +4,7 @@ use crate::cell::motion::{Cause, Why};
 use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
-use crate::pose::{Obstruction, State};
+use crate::pose::{Obstruction, TargetState};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -63,7 +63,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
     let mut out = Vec::new();
     let mut refusals = plan.refusals.iter().peekable();
     for (number, pass) in plan.passes.iter().enumerate() {
-        for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == State::Blocked) {
+        for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == TargetState::Blocked) {
             let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
             let wall = if refused.is_some() { None } else { t.normal_hits };
             let by_facet = wall.and_then(|b| match b.obstruction {

@@ -2,7 +2,7 @@
 
 use super::expected::{Expected, Poses};
 use super::verdict::{Difference, Finding, Verdict};
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::cell::Joints;
 use crate::pose::Beam;
 use crate::pose::checker::Checker;
@@ -34,7 +34,7 @@ pub(in super::super) fn driven<'a>(
 ) -> Vec<Driven<'a>> {
     let laser = poses.setup.cell.outputs.laser.number;
     let (mut lit, mut joints, mut at) = (false, None::<Joints>, None::<Isometry3<f64>>);
-    let mut work = planned.iter().flatten().next().map_or_else(Work::default, |m| m.work);
+    let mut work = planned.iter().flatten().next().map_or_else(ProcessSettings::default, |m| m.work);
     let mut out = Vec::new();
     for (place, (line, planned)) in read.iter().zip(planned).enumerate() {
         work = planned.map_or(work, |m| m.work);

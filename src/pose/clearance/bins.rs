@@ -1,8 +1,8 @@
-//! Tilts by place.
+//! A grid of bins for looking up tilts that are near another.
 
 use super::track::Lean;
 
-/// Candidates by place, so that those within reach are found without looking at all.
+/// Candidates sorted into square bins, so that those within reach are found without checking all.
 pub struct Bins {
     width_deg: f64,
     /// Row, column and index, in order.
@@ -10,7 +10,7 @@ pub struct Bins {
 }
 
 impl Bins {
-    /// The candidates whose weight is given, in bins that wide.
+    /// Sorts the candidates that have a weight into bins of this width.
     pub fn new(tilts: &[Lean], weight: &[Option<f64>], width_deg: f64) -> Bins {
         let mut bins = Bins { width_deg: width_deg.max(0.05), list: Vec::new() };
         for (i, t) in tilts.iter().enumerate().filter(|(i, _)| weight[*i].is_some()) {
@@ -25,8 +25,8 @@ impl Bins {
         ((t.y / self.width_deg).floor() as i32, (t.x / self.width_deg).floor() as i32)
     }
 
-    /// All within a bin's width of a tilt, and some others.
-    pub fn near(&self, t: &Lean, mut with: impl FnMut(usize)) {
+    /// Calls `with` for every candidate within a bin's width of a tilt, and for some others.
+    pub fn for_each_near(&self, t: &Lean, mut with: impl FnMut(usize)) {
         let (row, column) = self.place(t);
         for r in row - 1..=row + 1 {
             let from = self.list.partition_point(|x| (x.0, x.1) < (r, column - 1));

@@ -1,5 +1,5 @@
-//! The directions at one point in which nothing is in the way: on the coarse grid, and searched
-//! through to half a degree where the coarse grid finds none.
+//! The free set: the directions at one point in which nothing is in the way, on the coarse grid, and down to
+//! half a degree where the coarse grid finds none.
 
 use super::grid;
 use super::track::{Lean, Site, Track};
@@ -8,21 +8,21 @@ use crate::pose::Beam;
 use crate::pose::tilt::Tilt;
 use nalgebra::{Point3, Vector3};
 
-/// Half the side of the squares that the search begins with, degrees.
+/// Half the side of the first squares of the search, degrees.
 const HALF_SQUARE_DEG: f64 = 4.0;
-/// Half the side of those that it ends with: their middles are half a degree apart.
+/// Half the side of the last ones, degrees: their middles are half a degree apart.
 const HALF_LEAST_DEG: f64 = 0.25;
-/// A square counts as behind a facet if one so much larger is: its sides are not quite great circles.
+/// Factor by which a square is enlarged before it counts as behind a facet: its sides are not quite great circles.
 const INFLATED: f64 = 1.15;
 /// A facet nearer than this may be one that the point stands on, mm.
 const NEAR_MM: f64 = 0.05;
-/// So many openings are enough to lead a beam through.
+/// Number of openings at which the search stops.
 const ENOUGH: usize = 64;
 
 /// A direction of the coarse grid, and whether it is free.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Direction {
-    /// Against the normal.
+pub struct TestedDirection {
+    /// Its tilt against the normal.
     pub tilt: Tilt,
     /// Unit axis.
     pub axis: Vector3<f64>,
@@ -38,25 +38,25 @@ pub fn free_set(
     n: &Vector3<f64>,
     tangent: &Vector3<f64>,
     max_tilt_deg: f64,
-) -> Vec<Direction> {
+) -> Vec<TestedDirection> {
     let cells = grid::disc(max_tilt_deg, grid::coarse_spacing_deg(max_tilt_deg));
     let direction = |c: Lean| {
         let tilt = Tilt { lead_deg: c.x, lean_deg: c.y };
         let axis = tilt.axis(n, tangent);
-        Direction { tilt, axis, is_free: beam.is_free(p, &axis) }
+        TestedDirection { tilt, axis, is_free: beam.is_free(p, &axis) }
     };
     cells.into_iter().map(direction).collect()
 }
 
-/// Free tilts at a point, half a degree apart; none only if there are none. Squares that lie behind a
-/// single facet are passed over whole.
+/// Free tilts at a point, on a grid of half a degree; empty only if none of that grid is free. Squares that lie
+/// behind a single facet are skipped as a whole.
 pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) -> Vec<Lean> {
     let mut out = Vec::new();
     let search = Openings { part, beam, track, site };
     let count = (track.max_tilt_deg / (2.0 * HALF_SQUARE_DEG)).ceil() as i32;
     for row in -count..=count {
         for column in -count..=count {
-            // So that the last middles are the multiples of half a degree.
+            // Shifted so that the middles of the last squares are multiples of half a degree.
             let middle =
                 Lean::new(f64::from(column), f64::from(row)) * (2.0 * HALF_SQUARE_DEG) + Lean::repeat(HALF_LEAST_DEG);
             search.within(&middle, HALF_SQUARE_DEG, &mut out);
@@ -89,7 +89,8 @@ impl Openings<'_> {
             |half: f64| [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| Lean::new(x, y));
         if let Some(facet) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
             let facet = self.part.mesh.corners(facet as usize);
-            let is_behind = |c: Lean| bvh::meet(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
+            let is_behind =
+                |c: Lean| bvh::ray_hit_mm(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
             if corners(half_deg * INFLATED).into_iter().all(is_behind) {
                 return;
             }

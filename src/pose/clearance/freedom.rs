@@ -1,32 +1,32 @@
-//! Which candidates are free, what they cost, and whether the ways between them are free.
+//! Which candidates are free, what they cost, and whether the beam can move freely from one to the next.
 
 use super::bins::Bins;
-use super::grid::{self, Cell};
-use super::search::{Dp, Stage, Steps};
+use super::grid::{self, GridCell};
+use super::search::{ChainSearch, ChainSteps, LayerCosts};
 use super::track::{Lean, Track};
 use crate::pose::motion;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Energy lost to a tilt, 1 − cos, in degrees of tilt: at 45° it doubles what the tilt itself costs.
 const DOSE_DEG: f64 = 150.0;
-/// A beam one degree beside a blocked one costs as much as so many degrees of tilt. With it alone a
-/// beam would keep √4 = 2° from what is in the way.
+/// Cost of a beam one degree beside a blocked one, in degrees of tilt. On its own it makes a beam keep
+/// √4 = 2° from what is in the way.
 pub const NEARNESS_DEG2: f64 = 4.0;
-/// Farther than this nothing is near, degrees.
+/// Blocked directions farther away than this cost nothing, degrees.
 const NEAR_DEG: f64 = 6.0;
 
-/// What stands in for the cost of a tilt, per mm.
+/// Cost of a tilt itself, per mm of line.
 fn cost_of(track: &Track<'_>, site: usize, tilt: &Lean) -> f64 {
     let s = &track.sites[site];
     s.pull * (tilt - s.aim).norm() + DOSE_DEG * (1.0 - libm::cos(tilt.norm().to_radians()))
 }
 
-impl Dp<'_> {
-    /// Asks a layer's candidates, and weighs those that are free.
-    pub(super) fn stage(&self, k: usize) -> Stage {
+impl ChainSearch<'_> {
+    /// Tests a layer's candidates, and gives the free ones their costs.
+    pub(super) fn costs_of(&self, k: usize) -> LayerCosts {
         let layer = &self.layers[k];
         let mut coarse = BTreeMap::new();
-        let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(|t| self.asked(k, t, &mut coarse)).collect();
+        let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(|t| self.freedom_of(k, t, &mut coarse)).collect();
         let weights = |which: Option<bool>| -> Vec<Option<f64>> {
             asked.iter().map(|(f, _)| (*f == which).then_some(0.0)).collect()
         };
@@ -34,18 +34,18 @@ impl Dp<'_> {
         let mut weight = weights(Some(true));
         for (t, w) in layer.tilts.iter().zip(&mut weight).filter(|(_, w)| w.is_some()) {
             let mut nearest = NEAR_DEG * NEAR_DEG;
-            blocked.near(t, |b| nearest = nearest.min((layer.tilts[b] - t).norm_squared()));
+            blocked.for_each_near(t, |b| nearest = nearest.min((layer.tilts[b] - t).norm_squared()));
             let near = NEARNESS_DEG2 / nearest.sqrt().max(1e-6) - NEARNESS_DEG2 / NEAR_DEG;
             *w = Some(cost_of(self.track, layer.site, t) + near);
         }
         let reach_deg = if k + 1 < self.layers.len() { self.reach_deg(k) } else { 1.0 };
         let bins = Bins::new(&layer.tilts, &weight, reach_deg);
         let assumed = asked.into_iter().map(|a| a.1).collect();
-        Stage { weight, assumed, bins, arrive: Vec::new(), off: (Default::default(), None), leave: Vec::new() }
+        LayerCosts { weight, assumed, bins, arrive: Vec::new(), off: (Default::default(), None), leave: Vec::new() }
     }
 
-    /// Whether a candidate is free (`None`: not allowed at all), and whether that is only assumed.
-    fn asked(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<Cell, Option<bool>>) -> (Option<bool>, bool) {
+    /// Whether a candidate is free (`None`: not allowed at all), and whether that was only inferred from a coarser grid.
+    fn freedom_of(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<GridCell, Option<bool>>) -> (Option<bool>, bool) {
         let layer = &self.layers[k];
         let site = &self.track.sites[layer.site];
         let Some(spacing_deg) = layer.coarser_deg.filter(|_| !layer.given && self.track.allows(site, tilt)) else {
@@ -89,8 +89,8 @@ impl Dp<'_> {
         Some(free(here) && before.take_while(|&i| i > first).all(free) && behind.take_while(|&i| i < last).all(free))
     }
 
-    /// Tests the ways of a chain; the first layer to be made anew.
-    pub(super) fn first_failing(&mut self, chain: &Steps) -> Option<usize> {
+    /// Tests the motions of a chain; returns the first layer that has to be computed again.
+    pub(super) fn first_failing(&mut self, chain: &ChainSteps) -> Option<usize> {
         let mut first: Option<usize> = None;
         let mut fails = |k: usize| first = Some(first.map_or(k, |f| f.min(k)));
         for k in 0..chain.len().saturating_sub(1) {
@@ -112,15 +112,15 @@ impl Dp<'_> {
         first
     }
 
-    /// Whether a candidate that counts as free is.
+    /// Tests a candidate whose freedom was only inferred.
     fn is_sure(&mut self, k: usize, u: usize) -> bool {
-        if self.stages[k].assumed[u] {
+        if self.layer_costs[k].assumed[u] {
             let is = self.is_free(k, &self.layers[k].tilts[u]) == Some(true);
-            let stage = &mut self.stages[k];
-            stage.assumed[u] = false;
-            stage.weight[u] = stage.weight[u].filter(|_| is);
+            let costs = &mut self.layer_costs[k];
+            costs.assumed[u] = false;
+            costs.weight[u] = costs.weight[u].filter(|_| is);
         }
-        self.stages[k].weight[u].is_some()
+        self.layer_costs[k].weight[u].is_some()
     }
 
     /// Whether the beam is free from one candidate to one of the next layer, at the points between and

@@ -1,10 +1,9 @@
-//! The spherical grid around a normal: tilts on a hexagonal lattice, in the plane of the two tilts.
+//! The grid of tilts around a normal: a hexagonal lattice in the plane of lead and lean.
 
 use super::track::Lean;
 use std::collections::BTreeSet;
 
-/// So many spacings from the middle of the coarse grid to its edge: 241 cells, whatever the greatest
-/// tilt.
+/// Radius of the coarse grid in spacings: 241 cells, whatever the greatest tilt.
 const SPACINGS: f64 = 8.1;
 
 /// Spacing of the coarse grid, degrees.
@@ -13,10 +12,10 @@ pub fn coarse_spacing_deg(max_tilt_deg: f64) -> f64 {
 }
 
 /// A cell: row and column.
-pub type Cell = (i32, i32);
+pub type GridCell = (i32, i32);
 
 /// The middle of a cell of the lattice with this spacing.
-pub fn middle((row, column): Cell, spacing_deg: f64) -> Lean {
+pub fn middle((row, column): GridCell, spacing_deg: f64) -> Lean {
     let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
     Lean::new((f64::from(column) + shift) * spacing_deg, f64::from(row) * row_deg(spacing_deg))
 }
@@ -26,7 +25,7 @@ fn row_deg(spacing_deg: f64) -> f64 {
 }
 
 /// Adds the cells within a radius of a tilt.
-pub fn add_disc(cells: &mut BTreeSet<Cell>, around: &Lean, radius_deg: f64, spacing_deg: f64) {
+pub fn add_disc(cells: &mut BTreeSet<GridCell>, around: &Lean, radius_deg: f64, spacing_deg: f64) {
     let rows = |y: f64| y / row_deg(spacing_deg);
     for row in rows(around.y - radius_deg).floor() as i32..=rows(around.y + radius_deg).ceil() as i32 {
         let columns = |x: f64| x / spacing_deg;
@@ -38,8 +37,8 @@ pub fn add_disc(cells: &mut BTreeSet<Cell>, around: &Lean, radius_deg: f64, spac
     }
 }
 
-/// A tilt that lies beyond the greatest by no more than half a spacing is taken at the greatest: so the
-/// rim has candidates, too.
+/// Moves a tilt that exceeds the greatest by no more than half a spacing onto the greatest, so that the rim has
+/// candidates, too; `None` if it exceeds it by more.
 pub fn at_rim(tilt: Lean, max_tilt_deg: f64, spacing_deg: f64) -> Option<Lean> {
     (tilt.norm() <= max_tilt_deg + 0.5 * spacing_deg).then(|| tilt.cap_magnitude(max_tilt_deg))
 }

@@ -7,20 +7,21 @@
 //! result is drawn to the aim as far as it stays free; the caller tests it again.
 
 mod bins;
+mod corrected_line;
 pub mod free_set;
 mod freedom;
 mod grid;
 mod polish;
-mod rows;
 mod search;
+mod site_tilts;
 mod track;
 mod window;
 mod windows;
 
-pub use free_set::{Direction, free_set};
+pub use free_set::{TestedDirection, free_set};
 
 use super::interference::Beam;
-use super::line::LineRules;
+use super::line_rules::LineRules;
 use super::tilt::Pin;
 use crate::part::Part;
 use crate::path::{DensePoint, dense};
@@ -30,14 +31,14 @@ use windows::Windows;
 
 /// A point of the corrected line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
+pub struct CorrectedPoint {
     /// Point and normal.
     pub q: DensePoint,
     /// The beam; `None`: blocked.
     pub axis: Option<Vector3<f64>>,
-    /// The beam that would be best here.
+    /// The beam axis that is aimed for here.
     pub aim: Vector3<f64>,
-    /// Whether it is the point of the row before, with another beam; the laser is off between the two.
+    /// Whether it lies where the point before it does, with another beam; the laser is off between the two.
     pub is_split: bool,
 }
 
@@ -51,7 +52,7 @@ pub fn correct(
     closed: bool,
     number: u32,
     rules: &LineRules,
-) -> Vec<Row> {
+) -> Vec<CorrectedPoint> {
     let pins: Vec<Pin> = rules.pins.iter().filter(|p| p.line == number).copied().collect();
     let mut places_mm = vec![0.0];
     for w in points.windows(2) {
@@ -64,10 +65,10 @@ pub fn correct(
     let windows = Windows::new(part, beam, &track, free);
     let has_search = !windows.ok.iter().all(|ok| *ok);
     if !closed || !has_search {
-        return rows::rows(beam, &track, &windows.corrected(None));
+        return corrected_line::corrected_points(beam, &track, &windows.corrected(None));
     }
-    // A closed line is opened where the beam may have its aim; where it may nowhere, it is solved as an
-    // open one first, and opened again half way round with the beam that was found there.
+    // A closed line is opened where its aim is free. If that is nowhere, it is solved as an open line first, then
+    // opened again half way round with the beam that was found there.
     let count = points.len() - 1;
     let opened = |seam: usize| -> (Track<'_>, Vec<bool>) {
         let at: Vec<usize> = (0..=count).map(|i| (i + seam) % count).collect();
@@ -82,13 +83,13 @@ pub fn correct(
     let (seam, held) = match windows::middle_of_longest(ok) {
         Some(seam) => (seam, None),
         None => {
-            let stands = windows.corrected(None);
+            let site_tilts = windows.corrected(None);
             let half = count / 2;
-            (half, stands[half].arrive.map(|t| track.sites[half].axis(&t)))
+            (half, site_tilts[half].arrive.map(|t| track.sites[half].axis(&t)))
         }
     };
     let (track, free) = opened(seam);
     let windows = Windows::new(part, beam, &track, &free);
-    let out = rows::rows(beam, &track, &windows.corrected(held));
-    rows::from_start(out, &points[0])
+    let out = corrected_line::corrected_points(beam, &track, &windows.corrected(held));
+    corrected_line::from_start(out, &points[0])
 }

@@ -1,66 +1,66 @@
-//! The last step on the sphere: off the grid, and as near to the aim as the way stays free.
+//! The last step of the search: tilts leave the grid and come as near to their aims as the motion stays free.
 
 use super::freedom::NEARNESS_DEG2;
+use super::site_tilts::SiteTilts;
 use super::track::{Lean, Track};
-use super::windows::Stand;
 use crate::pose::{Beam, motion};
 
-/// Steps in which a tilt is drawn to the aim, degrees; what is found has more to spare.
+/// Steps in which a tilt is drawn towards its aim, degrees.
 const STEP_DEG: f64 = 1.0;
-/// To this the last free tilt is found.
+/// Precision of the last free tilt, degrees.
 const EXACT_DEG: f64 = 0.05;
 /// A millimetre of clearance costs as much as so many degrees of tilt, half a millimetre twice as much: a beam
 /// that clears a wall 20 mm above the spot by half a millimetre turns away by another degree or two.
 const NEARNESS_DEG_MM: f64 = 1.0;
-/// More clearance than this is worth no tilt, mm.
+/// Clearance beyond this is not worth any tilt, mm.
 const FAR_MM: f64 = 4.0;
-/// So far beyond the best found a better one is looked for, degrees.
+/// A better tilt is looked for up to this far beyond the best one found, degrees.
 const FARTHER_DEG: f64 = 1.0;
-/// So often points are laid between their neighbours.
+/// Number of smoothing sweeps.
 const SWEEPS: usize = 6;
 
 /// Draws the tilts of points `first` to `last` to their aims.
-pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), stands: &mut [Stand]) {
+pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), site_tilts: &mut [SiteTilts]) {
     let mut at = first;
     while at < last {
         // A piece: lit from point to point, without a split inside.
-        let (Some(start), Some(_)) = (stands[at].leave, stands[at + 1].arrive) else {
+        let (Some(start), Some(_)) = (site_tilts[at].leave, site_tilts[at + 1].arrive) else {
             at += 1;
             continue;
         };
         let mut tilts = vec![start];
         let from = at;
         while at < last {
-            let (Some(_), Some(tilt)) = (stands[at].leave, stands[at + 1].arrive) else { break };
+            let (Some(_), Some(tilt)) = (site_tilts[at].leave, site_tilts[at + 1].arrive) else { break };
             at += 1;
             tilts.push(tilt);
-            if stands[at].leave != stands[at].arrive {
+            if site_tilts[at].leave != site_tilts[at].arrive {
                 break;
             }
         }
         // At the window's own ends the beam joins what is outside.
         let held = (from == first && first > 0, at == last && last + 1 < track.sites.len());
-        let piece = Piece { beam, track, from };
+        let piece = LitRun { beam, track, from };
         let better = piece.polished(&tilts, held);
         for (k, tilt) in better.into_iter().enumerate() {
             let i = from + k;
-            if k > 0 || stands[i].arrive == stands[i].leave {
-                stands[i].arrive = Some(tilt);
+            if k > 0 || site_tilts[i].arrive == site_tilts[i].leave {
+                site_tilts[i].arrive = Some(tilt);
             }
-            if i < at || stands[i].leave == Some(tilts[k]) {
-                stands[i].leave = Some(tilt);
+            if i < at || site_tilts[i].leave == Some(tilts[k]) {
+                site_tilts[i].leave = Some(tilt);
             }
         }
     }
 }
 
-struct Piece<'a> {
+struct LitRun<'a> {
     beam: &'a Beam<'a>,
     track: &'a Track<'a>,
     from: usize,
 }
 
-impl Piece<'_> {
+impl LitRun<'_> {
     fn is_free(&self, k: usize, tilt: &Lean) -> bool {
         let site = &self.track.sites[self.from + k];
         self.track.allows(site, tilt) && self.beam.is_free(&site.q.p, &site.axis(tilt))
@@ -76,12 +76,12 @@ impl Piece<'_> {
     }
 
     fn polished(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
-        let drawn = self.drawn(tilts, held);
+        let drawn = self.drawn_to_aim(tilts, held);
         let smooth = self.smoothed(&drawn, held);
         [smooth, drawn].into_iter().find(|t| self.is_good(t)).unwrap_or_else(|| tilts.to_vec())
     }
 
-    /// Whether a piece can be gone: allowed, not too fast, free between.
+    /// Whether the beam can follow these tilts: no turn too fast, and every motion free.
     fn is_good(&self, tilts: &[Lean]) -> bool {
         let sites = &self.track.sites[self.from..];
         tilts.windows(2).enumerate().all(|(k, w)| {
@@ -90,9 +90,9 @@ impl Piece<'_> {
         })
     }
 
-    /// Towards the aim along the straight way, each as far as it is free with something to spare, and no
-    /// farther than its neighbours' rates allow.
-    fn drawn(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+    /// The tilts drawn straight towards their aims, each as far as it is free with something to spare, and no farther
+    /// than the tilt rate allows beside its neighbours.
+    fn drawn_to_aim(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
         let last = tilts.len() - 1;
         let whole: Vec<f64> = tilts.iter().enumerate().map(|(k, t)| (t - self.aim(k)).norm()).collect();
         let at = |k: usize, size: f64| match whole[k] {
@@ -101,7 +101,9 @@ impl Piece<'_> {
             w => self.aim(k) + (tilts[k] - self.aim(k)) * (size / w),
         };
         let mut size: Vec<f64> = (0..=last)
-            .map(|k| if k == 0 && held.0 || k == last && held.1 { whole[k] } else { self.least(k, whole[k], &at) })
+            .map(|k| {
+                if k == 0 && held.0 || k == last && held.1 { whole[k] } else { self.least_free_size(k, whole[k], &at) }
+            })
             .collect();
         let sites = &self.track.sites[self.from..];
         let way_deg = |k: usize| self.track.rate_deg_mm * (sites[k + 1].arc_mm - sites[k].arc_mm);
@@ -111,7 +113,7 @@ impl Piece<'_> {
         for k in (0..last).rev() {
             size[k] = size[k].max((size[k + 1] - way_deg(k)).min(whole[k]));
         }
-        // Turning about the aim uses up some of the rate: give way outwards until all fits.
+        // Turning about the aim uses up some of the rate: enlarge tilts until all fits.
         for _ in 0..last.min(200) {
             let mut fits = true;
             for k in 0..last {
@@ -129,8 +131,8 @@ impl Piece<'_> {
         (0..=last).map(|k| at(k, size[k])).collect()
     }
 
-    /// The least size of a tilt that is free all the way down from what it is, and what it keeps to spare.
-    fn least(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+    /// The least size to which a tilt can shrink without being blocked on the way, enlarged by what it keeps to spare.
+    fn least_free_size(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
         let good = |size: f64| self.is_free(k, &at(k, size));
         let mut low = whole;
         loop {
@@ -144,15 +146,15 @@ impl Piece<'_> {
                     let middle = 0.5 * (low + blocked);
                     if good(middle) { low = middle } else { blocked = middle }
                 }
-                return self.spared(k, low, whole, at);
+                return self.size_with_clearance(k, low, whole, at);
             }
             low = next;
         }
     }
 
-    /// From the least free size on, where tilt and nearness together are least: 1/clearance where beam and head
-    /// have one, and for a ray that of what is blocked beside it.
-    fn spared(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+    /// The size, from the least free one on, at which the cost of tilt and nearness is least. Nearness is 1/clearance
+    /// for beam and head; a ray keeps a fixed angle from what is blocked.
+    fn size_with_clearance(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
         let site = &self.track.sites[self.from + k];
         let cost = |size: f64| {
             let clearance_mm = self.beam.clearance_within_mm(&site.q.p, &site.axis(&at(k, size)), FAR_MM)?;
@@ -168,7 +170,7 @@ impl Piece<'_> {
         best.1
     }
 
-    /// Points laid between their neighbours where they stay free, with a step to spare.
+    /// Each tilt moved between those of its neighbours, where it stays free with a step to spare.
     fn smoothed(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
         let mut out = tilts.to_vec();
         let last = tilts.len() - 1;

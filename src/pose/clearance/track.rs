@@ -7,7 +7,7 @@
 
 use crate::part::angle;
 use crate::path::DensePoint;
-use crate::pose::motion::Pose;
+use crate::pose::Pose;
 use crate::pose::tilt::{Pin, Tilt, TiltRule};
 use nalgebra::{Vector2, Vector3};
 
@@ -17,9 +17,9 @@ pub type Lean = Vector2<f64>;
 /// A pin draws the beam this far to either side of its place, mm, and farther where the beam cannot
 /// turn back in less.
 const PIN_MM: f64 = 2.0;
-/// Of the rate that is allowed, what pins and the search use: the rest is for rounding.
+/// Share of the allowed rate that pins and the search use; the rest is for rounding.
 pub const RATE_SHARE: f64 = 0.98;
-/// At a pin a degree away from it weighs as much as so many elsewhere.
+/// Weight of a degree away from the aim at a pin; elsewhere it is 1.
 const PIN_PULL: f64 = 20.0;
 
 /// A point of the line.

@@ -1,10 +1,12 @@
 //! How a stretch of a line is searched: coarse, finer, and in tubes around what was found.
 
 use super::free_set::openings;
-use super::search::{self, Chain, Layer};
-use super::track::Lean;
-use super::windows::{Stand, Windows};
+use super::search::{self, Chain, TiltLayer};
+use super::site_tilts::SiteTilts;
+use super::track::{Lean, Track};
 use super::{grid, polish};
+use crate::part::Part;
+use crate::pose::Beam;
 use std::collections::BTreeSet;
 
 /// Spacing of the finest grid, degrees.
@@ -19,7 +21,9 @@ const LOOK_MM: f64 = 1.0;
 
 /// A stretch of a line that is searched.
 pub(super) struct Window<'a> {
-    pub(super) all: &'a Windows<'a>,
+    pub(super) part: &'a Part,
+    pub(super) beam: &'a Beam<'a>,
+    pub(super) track: &'a Track<'a>,
     /// Its first point.
     pub(super) first: usize,
     /// The first whose aim is blocked.
@@ -35,12 +39,12 @@ pub(super) struct Window<'a> {
 }
 
 impl Window<'_> {
-    /// Searches it, and puts what is found into the line.
-    pub(super) fn solve(&self, out: &mut [Stand]) {
-        let track = self.all.track;
+    /// Searches the window, and puts the tilts that it finds into `out`.
+    pub(super) fn solve(&self, out: &mut [SiteTilts]) {
+        let track = self.track;
         for (end, given) in [(self.first, self.start), (self.last, self.finish)] {
             if given.is_some() {
-                out[end] = Stand { arrive: given, leave: given };
+                out[end] = SiteTilts { arrive: given, leave: given };
             }
         }
         let coarse_deg = grid::coarse_spacing_deg(track.max_tilt_deg);
@@ -53,7 +57,7 @@ impl Window<'_> {
                 found_deg = 0.5 * coarse_deg;
             }
         }
-        self.put(&layers, &chain, out);
+        self.take_over(&layers, &chain, out);
         let none = vec![Vec::new(); track.sites.len()];
         let step_deg = track.rate_deg_mm * 0.9 * self.widest_gap_mm();
         let middle_deg = step_deg.clamp(FINEST_DEG, 0.25 * coarse_deg);
@@ -63,18 +67,18 @@ impl Window<'_> {
         if openings.iter().any(|o| !o.is_empty()) {
             self.in_tube(FINEST_DEG, 2.0, &openings, out);
         }
-        polish::polish(self.all.beam, track, (self.first, self.last), out);
+        polish::polish(self.beam, track, (self.first, self.last), out);
     }
 
     fn widest_gap_mm(&self) -> f64 {
-        let sites = &self.all.track.sites[self.first..=self.last];
+        let sites = &self.track.sites[self.first..=self.last];
         sites.windows(2).map(|w| w[1].arc_mm - w[0].arc_mm).fold(0.0, f64::max)
     }
 
     /// Points of the window far enough apart for a step of a grid.
     fn knots(&self, step_deg: f64) -> Vec<usize> {
-        let sites = &self.all.track.sites;
-        let step_mm = step_deg / self.all.track.rate_deg_mm - 1e-9;
+        let sites = &self.track.sites;
+        let step_mm = step_deg / self.track.rate_deg_mm - 1e-9;
         let mut out = vec![self.first];
         for i in self.first + 1..=self.last {
             if sites[i].arc_mm >= sites[out[out.len() - 1]].arc_mm + step_mm {
@@ -90,7 +94,7 @@ impl Window<'_> {
         out
     }
 
-    fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<Lean>) -> Layer {
+    fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<Lean>) -> TiltLayer {
         let given = if site == self.first {
             self.start
         } else if site == self.last {
@@ -98,12 +102,12 @@ impl Window<'_> {
         } else {
             None
         };
-        Layer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]), coarser_deg }
+        TiltLayer { site, given: given.is_some(), tilts: given.map_or_else(tilts, |t| vec![t]), coarser_deg }
     }
 
-    /// Whether a tilt can be reached from a given end; beside the core nothing asks for more.
+    /// Whether a tilt can be reached from the given ends. Only tilts beside the core are limited by this.
     fn is_within_reach(&self, site: usize, tilt: &Lean) -> bool {
-        let track = self.all.track;
+        let track = self.track;
         let arc_mm = |i: usize| track.sites[i].arc_mm;
         let reaches =
             |end: Option<Lean>, mm: f64| end.is_none_or(|e| (tilt - e).norm() <= track.rate_deg_mm * mm + 1e-9);
@@ -112,8 +116,8 @@ impl Window<'_> {
     }
 
     /// The best chain on a grid over all tilts.
-    fn on_grid(&self, spacing_deg: f64, coarser_deg: Option<f64>) -> (Vec<Layer>, Chain) {
-        let track = self.all.track;
+    fn on_grid(&self, spacing_deg: f64, coarser_deg: Option<f64>) -> (Vec<TiltLayer>, Chain) {
+        let track = self.track;
         let cells = grid::disc(track.max_tilt_deg + 0.5 * spacing_deg, spacing_deg);
         let at_rim = |t: Lean| grid::at_rim(t, track.max_tilt_deg, spacing_deg);
         let layer = |site: usize| {
@@ -125,21 +129,21 @@ impl Window<'_> {
                 tilts
             })
         };
-        let layers: Vec<Layer> = self.knots(spacing_deg).into_iter().map(layer).collect();
-        let chain = search::best(self.all.beam, track, &layers);
+        let layers: Vec<TiltLayer> = self.knots(spacing_deg).into_iter().map(layer).collect();
+        let chain = search::best_chain(self.beam, track, &layers);
         (layers, chain)
     }
 
     /// Improves what is there, within a radius of it.
-    fn in_tube(&self, spacing_deg: f64, radius_deg: f64, openings: &[Vec<Lean>], out: &mut [Stand]) {
-        let track = self.all.track;
+    fn in_tube(&self, spacing_deg: f64, radius_deg: f64, openings: &[Vec<Lean>], out: &mut [SiteTilts]) {
+        let track = self.track;
         let before = out.to_vec();
         let layer = |site: usize| {
             self.layer(site, None, || {
                 let s = &track.sites[site];
                 let mut middles: Vec<Lean> = [before[site].arrive, before[site].leave].into_iter().flatten().collect();
                 if middles.is_empty() {
-                    middles.extend(self.held(site, &before));
+                    middles.extend(self.tilts_beside(site, &before));
                 }
                 middles.extend(&openings[site]);
                 let mut cells = BTreeSet::new();
@@ -155,26 +159,27 @@ impl Window<'_> {
                 tilts
             })
         };
-        let layers: Vec<Layer> = self.knots(spacing_deg).into_iter().map(layer).collect();
-        let chain = search::best(self.all.beam, track, &layers);
-        self.put(&layers, &chain, out);
+        let layers: Vec<TiltLayer> = self.knots(spacing_deg).into_iter().map(layer).collect();
+        let chain = search::best_chain(self.beam, track, &layers);
+        self.take_over(&layers, &chain, out);
     }
 
     /// Beams of the nearest points on both sides where the laser is on.
-    fn held(&self, site: usize, stands: &[Stand]) -> Vec<Lean> {
-        let sites = &self.all.track.sites;
+    fn tilts_beside(&self, site: usize, site_tilts: &[SiteTilts]) -> Vec<Lean> {
+        let sites = &self.track.sites;
         let near = |i: &usize| (sites[*i].arc_mm - sites[site].arc_mm).abs() <= HOLD_MM;
-        let before = (self.first..site).rev().take_while(near).find_map(|i| stands[i].leave.or(stands[i].arrive));
-        let behind = (site + 1..=self.last).take_while(near).find_map(|i| stands[i].arrive.or(stands[i].leave));
+        let before =
+            (self.first..site).rev().take_while(near).find_map(|i| site_tilts[i].leave.or(site_tilts[i].arrive));
+        let behind = (site + 1..=self.last).take_while(near).find_map(|i| site_tilts[i].arrive.or(site_tilts[i].leave));
         before.into_iter().chain(behind).collect()
     }
 
-    /// Takes over a chain.
-    fn put(&self, layers: &[Layer], chain: &Chain, out: &mut [Stand]) {
-        let sites = &self.all.track.sites;
+    /// Puts the tilts of a chain into `out`, interpolated between its layers.
+    fn take_over(&self, layers: &[TiltLayer], chain: &Chain, out: &mut [SiteTilts]) {
+        let sites = &self.track.sites;
         for k in 0..layers.len() {
             let here = layers[k].site;
-            // What was given holds, whatever became of the way from it.
+            // A given tilt stays, whatever became of the motion from it.
             if k > 0 || !layers[k].given {
                 out[here].arrive = chain.arrive[k];
             }
@@ -192,16 +197,16 @@ impl Window<'_> {
                 let tilt = chain.leave[k]
                     .zip(chain.arrive[k + 1])
                     .map(|(from, to)| from.lerp(&to, (sites[i].arc_mm - sites[here].arc_mm) / whole));
-                out[i] = Stand { arrive: tilt, leave: tilt };
+                out[i] = SiteTilts { arrive: tilt, leave: tilt };
             }
         }
     }
 
     /// Openings at points that are still blocked.
-    fn openings(&self, stands: &[Stand]) -> Vec<Vec<Lean>> {
-        let (track, sites) = (self.all.track, &self.all.track.sites);
+    fn openings(&self, site_tilts: &[SiteTilts]) -> Vec<Vec<Lean>> {
+        let (track, sites) = (self.track, &self.track.sites);
         let mut out = vec![Vec::new(); sites.len()];
-        let is_dark = |i: usize| stands[i].arrive.is_none() && stands[i].leave.is_none();
+        let is_dark = |i: usize| site_tilts[i].arrive.is_none() && site_tilts[i].leave.is_none();
         let mut looked_mm = f64::NEG_INFINITY;
         for i in self.first..=self.last {
             let is_rim = is_dark(i) && (i == self.first || i == self.last || !is_dark(i - 1) || !is_dark(i + 1));
@@ -209,7 +214,7 @@ impl Window<'_> {
                 continue;
             }
             looked_mm = sites[i].arc_mm;
-            let found = openings(self.all.part, self.all.beam, track, &sites[i]);
+            let found = openings(self.part, self.beam, track, &sites[i]);
             for (j, slot) in out.iter_mut().enumerate().take(self.last + 1).skip(self.first) {
                 if (sites[j].arc_mm - looked_mm).abs() <= LOOK_MM {
                     slot.extend(&found);

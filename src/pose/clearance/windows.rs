@@ -1,25 +1,17 @@
 //! Where a line's aim is blocked, and how far around that it is searched.
 
+use super::site_tilts::SiteTilts;
 use super::track::{Lean, Track};
 use super::window::Window;
 use crate::part::Part;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
 
-/// How the beam stands at a point: coming and leaving. They differ where the line is split.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stand {
-    /// Coming; `None`: the laser is off before.
-    pub arrive: Option<Lean>,
-    /// Leaving; `None`: it is off behind.
-    pub leave: Option<Lean>,
-}
-
-/// A line, and where its aim is free.
+/// A line, and the points at which its aim is free.
 pub struct Windows<'a> {
-    pub(super) part: &'a Part,
-    pub(super) beam: &'a Beam<'a>,
-    pub(super) track: &'a Track<'a>,
+    part: &'a Part,
+    beam: &'a Beam<'a>,
+    track: &'a Track<'a>,
     /// Whether the beam may have its aim.
     pub ok: Vec<bool>,
 }
@@ -37,7 +29,7 @@ impl<'a> Windows<'a> {
             .collect();
         for i in 0..sites.len().saturating_sub(1) {
             let (from, to) = (&sites[i], &sites[i + 1]);
-            // Between normals the detection has looked.
+            // The detection has already tested motions between normals.
             let stays = plain(i) && plain(i + 1)
                 || track.may_turn((from, &from.aim), (to, &to.aim))
                     && motion::is_free(beam, &from.pose(&from.aim), &to.pose(&to.aim), 0.0);
@@ -48,11 +40,11 @@ impl<'a> Windows<'a> {
         Windows { part, beam, track, ok }
     }
 
-    /// How the beam stands at every point. `held`: the axis at both ends of an opened closed line.
-    pub fn corrected(&self, held: Option<Vector3<f64>>) -> Vec<Stand> {
+    /// The tilts at every point. `held`: the axis at both ends of a closed line that was opened.
+    pub fn corrected(&self, held: Option<Vector3<f64>>) -> Vec<SiteTilts> {
         let sites = &self.track.sites;
-        let aim = |i: usize| Stand { arrive: Some(sites[i].aim), leave: Some(sites[i].aim) };
-        let mut out: Vec<Stand> = (0..sites.len()).map(aim).collect();
+        let aim = |i: usize| SiteTilts { arrive: Some(sites[i].aim), leave: Some(sites[i].aim) };
+        let mut out: Vec<SiteTilts> = (0..sites.len()).map(aim).collect();
         let last = sites.len() - 1;
         let margin_mm = self.track.max_tilt_deg / self.track.rate_deg_mm;
         let mut at = 0;
@@ -79,7 +71,9 @@ impl<'a> Windows<'a> {
                 _ => (i != rim && self.ok[i]).then(|| sites[i].aim),
             };
             let window = Window {
-                all: self,
+                part: self.part,
+                beam: self.beam,
+                track: self.track,
                 first: first.max(at.saturating_sub(1)),
                 core,
                 end,

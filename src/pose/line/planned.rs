@@ -3,14 +3,14 @@
 
 use super::super::clearance;
 use super::super::interference::{Beam, Blocker};
-use super::super::motion::{self, Pose};
-use super::super::target::{Pass, Split, State, Target, against_normal_deg, travel};
+use super::super::target::{Pass, Split, Target, TargetState, against_normal_deg, travel};
+use super::super::{Pose, motion};
 use crate::part::angle;
-use crate::path::chord::{self, ChordLimits, Place};
+use crate::path::chord::{self, ChordLimits, LinePlace};
 use crate::path::dense::{self, DensePoint};
 use nalgebra::Vector3;
 
-/// A corrected axis that was dropped lies within this of the motion that replaces it, degrees.
+/// Greatest difference between a dropped corrected axis and the motion that replaces it, degrees.
 const AXIS_ERROR_DEG: f64 = 1.0;
 
 /// A move beside something that the beam was tilted away from turns the axis by no more than this,
@@ -18,7 +18,7 @@ const AXIS_ERROR_DEG: f64 = 1.0;
 /// spot the spot then strays 0.02 mm, the beam's own margin; with 5° it strays 0.1 mm.
 const CORRECTED_TURN_DEG: f64 = 2.5;
 
-/// The wall that a beam would run into behind a split is looked for this far, mm.
+/// How far behind a split the wall that the beam would run into is looked for, mm.
 const WALL_MM: f64 = 20.0;
 
 /// A dense line with its axes.
@@ -28,7 +28,7 @@ pub(super) struct Planned {
     axes: Vec<Option<Vector3<f64>>>,
     /// What the axes would be if nothing were in the way.
     aims: Vec<Vector3<f64>>,
-    /// Whether it is the point of the one before, with another beam; the laser is off between the two.
+    /// Whether a point lies where the one before it does, with another beam; the laser is off between the two.
     splits: Vec<bool>,
     /// How fast a corrected beam may turn against the normal, degrees/mm.
     rate_deg_mm: f64,
@@ -37,7 +37,7 @@ pub(super) struct Planned {
 impl Planned {
     /// Along the normals, or corrected away from them; `None`: blocked.
     pub(super) fn along_normals(points: Vec<DensePoint>, axes: Vec<Option<Vector3<f64>>>) -> Planned {
-        // What a correction leaves within rounding of the normal is the normal.
+        // An axis within rounding of the normal is the normal.
         let snapped =
             |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
         let axes = points.iter().zip(axes).map(snapped).collect();
@@ -45,8 +45,8 @@ impl Planned {
         Planned { points, axes, aims, splits, rate_deg_mm: f64::INFINITY }
     }
 
-    /// What the search for tilts found.
-    pub(super) fn of_rows(rows: &[clearance::Row], rate_deg_mm: f64) -> Planned {
+    /// From the corrected points that the search for tilts found.
+    pub(super) fn of_rows(rows: &[clearance::CorrectedPoint], rate_deg_mm: f64) -> Planned {
         Planned {
             points: rows.iter().map(|r| r.q).collect(),
             axes: rows.iter().map(|r| r.axis).collect(),
@@ -60,16 +60,16 @@ impl Planned {
         self.axes[i].map(|a| Pose { p: self.points[i].p, a })
     }
 
-    fn state(&self, i: usize) -> State {
+    fn state(&self, i: usize) -> TargetState {
         match self.axes[i] {
-            None => State::Blocked,
-            Some(a) if a == self.aims[i] => State::Free,
-            Some(_) => State::Corrected,
+            None => TargetState::Blocked,
+            Some(a) if a == self.aims[i] => TargetState::Free,
+            Some(_) => TargetState::Corrected,
         }
     }
 
-    /// Where the beam hits something between two neighbours that are free, a blocked point is put;
-    /// where it turns more than a move may, points between.
+    /// Inserts a blocked point where the beam hits something between two free neighbours, and points in between where
+    /// it turns more than a move may.
     pub(super) fn test_motion(&mut self, beam: &Beam<'_>, max_turn_deg: f64) {
         let max_turn_deg = max_turn_deg.min(CORRECTED_TURN_DEG);
         let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new()));
@@ -90,7 +90,7 @@ impl Planned {
                 let t = k as f64 / steps;
                 let q = between(t);
                 let aim = if tilted { angle::slerp(&old.aims[i], &old.aims[next], t) } else { q.n };
-                self.push(q, Some(motion::midway(&from, &to, t).a), aim, false);
+                self.push(q, Some(from.midway(&to, t).a), aim, false);
             }
         }
     }
@@ -103,7 +103,7 @@ impl Planned {
     }
 
     /// The places that become targets.
-    pub(super) fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<Place> {
+    pub(super) fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<LinePlace> {
         let last = self.points.len() - 1;
         // Points at which the state changes stay, on both sides; and those of a split.
         let fixed: Vec<bool> = (0..=last)
@@ -117,22 +117,22 @@ impl Planned {
     }
 
     /// Axis at a place; between two points of one state.
-    fn axis(&self, place: Place) -> Option<Vector3<f64>> {
+    fn axis(&self, place: LinePlace) -> Option<Vector3<f64>> {
         let a = self.axes[place.index]?;
         if place.share == 0.0 {
             return Some(a);
         }
-        if a == self.points[place.index].n && self.state(place.index) == State::Free {
-            return Some(place.on(&self.points).n);
+        if a == self.points[place.index].n && self.state(place.index) == TargetState::Free {
+            return Some(place.point_on(&self.points).n);
         }
         Some(angle::slerp(&a, &self.axes[place.index + 1]?, place.share))
     }
 
     /// Whether the straight motion between two places can stand for the points between.
-    fn may_span(&self, beam: &Beam<'_>, i: Place, j: Place, max_turn_deg: f64) -> bool {
-        let pose = |place: Place| self.axis(place).map(|a| Pose { p: place.on(&self.points).p, a });
+    fn may_span(&self, beam: &Beam<'_>, i: LinePlace, j: LinePlace, max_turn_deg: f64) -> bool {
+        let pose = |place: LinePlace| self.axis(place).map(|a| Pose { p: place.point_on(&self.points).p, a });
         let (Some(from), Some(to)) = (pose(i), pose(j)) else {
-            // Blocked rows only say where; nothing moves along them with the laser on.
+            // Blocked points only mark the place; nothing moves along them with the laser on.
             return self.axes[i.index].is_none() && self.axes[j.index].is_none();
         };
         let whole = (to.p - from.p).norm().max(1e-12);
@@ -140,16 +140,16 @@ impl Planned {
         let same_axis = from.a == to.a && between.clone().all(|k| self.axes[k] == Some(from.a));
         let sag = chord::chord_error_mm(&self.points, i, j);
         if same_axis && sag < 1e-7 {
-            return true; // a flat: the detection has looked at this very motion
+            return true; // flat: the detection has tested this motion
         }
         let arc = angle::Arc::new(&from.a, &to.a);
         let on_axis = |k: usize| {
             let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
             self.axes[k].is_some_and(|a| angle::between_deg(&arc.at(share), &a) <= AXIS_ERROR_DEG)
         };
-        let corrected = self.state(i.index) == State::Corrected || self.state(j.index) == State::Corrected;
+        let corrected = self.state(i.index) == TargetState::Corrected || self.state(j.index) == TargetState::Corrected;
         let max_turn_deg = if corrected { max_turn_deg.min(CORRECTED_TURN_DEG) } else { max_turn_deg };
-        let (n, to_n) = (i.on(&self.points).n, j.on(&self.points).n);
+        let (n, to_n) = (i.point_on(&self.points).n, j.point_on(&self.points).n);
         angle::between_deg(&from.a, &to.a) <= max_turn_deg + 1e-6
             && (!corrected || against_normal_deg((&n, &from.a), (&to_n, &to.a)) <= self.rate_deg_mm * whole)
             && between.clone().all(on_axis)
@@ -157,17 +157,18 @@ impl Planned {
     }
 
     /// Fills a pass with targets at the places that were kept.
-    pub(super) fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[Place]) -> Pass {
+    pub(super) fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[LinePlace]) -> Pass {
         let tangents = dense::tangents(&self.points, pass.closed);
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
         let mut splits = Vec::new();
         for &place in kept {
-            let q = place.on(&self.points);
+            let q = place.point_on(&self.points);
             let axis = self.axis(place);
             let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
             let is_split = place.share == 0.0 && self.splits[place.index];
-            let laser =
-                !is_split && state != State::Blocked && targets.last().is_some_and(|t| t.state != State::Blocked);
+            let laser = !is_split
+                && state != TargetState::Blocked
+                && targets.last().is_some_and(|t| t.state != TargetState::Blocked);
             if is_split {
                 splits.push(Split { point: targets.len(), wall: self.wall(beam, place.index) });
             }
@@ -193,8 +194,8 @@ impl Planned {
         Pass { targets, chord_error_mm, splits, ..pass }
     }
 
-    /// What keeps the beam from turning at the split `i`: on the way from one beam to the other, or where
-    /// the one before would come to if it were kept on.
+    /// What keeps the beam from turning at the split `i`: something on the turn from one beam to the other, or ahead
+    /// on the line if the beam kept the tilt it has before the split.
     fn wall(&self, beam: &Beam<'_>, i: usize) -> Option<Blocker> {
         let (q, from, to) = (self.points[i], self.axes[i.checked_sub(1)?]?, self.axes[i]?);
         let arc = angle::Arc::new(&from, &to);

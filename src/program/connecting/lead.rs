@@ -29,8 +29,8 @@ pub struct Leads {
 
 /// The leads of the lit piece of a pass from target `first` to `last`, which the beam stands at as given.
 pub fn leads(space: &Space<'_>, pass: &Pass, (first, last): (usize, usize), [start, end]: [&Station; 2]) -> Leads {
-    let before = lead(space, pass, (first, first + 1), start, pass.work.lead_in_mm);
-    let behind = lead(space, pass, (last, last.saturating_sub(1)), end, pass.work.lead_out_mm);
+    let before = lead(space, pass, (first, first + 1), start, pass.settings.lead_in_mm);
+    let behind = lead(space, pass, (last, last.saturating_sub(1)), end, pass.settings.lead_out_mm);
     let left_out = [&before, &behind].iter().filter(|l| matches!(l, Some(Err(())))).count();
     Leads { before: before.and_then(Result::ok), behind: behind.and_then(Result::ok), left_out }
 }
@@ -46,6 +46,6 @@ fn lead(
     let way = pass.targets.get(at)?.p - pass.targets.get(inner)?.p;
     let direction = way.try_normalize(1e-9).filter(|_| length_mm > 0.0)?;
     let there = Station { x: station.x + direction * length_mm, ..*station };
-    let is_free = space.is_lead_free(station, &there, pass.work.defocus_mm);
-    Some(if is_free { Ok(Lead { at: there, seconds: length_mm / pass.work.speed_mm_s }) } else { Err(()) })
+    let is_free = space.is_lead_free(station, &there, pass.settings.defocus_mm);
+    Some(if is_free { Ok(Lead { at: there, seconds: length_mm / pass.settings.speed_mm_s }) } else { Err(()) })
 }

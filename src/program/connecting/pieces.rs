@@ -47,12 +47,12 @@ pub struct Spaces<'a>(Vec<Space<'a>>);
 impl<'a> Spaces<'a> {
     /// `whole`: around all layers.
     pub fn new(whole: &Space<'a>, prover: &Prover<'a>, passes: &[Pass]) -> Spaces<'a> {
-        let last = passes.iter().map(|p| p.work.layer).max().unwrap_or(0);
+        let last = passes.iter().map(|p| p.settings.layer).max().unwrap_or(0);
         Spaces((0..=last).map(|layer| whole.with_part(prover.part_of(layer + 1))).collect())
     }
 
     fn of(&self, pass: &Pass) -> &Space<'a> {
-        let layer = (pass.work.layer as usize).min(self.0.len() - 1);
+        let layer = (pass.settings.layer as usize).min(self.0.len() - 1);
         &self.0[layer]
     }
 }
@@ -61,7 +61,7 @@ impl<'a> Spaces<'a> {
 pub fn pieces(spaces: &Spaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
     let piece = |of: LitRange| {
         let (pass, first, last) = (&passes[of.pass], of.first, of.last);
-        let at = |point: usize| Station::of(&pass.targets[point], &pass.work);
+        let at = |point: usize| Station::of(&pass.targets[point], &pass.settings);
         let (start, end) = (at(first), at(last));
         let leads = leads(spaces.of(pass), pass, (first, last), [&start, &end]);
         let (entry, exit) = (leads.before.map_or(start, |l| l.at), leads.behind.map_or(end, |l| l.at));

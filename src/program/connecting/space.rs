@@ -5,11 +5,12 @@
 //! it, and back in along the next beam, which is free to infinity. Where the head is known it is swept on
 //! all of these but those outside the sphere, which is wider by it.
 
-use crate::beam::Body;
+use crate::beam::ToolGeometry;
 use crate::cell::mounting::Mounted;
 use crate::cell::{Air, Setup};
 use crate::part::{Part, angle, distance};
-use crate::pose::motion::{Motion, Pose, head_hit, is_free};
+use crate::pose::Pose;
+use crate::pose::motion::{Motion, head_hit, is_free};
 use crate::pose::{Beam, Blocker, Pass};
 use crate::program::motion::lit::StraightFlange;
 use crate::program::motion::spot::FROM_MM;
@@ -30,7 +31,7 @@ const ARC_DEG: f64 = 30.0;
 pub struct Space<'a> {
     part: &'a Part,
     /// The head alone, where it is known.
-    head: Option<Body<'a>>,
+    head: Option<ToolGeometry<'a>>,
     /// How the flange carries the focus.
     mounted: Mounted,
     air: &'a Air,
@@ -42,14 +43,19 @@ pub struct Space<'a> {
 impl<'a> Space<'a> {
     /// The space for what is carried in the air between passes: `straight` knows part and margin.
     pub fn of(straight: &StraightFlange<'a>, setup: &'a Setup, passes: &[Pass]) -> Space<'a> {
-        let head = Body::head_alone(&setup.tool, straight.prover.margin_mm());
-        let farthest_focus_mm = passes.iter().map(|p| p.work.defocus_mm).fold(0.0, f64::max);
+        let head = ToolGeometry::head_alone(&setup.tool, straight.prover.margin_mm());
+        let farthest_focus_mm = passes.iter().map(|p| p.settings.defocus_mm).fold(0.0, f64::max);
         Space::new(straight.prover.whole(), (head, straight.prover.mounted), &setup.cell.air, farthest_focus_mm)
     }
 
     /// The sphere lies `air.clearance_mm` outside everything that the focus reaches, and the head beside it.
     /// `head`: without its beam.
-    fn new(part: &'a Part, (head, mounted): (Option<Body<'a>>, Mounted), air: &'a Air, defocus_mm: f64) -> Space<'a> {
+    fn new(
+        part: &'a Part,
+        (head, mounted): (Option<ToolGeometry<'a>>, Mounted),
+        air: &'a Air,
+        defocus_mm: f64,
+    ) -> Space<'a> {
         let (mut lo, mut hi) = part.mesh.bounds();
         for clamp in head.iter().flat_map(|h| h.clamps) {
             for p in &clamp.solid().mesh.vertices {

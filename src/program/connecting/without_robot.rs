@@ -89,7 +89,7 @@ impl FocusWalk<'_> {
     /// Down to a piece's first target, by its lead-in if it has one.
     fn onto(&mut self, here: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let first = Some((piece.of.pass, piece.of.first));
-        let start = Station::of(&pass.targets[piece.of.first], &pass.work).nearest_to(&here);
+        let start = Station::of(&pass.targets[piece.of.first], &pass.settings).nearest_to(&here);
         match piece.leads.before {
             None => self.air(here, start, first),
             Some(l) => {
@@ -105,14 +105,14 @@ impl FocusWalk<'_> {
     /// Along a piece with the laser on.
     fn along(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let mut here = start;
-        self.out.work_with(&pass.work);
+        self.out.work_with(&pass.settings);
         self.out.list.push(Step::Laser(true));
         for i in piece.of.first + 1..=piece.of.last {
-            let next = Station::of(&pass.targets[i], &pass.work).nearest_to(&here);
+            let next = Station::of(&pass.targets[i], &pass.settings).nearest_to(&here);
             let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
-            let seconds = spot_mm / pass.work.speed_mm_s;
+            let seconds = spot_mm / pass.settings.speed_mm_s;
             let mut done = 0.0;
-            match self.straight.between(&here, &next, &pass.work) {
+            match self.straight.between(&here, &next, &pass.settings) {
                 Ok(between) => {
                     for (share, station) in between {
                         self.go(station, seconds * (share - done), None);

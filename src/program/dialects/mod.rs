@@ -22,7 +22,7 @@ use super::neutral::comment::WITHOUT_WORDS;
 use super::neutral::lines::lines;
 use super::neutral::steps::{Step, Steps};
 use super::write_error::{DialectError, UnknownDialect};
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::cell::Setup;
 
 /// Every dialect that is written and read, the default first.
@@ -58,7 +58,7 @@ pub fn known(name: &str) -> Result<&'static dyn Dialect, UnknownDialect> {
 /// # Errors
 /// What the controller could not take.
 pub fn check(name: &str, setup: &Setup) -> Result<(), DialectError> {
-    let pulsed = Work { frequency_khz: 1.0, ..Work::default() };
+    let pulsed = ProcessSettings { frequency_khz: 1.0, ..ProcessSettings::default() };
     let home = Steps { list: vec![Step::Work(pulsed), Step::Home, Step::Home], ..Steps::default() };
     let lines = lines(&home, setup);
     known(name)?.write(&Program { head: Vec::new(), lines, setup, wording: WITHOUT_WORDS })?;

@@ -2,7 +2,7 @@
 //! line, and the leads. How it is come to and left is told elsewhere.
 
 use super::Drive;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::cell::motion::{Cause, Choice, Refusal, Why};
 use crate::pose::Pass;
 use crate::program::connecting::lead::{self, Lead, Leads};
@@ -76,7 +76,7 @@ impl Drive<'_> {
             let chosen = choice.rows[number][point].as_ref();
             chosen
                 .map(|c| ArmStand {
-                    at: Station::spun(&pass.targets[point], &pass.work, c.spin_deg),
+                    at: Station::spun(&pass.targets[point], &pass.settings, c.spin_deg),
                     joints_deg: c.joints_deg,
                 })
                 .ok_or_else(|| refuse(point, (Cause::Reach, Why::NotChosen)))
@@ -86,9 +86,9 @@ impl Drive<'_> {
         let mut lit = Vec::new();
         for point in first + 1..=last {
             let to = stand(point)?;
-            let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.work.speed_mm_s;
+            let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.settings.speed_mm_s;
             let before = lit.len();
-            self.between(&here, &to, (&pass.work, seconds), &mut lit).map_err(|reason| refuse(point, reason))?;
+            self.between(&here, &to, (&pass.settings, seconds), &mut lit).map_err(|reason| refuse(point, reason))?;
             if let Some(l) = lit[before..].last_mut() {
                 l.target = Some((number, point));
             }
@@ -118,7 +118,7 @@ impl Drive<'_> {
         &self,
         from: &ArmStand,
         to: &ArmStand,
-        (work, seconds): (&Work, f64),
+        (work, seconds): (&ProcessSettings, f64),
         out: &mut Vec<WorkMove>,
     ) -> Result<(), (Cause, Why)> {
         let (mut here, mut done) = (*from, 0.0);

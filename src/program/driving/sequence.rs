@@ -172,7 +172,7 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
         if let Some(lead) = &piece.leads.before {
             out.lead(&piece.start, lead.seconds, (&lead.to.at, begin));
         }
-        out.work_with(&pass.work);
+        out.work_with(&pass.settings);
         out.work(piece);
         if let Some(lead) = &piece.leads.behind {
             out.lead(&lead.to, lead.seconds, (&piece.last().at, None));

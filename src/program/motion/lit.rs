@@ -3,7 +3,7 @@
 
 use super::spot::foot;
 use super::sweep::{LitMove, Prover};
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::cell::motion::{Cause, Why};
 use crate::pose::motion::Swept;
 use crate::program::neutral::steps::Station;
@@ -27,7 +27,12 @@ impl StraightFlange<'_> {
     ///
     /// # Errors
     /// Even the shortest pieces leave the line, or hit something.
-    pub fn between(&self, from: &Station, to: &Station, work: &Work) -> Result<Vec<(f64, Station)>, (Cause, Why)> {
+    pub fn between(
+        &self,
+        from: &Station,
+        to: &Station,
+        work: &ProcessSettings,
+    ) -> Result<Vec<(f64, Station)>, (Cause, Why)> {
         let mut out = Vec::new();
         self.halved((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
         Ok(out)
@@ -37,7 +42,7 @@ impl StraightFlange<'_> {
         &self,
         from: (&Station, f64),
         to: (&Station, f64),
-        (work, halvings): (&Work, usize),
+        (work, halvings): (&ProcessSettings, usize),
         out: &mut Vec<(f64, Station)>,
     ) -> Result<(), (Cause, Why)> {
         let off_mm = self.deviation(from.0, to.0, work);
@@ -61,13 +66,13 @@ impl StraightFlange<'_> {
     }
 
     /// What beam or head hits on a lit move, as the flange goes.
-    fn beam_hits(&self, from: &Station, to: &Station, work: &Work) -> Option<Swept> {
+    fn beam_hits(&self, from: &Station, to: &Station, work: &ProcessSettings) -> Option<Swept> {
         let [from, to] = [from, to].map(|s| self.prover.mounted.flange_for(&s.frame()));
         self.prover.hit(&LitMove { from, to, by_focus: false, work: *work })
     }
 
     /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
-    fn midway(&self, from: &Station, to: &Station, work: &Work) -> Station {
+    fn midway(&self, from: &Station, to: &Station, work: &ProcessSettings) -> Station {
         let (a, b) = (from.frame(), to.frame());
         let foot = nalgebra::center(&foot(&a, work.defocus_mm), &foot(&b, work.defocus_mm));
         let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
@@ -76,7 +81,7 @@ impl StraightFlange<'_> {
     }
 
     /// How far the spot leaves the straight line where the flange goes straight, mm.
-    fn deviation(&self, from: &Station, to: &Station, work: &Work) -> f64 {
+    fn deviation(&self, from: &Station, to: &Station, work: &ProcessSettings) -> f64 {
         let (a, b) = (self.prover.mounted.flange_for(&from.frame()), self.prover.mounted.flange_for(&to.frame()));
         let (start, end) = (foot(&from.frame(), work.defocus_mm), foot(&to.frame(), work.defocus_mm));
         let line = end - start;

@@ -7,10 +7,11 @@
 //! pieces are told by their middle.
 
 use super::spot::{self, FROM_MM};
-use crate::beam::{Body, Stance, Work};
+use crate::beam::{ProcessSettings, ToolConfiguration, ToolGeometry};
 use crate::cell::mounting::Mounted;
-use crate::part::{Grown, Part, angle};
-use crate::pose::motion::{Motion, Pose, Swept, swept};
+use crate::part::{GrownPart, Part, angle};
+use crate::pose::Pose;
+use crate::pose::motion::{Motion, Swept, swept};
 use crate::pose::{Beam, Blocker, Obstruction, ToolBody};
 use crate::program::neutral::steps::{Step, Steps};
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -28,13 +29,13 @@ pub struct LitMove {
     /// Whether it is the path frame that goes straight.
     pub by_focus: bool,
     /// What it is worked with.
-    pub work: Work,
+    pub work: ProcessSettings,
 }
 
 impl Steps {
     /// The moves with the laser on, as the flange makes them.
     pub fn lit_moves(&self, mounted: &Mounted) -> Vec<LitMove> {
-        let (mut lit, mut at, mut work) = (false, None, Work::default());
+        let (mut lit, mut at, mut work) = (false, None, ProcessSettings::default());
         let mut out = Vec::new();
         for step in &self.list {
             match step {
@@ -76,15 +77,15 @@ fn count<S: Serializer>(list: &[(usize, Blocker)], s: S) -> Result<S::Ok, S::Err
 pub struct Prover<'a> {
     part: &'a Part,
     /// The part as it has grown behind each layer.
-    grown: &'a [Arc<Grown>],
+    grown: &'a [Arc<GrownPart>],
     /// What stands around the beam, for all that is worked with.
-    bodies: Vec<(Work, Option<Body<'a>>)>,
+    bodies: Vec<(ProcessSettings, Option<ToolGeometry<'a>>)>,
     /// How the flange carries the focus.
     pub mounted: Mounted,
     sag_mm: f64,
     window_mm: f64,
     /// The bodies that a plan is held to.
-    spare: Vec<(Work, Option<Body<'a>>)>,
+    spare: Vec<(ProcessSettings, Option<ToolGeometry<'a>>)>,
     /// The share of what a ray keeps at a target that it has to keep here.
     ray_share: f64,
 }
@@ -94,17 +95,23 @@ pub struct Prover<'a> {
 pub const SPARE_MM: f64 = 0.01;
 
 impl<'a> Prover<'a> {
-    /// A prover for a part and the stances that its lit moves are made in. `deviation_mm`: how far the spot may
+    /// A prover for a part and the configurations that its lit moves are made in. `deviation_mm`: how far the spot may
     /// leave its line; `sag_mm`: how far the part may lie from a chord.
-    pub fn new(part: &'a Part, stances: &[Stance<'a>], mounted: Mounted, deviation_mm: f64, sag_mm: f64) -> Prover<'a> {
+    pub fn new(
+        part: &'a Part,
+        configurations: &[ToolConfiguration<'a>],
+        mounted: Mounted,
+        deviation_mm: f64,
+        sag_mm: f64,
+    ) -> Prover<'a> {
         // A plan may lose the length of a short piece, and what is read back is not held to that again.
-        let eased = |b: &Body<'a>| b.eased(deviation_mm + b.short_mm + SPARE_MM, 2);
-        let spare = |b: &Body<'a>| b.eased(deviation_mm, 1);
+        let eased = |b: &ToolGeometry<'a>| b.eased(deviation_mm + b.short_mm + SPARE_MM, 2);
+        let spare = |b: &ToolGeometry<'a>| b.eased(deviation_mm, 1);
         Prover {
             part,
             grown: &[],
-            bodies: stances.iter().map(|s| (s.work, s.body.as_ref().map(eased))).collect(),
-            spare: stances.iter().map(|s| (s.work, s.body.as_ref().map(spare))).collect(),
+            bodies: configurations.iter().map(|s| (s.settings, s.geometry.as_ref().map(eased))).collect(),
+            spare: configurations.iter().map(|s| (s.settings, s.geometry.as_ref().map(spare))).collect(),
             mounted,
             sag_mm,
             window_mm: deviation_mm + 2.0 * sag_mm,
@@ -114,7 +121,7 @@ impl<'a> Prover<'a> {
 
     /// With the part as it has grown behind each layer: a move is proven on the part for which its own layer
     /// begins.
-    pub fn on_layers(self, grown: &'a [Arc<Grown>]) -> Prover<'a> {
+    pub fn on_layers(self, grown: &'a [Arc<GrownPart>]) -> Prover<'a> {
         Prover { grown, ..self }
     }
 
@@ -131,7 +138,12 @@ impl<'a> Prover<'a> {
 
     /// Where the beam of a path frame stands on the part, and its axis: no farther from where it should be
     /// than it may deviate, and than the part may lie from a chord.
-    pub fn spot(&self, beam: &Beam<'_>, part_from_focus: &Isometry3<f64>, work: &Work) -> (Point3<f64>, Vector3<f64>) {
+    pub fn spot(
+        &self,
+        beam: &Beam<'_>,
+        part_from_focus: &Isometry3<f64>,
+        work: &ProcessSettings,
+    ) -> (Point3<f64>, Vector3<f64>) {
         spot::on_part(beam, part_from_focus, work.defocus_mm, self.window_mm)
     }
 
@@ -141,8 +153,8 @@ impl<'a> Prover<'a> {
     }
 
     /// What stands around the beam of a move. Falls back to the nearest work that a plan has used.
-    fn body(&self, work: &Work) -> Option<&Body<'a>> {
-        let off = |w: &Work| (w.defocus_mm - work.defocus_mm).abs() + (w.spot_mm - work.spot_mm).abs();
+    fn body(&self, work: &ProcessSettings) -> Option<&ToolGeometry<'a>> {
+        let off = |w: &ProcessSettings| (w.defocus_mm - work.defocus_mm).abs() + (w.spot_mm - work.spot_mm).abs();
         self.bodies.iter().min_by(|a, b| off(&a.0).total_cmp(&off(&b.0)))?.1.as_ref()
     }
 

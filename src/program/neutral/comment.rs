@@ -2,7 +2,7 @@
 //! knows none; they are English on every controller.
 
 use super::shortfall::ByHand;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::cell::Mount;
 use crate::path::{Direction, Order};
 
@@ -106,7 +106,7 @@ pub struct WorkFigures {
 impl WorkFigures {
     /// The figures of a work. A head that is drawn back widens the spot by any number of digits: lengths are given to
     /// a ten-thousandth of a millimetre.
-    pub fn of(work: &Work) -> WorkFigures {
+    pub fn of(work: &ProcessSettings) -> WorkFigures {
         let short = |mm: f64| (mm * 1e4).round() / 1e4;
         WorkFigures {
             power_w: work.power_w,

@@ -4,7 +4,7 @@
 use super::comment::Comment;
 use super::shortfall::ByHand;
 use super::steps::{Go, Interpolation, MoveTiming, Step, Steps};
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::cell::Setup;
 use crate::cell::outputs::{During, LevelForm, LevelOutput, Outputs, Switch};
 use nalgebra::Isometry3;
@@ -27,7 +27,7 @@ pub struct Move {
     /// Pass and point, for a target.
     pub target: Option<(usize, usize)>,
     /// What it is worked with, or the work before it.
-    pub work: Work,
+    pub work: ProcessSettings,
 }
 
 /// A line of a program.
@@ -103,7 +103,7 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     out
 }
 
-fn home(setup: &Setup, work: Work) -> ProgramLine {
+fn home(setup: &Setup, work: ProcessSettings) -> ProgramLine {
     let air = &setup.cell.air;
     ProgramLine::Move(Box::new(Move {
         interpolation: Interpolation::Joint,
@@ -117,7 +117,7 @@ fn home(setup: &Setup, work: Work) -> ProgramLine {
     }))
 }
 
-fn going(setup: &Setup, go: &Go, lit: bool, work: Work) -> Move {
+fn going(setup: &Setup, go: &Go, lit: bool, work: ProcessSettings) -> Move {
     let part_from_focus = go.to.frame();
     Move {
         interpolation: go.interpolation,
@@ -155,7 +155,7 @@ fn turn(out: &mut Vec<ProgramLine>, switch: &Switch, on: bool) {
 
 /// Power and frequency, where they change: by their outputs, or said where they are set by hand. What the first
 /// piece is worked with stands in the program's head.
-fn levels(outputs: &Outputs, before: Option<&Work>, with: &Work) -> Vec<ProgramLine> {
+fn levels(outputs: &Outputs, before: Option<&ProcessSettings>, with: &ProcessSettings) -> Vec<ProgramLine> {
     let level = |output: &LevelOutput, by_hand: fn(f64) -> ByHand, value: f64, before: Option<f64>| {
         let scaled = value * output.scale;
         match output.form {
@@ -188,8 +188,8 @@ mod tests {
              frequency = { as = \"group\", number = 8 }",
         )
         .expect("outputs");
-        let work = Work { power_w: 500.0, ..Work::default() };
-        let pulsed = Work { frequency_khz: 20.0, ..work };
+        let work = ProcessSettings { power_w: 500.0, ..ProcessSettings::default() };
+        let pulsed = ProcessSettings { frequency_khz: 20.0, ..work };
         let list = vec![Step::Home, Step::Work(work), Step::Laser(true), Step::Laser(false), Step::Home];
         let lines = lines(&Steps { list, ..Steps::default() }, &setup);
         let words: Vec<String> = lines

@@ -40,8 +40,8 @@ pub fn shortfalls<'a>(
             out.extend(by_hand(pieces.clone().map(|p| (p.0.surface, figure(p.0))), set));
         }
     };
-    hand(outputs.power.form, ByHand::PowerW, |p| p.work.power_w);
-    hand(outputs.frequency.form, ByHand::FrequencyKhz, |p| p.work.frequency_khz);
+    hand(outputs.power.form, ByHand::PowerW, |p| p.settings.power_w);
+    hand(outputs.frequency.form, ByHand::FrequencyKhz, |p| p.settings.frequency_khz);
     out.sort_by_key(|r| r.0);
     out
 }

@@ -2,7 +2,7 @@
 
 use super::comment::Comment;
 use super::shortfall::Shortfall;
-use crate::beam::Work;
+use crate::beam::ProcessSettings;
 use crate::part::angle;
 use crate::pose::target::frame;
 use crate::pose::{Pass, Target};
@@ -21,12 +21,12 @@ pub struct Station {
 
 impl Station {
     /// The station of a target.
-    pub fn of(t: &Target, work: &Work) -> Station {
+    pub fn of(t: &Target, work: &ProcessSettings) -> Station {
         Station { x: t.focus(work.defocus_mm), a: t.a, o: t.o }
     }
 
     /// The station of a target, turned about the beam by a spin.
-    pub fn spun(t: &Target, work: &Work, spin_deg: f64) -> Station {
+    pub fn spun(t: &Target, work: &ProcessSettings, spin_deg: f64) -> Station {
         Station { x: t.focus(work.defocus_mm), a: t.a, o: angle::turned(&t.o, &t.a, spin_deg) }
     }
 
@@ -61,7 +61,7 @@ pub enum Step {
     /// A comment.
     Say(Comment),
     /// What follows is worked with this.
-    Work(Work),
+    Work(ProcessSettings),
     /// The laser is switched.
     Laser(bool),
     /// Home, all joints in proportion.
@@ -118,7 +118,7 @@ pub struct Steps {
 
 impl Steps {
     /// Says what the next piece is worked with, where that changes.
-    pub fn work_with(&mut self, work: &Work) {
+    pub fn work_with(&mut self, work: &ProcessSettings) {
         let before = self.list.iter().rev().find_map(|s| if let Step::Work(work) = s { Some(work) } else { None });
         if before != Some(work) {
             self.list.push(Step::Work(*work));
@@ -127,7 +127,7 @@ impl Steps {
 
     /// Says which pass begins.
     pub fn say_pass(&mut self, number: usize, pass: &Pass) {
-        let (surface, layer) = (pass.surface, pass.work.layer);
+        let (surface, layer) = (pass.surface, pass.settings.layer);
         self.list.push(Step::Say(Comment::Pass { number, surface, layer }));
     }
 }

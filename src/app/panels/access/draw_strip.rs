@@ -4,7 +4,7 @@ use super::super::super::theme;
 use super::frame::Frame;
 use super::palette::{color, dimmed};
 use crate::pose::Pin;
-use crate::pose::access::{AccessStrip, Column};
+use crate::pose::access::{AccessColumn, AccessStrip};
 use crate::text::{fixed, say};
 use eframe::egui::{self, Color32, Pos2, Rect, Stroke, StrokeKind, pos2, vec2};
 
@@ -16,7 +16,7 @@ pub(super) fn draw_strip(ui: &egui::Ui, frame: &Frame, strip: &AccessStrip, pins
     let zero = [frame.at(0.0, 0.0), frame.at(frame.length_mm, 0.0)];
     painter.line_segment(zero, Stroke::new(0.7, line.gamma_multiply(0.5)));
     for piece in strip.columns.chunk_by(|a, b| a.chosen.is_some() && b.chosen.is_some()) {
-        let chosen = |c: &Column| Some(frame.at(c.at_mm, strip.over.of(c.chosen?)));
+        let chosen = |c: &AccessColumn| Some(frame.at(c.at_mm, strip.over.of(c.chosen?)));
         let points: Vec<Pos2> = piece.iter().filter_map(chosen).collect();
         painter.line(points, Stroke::new(2.5, Color32::BLACK));
     }

@@ -6,7 +6,7 @@ use super::draw_strip::draw_strip;
 use super::frame::Frame;
 use crate::document::Edit;
 use crate::part::SurfaceId;
-use crate::pose::access::{AccessStrip, Column, Over};
+use crate::pose::access::{AccessColumn, AccessStrip, Over};
 use crate::pose::{Correction, Pin};
 use crate::text::say;
 use eframe::egui::{self, Pos2, RichText, Sense, vec2};
@@ -57,7 +57,7 @@ fn head(ui: &mut egui::Ui, no_pins: bool, context: Context<'_>, actions: &mut Ac
 
 /// The target of the column under the pointer.
 fn nearest(strip: &AccessStrip, frame: &Frame, pointer: Pos2) -> Option<usize> {
-    let off = |c: &&Column| (frame.x(c.at_mm) - pointer.x).abs();
+    let off = |c: &&AccessColumn| (frame.x(c.at_mm) - pointer.x).abs();
     strip.columns.iter().min_by(|x, y| off(x).total_cmp(&off(y))).map(|c| c.point)
 }
 

@@ -5,7 +5,7 @@ use super::super::super::context::Context;
 use super::super::super::{quantity, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
-use crate::pose::tilt::{Side, TiltRule};
+use crate::pose::tilt::{TiltRule, TiltSide};
 use crate::text::{id, say};
 use eframe::egui::{self, DragValue, RichText};
 
@@ -43,10 +43,10 @@ fn angles(ui: &mut egui::Ui, rule: &mut TiltRule) {
 /// Sides that the beam never tilts to.
 fn forbidden(ui: &mut egui::Ui, rule: &mut TiltRule) {
     let sides = [
-        (Side::Lead, say!(tool_ahead)),
-        (Side::Lag, say!(tool_behind)),
-        (Side::Left, say!(tool_left)),
-        (Side::Right, say!(tool_right)),
+        (TiltSide::Lead, say!(tool_ahead)),
+        (TiltSide::Lag, say!(tool_behind)),
+        (TiltSide::Left, say!(tool_left)),
+        (TiltSide::Right, say!(tool_right)),
     ];
     ui.horizontal_wrapped(|ui| {
         theme::name(ui, &say!(tool_never_to), 60.0).on_hover_text(say!(tool_never_to_tip));

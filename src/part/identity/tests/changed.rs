@@ -4,7 +4,7 @@ use super::*;
 
 const SIZE: [f64; 3] = [100.0, 80.0, 12.0];
 
-fn lost(found: &FoundAgain) -> Vec<(u32, Why)> {
+fn lost(found: &FoundAgain) -> Vec<(u32, LostReason)> {
     found.lost.iter().map(|l| (l.number, l.why)).collect()
 }
 
@@ -28,7 +28,7 @@ fn a_hole_that_moved_is_lost_alone() {
             features[moved].centre = [0, 1].map(|k| features[moved].centre[k] + by[k]);
             let found = sought_all(&bracket(48), &plate(SIZE, &features), &[]);
             let number = 7 + moved as u32;
-            assert_eq!(lost(&found), [(number, Why::NothingAlike)]);
+            assert_eq!(lost(&found), [(number, LostReason::NothingAlike)]);
             assert_eq!(found.numbers, (1..=12).filter(|n| *n != number).map(|n| (n, n)).collect());
             assert_eq!((found.motion, found.scale), (None, None));
         }
@@ -40,7 +40,7 @@ fn a_hole_that_is_gone_is_lost_alone() {
     let mut features = bracket_features(48).to_vec();
     features.remove(0);
     let found = sought_all(&bracket(48), &plate(SIZE, &features), &[]);
-    assert_eq!(lost(&found), [(7, Why::NothingAlike)]);
+    assert_eq!(lost(&found), [(7, LostReason::NothingAlike)]);
     assert_eq!(found.numbers, (1..=12).filter(|n| *n != 7).map(|n| (n, if n > 7 { n - 1 } else { n })).collect());
 }
 
@@ -69,6 +69,6 @@ fn another_part_has_nothing_of_it() {
     let other = crate::sample::solids::cone(20.0, 30.0, 64);
     let found = sought_all(&bracket(48), &other, &[]);
     assert!(found.numbers.is_empty());
-    assert!(found.lost.iter().all(|l| l.why == Why::NothingAlike));
+    assert!(found.lost.iter().all(|l| l.why == LostReason::NothingAlike));
     assert_eq!((found.motion, found.scale), (None, None));
 }

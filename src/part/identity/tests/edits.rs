@@ -37,7 +37,7 @@ proptest! {
         let (was, is) = (facet_sets(&loaded(&old, &AS_IS), &edits), facet_sets(&loaded(&new, &AS_IS), &found.edits));
         prop_assert!(found.lost_edits.is_empty(), "{:?} of {edits:?}", found.lost_edits);
         // Facets of a cut that lie through each other are too much alike; but nothing is wrong.
-        prop_assert!(found.lost.iter().all(|l| l.why == Why::SeveralAlike), "{:?}", found.lost);
+        prop_assert!(found.lost.iter().all(|l| l.why == LostReason::SeveralAlike), "{:?}", found.lost);
         for (old, new) in &found.numbers {
             prop_assert_eq!(&is[new], &was[old], "surface {}", old);
         }
@@ -82,12 +82,12 @@ fn a_cut_is_lost_where_the_facets_are_others_and_all_that_came_of_it() {
     let found = sought_all(&old, &bracket(96), &edits);
     assert_eq!(
         found.lost_edits,
-        [LostEdit { index: 1, why: Why::OtherFacets }, LostEdit { index: 2, why: Why::EditNotRepeated }]
+        [LostEdit { index: 1, why: LostReason::OtherFacets }, LostEdit { index: 2, why: LostReason::EditNotRepeated }]
     );
     assert_eq!(found.edits, [SurfaceEdit::Merge { merge: vec![3, 4, 5, 6] }]);
     let lost: Vec<u32> = found.lost.iter().map(|l| l.number).collect();
     assert_eq!(lost, [11, 12]);
-    assert!(found.lost.iter().all(|l| l.why == Why::EditNotRepeated));
+    assert!(found.lost.iter().all(|l| l.why == LostReason::EditNotRepeated));
     assert!([1, 2, 3, 7, 8, 9, 10].iter().all(|n| found.numbers[n] == *n));
     assert_eq!(found.motion, None);
 }
@@ -98,8 +98,8 @@ fn what_was_not_remembered_is_said_to_be_so() {
     let landmarks = Landmarks::new(&old, &AS_IS, &RULE, &[], &BTreeSet::from([1]));
     let edits = [SurfaceEdit::Split { split: 7, angle_deg: 2.0 }];
     let found = find(&landmarks, &old, &AS_IS, &RULE, &edits, &BTreeSet::from([1, 99]));
-    assert_eq!(found.lost_edits, [LostEdit { index: 0, why: Why::NotRemembered }]);
-    assert_eq!(found.lost.iter().map(|l| (l.number, l.why)).collect::<Vec<_>>(), [(99, Why::NotRemembered)]);
+    assert_eq!(found.lost_edits, [LostEdit { index: 0, why: LostReason::NotRemembered }]);
+    assert_eq!(found.lost.iter().map(|l| (l.number, l.why)).collect::<Vec<_>>(), [(99, LostReason::NotRemembered)]);
 }
 
 #[test]

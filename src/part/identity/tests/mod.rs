@@ -5,7 +5,7 @@ mod edits;
 mod moved;
 mod order;
 
-use super::{FoundAgain, Landmarks, LoadedAs, LostEdit, Why, find};
+use super::{FoundAgain, Landmarks, LoadedAs, LostEdit, LostReason, find};
 use crate::part::{Part, Placement, SurfaceEdit, SurfaceRule, Surfaces, Units};
 use crate::sample::solids::{PlateFeature, plate};
 use crate::sample::{Triangles, stl_bytes};

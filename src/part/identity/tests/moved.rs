@@ -62,14 +62,14 @@ fn a_symmetric_part_that_was_turned_is_not_guessed() {
     let turned = moved(&part, &Isometry3::new([5.0, 5.0, 0.0].into(), [0.0, 0.0, 0.6].into()));
     let found = sought_all(&part, &turned, &[]);
     assert!(found.numbers.is_empty() && found.motion.is_none());
-    assert!(found.lost.iter().all(|l| l.why == Why::SeveralMotions), "{:?}", found.lost);
+    assert!(found.lost.iter().all(|l| l.why == LostReason::SeveralMotions), "{:?}", found.lost);
     // Neither is a single face of it, nor a cube.
     let found = sought(&part, &turned, &[], &BTreeSet::from([2]));
-    assert_eq!(found.lost.iter().map(|l| l.why).collect::<Vec<_>>(), [Why::SeveralMotions]);
+    assert_eq!(found.lost.iter().map(|l| l.why).collect::<Vec<_>>(), [LostReason::SeveralMotions]);
     let cube = solids::cube(30.0);
     let found = sought_all(&cube, &moved(&cube, &Isometry3::rotation([0.3, 0.4, 0.5].into())), &[]);
     assert!(found.numbers.is_empty() && found.motion.is_none());
-    assert!(found.lost.iter().all(|l| l.why == Why::SeveralMotions), "{:?}", found.lost);
+    assert!(found.lost.iter().all(|l| l.why == LostReason::SeveralMotions), "{:?}", found.lost);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn a_moved_part_with_something_missing_is_lost_whole() {
     let new = moved(&plate([100.0, 80.0, 12.0], &features[1..]), &Isometry3::translation(67.0, 2.0, 0.0));
     let found = sought_all(&bracket(48), &new, &[]);
     assert!(found.numbers.is_empty() && found.motion.is_none());
-    assert!(found.lost.iter().all(|l| l.why == Why::PartMoved));
+    assert!(found.lost.iter().all(|l| l.why == LostReason::PartMoved));
 }
 
 #[test]

@@ -108,7 +108,7 @@ fn what_lies_twice_in_one_place_is_not_chosen_from() {
     let sheet = |z: f64| vec![[[0.0, 0.0, z], [30.0, 0.0, z], [0.0, 20.0, z]]];
     let old = [sheet(0.0), sheet(1e-6), sheet(5.0)].concat();
     let found = sought_all(&old, &shuffled(&old, 1), &[]);
-    let lost: Vec<(u32, Why)> = found.lost.iter().map(|l| (l.number, l.why)).collect();
-    assert_eq!(lost, [(1, Why::SeveralAlike), (2, Why::SeveralAlike)]);
+    let lost: Vec<(u32, LostReason)> = found.lost.iter().map(|l| (l.number, l.why)).collect();
+    assert_eq!(lost, [(1, LostReason::SeveralAlike), (2, LostReason::SeveralAlike)]);
     assert_eq!(found.numbers.len(), 1);
 }

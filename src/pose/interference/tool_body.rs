@@ -1,24 +1,28 @@
-//! What stands around the ray: the cone of the beam, the head behind it, and clamps on the part.
+//! Tool body queries: cone, head and clamps against all facets.
 //!
-//! Cut cones are asked what `interference` asks of the ray: is a pose free, what is in its way, may a
-//! motion touch anything. The margin is kept from everything; what the spot stands on is told from a
-//! wall by direction (see [`crate::beam::body`]).
+//! Cut cones are asked what `ray` asks of the ray: is a pose free, what is in its way, may a motion touch
+//! anything. The margin is kept from everything; what the spot stands on is told from a wall by direction (see
+//! [`crate::beam::tool_geometry`]).
 
-use super::interference::{Beam, Blocker, FAR_MM, Obstruction, RISE_MM, ToolBody};
-use super::motion::Pose;
-use crate::beam::body::OWN_SINE;
-use crate::beam::frustum::Placed;
-use crate::beam::{Body, Frustum};
-use crate::part::{Bvh, angle};
-use nalgebra::{Isometry3, Point3, Vector3};
+use super::beam::{Beam, RISE_MM, into_frame};
+use super::blocker::{Blocker, Obstruction, ToolBody};
+use crate::beam::frustum::PlacedFrustum;
+use crate::beam::tool_geometry::OWN_SINE;
+use crate::beam::{Frustum, ToolGeometry};
+use crate::part::angle;
+use crate::pose::Pose;
+use nalgebra::{Point3, Vector3};
 use std::cell::RefCell;
 
-/// What is known of a motion, beside the ray's.
+/// Clearances are measured up to here, mm: farther away nothing depends on them.
+pub const FAR_MM: f64 = 100.0;
+
+/// What can be said of cone and head on a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Conflict {
+pub(in crate::pose) enum Conflict {
     /// Cone and head are clear by more than they can move.
     None,
-    /// Something may be touched, by a body that moves so little that the middle stands for the motion.
+    /// Something may be touched, but the tool moves so little that the middle of the motion decides.
     Short,
     /// Undecided: bisect the motion.
     Wide,
@@ -26,49 +30,43 @@ pub(super) enum Conflict {
 
 /// One of the tool's bodies at a pose.
 #[derive(Clone, Copy)]
-struct Limb<'f> {
+struct ToolShape<'f> {
     tool_body: ToolBody,
-    shape: &'f Frustum,
-    /// What it keeps, mm; the beam's margin is in its shape.
+    frustum: &'f Frustum,
+    /// Clearance it keeps, mm; the beam's margin is in its frustum.
     keeps_mm: f64,
 }
 
 impl<'a> Beam<'a> {
     /// The tool's bodies, the head's first.
-    fn limbs<'f>(body: &'f Body<'a>) -> impl Iterator<Item = Limb<'f>> {
-        let head = body.head.iter().map(|shape| Limb { tool_body: ToolBody::Head, shape, keeps_mm: body.margin_mm });
-        head.chain(body.beam.iter().map(|shape| Limb { tool_body: ToolBody::Beam, shape, keeps_mm: 0.0 }))
-    }
-
-    /// All that can be hit: what it is, its facets, and where it stands in the part frame.
-    pub(super) fn things(&self) -> impl Iterator<Item = (Option<u32>, &'a Bvh, Option<Isometry3<f64>>)> {
-        let clamps = self.body.map_or(&[][..], |b| b.clamps);
-        let clamps = clamps.iter().enumerate().map(|(i, c)| (Some(i as u32), &c.solid().bvh, Some(c.at())));
-        std::iter::once((None, self.bvh, None)).chain(clamps)
+    fn shapes<'f>(body: &'f ToolGeometry<'a>) -> impl Iterator<Item = ToolShape<'f>> {
+        let head =
+            body.head.iter().map(|frustum| ToolShape { tool_body: ToolBody::Head, frustum, keeps_mm: body.margin_mm });
+        head.chain(body.beam.iter().map(|frustum| ToolShape { tool_body: ToolBody::Beam, frustum, keeps_mm: 0.0 }))
     }
 
     /// Whether cone and head keep their margin.
     pub(super) fn is_body_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
-        let Some(body) = self.body else { return true };
-        let limbs: Vec<Limb<'_>> = Self::limbs(body).collect();
-        limbs.chunks(32).all(|limbs| self.are_free(limbs, p, a))
+        let Some(body) = self.geometry else { return true };
+        let shapes: Vec<ToolShape<'_>> = Self::shapes(body).collect();
+        shapes.chunks(32).all(|shapes| self.are_free(shapes, p, a))
     }
 
-    /// Whether up to 32 of the tool's bodies keep their margin: looked for together.
-    fn are_free(&self, limbs: &[Limb<'_>], p: &Point3<f64>, a: &Vector3<f64>) -> bool {
-        let all = (1u64 << limbs.len()) - 1;
-        self.things().all(|(clamp, bvh, at)| {
-            let (p, a) = moved(at.as_ref(), p, a);
-            let placed: Vec<Placed> = limbs.iter().map(|limb| limb.shape.placed(&p, &a)).collect();
-            let among = |of: u32| (0..limbs.len()).filter(move |i| of >> i & 1 == 1);
+    /// Whether up to 32 of the tool's bodies keep their margin, all in one traversal.
+    fn are_free(&self, shapes: &[ToolShape<'_>], p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        let all = (1u64 << shapes.len()) - 1;
+        self.obstacles().all(|(clamp, bvh, at)| {
+            let (p, a) = into_frame(at.as_ref(), p, a);
+            let placed: Vec<PlacedFrustum> = shapes.iter().map(|shape| shape.frustum.placed(&p, &a)).collect();
+            let among = |of: u32| (0..shapes.len()).filter(move |i| of >> i & 1 == 1);
             let hits = |corners: &[Point3<f64>; 3], of: u32| {
                 let own = clamp.is_none() && leaves(&p, &a, corners);
                 among(of).any(|i| {
-                    (!own || limbs[i].tool_body == ToolBody::Head) && placed[i].is_near(corners, limbs[i].keeps_mm)
+                    (!own || shapes[i].tool_body == ToolBody::Head) && placed[i].is_near(corners, shapes[i].keeps_mm)
                 })
             };
-            // What stopped one last is likely to stop the next as well.
-            if self.last_of_body.get().is_some_and(|corners| clamp.is_none() && hits(&corners, all as u32)) {
+            // The facet that was hit last is likely to be hit again.
+            if self.last_body_facet.get().is_some_and(|corners| clamp.is_none() && hits(&corners, all as u32)) {
                 return false;
             }
             let mut free = true;
@@ -76,14 +74,14 @@ impl<'a> Beam<'a> {
                 all as u32,
                 |lo, hi, of| {
                     let near =
-                        |near: u32, i: usize| near | u32::from(placed[i].near_box(lo, hi, limbs[i].keeps_mm)) << i;
+                        |near: u32, i: usize| near | u32::from(placed[i].near_box(lo, hi, shapes[i].keeps_mm)) << i;
                     among(of).fold(0, near)
                 },
                 |corners, of| {
                     if hits(corners, of) {
                         free = false;
                         if clamp.is_none() {
-                            self.last_of_body.set(Some(*corners));
+                            self.last_body_facet.set(Some(*corners));
                         }
                     }
                     free
@@ -93,22 +91,23 @@ impl<'a> Beam<'a> {
         })
     }
 
-    /// The first of the tool's bodies that does not keep its margin, and from what.
+    /// The first of the tool's bodies that does not keep its margin, and what it is too close to.
     pub fn body_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
-        let (limb, obstruction) = Self::limbs(self.body?).find_map(|limb| Some((limb, self.hit_of(&limb, p, a)?)))?;
-        Some(Blocker { tool_body: limb.tool_body, obstruction, t_mm: limb.shape.t0_mm })
+        let (shape, obstruction) =
+            Self::shapes(self.geometry?).find_map(|shape| Some((shape, self.first_obstruction(&shape, p, a)?)))?;
+        Some(Blocker { tool_body: shape.tool_body, obstruction, t_mm: shape.frustum.t0_mm })
     }
 
-    fn hit_of(&self, limb: &Limb<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Obstruction> {
-        self.things().find_map(|(clamp, bvh, at)| {
-            let (p, a) = moved(at.as_ref(), p, a);
-            let placed = limb.shape.placed(&p, &a);
+    fn first_obstruction(&self, shape: &ToolShape<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Obstruction> {
+        self.obstacles().find_map(|(clamp, bvh, at)| {
+            let (p, a) = into_frame(at.as_ref(), p, a);
+            let placed = shape.frustum.placed(&p, &a);
             let mut hit = None;
             bvh.visit_near_boxes(
-                |lo, hi| placed.near_box(lo, hi, limb.keeps_mm),
+                |lo, hi| placed.near_box(lo, hi, shape.keeps_mm),
                 |facet, corners| {
-                    let counts = limb.tool_body == ToolBody::Head || clamp.is_some() || !leaves(&p, &a, corners);
-                    if counts && placed.is_near(corners, limb.keeps_mm) {
+                    let counts = shape.tool_body == ToolBody::Head || clamp.is_some() || !leaves(&p, &a, corners);
+                    if counts && placed.is_near(corners, shape.keeps_mm) {
                         hit = Some(clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp));
                     }
                     hit.is_none()
@@ -118,23 +117,23 @@ impl<'a> Beam<'a> {
         })
     }
 
-    /// What beam and head keep from everything, mm, at most [`FAR_MM`]: the head's distance, or the widest
+    /// Clearance of beam and head, mm, at most [`FAR_MM`]: the head's distance, or the widest
     /// margin with which the beam would still be free, whichever is less; `None` without a head.
     pub fn clearance_mm(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<f64> {
         self.clearance_within_mm(p, a, FAR_MM)
     }
 
-    /// What beam and head keep from everything, mm, at most `most_mm`; `None` without a head. The less
-    /// `most_mm` is, the fewer facets are looked at.
-    pub(super) fn clearance_within_mm(&self, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> Option<f64> {
-        let body = self.body.filter(|b| b.has_head)?;
+    /// Clearance of beam and head, mm, at most `most_mm`; `None` without a head. The less `most_mm` is, the fewer
+    /// facets are visited.
+    pub(in crate::pose) fn clearance_within_mm(&self, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> Option<f64> {
+        let body = self.geometry.filter(|b| b.has_head)?;
         let mut least = most_mm;
         for shape in &body.head {
-            for (_, bvh, at) in self.things() {
-                let (p, a) = moved(at.as_ref(), p, a);
+            for (_, bvh, at) in self.obstacles() {
+                let (p, a) = into_frame(at.as_ref(), p, a);
                 let placed = shape.placed(&p, &a);
                 if at.is_none() {
-                    // No farther than the spot itself: most facets are told from that alone.
+                    // The spot itself is a facet corner at that distance: it bounds the search.
                     least = least.min(placed.distance_mm(&[p, p, p]) + 1e-6);
                 }
                 let nearest = std::cell::Cell::new(least);
@@ -155,18 +154,18 @@ impl<'a> Beam<'a> {
 
     /// The widest margin below `most_mm` with which the beam would still be free, to within
     /// [`MARGIN_STEP_MM`]; 0 if it would be free with none.
-    fn widest_mm(&self, body: &Body<'_>, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> f64 {
+    fn widest_mm(&self, body: &ToolGeometry<'_>, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> f64 {
         let mut widest = most_mm;
-        for (clamp, bvh, at) in self.things() {
-            let (p, a) = moved(at.as_ref(), p, a);
+        for (clamp, bvh, at) in self.obstacles() {
+            let (p, a) = into_frame(at.as_ref(), p, a);
             let beam_with = |mm: f64| body.beam_with(mm).into_iter().map(move |f| f.placed(&p, &a));
-            let beam: RefCell<Vec<Placed>> = RefCell::new(beam_with(widest).collect());
+            let beam: RefCell<Vec<PlacedFrustum>> = RefCell::new(beam_with(widest).collect());
             let mut hit = |corners: &[Point3<f64>; 3]| {
                 let counts = clamp.is_some() || !leaves(&p, &a, corners);
                 if !counts || !beam.borrow().iter().any(|f| f.is_near(corners, 0.0)) {
                     return true;
                 }
-                // This facet alone tells how wide it may be; the others are asked about that.
+                // Narrowed for this facet alone; the remaining ones are tested with the narrower beam.
                 let mut low = 0.0;
                 while widest - low > MARGIN_STEP_MM {
                     let middle = 0.5 * (low + widest);
@@ -185,33 +184,33 @@ impl<'a> Beam<'a> {
     }
 
     /// Whether cone or head may touch anything on the motion between two poses; see
-    /// [`Beam::conflict`]. `stray_mm` tells how far a point of the tool so far from the spot may lie from
-    /// where straight spot and constant turn put it.
-    pub(super) fn body_conflict(
+    /// [`Beam::ray_conflict`]. `stray_mm`: how far a point of the tool at this distance from the spot may stray from
+    /// the motion with a straight spot and a constant turn.
+    pub(in crate::pose) fn body_conflict(
         &self,
         [from, middle, to]: [&Pose; 3],
         sag_mm: f64,
         stray_mm: impl Fn(f64) -> f64,
     ) -> Conflict {
-        let Some(body) = self.body else { return Conflict::None };
+        let Some(body) = self.geometry else { return Conflict::None };
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.25 * angle::between_deg(&from.a, &to.a).to_radians()) * 2.0;
         let mut worst = Conflict::None;
-        for limb in Self::limbs(body) {
-            let reach_mm = limb.shape.reach_mm();
+        for shape in Self::shapes(body) {
+            let reach_mm = shape.frustum.reach_mm();
             let moved_mm = half_mm + half_turn * reach_mm + stray_mm(reach_mm);
-            let keeps_mm = limb.keeps_mm + moved_mm;
-            let meets = self.things().any(|(clamp, bvh, at)| {
+            let keeps_mm = shape.keeps_mm + moved_mm;
+            let meets = self.obstacles().any(|(clamp, bvh, at)| {
                 let [from, middle, to] = [from, middle, to].map(|q| {
-                    let (p, a) = moved(at.as_ref(), &q.p, &q.a);
+                    let (p, a) = into_frame(at.as_ref(), &q.p, &q.a);
                     Pose { p, a }
                 });
-                let placed = limb.shape.placed(&middle.p, &middle.a);
+                let placed = shape.frustum.placed(&middle.p, &middle.a);
                 let mut met = false;
                 bvh.visit_near_boxes(
                     |lo, hi| placed.near_box(lo, hi, keeps_mm),
                     |_, corners| {
-                        let own = limb.tool_body == ToolBody::Beam && clamp.is_none();
+                        let own = shape.tool_body == ToolBody::Beam && clamp.is_none();
                         let harmless = own
                             && (leaves(&from.p, &from.a, corners) && leaves(&to.p, &to.a, corners)
                                 || !rises(&from, corners, sag_mm) && !rises(&to, corners, sag_mm));
@@ -232,11 +231,6 @@ impl<'a> Beam<'a> {
     }
 }
 
-/// The pose in the frame of something that stands at `at`.
-pub(super) fn moved(at: Option<&Isometry3<f64>>, p: &Point3<f64>, a: &Vector3<f64>) -> (Point3<f64>, Vector3<f64>) {
-    at.map_or((*p, *a), |at| (at.inverse_transform_point(p), at.inverse_transform_vector(a)))
-}
-
 /// Whether the whole cone of the spot's own neighbourhood stays in front of a facet that the spot is on
 /// or in front of.
 fn leaves(p: &Point3<f64>, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> bool {
@@ -250,5 +244,5 @@ fn rises(q: &Pose, corners: &[Point3<f64>; 3], sag_mm: f64) -> bool {
     corners.iter().any(|c| (c - q.p).dot(&q.a) > RISE_MM + 2.0 * sag_mm)
 }
 
-/// Margins are told apart to this, mm.
+/// Precision of the widest margin, mm.
 const MARGIN_STEP_MM: f64 = 0.002;

@@ -1,4 +1,4 @@
-//! A surface with what of the part lies around it, for the spot to run on over its rim.
+//! A surface extended by the facets around it, for the spot to run on over its rim.
 
 use super::rim::rim;
 use super::tree::Tree;
@@ -12,7 +12,7 @@ const SHARP_DEG: f64 = 60.0;
 
 /// A surface and its neighbourhood.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Grown {
+pub struct ExtendedSurface {
     /// Its facets and those around: what lines are cut on.
     pub surface: Surface,
     /// The facets around, in file order.
@@ -25,7 +25,7 @@ pub struct Grown {
 
 /// The surface with the part's facets within `over_mm` of its rim, as far as they are reached over edges
 /// whose facets meet at less than 60°.
-pub fn grown(mesh: &Mesh, surface: &Surface, over_mm: f64) -> Grown {
+pub fn extended(mesh: &Mesh, surface: &Surface, over_mm: f64) -> ExtendedSurface {
     let outline = rim(mesh, surface);
     let tree = Tree::new(outline.segments(0.0));
     let own = |f: u32| surface.facets.binary_search(&f).is_ok();
@@ -69,7 +69,7 @@ pub fn grown(mesh: &Mesh, surface: &Surface, over_mm: f64) -> Grown {
     let mut facets: Vec<u32> = surface.facets.iter().copied().chain(beyond.iter().copied()).collect();
     facets.sort_unstable();
     let area_mm2 = surface.area_mm2 + beyond.iter().map(|&f| mesh.areas[f as usize]).fold(0.0, |a, b| a + b);
-    Grown {
+    ExtendedSurface {
         surface: Surface { number: surface.number, facets, area_mm2 },
         beyond: beyond.into_iter().collect(),
         over_mm,

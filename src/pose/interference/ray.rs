@@ -1,13 +1,11 @@
-//! Does the beam hit the part? The ray of P1 3.1 against all facets, with what P1 leaves open:
-//! a beam that grazes a facet, and one that starts in it.
-//!
-//! This one routine serves detection, correction and verification; `checker` shares no code with it.
+//! The beam as a ray (P1 3.1) against all facets, with what P1 leaves open: a beam that grazes a facet, and one
+//! that starts in it.
 
-use super::motion::Pose;
-use crate::beam::Body;
-use crate::part::{Bvh, Part, angle, distance};
+use super::beam::{Beam, RISE_MM, into_frame};
+use super::blocker::{Blocker, Obstruction, ToolBody};
+use crate::part::{Bvh, angle, distance};
+use crate::pose::Pose;
 use nalgebra::{Isometry3, Point3, Vector3};
-use std::cell::Cell;
 
 /// A beam closer than this to a facet interferes, mm. Two hundredths are well above the error of
 /// f32 coordinates on a metre of part, and well below any spot.
@@ -27,13 +25,6 @@ const STRETCHES_MM: [f64; 5] = [1.146, 0.6, 0.2, 0.05, 0.01];
 /// A beam that rises from a facet's plane by 2°, twice the cone's half angle, leaves it: its sine.
 const LEAVES_SINE: f64 = 0.035;
 
-/// A facet that rises less than this above the spot stands in no beam's way, mm: the start of the
-/// ray's test, `STRETCHES_MM`. The moving cone is held to it as well.
-pub(super) const RISE_MM: f64 = 0.01;
-
-/// Clearances are measured up to here, mm: farther away nothing depends on them.
-pub const FAR_MM: f64 = 100.0;
-
 /// A beam that runs along a facet by less than 5° does not stand on it: the sine. Beams are tilted by 80° at
 /// most; just past a rim the axis would meet the side below it.
 const STANDS_SINE: f64 = 0.087;
@@ -41,120 +32,35 @@ const STANDS_SINE: f64 = 0.087;
 /// Length of the first stretch of a moving beam that is looked at by itself, mm.
 const FIRST_STRETCH_MM: f64 = 1.0;
 
-/// The part of the tool that collides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ToolBody {
-    /// The beam.
-    Beam,
-    /// The head.
-    Head,
-}
-
-/// What the tool collides with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Obstruction {
-    /// A facet of the part.
-    Facet(u32),
-    /// A clamp, by its place in the job's list.
-    Clamp(u32),
-}
-
-/// What stands in the way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blocker {
-    /// Which of the tool's bodies.
-    pub tool_body: ToolBody,
-    /// What it hits.
-    pub obstruction: Obstruction,
-    /// Distance along the beam, mm.
-    pub t_mm: f64,
-}
-
-impl std::fmt::Display for ToolBody {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            ToolBody::Beam => "the beam",
-            ToolBody::Head => "the head",
-        })
-    }
-}
-
-impl std::fmt::Display for Blocker {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let body = self.tool_body;
-        match self.obstruction {
-            Obstruction::Facet(facet) => write!(f, "{body} hits facet {facet}"),
-            Obstruction::Clamp(clamp) => write!(f, "{body} hits clamp {}", clamp + 1),
-        }
-    }
-}
-
-/// The beam as a ray without end.
-#[derive(Clone, Debug)]
-pub struct Beam<'a> {
-    pub(super) bvh: &'a Bvh,
-    /// Diagonal of the part: nothing lies further along a beam.
-    size_mm: f64,
-    /// What stands around the ray.
-    pub(super) body: Option<&'a Body<'a>>,
-    /// The facet of the part that stopped cone or head last.
-    pub(super) last_of_body: Cell<Option<[Point3<f64>; 3]>>,
-    /// The facet that stopped a beam last is looked at first: it is likely to stop the next as well.
-    last: Cell<Option<[Point3<f64>; 3]>>,
-}
-
-impl<'a> Beam<'a> {
-    /// A beam without width on this part.
-    pub fn on(part: &'a Part) -> Beam<'a> {
-        Beam::with(part, None)
-    }
-
-    /// A beam with cone, head and clamps on this part; without them a ray.
-    pub fn with(part: &'a Part, body: Option<&'a Body<'a>>) -> Beam<'a> {
-        Beam {
-            bvh: &part.bvh,
-            size_mm: part.bvh.diagonal_mm(),
-            body,
-            last: Cell::new(None),
-            last_of_body: Cell::new(None),
-        }
-    }
-
-    /// Whether beam and head meet nothing, the spot in the point `p` of the surface, along the unit axis
-    /// `a`.
-    pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
-        self.is_ray_free(p, a) && self.is_body_free(p, a)
-    }
-
-    fn is_ray_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+impl Beam<'_> {
+    /// Whether the ray meets nothing.
+    pub(super) fn is_ray_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         let ray = distance::WideRay::new(p, a, GRAZE_MM);
         let stops = |corners: &[Point3<f64>; 3]| !ray.surely_misses(corners) && interferes(p, a, corners);
-        if self.last.get().is_some_and(|corners| stops(&corners)) {
+        if self.last_ray_facet.get().is_some_and(|corners| stops(&corners)) {
             return false;
         }
         let mut free = true;
         self.bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |_, corners| {
             if stops(corners) {
-                self.last.set(Some(*corners));
+                self.last_ray_facet.set(Some(*corners));
                 free = false;
                 return -1.0;
             }
             f64::INFINITY
         });
-        free && self.things().skip(1).all(|(_, bvh, at)| first_in(bvh, at.as_ref(), p, a).is_none())
+        free && self.obstacles().skip(1).all(|(_, bvh, at)| first_ray_hit(bvh, at.as_ref(), p, a).is_none())
     }
 
-    /// What stands in the way of the ray, the first of it, or else of cone and head.
-    pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
-        let first = self
-            .things()
+    /// The nearest thing in the way of the ray.
+    pub(super) fn ray_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
+        self.obstacles()
             .filter_map(|(clamp, bvh, at)| {
-                let (facet, t_mm) = first_in(bvh, at.as_ref(), p, a)?;
+                let (facet, t_mm) = first_ray_hit(bvh, at.as_ref(), p, a)?;
                 let obstruction = clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp);
                 Some(Blocker { tool_body: ToolBody::Beam, obstruction, t_mm })
             })
-            .min_by(|x, y| x.t_mm.total_cmp(&y.t_mm));
-        first.or_else(|| self.body_blocker(p, a))
+            .min_by(|x, y| x.t_mm.total_cmp(&y.t_mm))
     }
 
     /// How far along the beam the farthest facet lies that the motion between two poses may touch,
@@ -164,7 +70,7 @@ impl<'a> Beam<'a> {
     /// Two kinds of facets cannot be touched: those that the beam leaves on their face at both ends
     /// (the points between lie on that side too, and so do the axes between), and those that do not
     /// rise above the spot, such as the rest of a convex surface.
-    pub(super) fn conflict(
+    pub(in crate::pose) fn ray_conflict(
         &self,
         from: &Pose,
         to: &Pose,
@@ -213,7 +119,7 @@ impl<'a> Beam<'a> {
     pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, share: f64) -> Option<u32> {
         let mut first: Option<(f64, u32)> = None;
         self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, share * GRAZE_MM, |facet, corners| {
-            let through = crate::part::bvh::meet(corners, p, a).filter(|t| *t > from_mm);
+            let through = crate::part::bvh::ray_hit_mm(corners, p, a).filter(|t| *t > from_mm);
             let beside = || {
                 let near = share > 0.0 && is_beside(p, a, corners, from_mm, share);
                 near.then(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(from_mm))
@@ -236,7 +142,7 @@ impl<'a> Beam<'a> {
         self.bvh.visit_ray(&start, a, 0.0, 2.0 * window_mm, 0.0, |_, corners| {
             let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
             let stands = n.dot(a).abs() > STANDS_SINE * n.norm();
-            if let Some(t) = crate::part::bvh::meet(corners, &start, a).filter(|_| stands) {
+            if let Some(t) = crate::part::bvh::ray_hit_mm(corners, &start, a).filter(|_| stands) {
                 let off = t - window_mm;
                 if off.abs() <= window_mm && best.is_none_or(|b| (off.abs(), off) < (b.abs(), b)) {
                     best = Some(off);
@@ -249,13 +155,13 @@ impl<'a> Beam<'a> {
 }
 
 /// The first facet that the ray interferes with, and where, mm along it; the facets stand at `at`.
-fn first_in(bvh: &Bvh, at: Option<&Isometry3<f64>>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<(u32, f64)> {
-    let (p, a) = &super::around::moved(at, p, a);
+fn first_ray_hit(bvh: &Bvh, at: Option<&Isometry3<f64>>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<(u32, f64)> {
+    let (p, a) = &into_frame(at, p, a);
     let ray = distance::WideRay::new(p, a, GRAZE_MM);
     let mut first: Option<(f64, u32)> = None;
     bvh.visit_ray(p, a, 0.0, f64::INFINITY, GRAZE_MM, |facet, corners| {
         if !ray.surely_misses(corners) && interferes(p, a, corners) {
-            let t_mm = crate::part::bvh::meet(corners, p, a)
+            let t_mm = crate::part::bvh::ray_hit_mm(corners, p, a)
                 .filter(|t| *t > 0.0)
                 .unwrap_or_else(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(0.0));
             if first.is_none_or(|f| (t_mm, facet) < f) {

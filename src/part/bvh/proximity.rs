@@ -1,11 +1,11 @@
-//! Whether something comes near the facets of a hierarchy, and how near: a capsule, another mesh, a
-//! half space.
+//! Proximity queries: whether a capsule, another mesh or a half space comes near the facets of a hierarchy, and how
+//! near.
 //!
 //! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
 //! box first, and no box is entered that keeps farther away than what was found.
 
-use super::prepared::{Sides, Slender, Turn};
-use super::{Bvh, Node, meet};
+use super::prepared::{SegmentForBoxes, SegmentForFacets, Turn};
+use super::{Bvh, Node, ray_hit_mm};
 use crate::part::distance::triangles;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -19,7 +19,7 @@ impl Bvh {
     }
 
     /// Centre and radius of the sphere around the box of all facets, mm: wider than [`Self::sphere`],
-    /// and known at once.
+    /// but known without visiting facets.
     pub fn sphere_of_box(&self) -> Option<(Point3<f64>, f64)> {
         let b = &self.nodes.first()?.bounds;
         Some((Point3::from(Vector3::from_fn(|k, _| b.middle(k))), 0.5 * self.diagonal_mm()))
@@ -32,7 +32,7 @@ impl Bvh {
 
     /// Whether a facet is within `reach_mm` of the segment.
     pub fn near_segment(&self, from: &Point3<f64>, to: &Point3<f64>, reach_mm: f64) -> bool {
-        let segment = Slender::new(from, to);
+        let segment = SegmentForFacets::new(from, to);
         let mut near = false;
         self.visit_ray(from, &segment.dir, 0.0, segment.length, reach_mm, |_, corners| {
             near = near || segment.distance(corners) <= reach_mm;
@@ -41,7 +41,7 @@ impl Bvh {
         near
     }
 
-    /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` says no.
+    /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` returns false.
     pub fn visit_near_boxes(
         &self,
         near: impl Fn(&[f64; 3], &[f64; 3]) -> bool,
@@ -69,9 +69,9 @@ impl Bvh {
         }
     }
 
-    /// Visits every facet of a leaf whose box is near one of several bodies, one bit each, until `visit` says no.
-    /// Of the bodies that a box was not ruled out for, `near` tells which a box within it is not ruled out for;
-    /// `visit` gets those with the facet.
+    /// Visits every facet of a leaf whose box is near one of several bodies, until `visit` returns false. Bodies are
+    /// bits: `near` gets a box with the bodies that may be near it and returns those that still are; `visit` gets
+    /// them with the facet.
     pub fn visit_near_boxes_of(
         &self,
         all: u32,
@@ -132,8 +132,8 @@ impl Bvh {
     /// Distance of the nearest facet from the segment, mm, 0 where it passes through one; `None`: at
     /// least `within_mm`.
     pub fn distance_to_segment(&self, from: &Point3<f64>, to: &Point3<f64>, within_mm: f64) -> Option<f64> {
-        let segment = Slender::new(from, to);
-        let sides = Sides::new(&segment);
+        let segment = SegmentForFacets::new(from, to);
+        let sides = SegmentForBoxes::new(&segment);
         let mut best = within_mm;
         let mut open = Vec::from_iter(self.nodes.first().map(|n| (sides.gap(&n.bounds), 0u32)));
         while let Some((gap, i)) = open.pop() {
@@ -225,7 +225,7 @@ impl Bvh {
             let dir = dir.normalize();
             let mut first = (f64::INFINITY, 0.0);
             self.visit_ray(point, &dir, 0.0, f64::INFINITY, 0.0, |_, corners| {
-                if let Some(t) = meet(corners, point, &dir).filter(|t| (0.0..first.0).contains(t)) {
+                if let Some(t) = ray_hit_mm(corners, point, &dir).filter(|t| (0.0..first.0).contains(t)) {
                     let [a, b, c] = corners;
                     first = (t, (b - a).cross(&(c - a)).dot(&dir));
                 }
@@ -280,7 +280,7 @@ mod tests {
             let (p, q) = (point([ends[0], ends[1], ends[2]]), point([ends[3], ends[4], ends[5]]));
             let dir = (q - p).normalize();
             let least = live(&mesh).map(|c| {
-                let through = meet(&c, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
+                let through = ray_hit_mm(&c, &p, &dir).is_some_and(|t| (0.0..=(q - p).norm()).contains(&t));
                 if through { 0.0 } else { segment_triangle(&p, &q, &c) }
             }).fold(f64::INFINITY, f64::min);
             let tree = Bvh::new(&mesh);

@@ -1,15 +1,16 @@
-//! The space that beam and head take up at a pose: cut cones about the axis, from the point on the
-//! part upwards.
+//! Tool geometry: the space that beam and head take up at a pose, as cut cones about the axis, from the
+//! point on the part upwards.
 //!
 //! # The spot's own neighbourhood
-//! A beam of any width touches the surface that it works on. What it is allowed to be near is told by
+//! A beam of any width touches the surface that it works on. What it is allowed to be near is decided by
 //! direction, not by distance: beam and margin together count only within [`OWN_CONE_DEG`] of the axis
 //! as seen from the spot. Facets that the spot stands on or beside are outside of that cone as long as
 //! the beam stands more steeply on them than the cone's half angle; a wall 0.2 mm away enters it at a
 //! height of 0.2/tan 15° = 0.75 mm, and is seen.
 
+use super::HeadPart;
 use super::frustum::Frustum;
-use super::head::{Head, HeadPart};
+use super::head::Head;
 use super::optics::Optics;
 use super::{Obstacle, Tool};
 
@@ -26,50 +27,56 @@ pub(crate) const OWN_SLOPE: f64 = 0.267_949_192_431_122_7;
 /// Its sine.
 pub(crate) const OWN_SINE: f64 = 0.258_819_045_102_520_74;
 
-/// The beam is looked at from here on, mm above the spot: nearer, even that cone is within the rounding
-/// of f32 coordinates on a large part.
+/// Height above the spot from which on the beam is checked, mm: below it even that cone is within the
+/// rounding of f32 coordinates on a large part.
 pub(crate) const START_MM: f64 = 0.05;
 
-/// Beam, head and clamps, ready to be asked for many poses.
+/// Beam, head and clamps, prepared for queries at many poses.
 #[derive(Clone, Debug)]
-pub struct Body<'a> {
+pub struct ToolGeometry<'a> {
     /// D, mm.
     pub defocus_mm: f64,
-    /// What beam and head keep from everything, mm.
+    /// Clearance that beam and head keep from everything, mm.
     pub margin_mm: f64,
     /// The beam, wider by the margin, within the cone of its own neighbourhood.
     pub beam: Vec<Frustum>,
     /// The head, as it is.
     pub head: Vec<Frustum>,
-    /// What stands on the part, in its frame.
+    /// Clamps on the part, in its frame.
     pub clamps: &'a [Obstacle],
     /// Whether there is a head; without one the beam is a ray, and keeps no margin.
     pub has_head: bool,
-    /// The beam's radius along t, mm: corners of a line.
+    /// The beam's radius along t, mm: the corners of a polyline (t, radius).
     profile: Vec<(f64, f64)>,
-    own: Own,
-    /// A body that moves no farther than this to either side is told by its middle, mm: a tenth of the margin
-    /// may be lost on it. The same for all that is eased from this one, so that all cut a motion alike.
+    own: OwnCone,
+    /// A motion on which the tool moves no farther than this to either side is judged by its middle, mm: it may
+    /// cost a tenth of the margin. Eased copies keep this value, so that all of them divide a motion alike.
     pub short_mm: f64,
 }
 
 /// The cone of the spot's own neighbourhood.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Own {
+struct OwnCone {
     /// Tangent of its half angle.
     slope: f64,
-    /// Where the beam begins to be looked at.
+    /// Where along t the check of the beam begins, mm.
     start_mm: f64,
 }
 
-impl Own {
-    const WHOLE: Own = Own { slope: OWN_SLOPE, start_mm: START_MM };
+impl OwnCone {
+    const WHOLE: OwnCone = OwnCone { slope: OWN_SLOPE, start_mm: START_MM };
 }
 
-impl<'a> Body<'a> {
+impl<'a> ToolGeometry<'a> {
     /// The tool of a job. `spot_mm` is the spot's diameter on the part at the defocus distance.
     /// `None`: the beam is a ray, and nothing is clamped on.
-    pub fn new(tool: &'a Tool, optics: &Optics, spot_mm: f64, defocus_mm: f64, margin_mm: f64) -> Option<Body<'a>> {
+    pub fn new(
+        tool: &'a Tool,
+        optics: &Optics,
+        spot_mm: f64,
+        defocus_mm: f64,
+        margin_mm: f64,
+    ) -> Option<ToolGeometry<'a>> {
         if tool.head.is_none() && tool.clamps.is_empty() {
             return None;
         }
@@ -82,11 +89,11 @@ impl<'a> Body<'a> {
         let has_head = tool.head.is_some();
         let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { vec![(0.0, RAY_MM), (1e4, RAY_MM)] };
         let margin_mm = if has_head { margin_mm } else { 0.0 };
-        Some(Body {
+        Some(ToolGeometry {
             defocus_mm,
             margin_mm,
-            beam: widened(&profile, margin_mm, Own::WHOLE),
-            own: Own::WHOLE,
+            beam: widened(&profile, margin_mm, OwnCone::WHOLE),
+            own: OwnCone::WHOLE,
             short_mm: (0.1 * margin_mm).max(0.02),
             head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
             clamps: &tool.clamps,
@@ -95,22 +102,22 @@ impl<'a> Body<'a> {
         })
     }
 
-    /// The head of a tool alone, told from its focus: what moves with the laser off. `None` without a head.
-    pub fn head_alone(tool: &'a Tool, margin_mm: f64) -> Option<Body<'a>> {
+    /// The head of a tool alone, measured from its focus: what moves with the laser off. `None` without a head.
+    pub fn head_alone(tool: &'a Tool, margin_mm: f64) -> Option<ToolGeometry<'a>> {
         tool.head.as_ref()?;
-        let body = Body::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
-        Some(Body { beam: Vec::new(), ..body })
+        let body = ToolGeometry::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
+        Some(ToolGeometry { beam: Vec::new(), ..body })
     }
 
-    /// A body that keeps a little less: by so much of its margin, and by so many steps of half a degree of
-    /// the cone of its own neighbourhood. What just passes with the one must not just hit with the other.
-    pub fn eased(&self, less_mm: f64, steps: u8) -> Body<'a> {
+    /// A geometry that keeps a little less: `less_mm` of its margin, and `steps` times half a degree of the cone of
+    /// its own neighbourhood. So what just passes with the one does not just hit with the other.
+    pub fn eased(&self, less_mm: f64, steps: u8) -> ToolGeometry<'a> {
         let margin_mm = (self.margin_mm - less_mm).max(0.0);
-        let own = Own {
+        let own = OwnCone {
             slope: libm::tan((OWN_CONE_DEG - 0.5 * f64::from(steps)).to_radians()),
             start_mm: START_MM * (1.0 + 0.5 * f64::from(steps)),
         };
-        Body { margin_mm, beam: widened(&self.profile, margin_mm, own), own, ..self.clone() }
+        ToolGeometry { margin_mm, beam: widened(&self.profile, margin_mm, own), own, ..self.clone() }
     }
 
     /// The beam with another margin.
@@ -119,7 +126,7 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Radius of a ray, mm: what it keeps from clamps, and the part.
+/// Radius that stands for a ray, mm: the clearance it keeps from clamps and the part.
 const RAY_MM: f64 = 0.02;
 
 /// Spot, waist and aperture joined by straight lines: outside of the beam's own curve, which bends
@@ -134,7 +141,7 @@ fn profile(optics: &Optics, spot_mm: f64, defocus_mm: f64) -> Vec<(f64, f64)> {
 }
 
 /// A beam wider by the margin, but no wider than the cone of its own neighbourhood.
-fn widened(profile: &[(f64, f64)], margin_mm: f64, own: Own) -> Vec<Frustum> {
+fn widened(profile: &[(f64, f64)], margin_mm: f64, own: OwnCone) -> Vec<Frustum> {
     let mut out = Vec::new();
     for w in profile.windows(2) {
         let ((t0, r0), (t1, r1)) = (w[0], w[1]);
@@ -143,7 +150,7 @@ fn widened(profile: &[(f64, f64)], margin_mm: f64, own: Own) -> Vec<Frustum> {
             continue;
         }
         let slope = (r1 - r0) / (t1 - t0);
-        // Where the two are as wide as each other.
+        // Where the widened beam and the cone are equally wide.
         let even = (r0 + margin_mm - slope * t0) / (own.slope - slope);
         let mut stops = vec![start];
         stops.extend([even].into_iter().filter(|t| *t > start && *t < t1));
@@ -173,7 +180,7 @@ mod tests {
     fn the_cone_has_no_gap_and_keeps_to_both_bounds() {
         let tool = Tool { head: Some(Head::Stack(Vec::new())), clamps: Vec::new() };
         for defocus_mm in [-15.0, 0.0, 20.0] {
-            let body = Body::new(&tool, &Optics::default(), 1.0, defocus_mm, 0.5).expect("a head");
+            let body = ToolGeometry::new(&tool, &Optics::default(), 1.0, defocus_mm, 0.5).expect("a head");
             assert!(body.beam.windows(2).all(|w| (w[0].t1_mm, w[0].r1_mm) == (w[1].t0_mm, w[1].r0_mm)));
             let last = body.beam[body.beam.len() - 1];
             assert!((last.t1_mm - defocus_mm - 200.0).abs() < 1e-9 && (last.r1_mm - 5.5).abs() < 1e-9);

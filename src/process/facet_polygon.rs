@@ -1,6 +1,6 @@
 //! A piece of a facet: a convex polygon in the facet's own plane, cut along a grid that lies along the
-//! facet's longest side. So a long thin facet gives as few pieces as its area needs, and a part that is
-//! turned gives the same ones.
+//! facet's longest side. So a long thin facet gives no more pieces than its area needs, and turning the
+//! part does not change them.
 
 use nalgebra::{Point3, Vector3};
 
@@ -17,7 +17,7 @@ pub struct Plane {
 
 /// A convex polygon in it, and the box around its corners, mm.
 #[derive(Clone, Copy, Debug)]
-pub struct Cell {
+pub struct FacetPolygon {
     corners: [[f64; 2]; MOST],
     count: usize,
     low: [f64; 2],
@@ -26,14 +26,14 @@ pub struct Cell {
 
 impl Plane {
     /// The plane of a facet that has an area, and the whole facet in it.
-    pub fn of(facet: &[Point3<f64>; 3]) -> (Plane, Cell) {
+    pub fn of(facet: &[Point3<f64>; 3]) -> (Plane, FacetPolygon) {
         let side = |k: usize| (facet[(k + 1) % 3] - facet[k]).norm_squared();
         let longest = (0..3).fold(0, |best, k| if side(k) > side(best) { k } else { best });
         let [a, b, c] = [0, 1, 2].map(|k| facet[(longest + k) % 3]);
         let u = (b - a).normalize();
         let off = c - a - u * (c - a).dot(&u);
         let plane = Plane { origin: a, u, v: off.normalize() };
-        let mut cell = Cell::empty();
+        let mut cell = FacetPolygon::empty();
         for corner in [[0.0, 0.0], [(b - a).dot(&u), 0.0], [(c - a).dot(&u), off.norm()]] {
             cell.push(corner);
         }
@@ -46,9 +46,9 @@ impl Plane {
     }
 }
 
-impl Cell {
-    fn empty() -> Cell {
-        Cell { corners: [[0.0; 2]; MOST], count: 0, low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] }
+impl FacetPolygon {
+    fn empty() -> FacetPolygon {
+        FacetPolygon { corners: [[0.0; 2]; MOST], count: 0, low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] }
     }
 
     fn push(&mut self, corner: [f64; 2]) {
@@ -94,7 +94,7 @@ impl Cell {
 
     /// Its two pieces on either side of a line of the grid, the one that is shared by the largest
     /// squares; `None` where no side of its box is longer than `pitch_mm`.
-    pub fn halves(&self, pitch_mm: f64) -> Option<[Cell; 2]> {
+    pub fn halves(&self, pitch_mm: f64) -> Option<[FacetPolygon; 2]> {
         let axis = usize::from(self.high[1] - self.low[1] > self.high[0] - self.low[0]);
         let (low, high) = (self.low[axis], self.high[axis]);
         // A hair more than one square is one square.
@@ -116,8 +116,8 @@ impl Cell {
     }
 
     /// The piece on the side `sign·(x − line) ≤ 0`.
-    fn clipped(&self, axis: usize, line: f64, sign: f64) -> Cell {
-        let mut out = Cell::empty();
+    fn clipped(&self, axis: usize, line: f64, sign: f64) -> FacetPolygon {
+        let mut out = FacetPolygon::empty();
         let corners = self.corners();
         for (i, a) in corners.iter().enumerate() {
             let b = corners[(i + 1) % corners.len()];
@@ -141,7 +141,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn cut(cell: &Cell, pitch_mm: f64, out: &mut Vec<Cell>) {
+    fn cut(cell: &FacetPolygon, pitch_mm: f64, out: &mut Vec<FacetPolygon>) {
         match cell.halves(pitch_mm) {
             None => out.push(*cell),
             Some(halves) => halves.iter().for_each(|h| cut(h, pitch_mm, out)),

@@ -1,52 +1,52 @@
-//! From stands to the rows of a line: splits are doubled points, and what is blocked ends where the
-//! beam does.
+//! From the tilts at the sites of a line to its corrected points: a split becomes two points at one place, and a
+//! blocked stretch ends where the beam is no longer free.
 
-use super::Row;
+use super::CorrectedPoint;
+use super::site_tilts::SiteTilts;
 use super::track::{Lean, Site, Track};
-use super::windows::Stand;
 use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
 
-/// Ends of a blocked stretch are found to this, mm.
+/// Precision of the ends of a blocked stretch, mm.
 const END_MM: f64 = 0.05;
 
-/// The rows of a line.
-pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
-    // Tested once more, whatever a tilt came from.
+/// The corrected points of a line.
+pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTilts]) -> Vec<CorrectedPoint> {
+    // Tested once more, whatever step a tilt came from.
     let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
-    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| Row {
+    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| CorrectedPoint {
         q: site.q,
         axis: tilt.map(|t| site.axis(&t)).filter(|a| is_free(&site.q, a)),
         aim: site.axis(&site.aim),
         is_split,
     };
-    let mut out = Vec::with_capacity(stands.len());
-    for (i, (site, stand)) in track.sites.iter().zip(stands).enumerate() {
-        out.push(row(site, stand.arrive.or(stand.leave), false));
-        if let (Some(from), Some(to)) = (stand.arrive, stand.leave)
+    let mut out = Vec::with_capacity(site_tilts.len());
+    for (i, (site, tilts)) in track.sites.iter().zip(site_tilts).enumerate() {
+        out.push(row(site, tilts.arrive.or(tilts.leave), false));
+        if let (Some(from), Some(to)) = (tilts.arrive, tilts.leave)
             && from != to
         {
             out.push(row(site, Some(to), true));
         }
-        let (Some(next), Some(after)) = (track.sites.get(i + 1), stands.get(i + 1)) else { break };
-        if stand.leave.is_some() && after.arrive.is_some() {
+        let (Some(next), Some(after)) = (track.sites.get(i + 1), site_tilts.get(i + 1)) else { break };
+        if tilts.leave.is_some() && after.arrive.is_some() {
             continue;
         }
         // Dark from here to the next point: each side goes on as far as its beam is free.
-        let (low, high) = (stand.leave.or(stand.arrive), after.arrive.or(after.leave));
+        let (low, high) = (tilts.leave.or(tilts.arrive), after.arrive.or(after.leave));
         let (mut from, mut to) = (site.midway(next, 0.0), site.midway(next, 1.0));
         if let Some(tilt) = low {
-            from = gone(beam, track, (site, next), tilt, 0.0);
+            from = last_free_site(beam, track, (site, next), tilt, 0.0);
         }
         if let Some(tilt) = high {
-            to = gone(beam, track, (site, next), tilt, 1.0);
+            to = last_free_site(beam, track, (site, next), tilt, 1.0);
         }
         if low.is_some() && from.arc_mm > site.arc_mm && from.arc_mm < next.arc_mm {
             out.push(row(&from, low, false));
         }
         if low.is_some() && high.is_some() {
-            // Nothing else tells that it is dark between.
+            // A blocked point between them says that the laser is off there.
             let way_mm = (next.arc_mm - site.arc_mm).max(1e-12);
             let t = (0.5 * (from.arc_mm + to.arc_mm) - site.arc_mm) / way_mm;
             out.push(row(&site.midway(next, t.clamp(0.0, 1.0)), None, false));
@@ -58,8 +58,8 @@ pub fn rows(beam: &Beam<'_>, track: &Track<'_>, stands: &[Stand]) -> Vec<Row> {
     out
 }
 
-/// How far a tilt that is held stays free from one end of a gap.
-fn gone(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
+/// The last site, going from one end of a gap, at which a constant tilt is free.
+fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
     let start = site.midway(next, from);
     let good = |t: f64| {
         let there = site.midway(next, t);
@@ -75,8 +75,8 @@ fn gone(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: 
     site.midway(next, free)
 }
 
-/// Turns the rows of a closed line that was opened elsewhere so that they begin and end at a point.
-pub fn from_start(mut rows: Vec<Row>, start: &DensePoint) -> Vec<Row> {
+/// Rotates the points of a closed line that was opened elsewhere so that they begin and end at `start`.
+pub fn from_start(mut rows: Vec<CorrectedPoint>, start: &DensePoint) -> Vec<CorrectedPoint> {
     rows.pop();
     let Some(at) = rows.iter().position(|r| r.q == *start) else { return rows };
     rows.rotate_left(at);

@@ -1,22 +1,22 @@
 //! Which lines are near each other: the only ones that are tried as neighbours of an order.
 
-use super::ends::{Stop, Stops};
+use super::ends::{LineVisit, TourLines};
 
-/// Neighbours looked for at every entry.
+/// Number of neighbours kept for every entry.
 const NEAREST: usize = 6;
 /// Entries of a closed line that are looked at.
 const SPREAD: usize = 4;
 
 /// For each line the lines with entries nearest to one of its own, each once.
-pub(super) fn neighbours(stops: &Stops<'_>) -> Vec<Vec<usize>> {
-    let entries: Vec<Stop> = (0..stops.count()).flat_map(|line| both_ends(stops, line)).collect();
+pub(super) fn neighbours(tour: &TourLines<'_>) -> Vec<Vec<usize>> {
+    let entries: Vec<LineVisit> = (0..tour.count()).flat_map(|line| both_ends(tour, line)).collect();
     let at: Vec<_> = entries.iter().map(|s| s.enter).collect();
     let (lo, hi) = crate::part::topology::bounds_of(at.iter().copied());
     // Sorted along the longest side of their box, so that far ones are never looked at.
     let axis = (hi - lo).imax();
     let mut sorted: Vec<usize> = (0..entries.len()).collect();
     sorted.sort_by(|&a, &b| at[a][axis].total_cmp(&at[b][axis]).then(a.cmp(&b)));
-    let mut near: Vec<Vec<usize>> = vec![Vec::new(); stops.count()];
+    let mut near: Vec<Vec<usize>> = vec![Vec::new(); tour.count()];
     for (rank, &own) in sorted.iter().enumerate() {
         let line = entries[own].line;
         let mut found: Vec<(f64, usize)> = Vec::with_capacity(NEAREST + 1);
@@ -62,9 +62,9 @@ pub(super) fn neighbours(stops: &Stops<'_>) -> Vec<Vec<usize>> {
 }
 
 /// Both ends of a line even where it is entered at one only: what is near its end may follow it.
-fn both_ends(stops: &Stops<'_>, line: usize) -> Vec<Stop> {
-    if stops.is_closed(line) {
-        return stops.some_entries(line, SPREAD).collect();
+fn both_ends(tour: &TourLines<'_>, line: usize) -> Vec<LineVisit> {
+    if tour.is_closed(line) {
+        return tour.some_entries(line, SPREAD).collect();
     }
-    vec![stops.stop(line, 0), stops.stop(line, 1)]
+    vec![tour.visit(line, 0), tour.visit(line, 1)]
 }

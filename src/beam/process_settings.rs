@@ -1,0 +1,52 @@
+//! The process settings of a pass: where the focus stands, how wide, how fast and how strong the spot is.
+//!
+//! Values alone; the job says which surface is made with which.
+
+use super::Optics;
+
+/// The settings that a pass is made with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProcessSettings {
+    /// D: the focus stands at `p + D·a`, mm.
+    pub defocus_mm: f64,
+    /// Diameter of the spot on the part, mm.
+    pub spot_mm: f64,
+    /// Speed of the spot on the part, mm/s.
+    pub speed_mm_s: f64,
+    /// Power, W.
+    pub power_w: f64,
+    /// Frequency of its pulses, kHz; 0: without pulses, or as it is set at the laser.
+    pub frequency_khz: f64,
+    /// Length of the run-up along the line, at that speed, before the laser is switched on, mm.
+    pub lead_in_mm: f64,
+    /// Length by which the spot runs on beyond the line's end, mm.
+    pub lead_out_mm: f64,
+    /// Layer of a build-up, from 0: the part has grown by those before.
+    pub layer: u32,
+}
+
+impl Default for ProcessSettings {
+    /// P1 Table 1.
+    fn default() -> Self {
+        ProcessSettings {
+            defocus_mm: 20.0,
+            spot_mm: 1.0,
+            speed_mm_s: 3.0,
+            power_w: 500.0,
+            frequency_khz: 0.0,
+            lead_in_mm: 0.0,
+            lead_out_mm: 0.0,
+            layer: 0,
+        }
+    }
+}
+
+impl ProcessSettings {
+    /// The settings with the head drawn back along the beam by `lift_mm` (pushed forward where negative): the
+    /// spot gets as wide as the optics make it, in proportion.
+    pub fn lifted(&self, optics: &Optics, lift_mm: f64) -> ProcessSettings {
+        let defocus_mm = self.defocus_mm + lift_mm;
+        let wider = optics.spot_mm(defocus_mm) / optics.spot_mm(self.defocus_mm);
+        ProcessSettings { defocus_mm, spot_mm: self.spot_mm * wider, ..*self }
+    }
+}

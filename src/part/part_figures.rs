@@ -1,0 +1,54 @@
+//! What was counted while a part was read and oriented, whatever the crease angle: open and non-manifold edges,
+//! degenerate, duplicate and dropped facets, volume and unit.
+
+use super::Units;
+use super::orient::{Orientation, volume};
+use super::raw_part::{InvalidFacet, RawPart};
+use super::topology::{Dead, Mesh};
+
+/// Figures of a file that do not depend on the crease angle.
+#[derive(Clone, Debug, Default)]
+pub struct PartFigures {
+    /// Facets that were dropped.
+    pub invalid: Vec<InvalidFacet>,
+    /// Edges with one facet.
+    pub boundary_edges: usize,
+    /// Edges with more than two.
+    pub non_manifold_edges: usize,
+    /// Facets without area.
+    pub degenerate_facets: usize,
+    /// Facets with the vertices of an earlier one.
+    pub duplicate_facets: usize,
+    /// Enclosed volume, mm³; `None` where the part is not watertight.
+    pub volume_mm3: Option<f64>,
+    /// The unit that the file was read in.
+    pub units: Units,
+    /// A unit that would give a plausible size, where the one above does not.
+    pub better_units: Option<Units>,
+    /// Solids in the file.
+    pub solids: usize,
+    /// Bytes behind the last facet of a binary file.
+    pub tail_bytes: usize,
+}
+
+impl PartFigures {
+    /// Counts them on the oriented mesh.
+    pub fn new(raw: &RawPart, mesh: &Mesh, orientation: &Orientation, units: Units) -> PartFigures {
+        let facets_at =
+            |test: fn(usize) -> bool| (0..mesh.edges.len() as u32).filter(|&e| test(mesh.edge_facets(e).len())).count();
+        let dead = |kind| mesh.dead.iter().filter(|&&d| d == kind).count();
+        let (lo, hi) = mesh.bounds();
+        PartFigures {
+            invalid: raw.invalid.clone(),
+            boundary_edges: facets_at(|n| n == 1),
+            non_manifold_edges: facets_at(|n| n > 2),
+            degenerate_facets: dead(Dead::Degenerate),
+            duplicate_facets: dead(Dead::Duplicate),
+            volume_mm3: orientation.watertight.then(|| volume(mesh)),
+            units,
+            better_units: units.better_guess((hi - lo).max() / units.mm()),
+            solids: raw.solids,
+            tail_bytes: raw.tail_bytes,
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The beam on a part: its ray, its geometry, and the facets that they may meet. The queries stand in `ray` and
+//! `tool_body`.
+
+use crate::beam::ToolGeometry;
+use crate::part::{Bvh, Part};
+use nalgebra::{Isometry3, Point3, Vector3};
+use std::cell::Cell;
+
+/// A facet that rises less than this above the spot stands in no beam's way, mm: the start of the
+/// ray's test, `STRETCHES_MM`. The moving cone is held to it as well.
+pub(super) const RISE_MM: f64 = 0.01;
+
+/// The beam on a part: a ray without end, and cone, head and clamps where there are any.
+#[derive(Clone, Debug)]
+pub struct Beam<'a> {
+    pub(super) bvh: &'a Bvh,
+    /// Diagonal of the part: nothing lies further along a beam.
+    pub(super) size_mm: f64,
+    /// Cone, head and clamps; `None`: the ray alone.
+    pub(super) geometry: Option<&'a ToolGeometry<'a>>,
+    /// The facet of the part that cone or head hit last; it is tested first.
+    pub(super) last_body_facet: Cell<Option<[Point3<f64>; 3]>>,
+    /// The facet that the ray hit last. It is tested first: the next ray is likely to hit it as well.
+    pub(super) last_ray_facet: Cell<Option<[Point3<f64>; 3]>>,
+}
+
+impl<'a> Beam<'a> {
+    /// A beam without width on this part.
+    pub fn on(part: &'a Part) -> Beam<'a> {
+        Beam::with(part, None)
+    }
+
+    /// A beam with cone, head and clamps on this part; without them a ray.
+    pub fn with(part: &'a Part, geometry: Option<&'a ToolGeometry<'a>>) -> Beam<'a> {
+        Beam {
+            bvh: &part.bvh,
+            size_mm: part.bvh.diagonal_mm(),
+            geometry,
+            last_ray_facet: Cell::new(None),
+            last_body_facet: Cell::new(None),
+        }
+    }
+
+    /// All that can be hit, the part first: the clamp's number, its facets, and where it stands in the part frame.
+    pub(super) fn obstacles(&self) -> impl Iterator<Item = (Option<u32>, &'a Bvh, Option<Isometry3<f64>>)> {
+        let clamps = self.geometry.map_or(&[][..], |b| b.clamps);
+        let clamps = clamps.iter().enumerate().map(|(i, c)| (Some(i as u32), &c.solid().bvh, Some(c.at())));
+        std::iter::once((None, self.bvh, None)).chain(clamps)
+    }
+}
+
+/// The pose in the frame of something that stands at `at`.
+pub(super) fn into_frame(
+    at: Option<&Isometry3<f64>>,
+    p: &Point3<f64>,
+    a: &Vector3<f64>,
+) -> (Point3<f64>, Vector3<f64>) {
+    at.map_or((*p, *a), |at| (at.inverse_transform_point(p), at.inverse_transform_vector(a)))
+}

@@ -1,0 +1,49 @@
+//! What is in the way of the tool: which of its bodies collides, and with what.
+
+/// The part of the tool that collides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ToolBody {
+    /// The beam.
+    Beam,
+    /// The head.
+    Head,
+}
+
+/// What the tool collides with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Obstruction {
+    /// A facet of the part.
+    Facet(u32),
+    /// A clamp, by its place in the job's list.
+    Clamp(u32),
+}
+
+/// What stands in the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blocker {
+    /// Which of the tool's bodies.
+    pub tool_body: ToolBody,
+    /// What it hits.
+    pub obstruction: Obstruction,
+    /// Distance along the beam, mm.
+    pub t_mm: f64,
+}
+
+impl std::fmt::Display for ToolBody {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            ToolBody::Beam => "the beam",
+            ToolBody::Head => "the head",
+        })
+    }
+}
+
+impl std::fmt::Display for Blocker {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let body = self.tool_body;
+        match self.obstruction {
+            Obstruction::Facet(facet) => write!(f, "{body} hits facet {facet}"),
+            Obstruction::Clamp(clamp) => write!(f, "{body} hits clamp {}", clamp + 1),
+        }
+    }
+}

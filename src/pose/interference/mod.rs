@@ -1,0 +1,29 @@
+//! Does the tool hit anything at a pose, or on a short motion? The beam's ray, its cone, the head and clamps,
+//! against the part and against clamps.
+//!
+//! These questions serve detection, correction and verification alike; `checker` shares no code with them.
+
+mod beam;
+mod blocker;
+mod ray;
+mod tool_body;
+
+pub use beam::Beam;
+pub use blocker::{Blocker, Obstruction, ToolBody};
+pub use ray::GRAZE_MM;
+pub(super) use tool_body::Conflict;
+pub use tool_body::FAR_MM;
+
+use nalgebra::{Point3, Vector3};
+
+impl Beam<'_> {
+    /// Whether beam and head meet nothing, the spot in the point `p` of the surface, along the unit axis `a`.
+    pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
+        self.is_ray_free(p, a) && self.is_body_free(p, a)
+    }
+
+    /// The nearest thing in the way of the ray, or else what is in the way of cone and head.
+    pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
+        self.ray_blocker(p, a).or_else(|| self.body_blocker(p, a))
+    }
+}
