@@ -1,7 +1,7 @@
 //! The one way that every edit of the window takes, and edits that need more than a value.
 
 use super::App;
-use crate::document::{Edit, Lost, Parameter, RecutAnchor};
+use crate::document::{Edit, LostSettings, Parameter, RecutAnchor};
 use crate::part::{Placement, SurfaceId};
 use crate::text::{Sentence as _, say};
 
@@ -19,7 +19,7 @@ impl App {
     /// Applies an edit, and says what surfaces lost by it; a drag that brings it back takes the word back.
     pub(super) fn apply(&mut self, edit: &Edit, gesture: Option<&str>) {
         let all: Vec<SurfaceId> = self.derived.surfaces.ids().collect();
-        let told = |lost: &[Lost]| lost.iter().map(Lost::sentence).collect::<Vec<_>>().join("; ");
+        let told = |lost: &[LostSettings]| lost.iter().map(LostSettings::sentence).collect::<Vec<_>>().join("; ");
         let before = told(self.document.lost());
         self.document.apply(edit, &all, gesture);
         let now = told(self.document.lost());

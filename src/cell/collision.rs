@@ -13,7 +13,7 @@ use super::{Joints, Mount, Robot, Setup};
 use crate::beam::Obstacle;
 use crate::part::Part;
 use nalgebra::Isometry3;
-use shapes::{Body, Capsule, Solid};
+use shapes::{Capsule, CollisionBody, CollisionSolid};
 use std::ops::ControlFlow;
 
 pub use contact::{BodyId, Contact};
@@ -23,7 +23,7 @@ pub use contact::{BodyId, Contact};
 pub struct Collision<'a> {
     robot: &'a Robot,
     /// What stands, in the base.
-    standing: Vec<Solid<'a>>,
+    standing: Vec<CollisionSolid<'a>>,
     /// A head that stands, in the base.
     standing_head: Vec<Capsule>,
     carried: Carried<'a>,
@@ -36,12 +36,12 @@ pub struct Collision<'a> {
 /// What hangs on the flange, in the flange.
 #[derive(Clone, Debug)]
 enum Carried<'a> {
-    Part(Solid<'a>),
+    Part(CollisionSolid<'a>),
     Head(Vec<Capsule>),
 }
 
 /// A look at two bodies: which they are, and their shapes.
-type Look<'l, B> = dyn FnMut(Pair<'_>, &Body<'_, '_>, &Body<'_, '_>) -> ControlFlow<B> + 'l;
+type Look<'l, B> = dyn FnMut(Pair<'_>, &CollisionBody<'_, '_>, &CollisionBody<'_, '_>) -> ControlFlow<B> + 'l;
 
 /// Two bodies that may touch.
 #[derive(Clone, Copy)]
@@ -64,17 +64,17 @@ impl<'a> Collision<'a> {
         let (cell, bodies) = (&setup.cell, &setup.cell.bodies);
         let obstacle = |(index, o): (usize, &'a Obstacle)| {
             let id = BodyId::Obstacle { index, file: o.file.as_str().into() };
-            Solid::new(id, o.solid(), o.at())
+            CollisionSolid::new(id, o.solid(), o.at())
         };
-        let mut standing: Vec<Solid<'a>> = bodies.obstacles.iter().enumerate().filter_map(obstacle).collect();
+        let mut standing: Vec<CollisionSolid<'a>> = bodies.obstacles.iter().enumerate().filter_map(obstacle).collect();
         let head = |focus: Isometry3<f64>| bodies.head.iter().map(|h| Capsule::of(h, &focus)).collect::<Vec<_>>();
         let (standing_head, carried) = match setup.mount {
             Mount::PartInHand => {
-                let part = Solid::new(BodyId::Part, part, cell.flange_from_part.isometry());
+                let part = CollisionSolid::new(BodyId::Part, part, cell.flange_from_part.isometry());
                 (head(cell.base_from_laser.isometry()), part.map_or(Carried::Head(Vec::new()), Carried::Part))
             }
             Mount::ToolInHand => {
-                standing.extend(Solid::new(BodyId::Part, part, cell.base_from_part.isometry()));
+                standing.extend(CollisionSolid::new(BodyId::Part, part, cell.base_from_part.isometry()));
                 (Vec::new(), Carried::Head(head(cell.flange_from_focus())))
             }
         };
@@ -129,17 +129,17 @@ impl<'a> Collision<'a> {
         let base_from_flange = self.robot.forward(joints_deg);
         let [_, moving @ ..] = &links;
         for l in moving {
-            self.each_beside(&BodyId::Link(l.link), &Body::Capsule(Capsule::of_link(l)), &[], look)?;
+            self.each_beside(&BodyId::Link(l.link), &CollisionBody::Capsule(Capsule::of_link(l)), &[], look)?;
         }
         // What is carried may touch all but the wrist that carries it.
         let [rest @ .., _] = &links;
         match &self.carried {
             Carried::Part(part) => {
-                self.each_beside(&BodyId::Part, &Body::Solid(&part.moved(&base_from_flange)), rest, look)?;
+                self.each_beside(&BodyId::Part, &CollisionBody::Solid(&part.moved(&base_from_flange)), rest, look)?;
             }
             Carried::Head(head) => {
                 for c in head {
-                    self.each_beside(&BodyId::Head, &Body::Capsule(c.moved(&base_from_flange)), rest, look)?;
+                    self.each_beside(&BodyId::Head, &CollisionBody::Capsule(c.moved(&base_from_flange)), rest, look)?;
                 }
             }
         }
@@ -150,21 +150,21 @@ impl<'a> Collision<'a> {
     fn each_beside<B>(
         &self,
         id: &BodyId,
-        body: &Body<'_, 'a>,
+        body: &CollisionBody<'_, 'a>,
         links: &[LinkCapsule],
         look: &mut Look<'_, B>,
     ) -> ControlFlow<B> {
         if let Some(z_mm) = self.table_z_mm {
-            look(Pair(id, &BodyId::Table), body, &Body::Below(z_mm))?;
+            look(Pair(id, &BodyId::Table), body, &CollisionBody::Below(z_mm))?;
         }
         for h in &self.standing_head {
-            look(Pair(id, &BodyId::Head), body, &Body::Capsule(*h))?;
+            look(Pair(id, &BodyId::Head), body, &CollisionBody::Capsule(*h))?;
         }
         for l in links {
-            look(Pair(id, &BodyId::Link(l.link)), body, &Body::Capsule(Capsule::of_link(l)))?;
+            look(Pair(id, &BodyId::Link(l.link)), body, &CollisionBody::Capsule(Capsule::of_link(l)))?;
         }
         for s in &self.standing {
-            look(Pair(id, &s.id), body, &Body::Solid(s))?;
+            look(Pair(id, &s.id), body, &CollisionBody::Solid(s))?;
         }
         ControlFlow::Continue(())
     }

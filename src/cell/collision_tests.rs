@@ -3,7 +3,7 @@
 use super::*;
 use crate::cell::bodies::HeadCapsule;
 use crate::cell::check::FigureError;
-use crate::cell::motion::Cause;
+use crate::cell::motion::RefusalCause;
 use crate::cell::{Cell, CellError, Frame, Link};
 use crate::part::distance::point_triangle;
 use crate::part::{LoadError, Placement, Units};
@@ -213,7 +213,7 @@ fn an_obstacle_is_one_whatever_its_file_is_called() {
         hand.cell.flange_from_part = at([-10.0, -10.0, 60.0]);
         let contact = first(&hand, &cube).expect("touches");
         assert_eq!(contact.b, obstacle(0, file));
-        assert_eq!(Cause::of_contact(&contact), Cause::Obstacle, "{file}");
+        assert_eq!(RefusalCause::of_contact(&contact), RefusalCause::Obstacle, "{file}");
     }
 }
 

@@ -7,7 +7,7 @@ mod file;
 mod links;
 
 use super::opw::Opw;
-use super::ur::Ur;
+use super::ur::UrKinematics;
 use nalgebra::Isometry3;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -42,7 +42,7 @@ pub struct Robot {
     /// Where each figure is from.
     pub sources: BTreeMap<String, String>,
     opw: Option<Opw>,
-    ur: Option<Ur>,
+    ur: Option<UrKinematics>,
     /// Radii of the capsules that stand for the arm.
     pub links: Links,
 }

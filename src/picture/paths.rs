@@ -4,7 +4,7 @@ use super::palette::{Rgb, state};
 use crate::beam::Work;
 use crate::part::Hasher;
 use crate::planning::Plan;
-use crate::planning::lay::Laid;
+use crate::planning::toolpath::Toolpath;
 use crate::pose::{Pass, State, Target};
 use crate::program::Step;
 use crate::view::{Depth, LineItem, LineSegment, PointItem};
@@ -63,7 +63,7 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
 }
 
 /// Draws lines of which nothing is known yet but where they lie.
-pub fn laid(lines: &[Arc<Laid>]) -> LineItem {
+pub fn laid(lines: &[Arc<Toolpath>]) -> LineItem {
     let points = lines.iter().flat_map(|l| &l.lines);
     let segments: Vec<LineSegment> = points
         .flat_map(|line| {

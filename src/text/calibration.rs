@@ -1,7 +1,7 @@
 //! Frames from what was measured: how well they fit, and why there is none.
 
 use super::{Sentence, exact, fixed, say};
-use crate::cell::calibration::{CalibrationNote, FitError, Side};
+use crate::cell::calibration::{CalibrationNote, CalibrationSide, FitError};
 use crate::cell::frame::{FrameError, FrameFault};
 
 impl Sentence for CalibrationNote {
@@ -43,8 +43,10 @@ impl Sentence for FitError {
             }
             FitError::NoTip => say!(fit_no_tip),
             FitError::FewPairs { count } => say!(fit_few_pairs, count),
-            FitError::OneLine { side: Side::Model, width_mm } => say!(fit_model_on_line, width = fixed(width_mm, 1)),
-            FitError::OneLine { side: Side::Measured, width_mm } => {
+            FitError::OneLine { side: CalibrationSide::Model, width_mm } => {
+                say!(fit_model_on_line, width = fixed(width_mm, 1))
+            }
+            FitError::OneLine { side: CalibrationSide::Measured, width_mm } => {
                 say!(fit_measured_on_line, width = fixed(width_mm, 1))
             }
             FitError::NoFrame => say!(fit_no_frame),

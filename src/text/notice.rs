@@ -1,7 +1,7 @@
 //! What people are to know of a plan, finding by finding, and what helps.
 
 use super::{NamedSentence, Naming, Sentence, fixed, id, say};
-use crate::cell::motion::Cause;
+use crate::cell::motion::RefusalCause;
 use crate::part::SurfaceId;
 use crate::planning::report::{BlockedBy, NothingReason, Notice, Unproven};
 use crate::pose::{Correction, ToolBody};
@@ -89,39 +89,39 @@ fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
 }
 
 /// Targets of a surface that are left out for a cause, and the surface that is in the way.
-pub(crate) fn left_out(surface: &str, cause: Cause, by: Option<String>, targets: usize) -> String {
+pub(crate) fn left_out(surface: &str, cause: RefusalCause, by: Option<String>, targets: usize) -> String {
     match (cause, by) {
-        (Cause::Head, Some(by)) => say!(notice_blocked_for_head, surface, targets, by),
+        (RefusalCause::Head, Some(by)) => say!(notice_blocked_for_head, surface, targets, by),
         (_, Some(by)) => say!(notice_blocked_by, surface, targets, by),
-        (Cause::Beam, None) => say!(notice_blocked, surface, targets),
+        (RefusalCause::Beam, None) => say!(notice_blocked, surface, targets),
         (_, None) => say!(notice_refused, surface, targets, why = why(cause)),
     }
 }
 
 /// What would be if such a target were worked.
-fn why(cause: Cause) -> String {
+fn why(cause: RefusalCause) -> String {
     match cause {
-        Cause::Beam => say!(why_beam),
-        Cause::Robot => say!(why_robot),
-        Cause::Head => say!(why_head),
-        Cause::Obstacle => say!(why_obstacle),
-        Cause::Reach => say!(why_reach),
-        Cause::Limit => say!(why_limit),
-        Cause::Speed => say!(why_speed),
-        Cause::Singularity => say!(why_singularity),
+        RefusalCause::Beam => say!(why_beam),
+        RefusalCause::Robot => say!(why_robot),
+        RefusalCause::Head => say!(why_head),
+        RefusalCause::Obstacle => say!(why_obstacle),
+        RefusalCause::Reach => say!(why_reach),
+        RefusalCause::Limit => say!(why_limit),
+        RefusalCause::Speed => say!(why_speed),
+        RefusalCause::Singularity => say!(why_singularity),
     }
 }
 
-fn against(cause: Cause, correction: Correction) -> String {
+fn against(cause: RefusalCause, correction: Correction) -> String {
     match (cause, correction) {
-        (Cause::Beam | Cause::Head, Correction::None) => say!(remedy_correct),
-        (Cause::Beam | Cause::Head, Correction::SectionPlane) => say!(remedy_clearance),
-        (Cause::Beam | Cause::Head, Correction::Clearance) => say!(remedy_tilt),
-        (Cause::Obstacle, _) => say!(remedy_obstacle),
-        (Cause::Robot | Cause::Singularity, _) => say!(remedy_turn_part),
-        (Cause::Reach, _) => say!(remedy_reach),
-        (Cause::Limit, _) => say!(remedy_limit),
-        (Cause::Speed, _) => say!(remedy_speed),
+        (RefusalCause::Beam | RefusalCause::Head, Correction::None) => say!(remedy_correct),
+        (RefusalCause::Beam | RefusalCause::Head, Correction::SectionPlane) => say!(remedy_clearance),
+        (RefusalCause::Beam | RefusalCause::Head, Correction::Clearance) => say!(remedy_tilt),
+        (RefusalCause::Obstacle, _) => say!(remedy_obstacle),
+        (RefusalCause::Robot | RefusalCause::Singularity, _) => say!(remedy_turn_part),
+        (RefusalCause::Reach, _) => say!(remedy_reach),
+        (RefusalCause::Limit, _) => say!(remedy_limit),
+        (RefusalCause::Speed, _) => say!(remedy_speed),
     }
 }
 

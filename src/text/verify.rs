@@ -3,7 +3,7 @@
 use super::{Sentence, fixed, id, say};
 use crate::part::rpy;
 use crate::planning::verify::{Difference, Finding, JointOff, SpotOff, VerifyError};
-use crate::program::dialect::{Goal, Read};
+use crate::program::dialect::{Goal, Statement};
 use crate::program::{Interpolation, MoveTiming, dialects};
 use nalgebra::Isometry3;
 
@@ -90,17 +90,19 @@ fn way(way: Interpolation) -> String {
 }
 
 /// What a line of a program does, in a few words.
-fn line(what: &Read) -> String {
+fn line(what: &Statement) -> String {
     match what {
-        Read::Move(m) => say!(line_move, way = way(m.interpolation), goal = goal(&m.goal)),
-        Read::Output { number, on: true } => say!(line_output_on, number = id(number)),
-        Read::Output { number, on: false } => say!(line_output_off, number = id(number)),
-        Read::Level { number, value, group: true } => say!(line_group, number = id(number), value = value.to_string()),
-        Read::Level { number, value, group: false } => {
+        Statement::Move(m) => say!(line_move, way = way(m.interpolation), goal = goal(&m.goal)),
+        Statement::Output { number, on: true } => say!(line_output_on, number = id(number)),
+        Statement::Output { number, on: false } => say!(line_output_off, number = id(number)),
+        Statement::Level { number, value, group: true } => {
+            say!(line_group, number = id(number), value = value.to_string())
+        }
+        Statement::Level { number, value, group: false } => {
             say!(line_analogue, number = id(number), value = value.to_string())
         }
-        Read::Wait(s) => say!(line_wait, seconds = s.to_string()),
-        Read::Say(text) | Read::Other(text) => text.clone(),
+        Statement::Wait(s) => say!(line_wait, seconds = s.to_string()),
+        Statement::Say(text) | Statement::Other(text) => text.clone(),
     }
 }
 

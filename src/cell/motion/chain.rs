@@ -7,7 +7,7 @@
 //! optimum of these rules.
 
 use super::crowds::{Crowd, crowds};
-use super::states::{Arm, Lack, SPIN_STEP_DEG, State};
+use super::states::{Arm, ArmState, Lack, SPIN_STEP_DEG};
 use crate::cell::{Contact, Joints};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
@@ -38,7 +38,7 @@ const CHUNK: usize = 256;
 const SIDE_BY_SIDE: usize = 256;
 
 /// A target as the chain sees it.
-pub(super) struct Stop {
+pub(super) struct ChainTarget {
     pub pass: usize,
     pub point: usize,
     pub part_from_focus: Isometry3<f64>,
@@ -47,10 +47,10 @@ pub(super) struct Stop {
 }
 
 /// States of a target, or why it has none.
-pub(super) type Ways = Result<Vec<State>, Refused>;
+pub(super) type Ways = Result<Vec<ArmState>, Unreachable>;
 
 /// Why a target has no state.
-pub(super) enum Refused {
+pub(super) enum Unreachable {
     /// The arm cannot stand there.
     Lack(Lack),
     /// All its states touch something; the contact of the first.
@@ -74,22 +74,22 @@ pub(super) fn most_deg(speeds_deg_s: &[f64; 6], seconds: f64) -> [f64; 6] {
 /// cheapest chain leaves it out).
 pub(super) fn chain(
     arm: &Arm<'_>,
-    stops: &[Stop],
+    stops: &[ChainTarget],
     go_on: &(dyn Fn() -> bool + Sync),
-    ways: impl Fn(&Stop) -> Ways + Sync,
-) -> Option<Vec<Result<State, Option<Refused>>>> {
+    ways: impl Fn(&ChainTarget) -> Ways + Sync,
+) -> Option<Vec<Result<ArmState, Option<Unreachable>>>> {
     let rules = Rules::new(arm);
     let mut trace: Vec<Trace> = Vec::with_capacity(stops.len());
-    let mut before = Layer::start();
+    let mut before = TargetStates::start();
     for chunk in stops.chunks(CHUNK) {
         if !go_on() {
             return None;
         }
-        let made: Vec<(Layer, Option<Refused>)> = chunk
+        let made: Vec<(TargetStates, Option<Unreachable>)> = chunk
             .par_iter()
             .map(|stop| match ways(stop) {
-                Ok(states) => (Layer::new(states, &rules), None),
-                Err(lack) => (Layer::new(Vec::new(), &rules), Some(lack)),
+                Ok(states) => (TargetStates::new(states, &rules), None),
+                Err(lack) => (TargetStates::new(Vec::new(), &rules), Some(lack)),
             })
             .collect();
         for (stop, (mut layer, lack)) in chunk.iter().zip(made) {
@@ -110,7 +110,7 @@ pub(super) fn chain(
         *pick = at;
         at = if at == OUT { t.left_out_from } else { t.from[at as usize] };
     }
-    let state = |(stop, t, pick): (&Stop, Trace, u32)| {
+    let state = |(stop, t, pick): (&ChainTarget, Trace, u32)| {
         let way = t.ways.get(pick as usize);
         way.and_then(|[spin, branch, turn]| arm.state(&stop.part_from_focus, *spin, *branch, *turn)).ok_or(t.lack)
     };
@@ -125,12 +125,12 @@ struct Trace {
     from: Vec<u32>,
     left_out_from: u32,
     ways: Vec<[u8; 3]>,
-    lack: Option<Refused>,
+    lack: Option<Unreachable>,
 }
 
 /// One target's states with what it costs to have come to them.
-struct Layer {
-    states: Vec<State>,
+struct TargetStates {
+    states: Vec<ArmState>,
     cost: Vec<f64>,
     /// What it costs to stand in each.
     standing: Vec<f64>,
@@ -140,14 +140,14 @@ struct Layer {
     begin: Vec<u32>,
 }
 
-impl Layer {
+impl TargetStates {
     /// Before the first target: nothing stands anywhere, and that costs nothing.
-    fn start() -> Layer {
-        Layer { states: Vec::new(), cost: Vec::new(), standing: Vec::new(), left_out: 0.0, begin: Vec::new() }
+    fn start() -> TargetStates {
+        TargetStates { states: Vec::new(), cost: Vec::new(), standing: Vec::new(), left_out: 0.0, begin: Vec::new() }
     }
 
     /// `states` in the order of branch and spin.
-    fn new(states: Vec<State>, rules: &Rules<'_>) -> Layer {
+    fn new(states: Vec<ArmState>, rules: &Rules<'_>) -> TargetStates {
         let spins = rules.arm.spins();
         let mut begin = vec![0_u32; 8 * spins + 1];
         for s in &states {
@@ -157,7 +157,7 @@ impl Layer {
             begin[i] += begin[i - 1];
         }
         let standing = states.iter().map(|s| rules.standing(s)).collect();
-        Layer { cost: vec![f64::INFINITY; states.len()], states, standing, left_out: f64::INFINITY, begin }
+        TargetStates { cost: vec![f64::INFINITY; states.len()], states, standing, left_out: f64::INFINITY, begin }
     }
 
     /// The states of a branch and spin.
@@ -201,7 +201,7 @@ impl<'a> Rules<'a> {
     }
 
     /// What it costs to stand in a state.
-    fn standing(&self, state: &State) -> f64 {
+    fn standing(&self, state: &ArmState) -> f64 {
         let robot = self.arm.robot;
         let share = |x: f64, from: f64| ((from - x) / from).max(0.0);
         let limit = share(robot.limit_margin_deg(&state.joints_deg), NEAR_LIMIT_DEG);
@@ -214,10 +214,10 @@ impl<'a> Rules<'a> {
     }
 
     /// Costs and predecessors after a lit move.
-    fn lit(&self, before: &Layer, layer: &mut Layer, seconds: f64) -> Vec<u32> {
+    fn lit(&self, before: &TargetStates, layer: &mut TargetStates, seconds: f64) -> Vec<u32> {
         let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
         let spins = self.arm.spins();
-        let one = |(state, standing): (&State, &f64)| {
+        let one = |(state, standing): (&ArmState, &f64)| {
             let to = &state.joints_deg;
             // Without its predecessor the piece starts here: out, round and in again.
             let mut best = (before.left_out + STARTED_ANEW, OUT);
@@ -251,12 +251,12 @@ impl<'a> Rules<'a> {
     }
 
     /// Costs and predecessors after a connecting move: from any state to any.
-    fn round(&self, before: &Layer, layer: &mut Layer) -> Vec<u32> {
+    fn round(&self, before: &TargetStates, layer: &mut TargetStates) -> Vec<u32> {
         let crowds = crowds(&before.states, &before.cost);
-        let some = |(states, standing): (&[State], &[f64])| -> Vec<(f64, u32)> {
+        let some = |(states, standing): (&[ArmState], &[f64])| -> Vec<(f64, u32)> {
             // What was best for the state before is good for this one, and shows what need not be looked at.
             let mut guess = OUT;
-            let one = |(state, standing): (&State, &f64)| {
+            let one = |(state, standing): (&ArmState, &f64)| {
                 let best = self.cheapest_way(before, &crowds, state, guess);
                 guess = best.1;
                 (best.0 + standing, best.1)
@@ -274,7 +274,7 @@ impl<'a> Rules<'a> {
     }
 
     /// Cost and predecessor of a state after a connecting move; `guess` may be a good predecessor.
-    fn cheapest_way(&self, before: &Layer, crowds: &[Crowd], state: &State, guess: u32) -> (f64, u32) {
+    fn cheapest_way(&self, before: &TargetStates, crowds: &[Crowd], state: &ArmState, guess: u32) -> (f64, u32) {
         let changed = |branch: u8| if branch == state.branch { 0.0 } else { CHANGED_BRANCH };
         let mut best = (before.left_out, OUT);
         let look = |best: &mut (f64, u32), k: u32| {

@@ -24,7 +24,7 @@ pub struct Arm<'a> {
 
 /// One way: joints in degrees, the spin's number, and the branch of the inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct ArmState {
     /// Within their limits.
     pub joints_deg: Joints,
     /// Number of the spin.
@@ -96,7 +96,7 @@ impl<'a> Arm<'a> {
     ///
     /// # Errors
     /// There is none, and why.
-    pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<State>, Lack> {
+    pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<ArmState>, Lack> {
         let mut solved: Vec<[Option<Joints>; 8]> = Vec::with_capacity(self.spins.len());
         for k in 0..self.spins.len() {
             solved.push(self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, k as u8))));
@@ -116,7 +116,7 @@ impl<'a> Arm<'a> {
                         singular = true;
                     } else {
                         let (spin, branch, turn) = (spin as u8, branch as u8, turn as u8);
-                        out.push(State { joints_deg, spin, branch, turn, singularity });
+                        out.push(ArmState { joints_deg, spin, branch, turn, singularity });
                     }
                 }
                 if out.len() == before && !is_singular {
@@ -139,11 +139,11 @@ impl<'a> Arm<'a> {
 
 impl Arm<'_> {
     /// The state of that spin, branch and reading, as [`Arm::states`] made it.
-    pub fn state(&self, part_from_focus: &Isometry3<f64>, spin: u8, branch: u8, turn: u8) -> Option<State> {
+    pub fn state(&self, part_from_focus: &Isometry3<f64>, spin: u8, branch: u8, turn: u8) -> Option<ArmState> {
         let solutions = self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, spin)));
         let joints = solutions[usize::from(branch)]?;
         let joints_deg = turns(&joints, &self.robot.limits_deg).nth(usize::from(turn))?;
-        Some(State { joints_deg, spin, branch, turn, singularity: self.robot.singularity(&joints) })
+        Some(ArmState { joints_deg, spin, branch, turn, singularity: self.robot.singularity(&joints) })
     }
 }
 

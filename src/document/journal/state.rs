@@ -2,7 +2,7 @@
 //! The line is a comment, so that the file by itself is a job that can be looked at and opened.
 
 use super::error::{JournalError, StateError};
-use super::slot::Slot;
+use super::slot::JournalSlot;
 use crate::document::files::save::JobFile;
 use crate::document::files::{self, JobError};
 use crate::document::job_file;
@@ -18,7 +18,7 @@ const MARK: &str = "# clearbeam journal ";
 
 /// A document that is not saved.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct State {
+pub(super) struct JournalState {
     /// When it was edited last, and its files.
     pub(super) about: About,
     /// Its paths are seen from the job file; whole where there is none.
@@ -39,9 +39,9 @@ pub(super) struct About {
     text_sha256: String,
 }
 
-impl State {
+impl JournalState {
     /// What there is to keep of a document now.
-    pub(super) fn of(document: &Document) -> Result<State, JournalError> {
+    pub(super) fn of(document: &Document) -> Result<JournalState, JournalError> {
         let job_file = document.job_file().map(whole).transpose()?;
         let job = match &job_file {
             Some(_) => document.job().clone(),
@@ -58,12 +58,12 @@ impl State {
         };
         let edited_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |t| t.as_secs());
         let about = About { edited_s, job_file, part_file, text_sha256: String::new() };
-        Ok(State { about, job })
+        Ok(JournalState { about, job })
     }
 
     /// Whether two states differ in the time of the last edit at most.
-    pub(super) fn differs_in_time_at_most(&self, other: &State) -> bool {
-        let files = |s: &State| (s.about.job_file.clone(), s.about.part_file.clone());
+    pub(super) fn differs_in_time_at_most(&self, other: &JournalState) -> bool {
+        let files = |s: &JournalState| (s.about.job_file.clone(), s.about.part_file.clone());
         files(self) == files(other) && self.job == other.job
     }
 
@@ -76,20 +76,20 @@ impl State {
     }
 
     /// The state of a slot; `None` where there is none.
-    pub(super) fn read(slot: &Slot) -> Result<Option<State>, JournalError> {
+    pub(super) fn read(slot: &JournalSlot) -> Result<Option<JournalState>, JournalError> {
         let unreadable = |source| JournalError::Unreadable { file: slot.state_file(), source };
         let bytes = slot.read().map_err(|e| unreadable(e.into()))?;
-        bytes.map(|bytes| State::from_bytes(&bytes).map_err(unreadable)).transpose()
+        bytes.map(|bytes| JournalState::from_bytes(&bytes).map_err(unreadable)).transpose()
     }
 
-    fn from_bytes(bytes: &[u8]) -> Result<State, StateError> {
+    fn from_bytes(bytes: &[u8]) -> Result<JournalState, StateError> {
         let parts = std::str::from_utf8(bytes)?.strip_prefix(MARK).and_then(|t| t.split_once('\n'));
         let (about, job) = parts.ok_or(StateError::NoOwner)?;
         let mut about: About = serde_json::from_str(about)?;
         if std::mem::take(&mut about.text_sha256) != digest_of(job.as_bytes()) {
             return Err(StateError::Damaged);
         }
-        Ok(State { about, job: job_file::parse(job)? })
+        Ok(JournalState { about, job: job_file::parse(job)? })
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) struct ExportFolder {
 
 /// What stands under a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Standing {
+pub(super) enum FolderEntry {
     /// Nothing.
     Nothing,
     /// A file with this SHA-256.
@@ -69,21 +69,21 @@ impl ExportFolder {
     ///
     /// # Errors
     /// It is there and cannot be read.
-    pub(super) fn look(&self, name: &str) -> Result<Standing, JobError> {
+    pub(super) fn look(&self, name: &str) -> Result<FolderEntry, JobError> {
         match fs::symlink_metadata(self.path.join(name)) {
-            Err(e) if e.kind() == ErrorKind::NotFound => return Ok(Standing::Nothing),
-            Ok(m) if m.is_dir() => return Ok(Standing::Folder),
+            Err(e) if e.kind() == ErrorKind::NotFound => return Ok(FolderEntry::Nothing),
+            Ok(m) if m.is_dir() => return Ok(FolderEntry::Folder),
             _ => {}
         }
         // A link that leads nowhere stands there, and is no file that was written.
-        Ok(Standing::File(self.read(name)?.map_or(String::new(), |bytes| digest_of(&bytes))))
+        Ok(FolderEntry::File(self.read(name)?.map_or(String::new(), |bytes| digest_of(&bytes))))
     }
 
     /// What is staged for a name.
     ///
     /// # Errors
     /// It is there and cannot be read.
-    pub(super) fn look_staged(&self, name: &str) -> Result<Standing, JobError> {
+    pub(super) fn look_staged(&self, name: &str) -> Result<FolderEntry, JobError> {
         self.look(&staged(name))
     }
 

@@ -3,7 +3,7 @@
 
 use super::contents::{JOB, REPORT};
 use super::error::ExportError;
-use super::folder::{ExportFolder, Standing, is_plain};
+use super::folder::{ExportFolder, FolderEntry, is_plain};
 use super::intent::ExportIntent;
 use crate::document::files::JobError;
 use crate::document::model::Job;
@@ -166,9 +166,9 @@ pub(super) fn meet(folder: &ExportFolder, of: &ExportOf, names: &[&str], reads_j
     let mut met = Met::default();
     for name in theirs.iter().copied().chain(fresh) {
         let reason = match folder.look(name)? {
-            Standing::Nothing => continue,
-            Standing::Folder => Some(ConflictReason::Folder),
-            Standing::File(sha256) => {
+            FolderEntry::Nothing => continue,
+            FolderEntry::Folder => Some(ConflictReason::Folder),
+            FolderEntry::File(sha256) => {
                 let reason = earlier.objection(of, name, &sha256).filter(|_| !(reads_job && name == JOB));
                 met.standing.push(FileDigest { name: name.to_owned(), sha256 });
                 reason

@@ -3,7 +3,7 @@
 
 use super::contents::{JOB, REPORT, is_program};
 use super::error::ExportError;
-use super::folder::{ExportFolder, INTENT, Standing};
+use super::folder::{ExportFolder, FolderEntry, INTENT};
 use super::intent::{CommitStep, ExportIntent};
 use super::ownership::{ConflictReason, FileConflict, allowed};
 use crate::document::files::JobError;
@@ -41,7 +41,7 @@ impl Pending {
     pub(super) fn in_folder(folder: &ExportFolder, reads_job: bool) -> Result<Pending, JobError> {
         let Some(intent) = ExportIntent::read(folder)? else {
             let mut steps: Vec<CommitStep> = folder.all_staged()?.into_iter().map(CommitStep::Unstage).collect();
-            if folder.look(INTENT)? != Standing::Nothing {
+            if folder.look(INTENT)? != FolderEntry::Nothing {
                 steps.push(CommitStep::Forget);
             }
             return Ok(Pending { steps, ..Pending::default() });
@@ -104,17 +104,17 @@ fn state(folder: &ExportFolder, intent: &ExportIntent, keeps_job: bool) -> Resul
     let (mut staged, mut is_all, mut is_untouched) = (Vec::new(), true, true);
     let others = |f: &&FileDigest| !(keeps_job && f.name == JOB);
     for f in intent.place.iter().filter(others) {
-        let new = Standing::File(f.sha256.clone());
+        let new = FolderEntry::File(f.sha256.clone());
         if folder.look_staged(&f.name)? == new {
             staged.push(f.name.clone());
         } else {
             is_all &= folder.look(&f.name)? == new;
         }
         let was_there = intent.was.iter().any(|w| w.name == f.name);
-        is_untouched &= was_there || folder.look(&f.name)? == Standing::Nothing;
+        is_untouched &= was_there || folder.look(&f.name)? == FolderEntry::Nothing;
     }
     for f in intent.was.iter().filter(others) {
-        is_untouched &= folder.look(&f.name)? == Standing::File(f.sha256.clone());
+        is_untouched &= folder.look(&f.name)? == FolderEntry::File(f.sha256.clone());
     }
     Ok(match (is_all, is_untouched) {
         (true, _) => Left::All { staged },
@@ -129,10 +129,10 @@ fn changed_since(folder: &ExportFolder, intent: &ExportIntent) -> Result<Vec<Fil
     for name in intent.names().filter(|n| *n != REPORT) {
         let mut known = intent.place.iter().chain(&intent.was).filter(|f| f.name == name);
         let reason = match folder.look(name)? {
-            Standing::Nothing => continue,
-            Standing::Folder => ConflictReason::Folder,
-            Standing::File(sha256) if known.any(|f| f.sha256 == sha256) => continue,
-            Standing::File(_) => ConflictReason::ChangedByHand,
+            FolderEntry::Nothing => continue,
+            FolderEntry::Folder => ConflictReason::Folder,
+            FolderEntry::File(sha256) if known.any(|f| f.sha256 == sha256) => continue,
+            FolderEntry::File(_) => ConflictReason::ChangedByHand,
         };
         let conflict = FileConflict { name: name.to_owned(), reason };
         if !out.contains(&conflict) {

@@ -4,9 +4,9 @@
 use super::super::error::PlanningError;
 use super::super::failure::Failure;
 use super::super::key::Keys;
-use super::super::lay::Laid;
 use super::super::planned::PlannedJob;
 use super::super::stage::Stage;
+use super::super::toolpath::Toolpath;
 use super::Pipeline;
 use crate::cell::{Cell, Setup};
 use crate::document::files::JobError;
@@ -51,7 +51,7 @@ impl Pipeline {
     }
 
     /// Lines of the job that was synced last, while its plan is not there.
-    pub fn lines(&self) -> Option<(Digest, &Arc<Vec<Arc<Laid>>>)> {
+    pub fn lines(&self) -> Option<(Digest, &Arc<Vec<Arc<Toolpath>>>)> {
         let key = self.keys()?.plan;
         self.lines.of(key).filter(|_| self.plan.of(key).is_none()).map(|lines| (key, lines))
     }

@@ -11,11 +11,11 @@ use super::error::{PartError, PlanError, PlanningError};
 use super::executor::Executor;
 use super::failure::Failure;
 use super::key::{Keys, part_key};
-use super::lay::Laid;
 use super::planned::PlannedJob;
 use super::pool::AtOnce;
 use super::stage::Stage;
 use super::surface_plan::Cache;
+use super::toolpath::Toolpath;
 use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
 use crate::document::Job;
@@ -59,7 +59,7 @@ pub struct Pipeline {
     tool: Stage<Tool, Arc<JobError>>,
     cell: Stage<Cell, Arc<JobError>>,
     setup: Stage<Setup, Arc<JobError>>,
-    lines: Stage<Vec<Arc<Laid>>, PlanError>,
+    lines: Stage<Vec<Arc<Toolpath>>, PlanError>,
     /// Whether lines are wanted ahead of the plan.
     with_lines: bool,
     plan: Stage<PlannedJob, PlanError>,

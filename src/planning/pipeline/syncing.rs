@@ -5,7 +5,7 @@ use super::super::failure::Failure;
 use super::super::key::Keys;
 use super::super::making::plan;
 use super::super::planned::PlannedJob;
-use super::super::preview::preview;
+use super::super::preview;
 use super::super::report::Report;
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};

@@ -14,7 +14,7 @@ mod written_files;
 
 pub use nothing::{BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, first_things_first};
-pub use outcome::Outcome;
+pub use outcome::CorrectionOutcome;
 pub use plan_finding::PlanFinding;
 pub use problem::{NotDone, Problem, problems};
 pub use rows::{OrderReport, SplitReport, SurfaceReport};
@@ -87,7 +87,7 @@ pub struct Report {
     pub splits: Vec<SplitReport>,
     /// Both corrections within the same limits, before any robot; none unless the beam was searched.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub corrections: Vec<Outcome>,
+    pub corrections: Vec<CorrectionOutcome>,
     /// What is proven of the moves with the laser on; null before the program is made.
     pub proof: Option<Proof>,
     /// Those that are not proven, by what they would touch.

@@ -55,14 +55,14 @@ pub struct SurfaceReport {
 /// A row for each surface, in the order of work.
 pub(super) fn surface_rows(plan: &Plan, surfaces: &Surfaces) -> Vec<SurfaceReport> {
     // The first layer has every surface; those above it add to its row.
-    let first = plan.surfaces.iter().filter(|s| s.laid.layer == 0);
-    first.map(|s| SurfaceReport::new(plan, surfaces, s.laid.surface)).collect()
+    let first = plan.surfaces.iter().filter(|s| s.toolpath.layer == 0);
+    first.map(|s| SurfaceReport::new(plan, surfaces, s.toolpath.surface)).collect()
 }
 
 impl SurfaceReport {
     fn new(plan: &Plan, surfaces: &Surfaces, surface: u32) -> SurfaceReport {
         let passes: Vec<&Pass> = plan.passes.iter().filter(|p| p.surface == surface).collect();
-        let layers = || plan.surfaces.iter().map(|s| &s.laid).filter(|l| l.surface == surface);
+        let layers = || plan.surfaces.iter().map(|s| &s.toolpath).filter(|l| l.surface == surface);
         SurfaceReport {
             surface,
             area_mm2: surfaces.get(surface).map_or(0.0, |x| x.area_mm2),

@@ -3,7 +3,7 @@
 
 use super::lead::{Leads, leads};
 use super::space::Space;
-use crate::cell::motion::{Cause, Refusal, Why};
+use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
 use crate::pose::{Blocker, Pass};
 use crate::program::motion::sweep::Prover;
 use crate::program::neutral::steps::Station;
@@ -92,7 +92,7 @@ pub fn stuck(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[
 }
 
 fn refused(piece: &LitPiece, b: &Blocker) -> Vec<Refusal> {
-    let why = Why::HitDrawnBack { hit: *b };
-    let refuse = |point| Refusal { pass: piece.of.pass, point, cause: Cause::of_blocker(b), why: why.clone() };
+    let why = RefusalReason::HitDrawnBack { hit: *b };
+    let refuse = |point| Refusal { pass: piece.of.pass, point, cause: RefusalCause::of_blocker(b), why: why.clone() };
     (piece.of.first..=piece.of.last).map(refuse).collect()
 }

@@ -1,7 +1,7 @@
 //! Flange poses as six printed numbers, and the speed that gives a move its duration, for controllers
 //! that take a speed of the flange and no time. Both ways: what is written is read by the same rule.
 
-use crate::cell::controllers::words::{fixed, number};
+use crate::cell::controllers::templates::{fixed, number};
 use crate::cell::{Joints, Setup};
 use crate::part::rpy;
 use crate::program::neutral::lines::ProgramLine;

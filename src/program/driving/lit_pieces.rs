@@ -3,7 +3,7 @@
 
 use super::Drive;
 use crate::beam::Work;
-use crate::cell::motion::{Cause, Choice, Refusal, Why};
+use crate::cell::motion::{Choice, Refusal, RefusalCause, RefusalReason};
 use crate::pose::Pass;
 use crate::program::connecting::lead::{self, Lead, Leads};
 use crate::program::connecting::memo::ArmStand;
@@ -79,7 +79,7 @@ impl Drive<'_> {
                     at: Station::spun(&pass.targets[point], &pass.work, c.spin_deg),
                     joints_deg: c.joints_deg,
                 })
-                .ok_or_else(|| refuse(point, (Cause::Reach, Why::NotChosen)))
+                .ok_or_else(|| refuse(point, (RefusalCause::Reach, RefusalReason::NotChosen)))
         };
         let start = stand(first)?;
         let mut here = start;
@@ -120,12 +120,12 @@ impl Drive<'_> {
         to: &ArmStand,
         (work, seconds): (&Work, f64),
         out: &mut Vec<WorkMove>,
-    ) -> Result<(), (Cause, Why)> {
+    ) -> Result<(), (RefusalCause, RefusalReason)> {
         let (mut here, mut done) = (*from, 0.0);
         for (share, at) in self.straight.between(&from.at, &to.at, work)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
             let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
-                return Err((Cause::Limit, Why::LimitBetween));
+                return Err((RefusalCause::Limit, RefusalReason::LimitBetween));
             };
             let next = ArmStand { at, joints_deg };
             self.lit(&here, &next, seconds * (share - done), out)?;
@@ -135,10 +135,16 @@ impl Drive<'_> {
     }
 
     /// One lit move, if arm and part keep clear and no joint is too fast.
-    fn lit(&self, from: &ArmStand, to: &ArmStand, seconds: f64, out: &mut Vec<WorkMove>) -> Result<(), (Cause, Why)> {
+    fn lit(
+        &self,
+        from: &ArmStand,
+        to: &ArmStand,
+        seconds: f64,
+        out: &mut Vec<WorkMove>,
+    ) -> Result<(), (RefusalCause, RefusalReason)> {
         let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
         if let Some((_, contact)) = touched {
-            return Err(Why::contact(contact));
+            return Err(RefusalReason::contact(contact));
         }
         for j in 0..6 {
             let moved = (to.joints_deg[j] - from.joints_deg[j]).abs();
@@ -146,7 +152,7 @@ impl Drive<'_> {
             // The ends were chosen by the mean speed; between them a joint may go faster.
             if moved > can_deg_s * seconds + 1e-6 {
                 let needs_deg_s = moved / seconds.max(1e-9);
-                return Err((Cause::Speed, Why::JointSpeed { joint: j + 1, needs_deg_s, can_deg_s }));
+                return Err((RefusalCause::Speed, RefusalReason::JointSpeed { joint: j + 1, needs_deg_s, can_deg_s }));
             }
         }
         out.push(WorkMove { to: *to, seconds, target: None });

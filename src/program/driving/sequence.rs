@@ -2,7 +2,7 @@
 
 use super::lit_pieces::DrivenPiece;
 use super::{Drive, Undriven};
-use crate::cell::motion::{Cause, Choice, Refusal, Why};
+use crate::cell::motion::{Choice, Refusal, RefusalCause, RefusalReason};
 use crate::pose::Pass;
 use crate::program::connecting::memo::{ArmStand, bits};
 use crate::program::connecting::pieces::{LitRange, lit_ranges};
@@ -52,8 +52,8 @@ impl Drive<'_> {
     /// All targets, where something is touched at home.
     fn stuck_at_home(&self, ranges: &[LitRange]) -> Option<Vec<Refusal>> {
         let contact = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()))?;
-        let why = Why::ContactAtHome(contact);
-        let refuse = |(pass, point)| Refusal { pass, point, cause: Cause::Robot, why: why.clone() };
+        let why = RefusalReason::ContactAtHome(contact);
+        let refuse = |(pass, point)| Refusal { pass, point, cause: RefusalCause::Robot, why: why.clone() };
         let all = ranges.iter().flat_map(|of| (of.first..=of.last).map(move |point| (of.pass, point)));
         Some(all.map(refuse).collect())
     }
@@ -143,7 +143,7 @@ fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
     // The ways to a piece and from it may both be missing: it is refused once.
     for &LitRange { pass, first, last } in BTreeSet::from_iter(pieces) {
         out.closed.extend(choice.rows[pass][first].as_ref().map(|c| (pass, c.branch)));
-        let refuse = |point| Refusal { pass, point, cause: Cause::Robot, why: Why::NoWay };
+        let refuse = |point| Refusal { pass, point, cause: RefusalCause::Robot, why: RefusalReason::NoWay };
         out.refused.extend((first..=last).map(refuse));
     }
     out

@@ -3,7 +3,7 @@
 use super::clear::farthest;
 use super::{MovingArm, WayIn};
 use crate::cell::Joints;
-use crate::cell::motion::{Arm, State};
+use crate::cell::motion::{Arm, ArmState};
 use crate::part::angle;
 use crate::program::connecting::memo::{ArmStand, bits};
 use crate::program::neutral::steps::Station;
@@ -106,8 +106,8 @@ impl MovingArm<'_> {
     /// A stand at a station with any spin: the one that lies best between two others.
     fn some_stand(&self, arm: &Arm<'_>, station: &Station, from: &Joints, to: &Joints) -> Option<ArmStand> {
         let states = arm.states(&station.frame()).ok()?;
-        let length = |s: &State| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
-        let mut order: Vec<(f64, &State)> = states.iter().map(|s| (length(s), s)).collect();
+        let length = |s: &ArmState| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
+        let mut order: Vec<(f64, &ArmState)> = states.iter().map(|s| (length(s), s)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         order
             .into_iter()

@@ -1,7 +1,7 @@
 //! Tables as they are written.
 
 use super::{COLUMNS, CONVENTIONS, COUNT, END};
-use crate::cell::controllers::words::{fixed, plain, text};
+use crate::cell::controllers::templates::{fixed, plain, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::neutral::comment::Wording;
 use crate::program::neutral::lines::{Move, ProgramLine};

@@ -2,7 +2,7 @@
 
 use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, templates};
 use crate::cell::Setup;
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_joints, stands_at};
 use crate::program::neutral::comment::{Caveat, Comment};

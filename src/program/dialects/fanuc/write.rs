@@ -3,7 +3,7 @@
 use super::{is_coupled, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::printed;
 use crate::program::dialects::pages::pages;

@@ -3,7 +3,7 @@
 use super::{AXES, FRAME, settings, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::Kuka;
-use crate::cell::controllers::words::{filled, fixed, text};
+use crate::cell::controllers::templates::{filled, fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_joints, stands_at};
 use crate::program::dialects::pages::pages;

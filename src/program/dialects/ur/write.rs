@@ -2,7 +2,7 @@
 
 use super::templates;
 use crate::cell::controllers::Ur;
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::SHORTEST_S;
 use crate::program::dialects::pages::{moves, pages};

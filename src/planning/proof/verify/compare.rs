@@ -3,7 +3,7 @@
 use super::expected::{Expected, Poses};
 use super::likeness::{elsewhere, is_same, is_same_kind, is_same_pace, off_joint, turn_deg};
 use super::verdict::{Difference, JointOff, SpotOff, Verdict};
-use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
+use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::{Move, spot};
 
 /// Lines looked ahead to find where two programs meet again.
@@ -12,7 +12,7 @@ const LOOK_AHEAD: usize = 40;
 const COARSEST_DEG: f64 = 0.06;
 
 /// The lines that do something, of both sides.
-struct Sides<'a, 'r> {
+struct ComparedLines<'a, 'r> {
     poses: &'r Poses<'r>,
     want: Vec<&'r ReadLine>,
     /// The plan's moves, beside its lines.
@@ -31,7 +31,7 @@ pub(super) fn compare<'a>(
     read: &[ReadLine],
     verdict: &mut Verdict,
 ) -> Vec<Option<&'a Move>> {
-    let sides = Sides::new(expected, poses, read);
+    let sides = ComparedLines::new(expected, poses, read);
     let (want, have) = (&sides.want, &sides.have);
     let mut found_moves = vec![None; read.len()];
     let (mut i, mut k) = (0, 0);
@@ -62,15 +62,17 @@ pub(super) fn compare<'a>(
     found_moves
 }
 
-impl<'a, 'r> Sides<'a, 'r> {
-    fn new(expected: &'r Expected<'a>, poses: &'r Poses<'r>, read: &'r [ReadLine]) -> Sides<'a, 'r> {
-        let acts = |l: &&ReadLine| !matches!(l.what, Read::Say(_));
+impl<'a, 'r> ComparedLines<'a, 'r> {
+    fn new(expected: &'r Expected<'a>, poses: &'r Poses<'r>, read: &'r [ReadLine]) -> ComparedLines<'a, 'r> {
+        let acts = |l: &&ReadLine| !matches!(l.what, Statement::Say(_));
         let want: Vec<&ReadLine> = expected.written.iter().filter(acts).collect();
         let mut planned = expected.moves.iter();
-        let plans =
-            want.iter().map(|l| matches!(l.what, Read::Move(_)).then(|| planned.next().copied()).flatten()).collect();
+        let plans = want
+            .iter()
+            .map(|l| matches!(l.what, Statement::Move(_)).then(|| planned.next().copied()).flatten())
+            .collect();
         let places: Vec<usize> = (0..read.len()).filter(|i| acts(&&read[*i])).collect();
-        Sides { poses, want, plans, have: places.iter().map(|i| &read[*i]).collect(), places }
+        ComparedLines { poses, want, plans, have: places.iter().map(|i| &read[*i]).collect(), places }
     }
 
     fn is_same(&self, i: usize, k: usize) -> bool {
@@ -96,7 +98,7 @@ impl<'a, 'r> Sides<'a, 'r> {
         let (want, have) = (self.want[i], self.have[k]);
         let is_same = self.is_same(i, k);
         match (&want.what, &have.what) {
-            (Read::Move(w), Read::Move(h)) if is_same => {
+            (Statement::Move(w), Statement::Move(h)) if is_same => {
                 if let Some(plan) = self.plans[i] {
                     self.as_planned(plan, have, h, verdict);
                     in_time(plan, have, w, h, verdict);
@@ -104,7 +106,7 @@ impl<'a, 'r> Sides<'a, 'r> {
                 words(w, have, h, verdict);
             }
             _ if is_same => {}
-            (Read::Move(w), Read::Move(h)) if is_same_kind(w, h) => {
+            (Statement::Move(w), Statement::Move(h)) if is_same_kind(w, h) => {
                 if let Some(difference) = elsewhere(self.poses, &w.goal, &h.goal) {
                     verdict.findings.push(difference.at(have));
                 }

@@ -9,7 +9,7 @@ use serde::Serialize;
 #[serde(untagged)]
 pub enum Remark {
     /// Of its lines.
-    Laying(LayingRemark),
+    Toolpath(ToolpathRemark),
     /// Of the program that works on it.
     Program(Shortfall),
 }
@@ -17,7 +17,7 @@ pub enum Remark {
 /// What of a surface's lines is not as it was wanted. In `report.json` by its code.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
-pub enum LayingRemark {
+pub enum ToolpathRemark {
     /// Every second layer was to run across the others, and all run alike: the planes lie across the mean normal,
     /// or the surface has none.
     LayersAlike,

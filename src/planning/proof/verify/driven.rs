@@ -6,7 +6,7 @@ use crate::beam::Work;
 use crate::cell::Joints;
 use crate::pose::Beam;
 use crate::pose::checker::Checker;
-use crate::program::dialect::{Goal, Read, ReadLine};
+use crate::program::dialect::{Goal, ReadLine, Statement};
 use crate::program::sweep::LitMove;
 use crate::program::{Interpolation, Move, MoveTiming, spot};
 use nalgebra::Isometry3;
@@ -40,11 +40,11 @@ pub(in super::super) fn driven<'a>(
         work = planned.map_or(work, |m| m.work);
         let planned = planned.and_then(|m| m.joints_deg);
         let m = match &line.what {
-            Read::Output { number, on } if *number == laser => {
+            Statement::Output { number, on } if *number == laser => {
                 lit = *on;
                 continue;
             }
-            Read::Move(m) => m,
+            Statement::Move(m) => m,
             _ => continue,
         };
         verdict.moves += 1;

@@ -3,14 +3,16 @@
 //! While a layer is laid its own beads are not there yet: what the beam of a later line does to them, and
 //! whether it passes one beside it, is not looked at.
 
-use super::error::PlanError;
-use super::lay;
-use super::surface_plan::{Cache, Kept, SurfacePlan, key_of, plan_surface, raster, rules_of, with_ways, worked};
+use super::surface_plan::{
+    Cache, Kept, SurfacePlan, plan_surface, poses_key, raster, rules_of, with_process_settings, with_ways,
+};
+use super::toolpath::{self, Toolpath};
 use crate::beam::Tool;
 use crate::document::model::Job;
 use crate::part::{Digest, Grown, Part, Surfaces, grown};
 use crate::path::Order;
 use crate::path::planes::{self, Raster};
+use crate::planning::error::PlanError;
 use crate::progress::{Activity, Cancelled, Progress};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -18,10 +20,10 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The jobs of surfaces, by their numbers.
-pub(super) type Own<'a> = BTreeMap<u32, Cow<'a, Job>>;
+pub(in super::super) type SurfaceJobs<'a> = BTreeMap<u32, Cow<'a, Job>>;
 
 /// How many layers the thickest build-up has.
-pub(super) fn count(own: &Own<'_>) -> u32 {
+pub(in super::super) fn layer_count(own: &SurfaceJobs<'_>) -> u32 {
     own.values().map(|j| j.layer_count()).max().unwrap_or(1)
 }
 
@@ -30,8 +32,12 @@ pub(super) fn count(own: &Own<'_>) -> u32 {
 ///
 /// # Errors
 /// A surface that is too hollow for its build-up.
-pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<Vec<Arc<Grown>>, PlanError> {
-    let last = if own.values().any(|j| j.section_of_bead().is_some()) { count(own) } else { 0 };
+pub(in super::super) fn grown_parts(
+    part: &Part,
+    surfaces: &Surfaces,
+    own: &SurfaceJobs<'_>,
+) -> Result<Vec<Arc<Grown>>, PlanError> {
+    let last = if own.values().any(|j| j.section_of_bead().is_some()) { layer_count(own) } else { 0 };
     let made: Vec<_> = (1..=last)
         .into_par_iter()
         .map(|layer| {
@@ -46,66 +52,66 @@ pub(super) fn parts(part: &Part, surfaces: &Surfaces, own: &Own<'_>) -> Result<V
 }
 
 /// Lays the lines of one layer of the surfaces in `list`, with the digest of what they depend on.
-pub(super) fn laid(
+pub(in super::super) fn layer_toolpaths(
     (part, surfaces): (&Part, &Surfaces),
     list: &[u32],
-    own: &Own<'_>,
+    own: &SurfaceJobs<'_>,
     cache: &Cache,
     layer: u32,
     progress: &Progress,
-) -> Result<Vec<(Digest, Arc<lay::Laid>)>, Cancelled> {
+) -> Result<Vec<(Digest, Arc<Toolpath>)>, Cancelled> {
     let default = Job::default();
-    let mine = |n: u32| own.get(&n).map_or(&default, |j| j);
-    let list = list.iter().filter(|n| layer < mine(**n).layer_count());
-    let rasters: Vec<Raster> = list.map(|n| raster(*n, mine(*n))).collect();
+    let job_of = |n: u32| own.get(&n).map_or(&default, |j| j);
+    let list = list.iter().filter(|n| layer < job_of(**n).layer_count());
+    let rasters: Vec<Raster> = list.map(|n| raster(*n, job_of(*n))).collect();
     let families = planes::planes(&part.mesh, surfaces, &rasters);
     progress.begin(Activity::LayingLines, families.len());
-    let laid = families.into_par_iter().map(|family| {
+    let toolpaths = families.into_par_iter().map(|family| {
         progress.step()?;
-        Ok(cache.laid(part, surfaces, family, mine, layer))
+        Ok(cache.toolpath(part, surfaces, family, job_of, layer))
     });
-    Ok(laid.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
+    Ok(toolpaths.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
 }
 
 /// Plans one layer of the surfaces in `list`, in the order of work. What it is made of is kept in `kept`.
-pub(super) fn planned(
+pub(in super::super) fn plan_layer(
     (part, surfaces): (&Part, &Surfaces),
     list: &[u32],
-    own: &Own<'_>,
+    own: &SurfaceJobs<'_>,
     (tool, cache): (&Tool, &Cache),
     layer: u32,
     kept: &mut Kept,
     progress: &Progress,
 ) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
     let default = Job::default();
-    let mine = |n: u32| own.get(&n).map_or(&default, |j| j);
-    let laid = laid((part, surfaces), list, own, cache, layer, progress)?;
+    let job_of = |n: u32| own.get(&n).map_or(&default, |j| j);
+    let toolpaths = layer_toolpaths((part, surfaces), list, own, cache, layer, progress)?;
     // Where a surface begins may depend on where the one before ends.
-    let (mut spot, mut lines) = (None, Vec::with_capacity(laid.len()));
-    for (key, laid) in &laid {
-        let ordered = lay::ordered(laid, &mine(laid.surface).layers, spot.as_ref());
+    let (mut spot, mut lines) = (None, Vec::with_capacity(toolpaths.len()));
+    for (key, toolpath) in &toolpaths {
+        let ordered = toolpath::ordered(toolpath, &job_of(toolpath.surface).layers, spot.as_ref());
         let from = spot;
-        spot = lay::end_of(&ordered.lines).or(spot);
-        lines.push((*key, from, laid.clone(), ordered));
+        spot = toolpath::end_of(&ordered.lines).or(spot);
+        lines.push((*key, from, toolpath.clone(), ordered));
     }
     progress.begin(Activity::Planning, lines.iter().map(|l| l.3.lines.len()).sum());
     let planned: Vec<(Digest, Arc<SurfacePlan>)> = lines
         .into_par_iter()
-        .map(|(key, from, laid, ordered)| {
-            let job = mine(laid.surface);
-            let rules = rules_of(laid.surface, job);
+        .map(|(key, from, toolpath, ordered)| {
+            let job = job_of(toolpath.surface);
+            let rules = rules_of(toolpath.surface, job);
             let from = from.filter(|_| job.layers.order == Order::Shortest);
-            let key = key_of(key, from, job, &rules, tool);
+            let key = poses_key(key, from, job, &rules, tool);
             let ways_mm = (ordered.way_mm, ordered.zigzag_way_mm);
             let made = match cache.get(&key) {
                 Some(known) => known,
-                None => Arc::new(plan_surface(part, laid, ordered, job, tool, &rules, progress)?),
+                None => Arc::new(plan_surface(part, toolpath, ordered, job, tool, &rules, progress)?),
             };
-            Ok((key, with_ways(worked(made, job, tool), ways_mm)))
+            Ok((key, with_ways(with_process_settings(made, job, tool), ways_mm)))
         })
         .collect::<Result<_, PlanError>>()?;
     let surface_plans = planned.iter().map(|(_, p)| p.clone()).collect();
     kept.plans.extend(planned);
-    kept.laid.extend(laid);
+    kept.toolpaths.extend(toolpaths);
     Ok(surface_plans)
 }

@@ -3,7 +3,7 @@
 
 use crate::cell::Joints;
 use crate::pose::Blocker;
-use crate::program::dialect::{Read, ReadLine};
+use crate::program::dialect::{ReadLine, Statement};
 use crate::program::sweep::Proof;
 use crate::program::{Interpolation, MoveTiming, ReadError};
 use nalgebra::Point3;
@@ -55,31 +55,31 @@ pub enum Difference {
     /// Before this line the plan has another one.
     Missing {
         /// That line.
-        planned: Read,
+        planned: Statement,
     },
     /// Behind the last line the plan goes on.
     EndMissing {
         /// So many more lines.
         lines: usize,
         /// The first of them.
-        first: Read,
+        first: Statement,
     },
     /// The plan does not have this line.
     Extra {
         /// What it does.
-        found: Read,
+        found: Statement,
     },
     /// The plan has ended before this line.
     BehindEnd {
         /// What it does.
-        found: Read,
+        found: Statement,
     },
     /// The line does something else.
     OtherLine {
         /// What it does.
-        found: Read,
+        found: Statement,
         /// What it should do.
-        planned: Read,
+        planned: Statement,
     },
     /// The move leads elsewhere.
     Elsewhere {

@@ -8,7 +8,7 @@ use super::expected::Poses;
 use super::verdict::{Difference, JointOff, SpotOff};
 use crate::part::angle;
 use crate::program::MoveTiming;
-use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
+use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use nalgebra::Isometry3;
 use std::mem::discriminant;
 
@@ -22,7 +22,7 @@ const MOST_SLOWER: f64 = 0.02;
 /// Whether a line is the one of the plan, small changes of pose and time not looked at.
 pub(super) fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bool {
     match (&want.what, &have.what) {
-        (Read::Move(w), Read::Move(h)) => {
+        (Statement::Move(w), Statement::Move(h)) => {
             is_same_kind(w, h)
                 && off_joint(&w.goal, &h.goal, MOST_TURNED_DEG).is_none()
                 && off(poses, &w.goal, &h.goal).is_none_or(SpotOff::is_near)
@@ -90,7 +90,8 @@ mod tests {
     use crate::program::Interpolation;
 
     fn line(interpolation: Interpolation, goal: Goal) -> ReadLine {
-        let what = Read::Move(ReadMove { interpolation, goal, timing: MoveTiming::Percent(10.0), rest: String::new() });
+        let what =
+            Statement::Move(ReadMove { interpolation, goal, timing: MoveTiming::Percent(10.0), rest: String::new() });
         ReadLine { file: "a".into(), line: 1, what }
     }
 
