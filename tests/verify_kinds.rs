@@ -99,7 +99,7 @@ impl Case {
             }
             (goal, Some(robot)) => {
                 let at = flange(goal).expect("a pose");
-                Goal::Joints(robot.near(&at, &home).expect("within reach"))
+                Goal::Joints(robot.nearest_inverse(&at, &home).expect("within reach"))
             }
             (_, None) => Goal::Joints(home),
         }

@@ -66,17 +66,17 @@ impl Setup {
     /// Home is beyond its joints, or the laser or the table stands inside its base.
     pub fn check(&self) -> Result<(), CellError> {
         let refused = |what| CellError::Place { cell: self.cell.name.clone(), what };
-        self.robot.as_ref().map_or(Ok(()), |robot| self.stands(robot).map_err(refused))
+        self.robot.as_ref().map_or(Ok(()), |robot| self.check_place(robot).map_err(refused))
     }
 
-    fn stands(&self, robot: &Robot) -> Result<(), PlaceError> {
+    fn check_place(&self, robot: &Robot) -> Result<(), PlaceError> {
         let (air, home) = (&self.cell.air, self.home_joints_deg());
-        let stands = [
+        let named_joints = [
             ("air.home_joints_deg", Some(home)),
             ("air.entry_joints_deg", air.entry_joints_deg),
             ("air.exit_joints_deg", air.exit_joints_deg),
         ];
-        for (key, joints) in stands.into_iter().filter_map(|(key, joints)| Some((key, joints?))) {
+        for (key, joints) in named_joints.into_iter().filter_map(|(key, joints)| Some((key, joints?))) {
             if let Some(j) = robot.beyond(&joints) {
                 let (range_deg, robot) = (robot.limits_deg[j], robot.name.clone());
                 return Err(PlaceError::BeyondJoint { key, joint: j + 1, deg: joints[j], range_deg, robot });

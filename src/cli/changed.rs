@@ -6,7 +6,7 @@ use crate::document::{CarriedOver, Job, files};
 use crate::part::Source;
 use crate::planning::report::PlanFinding;
 use crate::progress::Progress;
-use crate::text::{carried_lines, say};
+use crate::text::{carried_lines, listed_clauses, say};
 use std::path::Path;
 
 /// The part's file of a job as it is, the job for it, and what is to be said.
@@ -24,7 +24,7 @@ pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source,
     let name = || file.display().to_string();
     let carried = CarriedOver::to_file(&job, &source, &file, &Progress::default()).map_err(CommandFailure::failed)?;
     let carried = carried.ok_or_else(|| CommandFailure::Failed(say!(text_cancelled)))?;
-    let told = carried_lines(&carried).join("; ");
+    let told = listed_clauses(carried_lines(&carried));
     if !carried.is_work_in_place() {
         return Err(CommandFailure::Failed(say!(cli_part_changed, file = name(), told)));
     }

@@ -6,7 +6,7 @@ use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
-use crate::text::say;
+use crate::text::{listed, say};
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use std::io::Cursor;
 use std::path::PathBuf;
@@ -50,7 +50,7 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 
 fn view(text: &str) -> Result<StandardView, String> {
     let found = StandardView::ALL.into_iter().find(|v| v.word() == text);
-    found.ok_or_else(|| say!(cli_not_a_view, text, views = StandardView::ALL.map(StandardView::word).join(", ")))
+    found.ok_or_else(|| say!(cli_not_a_view, text, views = listed(StandardView::ALL.map(StandardView::word))))
 }
 
 /// Draws and writes.

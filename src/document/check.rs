@@ -4,7 +4,7 @@ use super::bead::{self, BeadError};
 use super::model::Job;
 use super::parameter::{PARAMETERS, ParameterError};
 use super::recipe::RecipeError;
-use crate::program::dialects;
+use crate::program::{UnknownDialect, dialects};
 use thiserror::Error;
 
 /// Why nothing can be computed from the values of a job.
@@ -20,11 +20,8 @@ pub enum ValueError {
     #[error(transparent)]
     Bead(#[from] BeadError),
     /// A dialect that does not exist.
-    #[error("no dialect {name:?}")]
-    NoDialect {
-        /// As the job names it.
-        name: String,
-    },
+    #[error(transparent)]
+    Dialect(#[from] UnknownDialect),
     /// The first plane lies outside the first spacing: a wider strip at the rim would stay uncleaned.
     #[error("offset {offset_mm} outside the spacing {spacing_mm}")]
     OffsetOutside {
@@ -44,9 +41,7 @@ impl Job {
         PARAMETERS.iter().try_for_each(|p| p.check(self.number(p)))?;
         self.check_recipes()?;
         bead::check(self)?;
-        if dialects::by_name(&self.cell.dialect).is_none() {
-            return Err(ValueError::NoDialect { name: self.cell.dialect.clone() });
-        }
+        dialects::known(&self.cell.dialect)?;
         let spacing_mm = self.layers.spacing_mm;
         match self.layers.offset_mm.mm() {
             Some(offset_mm) if !(0.0..=spacing_mm).contains(&offset_mm) => {
@@ -69,7 +64,7 @@ mod tests {
         job.layers.offset_mm = Offset::FromLowest(0.6);
         assert_eq!(job.check(), Err(ValueError::OffsetOutside { offset_mm: 0.6, spacing_mm: 0.5 }));
         job.cell.dialect = "klingon".into();
-        assert_eq!(job.check(), Err(ValueError::NoDialect { name: "klingon".into() }));
+        assert_eq!(job.check(), Err(UnknownDialect("klingon".into()).into()));
         job.bead.width_mm = 1.0;
         assert!(matches!(job.check(), Err(ValueError::Bead(BeadError::Half { .. }))));
         job.layers.passes = 0;

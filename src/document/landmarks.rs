@@ -13,7 +13,7 @@ impl Remembered {
     /// What is to be remembered of a part for a job; nothing where the job says nothing of single surfaces or
     /// shells. `loaded` is how the part was read.
     pub fn of(job: &Job, part: &Part, loaded: &PartFile) -> Remembered {
-        let mut needed = mentioned(job);
+        let mut needed = surfaces_named_in(job);
         if job.settings.cleans_all() {
             let all = segmented(part, job);
             if all.list.len() > MOST {
@@ -30,7 +30,7 @@ impl Remembered {
 }
 
 /// Numbers of the surfaces that a job says anything of.
-pub(super) fn mentioned(job: &Job) -> BTreeSet<u32> {
+pub(super) fn surfaces_named_in(job: &Job) -> BTreeSet<u32> {
     job.settings.iter().map(|(id, _)| id.0).collect()
 }
 

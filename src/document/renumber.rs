@@ -92,7 +92,7 @@ impl Renumbering {
     }
 
     /// The settings under the new numbers, and what was lost.
-    fn carried(&self, settings: &Settings) -> (Settings, Vec<LostSettings>) {
+    fn carry_over(&self, settings: &Settings) -> (Settings, Vec<LostSettings>) {
         let mut parents: BTreeMap<SurfaceId, Vec<(&SurfaceSettings, Takes)>> = BTreeMap::new();
         for (old, heirs) in &self.heirs {
             for (new, takes) in heirs {
@@ -118,7 +118,7 @@ impl Renumbering {
                 }
             }
         }
-        let of = parents.into_iter().map(|(new, parents)| (new, inherited(&parents))).collect();
+        let of = parents.into_iter().map(|(new, parents)| (new, merged_settings(&parents))).collect();
         (Settings::new(settings.cleans_all(), of), lost)
     }
 }
@@ -126,14 +126,14 @@ impl Renumbering {
 impl Job {
     /// Carries what is said of surfaces over to their new numbers, and tells what was lost.
     pub fn renumber(&mut self, map: &Renumbering) -> Vec<LostSettings> {
-        let (settings, lost) = map.carried(&self.settings);
+        let (settings, lost) = map.carry_over(&self.settings);
         self.settings = settings;
         lost
     }
 }
 
 /// What a surface has from those that went into it, in the order of their numbers.
-fn inherited(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
+fn merged_settings(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
     if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
         return (*parent).clone();
     }

@@ -204,8 +204,8 @@ mod tests {
 
     #[test]
     fn arguments_stand_bare_and_counts_are_grouped() {
-        let text = render(Language::english(), "text_facets", [("count", Arg::from(97_280_usize))]);
-        assert_eq!(text, "97 280 facets");
-        assert_eq!(render(Language::english(), "text_facets", [("count", Arg::from(1_usize))]), "1 facet");
+        let text = render(Language::english(), "verify_count", [("count", Arg::from(97_280_usize))]);
+        assert_eq!(text, "97 280 findings");
+        assert_eq!(render(Language::english(), "verify_count", [("count", Arg::from(1_usize))]), "1 finding");
     }
 }

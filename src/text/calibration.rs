@@ -1,6 +1,6 @@
 //! Frames from what was measured: how well they fit, and why there is none.
 
-use super::{Sentence, exact, fixed, say};
+use super::{Sentence, exact, fixed, listed, say};
 use crate::cell::calibration::{CalibrationNote, CalibrationSide, FitError};
 use crate::cell::frame::{FrameError, FrameFault};
 
@@ -11,8 +11,8 @@ impl Sentence for CalibrationNote {
         if self.residuals_mm.is_empty() {
             return say!(calibration, frame, method, rms, worst);
         }
-        let each: Vec<String> = self.residuals_mm.iter().map(|r| fixed(*r, 3)).collect();
-        say!(calibration_each, frame, method, rms, worst, each = each.join(", "))
+        let each = listed(self.residuals_mm.iter().map(|r| fixed(*r, 3)));
+        say!(calibration_each, frame, method, rms, worst, each)
     }
 }
 

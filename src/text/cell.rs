@@ -1,6 +1,6 @@
 //! What is wrong with a cell file, and why a robot cannot stand in a cell.
 
-use super::{Sentence, exact, id, quoted, say};
+use super::{Sentence, exact, id, listed, quoted, say};
 use crate::cell::check::{FigureError, Letters, WordForm};
 use crate::cell::controllers::templates::{TemplateError, TemplateFault};
 use crate::cell::{CellError, PlaceError};
@@ -87,8 +87,8 @@ impl Sentence for TemplateError {
         match &self.fault {
             TemplateFault::Lacks(name) => say!(template_lacks, key, template, name = braced(name)),
             TemplateFault::Unknown { name, known } => {
-                let known: Vec<String> = known.iter().map(|name| braced(name)).collect();
-                say!(template_unknown, key, template, name = braced(name), known = known.join(", "))
+                let known = listed(known.iter().map(|name| braced(name)));
+                say!(template_unknown, key, template, name = braced(name), known)
             }
             TemplateFault::Touching => say!(template_touching, key, template),
             TemplateFault::NotPlain => say!(template_not_plain, key, template),

@@ -1,6 +1,6 @@
 //! What people are to know of a plan, finding by finding, and what helps.
 
-use super::{NamedSentence, Naming, Sentence, fixed, id, say};
+use super::{NamedSentence, Naming, Sentence, fixed, id, listed, listed_clauses, say};
 use crate::cell::motion::RefusalCause;
 use crate::part::SurfaceId;
 use crate::planning::report::{BlockedBy, NothingReason, Notice, Unproven};
@@ -56,7 +56,7 @@ pub fn example(notice: &Notice) -> Option<String> {
 pub fn notice_line(notice: &Notice, naming: &Naming<'_>) -> String {
     let sentence = notice.sentence_with(naming);
     let more = [example(notice), remedy(notice)].into_iter().flatten();
-    more.fold(sentence, |line, more| format!("{line}; {more}"))
+    listed_clauses(std::iter::once(sentence).chain(more))
 }
 
 impl NamedSentence for NothingReason {
@@ -64,8 +64,7 @@ impl NamedSentence for NothingReason {
         match self {
             NothingReason::NoLines => say!(notice_no_lines),
             NothingReason::AllBlocked { by } => {
-                let list: Vec<String> = by.iter().map(|b| blocked_by(b, naming)).collect();
-                say!(notice_all_left_out, list = list.join(", "))
+                say!(notice_all_left_out, list = listed(by.iter().map(|b| blocked_by(b, naming))))
             }
         }
     }
@@ -130,11 +129,10 @@ fn part_changed(renumbered: &[[SurfaceId; 2]], lost: &[SurfaceId]) -> String {
     let moved: Vec<String> =
         renumbered.iter().map(|[old, new]| say!(notice_renumbered, old = id(old), new = id(new))).collect();
     if !moved.is_empty() {
-        parts.push(say!(notice_surfaces_renumbered, list = moved.join(", ")));
+        parts.push(say!(notice_surfaces_renumbered, list = listed(moved)));
     }
     if !lost.is_empty() {
-        let list: Vec<String> = lost.iter().map(ToString::to_string).collect();
-        parts.push(say!(notice_surfaces_lost, list = list.join(", ")));
+        parts.push(say!(notice_surfaces_lost, list = listed(lost.iter().map(ToString::to_string))));
     }
-    parts.join("; ")
+    listed_clauses(parts)
 }

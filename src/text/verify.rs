@@ -1,6 +1,6 @@
 //! How a program differs from its plan, and why it cannot be compared.
 
-use super::{Sentence, fixed, id, say};
+use super::{Sentence, fixed, id, listed, listed_clauses, say};
 use crate::part::rpy;
 use crate::planning::verify::{Difference, Finding, JointOff, SpotOff, VerifyError};
 use crate::program::dialect::{Goal, Statement};
@@ -10,7 +10,7 @@ use nalgebra::Isometry3;
 impl Sentence for VerifyError {
     fn sentence(&self) -> String {
         match self {
-            VerifyError::NoDialect { file } => say!(verify_no_dialect, file, known = dialects::names()),
+            VerifyError::NoDialect { file } => say!(verify_no_dialect, file, known = listed(dialects::names())),
             VerifyError::Unwritable(e) => say!(verify_plan_unwritable, reason = e.sentence()),
             VerifyError::NoProgram => say!(verify_no_program),
             VerifyError::OwnUnreadable(e) => say!(verify_plan_unreadable, reason = e.sentence()),
@@ -72,7 +72,7 @@ fn elsewhere(spot: Option<SpotOff>, joint: Option<JointOff>) -> String {
         let (found, planned) = (fixed(j.found_deg, 3), fixed(j.planned_deg, 3));
         say!(verify_joint_off, joint = id(j.joint + 1), found, planned)
     });
-    spot.into_iter().chain(joint).collect::<Vec<_>>().join("; ")
+    listed_clauses(spot.into_iter().chain(joint))
 }
 
 fn pace(pace: &MoveTiming) -> String {
@@ -108,7 +108,7 @@ fn line(what: &Statement) -> String {
 
 /// A target: mm, then turns about Z, Y and X in degrees.
 fn goal(goal: &Goal) -> String {
-    let list = |numbers: &[f64]| numbers.iter().map(|v| fixed(v + 0.0, 2)).collect::<Vec<_>>().join(", ");
+    let list = |numbers: &[f64]| listed(numbers.iter().map(|v| fixed(v + 0.0, 2)));
     let pose = |at: &Isometry3<f64>| {
         let turns = rpy::from_rotation(&at.rotation.to_rotation_matrix());
         format!("({}; {})", list(at.translation.vector.as_slice()), list(&turns))

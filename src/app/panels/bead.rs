@@ -25,7 +25,7 @@ impl App {
         let job = self.document.job().clone();
         header(Owner::Job, &job).show(ui, |ui| {
             if let Some(Change::To(on)) = laid(ui, Owner::Job, &job, None) {
-                self.edit(Edit::Bead(job.bead.laid(on, job.beam.spot_mm)));
+                self.edit(Edit::Bead(job.bead.with_bead(on, job.beam.spot_mm)));
             }
             if job.section_of_bead().is_none() {
                 return;
@@ -59,7 +59,7 @@ pub(super) fn of_recipe(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut Re
         let is_own = Parameter::of_group(Group::BeadSize).any(|p| recipe.values.contains_key(p.key));
         match laid(ui, Owner::Recipe, own, is_own.then_some(job)) {
             Some(Change::To(on)) => {
-                let with = Job { bead: own.bead.laid(on, own.beam.spot_mm), ..own.clone() };
+                let with = Job { bead: own.bead.with_bead(on, own.beam.spot_mm), ..own.clone() };
                 for p in Parameter::of_group(Group::BeadSize) {
                     recipe.values.insert(p.key.into(), with.number(p));
                 }

@@ -204,13 +204,13 @@ fn variants(setup: &Setup) -> Vec<(SetupChange, Setup)> {
     for (deg, mm) in TURNS_DEG.into_iter().zip(MOVES_MM) {
         for (axis, direction) in [(Z, Vector3::z_axis()), (X, Vector3::x_axis()), (Y, Vector3::y_axis())] {
             let turn = UnitQuaternion::from_axis_angle(&direction, deg.to_radians());
-            out.push((SetupChange::TurnPart { mount, axis, deg }, changed(&|s| turned(part_frame(s), &turn))));
+            out.push((SetupChange::TurnPart { mount, axis, deg }, changed(&|s| turn_frame(part_frame(s), &turn))));
         }
         for (axis, i) in [(Z, 2), (X, 0), (Y, 1)] {
-            out.push((SetupChange::Move { mount, axis, mm }, changed(&|s| moved(fixed_frame(s), i, mm))));
+            out.push((SetupChange::Move { mount, axis, mm }, changed(&|s| move_frame(fixed_frame(s), i, mm))));
         }
         if mount == Mount::PartInHand && mm > 0.0 {
-            out.push((SetupChange::HoldFurther { mm }, changed(&|s| moved(part_frame(s), 2, mm))));
+            out.push((SetupChange::HoldFurther { mm }, changed(&|s| move_frame(part_frame(s), 2, mm))));
         }
     }
     out
@@ -231,13 +231,13 @@ fn fixed_frame(s: &mut Setup) -> &mut Frame {
     }
 }
 
-fn moved(frame: &mut Frame, axis: usize, mm: f64) {
+fn move_frame(frame: &mut Frame, axis: usize, mm: f64) {
     let mut position = frame.position_mm;
     position[axis] += mm;
     *frame = Frame::new(position, frame.rz_ry_rx_deg);
 }
 
-fn turned(frame: &mut Frame, turn: &UnitQuaternion<f64>) {
+fn turn_frame(frame: &mut Frame, turn: &UnitQuaternion<f64>) {
     let rotation = frame.isometry().rotation * turn;
     *frame = Frame::new(frame.position_mm, angles(&rotation));
 }

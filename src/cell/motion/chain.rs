@@ -94,8 +94,8 @@ pub(super) fn chain(
             .collect();
         for (stop, (mut layer, lack)) in chunk.iter().zip(made) {
             let from = match stop.lit_s {
-                Some(seconds) => rules.lit(&before, &mut layer, seconds),
-                None => rules.round(&before, &mut layer),
+                Some(seconds) => rules.after_lit_move(&before, &mut layer, seconds),
+                None => rules.after_connecting_move(&before, &mut layer),
             };
             let (left_out_from, cheapest) = before.cheapest();
             layer.left_out = cheapest + LEFT_OUT;
@@ -132,8 +132,8 @@ struct Trace {
 struct TargetStates {
     states: Vec<ArmState>,
     cost: Vec<f64>,
-    /// What it costs to stand in each.
-    standing: Vec<f64>,
+    /// What each state costs by itself.
+    state_costs: Vec<f64>,
     /// Cost with this target left out.
     left_out: f64,
     /// Where the states of each branch and spin begin.
@@ -143,7 +143,7 @@ struct TargetStates {
 impl TargetStates {
     /// Before the first target: nothing stands anywhere, and that costs nothing.
     fn start() -> TargetStates {
-        TargetStates { states: Vec::new(), cost: Vec::new(), standing: Vec::new(), left_out: 0.0, begin: Vec::new() }
+        TargetStates { states: Vec::new(), cost: Vec::new(), state_costs: Vec::new(), left_out: 0.0, begin: Vec::new() }
     }
 
     /// `states` in the order of branch and spin.
@@ -156,8 +156,8 @@ impl TargetStates {
         for i in 1..begin.len() {
             begin[i] += begin[i - 1];
         }
-        let standing = states.iter().map(|s| rules.standing(s)).collect();
-        TargetStates { cost: vec![f64::INFINITY; states.len()], states, standing, left_out: f64::INFINITY, begin }
+        let state_costs = states.iter().map(|s| rules.state_cost(s)).collect();
+        TargetStates { cost: vec![f64::INFINITY; states.len()], states, state_costs, left_out: f64::INFINITY, begin }
     }
 
     /// The states of a branch and spin.
@@ -200,8 +200,8 @@ impl<'a> Rules<'a> {
         Rules { arm, weights: weights(&arm.robot.speeds_deg_s), spin_steps }
     }
 
-    /// What it costs to stand in a state.
-    fn standing(&self, state: &ArmState) -> f64 {
+    /// What a state costs by itself: nearness to limits and to singularities.
+    fn state_cost(&self, state: &ArmState) -> f64 {
         let robot = self.arm.robot;
         let share = |x: f64, from: f64| ((from - x) / from).max(0.0);
         let limit = share(robot.limit_margin_deg(&state.joints_deg), NEAR_LIMIT_DEG);
@@ -214,10 +214,10 @@ impl<'a> Rules<'a> {
     }
 
     /// Costs and predecessors after a lit move.
-    fn lit(&self, before: &TargetStates, layer: &mut TargetStates, seconds: f64) -> Vec<u32> {
+    fn after_lit_move(&self, before: &TargetStates, layer: &mut TargetStates, seconds: f64) -> Vec<u32> {
         let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
         let spins = self.arm.spins();
-        let one = |(state, standing): (&ArmState, &f64)| {
+        let reach = |(state, state_cost): (&ArmState, &f64)| {
             let to = &state.joints_deg;
             // Without its predecessor the piece starts here: out, round and in again.
             let mut best = (before.left_out + STARTED_ANEW, OUT);
@@ -242,32 +242,32 @@ impl<'a> Rules<'a> {
                     }
                 }
             }
-            (best.0 + standing, best.1)
+            (best.0 + state_cost, best.1)
         };
         let reached: Vec<(f64, u32)> =
-            layer.states.par_iter().zip(&layer.standing).with_min_len(SIDE_BY_SIDE).map(one).collect();
+            layer.states.par_iter().zip(&layer.state_costs).with_min_len(SIDE_BY_SIDE).map(reach).collect();
         layer.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
 
     /// Costs and predecessors after a connecting move: from any state to any.
-    fn round(&self, before: &TargetStates, layer: &mut TargetStates) -> Vec<u32> {
+    fn after_connecting_move(&self, before: &TargetStates, layer: &mut TargetStates) -> Vec<u32> {
         let crowds = crowds(&before.states, &before.cost);
-        let some = |(states, standing): (&[ArmState], &[f64])| -> Vec<(f64, u32)> {
+        let reach_all = |(states, state_cost): (&[ArmState], &[f64])| -> Vec<(f64, u32)> {
             // What was best for the state before is good for this one, and shows what need not be looked at.
             let mut guess = OUT;
-            let one = |(state, standing): (&ArmState, &f64)| {
+            let reach = |(state, state_cost): (&ArmState, &f64)| {
                 let best = self.cheapest_way(before, &crowds, state, guess);
                 guess = best.1;
-                (best.0 + standing, best.1)
+                (best.0 + state_cost, best.1)
             };
-            states.iter().zip(standing).map(one).collect()
+            states.iter().zip(state_cost).map(reach).collect()
         };
         let reached: Vec<(f64, u32)> = layer
             .states
             .par_chunks(SIDE_BY_SIDE)
-            .zip(layer.standing.par_chunks(SIDE_BY_SIDE))
-            .flat_map_iter(some)
+            .zip(layer.state_costs.par_chunks(SIDE_BY_SIDE))
+            .flat_map_iter(reach_all)
             .collect();
         layer.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()

@@ -32,7 +32,7 @@ pub(super) fn of_move(
     };
     let speeds = &arm.robot.speeds_deg_s;
     let most = most_deg(speeds, seconds);
-    let Some(on) = carried_on(arm, part_from_focus, before, &most) else {
+    let Some(on) = nearest_continuation(arm, part_from_focus, before, &most) else {
         return (RefusalCause::Reach, RefusalReason::BranchChange);
     };
     let (excess, j) = (0..6)
@@ -54,7 +54,7 @@ pub(super) fn of_move(
 }
 
 /// The joints in the same branch that carry on most nearly, limits not looked at; `most_deg`: how far each may go.
-fn carried_on(
+fn nearest_continuation(
     arm: &Arm<'_>,
     part_from_focus: &Isometry3<f64>,
     before: &ArmState,
@@ -62,7 +62,7 @@ fn carried_on(
 ) -> Option<Joints> {
     let mut nearest: Option<(f64, Joints)> = None;
     for k in 0..arm.spins() {
-        let solutions = arm.robot.inverse(&arm.flange_for(&arm.turned(part_from_focus, k as u8)));
+        let solutions = arm.robot.inverse(&arm.flange_for(&arm.with_spin(part_from_focus, k as u8)));
         if let Some(joints) = solutions[usize::from(before.branch)] {
             let on = std::array::from_fn(|j| {
                 let d: f64 = joints[j] - before.joints_deg[j];

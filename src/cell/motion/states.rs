@@ -83,7 +83,7 @@ impl<'a> Arm<'a> {
     }
 
     /// A path frame turned by a spin.
-    pub fn turned(&self, part_from_focus: &Isometry3<f64>, spin: u8) -> Isometry3<f64> {
+    pub fn with_spin(&self, part_from_focus: &Isometry3<f64>, spin: u8) -> Isometry3<f64> {
         Isometry3::from_parts(part_from_focus.translation, part_from_focus.rotation * self.spins[usize::from(spin)].1)
     }
 
@@ -99,7 +99,7 @@ impl<'a> Arm<'a> {
     pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<ArmState>, Lack> {
         let mut solved: Vec<[Option<Joints>; 8]> = Vec::with_capacity(self.spins.len());
         for k in 0..self.spins.len() {
-            solved.push(self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, k as u8))));
+            solved.push(self.robot.inverse(&self.flange_for(&self.with_spin(part_from_focus, k as u8))));
         }
         let mut out = Vec::new();
         let (mut reached, mut least): (bool, Option<(f64, usize, f64)>) = (false, None);
@@ -140,7 +140,7 @@ impl<'a> Arm<'a> {
 impl Arm<'_> {
     /// The state of that spin, branch and reading, as [`Arm::states`] made it.
     pub fn state(&self, part_from_focus: &Isometry3<f64>, spin: u8, branch: u8, turn: u8) -> Option<ArmState> {
-        let solutions = self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, spin)));
+        let solutions = self.robot.inverse(&self.flange_for(&self.with_spin(part_from_focus, spin)));
         let joints = solutions[usize::from(branch)]?;
         let joints_deg = turns(&joints, &self.robot.limits_deg).nth(usize::from(turn))?;
         Some(ArmState { joints_deg, spin, branch, turn, singularity: self.robot.singularity(&joints) })

@@ -42,7 +42,7 @@ pub(super) struct About {
 impl JournalState {
     /// What there is to keep of a document now.
     pub(super) fn of(document: &Document) -> Result<JournalState, JournalError> {
-        let job_file = document.job_file().map(whole).transpose()?;
+        let job_file = document.job_file().map(absolute_job_file).transpose()?;
         let job = match &job_file {
             Some(_) => document.job().clone(),
             None => files::with_whole_paths(document.job())?,
@@ -53,7 +53,7 @@ impl JournalState {
             // A part that is gone for a moment is still the one that the job names.
             named => {
                 let file = files::part_file(&job, job_path).unwrap_or_else(|_| files::resolved(job_path, named));
-                files::whole(&file)?
+                files::absolute(&file)?
             }
         };
         let edited_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |t| t.as_secs());
@@ -94,6 +94,6 @@ impl JournalState {
 }
 
 /// The job's file, from whatever folder the program is started next.
-fn whole(file: &JobFile) -> Result<JobFile, JobError> {
-    Ok(JobFile { path: files::whole(&file.path)?, sha256: file.sha256.clone() })
+fn absolute_job_file(file: &JobFile) -> Result<JobFile, JobError> {
+    Ok(JobFile { path: files::absolute(&file.path)?, sha256: file.sha256.clone() })
 }

@@ -4,7 +4,7 @@ use super::contents::OutputFile;
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::ExportIntent;
-use super::ownership::{ExportOf, allowed, meet};
+use super::ownership::{ExportOf, allowed, compare_folder};
 use super::recovery::recover;
 use crate::document::files::JobError;
 use crate::progress::{Activity, Progress};
@@ -16,7 +16,7 @@ use std::path::Path;
 /// # Errors
 /// What stands in the way, cannot be written, or [`ExportError::Cancelled`]; the folder is as it was, unless it could
 /// not be written half way: then the next export into it ends this one.
-pub(super) fn put(
+pub(super) fn put_in_place(
     dir: &Path,
     files: &[OutputFile],
     of: &ExportOf,
@@ -55,7 +55,7 @@ pub(super) fn intended(
     (reads_job, overwrite): (bool, bool),
 ) -> Result<ExportIntent, ExportError> {
     let names: Vec<&str> = files.iter().map(|f| f.name.as_str()).collect();
-    let met = meet(folder, of, &names, reads_job)?;
+    let met = compare_folder(folder, of, &names, reads_job)?;
     allowed(folder.path(), met.conflicts, overwrite)?;
     Ok(ExportIntent::new(of.clone(), files, met.standing))
 }

@@ -64,7 +64,7 @@ pub fn conflicts(
     let names = contents::names_ahead(job, setup);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let of = ExportOf::new(job, job_file);
-    Ok(ownership::meet(&folder, &of, &names, reads_job)?.conflicts)
+    Ok(ownership::compare_folder(&folder, &of, &names, reads_job)?.conflicts)
 }
 
 /// Writes a plan into a folder, made if it is not there. `job_file`: where the job was read from. `overwrite`: what
@@ -83,7 +83,7 @@ pub fn write(
     let job = rebased(input.job, job_file, &dir.join(contents::JOB))?;
     let (files, report) = contents::files(&ExportInput { job: &job, ..*input }, &of, progress)?;
     let reads_job = ownership::reads_job_of(dir, job_file);
-    let removed = commit::put(dir, &files, &of, (reads_job, overwrite), progress)?;
+    let removed = commit::put_in_place(dir, &files, &of, (reads_job, overwrite), progress)?;
     let path = |name: &String| dir.join(name);
     Ok(Exported {
         written: files.iter().map(|f| path(&f.name)).collect(),

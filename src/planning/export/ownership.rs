@@ -147,7 +147,7 @@ impl Earlier {
 
 /// What an export meets in its folder.
 #[derive(Debug, Default)]
-pub(super) struct Met {
+pub(super) struct FolderComparison {
     /// What it may not touch unasked.
     pub(super) conflicts: Vec<FileConflict>,
     /// All files that it would replace or remove, as they stand; what the earlier export wrote in its order.
@@ -159,11 +159,16 @@ pub(super) struct Met {
 ///
 /// # Errors
 /// A file is there and cannot be read.
-pub(super) fn meet(folder: &ExportFolder, of: &ExportOf, names: &[&str], reads_job: bool) -> Result<Met, JobError> {
+pub(super) fn compare_folder(
+    folder: &ExportFolder,
+    of: &ExportOf,
+    names: &[&str],
+    reads_job: bool,
+) -> Result<FolderComparison, JobError> {
     let earlier = Earlier::in_folder(folder)?;
     let theirs = earlier.names();
     let fresh = names.iter().copied().filter(|n| !theirs.contains(n));
-    let mut met = Met::default();
+    let mut met = FolderComparison::default();
     for name in theirs.iter().copied().chain(fresh) {
         let reason = match folder.look(name)? {
             FolderEntry::Nothing => continue,

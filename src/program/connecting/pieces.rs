@@ -86,12 +86,12 @@ pub fn stuck(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[
         let before = i.checked_sub(1).and_then(|i| hops.get(i));
         let space = spaces.of(&passes[piece.of.pass]);
         let hit = drawn_back(space, &piece.entry, before).or_else(|| drawn_back(space, &piece.exit, hops.get(i)));
-        hit.map_or_else(Vec::new, |b| refused(piece, &b))
+        hit.map_or_else(Vec::new, |b| refusals_of_hit(piece, &b))
     };
     pieces.par_iter().enumerate().flat_map_iter(refusals).collect()
 }
 
-fn refused(piece: &LitPiece, b: &Blocker) -> Vec<Refusal> {
+fn refusals_of_hit(piece: &LitPiece, b: &Blocker) -> Vec<Refusal> {
     let why = RefusalReason::HitDrawnBack { hit: *b };
     let refuse = |point| Refusal { pass: piece.of.pass, point, cause: RefusalCause::of_blocker(b), why: why.clone() };
     (piece.of.first..=piece.of.last).map(refuse).collect()

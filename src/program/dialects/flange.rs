@@ -50,7 +50,7 @@ pub fn coupled(setup: &Setup, joints_deg: &Joints, sign: f64) -> Joints {
 }
 
 /// Where the flange is at joint angles as printed; `None` without a robot.
-pub fn stands_at(setup: &Setup, joints_deg: &Joints) -> Option<Isometry3<f64>> {
+pub fn printed_flange_at(setup: &Setup, joints_deg: &Joints) -> Option<Isometry3<f64>> {
     let as_printed = printed_joints(setup, joints_deg).map(|n| number(&n).unwrap_or(0.0));
     setup.robot.as_ref().map(|r| r.forward(&joints(setup, &as_printed)))
 }

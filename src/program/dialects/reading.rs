@@ -58,7 +58,7 @@ impl Found {
 
 /// A straight move from where nobody knows: without a robot the joint angles before it say no place, and so no
 /// duration. That is told where they stand, with the line that goes on from there.
-pub fn from_nowhere(before: &[ReadLine], file: &str, line: usize) -> ReadError {
+pub fn unknown_start(before: &[ReadLine], file: &str, line: usize) -> ReadError {
     match before.iter().rev().find(|l| matches!(l.what, Statement::Move(_))) {
         None => LineFault::FromNowhere.at(file, line),
         Some(last) => LineFault::GoesOnStraight { file: file.into(), line }.at(&last.file, last.line),

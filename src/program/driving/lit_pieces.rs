@@ -100,20 +100,21 @@ impl Drive<'_> {
 
     /// The leads that the arm can make.
     fn leads(&self, wanted: Leads, start: &ArmStand, end: &ArmStand) -> DrivenLeads {
-        let led = |lead: Lead, from: &ArmStand| {
-            let joints_deg = self.robot.near(&self.mounted.flange_for(&lead.at.frame()), &from.joints_deg)?;
+        let drive_lead = |lead: Lead, from: &ArmStand| {
+            let joints_deg =
+                self.robot.nearest_inverse(&self.mounted.flange_for(&lead.at.frame()), &from.joints_deg)?;
             let to = ArmStand { at: lead.at, joints_deg };
             let mut made = Vec::new();
-            self.lit(from, &to, lead.seconds, &mut made).ok()?;
+            self.push_lit_move(from, &to, lead.seconds, &mut made).ok()?;
             made.pop()
         };
-        let before = wanted.before.map(|l| led(l, start));
-        let behind = wanted.behind.map(|l| led(l, end));
+        let before = wanted.before.map(|l| drive_lead(l, start));
+        let behind = wanted.behind.map(|l| drive_lead(l, end));
         let left_out = wanted.left_out + [before, behind].iter().filter(|l| matches!(l, Some(None))).count();
         DrivenLeads { before: before.flatten(), behind: behind.flatten(), left_out }
     }
 
-    /// WorkMove moves from one stand to the next, with stations in between where the spot needs them.
+    /// Moves at the speed of the work from one stand to the next, with stations in between where the spot needs them.
     fn between(
         &self,
         from: &ArmStand,
@@ -124,18 +125,18 @@ impl Drive<'_> {
         let (mut here, mut done) = (*from, 0.0);
         for (share, at) in self.straight.between(&from.at, &to.at, work)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
-            let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
+            let Some(joints_deg) = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), &guess) else {
                 return Err((RefusalCause::Limit, RefusalReason::LimitBetween));
             };
             let next = ArmStand { at, joints_deg };
-            self.lit(&here, &next, seconds * (share - done), out)?;
+            self.push_lit_move(&here, &next, seconds * (share - done), out)?;
             (here, done) = (next, share);
         }
-        self.lit(&here, to, seconds * (1.0 - done), out)
+        self.push_lit_move(&here, to, seconds * (1.0 - done), out)
     }
 
     /// One lit move, if arm and part keep clear and no joint is too fast.
-    fn lit(
+    fn push_lit_move(
         &self,
         from: &ArmStand,
         to: &ArmStand,

@@ -113,7 +113,7 @@ impl Drive<'_> {
 
     fn known_way(&self, space: &Space<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
         let ends = [from, to].map(|s| s.map(|s| bits(&s.joints_deg)));
-        self.known.ways.get(ends, || with_robot::way(&self.arm(space), from, to))
+        self.known.ways.get(ends, || with_robot::connecting_moves(&self.arm(space), from, to))
     }
 
     /// Pieces that nothing leads to, or from.
@@ -172,7 +172,7 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
         if let Some(lead) = &piece.leads.before {
             out.lead(&piece.start, lead.seconds, (&lead.to.at, begin));
         }
-        out.work_with(&pass.work);
+        out.set_process(&pass.work);
         out.work(piece);
         if let Some(lead) = &piece.leads.behind {
             out.lead(&lead.to, lead.seconds, (&piece.last().at, None));

@@ -27,7 +27,7 @@ pub enum Comment {
     /// What some of its lit pieces are worked with.
     WorkedWith(WorkFigures),
     /// How the lines are laid on the surfaces.
-    Laid {
+    LineLayout {
         /// Direction of the planes.
         direction: Direction,
         /// Distance of lines, mm.

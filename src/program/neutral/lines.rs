@@ -93,7 +93,7 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
                 }
                 out.push(home(setup, work));
             }
-            Step::Go(go) => out.push(ProgramLine::Move(Box::new(going(setup, go, lit, work)))),
+            Step::Go(go) => out.push(ProgramLine::Move(Box::new(move_to(setup, go, lit, work)))),
         }
     }
     out.push(off);
@@ -117,7 +117,7 @@ fn home(setup: &Setup, work: Work) -> ProgramLine {
     }))
 }
 
-fn going(setup: &Setup, go: &Go, lit: bool, work: Work) -> Move {
+fn move_to(setup: &Setup, go: &Go, lit: bool, work: Work) -> Move {
     let part_from_focus = go.to.frame();
     Move {
         interpolation: go.interpolation,

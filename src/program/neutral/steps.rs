@@ -118,7 +118,7 @@ pub struct Steps {
 
 impl Steps {
     /// Says what the next piece is worked with, where that changes.
-    pub fn work_with(&mut self, work: &Work) {
+    pub fn set_process(&mut self, work: &Work) {
         let before = self.list.iter().rev().find_map(|s| if let Step::Work(work) = s { Some(work) } else { None });
         if before != Some(work) {
             self.list.push(Step::Work(*work));

@@ -1,7 +1,7 @@
 //! A program's lines against those of the plan, one by one: what is gone, new, or otherwise.
 
 use super::expected::{Expected, Poses};
-use super::likeness::{elsewhere, is_same, is_same_kind, is_same_pace, off_joint, turn_deg};
+use super::likeness::{is_same, is_same_kind, is_same_pace, off_joint, position_difference, turn_deg};
 use super::verdict::{Difference, JointOff, SpotOff, Verdict};
 use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::{Move, spot};
@@ -38,7 +38,7 @@ pub(super) fn compare<'a>(
     while i < want.len() && k < have.len() {
         let (gone, new) = if sides.is_same(i, k) { (1, 1) } else { sides.way_back(i, k) };
         for n in 0..gone.min(new) {
-            if i + n < want.len() && k + n < have.len() && sides.pair(i + n, k + n, verdict) {
+            if i + n < want.len() && k + n < have.len() && sides.compare_pair(i + n, k + n, verdict) {
                 found_moves[sides.places[k + n]] = sides.plans[i + n];
             }
         }
@@ -94,23 +94,23 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
     }
 
     /// Two lines at the same place: what of them differs. Whether they are the same one.
-    fn pair(&self, i: usize, k: usize, verdict: &mut Verdict) -> bool {
+    fn compare_pair(&self, i: usize, k: usize, verdict: &mut Verdict) -> bool {
         let (want, have) = (self.want[i], self.have[k]);
         let is_same = self.is_same(i, k);
         match (&want.what, &have.what) {
             (Statement::Move(w), Statement::Move(h)) if is_same => {
                 if let Some(plan) = self.plans[i] {
-                    self.as_planned(plan, have, h, verdict);
-                    in_time(plan, have, w, h, verdict);
+                    self.compare_with_plan(plan, have, h, verdict);
+                    compare_timing(plan, have, w, h, verdict);
                 }
-                words(w, have, h, verdict);
+                compare_settings(w, have, h, verdict);
             }
             _ if is_same => {}
             (Statement::Move(w), Statement::Move(h)) if is_same_kind(w, h) => {
-                if let Some(difference) = elsewhere(self.poses, &w.goal, &h.goal) {
+                if let Some(difference) = position_difference(self.poses, &w.goal, &h.goal) {
                     verdict.findings.push(difference.at(have));
                 }
-                words(w, have, h, verdict);
+                compare_settings(w, have, h, verdict);
             }
             _ => {
                 let (found, planned) = (have.what.clone(), want.what.clone());
@@ -121,7 +121,7 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
     }
 
     /// A move against the plan itself, not against its text: what the dialect's words make of it.
-    fn as_planned(&self, plan: &Move, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
+    fn compare_with_plan(&self, plan: &Move, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
         let poses = self.poses;
         // Home is told by its joints, or where they are.
         let home = plan.part_from_focus.is_none().then_some(plan.joints_deg).flatten();
@@ -153,15 +153,15 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
     }
 }
 
-/// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`words`].
-fn in_time(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
+/// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`compare_settings`].
+fn compare_timing(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
     if !is_same_pace(&plan.timing, &have.timing) && is_same_pace(&want.timing, &have.timing) {
         verdict.findings.push(Difference::OtherPace { found: have.timing, planned: plan.timing }.at(at));
     }
 }
 
 /// What the words of a move say beside its target.
-fn words(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
+fn compare_settings(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
     if want.rest != have.rest {
         let (found, planned) = (have.rest.clone(), want.rest.clone());
         verdict.findings.push(Difference::OtherWords { found, planned }.at(at));

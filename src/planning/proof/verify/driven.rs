@@ -52,8 +52,8 @@ pub(in super::super) fn driven<'a>(
         if let Some(robot) = &poses.setup.robot {
             let next = match (&m.goal, planned.as_ref().or(joints.as_ref()), &flange) {
                 (Goal::Joints(j), ..) => Some(*j),
-                (_, Some(before), Some(flange)) => robot.near(flange, before),
-                (_, None, Some(flange)) => robot.near(flange, &poses.setup.home_joints_deg()),
+                (_, Some(before), Some(flange)) => robot.nearest_inverse(flange, before),
+                (_, None, Some(flange)) => robot.nearest_inverse(flange, &poses.setup.home_joints_deg()),
                 _ => None,
             };
             match &next {

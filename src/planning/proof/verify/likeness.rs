@@ -63,7 +63,7 @@ pub(super) fn turn_deg(a: &Isometry3<f64>, b: &Isometry3<f64>) -> f64 {
 }
 
 /// Where two moves to the same kind of target differ in place; `None` where they do not.
-pub(super) fn elsewhere(poses: &Poses<'_>, want: &Goal, have: &Goal) -> Option<Difference> {
+pub(super) fn position_difference(poses: &Poses<'_>, want: &Goal, have: &Goal) -> Option<Difference> {
     let spot = off(poses, want, have).filter(|o| !o.is_near());
     let joint = match (off_joint(want, have, MOST_TURNED_DEG), want, have) {
         (Some(j), Goal::Joints(w), Goal::Joints(h)) => Some(JointOff::new(j, w, h)),
@@ -130,7 +130,7 @@ mod tests {
         assert!(!is_same(&poses, &line(Interpolation::Joint, was), &line(Interpolation::Joint, is)));
         let turned = JointOff { joint: 5, planned_deg: home[5], found_deg: turned[5] };
         let found = Difference::Elsewhere { spot: None, joint: Some(turned) };
-        assert_eq!(elsewhere(&poses, &was, &is), Some(found));
-        assert_eq!(elsewhere(&poses, &was, &was), None);
+        assert_eq!(position_difference(&poses, &was, &is), Some(found));
+        assert_eq!(position_difference(&poses, &was, &was), None);
     }
 }

@@ -19,8 +19,8 @@ const OUT_STEPS: usize = 8;
 
 impl MovingArm<'_> {
     /// The stand at a station, carried on from some joints.
-    pub(super) fn stand(&self, at: Station, near: &Joints) -> Option<ArmStand> {
-        let joints_deg = self.robot.near(&self.mounted.flange_for(&at.frame()), near)?;
+    pub(super) fn arm_stand_at(&self, at: Station, near: &Joints) -> Option<ArmStand> {
+        let joints_deg = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), near)?;
         Some(ArmStand { at, joints_deg })
     }
 
@@ -29,7 +29,7 @@ impl MovingArm<'_> {
         let mut here = *from;
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
-            let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
+            let next = self.arm_stand_at(Station { x, ..from.at }, &here.joints_deg)?;
             let touches = |c: &Collision<'_>| c.first_between(&here.joints_deg, &next.joints_deg).is_some();
             if self.collision.is_some_and(touches)
                 || self.space.head_hit(&here.at, &next.at).is_some()
@@ -43,7 +43,7 @@ impl MovingArm<'_> {
     }
 
     /// Stands straight above a piece's end: on the sphere around the part, then nearer and nearer.
-    pub(super) fn outs<'b>(&'b self, stand: &'b ArmStand) -> impl Iterator<Item = ArmStand> + 'b {
+    pub(super) fn stands_above<'b>(&'b self, stand: &'b ArmStand) -> impl Iterator<Item = ArmStand> + 'b {
         let sphere = self.space.outside(&stand.at);
         (1..=OUT_STEPS).rev().filter_map(move |k| self.along(stand, &sphere, k as f64 / OUT_STEPS as f64))
     }
@@ -76,7 +76,7 @@ impl MovingArm<'_> {
         let mut here = from.joints_deg;
         for k in 0..=steps as usize {
             let flange = a.lerp_slerp(&b, k as f64 / steps);
-            match self.robot.near(&flange, &here) {
+            match self.robot.nearest_inverse(&flange, &here) {
                 Some(joints) if farthest(&here, &joints) <= 0.5 * MOST_STRAIGHT_DEG => here = joints,
                 _ => return false,
             }

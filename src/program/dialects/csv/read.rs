@@ -84,7 +84,7 @@ fn row(text: &str, index: usize, setup: &Setup) -> Result<Statement, LineFault> 
     let plain_number = || output.parse::<u32>().map_err(|_| LineFault::numbers(1, output));
     let level = || number(value).ok_or_else(|| LineFault::numbers(1, value));
     match *what {
-        "move" => go(way, figures, setup).map(Statement::Move),
+        "move" => read_move(way, figures, setup).map(Statement::Move),
         "output" => match *value {
             "0" | "1" => Ok(Statement::Output { number: plain_number()?, on: *value == "1" }),
             other => Err(LineFault::expected(["1", "0"], other)),
@@ -102,7 +102,7 @@ fn row(text: &str, index: usize, setup: &Setup) -> Result<Statement, LineFault> 
 }
 
 /// `figures`: flange, focus, joints, seconds, percent, laser.
-fn go(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, LineFault> {
+fn read_move(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, LineFault> {
     let interpolation = match way {
         "joint" => Interpolation::Joint,
         "linear" => Interpolation::Linear,

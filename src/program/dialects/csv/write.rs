@@ -40,11 +40,11 @@ fn row(line: &ProgramLine, wording: Wording) -> Vec<String> {
             bare(if *group { "group" } else { "analogue" }, number(n), fixed(*value, DECIMALS), none())
         }
         ProgramLine::Wait(seconds) => bare("wait", none(), fixed(*seconds, DECIMALS), none()),
-        ProgramLine::Move(m) => go(m),
+        ProgramLine::Move(m) => write_move(m),
     }
 }
 
-fn go(m: &Move) -> Vec<String> {
+fn write_move(m: &Move) -> Vec<String> {
     let interpolation = match m.interpolation {
         Interpolation::Joint => "joint",
         Interpolation::Linear => "linear",

@@ -5,7 +5,7 @@ use crate::cell::Setup;
 use crate::cell::controllers::templates::{non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::{Speeds, Travel, joints, pose};
-use crate::program::dialects::reading::from_nowhere;
+use crate::program::dialects::reading::unknown_start;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
@@ -40,7 +40,7 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
             continue;
         }
         if text.starts_with("MovL{") && at.is_none() {
-            return Err(from_nowhere(&out, &file.name, line));
+            return Err(unknown_start(&out, &file.name, line));
         }
         let what = statement(reading.setup, &data, &mut at, text).map_err(wrong)?;
         out.push(ReadLine { file: file.name.clone(), line, what });
@@ -56,7 +56,7 @@ fn statement(
 ) -> Result<Statement, LineFault> {
     let estun = &setup.cell.estun;
     if text.starts_with("MovJ{") || text.starts_with("MovL{") {
-        return go(setup, data, at, text).map(Statement::Move);
+        return read_move(setup, data, at, text).map(Statement::Move);
     }
     if estun.start.iter().any(|s| s == text) {
         return Ok(Statement::Other(text.into()));
@@ -67,7 +67,12 @@ fn statement(
     })
 }
 
-fn go(setup: &Setup, data: &ErdData, at: &mut Option<Isometry3<f64>>, text: &str) -> Result<ReadMove, LineFault> {
+fn read_move(
+    setup: &Setup,
+    data: &ErdData,
+    at: &mut Option<Isometry3<f64>>,
+    text: &str,
+) -> Result<ReadMove, LineFault> {
     let interpolation = if text.starts_with("MovJ{") { Interpolation::Joint } else { Interpolation::Linear };
     let form = || LineFault::expected(["{P=t_l.P0000,V=t_l.V0000,B=…}"], text);
     let inside = text.get(5..).and_then(|t| t.strip_suffix('}')).ok_or_else(form)?;

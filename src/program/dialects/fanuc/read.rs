@@ -190,7 +190,7 @@ fn position(said: &str, coupled: bool) -> Result<(Goal, String), LineFault> {
 
 fn statement(fanuc: &Fanuc, text: &str, positions: &ListedPositions) -> Result<Statement, LineFault> {
     if text.starts_with("J P[") || text.starts_with("L P[") {
-        return go(text, positions).map(Statement::Move);
+        return read_move(text, positions).map(Statement::Move);
     }
     if text.starts_with("UFRAME_NUM=") || text.starts_with("UTOOL_NUM=") {
         return Ok(Statement::Other(text.into()));
@@ -202,7 +202,7 @@ fn statement(fanuc: &Fanuc, text: &str, positions: &ListedPositions) -> Result<S
     })
 }
 
-fn go(text: &str, positions: &ListedPositions) -> Result<ReadMove, LineFault> {
+fn read_move(text: &str, positions: &ListedPositions) -> Result<ReadMove, LineFault> {
     let fields: Vec<&str> = text.split_whitespace().collect();
     let &[way, position, speed, termination] = fields.as_slice() else {
         return Err(LineFault::expected(["J P[n] % FINE", "L P[n] sec or msec, FINE or CNT"], text));

@@ -6,7 +6,7 @@ use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{matched_key, non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::{Speeds, Travel, joints, pose};
-use crate::program::dialects::reading::from_nowhere;
+use crate::program::dialects::reading::unknown_start;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
@@ -77,7 +77,7 @@ impl KrlReader<'_> {
             let what = match (text.strip_prefix("LIN "), self.at) {
                 (None, _) => self.line(text).map_err(wrong)?,
                 (Some(rest), Some(from)) => Some(self.lin(&from, rest).map_err(wrong)?),
-                (Some(_), None) => return Err(from_nowhere(&self.out, &file.name, line)),
+                (Some(_), None) => return Err(unknown_start(&self.out, &file.name, line)),
             };
             self.out.extend(what.map(|what| ReadLine { file: file.name.clone(), line, what }));
         }

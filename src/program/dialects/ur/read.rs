@@ -97,7 +97,7 @@ fn statement(ur: &Ur, text: &str) -> Result<Statement, LineFault> {
     }
     let line = bare(text);
     if line.starts_with("movej(") || line.starts_with("movel(") {
-        return go(ur, &line).map(Statement::Move);
+        return read_move(ur, &line).map(Statement::Move);
     }
     if line.starts_with("set_tcp(p[") && line.ends_with("])") {
         return Ok(Statement::Other(line));
@@ -108,7 +108,7 @@ fn statement(ur: &Ur, text: &str) -> Result<Statement, LineFault> {
     })
 }
 
-fn go(ur: &Ur, line: &str) -> Result<ReadMove, LineFault> {
+fn read_move(ur: &Ur, line: &str) -> Result<ReadMove, LineFault> {
     let Some(&[(_, word), (_, six), (_, rest)]) = matched("{word}[{six}],{rest})", line).as_deref() else {
         let forms = ["movej([six numbers], a=, v=, t=, r=)", "movel(p[six numbers], a=, v=, t=, r=)"];
         return Err(LineFault::expected(forms, line));

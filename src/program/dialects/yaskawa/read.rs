@@ -6,7 +6,7 @@ use crate::cell::Setup;
 use crate::cell::controllers::templates::{non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::Travel;
-use crate::program::dialects::reading::from_nowhere;
+use crate::program::dialects::reading::unknown_start;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
@@ -120,7 +120,7 @@ impl JobReader<'_> {
             return self.job(&ProgramFile { name, text }, None);
         }
         if text.starts_with("MOVL ") && self.at.is_none() {
-            return Err(from_nowhere(&self.out, &file.name, line));
+            return Err(unknown_start(&self.out, &file.name, line));
         }
         let what = self.instruction(positions, text).map_err(|fault| fault.at(&file.name, line))?;
         self.out.push(ReadLine { file: file.name.clone(), line, what });
