@@ -1,42 +1,10 @@
 //! What stands in the hall for one job: the cell, the robot in it, and what the robot carries.
 
 use super::mounting::Mounted;
-use super::{Cell, CellError, Joints, Mount, Robot};
+use super::{Cell, CellError, Joints, Mount, PlaceError, Robot};
 use crate::beam::Tool;
 use crate::part::distance::segments;
 use nalgebra::{Isometry3, Point3};
-use thiserror::Error;
-
-/// Why a robot cannot stand in a cell.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum PlaceError {
-    /// A stand of the program is beyond the robot's joints.
-    #[error("{key}: J{joint} = {deg}, range {range_deg:?}")]
-    BeyondJoint {
-        /// The stand's key in the cell file.
-        key: &'static str,
-        /// The joint; the first is 1.
-        joint: usize,
-        /// Its angle there, degrees.
-        deg: f64,
-        /// Least and greatest angle, degrees.
-        range_deg: [f64; 2],
-        /// The robot's name for people.
-        robot: String,
-    },
-    /// The table is as high as the robot's shoulder.
-    #[error("table at {table_z_mm} mm")]
-    HighTable {
-        /// Its height in the base, mm.
-        table_z_mm: f64,
-    },
-    /// The laser stands inside the robot's base.
-    #[error("laser inside the base")]
-    LaserInBase {
-        /// Width of the base about axis 1, mm.
-        base_mm: f64,
-    },
-}
 
 /// Cell, robot and mount.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,29 +1,8 @@
 //! What a job says of the bead: its section, the spacing that follows from it, its layers.
 
-use super::check::ValueError;
 use super::model::{BeadParameters, Job};
-use super::recipe::RecipeError;
+use super::value_error::{BeadError, RecipeError, ValueError};
 use crate::process::bead::Bead;
-use thiserror::Error;
-
-/// Why the values of a bead cannot be.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum BeadError {
-    /// It has a width or a height alone.
-    #[error("half a bead: {width_mm} by {height_mm}")]
-    Half {
-        /// Width, mm.
-        width_mm: f64,
-        /// Height, mm.
-        height_mm: f64,
-    },
-    /// Several layers where nothing is laid.
-    #[error("{layers} layers of no bead")]
-    LayersOfNothing {
-        /// How many.
-        layers: u32,
-    },
-}
 
 impl Job {
     /// The section of its bead; `None`: the beam lays nothing on the part.

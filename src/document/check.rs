@@ -1,36 +1,10 @@
-//! What can be wrong with the values of a job, before anything is computed from them.
+//! The values of a job are checked before anything is computed from them.
 
-use super::bead::{self, BeadError};
+use super::bead;
 use super::model::Job;
-use super::parameter::{PARAMETERS, ParameterError};
-use super::recipe::RecipeError;
-use crate::program::{UnknownDialect, dialects};
-use thiserror::Error;
-
-/// Why nothing can be computed from the values of a job.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum ValueError {
-    /// A number that cannot be.
-    #[error(transparent)]
-    Parameter(#[from] ParameterError),
-    /// A recipe that cannot be, or one that is not there.
-    #[error(transparent)]
-    Recipe(#[from] RecipeError),
-    /// A bead that cannot be.
-    #[error(transparent)]
-    Bead(#[from] BeadError),
-    /// A dialect that does not exist.
-    #[error(transparent)]
-    Dialect(#[from] UnknownDialect),
-    /// The first plane lies outside the first spacing: a wider strip at the rim would stay uncleaned.
-    #[error("offset {offset_mm} outside the spacing {spacing_mm}")]
-    OffsetOutside {
-        /// Distance of the first plane from the lowest point, mm.
-        offset_mm: f64,
-        /// Spacing, mm.
-        spacing_mm: f64,
-    },
-}
+use super::parameter::PARAMETERS;
+use super::value_error::ValueError;
+use crate::program::dialects;
 
 impl Job {
     /// Checks every value, and what values there must be together.
@@ -55,7 +29,8 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Offset;
+    use crate::document::{BeadError, Offset};
+    use crate::program::UnknownDialect;
 
     #[test]
     fn the_first_value_that_cannot_be_is_told() {

@@ -2,9 +2,8 @@
 
 use super::number::exact;
 use super::{Sentence, id, listed, say};
-use crate::document::bead::BeadError;
-use crate::document::check::ValueError;
-use crate::document::recipe::{OVERLAP_PERCENT, OverlapError, RecipeError};
+use crate::document::job_recipes::{OVERLAP_PERCENT, OverlapError};
+use crate::document::value_error::{BeadError, RecipeError, ValueError};
 
 impl Sentence for ValueError {
     fn sentence(&self) -> String {

@@ -1,10 +1,11 @@
 //! Files into a folder, all of them or none, whatever stands there and whenever the process ends.
 
-use super::contents::OutputFile;
+use super::conflict::ExportOf;
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::ExportIntent;
-use super::ownership::{ExportOf, allowed, compare_folder};
+use super::output_file::OutputFile;
+use super::ownership::{allowed, compare_folder};
 use super::recovery::recover;
 use crate::document::files::JobError;
 use crate::progress::{Activity, Progress};

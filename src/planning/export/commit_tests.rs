@@ -1,11 +1,12 @@
 //! Exports that are broken off behind every single step, and what the next one makes of the folder.
 
 use super::commit::{intended, put_in_place};
-use super::contents::{OutputFile, REPORT};
+use super::conflict::{ConflictReason, ExportOf, FileConflict};
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::{CommitStep, ExportIntent};
-use super::ownership::{ConflictReason, ExportOf, FileConflict};
+use super::names::REPORT;
+use super::output_file::OutputFile;
 use super::recovery::Pending;
 use crate::planning::report::WrittenFiles;
 use crate::progress::Progress;

@@ -32,11 +32,6 @@ pub(super) enum FolderEntry {
     Folder,
 }
 
-/// Whether a name is that of a file of an export: within the folder, and none that it needs for itself.
-pub(super) fn is_plain(name: &str) -> bool {
-    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
-}
-
 fn staged(name: &str) -> String {
     format!("{STAGED}{name}")
 }

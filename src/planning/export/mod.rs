@@ -7,18 +7,23 @@
 mod commit;
 #[cfg(test)]
 mod commit_tests;
+mod conflict;
 mod contents;
 mod error;
 mod folder;
 mod intent;
+mod names;
+mod output_file;
 mod ownership;
 mod program;
 mod recovery;
 mod tables;
 
-pub use contents::{ExportInput, OutputFile, files};
+pub use conflict::{ConflictReason, ExportOf, FileConflict};
+pub use contents::{ExportInput, files};
 pub use error::ExportError;
-pub use ownership::{ConflictReason, ExportOf, FileConflict, allowed};
+pub use output_file::OutputFile;
+pub use ownership::allowed;
 pub use program::program;
 pub use tables::path_csv;
 
@@ -80,7 +85,7 @@ pub fn write(
     progress: &Progress,
 ) -> Result<Exported, ExportError> {
     let of = ExportOf::new(input.job, job_file);
-    let job = rebased(input.job, job_file, &dir.join(contents::JOB))?;
+    let job = rebased(input.job, job_file, &dir.join(names::JOB))?;
     let (files, report) = contents::files(&ExportInput { job: &job, ..*input }, &of, progress)?;
     let reads_job = ownership::reads_job_of(dir, job_file);
     let removed = commit::put_in_place(dir, &files, &of, (reads_job, overwrite), progress)?;

@@ -1,11 +1,12 @@
 //! What a crash left in a folder. An export whose intent stands is ended, where all of it is still there; where it
 //! is not, no program is left rather than a mixed one.
 
-use super::contents::{JOB, REPORT, is_program};
+use super::conflict::{ConflictReason, FileConflict};
 use super::error::ExportError;
 use super::folder::{ExportFolder, FolderEntry, INTENT};
 use super::intent::{CommitStep, ExportIntent};
-use super::ownership::{ConflictReason, FileConflict, allowed};
+use super::names::{JOB, REPORT, is_program};
+use super::ownership::allowed;
 use crate::document::files::JobError;
 use crate::planning::report::FileDigest;
 
