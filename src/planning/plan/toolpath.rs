@@ -10,7 +10,7 @@ use crate::path::coverage::{Coverage, coverage};
 use crate::path::ends::{self, Short};
 use crate::path::neighbour_axes::neighbour_axes;
 use crate::path::normals::VertexNormals;
-use crate::path::strategy::{self, Achieved, Layout, Strategy};
+use crate::path::strategy::{self, Achieved, Layout, Strategy, SurfaceLines};
 use crate::path::tour::{Sense, shift_seams, toured, way_mm};
 use crate::path::{Axis, Order, SurfacePlanes, TransversalLine, order};
 use nalgebra::{Point3, Vector3};
@@ -80,16 +80,6 @@ pub fn plan_toolpath(
     by: &ToolpathRules<'_>,
 ) -> Toolpath {
     let (mesh, l, layer) = (&part.mesh, by.layers, by.layer);
-    let merge_mm = 1e-6 * mesh.diagonal();
-    let over_mm = (-l.inset_mm).max(0.0);
-    let rule = Layout {
-        strategy: l.strategy,
-        spacing_mm: l.spacing_mm,
-        border: l.border.map(|b| b as usize),
-        centre: l.centre_mm.map(Point3::from),
-        inward: l.inward,
-        cross_deg: l.cross_deg,
-    };
     let mut remarks = Vec::new();
     let is_across = layer % 2 == 1 && by.is_alternate;
     let family = match strategy::across(mesh, surface, &family, l.spacing_mm, 90.0).filter(|_| is_across) {
@@ -100,26 +90,7 @@ pub fn plan_toolpath(
         }
         None => family,
     };
-    let mut found;
-    if over_mm > 0.0 {
-        let grown = ends::grown(mesh, surface, over_mm);
-        let normals = VertexNormals::grown(mesh, surfaces, surface, &grown.beyond);
-        let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
-        found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
-        apply_axes(&mut found.lines, by);
-        let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
-        found.lines = lines;
-        if stopped > 0 {
-            remarks.push(ToolpathRemark::StopsAtRim { ends: stopped });
-        }
-    } else {
-        let normals = VertexNormals::new(mesh, surfaces, surface);
-        found = strategy::lines(mesh, surface, &normals, &rule, &family, merge_mm);
-        apply_axes(&mut found.lines, by);
-        if l.inset_mm > 0.0 {
-            found.lines = ends::inset(mesh, surface, found.lines, l.inset_mm, l.ignore_holes_mm);
-        }
-    }
+    let found = lines_to_rim(part, surfaces, surface, &family, by, &mut remarks);
     let lines = if l.join_mm > 0.0 { ends::joined(found.lines, l.join_mm) } else { found.lines };
     let (lines, Short { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
     if count > 0 {
@@ -141,6 +112,49 @@ pub fn plan_toolpath(
         remarks,
         layer,
         start_shift_mm: f64::from(layer) * by.start_shift_mm,
+    }
+}
+
+/// The lines of a strategy with their axes, ended where the job wants them at the rim: within it, on it or beyond it.
+fn lines_to_rim(
+    part: &Part,
+    surfaces: &Surfaces,
+    surface: &Surface,
+    family: &SurfacePlanes,
+    by: &ToolpathRules<'_>,
+    remarks: &mut Vec<ToolpathRemark>,
+) -> SurfaceLines {
+    let (mesh, l) = (&part.mesh, by.layers);
+    let merge_mm = 1e-6 * mesh.diagonal();
+    let over_mm = (-l.inset_mm).max(0.0);
+    let rule = Layout {
+        strategy: l.strategy,
+        spacing_mm: l.spacing_mm,
+        border: l.border.map(|b| b as usize),
+        centre: l.centre_mm.map(Point3::from),
+        inward: l.inward,
+        cross_deg: l.cross_deg,
+    };
+    if over_mm > 0.0 {
+        let grown = ends::grown(mesh, surface, over_mm);
+        let normals = VertexNormals::grown(mesh, surfaces, surface, &grown.beyond);
+        let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
+        let mut found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
+        apply_axes(&mut found.lines, by);
+        let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
+        found.lines = lines;
+        if stopped > 0 {
+            remarks.push(ToolpathRemark::StopsAtRim { ends: stopped });
+        }
+        found
+    } else {
+        let normals = VertexNormals::new(mesh, surfaces, surface);
+        let mut found = strategy::lines(mesh, surface, &normals, &rule, family, merge_mm);
+        apply_axes(&mut found.lines, by);
+        if l.inset_mm > 0.0 {
+            found.lines = ends::inset(mesh, surface, found.lines, l.inset_mm, l.ignore_holes_mm);
+        }
+        found
     }
 }
 

@@ -2,7 +2,7 @@
 //! from a file on disk is `verify`'s.
 
 use super::prover;
-use super::verify::{Poses, Verdict, driven, moves};
+use super::verify::{Poses, Verdict, drive_program, moves};
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::Part;
@@ -59,7 +59,7 @@ pub fn proven_as_written(
     let number: Vec<Option<usize>> = read.iter().map(of_line).collect();
     let of_plan: Vec<Option<&Move>> = number.iter().map(|n| n.and_then(|n| planned.get(n).copied())).collect();
     let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
-    let driven = driven(&poses, &read, &of_plan, &mut Verdict::default());
+    let driven = drive_program(&poses, &read, &of_plan, &mut Verdict::default());
     let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
     let proof = prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
     let target = |at: usize| {

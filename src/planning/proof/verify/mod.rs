@@ -13,7 +13,7 @@ mod expected;
 mod likeness;
 mod verdict;
 
-pub(super) use driven::driven;
+pub(super) use driven::drive_program;
 pub use error::VerifyError;
 pub use expected::Expected;
 pub(super) use expected::{Poses, moves};
@@ -102,7 +102,7 @@ pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) ->
     let mut verdict = Verdict::default();
     let poses = Poses { setup: expected.setup, defocus_mm: expected.defocus_mm };
     let planned = compare(expected, &poses, read, &mut verdict);
-    let driven = driven(&poses, read, &planned, &mut verdict);
+    let driven = drive_program(&poses, read, &planned, &mut verdict);
     interference(expected, &poses, &driven, with_checker, &mut verdict);
     verdict.findings.sort_by_key(|f| order_of(read, f));
     verdict
