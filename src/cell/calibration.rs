@@ -31,7 +31,7 @@ pub struct ThreePoints {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PointPair {
-    /// In the frame that is sought.
+    /// The point in the frame that is sought, mm.
     pub model: [f64; 3],
     /// In the frame that it is sought in.
     pub measured: [f64; 3],

@@ -37,6 +37,7 @@ impl Setup {
         self.robot.as_ref().map_or(Ok(()), |robot| self.check_place(robot).map_err(refused))
     }
 
+    /// Checks joints that the cell names, the table and the laser against the robot.
     fn check_place(&self, robot: &Robot) -> Result<(), PlaceError> {
         let (air, home) = (&self.cell.air, self.home_joints_deg());
         let named_joints = [

@@ -30,7 +30,7 @@ impl Job {
 const FLAT: f64 = 0.3;
 
 impl BeadParameters {
-    /// Without a bead, and then without layers; or with one, flat and of a width in mm where there was none.
+    /// The parameters with a bead or without. Without one there are no layers; a new one is flat and `width_mm` wide.
     pub fn with_bead(&self, has_bead: bool, width_mm: f64) -> BeadParameters {
         if !has_bead {
             let BeadParameters { start_shift_mm, alternate, .. } = *self;

@@ -6,7 +6,7 @@ use crate::part::Part;
 use crate::part::identity::{Landmarks, LoadedAs};
 use std::collections::BTreeSet;
 
-/// Of a job that cleans all of more surfaces than this nothing is remembered: its file would have megabytes.
+/// A job that cleans all of more surfaces than this remembers none of them: its file would have megabytes.
 const MOST: usize = 2000;
 
 impl Remembered {

@@ -44,7 +44,7 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    /// As it can be used on other parts: without the places of this one.
+    /// The recipe as it can be used on other parts: without border and centre, which are places on this one.
     pub fn without_places(&self) -> Recipe {
         let border = self.border.filter(|b| *b == StartFrom::Whole);
         Recipe { border, centre_mm: None, ..self.clone() }

@@ -54,9 +54,9 @@ pub enum Help {
     },
     /// The changes were tried on some of the refused targets only.
     Sampled {
-        /// On so many.
+        /// How many refused targets were tried.
         tried: usize,
-        /// Of so many.
+        /// How many refused targets there are.
         of: usize,
     },
 }
@@ -87,7 +87,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
         .map(|n| {
             let mut pass = plan.passes[n].clone();
             for r in refusals(plan).iter().filter(|r| r.pass == n) {
-                // As it was before it was refused.
+                // The target as the beam left it, before the robot refused it.
                 pass.targets[r.point].state = State::Free;
                 pass.targets[r.point].laser = r.point > 0;
                 if let Some(next) = pass.targets.get_mut(r.point + 1) {

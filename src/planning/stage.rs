@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex};
 
 type ResultSlot<V, E> = Arc<Mutex<Option<Result<V, Failure<E>>>>>;
 
-/// How far a stage is.
+/// The state of a stage.
 enum StageState<V, E> {
     Idle,
     Running { key: Digest, progress: Arc<Progress>, slot: ResultSlot<V, E> },
@@ -60,7 +60,7 @@ impl<V, E> Stage<V, E> {
         }
     }
 
-    /// Why there is none for this key.
+    /// Why there is no value for this key.
     pub fn failure(&self, key: Digest) -> Option<&Failure<E>> {
         match &self.state {
             StageState::Failed { key: of, why } if *of == key => Some(why),

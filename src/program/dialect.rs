@@ -48,7 +48,7 @@ pub enum Goal {
 pub struct ReadMove {
     /// By joints or straight.
     pub interpolation: Interpolation,
-    /// Where to.
+    /// The target.
     pub goal: Goal,
     /// How fast.
     pub timing: MoveTiming,

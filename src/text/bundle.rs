@@ -44,7 +44,7 @@ pub fn language() -> Language {
 /// What stands in a message for one of its variables.
 #[derive(Clone, Debug)]
 pub(crate) enum Arg<'a> {
-    /// As it is.
+    /// Text that stands in the message as it is.
     Words(Cow<'a, str>),
     /// A count: its digits are grouped, and the message may depend on it. Numbers of facets, lines and surfaces are
     /// no counts: see [`id`].

@@ -1,5 +1,5 @@
-//! Words that all dialects share: numbers, plain text, templates of the cell file in both
-//! directions, long lines, line ends. What the words mean is each dialect's.
+//! Templates of a cell file, filled when a program is written and matched when it is read, and the plain text that all
+//! dialects share: numbers, long lines, line ends.
 
 use thiserror::Error;
 
@@ -19,7 +19,7 @@ pub fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|v: &f64| plain && v.is_finite())
 }
 
-/// So many numbers between commas.
+/// Exactly `N` numbers between commas.
 pub fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let list: Vec<f64> = text.split(',').map(number).collect::<Option<_>>()?;
     list.try_into().ok()
@@ -133,7 +133,7 @@ pub enum TemplateFault {
     NotPlain,
 }
 
-/// Whether a template says all values of `names`, and can be read back.
+/// Checks that a template has all values of `names`, and can be read back.
 ///
 /// # Errors
 /// What is wrong with it; `key` is where it stands.

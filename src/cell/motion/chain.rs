@@ -20,9 +20,9 @@ pub const MOST_SPEED: f64 = 0.95;
 pub const MOST_SPIN_STEP_DEG: f64 = 30.0;
 /// Leaving a target out costs more than any motion.
 pub const LEFT_OUT: f64 = 1e9;
-/// A change of branch between pieces: the arm has to go round, worth a long way by joints.
+/// Cost of a change of branch between pieces: the arm has to turn over, which is worth a long way by joints.
 pub const CHANGED_BRANCH: f64 = 200.0;
-/// Starting a piece anew inside a pass: out, round and in again.
+/// Cost of starting a piece anew inside a pass, which takes another connecting move.
 pub const STARTED_ANEW: f64 = 100.0;
 /// From here on nearness to a limit costs, degrees.
 pub const NEAR_LIMIT_DEG: f64 = 20.0;
@@ -37,7 +37,7 @@ const CHUNK: usize = 256;
 /// So many states of a target are worked out by one thread.
 const SIDE_BY_SIDE: usize = 256;
 
-/// A target as the chain sees it.
+/// A target of the chain: where the focus has to be, and how fast it is come to.
 pub(super) struct ChainTarget {
     pub pass: usize,
     pub point: usize,
@@ -46,8 +46,8 @@ pub(super) struct ChainTarget {
     pub lit_s: Option<f64>,
 }
 
-/// States of a target, or why it has none.
-pub(super) type Ways = Result<Vec<ArmState>, Unreachable>;
+/// The states of a target, or why it has none.
+pub(super) type SolvedTarget = Result<Vec<ArmState>, Unreachable>;
 
 /// Why a target has no state.
 pub(super) enum Unreachable {
@@ -76,7 +76,7 @@ pub(super) fn chain(
     arm: &Arm<'_>,
     stops: &[ChainTarget],
     go_on: &(dyn Fn() -> bool + Sync),
-    ways: impl Fn(&ChainTarget) -> Ways + Sync,
+    ways: impl Fn(&ChainTarget) -> SolvedTarget + Sync,
 ) -> Option<Vec<Result<ArmState, Option<Unreachable>>>> {
     let rules = Rules::new(arm);
     let mut trace: Vec<Trace> = Vec::with_capacity(stops.len());
@@ -92,16 +92,16 @@ pub(super) fn chain(
                 Err(lack) => (TargetStates::new(Vec::new(), &rules), Some(lack)),
             })
             .collect();
-        for (stop, (mut layer, lack)) in chunk.iter().zip(made) {
+        for (stop, (mut target, lack)) in chunk.iter().zip(made) {
             let from = match stop.lit_s {
-                Some(seconds) => rules.after_lit_move(&before, &mut layer, seconds),
-                None => rules.after_connecting_move(&before, &mut layer),
+                Some(seconds) => rules.after_lit_move(&before, &mut target, seconds),
+                None => rules.after_connecting_move(&before, &mut target),
             };
             let (left_out_from, cheapest) = before.cheapest();
-            layer.left_out = cheapest + LEFT_OUT;
-            let ways = layer.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
+            target.left_out = cheapest + LEFT_OUT;
+            let ways = target.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
             trace.push(Trace { from, left_out_from, ways, lack });
-            before = layer;
+            before = target;
         }
     }
     let mut at = before.cheapest().0;
@@ -120,7 +120,7 @@ pub(super) fn chain(
 /// Number of the node that leaves a target out.
 const OUT: u32 = u32::MAX;
 
-/// What is kept of a layer for the way back: predecessors, and how each state is made again.
+/// What is kept of a target for tracing the chain back: predecessors, and what each state can be made again from.
 struct Trace {
     from: Vec<u32>,
     left_out_from: u32,
@@ -128,7 +128,7 @@ struct Trace {
     lack: Option<Unreachable>,
 }
 
-/// One target's states with what it costs to have come to them.
+/// The states of one target, each with the cost of the cheapest chain that ends in it.
 struct TargetStates {
     states: Vec<ArmState>,
     cost: Vec<f64>,
@@ -141,7 +141,7 @@ struct TargetStates {
 }
 
 impl TargetStates {
-    /// Before the first target: nothing stands anywhere, and that costs nothing.
+    /// The start of the chain, before the first target: no states and no cost.
     fn start() -> TargetStates {
         TargetStates { states: Vec::new(), cost: Vec::new(), state_costs: Vec::new(), left_out: 0.0, begin: Vec::new() }
     }
@@ -213,13 +213,13 @@ impl<'a> Rules<'a> {
         (0..6).map(|j| self.weights[j] * (to[j] - from[j]).abs()).fold(0.0, |a, b| a + b)
     }
 
-    /// Costs and predecessors after a lit move.
-    fn after_lit_move(&self, before: &TargetStates, layer: &mut TargetStates, seconds: f64) -> Vec<u32> {
+    /// Sets the costs of a target that a lit move leads to; gives the predecessors.
+    fn after_lit_move(&self, before: &TargetStates, target: &mut TargetStates, seconds: f64) -> Vec<u32> {
         let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
         let spins = self.arm.spins();
         let reach = |(state, state_cost): (&ArmState, &f64)| {
             let to = &state.joints_deg;
-            // Without its predecessor the piece starts here: out, round and in again.
+            // Without its predecessor the piece starts here, after another connecting move.
             let mut best = (before.left_out + STARTED_ANEW, OUT);
             for step in &self.spin_steps {
                 let spin = (usize::from(state.spin) + step) % spins;
@@ -245,13 +245,13 @@ impl<'a> Rules<'a> {
             (best.0 + state_cost, best.1)
         };
         let reached: Vec<(f64, u32)> =
-            layer.states.par_iter().zip(&layer.state_costs).with_min_len(SIDE_BY_SIDE).map(reach).collect();
-        layer.cost = reached.iter().map(|r| r.0).collect();
+            target.states.par_iter().zip(&target.state_costs).with_min_len(SIDE_BY_SIDE).map(reach).collect();
+        target.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
 
-    /// Costs and predecessors after a connecting move: from any state to any.
-    fn after_connecting_move(&self, before: &TargetStates, layer: &mut TargetStates) -> Vec<u32> {
+    /// Sets the costs of a target that a connecting move leads to, from any state to any; gives the predecessors.
+    fn after_connecting_move(&self, before: &TargetStates, target: &mut TargetStates) -> Vec<u32> {
         let crowds = crowds(&before.states, &before.cost);
         let reach_all = |(states, state_cost): (&[ArmState], &[f64])| -> Vec<(f64, u32)> {
             // What was best for the state before is good for this one, and shows what need not be looked at.
@@ -263,13 +263,13 @@ impl<'a> Rules<'a> {
             };
             states.iter().zip(state_cost).map(reach).collect()
         };
-        let reached: Vec<(f64, u32)> = layer
+        let reached: Vec<(f64, u32)> = target
             .states
             .par_chunks(SIDE_BY_SIDE)
-            .zip(layer.state_costs.par_chunks(SIDE_BY_SIDE))
+            .zip(target.state_costs.par_chunks(SIDE_BY_SIDE))
             .flat_map_iter(reach_all)
             .collect();
-        layer.cost = reached.iter().map(|r| r.0).collect();
+        target.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
 

@@ -34,7 +34,7 @@ pub struct Choice {
     pub refusals: Vec<Refusal>,
 }
 
-/// What the search asks while it works.
+/// What the search asks of its caller: contacts, whether to go on, and which branches are open.
 pub struct Watch<'a> {
     /// What the arm and all it carries touch at some joints; a joint turned by a whole turn touches what it touched.
     pub touches: &'a (dyn Fn(&Joints) -> Option<Contact> + Sync),

@@ -53,7 +53,8 @@ pub(super) fn of_move(
     }
 }
 
-/// The joints in the same branch that carry on most nearly, limits not looked at; `most_deg`: how far each may go.
+/// The solution in the same branch, at any spin, that needs the least of the motion allowed by `most_deg` for each joint.
+/// Limits are not looked at.
 fn nearest_continuation(
     arm: &Arm<'_>,
     part_from_focus: &Isometry3<f64>,

@@ -1,4 +1,4 @@
-//! All ways in which the arm can bring the beam to one target.
+//! The states of the arm at one target: every spin, branch and turn by which it can bring the beam there.
 
 use crate::cell::mounting::Mounted;
 use crate::cell::{Joints, Robot, Setup, Spin};
@@ -22,7 +22,7 @@ pub struct Arm<'a> {
     spins: Vec<(f64, UnitQuaternion<f64>)>,
 }
 
-/// One way: joints in degrees, the spin's number, and the branch of the inverse.
+/// A state of the arm at a target: its joints, the spin, and the branch of the inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmState {
     /// Within their limits.

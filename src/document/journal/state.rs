@@ -35,7 +35,7 @@ pub(super) struct About {
     pub(super) job_file: Option<JobFile>,
     /// The part's file, whole; empty: the job has none.
     pub(super) part_file: PathBuf,
-    /// Of the text below, so that half a job is not taken for a whole one.
+    /// SHA-256 of the text below, so that half a job is not taken for a whole one.
     text_sha256: String,
 }
 

@@ -53,7 +53,7 @@ pub enum Offset {
     /// The family is centred on the extent.
     #[default]
     Centred,
-    /// So far above the lowest point of the extent, mm.
+    /// Height above the lowest point of the extent, mm.
     FromLowest(f64),
 }
 

@@ -55,7 +55,7 @@ impl ExportFolder {
         ExportFolder { path: path.to_path_buf(), handle: None }
     }
 
-    /// Where it is.
+    /// Its path.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }

@@ -45,7 +45,7 @@ impl Pipeline {
         outcome(&self.setup, self.keys()?.setup)
     }
 
-    /// Key of that.
+    /// Key of the set-up.
     pub fn setup_key(&self) -> Option<Digest> {
         self.keys().map(|keys| keys.setup)
     }
@@ -66,7 +66,7 @@ impl Pipeline {
         self.keys().map(|keys| keys.dose)
     }
 
-    /// Why there is no plan of it.
+    /// Why the job that was synced last has no plan.
     pub fn error(&self) -> Option<PlanningError> {
         let keys = self.keys()?;
         if let Some(why) = self.part.failure(keys.part) {

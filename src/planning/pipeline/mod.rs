@@ -30,9 +30,9 @@ use std::sync::Arc;
 /// What changed while the pipeline was brought up to date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
-    /// Other surfaces are.
+    /// The surfaces are others.
     pub surfaces: bool,
-    /// Another set-up is, or the reason why there is none.
+    /// The set-up is another, or the reason why there is none.
     pub setup: bool,
 }
 
@@ -50,7 +50,7 @@ pub struct Pipeline {
     wanted: Option<Wanted>,
     /// Counts how often the files beside the part were read.
     reading: u64,
-    /// How they were then.
+    /// Time and size of those files when they were read.
     stamps: Stamps,
     /// Surface plans and lines that other plans of this part can use again.
     pub cache: Arc<Cache>,
@@ -66,7 +66,7 @@ pub struct Pipeline {
 }
 
 impl Pipeline {
-    /// A pipeline without a part. `with_lines`: lines are laid, to be shown, before the plan is made.
+    /// A pipeline without a part. `with_lines`: toolpaths are made, to be shown, before the plan.
     pub fn new(executor: Arc<dyn Executor>, with_lines: bool) -> Pipeline {
         Pipeline {
             executor,

@@ -1,7 +1,7 @@
 //! Layers of a build-up: each is planned on the part as those before have made it.
 //!
-//! While a layer is laid its own beads are not there yet: what the beam of a later line does to them, and
-//! whether it passes one beside it, is not looked at.
+//! The beads of a layer itself are not part of that shape: whether the beam of a later line hits a bead of the same
+//! layer is not checked.
 
 use super::surface_plan::{
     Cache, Kept, SurfacePlan, plan_surface, poses_key, raster, rules_of, with_process_settings, with_ways,
@@ -27,8 +27,8 @@ pub(in super::super) fn layer_count(own: &SurfaceJobs<'_>) -> u32 {
     own.values().map(|j| j.layer_count()).max().unwrap_or(1)
 }
 
-/// The part and its surfaces behind each layer, for which the next begins: every surface has all the layers so
-/// far, as far as it gets so many. None where nothing is laid.
+/// The part and its surfaces after each layer, on which the next one is planned: each surface has grown by its layers so
+/// far. Empty without a bead.
 ///
 /// # Errors
 /// A surface that is too hollow for its build-up.
@@ -51,7 +51,7 @@ pub(in super::super) fn grown_parts(
     made.into_iter().collect()
 }
 
-/// Lays the lines of one layer of the surfaces in `list`, with the digest of what they depend on.
+/// The toolpaths of one layer of the surfaces in `list`, each with the digest of all that it depends on.
 pub(in super::super) fn layer_toolpaths(
     (part, surfaces): (&Part, &Surfaces),
     list: &[u32],
@@ -73,7 +73,7 @@ pub(in super::super) fn layer_toolpaths(
     Ok(toolpaths.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
 }
 
-/// Plans one layer of the surfaces in `list`, in the order of work. What it is made of is kept in `kept`.
+/// Plans one layer of the surfaces in `list`, in the order of work. The pieces that it is made of go into `kept`.
 pub(in super::super) fn plan_layer(
     (part, surfaces): (&Part, &Surfaces),
     list: &[u32],

@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// The lines of the lowest layer, as the plan of the same job will have them; it takes them from the cache.
 ///
 /// # Errors
-/// As [`crate::planning::plan()`].
+/// Those of [`crate::planning::plan()`].
 pub fn preview(
     part: &Part,
     surfaces: &Surfaces,

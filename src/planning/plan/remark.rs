@@ -1,16 +1,16 @@
-//! What of lines and program is not as it was wanted, though they are there. Sentences of it stand in `text`.
+//! Remarks: how lines or program differ from what the job asks for, though they are there. Sentences of them stand in `text`.
 
 use crate::path::LinesFinding;
 use crate::program::Shortfall;
 use serde::Serialize;
 
-/// What is said of a surface's lines, or of its share of the program.
+/// A remark on a surface's lines, or on its share of the program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Remark {
-    /// Of its lines.
+    /// On its lines.
     Toolpath(ToolpathRemark),
-    /// Of the program that works on it.
+    /// On the program that works on it.
     Program(Shortfall),
 }
 

@@ -28,8 +28,8 @@ pub struct SurfacePlan {
     pub zigzag_way_mm: f64,
     /// Its passes in working order, once each.
     pub passes: Vec<Pass>,
-    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
-    /// same limits.
+    /// Where the clearance search was used: for each pass that interferes, what the correction in the section plane makes
+    /// of it within the same limits.
     pub by_section_plane: Option<Vec<Option<Pass>>>,
 }
 
@@ -81,7 +81,7 @@ impl Cache {
     }
 }
 
-/// Of all that the lines of a surface depend on.
+/// The key of a surface's toolpath: a digest of all that its lines depend on.
 fn toolpath_key(
     part: &Part,
     surfaces: &Surfaces,
@@ -129,8 +129,8 @@ pub(in super::super) fn rules(job: &Job) -> LineRules {
     }
 }
 
-/// A surface's plan with the work of its job: power and speed change no pose, and without a head where the
-/// focus stands does not either.
+/// A surface's plan with the process settings of its job, which change no pose: power and speed never do, and without
+/// a head neither does the defocus.
 pub(in super::super) fn with_process_settings(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
     let wanted = work(job);
     let own = |w: &Work| match tool.head {
@@ -143,8 +143,8 @@ pub(in super::super) fn with_process_settings(mut made: Arc<SurfacePlan>, job: &
     made
 }
 
-/// A surface's plan with the way to and between its lines, and that of a plain zigzag: where the surface before
-/// ends is no part of its poses.
+/// A surface's plan with the length of the way to and between its lines, and that of a plain zigzag. They depend on where
+/// the surface before ends, which poses do not.
 pub(in super::super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64)) -> Arc<SurfacePlan> {
     if (made.way_mm, made.zigzag_way_mm) != ways_mm {
         let plan = Arc::make_mut(&mut made);
@@ -153,13 +153,13 @@ pub(in super::super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64
     made
 }
 
-/// What stands around the beam; `None`: the beam is a ray.
+/// The body of the tool around the beam; `None`: the beam is a ray.
 pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<Body<'a>> {
     stances(job, &setup.tool).swap_remove(0).body
 }
 
-/// How the head may be held over lines, as wanted first: then drawn back and pushed forward by half of the
-/// standoff window and all of it.
+/// The tool configurations that may be tried over lines, the wanted one first, then drawn back and pushed forward by half
+/// of the standoff window and by all of it.
 pub(in super::super) fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>> {
     let wanted = work(job);
     let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
@@ -167,7 +167,7 @@ pub(in super::super) fn stances<'a>(job: &Job, tool: &'a Tool) -> Vec<Stance<'a>
     lifts.iter().map(|s| Stance::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
 }
 
-/// What a job works with.
+/// The process settings of a job.
 fn work(job: &Job) -> Work {
     let b = &job.beam;
     Work {
@@ -242,7 +242,7 @@ struct BeamWidth<'a> {
 
 keyed!(BeamWidth<'_> { defocus_mm, spot_mm, margin_mm, optics });
 
-/// Of the lines of a surface and all that its poses depend on beside them.
+/// The key of a surface's plan: a digest of its toolpath and all else that its poses depend on.
 pub(in super::super) fn poses_key(
     toolpath: Digest,
     spot: Option<Point3<f64>>,

@@ -1,4 +1,4 @@
-//! From a job to the lines of its surfaces: strategy, rim, joins, and the order of work.
+//! The toolpath of a surface: its lines by strategy, rim and joins, and the order in which they are run.
 //!
 //! Geometry alone: whether a beam gets there is asked afterwards.
 
@@ -24,13 +24,13 @@ pub struct Toolpath {
     pub normal: Vector3<f64>,
     /// The planes that cut them: none for lines that no plane cuts.
     pub planes: Vec<SurfacePlanes>,
-    /// By rank.
+    /// The lines, by rank.
     pub lines: Vec<TransversalLine>,
     /// The spacing that they really have, where it was measured.
     pub achieved: Option<Achieved>,
-    /// What they miss.
+    /// The area that they miss, and their spacing.
     pub coverage: Coverage,
-    /// What is not as it was wanted.
+    /// How they differ from what the job asks for.
     pub remarks: Vec<ToolpathRemark>,
     /// Layer of a build-up, from 0.
     pub layer: u32,
@@ -42,7 +42,7 @@ pub struct Toolpath {
 pub struct ToolpathRules<'a> {
     /// Strategy, spacing, rim.
     pub layers: &'a Layers,
-    /// What the beam stands along.
+    /// The axis that the beam follows.
     pub axis: Axis,
     /// Every second layer runs across the others.
     pub is_alternate: bool,
@@ -197,7 +197,7 @@ impl Toolpath {
 /// The lines of one surface in the order of work.
 #[derive(Clone, Debug)]
 pub struct Ordered {
-    /// In order, turned as they will be run.
+    /// The lines in the order and sense in which they are run.
     pub lines: Vec<TransversalLine>,
     /// Length of the way between them, and from the surface before, mm.
     pub way_mm: f64,
@@ -233,7 +233,7 @@ pub fn ordered(toolpath: &Toolpath, layers: &Layers, spot: Option<&Point3<f64>>)
     Ordered { way_mm: way_mm(&lines, spot), zigzag_way_mm, lines }
 }
 
-/// Where the spot is behind some lines.
+/// Where the spot is after the last of some lines.
 pub fn end_of(lines: &[TransversalLine]) -> Option<Point3<f64>> {
     let last = lines.last()?;
     let end = if last.closed { last.points.first() } else { last.points.last() };

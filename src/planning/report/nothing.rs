@@ -22,7 +22,7 @@ pub enum NothingReason {
 /// Blocked targets with the same cause.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BlockedBy {
-    /// As in `problems`.
+    /// The cause, named as in `problems`.
     #[serde(serialize_with = "word")]
     pub cause: RefusalCause,
     /// The surface in the way.

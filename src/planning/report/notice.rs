@@ -46,7 +46,7 @@ pub enum Notice {
         targets: usize,
         /// The first of them: pass and point.
         first: (usize, usize),
-        /// What stands against that one, where a move or the robot does.
+        /// Why a move or the robot cannot do that one, where one of them is the cause.
         why: Option<RefusalReason>,
     },
     /// Area of a surface that no line reaches.

@@ -21,7 +21,7 @@ pub enum PlanFinding {
         is: String,
         /// Surfaces that the job speaks of and that were found again: old number, new number.
         kept: Vec<[u32; 2]>,
-        /// Those that were not; none of them was to be cleaned.
+        /// Surfaces that the job speaks of and that were not found again; none of them was to be cleaned.
         lost: Vec<u32>,
     },
 }

@@ -25,7 +25,7 @@ pub struct Problem {
     pub by_facet: Option<u32>,
     /// Its surface.
     pub by_surface: Option<u32>,
-    /// What stands against it, where a move or the robot does.
+    /// Why a move or the robot cannot do it, where one of them is the cause.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<RefusalReason>,
 }

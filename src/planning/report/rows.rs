@@ -11,9 +11,9 @@ use serde::Serialize;
 /// What the order of the lines comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OrderReport {
-    /// In a plain zigzag, mm.
+    /// Length of the way between lines in a plain zigzag, mm.
     pub zigzag_way_mm: f64,
-    /// As they are run, mm.
+    /// Length of the way between lines in the order in which they are run, mm.
     pub way_mm: f64,
 }
 
@@ -37,7 +37,7 @@ pub struct SurfaceReport {
     pub points: usize,
     /// Length of its moves with the laser on.
     pub work_mm: f64,
-    /// The share of it that begins or ends at a corrected target.
+    /// The part of that length that begins or ends at a corrected target.
     pub corrected_mm: f64,
     /// Length of its passes with the laser off.
     pub blocked_mm: f64,

@@ -25,11 +25,11 @@ pub struct LitRange {
 pub struct LitPiece {
     /// Its targets.
     pub of: LitRange,
-    /// What it is led in and out by.
+    /// Its lead-in and lead-out.
     pub leads: Leads,
-    /// Where it is come to in the air.
+    /// Where the connecting move before it ends.
     pub entry: Station,
-    /// Where it is left.
+    /// Where the connecting move after it begins.
     pub exit: Station,
 }
 

@@ -98,9 +98,9 @@ impl Travel {
 /// Speeds of the flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speeds {
-    /// Of its origin, mm/s.
+    /// Speed of the flange's origin, mm/s.
     pub mm_s: f64,
-    /// Of its turning, degrees per second.
+    /// Speed of its rotation, degrees per second.
     pub deg_s: f64,
 }
 

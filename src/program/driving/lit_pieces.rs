@@ -135,7 +135,7 @@ impl Drive<'_> {
         self.push_lit_move(&here, to, seconds * (1.0 - done), out)
     }
 
-    /// One lit move, if arm and part keep clear and no joint is too fast.
+    /// Adds one lit move, if arm and part keep clear and no joint is too fast.
     fn push_lit_move(
         &self,
         from: &ArmStand,

@@ -57,9 +57,9 @@ impl Steps {
 pub struct Proof {
     /// Lit moves.
     pub intervals: usize,
-    /// Those on which nothing can be touched.
+    /// How many moves cannot touch anything.
     pub proven: usize,
-    /// Those on which something is: their place in the list, and what.
+    /// Moves that touch something: their index in the list, and what they touch.
     #[serde(serialize_with = "count")]
     pub refuted: Vec<(usize, Blocker)>,
     /// What cone and head are proven to keep from everything, mm; 0 for a ray.

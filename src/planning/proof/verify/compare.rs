@@ -93,7 +93,7 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
         found.unwrap_or((1, 1))
     }
 
-    /// Two lines at the same place: what of them differs. Whether they are the same one.
+    /// Compares two lines at the same place. Gives whether they are the same line.
     fn compare_pair(&self, i: usize, k: usize, verdict: &mut Verdict) -> bool {
         let (want, have) = (self.want[i], self.have[k]);
         let is_same = self.is_same(i, k);
@@ -120,7 +120,7 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
         is_same
     }
 
-    /// A move against the plan itself, not against its text: what the dialect's words make of it.
+    /// Compares a move with the plan itself, not with the plan's text: an error of the dialect's own writer shows here.
     fn compare_with_plan(&self, plan: &Move, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
         let poses = self.poses;
         // Home is told by its joints, or where they are.
@@ -153,14 +153,14 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
     }
 }
 
-/// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`compare_settings`].
+/// Compares a move's timing with the plan. A timing that was changed in the text is [`compare_settings`]'s finding.
 fn compare_timing(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
     if !is_same_pace(&plan.timing, &have.timing) && is_same_pace(&want.timing, &have.timing) {
         verdict.findings.push(Difference::OtherPace { found: have.timing, planned: plan.timing }.at(at));
     }
 }
 
-/// What the words of a move say beside its target.
+/// Compares what a move says beside its target with the plan as it is written.
 fn compare_settings(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
     if want.rest != have.rest {
         let (found, planned) = (have.rest.clone(), want.rest.clone());

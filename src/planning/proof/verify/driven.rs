@@ -17,10 +17,10 @@ const SPEED_SHARE: f64 = 0.02;
 /// Facets that the slow second opinion may look at.
 const CHECKER_BUDGET: usize = 400_000_000;
 
-/// A move as it is driven.
+/// A lit move as the robot drives it.
 pub(in super::super) struct Driven<'a> {
     at: &'a ReadLine,
-    /// Its place among all lines.
+    /// Its index among all lines that were read.
     pub(in super::super) place: usize,
     pub(in super::super) lit: LitMove,
 }

@@ -34,7 +34,7 @@ pub enum Kind {
     Interference,
 }
 
-/// One thing that is wrong.
+/// One difference between program and plan, or one thing that the robot could not do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// The file.
@@ -54,12 +54,12 @@ pub enum Difference {
     Unreadable(Arc<ReadError>),
     /// Before this line the plan has another one.
     Missing {
-        /// That line.
+        /// The line that should stand there.
         planned: Statement,
     },
     /// Behind the last line the plan goes on.
     EndMissing {
-        /// So many more lines.
+        /// How many lines are missing.
         lines: usize,
         /// The first of them.
         first: Statement,
@@ -113,7 +113,7 @@ pub enum Difference {
     OtherWords {
         /// Its own.
         found: String,
-        /// Those that it should have.
+        /// The settings that it should have.
         planned: String,
     },
     /// The robot cannot go there.
@@ -161,7 +161,7 @@ pub enum Difference {
 pub struct SpotOff {
     /// How far, mm.
     pub mm: f64,
-    /// And turned by so much, degrees.
+    /// Angle between the two beams, spin included, degrees.
     pub deg: f64,
 }
 
@@ -170,9 +170,9 @@ pub struct SpotOff {
 pub struct JointOff {
     /// The joint, from 0.
     pub joint: usize,
-    /// Where the plan has it, degrees.
+    /// The joint's angle in the plan, degrees.
     pub planned_deg: f64,
-    /// Where it is, degrees.
+    /// The joint's angle in the program, degrees.
     pub found_deg: f64,
 }
 

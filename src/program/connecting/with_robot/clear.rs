@@ -10,7 +10,7 @@ use crate::program::neutral::steps::Station;
 const LOOK_DEG: f64 = 1.0;
 /// On a straight move the focus goes no further than this between two looks, mm.
 const LOOK_MM: f64 = 0.5;
-/// And the part turns no further, degrees.
+/// On a straight move the part turns no further than this between two looks, degrees.
 const LOOK_TURN_DEG: f64 = 2.0;
 /// A straight connecting move turns no joint further than this.
 const MOST_STRAIGHT_DEG: f64 = 60.0;
@@ -18,7 +18,7 @@ const MOST_STRAIGHT_DEG: f64 = 60.0;
 const OUT_STEPS: usize = 8;
 
 impl MovingArm<'_> {
-    /// The stand at a station, carried on from some joints.
+    /// The arm at a station, by the solution nearest to some joints.
     pub(super) fn arm_stand_at(&self, at: Station, near: &Joints) -> Option<ArmStand> {
         let joints_deg = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), near)?;
         Some(ArmStand { at, joints_deg })

@@ -48,7 +48,7 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     Ok(all)
 }
 
-/// Lines of text of a line of the program, about.
+/// About how many lines of text a line of the program takes.
 fn text_line_count(line: &ProgramLine) -> usize {
     match line {
         // The speed and the move.
