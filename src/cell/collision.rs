@@ -92,7 +92,7 @@ impl<'a> Collision<'a> {
 
     /// The first contact at a pose of the robot, in an order that is always the same; joints in
     /// degrees.
-    pub fn first(&self, joints_deg: &Joints) -> Option<Contact> {
+    pub fn first_contact(&self, joints_deg: &Joints) -> Option<Contact> {
         let met = self.each_pair(joints_deg, &mut |pair, one, other| {
             if !one.is_near(other, self.margin_mm) {
                 return ControlFlow::Continue(());
@@ -173,20 +173,20 @@ impl<'a> Collision<'a> {
     ///
     /// Looked at so often that nothing moves farther than the margin between two looks; what is
     /// free at both cannot touch between them.
-    pub fn first_between(&self, from: &Joints, to: &Joints) -> Option<(f64, Contact)> {
+    pub fn first_contact_between(&self, from: &Joints, to: &Joints) -> Option<(f64, Contact)> {
         let pieces = (self.travel_mm(from, to) / self.margin_mm).ceil().clamp(1.0, MOST_LOOKS) as u32;
         (0..=pieces).find_map(|i| {
             let t = f64::from(i) / f64::from(pieces);
             let joints: Joints = std::array::from_fn(|k| from[k] + (to[k] - from[k]) * t);
-            Some((t, self.first(&joints)?))
+            Some((t, self.first_contact(&joints)?))
         })
     }
 
     /// The first contact on a motion of the joints given over 0 to 1, and where on it; they may not turn back within a
     /// sixteenth of it.
-    pub fn first_along(&self, at: impl Fn(f64) -> Joints) -> Option<(f64, Contact)> {
+    pub fn first_contact_along(&self, at: impl Fn(f64) -> Joints) -> Option<(f64, Contact)> {
         let start = at(0.0);
-        if let Some(contact) = self.first(&start) {
+        if let Some(contact) = self.first_contact(&start) {
             return Some((0.0, contact));
         }
         let piece = |i: u32| f64::from(i) / 16.0;
@@ -194,24 +194,24 @@ impl<'a> Collision<'a> {
         (0..16).find_map(|i| {
             let ends = [(piece(i), here), (piece(i + 1), at(piece(i + 1)))];
             here = ends[1].1;
-            self.first_within(&at, ends, HALVINGS)
+            self.first_contact_within(&at, ends, HALVINGS)
         })
     }
 
     /// The first contact on a piece of the motion whose start is free.
-    fn first_within(
+    fn first_contact_within(
         &self,
         at: &impl Fn(f64) -> Joints,
         [from, to]: [(f64, Joints); 2],
         halvings: u32,
     ) -> Option<(f64, Contact)> {
         if halvings == 0 || self.travel_mm(&from.1, &to.1) <= self.margin_mm {
-            return Some((to.0, self.first(&to.1)?));
+            return Some((to.0, self.first_contact(&to.1)?));
         }
         let t = 0.5 * (from.0 + to.0);
         let middle = (t, at(t));
-        self.first_within(at, [from, middle], halvings - 1)
-            .or_else(|| self.first_within(at, [middle, to], halvings - 1))
+        self.first_contact_within(at, [from, middle], halvings - 1)
+            .or_else(|| self.first_contact_within(at, [middle, to], halvings - 1))
     }
 
     /// How far any point of arm and load moves between two poses, at most, mm.

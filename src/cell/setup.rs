@@ -174,10 +174,11 @@ mod tests {
                 let setup = Setup { cell, robot: Some(robot.clone()), mount, tool: Tool::default() };
                 setup.check().expect("home in range, the laser out of the base");
                 let collision = Collision::new(&setup, &part).expect("a robot");
-                assert_eq!(collision.first(&setup.home_joints_deg()), None, "{key}, {mount:?}, home");
+                assert_eq!(collision.first_contact(&setup.home_joints_deg()), None, "{key}, {mount:?}, home");
                 let states = Arm::new(&setup, Spin::Free).expect("a robot").states(&middle).expect("in reach");
                 let clear = |j: &Joints| robot.limit_margin_deg(j) > 5.0 && robot.singularity(j) > 0.05;
-                let free = states.iter().any(|s| clear(&s.joints_deg) && collision.first(&s.joints_deg).is_none());
+                let free =
+                    states.iter().any(|s| clear(&s.joints_deg) && collision.first_contact(&s.joints_deg).is_none());
                 assert!(free, "{key}, {mount:?}");
             }
         }

@@ -33,7 +33,7 @@ pub(super) fn drive(
     // Arm and head keep clear of all that will be there, from the first layer on.
     let whole = grown.last().map_or(part, |g| &g.part);
     let collision = Collision::new(setup, whole);
-    let touches = |joints: &Joints| collision.as_ref()?.first(joints);
+    let touches = |joints: &Joints| collision.as_ref()?.first_contact(joints);
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();

@@ -6,7 +6,7 @@ use super::error::PlanError;
 use super::plan::Plan;
 use super::plan::build_up::{grown_parts, layer_count, plan_layer};
 use super::plan::cell_report::CellReport;
-use super::plan::prepared::prepared;
+use super::plan::prepared::prepare;
 use super::plan::surface_plan::{Cache, Kept};
 use super::proof::as_written::{Refuted, proven_as_written};
 use super::proof::{prover, straight};
@@ -37,7 +37,7 @@ pub fn plan(
     cache: &Cache,
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
-    let (list, own) = prepared(part, surfaces, job)?;
+    let (list, own) = prepare(part, surfaces, job)?;
     dialects::check(&job.cell.dialect, setup)?;
     let grown = grown_parts(part, surfaces, &own)?;
     let mut kept = Kept::default();

@@ -47,7 +47,7 @@ impl<V, E> Stage<V, E> {
     }
 
     /// Takes the outcome out once it is there, for one who keeps it elsewhere; the stage is idle then.
-    pub fn taken(&mut self) -> Option<Result<V, Failure<E>>> {
+    pub fn take_result(&mut self) -> Option<Result<V, Failure<E>>> {
         // It may have been there since the start: a thread can be that quick.
         self.poll();
         match std::mem::take(self) {

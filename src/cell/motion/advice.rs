@@ -119,7 +119,7 @@ fn possible(
     let collision = Collision::new(setup, part);
     let free = |s: &super::ArmState| {
         robot.limit_margin_deg(&s.joints_deg) >= SPARE_DEG
-            && collision.as_ref().is_none_or(|c| c.first(&s.joints_deg).is_none())
+            && collision.as_ref().is_none_or(|c| c.first_contact(&s.joints_deg).is_none())
     };
     let look = |f: &Isometry3<f64>| {
         progress.check()?;

@@ -34,13 +34,13 @@ pub(super) fn put_in_place(
     progress.begin(Activity::WritingFiles, staging.len());
     let staged = staging.iter().try_for_each(|step| {
         progress.step()?;
-        intent.take(&folder, files, step).map_err(ExportError::from)
+        intent.apply(&folder, files, step).map_err(ExportError::from)
     });
     if let Err(e) = staged {
-        take_back(&folder, is_new);
+        roll_back(&folder, is_new);
         return Err(e);
     }
-    intent.steps().iter().try_for_each(|step| intent.take(&folder, files, step))?;
+    intent.steps().iter().try_for_each(|step| intent.apply(&folder, files, step))?;
     let goes = |name: &String| files.iter().all(|f| f.name != *name);
     Ok(intent.remove.into_iter().filter(goes).collect())
 }
@@ -62,7 +62,7 @@ pub(super) fn intended(
 }
 
 /// Removes what was staged. What cannot be removed now is when the next export comes.
-fn take_back(folder: &ExportFolder, is_new: bool) {
+fn roll_back(folder: &ExportFolder, is_new: bool) {
     for name in folder.all_staged().unwrap_or_default() {
         let _ = folder.unstage(&name);
     }

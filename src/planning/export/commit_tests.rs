@@ -105,7 +105,7 @@ fn broken_off(old: Option<&[OutputFile]>, new: &[OutputFile], taken: usize) -> O
         return None;
     }
     for step in &steps[..taken] {
-        intent.take(&folder, new, step).expect("a step");
+        intent.apply(&folder, new, step).expect("a step");
     }
     Some(dir)
 }
@@ -145,7 +145,7 @@ fn ending_a_broken_export_can_be_broken_off_as_well() {
         for _ in 0..100 {
             let pending = Pending::in_folder(&folder, false).expect("reads");
             let Some(step) = pending.steps.iter().find(|s| **s != CommitStep::Sync) else { break };
-            pending.take(&folder, step).expect("a step");
+            pending.apply(&folder, step).expect("a step");
             assert_sound(dir.path(), when);
         }
         drop(folder);

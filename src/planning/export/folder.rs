@@ -64,7 +64,7 @@ impl ExportFolder {
     ///
     /// # Errors
     /// It is there and cannot be read.
-    pub(super) fn look(&self, name: &str) -> Result<FolderEntry, JobError> {
+    pub(super) fn entry(&self, name: &str) -> Result<FolderEntry, JobError> {
         match fs::symlink_metadata(self.path.join(name)) {
             Err(e) if e.kind() == ErrorKind::NotFound => return Ok(FolderEntry::Nothing),
             Ok(m) if m.is_dir() => return Ok(FolderEntry::Folder),
@@ -78,8 +78,8 @@ impl ExportFolder {
     ///
     /// # Errors
     /// It is there and cannot be read.
-    pub(super) fn look_staged(&self, name: &str) -> Result<FolderEntry, JobError> {
-        self.look(&staged(name))
+    pub(super) fn staged_entry(&self, name: &str) -> Result<FolderEntry, JobError> {
+        self.entry(&staged(name))
     }
 
     /// Bytes of a file; `None`: it is not there.

@@ -102,7 +102,7 @@ impl ExportIntent {
     ///
     /// # Errors
     /// The system does not let it be taken.
-    pub(super) fn take(&self, folder: &ExportFolder, files: &[OutputFile], step: &CommitStep) -> Result<(), JobError> {
+    pub(super) fn apply(&self, folder: &ExportFolder, files: &[OutputFile], step: &CommitStep) -> Result<(), JobError> {
         match step {
             CommitStep::Stage(number) => match files.get(*number) {
                 Some(f) => folder.stage(&f.name, &f.bytes),

@@ -131,7 +131,7 @@ pub(super) fn compare_folder(
     let fresh = names.iter().copied().filter(|n| !theirs.contains(n));
     let mut met = FolderComparison::default();
     for name in theirs.iter().copied().chain(fresh) {
-        let reason = match folder.look(name)? {
+        let reason = match folder.entry(name)? {
             FolderEntry::Nothing => continue,
             FolderEntry::Folder => Some(ConflictReason::Folder),
             FolderEntry::File(sha256) => {

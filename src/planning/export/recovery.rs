@@ -30,7 +30,7 @@ pub(super) struct Pending {
 pub(super) fn recover(folder: &ExportFolder, (reads_job, overwrite): (bool, bool)) -> Result<(), ExportError> {
     let pending = Pending::in_folder(folder, reads_job)?;
     allowed(folder.path(), pending.conflicts.clone(), overwrite)?;
-    pending.steps.iter().try_for_each(|step| pending.take(folder, step))?;
+    pending.steps.iter().try_for_each(|step| pending.apply(folder, step))?;
     Ok(())
 }
 
@@ -42,7 +42,7 @@ impl Pending {
     pub(super) fn in_folder(folder: &ExportFolder, reads_job: bool) -> Result<Pending, JobError> {
         let Some(intent) = ExportIntent::read(folder)? else {
             let mut steps: Vec<CommitStep> = folder.all_staged()?.into_iter().map(CommitStep::Unstage).collect();
-            if folder.look(INTENT)? != FolderEntry::Nothing {
+            if folder.entry(INTENT)? != FolderEntry::Nothing {
                 steps.push(CommitStep::Forget);
             }
             return Ok(Pending { steps, ..Pending::default() });
@@ -78,9 +78,9 @@ impl Pending {
     ///
     /// # Errors
     /// The system does not let it be taken.
-    pub(super) fn take(&self, folder: &ExportFolder, step: &CommitStep) -> Result<(), JobError> {
+    pub(super) fn apply(&self, folder: &ExportFolder, step: &CommitStep) -> Result<(), JobError> {
         match (&self.intent, step) {
-            (Some(intent), _) => intent.take(folder, &[], step),
+            (Some(intent), _) => intent.apply(folder, &[], step),
             (None, CommitStep::Unstage(name)) => folder.unstage(name),
             (None, _) => folder.remove(INTENT),
         }
@@ -106,16 +106,16 @@ fn state(folder: &ExportFolder, intent: &ExportIntent, keeps_job: bool) -> Resul
     let others = |f: &&FileDigest| !(keeps_job && f.name == JOB);
     for f in intent.place.iter().filter(others) {
         let new = FolderEntry::File(f.sha256.clone());
-        if folder.look_staged(&f.name)? == new {
+        if folder.staged_entry(&f.name)? == new {
             staged.push(f.name.clone());
         } else {
-            is_all &= folder.look(&f.name)? == new;
+            is_all &= folder.entry(&f.name)? == new;
         }
         let was_there = intent.was.iter().any(|w| w.name == f.name);
-        is_untouched &= was_there || folder.look(&f.name)? == FolderEntry::Nothing;
+        is_untouched &= was_there || folder.entry(&f.name)? == FolderEntry::Nothing;
     }
     for f in intent.was.iter().filter(others) {
-        is_untouched &= folder.look(&f.name)? == FolderEntry::File(f.sha256.clone());
+        is_untouched &= folder.entry(&f.name)? == FolderEntry::File(f.sha256.clone());
     }
     Ok(match (is_all, is_untouched) {
         (true, _) => Left::All { staged },
@@ -129,7 +129,7 @@ fn changed_since(folder: &ExportFolder, intent: &ExportIntent) -> Result<Vec<Fil
     let mut out: Vec<FileConflict> = Vec::new();
     for name in intent.names().filter(|n| *n != REPORT) {
         let mut known = intent.place.iter().chain(&intent.was).filter(|f| f.name == name);
-        let reason = match folder.look(name)? {
+        let reason = match folder.entry(name)? {
             FolderEntry::Nothing => continue,
             FolderEntry::Folder => ConflictReason::Folder,
             FolderEntry::File(sha256) if known.any(|f| f.sha256 == sha256) => continue,

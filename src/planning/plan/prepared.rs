@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// The surfaces to clean and the job of each, checked.
-pub(in super::super) fn prepared<'a>(
+pub(in super::super) fn prepare<'a>(
     part: &Part,
     surfaces: &Surfaces,
     job: &'a Job,

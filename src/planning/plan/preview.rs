@@ -1,7 +1,7 @@
 //! The lines of a job before anything is asked of the beam: what is shown while a plan is being made.
 
 use super::build_up::layer_toolpaths;
-use super::prepared::prepared;
+use super::prepared::prepare;
 use super::surface_plan::Cache;
 use super::toolpath::Toolpath;
 use crate::document::model::Job;
@@ -21,7 +21,7 @@ pub fn preview(
     cache: &Cache,
     progress: &Progress,
 ) -> Result<Vec<Arc<Toolpath>>, PlanError> {
-    let (list, own) = prepared(part, surfaces, job)?;
+    let (list, own) = prepare(part, surfaces, job)?;
     let toolpaths = layer_toolpaths((part, surfaces), &list, &own, cache, 0, progress)?;
     cache.add_toolpaths(&toolpaths);
     Ok(toolpaths.into_iter().map(|l| l.1).collect())

@@ -30,16 +30,16 @@ pub fn steps(
     let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
     walk.out.list.push(Step::Home);
     let mut at: Option<Station> = None;
-    let mut said = None;
+    let mut announced_pass = None;
     for (index, piece) in pieces.iter().enumerate() {
         let pass = &passes[piece.of.pass];
         let here = match at {
             None => walk.from_home(piece),
             Some(from) => walk.over(from, piece, hops[index - 1]),
         };
-        if said != Some(piece.of.pass) {
+        if announced_pass != Some(piece.of.pass) {
             walk.out.say_pass(piece.of.pass, pass);
-            said = Some(piece.of.pass);
+            announced_pass = Some(piece.of.pass);
         }
         let start = walk.onto(here, pass, piece);
         let end = walk.along(start, pass, piece);

@@ -30,7 +30,7 @@ pub(super) struct DrivenLeads {
 }
 
 impl DrivenLeads {
-    pub(super) fn any(&self) -> bool {
+    pub(super) fn has_any(&self) -> bool {
         self.before.is_some() || self.behind.is_some()
     }
 
@@ -72,7 +72,7 @@ impl Drive<'_> {
         let (number, first, last) = (of.pass, of.first, of.last);
         let pass = &passes[number];
         let refuse = |point, (cause, why)| Refusal { pass: number, point, cause, why };
-        let stand = |point: usize| {
+        let arm_stand = |point: usize| {
             let chosen = choice.rows[number][point].as_ref();
             chosen
                 .map(|c| ArmStand {
@@ -81,11 +81,11 @@ impl Drive<'_> {
                 })
                 .ok_or_else(|| refuse(point, (RefusalCause::Reach, RefusalReason::NotChosen)))
         };
-        let start = stand(first)?;
+        let start = arm_stand(first)?;
         let mut here = start;
         let mut lit = Vec::new();
         for point in first + 1..=last {
-            let to = stand(point)?;
+            let to = arm_stand(point)?;
             let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.work.speed_mm_s;
             let before = lit.len();
             self.between(&here, &to, (&pass.work, seconds), &mut lit).map_err(|reason| refuse(point, reason))?;
@@ -143,7 +143,7 @@ impl Drive<'_> {
         seconds: f64,
         out: &mut Vec<WorkMove>,
     ) -> Result<(), (RefusalCause, RefusalReason)> {
-        let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
+        let touched = self.collision.and_then(|c| c.first_contact_between(&from.joints_deg, &to.joints_deg));
         if let Some((_, contact)) = touched {
             return Err(RefusalReason::contact(contact));
         }

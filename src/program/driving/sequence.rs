@@ -51,7 +51,7 @@ impl Drive<'_> {
 
     /// All targets, where something is touched at home.
     fn stuck_at_home(&self, ranges: &[LitRange]) -> Option<Vec<Refusal>> {
-        let contact = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()))?;
+        let contact = self.collision.and_then(|c| c.first_contact(&self.setup.home_joints_deg()))?;
         let why = RefusalReason::ContactAtHome(contact);
         let refuse = |(pass, point)| Refusal { pass, point, cause: RefusalCause::Robot, why: why.clone() };
         let all = ranges.iter().flat_map(|of| (of.first..=of.last).map(move |point| (of.pass, point)));
@@ -90,8 +90,8 @@ impl Drive<'_> {
             let ways = self.ways(space, whole);
             let closed = (0..ways.len()).filter(|&i| ways[i].is_none());
             let beside: Vec<usize> = closed.flat_map(|i| [i.checked_sub(1), Some(i)]).flatten().collect();
-            let led = whole.iter_mut().enumerate().filter(|(i, p)| beside.contains(i) && p.leads.any());
-            if led.map(|(_, piece)| piece.leads.leave_out()).count() == 0 {
+            let with_leads = whole.iter_mut().enumerate().filter(|(i, p)| beside.contains(i) && p.leads.has_any());
+            if with_leads.map(|(_, piece)| piece.leads.leave_out()).count() == 0 {
                 return ways;
             }
         }
@@ -153,7 +153,7 @@ fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
 fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Steps {
     let mut out = Steps::default();
     out.list.push(Step::Home);
-    let mut said = None;
+    let mut announced_pass = None;
     let mut at: Option<Station> = None;
     for ((way, of), piece) in ways.iter().zip(ranges).zip(whole) {
         let Some((down, way)) = way.as_ref().and_then(|way| way.split_last()) else { continue };
@@ -162,9 +162,9 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
             at = Some(go.to);
         }
         let pass = &passes[of.pass];
-        if said != Some(of.pass) {
+        if announced_pass != Some(of.pass) {
             out.say_pass(of.pass, pass);
-            said = Some(of.pass);
+            announced_pass = Some(of.pass);
         }
         let begin = Some((of.pass, of.first));
         let target = begin.filter(|_| piece.leads.before.is_none());

@@ -30,7 +30,7 @@ impl MovingArm<'_> {
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
             let next = self.arm_stand_at(Station { x, ..from.at }, &here.joints_deg)?;
-            let touches = |c: &Collision<'_>| c.first_between(&here.joints_deg, &next.joints_deg).is_some();
+            let touches = |c: &Collision<'_>| c.first_contact_between(&here.joints_deg, &next.joints_deg).is_some();
             if self.collision.is_some_and(touches)
                 || self.space.head_hit(&here.at, &next.at).is_some()
                 || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG
@@ -61,7 +61,7 @@ impl MovingArm<'_> {
             if head_known { self.space.is_head_clear_at(&focus) } else { self.space.is_clear_at(&focus) }
         };
         (head_known && !self.space.knows_head() || (0..=steps as usize).all(is_clear))
-            && self.collision.is_none_or(|c| c.first_between(from, to).is_none())
+            && self.collision.is_none_or(|c| c.first_contact_between(from, to).is_none())
     }
 
     /// Whether nothing is in the way where the flange goes straight, and the arm can follow.
@@ -80,7 +80,7 @@ impl MovingArm<'_> {
                 Some(joints) if farthest(&here, &joints) <= 0.5 * MOST_STRAIGHT_DEG => here = joints,
                 _ => return false,
             }
-            let touches = self.collision.is_some_and(|c| c.first(&here).is_some());
+            let touches = self.collision.is_some_and(|c| c.first_contact(&here).is_some());
             if touches || !self.space.is_clear_at(&setup.focus_for(&flange)) {
                 return false;
             }
