@@ -7,7 +7,7 @@
 mod all_pairs;
 
 use clearbeam::beam::ProcessSettings;
-use clearbeam::cell::motion::{Arm, State, Watch, choose};
+use clearbeam::cell::motion::{Arm, ArmState, Watch, choose};
 use clearbeam::cell::{Robot, Setup, Spin};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::pose::{self, Pass, Target};
@@ -83,7 +83,7 @@ fn motion(c: &mut Criterion) {
     group.bench_function("all pairs, 100 targets x 72 spins", |b| {
         b.iter(|| all_pairs::cheapest(&arm, &few[0], DEFOCUS_MM, SPEED_MM_S));
     });
-    let states: Vec<Vec<State>> =
+    let states: Vec<Vec<ArmState>> =
         few[0].targets.iter().map(|t| arm.states(&t.frame(DEFOCUS_MM)).unwrap_or_default()).collect();
     let seconds = all_pairs::seconds(&few[0], SPEED_MM_S);
     group.bench_function("all pairs, states given", |b| {

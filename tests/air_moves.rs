@@ -5,7 +5,7 @@
 mod parts;
 
 use clearbeam::beam::Tool;
-use clearbeam::cell::motion::Why;
+use clearbeam::cell::motion::RefusalReason;
 use clearbeam::document::{Job, segmented};
 use clearbeam::planning::remark::Remark;
 use clearbeam::planning::report::Report;
@@ -206,7 +206,7 @@ fn what_the_head_cannot_be_drawn_back_from_is_refused() {
     let p = plate_and(&roofs, 3.0, &job, &setup);
     assert!(!p.plan.refusals.is_empty());
     for r in &p.plan.refusals {
-        let Why::HitDrawnBack { hit } = &r.why else { panic!("{:?}", r.why) };
+        let RefusalReason::HitDrawnBack { hit } = &r.why else { panic!("{:?}", r.why) };
         assert!(matches!((hit.tool_body, hit.obstruction), (ToolBody::Head, Obstruction::Facet(_))), "{hit:?}");
     }
     assert!(!p.plan.steps.list.contains(&Step::Laser(true)), "nothing is lit");

@@ -6,8 +6,8 @@ use clearbeam::part::{Part, angle};
 use clearbeam::path::chord::{ChordLimits, simplify};
 use clearbeam::path::dense::{self, dense};
 use clearbeam::path::{SectionPoint, TransversalLine};
-use clearbeam::planning::lay::ordered;
 use clearbeam::planning::report::Report;
+use clearbeam::planning::toolpath::ordered;
 use clearbeam::planning::{self, Cache, Plan};
 use clearbeam::progress::Progress;
 use nalgebra::{Point3, Vector3};
@@ -52,8 +52,8 @@ fn the_cup_is_what_p2_counts() {
 #[test]
 fn every_dropped_point_is_near_its_chord() {
     let (_, job, plan, _) = planned();
-    let laid = &plan.surfaces[0].laid;
-    let lines = ordered(laid, &job.layers, None).lines;
+    let toolpath = &plan.surfaces[0].toolpath;
+    let lines = ordered(toolpath, &job.layers, None).lines;
     assert_eq!(lines.len(), plan.passes.len());
     for (line, pass) in lines.iter().zip(&plan.passes) {
         let points = dense(line, dense::max_gap_mm(job.layers.spacing_mm), dense::MAX_TURN_DEG);

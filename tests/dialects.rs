@@ -9,7 +9,7 @@ use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::planning::{self, Cache};
 use clearbeam::program;
-use clearbeam::program::dialect::Read;
+use clearbeam::program::dialect::Statement;
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};
 use clearbeam::program::{Dialect, MoveTiming, ProgramLine, ReadError, WriteError};
 use clearbeam::progress::Progress;
@@ -252,7 +252,7 @@ fn long_programs_are_paged() {
     let files = written(fanuc, &["head"], &lines(&seeds, &setup), &setup);
     assert!(files.len() > 3 && files[1].name == "CLEAN1.LS" && files[0].text.contains("CALL CLEAN1 ;"));
     let found = read(fanuc, &files, &setup).expect("reads");
-    assert_eq!(found.iter().filter(|l| matches!(l.what, Read::Move(_))).count(), 100);
+    assert_eq!(found.iter().filter(|l| matches!(l.what, Statement::Move(_))).count(), 100);
     let mut long = seeds.clone();
     long.retain(|s| !matches!(s, Seed::Output(_, false)));
     let lines = lines(&long, &setup);
@@ -287,7 +287,7 @@ fn hand_edits_are_read_or_refused_by_their_line() {
         read(nachi, &[file], &setup)
     };
     let good = text("MOVEX A=6,M1X,P,( 10.00, 80.00,-20.00,0.00,30.00,0.00),T=0.1,H=3,MS,CONF=0001").expect("reads");
-    assert!(matches!(&good[1].what, Read::Move(m) if m.rest == "A=6,H=3,MS,CONF=0001"));
+    assert!(matches!(&good[1].what, Statement::Move(m) if m.rest == "A=6,H=3,MS,CONF=0001"));
     for (bad, why) in [
         ("MOVEX A=1,M1J,L,(1,2,3,4,5,6),S=60.0,H=1,MS", "T="),
         ("MOVEX A=1,M1X,C1,(1,2,3,4,5,6),T=1,H=1,MS", "arc"),

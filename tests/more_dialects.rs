@@ -6,7 +6,7 @@ mod programs;
 
 use clearbeam::beam::ProcessSettings;
 use clearbeam::cell::{Mount, Robot, Setup};
-use clearbeam::program::dialect::{Goal, Read, ReadLine, Reading};
+use clearbeam::program::dialect::{Goal, ReadContext, ReadLine, Statement};
 use clearbeam::program::dialects::abb::Rapid;
 use clearbeam::program::dialects::estun::Erp;
 use clearbeam::program::dialects::kuka::Krl;
@@ -148,7 +148,7 @@ fn written(dialect: &dyn Dialect, lines: &[ProgramLine], setup: &Setup) -> Vec<P
 
 fn read(dialect: &dyn Dialect, files: &[ProgramFile], setup: &Setup) -> Result<Vec<ReadLine>, ReadError> {
     let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    dialect.read(&files[0], &Reading { setup, open: &open })
+    dialect.read(&files[0], &ReadContext { setup, open: &open })
 }
 
 /// How far two poses of the focus in the part are from each other.
@@ -174,8 +174,8 @@ fn same_goal(dialect: &str, m: &Move, goal: &Goal, setup: &Setup, robot: &str) -
 
 /// Why what was read is not what was written.
 fn difference(dialect: &str, robot: &str, lines: &[ProgramLine], found: &[ReadLine], setup: &Setup) -> Option<String> {
-    let acts: Vec<&Read> =
-        found.iter().map(|l| &l.what).filter(|r| !matches!(r, Read::Say(_) | Read::Other(_))).collect();
+    let acts: Vec<&Statement> =
+        found.iter().map(|l| &l.what).filter(|r| !matches!(r, Statement::Say(_) | Statement::Other(_))).collect();
     let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Say(_))).collect();
     if acts.len() != meant.len() {
         return Some(format!("{} lines of {}", acts.len(), meant.len()));
@@ -183,12 +183,12 @@ fn difference(dialect: &str, robot: &str, lines: &[ProgramLine], found: &[ReadLi
     let mut at: Option<Isometry3<f64>> = None;
     for (line, read) in meant.into_iter().zip(acts) {
         let same = match (line, read) {
-            (ProgramLine::Output { number, on }, Read::Output { number: n, on: o }) => number == n && on == o,
-            (ProgramLine::Level { number, value, group }, Read::Level { number: n, value: v, group: g }) => {
+            (ProgramLine::Output { number, on }, Statement::Output { number: n, on: o }) => number == n && on == o,
+            (ProgramLine::Level { number, value, group }, Statement::Level { number: n, value: v, group: g }) => {
                 number == n && value == v && group == g
             }
-            (ProgramLine::Wait(a), Read::Wait(b)) => (a - b).abs() < 1e-9,
-            (ProgramLine::Move(m), Read::Move(r)) => {
+            (ProgramLine::Wait(a), Statement::Wait(b)) => (a - b).abs() < 1e-9,
+            (ProgramLine::Move(m), Statement::Move(r)) => {
                 let same = match (m.timing, r.timing) {
                     (MoveTiming::Percent(a), MoveTiming::Percent(b)) => (a - b).abs() < 1e-4,
                     (MoveTiming::Seconds(a), MoveTiming::Seconds(b)) => {

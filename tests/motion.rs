@@ -6,7 +6,7 @@ mod all_pairs;
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::cell::motion::{Arm, Cause, Watch, Why, choose};
+use clearbeam::cell::motion::{Arm, RefusalCause, RefusalReason, Watch, choose};
 use clearbeam::cell::{BodyId, Contact, Link, Mount, Robot, Setup, Spin};
 use clearbeam::part::angle;
 use clearbeam::planning::{Cache, advice};
@@ -137,7 +137,7 @@ fn the_spot_keeps_to_its_line_where_the_flange_goes_straight() {
                 }
                 at = Some(setup.flange_for(&go.to.frame()));
             }
-            Step::Say(_) | Step::Home | Step::Work(_) => {}
+            Step::Say(_) | Step::Home | Step::Process(_) => {}
         }
     }
     assert!(line.is_some() && between > 0, "{between} targets put in between");
@@ -149,7 +149,7 @@ fn what_cannot_be_done_says_why() {
     let mut far = setup("mz04", Mount::PartInHand);
     far.cell.base_from_laser.position_mm = [2000.0, 0.0, 300.0];
     let reach = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &far);
-    assert!(!reach.plan.refusals.is_empty() && reach.plan.refusals.iter().all(|r| r.cause == Cause::Reach));
+    assert!(!reach.plan.refusals.is_empty() && reach.plan.refusals.iter().all(|r| r.cause == RefusalCause::Reach));
     assert!(reach.plan.passes.iter().flat_map(|p| &p.targets).all(|t| t.state == TargetState::Blocked && !t.laser));
 
     let mut narrow = setup("mz04", Mount::PartInHand);
@@ -157,7 +157,9 @@ fn what_cannot_be_done_says_why() {
     let limit = planned_in(part(&sample("workpiece")), on(job("z", 8.0), &[1]), &narrow);
     let refusals = limit.plan.refusals;
     assert!(
-        refusals.iter().any(|r| r.cause == Cause::Limit && matches!(r.why, Why::JointLimit { joint: 5, .. })),
+        refusals
+            .iter()
+            .any(|r| r.cause == RefusalCause::Limit && matches!(r.why, RefusalReason::JointLimit { joint: 5, .. })),
         "{refusals:?}"
     );
 
@@ -166,7 +168,7 @@ fn what_cannot_be_done_says_why() {
     let speed = planned_in(part(&sample("worm_gear")), fast, &setup("mz04", Mount::PartInHand));
     let refusals = speed.plan.refusals;
     assert!(
-        refusals.iter().any(|r| r.cause == Cause::Speed && matches!(r.why, Why::JointSpeed { .. })),
+        refusals.iter().any(|r| r.cause == RefusalCause::Speed && matches!(r.why, RefusalReason::JointSpeed { .. })),
         "{refusals:?}"
     );
 }
@@ -191,8 +193,8 @@ fn what_touches_is_avoided_or_named() {
     let contact = Contact { a: BodyId::Part, b: BodyId::Head };
     let touching = Watch { touches: &|_| Some(contact.clone()), ..Watch::default() };
     let named = choose(&arm, &p.plan.passes, &touching).expect("goes on");
-    let why = Why::Contact(contact.clone());
-    assert!(named.refusals.iter().all(|r| r.cause == Cause::Head && r.why == why));
+    let why = RefusalReason::Contact(contact.clone());
+    assert!(named.refusals.iter().all(|r| r.cause == RefusalCause::Head && r.why == why));
     assert_eq!(named.rows.iter().flatten().flatten().count(), 0);
 }
 

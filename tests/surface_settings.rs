@@ -5,7 +5,7 @@
 mod parts;
 
 use clearbeam::document::{
-    Document, Edit, Job, Lost, Parameter, Recipe, RecutAnchor, StartFrom, SurfaceSettings, files, segmented,
+    Document, Edit, Job, LostSettings, Parameter, Recipe, RecutAnchor, StartFrom, SurfaceSettings, files, segmented,
 };
 use clearbeam::part::{Part, SurfaceId, Surfaces};
 use clearbeam::pose::tilt::TiltSide;
@@ -55,7 +55,7 @@ impl Desk {
         self.surfaces().ids().collect()
     }
 
-    fn apply(&mut self, edit: &Edit) -> Vec<Lost> {
+    fn apply(&mut self, edit: &Edit) -> Vec<LostSettings> {
         let ids = self.ids();
         self.doc.apply(edit, &ids, None);
         self.doc.lost().to_vec()
@@ -65,7 +65,7 @@ impl Desk {
         RecutAnchor { job: self.doc.job().clone(), surfaces: Arc::new(self.surfaces()) }
     }
 
-    fn recut(&mut self, anchor: &RecutAnchor, angle_deg: f64) -> Vec<Lost> {
+    fn recut(&mut self, anchor: &RecutAnchor, angle_deg: f64) -> Vec<LostSettings> {
         let edit = Edit::recut(&self.part, anchor, angle(), angle_deg);
         self.apply(&edit)
     }
@@ -129,7 +129,7 @@ fn a_drag_there_and_back_loses_nothing() {
     set_pins(&mut desk, 1);
     let (anchor, before) = (desk.anchor(), desk.doc.job().clone());
     let lost = desk.recut(&anchor, 60.0);
-    let said: Vec<String> = lost.iter().map(Lost::sentence).collect();
+    let said: Vec<String> = lost.iter().map(LostSettings::sentence).collect();
     assert_eq!(
         said,
         ["1 pinned tilt of surface 1 was dropped", "2 pinned tilts and the border of surface 3 were dropped"]
@@ -172,7 +172,7 @@ fn a_merged_surface_forbids_what_any_of_them_did() {
         set(job, 3, |s| s.pins = vec![Pin::default(); 2]);
     });
     let lost = desk.apply(&Edit::Merge([3, 1, 99].map(SurfaceId).to_vec()));
-    assert_eq!(lost, [Lost { surface: SurfaceId(3), pins: 2, border: false }]);
+    assert_eq!(lost, [LostSettings { surface: SurfaceId(3), pins: 2, border: false }]);
     let merged = SurfaceSettings {
         name: "Lip".into(),
         recipe: Some("A".into()),
@@ -202,7 +202,7 @@ fn pieces_are_worked_as_what_they_were_cut_off() {
             true => Edit::cut(&surfaces, SurfaceId(2), &surfaces.get(2).expect("there").facets[..2]).expect("a cut"),
             false => Edit::split(&desk.part, &surfaces, &job, SurfaceId(2), 5.0),
         };
-        assert_eq!(desk.apply(&edit), [Lost { surface: SurfaceId(2), pins: 1, border: true }]);
+        assert_eq!(desk.apply(&edit), [LostSettings { surface: SurfaceId(2), pins: 1, border: true }]);
         assert_eq!(desk.ids(), [1, 2, 3, 4].map(SurfaceId));
         let piece = SurfaceSettings {
             recipe: Some("Fine".into()),

@@ -9,7 +9,7 @@ mod retarget;
 use clearbeam::cell::controllers::NachiForm;
 use clearbeam::cell::{Robot, Setup};
 use clearbeam::planning::verify::{Finding, Kind, check};
-use clearbeam::program::dialect::{Goal, Read, ReadLine, ReadMove, Reading};
+use clearbeam::program::dialect::{Goal, ReadContext, ReadLine, ReadMove, Statement};
 use clearbeam::program::{Dialect, Interpolation, Program, ProgramFile, dialects, lines};
 use clearbeam::text::{Sentence as _, program_comment};
 use parts::{Planned, job, on, part, planned_in, sample};
@@ -71,13 +71,13 @@ impl Case {
 
     fn places(&self) -> Vec<Place> {
         let open = |name: &str| self.files.iter().find(|f| f.name == name).map(|f| f.text.clone());
-        let read = self.dialect.read(&self.files[0], &Reading { setup: &self.setup, open: &open }).expect("reads");
+        let read = self.dialect.read(&self.files[0], &ReadContext { setup: &self.setup, open: &open }).expect("reads");
         let laser = self.setup.cell.outputs.laser.number;
         let (mut lit, mut out) = (false, Vec::new());
         for line in read {
             match line.what.clone() {
-                Read::Output { number, on } if number == laser => lit = on,
-                Read::Move(to) => out.push(Place { line, to, lit }),
+                Statement::Output { number, on } if number == laser => lit = on,
+                Statement::Move(to) => out.push(Place { line, to, lit }),
                 _ => {}
             }
         }
@@ -99,7 +99,7 @@ impl Case {
             }
             (goal, Some(robot)) => {
                 let at = flange(goal).expect("a pose");
-                Goal::Joints(robot.near(&at, &home).expect("within reach"))
+                Goal::Joints(robot.nearest_inverse(&at, &home).expect("within reach"))
             }
             (_, None) => Goal::Joints(home),
         }

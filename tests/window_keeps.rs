@@ -190,7 +190,7 @@ fn what_a_killed_program_left_is_offered_and_restored() {
     click(&mut h, "Restore");
     assert_eq!(h.state().document().job().beam.power_w, 123.0);
     assert_eq!((h.state().document().file(), h.state().document().is_dirty()), (Some(file.as_path()), true));
-    assert_eq!(h.state().document().undo_step(), Some(&clearbeam::document::Step::Restored));
+    assert_eq!(h.state().document().undo_step(), Some(&clearbeam::document::UndoStep::Restored));
     assert!(h.state().plan().is_some());
     press(&mut h, Modifiers::COMMAND, Key::S);
     drop(h);

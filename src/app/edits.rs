@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::cell::Robot;
-use crate::document::{Edit, Lost, Parameter, RecutAnchor};
+use crate::document::{Edit, LostSettings, Parameter, RecutAnchor};
 use crate::part::{Placement, SurfaceId};
 use crate::text::{Sentence as _, say};
 use std::path::Path;
@@ -21,7 +21,7 @@ impl App {
     /// Applies an edit, and says what surfaces lost by it; a drag that brings it back takes the word back.
     pub(super) fn apply(&mut self, edit: &Edit, gesture: Option<&str>) {
         let all: Vec<SurfaceId> = self.derived.surfaces.ids().collect();
-        let told = |lost: &[Lost]| lost.iter().map(Lost::sentence).collect::<Vec<_>>().join("; ");
+        let told = |lost: &[LostSettings]| lost.iter().map(LostSettings::sentence).collect::<Vec<_>>().join("; ");
         let before = told(self.document.lost());
         self.document.apply(edit, &all, gesture);
         let now = told(self.document.lost());

@@ -130,7 +130,7 @@ impl App {
 
     /// Tells how an export ended.
     pub(super) fn take_exported(&mut self) {
-        let Some(outcome) = self.exporting.taken() else { return };
+        let Some(outcome) = self.exporting.take_result() else { return };
         match outcome {
             Ok(exported) => {
                 let reason = exported.report.findings.iter().find_map(|f| match f {

@@ -5,7 +5,7 @@ use crate::cell::Setup;
 use crate::picture::Trail;
 use crate::planning::{Plan, PlannedJob, export};
 use crate::pose::TargetState;
-use crate::program::dialect::{Read, Reading};
+use crate::program::dialect::{ReadContext, Statement};
 use crate::program::{CurveSample, ProgramFile, ProgramLine, Timeline, dialects, lines, series};
 use crate::text::{Sentence as _, program_comment};
 use std::collections::BTreeMap;
@@ -151,8 +151,8 @@ fn lines_of_moves(files: &[ProgramFile], setup: &Setup, dialect: &str) -> Vec<(u
     let number = |name: &str| files.iter().position(|f| f.name == name);
     let open = |name: &str| files.get(number(name)?).map(|f| f.text.clone());
     let (Some(first), Some(dialect)) = (files.first(), dialects::by_name(dialect)) else { return Vec::new() };
-    let read = dialect.read(first, &Reading { setup, open: &open }).unwrap_or_default();
-    let moves = read.iter().filter(|l| matches!(l.what, Read::Move(_)));
+    let read = dialect.read(first, &ReadContext { setup, open: &open }).unwrap_or_default();
+    let moves = read.iter().filter(|l| matches!(l.what, Statement::Move(_)));
     moves.filter_map(|l| Some((number(&l.file)?, l.line.saturating_sub(1)))).collect()
 }
 

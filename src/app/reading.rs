@@ -77,12 +77,12 @@ impl Reading {
 
     /// The document that was opened, or why it could not be.
     pub fn opened(&mut self) -> Option<Result<Opened, Refused>> {
-        self.opening.taken()
+        self.opening.take_result()
     }
 
     /// What was found where it was looked, or why it could not be read.
     pub fn looked_at(&mut self) -> Option<Result<LookedAt, Refused>> {
-        self.looking.taken()
+        self.looking.take_result()
     }
 
     /// Whether a file is being looked at.

@@ -162,7 +162,7 @@ fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
         .plan_on_part()
         .into_iter()
         .flat_map(|of| &of.plan.surfaces)
-        .flat_map(|p| p.laid.coverage.missed_facets.iter().copied());
+        .flat_map(|p| p.toolpath.coverage.missed_facets.iter().copied());
     PartLook {
         chosen,
         selected: s.selected.clone(),

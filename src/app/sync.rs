@@ -115,7 +115,7 @@ impl App {
             return;
         }
         let shown = d.plan_on_part().into_iter().flat_map(|planned| &planned.plan.surfaces);
-        let shown = shown.filter(|s| s.laid.layer == 0).map(|s| Arc::as_ptr(&s.laid));
+        let shown = shown.filter(|s| s.toolpath.layer == 0).map(|s| Arc::as_ptr(&s.toolpath));
         d.laid = (!shown.eq(laid.iter().map(Arc::as_ptr))).then(|| (key, paths::toolpath_item(laid)));
     }
 

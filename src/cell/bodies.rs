@@ -2,7 +2,7 @@
 //!
 //! Read from the cell file; what may touch what is told in `collision`.
 
-use super::CellError;
+use super::cell_error::CellError;
 use super::check::{FigureError, ranges};
 use crate::beam::Obstacle;
 use serde::{Deserialize, Serialize};

@@ -31,7 +31,7 @@ pub struct ThreePoints {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PointPair {
-    /// In the frame that is sought.
+    /// The point in the frame that is sought, mm.
     pub model: [f64; 3],
     /// In the frame that it is sought in.
     pub measured: [f64; 3],
@@ -128,7 +128,7 @@ pub enum FitError {
     #[error("points: {side:?} on one line within {width_mm} mm")]
     OneLine {
         /// The points that do.
-        side: Side,
+        side: CalibrationSide,
         /// How far off the line they are.
         width_mm: f64,
     },
@@ -139,7 +139,7 @@ pub enum FitError {
 
 /// A side of pairs of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum CalibrationSide {
     /// Points of the model.
     Model,
     /// Measured ones.
@@ -232,7 +232,7 @@ pub fn best_fit(pairs: &[PointPair]) -> Result<Fit, FitError> {
         spreads[0] += m * m.transpose() * share;
         spreads[1] += d * d.transpose() * share;
     }
-    for (spread, side) in spreads.into_iter().zip([Side::Model, Side::Measured]) {
+    for (spread, side) in spreads.into_iter().zip([CalibrationSide::Model, CalibrationSide::Measured]) {
         let mut widths = SymmetricEigen::new(spread).eigenvalues.map(|v| v.max(0.0).sqrt());
         widths.as_mut_slice().sort_by(f64::total_cmp);
         if widths[1] < APART_MM.min(0.01 * widths[2]).max(0.5) {

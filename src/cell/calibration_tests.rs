@@ -126,7 +126,7 @@ fn what_tells_no_frame_is_refused_with_what_to_measure() {
     let pair = |x: f64, y: f64| PointPair { model: [x, y, 0.0], measured: [x, y, 5.0] };
     assert_eq!(best_fit(&[pair(0.0, 0.0), pair(90.0, 0.0)]), Err(FitError::FewPairs { count: 2 }));
     let line = [pair(0.0, 0.0), pair(90.0, 0.0), pair(50.0, 0.1), pair(-70.0, 0.0)];
-    assert!(matches!(best_fit(&line), Err(FitError::OneLine { side: Side::Model, .. })));
+    assert!(matches!(best_fit(&line), Err(FitError::OneLine { side: CalibrationSide::Model, .. })));
     let nan = PointPair { model: [0.0; 3], measured: [f64::NAN, 0.0, 0.0] };
     assert!(matches!(best_fit(&[nan, nan, nan]), Err(FitError::Figure { value }) if value.is_nan()));
 }

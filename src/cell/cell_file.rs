@@ -4,17 +4,16 @@
 
 use super::bodies::Bodies;
 use super::calibration::CalibrationNote;
+use super::cell_error::CellError;
 use super::check::{FigureError, ranges};
 use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
 use super::frame::{self, Frame};
+use super::mount::Mount;
 use super::outputs::Outputs;
-use super::setup::PlaceError;
-use super::{Mount, Timing};
-use crate::file::{self, FileError};
-use crate::part::LoadError;
+use super::timing::Timing;
+use crate::file;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use thiserror::Error;
 
 /// Moves with the laser off.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -108,39 +107,6 @@ pub struct Cell {
     pub estun: Estun,
 }
 
-/// Why a cell file cannot be used.
-#[derive(Debug, Error)]
-pub enum CellError {
-    /// A robot of the operator's own has no cell here.
-    #[error("no shipped cell for {robot:?}")]
-    NoneFor {
-        /// The robot.
-        robot: String,
-    },
-    /// It cannot be read, or is not a cell file.
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// A body of the cell cannot be read.
-    #[error("obstacle: {0}")]
-    Obstacle(LoadError),
-    /// A figure makes no sense.
-    #[error("{file}: {what}")]
-    Figure {
-        /// The file.
-        file: String,
-        /// The figure, and what is wrong with it.
-        what: Box<FigureError>,
-    },
-    /// The robot cannot stand in it.
-    #[error("{cell}: {what}")]
-    Place {
-        /// Name of the cell.
-        cell: String,
-        /// Why.
-        what: PlaceError,
-    },
-}
-
 /// Keys of the robots with a shipped cell, and the cells.
 const SHIPPED: &[(&str, &str)] = super::shipped_files!("cells");
 
@@ -230,6 +196,7 @@ impl Cell {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::file::FileError;
 
     #[test]
     fn bad_figures_are_named() {

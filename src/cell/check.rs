@@ -1,7 +1,7 @@
 //! What the tables of a cell file, and those of a robot file, check alike: ranges, names and lines of programs.
 //! What is wrong is told by key and figure; the sentences are made elsewhere.
 
-use super::controllers::words::TemplateError;
+use super::controllers::templates::TemplateError;
 use super::frame::FrameError;
 use thiserror::Error;
 
@@ -74,13 +74,13 @@ pub enum FigureError {
     },
     /// A word has none of the forms that the controller knows.
     #[error("{key} = {value}")]
-    Form {
+    WordForm {
         /// The key, with its table's.
         key: &'static str,
         /// What stands there, as in the file.
         value: String,
         /// What may.
-        form: Form,
+        form: WordForm,
     },
     /// A template cannot be used.
     #[error(transparent)]
@@ -135,7 +135,7 @@ impl Letters {
 
 /// Forms that words of single controllers have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum WordForm {
     /// ESTUN: a line of ASCII that begins with `//`.
     Version,
     /// FANUC: `FINE`, or `CNT0` to `CNT100`.

@@ -13,7 +13,7 @@ use super::{Joints, Mount, Robot, Setup};
 use crate::beam::Obstacle;
 use crate::part::Part;
 use nalgebra::Isometry3;
-use shapes::{Body, Capsule, Solid};
+use shapes::{Capsule, CollisionBody, CollisionSolid};
 use std::ops::ControlFlow;
 
 pub use contact::{BodyId, Contact};
@@ -23,7 +23,7 @@ pub use contact::{BodyId, Contact};
 pub struct Collision<'a> {
     robot: &'a Robot,
     /// What stands, in the base.
-    standing: Vec<Solid<'a>>,
+    standing: Vec<CollisionSolid<'a>>,
     /// A head that stands, in the base.
     standing_head: Vec<Capsule>,
     carried: Carried<'a>,
@@ -36,12 +36,12 @@ pub struct Collision<'a> {
 /// What hangs on the flange, in the flange.
 #[derive(Clone, Debug)]
 enum Carried<'a> {
-    Part(Solid<'a>),
+    Part(CollisionSolid<'a>),
     Head(Vec<Capsule>),
 }
 
 /// A look at two bodies: which they are, and their shapes.
-type Look<'l, B> = dyn FnMut(Pair<'_>, &Body<'_, '_>, &Body<'_, '_>) -> ControlFlow<B> + 'l;
+type Look<'l, B> = dyn FnMut(Pair<'_>, &CollisionBody<'_, '_>, &CollisionBody<'_, '_>) -> ControlFlow<B> + 'l;
 
 /// Two bodies that may touch.
 #[derive(Clone, Copy)]
@@ -64,17 +64,17 @@ impl<'a> Collision<'a> {
         let (cell, bodies) = (&setup.cell, &setup.cell.bodies);
         let obstacle = |(index, o): (usize, &'a Obstacle)| {
             let id = BodyId::Obstacle { index, file: o.file.as_str().into() };
-            Solid::new(id, o.solid(), o.at())
+            CollisionSolid::new(id, o.solid(), o.at())
         };
-        let mut standing: Vec<Solid<'a>> = bodies.obstacles.iter().enumerate().filter_map(obstacle).collect();
+        let mut standing: Vec<CollisionSolid<'a>> = bodies.obstacles.iter().enumerate().filter_map(obstacle).collect();
         let head = |focus: Isometry3<f64>| bodies.head.iter().map(|h| Capsule::of(h, &focus)).collect::<Vec<_>>();
         let (standing_head, carried) = match setup.mount {
             Mount::PartInHand => {
-                let part = Solid::new(BodyId::Part, part, cell.flange_from_part.isometry());
+                let part = CollisionSolid::new(BodyId::Part, part, cell.flange_from_part.isometry());
                 (head(cell.base_from_laser.isometry()), part.map_or(Carried::Head(Vec::new()), Carried::Part))
             }
             Mount::ToolInHand => {
-                standing.extend(Solid::new(BodyId::Part, part, cell.base_from_part.isometry()));
+                standing.extend(CollisionSolid::new(BodyId::Part, part, cell.base_from_part.isometry()));
                 (Vec::new(), Carried::Head(head(cell.flange_from_focus())))
             }
         };
@@ -92,7 +92,7 @@ impl<'a> Collision<'a> {
 
     /// The first contact at a pose of the robot, in an order that is always the same; joints in
     /// degrees.
-    pub fn first(&self, joints_deg: &Joints) -> Option<Contact> {
+    pub fn first_contact(&self, joints_deg: &Joints) -> Option<Contact> {
         let met = self.each_pair(joints_deg, &mut |pair, one, other| {
             if !one.is_near(other, self.margin_mm) {
                 return ControlFlow::Continue(());
@@ -129,17 +129,17 @@ impl<'a> Collision<'a> {
         let base_from_flange = self.robot.forward(joints_deg);
         let [_, moving @ ..] = &links;
         for l in moving {
-            self.each_beside(&BodyId::Link(l.link), &Body::Capsule(Capsule::of_link(l)), &[], look)?;
+            self.each_beside(&BodyId::Link(l.link), &CollisionBody::Capsule(Capsule::of_link(l)), &[], look)?;
         }
         // What is carried may touch all but the wrist that carries it.
         let [rest @ .., _] = &links;
         match &self.carried {
             Carried::Part(part) => {
-                self.each_beside(&BodyId::Part, &Body::Solid(&part.moved(&base_from_flange)), rest, look)?;
+                self.each_beside(&BodyId::Part, &CollisionBody::Solid(&part.moved(&base_from_flange)), rest, look)?;
             }
             Carried::Head(head) => {
                 for c in head {
-                    self.each_beside(&BodyId::Head, &Body::Capsule(c.moved(&base_from_flange)), rest, look)?;
+                    self.each_beside(&BodyId::Head, &CollisionBody::Capsule(c.moved(&base_from_flange)), rest, look)?;
                 }
             }
         }
@@ -150,21 +150,21 @@ impl<'a> Collision<'a> {
     fn each_beside<B>(
         &self,
         id: &BodyId,
-        body: &Body<'_, 'a>,
+        body: &CollisionBody<'_, 'a>,
         links: &[LinkCapsule],
         look: &mut Look<'_, B>,
     ) -> ControlFlow<B> {
         if let Some(z_mm) = self.table_z_mm {
-            look(Pair(id, &BodyId::Table), body, &Body::Below(z_mm))?;
+            look(Pair(id, &BodyId::Table), body, &CollisionBody::Below(z_mm))?;
         }
         for h in &self.standing_head {
-            look(Pair(id, &BodyId::Head), body, &Body::Capsule(*h))?;
+            look(Pair(id, &BodyId::Head), body, &CollisionBody::Capsule(*h))?;
         }
         for l in links {
-            look(Pair(id, &BodyId::Link(l.link)), body, &Body::Capsule(Capsule::of_link(l)))?;
+            look(Pair(id, &BodyId::Link(l.link)), body, &CollisionBody::Capsule(Capsule::of_link(l)))?;
         }
         for s in &self.standing {
-            look(Pair(id, &s.id), body, &Body::Solid(s))?;
+            look(Pair(id, &s.id), body, &CollisionBody::Solid(s))?;
         }
         ControlFlow::Continue(())
     }
@@ -173,20 +173,20 @@ impl<'a> Collision<'a> {
     ///
     /// Looked at so often that nothing moves farther than the margin between two looks; what is
     /// free at both cannot touch between them.
-    pub fn first_between(&self, from: &Joints, to: &Joints) -> Option<(f64, Contact)> {
+    pub fn first_contact_between(&self, from: &Joints, to: &Joints) -> Option<(f64, Contact)> {
         let pieces = (self.travel_mm(from, to) / self.margin_mm).ceil().clamp(1.0, MOST_LOOKS) as u32;
         (0..=pieces).find_map(|i| {
             let t = f64::from(i) / f64::from(pieces);
             let joints: Joints = std::array::from_fn(|k| from[k] + (to[k] - from[k]) * t);
-            Some((t, self.first(&joints)?))
+            Some((t, self.first_contact(&joints)?))
         })
     }
 
     /// The first contact on a motion of the joints given over 0 to 1, and where on it; they may not turn back within a
     /// sixteenth of it.
-    pub fn first_along(&self, at: impl Fn(f64) -> Joints) -> Option<(f64, Contact)> {
+    pub fn first_contact_along(&self, at: impl Fn(f64) -> Joints) -> Option<(f64, Contact)> {
         let start = at(0.0);
-        if let Some(contact) = self.first(&start) {
+        if let Some(contact) = self.first_contact(&start) {
             return Some((0.0, contact));
         }
         let piece = |i: u32| f64::from(i) / 16.0;
@@ -194,24 +194,24 @@ impl<'a> Collision<'a> {
         (0..16).find_map(|i| {
             let ends = [(piece(i), here), (piece(i + 1), at(piece(i + 1)))];
             here = ends[1].1;
-            self.first_within(&at, ends, HALVINGS)
+            self.first_contact_within(&at, ends, HALVINGS)
         })
     }
 
     /// The first contact on a piece of the motion whose start is free.
-    fn first_within(
+    fn first_contact_within(
         &self,
         at: &impl Fn(f64) -> Joints,
         [from, to]: [(f64, Joints); 2],
         halvings: u32,
     ) -> Option<(f64, Contact)> {
         if halvings == 0 || self.travel_mm(&from.1, &to.1) <= self.margin_mm {
-            return Some((to.0, self.first(&to.1)?));
+            return Some((to.0, self.first_contact(&to.1)?));
         }
         let t = 0.5 * (from.0 + to.0);
         let middle = (t, at(t));
-        self.first_within(at, [from, middle], halvings - 1)
-            .or_else(|| self.first_within(at, [middle, to], halvings - 1))
+        self.first_contact_within(at, [from, middle], halvings - 1)
+            .or_else(|| self.first_contact_within(at, [middle, to], halvings - 1))
     }
 
     /// How far any point of arm and load moves between two poses, at most, mm.

@@ -3,7 +3,7 @@
 use super::*;
 use crate::cell::bodies::HeadCapsule;
 use crate::cell::check::FigureError;
-use crate::cell::motion::Cause;
+use crate::cell::motion::RefusalCause;
 use crate::cell::{Cell, CellError, Frame, Link};
 use crate::part::distance::point_triangle;
 use crate::part::{LoadError, Placement, Units};
@@ -29,7 +29,7 @@ fn at(position_mm: [f64; 3]) -> Frame {
 }
 
 fn first(setup: &Setup, part: &Part) -> Option<Contact> {
-    Collision::new(setup, part).expect("a robot").first(&FORWARD)
+    Collision::new(setup, part).expect("a robot").first_contact(&FORWARD)
 }
 
 const PART: BodyId = BodyId::Part;
@@ -213,7 +213,7 @@ fn an_obstacle_is_one_whatever_its_file_is_called() {
         hand.cell.flange_from_part = at([-10.0, -10.0, 60.0]);
         let contact = first(&hand, &cube).expect("touches");
         assert_eq!(contact.b, obstacle(0, file));
-        assert_eq!(Cause::of_contact(&contact), Cause::Obstacle, "{file}");
+        assert_eq!(RefusalCause::of_contact(&contact), RefusalCause::Obstacle, "{file}");
     }
 }
 
@@ -248,13 +248,13 @@ proptest! {
             let [low, high] = robot.limits_deg[i];
             low + (high - low) * u[i]
         });
-        let found = collision.first(&joints);
+        let found = collision.first_contact(&joints);
         let clearance = collision.clearance(&joints);
         let bare = Collision { margin_mm: 0.0, ..collision.clone() };
         prop_assert_eq!(clearance.as_ref().is_some_and(|(mm, _)| *mm <= 5.0), found.is_some(), "{:?}", clearance);
-        prop_assert_eq!(clearance.as_ref().is_some_and(|(mm, _)| *mm == 0.0), bare.first(&joints).is_some());
+        prop_assert_eq!(clearance.as_ref().is_some_and(|(mm, _)| *mm == 0.0), bare.first_contact(&joints).is_some());
         if let Some((0.0, pair)) = &clearance {
-            prop_assert_eq!(Some(pair.clone()), bare.first(&joints));
+            prop_assert_eq!(Some(pair.clone()), bare.first_contact(&joints));
         }
 
         let flange = robot.forward(&joints);
@@ -321,19 +321,19 @@ proptest! {
         });
         let to: Joints = std::array::from_fn(|i| from[i] + turn[i]);
         let straight = |t: f64| -> Joints { std::array::from_fn(|i| from[i] + (to[i] - from[i]) * t) };
-        let found = collision.first_between(&from, &to);
-        let along = collision.first_along(straight);
+        let found = collision.first_contact_between(&from, &to);
+        let along = collision.first_contact_along(straight);
         let end = found.as_ref().map_or(1.0, |(t, _)| *t);
         let bare = Collision { margin_mm: 0.0, ..collision.clone() };
         let looks = 10.0 * (collision.travel_mm(&from, &to) / 5.0).ceil();
         let step = 10.0 / looks;
-        let touched = (0..=looks as u32).map(|i| f64::from(i) / looks).find(|t| bare.first(&straight(*t)).is_some());
+        let touched = (0..=looks as u32).map(|i| f64::from(i) / looks).find(|t| bare.first_contact(&straight(*t)).is_some());
         if let Some(t) = touched {
             prop_assert!(t >= end - step, "touches at {t}, first seen at {end}");
             prop_assert!(found.is_some());
         }
         if let Some((t, contact)) = &found {
-            prop_assert_eq!(collision.first(&straight(*t)), Some(contact.clone()));
+            prop_assert_eq!(collision.first_contact(&straight(*t)), Some(contact.clone()));
         }
         if let (Some((a, _)), Some((b, _))) = (&found, &along) {
             prop_assert!((a - b).abs() <= 2.0 * step + 1e-9, "{a} and {b}");
@@ -347,6 +347,6 @@ fn a_path_that_jumps_comes_to_an_end() {
     let setup = setup("mz04", Mount::PartInHand);
     let collision = Collision::new(&setup, &cube).expect("a robot");
     let jump = |t: f64| if t < 0.37 { FORWARD } else { [170.0, 90.0, 0.0, 0.0, 0.0, 180.0] };
-    assert_eq!(collision.first_along(jump), None);
-    assert_eq!(collision.first_between(&FORWARD, &FORWARD), None);
+    assert_eq!(collision.first_contact_along(jump), None);
+    assert_eq!(collision.first_contact_between(&FORWARD, &FORWARD), None);
 }

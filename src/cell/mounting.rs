@@ -1,65 +1,10 @@
-//! What the robot carries, and the pose of its flange for a pose of the beam on the part.
+//! The pose of the flange for a pose of the beam on the part, and the other way round, for either mount.
 //!
 //! Part in hand (P1 4, P2 4.3): the laser is fixed and points down, the robot carries the part.
 
-use super::Cell;
+use super::cell_file::Cell;
+use super::mount::Mount;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
-use serde::{Deserialize, Serialize};
-
-/// What the robot carries.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Mount {
-    /// The part, under a fixed laser (P1, P2).
-    #[default]
-    PartInHand,
-    /// The head, over a fixed part (P3, P4).
-    ToolInHand,
-}
-
-impl Mount {
-    /// The word on the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            Mount::PartInHand => "part-in-hand",
-            Mount::ToolInHand => "tool-in-hand",
-        }
-    }
-
-    /// The mount of that word.
-    pub fn from_word(word: &str) -> Option<Mount> {
-        [Mount::PartInHand, Mount::ToolInHand].into_iter().find(|m| m.word() == word)
-    }
-}
-
-/// Rotation of the part, or the tool, about the beam axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Spin {
-    /// Chosen for the arm's sake: the spot is round.
-    #[default]
-    Free,
-    /// Fixed to the travel direction: a line scanner needs that.
-    Travel,
-}
-
-impl Spin {
-    /// The word on the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            Spin::Free => "free",
-            Spin::Travel => "travel",
-        }
-    }
-
-    /// The spin of that word.
-    pub fn from_word(word: &str) -> Option<Spin> {
-        [Spin::Free, Spin::Travel].into_iter().find(|s| s.word() == word)
-    }
-}
-
-crate::part::keyed_words!(Mount: PartInHand, ToolInHand);
-crate::part::keyed_words!(Spin: Free, Travel);
 
 impl Cell {
     /// The frames of a mount, ready to be asked for many poses.

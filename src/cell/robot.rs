@@ -7,7 +7,7 @@ mod file;
 mod links;
 
 use super::opw::Opw;
-use super::ur::Ur;
+use super::ur::UrKinematics;
 use nalgebra::Isometry3;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -42,7 +42,7 @@ pub struct Robot {
     /// Where each figure is from.
     pub sources: BTreeMap<String, String>,
     opw: Option<Opw>,
-    ur: Option<Ur>,
+    ur: Option<UrKinematics>,
     /// Radii of the capsules that stand for the arm.
     pub links: Links,
 }
@@ -68,7 +68,7 @@ impl Robot {
     }
 
     /// The solution nearest to some joints, within limits: turns and branch carry on from there.
-    pub fn near(&self, base_from_flange: &Isometry3<f64>, joints_deg: &Joints) -> Option<Joints> {
+    pub fn nearest_inverse(&self, base_from_flange: &Isometry3<f64>, joints_deg: &Joints) -> Option<Joints> {
         let carried_on = self.inverse(base_from_flange).into_iter().flatten().map(|solution| {
             std::array::from_fn(|j| solution[j] + 360.0 * libm::round((joints_deg[j] - solution[j]) / 360.0))
         });

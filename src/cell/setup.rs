@@ -1,42 +1,10 @@
 //! What stands in the hall for one job: the cell, the robot in it, and what the robot carries.
 
 use super::mounting::Mounted;
-use super::{Cell, CellError, Joints, Mount, Robot};
+use super::{Cell, CellError, Joints, Mount, PlaceError, Robot};
 use crate::beam::Tool;
 use crate::part::distance::segments;
 use nalgebra::{Isometry3, Point3};
-use thiserror::Error;
-
-/// Why a robot cannot stand in a cell.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum PlaceError {
-    /// A stand of the program is beyond the robot's joints.
-    #[error("{key}: J{joint} = {deg}, range {range_deg:?}")]
-    BeyondJoint {
-        /// The stand's key in the cell file.
-        key: &'static str,
-        /// The joint; the first is 1.
-        joint: usize,
-        /// Its angle there, degrees.
-        deg: f64,
-        /// Least and greatest angle, degrees.
-        range_deg: [f64; 2],
-        /// The robot's name for people.
-        robot: String,
-    },
-    /// The table is as high as the robot's shoulder.
-    #[error("table at {table_z_mm} mm")]
-    HighTable {
-        /// Its height in the base, mm.
-        table_z_mm: f64,
-    },
-    /// The laser stands inside the robot's base.
-    #[error("laser inside the base")]
-    LaserInBase {
-        /// Width of the base about axis 1, mm.
-        base_mm: f64,
-    },
-}
 
 /// Cell, robot and mount.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,17 +34,18 @@ impl Setup {
     /// Home is beyond its joints, or the laser or the table stands inside its base.
     pub fn check(&self) -> Result<(), CellError> {
         let refused = |what| CellError::Place { cell: self.cell.name.clone(), what };
-        self.robot.as_ref().map_or(Ok(()), |robot| self.stands(robot).map_err(refused))
+        self.robot.as_ref().map_or(Ok(()), |robot| self.check_place(robot).map_err(refused))
     }
 
-    fn stands(&self, robot: &Robot) -> Result<(), PlaceError> {
+    /// Checks joints that the cell names, the table and the laser against the robot.
+    fn check_place(&self, robot: &Robot) -> Result<(), PlaceError> {
         let (air, home) = (&self.cell.air, self.home_joints_deg());
-        let stands = [
+        let named_joints = [
             ("air.home_joints_deg", Some(home)),
             ("air.entry_joints_deg", air.entry_joints_deg),
             ("air.exit_joints_deg", air.exit_joints_deg),
         ];
-        for (key, joints) in stands.into_iter().filter_map(|(key, joints)| Some((key, joints?))) {
+        for (key, joints) in named_joints.into_iter().filter_map(|(key, joints)| Some((key, joints?))) {
             if let Some(j) = robot.beyond(&joints) {
                 let (range_deg, robot) = (robot.limits_deg[j], robot.name.clone());
                 return Err(PlaceError::BeyondJoint { key, joint: j + 1, deg: joints[j], range_deg, robot });
@@ -205,10 +174,11 @@ mod tests {
                 let setup = Setup { cell, robot: Some(robot.clone()), mount, tool: Tool::default() };
                 setup.check().expect("home in range, the laser out of the base");
                 let collision = Collision::new(&setup, &part).expect("a robot");
-                assert_eq!(collision.first(&setup.home_joints_deg()), None, "{key}, {mount:?}, home");
+                assert_eq!(collision.first_contact(&setup.home_joints_deg()), None, "{key}, {mount:?}, home");
                 let states = Arm::new(&setup, Spin::Free).expect("a robot").states(&middle).expect("in reach");
                 let clear = |j: &Joints| robot.limit_margin_deg(j) > 5.0 && robot.singularity(j) > 0.05;
-                let free = states.iter().any(|s| clear(&s.joints_deg) && collision.first(&s.joints_deg).is_none());
+                let free =
+                    states.iter().any(|s| clear(&s.joints_deg) && collision.first_contact(&s.joints_deg).is_none());
                 assert!(free, "{key}, {mount:?}");
             }
         }

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// DH lengths, mm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Ur {
+pub struct UrKinematics {
     /// Base to axis 2.
     pub d1_mm: f64,
     /// Upper arm; negative, as the maker prints it.
@@ -63,7 +63,7 @@ fn inverse(m: &Matrix4<f64>) -> Matrix4<f64> {
     out
 }
 
-impl Ur {
+impl UrKinematics {
     fn steps(&self, q: &[f64; 6]) -> [Matrix4<f64>; 6] {
         [
             step(q[0], self.d1_mm, 0.0, 1.0),

@@ -1,32 +1,32 @@
 //! A job whose part's file has changed: planned on all the same where all that is to be cleaned is found again in
 //! its place, refused with the list where not.
 
-use super::Failure;
+use super::CommandFailure;
 use crate::document::{CarriedOver, Job, files};
 use crate::part::Source;
 use crate::planning::report::PlanFinding;
 use crate::progress::Progress;
-use crate::text::{carried_lines, say};
+use crate::text::{carried_lines, listed_clauses, say};
 use std::path::Path;
 
 /// The part's file of a job as it is, the job for it, and what is to be said.
 ///
 /// # Errors
 /// The part is gone, is no usable STL, or has changed so that work of the job is not where it was.
-pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), Failure> {
-    let file = files::part_file(&job, job_file).map_err(Failure::failed)?;
-    let source = Source::read(&file).map_err(Failure::failed)?;
+pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), CommandFailure> {
+    let file = files::part_file(&job, job_file).map_err(CommandFailure::failed)?;
+    let source = Source::read(&file).map_err(CommandFailure::failed)?;
     if !job.part.is_of_another_file(&source.sha256) {
         let mut job = job;
         job.part.sha256.clone_from(&source.sha256);
         return Ok((job, source, Vec::new()));
     }
     let name = || file.display().to_string();
-    let carried = CarriedOver::to_file(&job, &source, &file, &Progress::default()).map_err(Failure::failed)?;
-    let carried = carried.ok_or_else(|| Failure::Failed(say!(text_cancelled)))?;
-    let told = carried_lines(&carried).join("; ");
+    let carried = CarriedOver::to_file(&job, &source, &file, &Progress::default()).map_err(CommandFailure::failed)?;
+    let carried = carried.ok_or_else(|| CommandFailure::Failed(say!(text_cancelled)))?;
+    let told = listed_clauses(carried_lines(&carried));
     if !carried.is_work_in_place() {
-        return Err(Failure::Failed(say!(cli_part_changed, file = name(), told)));
+        return Err(CommandFailure::Failed(say!(cli_part_changed, file = name(), told)));
     }
     eprintln!("{}", say!(cli_part_carried_over, file = name(), told));
     let finding = PlanFinding::PartChanged {

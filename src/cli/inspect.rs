@@ -1,6 +1,6 @@
 //! `clearbeam inspect`: what a part file holds.
 
-use super::{Failure, Outcome, print, print_json, tell};
+use super::{CommandFailure, CommandOutcome, print, print_json, tell};
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
 use crate::part::{PartFinding, Placement, Units, load};
@@ -12,7 +12,7 @@ const ANGLE: &Parameter = Parameter::named("surfaces.angle_deg");
 
 /// Options of `inspect`.
 #[derive(clap::Args, Debug)]
-pub struct Arguments {
+pub struct InspectArguments {
     #[arg(help = say!(cli_inspect_part))]
     part: PathBuf,
     #[arg(long, value_name = "DEG", default_value_t = ANGLE.default, allow_negative_numbers = true, help = say!(cli_inspect_angle))]
@@ -24,9 +24,9 @@ pub struct Arguments {
 }
 
 /// Reads the part and prints what was found.
-pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    ANGLE.check(a.angle).map_err(|e| Failure::Usage(refused_option(&e)))?;
-    let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(Failure::failed)?;
+pub fn run(a: &InspectArguments) -> Result<CommandOutcome, CommandFailure> {
+    ANGLE.check(a.angle).map_err(|e| CommandFailure::Usage(refused_option(&e)))?;
+    let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(CommandFailure::failed)?;
     let mut job = Job::default();
     job.surfaces.angle_deg = a.angle;
     let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
@@ -41,5 +41,5 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         }
         print(&text);
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }

@@ -30,28 +30,28 @@ pub struct Arguments {
     pub file: Option<PathBuf>,
     /// What to do without a window
     #[command(subcommand)]
-    pub command: Option<Command>,
+    pub command: Option<CliCommand>,
 }
 
 /// What to do without a window.
 #[derive(Subcommand, Debug)]
-pub enum Command {
+pub enum CliCommand {
     /// Says what a part file holds.
     #[command(about = say!(cli_inspect))]
-    Inspect(inspect::Arguments),
+    Inspect(inspect::InspectArguments),
     /// Plans a job and writes its files.
     #[command(about = say!(cli_plan))]
-    Plan(Box<plan::Arguments>),
+    Plan(Box<plan::PlanArguments>),
     /// Compares a program with the plan of its job.
     #[command(about = say!(cli_verify))]
-    Verify(verify::Arguments),
+    Verify(verify::VerifyArguments),
     /// Draws a part or a planned job.
     #[command(about = say!(cli_render))]
-    Render(render::Arguments),
+    Render(render::RenderArguments),
 }
 
 /// How a command ended.
-pub enum Outcome {
+pub enum CommandOutcome {
     /// All done.
     Done,
     /// Done, but something is blocked or missed.
@@ -60,17 +60,17 @@ pub enum Outcome {
 
 /// Why a command did not do its work, in a sentence for its user.
 #[derive(Debug)]
-pub enum Failure {
+pub enum CommandFailure {
     /// An option cannot be taken.
     Usage(String),
     /// The work failed.
     Failed(String),
 }
 
-impl Failure {
+impl CommandFailure {
     /// The work failed, for this reason.
-    fn failed(why: impl Sentence) -> Failure {
-        Failure::Failed(why.sentence())
+    fn failed(why: impl Sentence) -> CommandFailure {
+        CommandFailure::Failed(why.sentence())
     }
 }
 
@@ -83,18 +83,18 @@ pub fn arguments() -> Arguments {
 }
 
 /// Runs a command and says how it ended.
-pub fn run(command: &Command) -> ExitCode {
+pub fn run(command: &CliCommand) -> ExitCode {
     let result = match command {
-        Command::Inspect(a) => inspect::run(a),
-        Command::Plan(a) => plan::run(a),
-        Command::Verify(a) => verify::run(a),
-        Command::Render(a) => render::run(a),
+        CliCommand::Inspect(a) => inspect::run(a),
+        CliCommand::Plan(a) => plan::run(a),
+        CliCommand::Verify(a) => verify::run(a),
+        CliCommand::Render(a) => render::run(a),
     };
     let (status, why) = match result {
-        Ok(Outcome::Done) => return ExitCode::SUCCESS,
-        Ok(Outcome::Found) => return ExitCode::from(3),
-        Err(Failure::Usage(why)) => (2, why),
-        Err(Failure::Failed(why)) => (1, why),
+        Ok(CommandOutcome::Done) => return ExitCode::SUCCESS,
+        Ok(CommandOutcome::Found) => return ExitCode::from(3),
+        Err(CommandFailure::Usage(why)) => (2, why),
+        Err(CommandFailure::Failed(why)) => (1, why),
     };
     eprintln!("clearbeam: {}", why.replace('\n', " "));
     ExitCode::from(status)
@@ -114,9 +114,9 @@ fn print(text: &str) {
 }
 
 /// Prints a value as JSON.
-fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
-    let json =
-        serde_json::to_string_pretty(value).map_err(|e| Failure::Failed(say!(cli_no_json, reason = e.to_string())))?;
+fn print_json(value: &impl serde::Serialize) -> Result<(), CommandFailure> {
+    let json = serde_json::to_string_pretty(value)
+        .map_err(|e| CommandFailure::Failed(say!(cli_no_json, reason = e.to_string())))?;
     print(&format!("{json}\n"));
     Ok(())
 }

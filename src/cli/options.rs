@@ -1,6 +1,6 @@
 //! The options of `plan`: what they are, and how they override a job.
 
-use super::Failure;
+use super::CommandFailure;
 use super::number_options;
 use super::word_options::WordOptions;
 use crate::document::files::build_part;
@@ -71,9 +71,9 @@ impl PlanOptions {
     ///
     /// # Errors
     /// A number that is out of range; the part cannot be cut by it.
-    pub fn apply(&self, job: &mut Job, source: &Source) -> Result<(), Failure> {
+    pub fn apply(&self, job: &mut Job, source: &Source) -> Result<(), CommandFailure> {
         for &(p, value) in &self.numbers {
-            p.check(value).map_err(|e| Failure::Usage(refused_option(&e)))?;
+            p.check(value).map_err(|e| CommandFailure::Usage(refused_option(&e)))?;
             if p.recuts() && job.settings.iter().next().is_some() {
                 recut(job, source, p, value)?;
             } else {
@@ -83,7 +83,7 @@ impl PlanOptions {
         let words = &self.words;
         if let Some(percent) = words.overlap {
             let spacing_mm = job.spacing_of_overlap(percent);
-            job.layers.spacing_mm = spacing_mm.map_err(|e| Failure::Usage(e.sentence()))?;
+            job.layers.spacing_mm = spacing_mm.map_err(|e| CommandFailure::Usage(e.sentence()))?;
         }
         job.layers.strategy = words.strategy.unwrap_or(job.layers.strategy);
         if let Some(list) = &words.surfaces {
@@ -99,7 +99,7 @@ impl PlanOptions {
         if let Some(dialect) = &words.dialect {
             job.cell.dialect.clone_from(dialect);
         }
-        job.check().map_err(|e| Failure::Usage(e.sentence()))
+        job.check().map_err(|e| CommandFailure::Usage(e.sentence()))
     }
 
     /// Key of a shipped robot, or a robot file as seen from the current folder.
@@ -119,10 +119,10 @@ impl PlanOptions {
 }
 
 /// Cuts the surfaces anew as the window does: what the job says of them is carried over to their new numbers.
-fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<(), Failure> {
+fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<(), CommandFailure> {
     let built = build_part(source, &job.part, Path::new(&job.part.file), &Progress::default());
     // Nobody can have cancelled it.
-    let part = built.map_err(Failure::failed)?.unwrap_or_default();
+    let part = built.map_err(CommandFailure::failed)?.unwrap_or_default();
     let anchor = RecutAnchor { job: job.clone(), surfaces: Arc::new(segmented(&part, job)) };
     for lost in Edit::recut(&part, &anchor, p, value).apply(job, &[]) {
         eprintln!("{}", lost.sentence());
@@ -175,7 +175,7 @@ mod tests {
             (["--overlap", "96"], "overlap = 96: give a number from 0 to 95 %"),
             (["--dialect", "karel"], "dialect = \"karel\": give one of nachi, "),
         ] {
-            let Err(Failure::Usage(why)) = given(&refused).apply(&mut Job::default(), &source) else {
+            let Err(CommandFailure::Usage(why)) = given(&refused).apply(&mut Job::default(), &source) else {
                 panic!("{refused:?} is no usage error");
             };
             assert!(why.starts_with(said), "{why}");

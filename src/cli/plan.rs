@@ -1,7 +1,7 @@
 //! `clearbeam plan`: from a part or a job to a folder with its program.
 
 use super::changed::part_of;
-use super::{Failure, Outcome, PlanOptions, print, print_json, tell};
+use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell};
 use crate::cell::{Robot, Setup};
 use crate::document::{Chosen, Job, files};
 use crate::part::PartFinding;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// Options of `plan`.
 #[derive(clap::Args, Debug)]
-pub struct Arguments {
+pub struct PlanArguments {
     #[arg(help = say!(cli_plan_input))]
     input: PathBuf,
     #[arg(long, value_name = "DIR", help = say!(cli_plan_out))]
@@ -28,7 +28,7 @@ pub struct Arguments {
 }
 
 /// Plans and writes.
-pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
+pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
     let (job, job_file) = opened(&a.input)?;
     let job_file = job_file.as_deref();
     // Under the job's own numbers, before options give others.
@@ -36,7 +36,7 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     a.options.apply(&mut job, &source)?;
     take_files(&a.options, &mut job)?;
     // Known before the work is done, as far as names are.
-    let setup = files::load_setup(&job, job_file).map_err(Failure::failed)?;
+    let setup = files::load_setup(&job, job_file).map_err(CommandFailure::failed)?;
     export::conflicts(&a.out, &job, job_file, &setup)
         .and_then(|met| export::allowed(&a.out, met, a.overwrite))
         .map_err(not_exported)?;
@@ -66,14 +66,16 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         }
         print(&text);
     }
-    Ok(if report.is_complete() { Outcome::Done } else { Outcome::Found })
+    Ok(if report.is_complete() { CommandOutcome::Done } else { CommandOutcome::Found })
 }
 
 /// Cell, head and robot that are named on the command line, by their full paths.
-fn take_files(options: &PlanOptions, job: &mut Job) -> Result<(), Failure> {
+fn take_files(options: &PlanOptions, job: &mut Job) -> Result<(), CommandFailure> {
     let full = |path: &Path| match std::path::absolute(path) {
         Ok(full) => Ok(full.display().to_string()),
-        Err(e) => Err(Failure::Failed(say!(cli_no_path, file = path.display().to_string(), reason = e.to_string()))),
+        Err(e) => {
+            Err(CommandFailure::Failed(say!(cli_no_path, file = path.display().to_string(), reason = e.to_string())))
+        }
     };
     if let Some(cell) = options.cell() {
         job.cell.file = full(cell)?;
@@ -117,7 +119,7 @@ fn advised(of: &ExportInput<'_>, pipeline: &Pipeline) -> String {
 }
 
 /// What the options ask for and cannot be is wrong usage.
-fn refused(e: PlanningError) -> Failure {
+fn refused(e: PlanningError) -> CommandFailure {
     match &e {
         PlanningError::Plan(planning::Failure::Refused(
             PlanError::Parameter(_)
@@ -125,15 +127,15 @@ fn refused(e: PlanningError) -> Failure {
             | PlanError::NoSurface { .. }
             | PlanError::SpacingTooLarge { .. }
             | PlanError::SpacingTooSmall { .. },
-        )) => Failure::Usage(e.sentence()),
-        _ => Failure::failed(e),
+        )) => CommandFailure::Usage(e.sentence()),
+        _ => CommandFailure::failed(e),
     }
 }
 
 /// Why nothing was exported, and what helps.
-fn not_exported(e: ExportError) -> Failure {
+fn not_exported(e: ExportError) -> CommandFailure {
     let why = e.sentence();
-    Failure::Failed(match e {
+    CommandFailure::Failed(match e {
         ExportError::Conflicts { conflicts, .. } if conflicts.iter().all(FileConflict::can_be_overwritten) => {
             say!(cli_help_overwrite, why)
         }
@@ -143,9 +145,9 @@ fn not_exported(e: ExportError) -> Failure {
 }
 
 /// A job from a job file, or the job that cleans all of a part.
-pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), Failure> {
+pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), CommandFailure> {
     if files::is_job(input) {
-        let job = files::read(input).map_err(Failure::failed)?;
+        let job = files::read(input).map_err(CommandFailure::failed)?;
         return Ok((job, Some(input.to_path_buf())));
     }
     let mut job = Job::default();

@@ -1,12 +1,12 @@
 //! `clearbeam render`: a picture without a screen.
 
-use super::{Failure, Outcome, print};
+use super::{CommandFailure, CommandOutcome, print};
 use crate::document::{files, segmented};
 use crate::picture::dose::{Legend, legend};
 use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
-use crate::text::say;
+use crate::text::{listed, say};
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
 use std::io::Cursor;
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// Options of `render`.
 #[derive(clap::Args, Debug)]
-pub struct Arguments {
+pub struct RenderArguments {
     #[arg(help = say!(cli_render_input))]
     input: PathBuf,
     #[arg(long, value_name = "FILE.png", help = say!(cli_render_out))]
@@ -50,21 +50,22 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 
 fn view(text: &str) -> Result<StandardView, String> {
     let found = StandardView::ALL.into_iter().find(|v| v.word() == text);
-    found.ok_or_else(|| say!(cli_not_a_view, text, views = StandardView::ALL.map(StandardView::word).join(", ")))
+    found.ok_or_else(|| say!(cli_not_a_view, text, views = listed(StandardView::ALL.map(StandardView::word))))
 }
 
 /// Draws and writes.
-pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
+pub fn run(a: &RenderArguments) -> Result<CommandOutcome, CommandFailure> {
     let (job, job_file) = super::plan::opened(&a.input)?;
     // A part alone is drawn as it is; what lands on it needs a plan.
     let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
     let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
-        let source = files::read_part(&job, job_file.as_deref()).map_err(Failure::failed)?;
-        let (_, planned) = Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(Failure::failed)?;
+        let source = files::read_part(&job, job_file.as_deref()).map_err(CommandFailure::failed)?;
+        let (_, planned) =
+            Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(CommandFailure::failed)?;
         let (scene, legend) = planned_scene(&planned, a.color)?;
         (scene, legend, planned.part.mesh.bounds())
     } else {
-        let part = files::load_part(&job, job_file.as_deref()).map_err(Failure::failed)?;
+        let part = files::load_part(&job, job_file.as_deref()).map_err(CommandFailure::failed)?;
         let surfaces = segmented(&part, &job);
         let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
         (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())
@@ -74,28 +75,29 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
     let mut camera = Camera::fitted(bounds, pixels);
     camera.look(a.view);
     camera.fit(&bounds, pixels);
-    let gl = HeadlessGl::new().map_err(Failure::failed)?;
-    let mut renderer = Renderer::new(gl.gl()).map_err(Failure::failed)?;
-    renderer.draw(&scene, &camera, a.size).map_err(Failure::failed)?;
+    let gl = HeadlessGl::new().map_err(CommandFailure::failed)?;
+    let mut renderer = Renderer::new(gl.gl()).map_err(CommandFailure::failed)?;
+    renderer.draw(&scene, &camera, a.size).map_err(CommandFailure::failed)?;
     let mut png = Cursor::new(Vec::new());
     let mut image = renderer.read_rgba();
     if let Some(legend) = &legend {
         super::legend::paint(&mut image, legend);
     }
-    let not_packed = |e: image::ImageError| Failure::Failed(say!(cli_no_picture, reason = e.to_string()));
+    let not_packed = |e: image::ImageError| CommandFailure::Failed(say!(cli_no_picture, reason = e.to_string()));
     image.write_to(&mut png, image::ImageFormat::Png).map_err(not_packed)?;
-    files::write_atomic(&a.out, png.get_ref()).map_err(Failure::failed)?;
+    files::write_atomic(&a.out, png.get_ref()).map_err(CommandFailure::failed)?;
     print(&format!("{}\n", say!(cli_wrote, file = a.out.display().to_string())));
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The part with its lines, or with what lands on it.
-fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Legend>), Failure> {
+fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Legend>), CommandFailure> {
     let PlannedJob { part, surfaces, plan, job, setup, .. } = planned;
     let picture = PartPicture::new(part, surfaces);
     let mut scene = Scene::default();
     if let Color::Dose(look) = color {
-        let map = planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(Failure::failed)?;
+        let map =
+            planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(CommandFailure::failed)?;
         let edges = picture.item(surfaces, &PartLook::default()).edges;
         scene.meshes.push(MeshItem { edges, ..dose_item(&map, surfaces, look) });
         return Ok((scene, Some(legend(&map, look))));

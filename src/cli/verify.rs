@@ -1,6 +1,6 @@
 //! `clearbeam verify`: a program on disk against the plan of its job.
 
-use super::{Failure, Outcome, print, print_json};
+use super::{CommandFailure, CommandOutcome, print, print_json};
 use crate::document::files;
 use crate::planning::verify::{self, Finding, Kind, Verdict};
 use crate::planning::{Pipeline, PlannedJob};
@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Options of `verify`.
 #[derive(clap::Args, Debug)]
-pub struct Arguments {
+pub struct VerifyArguments {
     #[arg(help = say!(cli_verify_program))]
     program: PathBuf,
     #[arg(long, value_name = "JOB.toml", help = say!(cli_verify_job))]
@@ -26,7 +26,7 @@ pub struct Arguments {
 const SHOWN: usize = 40;
 
 #[derive(Serialize)]
-struct Answer<'a> {
+struct VerdictRecord<'a> {
     program: String,
     dialect: &'a str,
     moves: usize,
@@ -34,30 +34,30 @@ struct Answer<'a> {
     worst_mm: f64,
     worst_deg: f64,
     proof: &'a Proof,
-    findings: Vec<Row<'a>>,
+    findings: Vec<FindingRecord<'a>>,
 }
 
 /// A finding: its kind for scripts, its text for people.
 #[derive(Serialize)]
-struct Row<'a> {
+struct FindingRecord<'a> {
     file: &'a str,
     line: usize,
     kind: Kind,
     text: String,
 }
 
-impl<'a> Answer<'a> {
-    fn new(program: String, dialect: &'a str, v: &'a Verdict) -> Answer<'a> {
-        let row = |f: &'a Finding| Row { file: &f.file, line: f.line, kind: f.kind, text: f.sentence() };
+impl<'a> VerdictRecord<'a> {
+    fn new(program: String, dialect: &'a str, v: &'a Verdict) -> VerdictRecord<'a> {
+        let row = |f: &'a Finding| FindingRecord { file: &f.file, line: f.line, kind: f.kind, text: f.sentence() };
         let findings = v.findings.iter().map(row).collect();
         let Verdict { moves, lit_moves, worst_mm, worst_deg, ref proof, .. } = *v;
-        Answer { program, dialect, moves, lit_moves, worst_mm, worst_deg, proof, findings }
+        VerdictRecord { program, dialect, moves, lit_moves, worst_mm, worst_deg, proof, findings }
     }
 }
 
 /// Reads, plans, compares.
-pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
-    let job = files::read(&a.job).map_err(Failure::failed)?;
+pub fn run(a: &VerifyArguments) -> Result<CommandOutcome, CommandFailure> {
+    let job = files::read(&a.job).map_err(CommandFailure::failed)?;
     let first = read(&a.program)?;
     let folder = a.program.parent().unwrap_or(Path::new("")).to_path_buf();
     let open = move |name: &str| {
@@ -65,23 +65,24 @@ pub fn run(a: &Arguments) -> Result<Outcome, Failure> {
         let plain = Path::new(name).file_name().is_some_and(|n| n.to_string_lossy() == name);
         plain.then(|| read(&folder.join(name)).ok().map(|f| f.text)).flatten()
     };
-    let source = files::read_part(&job, Some(&a.job)).map_err(Failure::failed)?;
+    let source = files::read_part(&job, Some(&a.job)).map_err(CommandFailure::failed)?;
     let (_, planned) = Pipeline::planned(Arc::new(source), &job, Some(&a.job))
         .map_err(|e| say!(cli_not_planned, job = a.job.display().to_string(), reason = e.sentence()))
-        .map_err(Failure::Failed)?;
+        .map_err(CommandFailure::Failed)?;
     let PlannedJob { part, setup, plan, .. } = &*planned;
-    let (dialect, verdict) = verify::check(part, plan, setup, &job, &first, &open, true).map_err(Failure::failed)?;
+    let (dialect, verdict) =
+        verify::check(part, plan, setup, &job, &first, &open, true).map_err(CommandFailure::failed)?;
     if a.json {
-        print_json(&Answer::new(a.program.display().to_string(), dialect, &verdict))?;
+        print_json(&VerdictRecord::new(a.program.display().to_string(), dialect, &verdict))?;
     } else {
         print(&text(dialect, &verdict));
     }
-    Ok(if verdict.findings.is_empty() { Outcome::Done } else { Outcome::Found })
+    Ok(if verdict.findings.is_empty() { CommandOutcome::Done } else { CommandOutcome::Found })
 }
 
-fn read(path: &Path) -> Result<ProgramFile, Failure> {
+fn read(path: &Path) -> Result<ProgramFile, CommandFailure> {
     let not_read = |e: std::io::Error| say!(file_not_read, file = path.display().to_string(), reason = e.to_string());
-    let bytes = std::fs::read(path).map_err(|e| Failure::Failed(not_read(e)))?;
+    let bytes = std::fs::read(path).map_err(|e| CommandFailure::Failed(not_read(e)))?;
     let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
     Ok(ProgramFile { name, text: String::from_utf8_lossy(&bytes).into_owned() })
 }

@@ -6,7 +6,7 @@ use crate::document::{Chosen, Offset};
 use crate::part::Units;
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
-use crate::program::dialects::DIALECTS;
+use crate::program::dialects;
 use crate::text::{id, say};
 use std::path::PathBuf;
 
@@ -49,7 +49,7 @@ fn robots() -> String {
 }
 
 fn dialects() -> String {
-    DIALECTS.iter().map(|d| d.name()).collect::<Vec<_>>().join(" ")
+    dialects::names().collect::<Vec<_>>().join(" ")
 }
 
 /// Reads a unit of length.

@@ -1,29 +1,8 @@
 //! What a job says of the bead: its section, the spacing that follows from it, its layers.
 
-use super::check::ValueError;
 use super::model::{BeadParameters, Job};
-use super::recipe::RecipeError;
+use super::value_error::{BeadError, RecipeError, ValueError};
 use crate::process::bead::Bead;
-use thiserror::Error;
-
-/// Why the values of a bead cannot be.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum BeadError {
-    /// It has a width or a height alone.
-    #[error("half a bead: {width_mm} by {height_mm}")]
-    Half {
-        /// Width, mm.
-        width_mm: f64,
-        /// Height, mm.
-        height_mm: f64,
-    },
-    /// Several layers where nothing is laid.
-    #[error("{layers} layers of no bead")]
-    LayersOfNothing {
-        /// How many.
-        layers: u32,
-    },
-}
 
 impl Job {
     /// The section of its bead; `None`: the beam lays nothing on the part.
@@ -51,9 +30,9 @@ impl Job {
 const FLAT: f64 = 0.3;
 
 impl BeadParameters {
-    /// Without a bead, and then without layers; or with one, flat and of a width in mm where there was none.
-    pub fn laid(&self, is_laid: bool, width_mm: f64) -> BeadParameters {
-        if !is_laid {
+    /// The parameters with a bead or without. Without one there are no layers; a new one is flat and `width_mm` wide.
+    pub fn with_bead(&self, has_bead: bool, width_mm: f64) -> BeadParameters {
+        if !has_bead {
             let BeadParameters { start_shift_mm, alternate, .. } = *self;
             return BeadParameters { start_shift_mm, alternate, ..BeadParameters::default() };
         }
@@ -67,14 +46,14 @@ impl BeadParameters {
 
 /// Checks the bead of a job, and what each of its recipes makes of it.
 pub(super) fn check(job: &Job) -> Result<(), ValueError> {
-    one(job)?;
+    check_one(job)?;
     for recipe in &job.recipes {
-        one(&recipe.applied(job)).map_err(|source| RecipeError::Bead { recipe: recipe.name.clone(), source })?;
+        check_one(&recipe.applied(job)).map_err(|source| RecipeError::Bead { recipe: recipe.name.clone(), source })?;
     }
     Ok(())
 }
 
-fn one(job: &Job) -> Result<(), BeadError> {
+fn check_one(job: &Job) -> Result<(), BeadError> {
     let BeadParameters { width_mm, height_mm, layers, .. } = job.bead;
     if (width_mm > 0.0) != (height_mm > 0.0) {
         return Err(BeadError::Half { width_mm, height_mm });
@@ -112,11 +91,11 @@ mod tests {
         let mut job = Job::default();
         job.bead.start_shift_mm = 5.0;
         let none = job.bead.clone();
-        job.bead = none.laid(true, 3.0);
+        job.bead = none.with_bead(true, 3.0);
         assert_eq!((job.bead.width_mm, job.bead.height_mm, check(&job)), (3.0, 0.9, Ok(())));
         job.bead.layers = 4;
-        assert_eq!(job.bead.laid(true, 1.0), job.bead, "there is one");
-        job.bead = job.bead.laid(false, 3.0);
+        assert_eq!(job.bead.with_bead(true, 1.0), job.bead, "there is one");
+        job.bead = job.bead.with_bead(false, 3.0);
         assert_eq!((job.bead.clone(), check(&job)), (none, Ok(())));
     }
 

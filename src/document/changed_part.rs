@@ -2,7 +2,7 @@
 //! Nothing is guessed, and nothing goes in silence; whether to go on is for the operator to say.
 
 use super::files::build_part;
-use super::landmarks::{loaded_as, mentioned};
+use super::landmarks::{loaded_as, surfaces_named_in};
 use super::model::{Job, PartFile};
 use super::remembered::Remembered;
 use super::renumber::Renumbering;
@@ -69,7 +69,7 @@ impl CarriedOver {
     /// Carries a job over. `part` is built from the changed file as the job says, but with no shell turned.
     pub fn new(job: &Job, part: &Part) -> CarriedOver {
         let landmarks = job.part.landmarks.landmarks().cloned().unwrap_or_default();
-        let mut needed = mentioned(job);
+        let mut needed = surfaces_named_in(job);
         if job.settings.cleans_all() {
             needed.extend(landmarks.numbers());
         }

@@ -1,39 +1,10 @@
-//! What can be wrong with the values of a job, before anything is computed from them.
+//! The values of a job are checked before anything is computed from them.
 
-use super::bead::{self, BeadError};
+use super::bead;
 use super::model::Job;
-use super::parameter::{PARAMETERS, ParameterError};
-use super::recipe::RecipeError;
+use super::parameter::PARAMETERS;
+use super::value_error::ValueError;
 use crate::program::dialects;
-use thiserror::Error;
-
-/// Why nothing can be computed from the values of a job.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum ValueError {
-    /// A number that cannot be.
-    #[error(transparent)]
-    Parameter(#[from] ParameterError),
-    /// A recipe that cannot be, or one that is not there.
-    #[error(transparent)]
-    Recipe(#[from] RecipeError),
-    /// A bead that cannot be.
-    #[error(transparent)]
-    Bead(#[from] BeadError),
-    /// A dialect that does not exist.
-    #[error("no dialect {name:?}")]
-    NoDialect {
-        /// As the job names it.
-        name: String,
-    },
-    /// The first plane lies outside the first spacing: a wider strip at the rim would stay uncleaned.
-    #[error("offset {offset_mm} outside the spacing {spacing_mm}")]
-    OffsetOutside {
-        /// Distance of the first plane from the lowest point, mm.
-        offset_mm: f64,
-        /// Spacing, mm.
-        spacing_mm: f64,
-    },
-}
 
 impl Job {
     /// Checks every value, and what values there must be together.
@@ -44,9 +15,7 @@ impl Job {
         PARAMETERS.iter().try_for_each(|p| p.check(self.number(p)))?;
         self.check_recipes()?;
         bead::check(self)?;
-        if dialects::by_name(&self.cell.dialect).is_none() {
-            return Err(ValueError::NoDialect { name: self.cell.dialect.clone() });
-        }
+        dialects::known(&self.cell.dialect)?;
         let spacing_mm = self.layers.spacing_mm;
         match self.layers.offset_mm.mm() {
             Some(offset_mm) if !(0.0..=spacing_mm).contains(&offset_mm) => {
@@ -60,7 +29,8 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Offset;
+    use crate::document::{BeadError, Offset};
+    use crate::program::UnknownDialect;
 
     #[test]
     fn the_first_value_that_cannot_be_is_told() {
@@ -69,7 +39,7 @@ mod tests {
         job.layers.offset_mm = Offset::FromLowest(0.6);
         assert_eq!(job.check(), Err(ValueError::OffsetOutside { offset_mm: 0.6, spacing_mm: 0.5 }));
         job.cell.dialect = "klingon".into();
-        assert_eq!(job.check(), Err(ValueError::NoDialect { name: "klingon".into() }));
+        assert_eq!(job.check(), Err(UnknownDialect("klingon".into()).into()));
         job.bead.width_mm = 1.0;
         assert!(matches!(job.check(), Err(ValueError::Bead(BeadError::Half { .. }))));
         job.layers.passes = 0;

@@ -55,14 +55,14 @@ impl<'de> Deserialize<'de> for Chosen {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
         #[serde(untagged)]
-        enum Raw {
+        enum RawChosen {
             Word(String),
             List(Vec<SurfaceId>),
         }
-        match Raw::deserialize(d)? {
-            Raw::Word(w) if w == "all" => Ok(Chosen::All),
-            Raw::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"all\" or a list of surface numbers"))),
-            Raw::List(list) => Ok(Chosen::These(list)),
+        match RawChosen::deserialize(d)? {
+            RawChosen::Word(w) if w == "all" => Ok(Chosen::All),
+            RawChosen::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"all\" or a list of surface numbers"))),
+            RawChosen::List(list) => Ok(Chosen::These(list)),
         }
     }
 }

@@ -51,7 +51,7 @@ impl Edit {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Document, Recipe, Step};
+    use crate::document::{Document, Recipe, UndoStep};
     use crate::part::{Placement, Units};
     use crate::sample::{solids, stl_bytes};
 
@@ -75,7 +75,7 @@ mod tests {
         doc.apply(&split, &[SurfaceId(1)], None);
         assert_eq!(segmented(&part, doc.job()).list.len(), 6);
         assert_eq!(doc.job().surfaces_of_recipe("Fine"), [1, 2, 3, 4, 5, 6].map(SurfaceId));
-        assert_eq!(doc.undo_step(), Some(&Step::Edited(split.clone())));
+        assert_eq!(doc.undo_step(), Some(&UndoStep::Edited(split.clone())));
         doc.undo();
         assert_eq!(*doc.job(), job);
         let mut plain = Job { settings: Default::default(), ..job };

@@ -4,7 +4,7 @@ use super::chosen::Chosen;
 use super::model::{BeadParameters, CellFile, Job, Offset};
 use super::parameter::Parameter;
 use super::recipe::Recipe;
-use super::renumber::Lost;
+use super::renumber::LostSettings;
 use super::reshape::Cut;
 use super::settings::Settings;
 use super::start_from::StartFrom;
@@ -92,7 +92,7 @@ pub enum Edit {
         /// What is said of the surfaces under their new numbers.
         settings: Settings,
         /// What was lost on the way.
-        lost: Vec<Lost>,
+        lost: Vec<LostSettings>,
     },
     /// A name for a surface; empty takes it away.
     Rename(SurfaceId, String),
@@ -207,7 +207,7 @@ impl Edit {
 
     /// Applies it. `all` are the surfaces that exist, for a job that cleans all. Returns what surfaces lost because
     /// their facets are others now.
-    pub fn apply(&self, job: &mut Job, all: &[SurfaceId]) -> Vec<Lost> {
+    pub fn apply(&self, job: &mut Job, all: &[SurfaceId]) -> Vec<LostSettings> {
         let settings = &mut job.settings;
         match self {
             Edit::Merge(list) => return job.merge(list, all),

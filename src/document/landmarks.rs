@@ -6,14 +6,14 @@ use crate::part::Part;
 use crate::part::identity::{Landmarks, LoadedAs};
 use std::collections::BTreeSet;
 
-/// Of a job that cleans all of more surfaces than this nothing is remembered: its file would have megabytes.
+/// A job that cleans all of more surfaces than this remembers none of them: its file would have megabytes.
 const MOST: usize = 2000;
 
 impl Remembered {
     /// What is to be remembered of a part for a job; nothing where the job says nothing of single surfaces or
     /// shells. `loaded` is how the part was read.
     pub fn of(job: &Job, part: &Part, loaded: &PartFile) -> Remembered {
-        let mut needed = mentioned(job);
+        let mut needed = surfaces_named_in(job);
         if job.settings.cleans_all() {
             let all = segmented(part, job);
             if all.list.len() > MOST {
@@ -30,7 +30,7 @@ impl Remembered {
 }
 
 /// Numbers of the surfaces that a job says anything of.
-pub(super) fn mentioned(job: &Job) -> BTreeSet<u32> {
+pub(super) fn surfaces_named_in(job: &Job) -> BTreeSet<u32> {
     job.settings.iter().map(|(id, _)| id.0).collect()
 }
 

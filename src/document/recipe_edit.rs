@@ -76,7 +76,7 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Document, Edit, Step};
+    use crate::document::{Document, Edit, UndoStep};
     use crate::path::Strategy;
 
     fn ids(numbers: &[u32]) -> Vec<SurfaceId> {
@@ -94,7 +94,7 @@ mod tests {
         let mut apply = |edit: Edit| {
             assert!(doc.apply(&edit, &ids(&[1, 2, 3]), None));
             assert_eq!(doc.job().check_recipes(), Ok(()), "{edit:?}");
-            assert_eq!(doc.undo_step(), Some(&Step::Edited(edit)));
+            assert_eq!(doc.undo_step(), Some(&UndoStep::Edited(edit)));
             doc.job().clone()
         };
         let job = apply(Edit::Recipe(Box::new(named("Fine", 0.2)), ids(&[2, 3])));
@@ -127,7 +127,7 @@ mod tests {
             doc.apply(&Edit::Recipe(Box::new(named(name, 1.0)), ids(&[1])), &ids(&[1]), None);
         }
         assert!(doc.apply(&Edit::DuplicateRecipe("A".into()), &ids(&[1]), None));
-        assert_eq!(doc.undo_step(), Some(&Step::Edited(Edit::DuplicateRecipe("A".into()))));
+        assert_eq!(doc.undo_step(), Some(&UndoStep::Edited(Edit::DuplicateRecipe("A".into()))));
         let names = |doc: &Document| doc.job().recipes.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
         assert_eq!(names(&doc), ["A", "A 3", "B", "A 2"]);
         assert_eq!(doc.job().recipes[1], named("A 3", 1.0));

@@ -34,7 +34,7 @@ enum Takes {
 
 /// What a surface lost because its facets are others now.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Lost {
+pub struct LostSettings {
     /// The surface, as it was called.
     pub surface: SurfaceId,
     /// Tilts that were pinned on its lines.
@@ -92,7 +92,7 @@ impl Renumbering {
     }
 
     /// The settings under the new numbers, and what was lost.
-    fn carried(&self, settings: &Settings) -> (Settings, Vec<Lost>) {
+    fn carry_over(&self, settings: &Settings) -> (Settings, Vec<LostSettings>) {
         let mut parents: BTreeMap<SurfaceId, Vec<(&SurfaceSettings, Takes)>> = BTreeMap::new();
         for (old, heirs) in &self.heirs {
             for (new, takes) in heirs {
@@ -109,27 +109,31 @@ impl Renumbering {
                 heirs => {
                     let stays = heirs.is_some_and(|h| h.iter().any(|(_, takes)| *takes == Takes::All));
                     if !stays && (before.border.is_some() || !before.pins.is_empty()) {
-                        lost.push(Lost { surface: old, pins: before.pins.len(), border: before.border.is_some() });
+                        lost.push(LostSettings {
+                            surface: old,
+                            pins: before.pins.len(),
+                            border: before.border.is_some(),
+                        });
                     }
                 }
             }
         }
-        let of = parents.into_iter().map(|(new, parents)| (new, inherited(&parents))).collect();
+        let of = parents.into_iter().map(|(new, parents)| (new, merged_settings(&parents))).collect();
         (Settings::new(settings.cleans_all(), of), lost)
     }
 }
 
 impl Job {
     /// Carries what is said of surfaces over to their new numbers, and tells what was lost.
-    pub fn renumber(&mut self, map: &Renumbering) -> Vec<Lost> {
-        let (settings, lost) = map.carried(&self.settings);
+    pub fn renumber(&mut self, map: &Renumbering) -> Vec<LostSettings> {
+        let (settings, lost) = map.carry_over(&self.settings);
         self.settings = settings;
         lost
     }
 }
 
 /// What a surface has from those that went into it, in the order of their numbers.
-fn inherited(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
+fn merged_settings(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
     if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
         return (*parent).clone();
     }

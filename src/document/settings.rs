@@ -32,7 +32,7 @@ pub struct SurfaceSettings {
     pub centre_mm: Option<[f64; 3]>,
 }
 
-/// Of a surface that nothing is said of.
+/// The settings of a surface that has none of its own.
 static SILENT: SurfaceSettings = SurfaceSettings {
     name: String::new(),
     recipe: None,
@@ -89,7 +89,7 @@ impl Settings {
         self.of.iter().map(|(id, s)| (*id, s))
     }
 
-    /// Those that something holds of, by their numbers.
+    /// Surfaces whose settings meet a condition, by their numbers.
     pub fn having(&self, what: impl Fn(&SurfaceSettings) -> bool) -> Vec<SurfaceId> {
         self.iter().filter(|(_, s)| what(s)).map(|(id, _)| id).collect()
     }

@@ -54,8 +54,8 @@ impl Serialize for StartFrom {
 
 impl<'de> Deserialize<'de> for StartFrom {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<StartFrom, D::Error> {
-        struct Read;
-        impl Visitor<'_> for Read {
+        struct StartFromVisitor;
+        impl Visitor<'_> for StartFromVisitor {
             type Value = StartFrom;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -74,7 +74,7 @@ impl<'de> Deserialize<'de> for StartFrom {
                 if v == WHOLE { Ok(StartFrom::Whole) } else { Err(E::invalid_value(Unexpected::Str(v), &self)) }
             }
         }
-        d.deserialize_any(Read)
+        d.deserialize_any(StartFromVisitor)
     }
 }
 

@@ -5,13 +5,13 @@ use super::files::save::{FileState, IfChanged, JobFile, save};
 use super::files::{JobError, rebased};
 use super::model::Job;
 use super::remembered::Remembered;
-use super::renumber::Lost;
+use super::renumber::LostSettings;
 use crate::part::SurfaceId;
 use std::path::Path;
 
 /// What a step of undo did.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Step {
+pub enum UndoStep {
     /// An edit; of a drag the last one.
     Edited(Edit),
     /// Changes that a killed program left behind came back.
@@ -26,13 +26,13 @@ pub struct Document {
     file: Option<JobFile>,
     saved: Job,
     /// Steps with the job as it was before each.
-    undo: Vec<(Step, Job)>,
+    undo: Vec<(UndoStep, Job)>,
     /// Steps with the job as it was after each.
-    redo: Vec<(Step, Job)>,
+    redo: Vec<(UndoStep, Job)>,
     /// What the last edit is a piece of: a drag, a run of key presses.
     gesture: Option<String>,
     /// What surfaces lost by the last edit.
-    lost: Vec<Lost>,
+    lost: Vec<LostSettings>,
 }
 
 impl Document {
@@ -46,7 +46,7 @@ impl Document {
         let mut document = Document::new(saved, file);
         if unsaved != document.job {
             let saved = std::mem::replace(&mut document.job, unsaved);
-            document.undo.push((Step::Restored, saved));
+            document.undo.push((UndoStep::Restored, saved));
         }
         document
     }
@@ -81,8 +81,8 @@ impl Document {
         }
         let is_same_gesture = gesture.is_some() && self.gesture.as_deref() == gesture;
         match self.undo.last_mut() {
-            Some((Step::Edited(last), _)) if is_same_gesture && edit.goes_on_from(last) => last.clone_from(edit),
-            _ => self.undo.push((Step::Edited(edit.clone()), before)),
+            Some((UndoStep::Edited(last), _)) if is_same_gesture && edit.goes_on_from(last) => last.clone_from(edit),
+            _ => self.undo.push((UndoStep::Edited(edit.clone()), before)),
         }
         self.gesture = gesture.map(str::to_owned);
         self.redo.clear();
@@ -90,7 +90,7 @@ impl Document {
     }
 
     /// What surfaces lost by the last edit, because their facets are others since.
-    pub fn lost(&self) -> &[Lost] {
+    pub fn lost(&self) -> &[LostSettings] {
         &self.lost
     }
 
@@ -100,12 +100,12 @@ impl Document {
     }
 
     /// The step that undo would take back.
-    pub fn undo_step(&self) -> Option<&Step> {
+    pub fn undo_step(&self) -> Option<&UndoStep> {
         self.undo.last().map(|(step, _)| step)
     }
 
     /// The step that redo would bring again.
-    pub fn redo_step(&self) -> Option<&Step> {
+    pub fn redo_step(&self) -> Option<&UndoStep> {
         self.redo.last().map(|(step, _)| step)
     }
 
@@ -144,7 +144,7 @@ impl Document {
     /// cannot be written, and why. The document stays as it was.
     pub fn save(&mut self, to: &Path, if_changed: IfChanged) -> Result<(), JobError> {
         let from = self.file();
-        let moved = |steps: &[(Step, Job)]| -> Result<Vec<(Step, Job)>, JobError> {
+        let moved = |steps: &[(UndoStep, Job)]| -> Result<Vec<(UndoStep, Job)>, JobError> {
             steps.iter().map(|(step, job)| Ok((step.clone(), rebased(job, from, to)?))).collect()
         };
         let (undo, redo) = (moved(&self.undo)?, moved(&self.redo)?);
@@ -205,7 +205,7 @@ mod tests {
         for v in [1.0, 2.0, 3.0] {
             doc.apply(&Edit::Set("layers.spacing_mm", v), &[], Some("drag"));
         }
-        assert_eq!(doc.undo_step(), Some(&Step::Edited(Edit::Set("layers.spacing_mm", 3.0))));
+        assert_eq!(doc.undo_step(), Some(&UndoStep::Edited(Edit::Set("layers.spacing_mm", 3.0))));
         doc.end_gesture();
         doc.apply(&Edit::Set("layers.spacing_mm", 4.0), &[], Some("drag"));
         doc.undo();
@@ -229,7 +229,7 @@ mod tests {
             assert!(doc.apply(edit, &[], Some("drag")));
         }
         for edit in edits.iter().rev() {
-            assert_eq!(doc.undo_step(), Some(&Step::Edited(edit.clone())));
+            assert_eq!(doc.undo_step(), Some(&UndoStep::Edited(edit.clone())));
             doc.undo();
         }
         assert_eq!(*doc.job(), Job::default());
@@ -240,7 +240,7 @@ mod tests {
         let mut unsaved = Job::default();
         unsaved.layers.spacing_mm = 7.0;
         let mut doc = Document::restored(Job::default(), None, unsaved.clone());
-        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_step()), (&unsaved, true, Some(&Step::Restored)));
+        assert_eq!((doc.job(), doc.is_dirty(), doc.undo_step()), (&unsaved, true, Some(&UndoStep::Restored)));
         doc.undo();
         assert_eq!((doc.job(), doc.is_dirty(), doc.undo_step()), (&Job::default(), false, None));
         let nothing = Document::restored(unsaved.clone(), None, unsaved);

@@ -4,7 +4,7 @@ use super::palette::{Rgb, state};
 use crate::beam::ProcessSettings;
 use crate::part::Hasher;
 use crate::planning::Plan;
-use crate::planning::lay::Laid;
+use crate::planning::toolpath::Toolpath;
 use crate::pose::{Pass, Target, TargetState};
 use crate::program::Step;
 use crate::view::{Depth, LineItem, LineSegment, PointItem};
@@ -62,8 +62,8 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     items
 }
 
-/// Lines that are laid but not planned yet, as one item.
-pub fn toolpath_item(lines: &[Arc<Laid>]) -> LineItem {
+/// Draws lines of which nothing is known yet but where they lie.
+pub fn toolpath_item(lines: &[Arc<Toolpath>]) -> LineItem {
     let points = lines.iter().flat_map(|l| &l.lines);
     let segments: Vec<LineSegment> = points
         .flat_map(|line| {
@@ -155,7 +155,7 @@ fn air(plan: &Plan) -> Vec<LineSegment> {
                 }
                 at = Some(go.to.x);
             }
-            Step::Say(_) | Step::Home | Step::Work(_) => {}
+            Step::Say(_) | Step::Home | Step::Process(_) => {}
         }
     }
     out

@@ -55,8 +55,9 @@ impl SpacingScale {
 /// All places of a plan that were measured; `job` is what it was made for.
 fn places<'a>(plan: &'a Plan, job: &'a Job) -> impl Iterator<Item = SpacingSample> + 'a {
     plan.surfaces.iter().flat_map(|s| {
-        let (surface, wanted_mm) = (s.laid.surface, job.of_surface(SurfaceId(s.laid.surface)).layers.spacing_mm);
-        let samples = s.laid.achieved.iter().flat_map(|a| &a.samples);
+        let (surface, wanted_mm) =
+            (s.toolpath.surface, job.of_surface(SurfaceId(s.toolpath.surface)).layers.spacing_mm);
+        let samples = s.toolpath.achieved.iter().flat_map(|a| &a.samples);
         samples.map(move |&(at, mm)| SpacingSample { surface, at, mm, wanted_mm })
     })
 }
@@ -66,8 +67,8 @@ pub fn scale(plan: &Plan, job: &Job) -> Option<SpacingScale> {
     let least = places(plan, job).min_by(|a, b| a.ratio().total_cmp(&b.ratio()))?;
     let greatest = places(plan, job).max_by(|a, b| a.ratio().total_cmp(&b.ratio()))?;
     let wanted_mm = Some(least.wanted_mm).filter(|mm| {
-        let own = plan.surfaces.iter().filter(|s| s.laid.achieved.is_some());
-        own.map(|s| job.of_surface(SurfaceId(s.laid.surface)).layers.spacing_mm).all(|other| other == *mm)
+        let own = plan.surfaces.iter().filter(|s| s.toolpath.achieved.is_some());
+        own.map(|s| job.of_surface(SurfaceId(s.toolpath.surface)).layers.spacing_mm).all(|other| other == *mm)
     });
     let ends = [least.ratio().min(1.0 - AS_WANTED), greatest.ratio().max(1.0 + AS_WANTED)];
     Some(SpacingScale { ends, wanted_mm, least, greatest })

@@ -7,7 +7,7 @@ use super::plan::Plan;
 use super::surface_plan::Cache;
 use crate::beam::ProcessSettings;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
-use crate::cell::motion::{Arm, Cause, Refusal, Watch, choose};
+use crate::cell::motion::{Arm, Refusal, RefusalCause, Watch, choose};
 use crate::cell::{Mount, Setup};
 use crate::document::model::{CellFile, Job};
 use crate::part::{Part, Surfaces};
@@ -35,7 +35,8 @@ fn frames(plan: &Plan) -> [Vec<Isometry3<f64>>; 2] {
         .filter(|(t, _)| t.state != TargetState::Blocked)
         .map(|(t, defocus_mm)| t.frame(defocus_mm))
         .collect();
-    let placed = |r: &&Refusal| matches!(r.cause, Cause::Reach | Cause::Limit | Cause::Singularity);
+    let placed =
+        |r: &&Refusal| matches!(r.cause, RefusalCause::Reach | RefusalCause::Limit | RefusalCause::Singularity);
     let frame = |r: &Refusal| plan.passes[r.pass].targets[r.point].frame(plan.passes[r.pass].settings.defocus_mm);
     let refused = refusals(plan).iter().filter(placed).map(frame).collect();
     [done, refused]
@@ -45,7 +46,7 @@ fn frames(plan: &Plan) -> [Vec<Isometry3<f64>>; 2] {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Help {
     /// A change of the set-up.
-    Change(Advice),
+    SetupChange(Advice),
     /// A slower spot, with which no joint is too fast.
     Slower {
         /// Its speed on the part.
@@ -53,9 +54,9 @@ pub enum Help {
     },
     /// The changes were tried on some of the refused targets only.
     Sampled {
-        /// On so many.
+        /// How many refused targets were tried.
         tried: usize,
-        /// Of so many.
+        /// How many refused targets there are.
         of: usize,
     },
 }
@@ -70,7 +71,7 @@ pub fn advice(part: &Part, plan: &Plan, job: &Job, setup: &Setup, progress: &Pro
     let found = advice::changes(setup, part, job.cell.spin, &samples[0], &samples[1], progress)?;
     let on_some = Help::Sampled { tried: SAMPLE, of: refused.len() };
     let is_sampled = refused.len() > SAMPLE && !found.is_empty();
-    let mut out: Vec<Help> = found.into_iter().map(Help::Change).collect();
+    let mut out: Vec<Help> = found.into_iter().map(Help::SetupChange).collect();
     out.extend(slower(plan, job, setup, progress)?.map(|speed_mm_s| Help::Slower { speed_mm_s }));
     out.extend(is_sampled.then_some(on_some));
     Ok(out)
@@ -78,14 +79,15 @@ pub fn advice(part: &Part, plan: &Plan, job: &Job, setup: &Setup, progress: &Pro
 
 /// The highest of some lower speeds of the spot, mm/s, at which passes that are too fast can be driven.
 fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<Option<f64>, Cancelled> {
-    let mut numbers: Vec<usize> = refusals(plan).iter().filter(|r| r.cause == Cause::Speed).map(|r| r.pass).collect();
+    let mut numbers: Vec<usize> =
+        refusals(plan).iter().filter(|r| r.cause == RefusalCause::Speed).map(|r| r.pass).collect();
     numbers.dedup();
     let again: Vec<Pass> = sampled(&numbers, PASSES)
         .into_iter()
         .map(|n| {
             let mut pass = plan.passes[n].clone();
             for r in refusals(plan).iter().filter(|r| r.pass == n) {
-                // As it was before it was refused.
+                // The target as the beam left it, before the robot refused it.
                 pass.targets[r.point].state = TargetState::Free;
                 pass.targets[r.point].laser = r.point > 0;
                 if let Some(next) = pass.targets.get_mut(r.point + 1) {
@@ -108,7 +110,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
             })
             .collect();
         let choice = choose(&arm, &slower, &watch).ok_or(Cancelled)?;
-        if !choice.refusals.iter().any(|r| r.cause == Cause::Speed) {
+        if !choice.refusals.iter().any(|r| r.cause == RefusalCause::Speed) {
             let speed_mm_s = slower.iter().map(|p| p.settings.speed_mm_s).fold(f64::INFINITY, f64::min);
             return Ok(Some(speed_mm_s));
         }

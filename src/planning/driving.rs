@@ -33,13 +33,11 @@ pub(super) fn drive(
     // Arm and head keep clear of all that will be there, from the first layer on.
     let whole = grown.last().map_or(part, |g| &g.part);
     let collision = Collision::new(setup, whole);
-    let touches = |joints: &Joints| collision.as_ref()?.first(joints);
+    let touches = |joints: &Joints| collision.as_ref()?.first_contact(joints);
     let go_on = || progress.goes_on();
     let beam_free = plan.passes.clone();
-    let mut memory = Memory::default();
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
-    // What driving refused stays refused, whatever branch is chosen then.
-    let mut refused: Vec<Refusal> = Vec::new();
+    let mut known = EarlierRounds::default();
     let mut best: Option<Plan> = None;
     let drive = Drive {
         setup,
@@ -53,25 +51,9 @@ pub(super) fn drive(
     };
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
-        (plan.choice, plan.refusals) = (None, Vec::new());
-        plan.refuse(&refused);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
         let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
-        let choice = choose_again(&arm, &plan.passes, &watch, &mut memory);
-        let choice = choice.ok_or(PlanError::Cancelled)?;
-        plan.refuse(&choice.refusals);
-        plan.choice = Some(choice);
-        let mut shut = Vec::new();
-        settle(plan, progress, |plan| {
-            let Some(choice) = &plan.choice else { return Ok(Steps::default()) };
-            drive.steps(&plan.passes, choice).map_err(|undriven| {
-                if undriven.closed.is_empty() {
-                    refused.extend_from_slice(&undriven.refused);
-                }
-                shut.extend(undriven.closed);
-                undriven.refused
-            })
-        })?;
+        let shut = choose_and_drive(plan, &arm, &drive, &watch, &mut known, progress)?;
         if best.as_ref().is_none_or(|b| plan.refusals.len() < b.refusals.len()) {
             best = Some(plan.clone());
         }
@@ -86,6 +68,42 @@ pub(super) fn drive(
     }
     plan.timeline = Timeline::new(&plan.steps, setup);
     Ok(())
+}
+
+/// What was found out in the rounds before.
+#[derive(Default)]
+struct EarlierRounds {
+    memory: Memory,
+    /// What driving refused stays refused, whatever branch is chosen then.
+    refused: Vec<Refusal>,
+}
+
+/// Chooses spins and branches once and drives the way; gives the branches of passes that no way leads to.
+fn choose_and_drive(
+    plan: &mut Plan,
+    arm: &Arm<'_>,
+    drive: &Drive<'_>,
+    watch: &Watch<'_>,
+    known: &mut EarlierRounds,
+    progress: &Progress,
+) -> Result<Vec<(usize, u8)>, PlanError> {
+    (plan.choice, plan.refusals) = (None, Vec::new());
+    plan.refuse(&known.refused);
+    let choice = choose_again(arm, &plan.passes, watch, &mut known.memory).ok_or(PlanError::Cancelled)?;
+    plan.refuse(&choice.refusals);
+    plan.choice = Some(choice);
+    let mut shut = Vec::new();
+    settle(plan, progress, |plan| {
+        let Some(choice) = &plan.choice else { return Ok(Steps::default()) };
+        drive.steps(&plan.passes, choice).map_err(|undriven| {
+            if undriven.closed.is_empty() {
+                known.refused.extend_from_slice(&undriven.refused);
+            }
+            shut.extend(undriven.closed);
+            undriven.refused
+        })
+    })?;
+    Ok(shut)
 }
 
 /// Makes the steps, again and again without what cannot be driven: there is less each time.

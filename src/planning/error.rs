@@ -42,7 +42,7 @@ pub enum PlanError {
     /// Lines further apart than the part is large.
     #[error("spacing {spacing_mm} mm above size {size_mm} mm")]
     SpacingTooLarge {
-        /// Asked for.
+        /// The spacing that was asked for, mm.
         spacing_mm: f64,
         /// Diagonal of the part.
         size_mm: f64,
@@ -50,7 +50,7 @@ pub enum PlanError {
     /// More points than any memory holds.
     #[error("spacing {spacing_mm} mm needs {points} points")]
     SpacingTooSmall {
-        /// Asked for.
+        /// The spacing that was asked for, mm.
         spacing_mm: f64,
         /// Points of the dense lines, about.
         points: f64,

@@ -11,19 +11,19 @@ use std::path::Path;
 /// The keys of everything that is computed from one job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keys {
-    /// Of the part: file, unit, placement, turned shells.
+    /// Key of the part: file, unit, placement, turned shells.
     pub part: Digest,
-    /// Of its feature surfaces: that, and the rules and edits.
+    /// Key of its feature surfaces: the part, and the rules and edits that make them.
     pub surfaces: Digest,
-    /// Of head and clamps.
+    /// Key of head and clamps.
     pub tool: Digest,
-    /// Of the cell with its file's frames.
+    /// Key of the cell with the frames of its file.
     pub cell: Digest,
-    /// Of robot, cell, head and clamps as the job puts them together.
+    /// Key of the set-up: robot, cell, head and clamps as the job combines them.
     pub setup: Digest,
-    /// Of lines and plan.
+    /// Key of lines and plan.
     pub plan: Digest,
-    /// Of the dose: the plan, and how it is judged.
+    /// Key of the dose: the plan, and the thresholds that judge it.
     pub dose: Digest,
 }
 
@@ -49,7 +49,7 @@ impl Keys {
 
 /// The key of a part.
 pub(super) fn part_key(source: &Source, part: &PartFile) -> Digest {
-    // Of the bytes that the job says it is made for counts whether they are these.
+    // The digest that the job was made for counts only by whether it is the digest of this file.
     let is_other = part.is_of_another_file(&source.sha256);
     let PartFile { file: _, sha256: _, units, placement, flipped_shells, landmarks: _ } = part;
     Hasher::default().of(&source.sha256).of(&is_other).of(units).of(placement).of(flipped_shells).finish()

@@ -1,16 +1,17 @@
 //! A plan is made: lines and poses layer by layer, the moves between, and the proof of the lit ones as they are
 //! written. What a surface's plan is made of is taken from the cache where its inputs have not changed.
 
-use super::cell_report::CellReport;
 use super::driving::{drive, settle};
 use super::error::PlanError;
 use super::plan::Plan;
-use super::prepared::prepared;
+use super::plan::build_up::{grown_parts, layer_count, plan_layer};
+use super::plan::cell_report::CellReport;
+use super::plan::prepared::prepare;
+use super::plan::surface_plan::{Cache, Kept};
+use super::proof::as_written::{Refuted, proven_as_written};
 use super::proof::{prover, straight};
-use super::surface_plan::{Cache, Kept};
-use super::{layer, written};
 use crate::cell::Setup;
-use crate::cell::motion::{Cause, Refusal, Why};
+use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
 use crate::program::{dialects, steps};
@@ -19,9 +20,9 @@ use crate::progress::{Activity, Progress};
 /// So often targets are refused whose moves hit something only as they are written.
 const MOST_WRITTEN: usize = 6;
 
-fn as_written(r: &written::Refuted) -> Refusal {
+fn refusal_as_written(r: &Refuted) -> Refusal {
     let ((pass, point), hit) = (r.target, r.blocker);
-    Refusal { pass, point, cause: Cause::of_blocker(&hit), why: Why::HitAsWritten { hit } }
+    Refusal { pass, point, cause: RefusalCause::of_blocker(&hit), why: RefusalReason::HitAsWritten { hit } }
 }
 
 /// Computes the plan of a job.
@@ -36,18 +37,18 @@ pub fn plan(
     cache: &Cache,
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
-    let (list, own) = prepared(part, surfaces, job)?;
+    let (list, own) = prepare(part, surfaces, job)?;
     dialects::check(&job.cell.dialect, setup)?;
-    let grown = layer::parts(part, surfaces, &own)?;
+    let grown = grown_parts(part, surfaces, &own)?;
     let mut kept = Kept::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
-    for number in 0..layer::count(&own) {
+    for number in 0..layer_count(&own) {
         let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
         let on = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
         let with = (&setup.tool, cache);
-        let made = layer::planned(on, &list, &own, with, number, &mut kept, progress)?;
+        let made = plan_layer(on, &list, &own, with, number, &mut kept, progress)?;
         passes.extend(made.iter().flat_map(|s| {
-            let times = own.get(&s.laid.surface).map_or(1, |j| j.layers.passes as usize);
+            let times = own.get(&s.toolpath.surface).map_or(1, |j| j.layers.passes as usize);
             (0..times).flat_map(|_| s.passes.iter().cloned())
         }));
         surface_plans.extend(made);
@@ -59,13 +60,13 @@ pub fn plan(
         connect(&mut plan, part, setup, job, progress)?;
         let lit = || plan.steps.lit_moves(&setup.mounted());
         // What cannot be written is said when it is; the moves themselves can still be proven.
-        let (proof, refuted) = written::proven_as_written(part, &plan, setup, job)
+        let (proof, refuted) = proven_as_written(part, &plan, setup, job)
             .unwrap_or_else(|_| (prover(part, setup, job).on_layers(&plan.grown).prove(&lit()), Vec::new()));
         plan.proof = Some(proof);
         if refuted.is_empty() || round == MOST_WRITTEN {
             break;
         }
-        let refusals: Vec<Refusal> = refuted.iter().map(as_written).collect();
+        let refusals: Vec<Refusal> = refuted.iter().map(refusal_as_written).collect();
         plan.refuse(&refusals);
     }
     Ok(plan)

@@ -9,12 +9,12 @@ use crate::part::Digest;
 use crate::progress::{Activity, Progress};
 use std::sync::{Arc, Mutex};
 
-type Slot<V, E> = Arc<Mutex<Option<Result<V, Failure<E>>>>>;
+type ResultSlot<V, E> = Arc<Mutex<Option<Result<V, Failure<E>>>>>;
 
-/// How far a stage is.
-enum State<V, E> {
+/// The state of a stage.
+enum StageState<V, E> {
     Idle,
-    Running { key: Digest, progress: Arc<Progress>, slot: Slot<V, E> },
+    Running { key: Digest, progress: Arc<Progress>, slot: ResultSlot<V, E> },
     Done,
     Failed { key: Digest, why: Failure<E> },
 }
@@ -24,13 +24,13 @@ enum State<V, E> {
 /// The newest value stays when another is wanted, to be shown as out of date; [`Stage::of`] alone gives it as
 /// current.
 pub struct Stage<V, E> {
-    state: State<V, E>,
+    state: StageState<V, E>,
     newest: Option<(Digest, Arc<V>)>,
 }
 
 impl<V, E> Default for Stage<V, E> {
     fn default() -> Self {
-        Stage { state: State::Idle, newest: None }
+        Stage { state: StageState::Idle, newest: None }
     }
 }
 
@@ -38,7 +38,7 @@ impl<V, E> Stage<V, E> {
     /// The value, if it is the one of this key.
     pub fn of(&self, key: Digest) -> Option<&Arc<V>> {
         let (of, value) = self.newest.as_ref()?;
-        (*of == key && matches!(self.state, State::Done)).then_some(value)
+        (*of == key && matches!(self.state, StageState::Done)).then_some(value)
     }
 
     /// The newest value that there was, with its key: it may be out of date.
@@ -47,12 +47,12 @@ impl<V, E> Stage<V, E> {
     }
 
     /// Takes the outcome out once it is there, for one who keeps it elsewhere; the stage is idle then.
-    pub fn taken(&mut self) -> Option<Result<V, Failure<E>>> {
+    pub fn take_result(&mut self) -> Option<Result<V, Failure<E>>> {
         // It may have been there since the start: a thread can be that quick.
         self.poll();
         match std::mem::take(self) {
-            Stage { state: State::Done, newest: Some((_, value)) } => Arc::into_inner(value).map(Ok),
-            Stage { state: State::Failed { why, .. }, .. } => Some(Err(why)),
+            Stage { state: StageState::Done, newest: Some((_, value)) } => Arc::into_inner(value).map(Ok),
+            Stage { state: StageState::Failed { why, .. }, .. } => Some(Err(why)),
             other => {
                 *self = other;
                 None
@@ -60,10 +60,10 @@ impl<V, E> Stage<V, E> {
         }
     }
 
-    /// Why there is none for this key.
+    /// Why there is no value for this key.
     pub fn failure(&self, key: Digest) -> Option<&Failure<E>> {
         match &self.state {
-            State::Failed { key: of, why } if *of == key => Some(why),
+            StageState::Failed { key: of, why } if *of == key => Some(why),
             _ => None,
         }
     }
@@ -71,43 +71,43 @@ impl<V, E> Stage<V, E> {
     /// Whether nothing is known of this key, and nothing is being done for it.
     pub fn lacks(&self, key: Digest) -> bool {
         match &self.state {
-            State::Idle => true,
-            State::Running { key: of, .. } | State::Failed { key: of, .. } => *of != key,
-            State::Done => self.of(key).is_none(),
+            StageState::Idle => true,
+            StageState::Running { key: of, .. } | StageState::Failed { key: of, .. } => *of != key,
+            StageState::Done => self.of(key).is_none(),
         }
     }
 
     /// Whether work is going on, for whichever key.
     pub fn is_running(&self) -> bool {
-        matches!(self.state, State::Running { .. })
+        matches!(self.state, StageState::Running { .. })
     }
 
     /// How far the work is.
     pub fn progress(&self) -> Option<&Progress> {
         match &self.state {
-            State::Running { progress, .. } => Some(progress),
+            StageState::Running { progress, .. } => Some(progress),
             _ => None,
         }
     }
 
     /// Asks the work to end; the stage has failed for its key then.
     pub fn cancel(&mut self) {
-        if let State::Running { key, progress, .. } = &self.state {
+        if let StageState::Running { key, progress, .. } = &self.state {
             progress.cancel();
-            self.state = State::Failed { key: *key, why: Failure::Cancelled };
+            self.state = StageState::Failed { key: *key, why: Failure::Cancelled };
         }
     }
 
     /// Ends the work, and has failed for this key.
     pub fn fail(&mut self, key: Digest, why: Failure<E>) {
         self.cancel();
-        self.state = State::Failed { key, why };
+        self.state = StageState::Failed { key, why };
     }
 
     /// Forgets failures, so that the same is tried again.
     pub fn try_again(&mut self) {
-        if matches!(self.state, State::Failed { .. }) {
-            self.state = State::Idle;
+        if matches!(self.state, StageState::Failed { .. }) {
+            self.state = StageState::Idle;
         }
     }
 
@@ -121,11 +121,11 @@ impl<V, E> Stage<V, E> {
 
     /// Ends work for any other key than this, as nobody waits for it.
     pub fn only(&mut self, key: Digest) {
-        if let State::Running { key: of, progress, .. } = &self.state
+        if let StageState::Running { key: of, progress, .. } = &self.state
             && *of != key
         {
             progress.cancel();
-            self.state = State::Idle;
+            self.state = StageState::Idle;
         }
     }
 
@@ -138,7 +138,7 @@ impl<V, E> Stage<V, E> {
 
     /// Takes what has arrived; whether anything did.
     pub fn poll(&mut self) -> bool {
-        let State::Running { key, slot, .. } = &self.state else { return false };
+        let StageState::Running { key, slot, .. } = &self.state else { return false };
         let key = *key;
         let Some(result) = slot.lock().ok().and_then(|mut slot| slot.take()) else { return false };
         self.settle(key, result);
@@ -149,9 +149,9 @@ impl<V, E> Stage<V, E> {
         match result {
             Ok(value) => {
                 self.newest = Some((key, Arc::new(value)));
-                self.state = State::Done;
+                self.state = StageState::Done;
             }
-            Err(why) => self.state = State::Failed { key, why },
+            Err(why) => self.state = StageState::Failed { key, why },
         }
     }
 }
@@ -168,9 +168,9 @@ impl<V: Send + 'static, E: Send + 'static> Stage<V, E> {
         if let Some(progress) = self.progress() {
             progress.cancel();
         }
-        let (progress, slot): (Arc<Progress>, Slot<V, E>) = Default::default();
+        let (progress, slot): (Arc<Progress>, ResultSlot<V, E>) = Default::default();
         progress.begin(stage, 1);
-        self.state = State::Running { key, progress: progress.clone(), slot: slot.clone() };
+        self.state = StageState::Running { key, progress: progress.clone(), slot: slot.clone() };
         let run = move |first: &dyn Fn()| {
             let result = guarded(|| {
                 first();

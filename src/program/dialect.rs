@@ -48,7 +48,7 @@ pub enum Goal {
 pub struct ReadMove {
     /// By joints or straight.
     pub interpolation: Interpolation,
-    /// Where to.
+    /// The target.
     pub goal: Goal,
     /// How fast.
     pub timing: MoveTiming,
@@ -59,7 +59,7 @@ pub struct ReadMove {
 
 /// What a line that was read does.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Read {
+pub enum Statement {
     /// A move.
     Move(ReadMove),
     /// An output.
@@ -94,11 +94,11 @@ pub struct ReadLine {
     /// Its line, from 1.
     pub line: usize,
     /// What it does.
-    pub what: Read,
+    pub what: Statement,
 }
 
 /// What a reader needs beside the text.
-pub struct Reading<'a> {
+pub struct ReadContext<'a> {
     /// Frames and templates; the robot and what it carries.
     pub setup: &'a Setup,
     /// The text of another file in the same folder.
@@ -123,5 +123,5 @@ pub trait Dialect: Sync {
     ///
     /// # Errors
     /// The first line that cannot be understood: what a reader guesses is no check.
-    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError>;
+    fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError>;
 }

@@ -1,6 +1,6 @@
 //! Why a program cannot be written in a dialect, as data.
 
-use crate::cell::controllers::words::TemplateError;
+use crate::cell::controllers::templates::TemplateError;
 use thiserror::Error;
 
 /// There is no dialect of that name.

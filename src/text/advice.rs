@@ -2,13 +2,13 @@
 
 use super::{Sentence, fixed, say};
 use crate::cell::Mount;
-use crate::cell::motion::advice::{Advice, Change, FrameAxis};
+use crate::cell::motion::advice::{Advice, FrameAxis, SetupChange};
 use crate::planning::advice::Help;
 
 impl Sentence for Help {
     fn sentence(&self) -> String {
         match self {
-            Help::Change(advice) => advice.sentence(),
+            Help::SetupChange(advice) => advice.sentence(),
             Help::Slower { speed_mm_s } => say!(advice_slower, speed = fixed(*speed_mm_s, 2)),
             Help::Sampled { tried, of } => say!(advice_sampled, tried = *tried, of = *of),
         }
@@ -26,17 +26,17 @@ impl Sentence for Advice {
     }
 }
 
-impl Sentence for Change {
+impl Sentence for SetupChange {
     fn sentence(&self) -> String {
         match *self {
-            Change::FreeSpin => say!(advice_free_spin),
-            Change::TurnPart { mount: Mount::PartInHand, axis, deg } => {
+            SetupChange::FreeSpin => say!(advice_free_spin),
+            SetupChange::TurnPart { mount: Mount::PartInHand, axis, deg } => {
                 say!(advice_turn_on_flange, axis = letter(axis), deg = fixed(deg, 0))
             }
-            Change::TurnPart { mount: Mount::ToolInHand, axis, deg } => {
+            SetupChange::TurnPart { mount: Mount::ToolInHand, axis, deg } => {
                 say!(advice_turn_on_table, axis = letter(axis), deg = fixed(deg, 0))
             }
-            Change::Move { mount, axis, mm } => {
+            SetupChange::Move { mount, axis, mm } => {
                 let what = match mount {
                     Mount::PartInHand => "laser",
                     Mount::ToolInHand => "part",
@@ -51,7 +51,7 @@ impl Sentence for Change {
                 };
                 say!(advice_move, what, mm = fixed(mm.abs(), 0), direction)
             }
-            Change::HoldFurther { mm } => say!(advice_hold_further, mm = fixed(mm, 0)),
+            SetupChange::HoldFurther { mm } => say!(advice_hold_further, mm = fixed(mm, 0)),
         }
     }
 }
@@ -70,10 +70,10 @@ mod tests {
 
     #[test]
     fn a_change_is_told_with_what_it_brings() {
-        let change = Change::Move { mount: Mount::PartInHand, axis: FrameAxis::Z, mm: -150.0 };
+        let change = SetupChange::Move { mount: Mount::PartInHand, axis: FrameAxis::Z, mm: -150.0 };
         let advice = Advice { change, gained: 40, of: 60, lost: 0 };
         assert_eq!(advice.sentence(), "put the laser 150 mm lower: 40 of 60 refused targets become possible");
-        let change = Change::TurnPart { mount: Mount::ToolInHand, axis: FrameAxis::X, deg: -10.0 };
+        let change = SetupChange::TurnPart { mount: Mount::ToolInHand, axis: FrameAxis::X, deg: -10.0 };
         let advice = Advice { change, gained: 2, of: 9, lost: 1 };
         let told = "turn the part on the table about its x by -10°: 2 of 9 refused targets become possible, \
                     1 other is lost";

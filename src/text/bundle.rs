@@ -44,7 +44,7 @@ pub fn language() -> Language {
 /// What stands in a message for one of its variables.
 #[derive(Clone, Debug)]
 pub(crate) enum Arg<'a> {
-    /// As it is.
+    /// Text that stands in the message as it is.
     Words(Cow<'a, str>),
     /// A count: its digits are grouped, and the message may depend on it. Numbers of facets, lines and surfaces are
     /// no counts: see [`id`].
@@ -204,8 +204,8 @@ mod tests {
 
     #[test]
     fn arguments_stand_bare_and_counts_are_grouped() {
-        let text = render(Language::english(), "text_facets", [("count", Arg::from(97_280_usize))]);
-        assert_eq!(text, "97 280 facets");
-        assert_eq!(render(Language::english(), "text_facets", [("count", Arg::from(1_usize))]), "1 facet");
+        let text = render(Language::english(), "verify_count", [("count", Arg::from(97_280_usize))]);
+        assert_eq!(text, "97 280 findings");
+        assert_eq!(render(Language::english(), "verify_count", [("count", Arg::from(1_usize))]), "1 finding");
     }
 }

@@ -1,7 +1,7 @@
 //! Frames from what was measured: how well they fit, and why there is none.
 
-use super::{Sentence, exact, fixed, say};
-use crate::cell::calibration::{CalibrationNote, FitError, Side};
+use super::{Sentence, exact, fixed, listed, say};
+use crate::cell::calibration::{CalibrationNote, CalibrationSide, FitError};
 use crate::cell::frame::{FrameError, FrameFault};
 
 impl Sentence for CalibrationNote {
@@ -11,8 +11,8 @@ impl Sentence for CalibrationNote {
         if self.residuals_mm.is_empty() {
             return say!(calibration, frame, method, rms, worst);
         }
-        let each: Vec<String> = self.residuals_mm.iter().map(|r| fixed(*r, 3)).collect();
-        say!(calibration_each, frame, method, rms, worst, each = each.join(", "))
+        let each = listed(self.residuals_mm.iter().map(|r| fixed(*r, 3)));
+        say!(calibration_each, frame, method, rms, worst, each)
     }
 }
 
@@ -43,8 +43,10 @@ impl Sentence for FitError {
             }
             FitError::NoTip => say!(fit_no_tip),
             FitError::FewPairs { count } => say!(fit_few_pairs, count),
-            FitError::OneLine { side: Side::Model, width_mm } => say!(fit_model_on_line, width = fixed(width_mm, 1)),
-            FitError::OneLine { side: Side::Measured, width_mm } => {
+            FitError::OneLine { side: CalibrationSide::Model, width_mm } => {
+                say!(fit_model_on_line, width = fixed(width_mm, 1))
+            }
+            FitError::OneLine { side: CalibrationSide::Measured, width_mm } => {
                 say!(fit_measured_on_line, width = fixed(width_mm, 1))
             }
             FitError::NoFrame => say!(fit_no_frame),

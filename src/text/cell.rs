@@ -1,8 +1,8 @@
 //! What is wrong with a cell file, and why a robot cannot stand in a cell.
 
-use super::{Sentence, exact, id, quoted, say};
-use crate::cell::check::{FigureError, Form, Letters};
-use crate::cell::controllers::words::{TemplateError, TemplateFault};
+use super::{Sentence, exact, id, listed, quoted, say};
+use crate::cell::check::{FigureError, Letters, WordForm};
+use crate::cell::controllers::templates::{TemplateError, TemplateFault};
 use crate::cell::{CellError, PlaceError};
 
 impl Sentence for CellError {
@@ -51,7 +51,7 @@ impl Sentence for FigureError {
             FigureError::Obstacle { file } => say!(figure_obstacle, file),
             FigureError::Name { key, value, letters, longest } => name(key, &quoted(value), *letters, *longest),
             FigureError::Line { key, line } => say!(program_line, key = *key, line = quoted(line)),
-            FigureError::Form { key, value, form } => in_form(key, value, *form),
+            FigureError::WordForm { key, value, form } => in_form(key, value, *form),
             FigureError::Template(e) => e.sentence(),
             FigureError::Taken { key, number, by } => say!(figure_taken, key, number = id(number), by = *by),
             FigureError::TipPoses { frame } => say!(frame_tip_poses, frame = *frame),
@@ -68,15 +68,15 @@ fn name(key: &str, value: &str, letters: Letters, longest: usize) -> String {
     }
 }
 
-fn in_form(key: &str, value: &str, form: Form) -> String {
+fn in_form(key: &str, value: &str, form: WordForm) -> String {
     match form {
-        Form::Version => say!(form_version, key, value),
-        Form::Termination => say!(form_termination, key, value),
-        Form::Configuration => say!(form_configuration, key, value),
-        Form::Unit => say!(form_unit, key, value),
-        Form::LongestName => say!(form_longest_name, key, value),
-        Form::Attributes => say!(form_attributes, key, value),
-        Form::Pulses => say!(form_pulses, key, value),
+        WordForm::Version => say!(form_version, key, value),
+        WordForm::Termination => say!(form_termination, key, value),
+        WordForm::Configuration => say!(form_configuration, key, value),
+        WordForm::Unit => say!(form_unit, key, value),
+        WordForm::LongestName => say!(form_longest_name, key, value),
+        WordForm::Attributes => say!(form_attributes, key, value),
+        WordForm::Pulses => say!(form_pulses, key, value),
     }
 }
 
@@ -87,8 +87,8 @@ impl Sentence for TemplateError {
         match &self.fault {
             TemplateFault::Lacks(name) => say!(template_lacks, key, template, name = braced(name)),
             TemplateFault::Unknown { name, known } => {
-                let known: Vec<String> = known.iter().map(|name| braced(name)).collect();
-                say!(template_unknown, key, template, name = braced(name), known = known.join(", "))
+                let known = listed(known.iter().map(|name| braced(name)));
+                say!(template_unknown, key, template, name = braced(name), known)
             }
             TemplateFault::Touching => say!(template_touching, key, template),
             TemplateFault::NotPlain => say!(template_not_plain, key, template),

@@ -3,7 +3,7 @@
 use super::file::one_line;
 use super::{Sentence, id, say};
 use crate::document::job_file::{JobFileError, WRITTEN};
-use crate::document::{JobError, Lost, StartFrom};
+use crate::document::{JobError, LostSettings, StartFrom};
 use crate::pose::ToolBody;
 use std::path::Path;
 
@@ -56,7 +56,7 @@ impl Sentence for StartFrom {
     }
 }
 
-impl Sentence for Lost {
+impl Sentence for LostSettings {
     fn sentence(&self) -> String {
         let (pins, surface) = (self.pins, id(self.surface));
         match (pins, self.border) {
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn what_a_surface_loses_is_told_by_number() {
-        let lost = |pins, border| Lost { surface: SurfaceId(3), pins, border }.sentence();
+        let lost = |pins, border| LostSettings { surface: SurfaceId(3), pins, border }.sentence();
         assert_eq!(lost(0, true), "the border of surface 3 was dropped");
         assert_eq!(lost(1, false), "1 pinned tilt of surface 3 was dropped");
         assert_eq!(lost(2, false), "2 pinned tilts of surface 3 were dropped");

@@ -2,14 +2,14 @@
 
 use super::parameter::label;
 use super::{Arg, Sentence, id, say};
-use crate::document::{Edit, Parameter, Step};
+use crate::document::{Edit, Parameter, UndoStep};
 use crate::part::SurfaceId;
 
-impl Sentence for Step {
+impl Sentence for UndoStep {
     fn sentence(&self) -> String {
         match self {
-            Step::Edited(edit) => edit.sentence(),
-            Step::Restored => say!(step_restored),
+            UndoStep::Edited(edit) => edit.sentence(),
+            UndoStep::Restored => say!(step_restored),
         }
     }
 }
@@ -107,8 +107,8 @@ mod tests {
             (Edit::Head(String::new()), "take the head away"),
             (Edit::Head("head.toml".into()), "change head"),
         ] {
-            assert_eq!(Step::Edited(edit).sentence(), name);
+            assert_eq!(UndoStep::Edited(edit).sentence(), name);
         }
-        assert_eq!(Step::Restored.sentence(), "restore unsaved changes");
+        assert_eq!(UndoStep::Restored.sentence(), "restore unsaved changes");
     }
 }

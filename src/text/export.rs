@@ -1,6 +1,6 @@
 //! Why a plan was not exported, and what stands in its way.
 
-use super::{Sentence, id, say};
+use super::{Sentence, id, listed_clauses, say};
 use crate::planning::export::{ConflictReason, ExportError, FileConflict};
 
 impl Sentence for ExportError {
@@ -8,8 +8,8 @@ impl Sentence for ExportError {
         match self {
             ExportError::Document(e) => e.sentence(),
             ExportError::Conflicts { dir, conflicts } => {
-                let list: Vec<String> = conflicts.iter().map(Sentence::sentence).collect();
-                say!(export_conflicts, folder = dir.display().to_string(), list = list.join("; "))
+                let list = listed_clauses(conflicts.iter().map(Sentence::sentence));
+                say!(export_conflicts, folder = dir.display().to_string(), list)
             }
             ExportError::Busy { dir } => say!(export_busy, folder = dir.display().to_string()),
             ExportError::Name { name } => say!(export_name, name),

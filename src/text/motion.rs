@@ -1,7 +1,7 @@
 //! What touches what, and why the robot refuses a target.
 
 use super::{Sentence, fixed, id, say};
-use crate::cell::motion::Why;
+use crate::cell::motion::RefusalReason;
 use crate::cell::{BodyId, Contact, Link};
 
 impl Sentence for BodyId {
@@ -26,36 +26,38 @@ impl Sentence for Contact {
     }
 }
 
-impl Sentence for Why {
+impl Sentence for RefusalReason {
     fn sentence(&self) -> String {
         match self {
-            Why::OutOfReach { robot } => say!(why_out_of_reach, robot),
-            Why::JointLimit { joint, needs_deg, range_deg: [low, high] } => say!(
+            RefusalReason::OutOfReach { robot } => say!(why_out_of_reach, robot),
+            RefusalReason::JointLimit { joint, needs_deg, range_deg: [low, high] } => say!(
                 why_joint_limit,
                 joint = id(joint),
                 needs = fixed(*needs_deg, 1),
                 low = fixed(*low, 0),
                 high = fixed(*high, 0),
             ),
-            Why::LimitBetween => say!(why_limit_between),
-            Why::JointSpeed { joint, needs_deg_s, can_deg_s } => {
+            RefusalReason::LimitBetween => say!(why_limit_between),
+            RefusalReason::JointSpeed { joint, needs_deg_s, can_deg_s } => {
                 say!(why_joint_speed, joint = id(joint), needs = fixed(*needs_deg_s, 0), can = fixed(*can_deg_s, 0))
             }
-            Why::WristFlip { joint, jump_deg } => say!(why_wrist_flip, joint = id(joint), jump = fixed(*jump_deg, 0)),
-            Why::Singular => say!(why_singular),
-            Why::BranchChange => say!(why_branch_change),
-            Why::NoMotion => say!(why_no_motion),
-            Why::Contact(contact) => contact.sentence(),
-            Why::ContactAtHome(contact) => say!(why_contact_at_home, contact = contact.sentence()),
-            Why::NoWay => say!(why_no_way),
-            Why::NotChosen => say!(why_not_chosen),
-            Why::HitOnMove { spot_mm, hit } => {
+            RefusalReason::WristFlip { joint, jump_deg } => {
+                say!(why_wrist_flip, joint = id(joint), jump = fixed(*jump_deg, 0))
+            }
+            RefusalReason::Singular => say!(why_singular),
+            RefusalReason::BranchChange => say!(why_branch_change),
+            RefusalReason::NoMotion => say!(why_no_motion),
+            RefusalReason::Contact(contact) => contact.sentence(),
+            RefusalReason::ContactAtHome(contact) => say!(why_contact_at_home, contact = contact.sentence()),
+            RefusalReason::NoWay => say!(why_no_way),
+            RefusalReason::NotChosen => say!(why_not_chosen),
+            RefusalReason::HitOnMove { spot_mm, hit } => {
                 let [x, y, z] = spot_mm.map(|mm| fixed(mm, 2));
                 say!(why_hit_on_move, x, y, z, hit = hit.sentence())
             }
-            Why::HitAsWritten { hit } => say!(why_hit_as_written, hit = hit.sentence()),
-            Why::HitDrawnBack { hit } => say!(why_hit_drawn_back, hit = hit.sentence()),
-            Why::OffLine { off_mm } => say!(why_off_line, off = fixed(*off_mm, 2)),
+            RefusalReason::HitAsWritten { hit } => say!(why_hit_as_written, hit = hit.sentence()),
+            RefusalReason::HitDrawnBack { hit } => say!(why_hit_drawn_back, hit = hit.sentence()),
+            RefusalReason::OffLine { off_mm } => say!(why_off_line, off = fixed(*off_mm, 2)),
         }
     }
 }
@@ -69,13 +71,13 @@ mod tests {
         let b = BodyId::Obstacle { index: 0, file: "headstock.stl".into() };
         let contact = Contact { a: BodyId::Link(Link::UpperArm), b };
         assert_eq!(contact.sentence(), "upper arm against obstacle headstock.stl");
-        let home = Why::ContactAtHome(contact).sentence();
+        let home = RefusalReason::ContactAtHome(contact).sentence();
         assert!(home.starts_with("upper arm against obstacle headstock.stl already at home"), "{home}");
     }
 
     #[test]
     fn a_joint_is_named_with_its_figures() {
-        let limit = Why::JointLimit { joint: 2, needs_deg: -56.12, range_deg: [-55.0, 170.0] };
+        let limit = RefusalReason::JointLimit { joint: 2, needs_deg: -56.12, range_deg: [-55.0, 170.0] };
         assert_eq!(limit.sentence(), "J2 would need -56.1°, its range is -55 to 170°");
     }
 }

@@ -1,6 +1,6 @@
 //! What people call the surfaces of a job.
 
-use super::{id, say};
+use super::{id, listed, say};
 use crate::document::{Job, Settings};
 use crate::part::SurfaceId;
 
@@ -26,7 +26,7 @@ impl<'a> Naming<'a> {
 
     /// Surfaces, each by its number and its name.
     pub fn surfaces(&self, list: &[SurfaceId]) -> String {
-        list.iter().map(|s| self.surface(*s)).collect::<Vec<_>>().join(", ")
+        listed(list.iter().map(|s| self.surface(*s)))
     }
 }
 

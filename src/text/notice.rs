@@ -1,7 +1,7 @@
 //! What people are to know of a plan, finding by finding, and what helps.
 
-use super::{NamedSentence, Naming, Sentence, fixed, id, say};
-use crate::cell::motion::Cause;
+use super::{NamedSentence, Naming, Sentence, fixed, id, listed, listed_clauses, say};
+use crate::cell::motion::RefusalCause;
 use crate::part::SurfaceId;
 use crate::planning::report::{BlockedBy, NothingReason, Notice, Unproven};
 use crate::pose::{Correction, ToolBody};
@@ -56,7 +56,7 @@ pub fn example(notice: &Notice) -> Option<String> {
 pub fn notice_line(notice: &Notice, naming: &Naming<'_>) -> String {
     let sentence = notice.sentence_with(naming);
     let more = [example(notice), remedy(notice)].into_iter().flatten();
-    more.fold(sentence, |line, more| format!("{line}; {more}"))
+    listed_clauses(std::iter::once(sentence).chain(more))
 }
 
 impl NamedSentence for NothingReason {
@@ -64,8 +64,7 @@ impl NamedSentence for NothingReason {
         match self {
             NothingReason::NoLines => say!(notice_no_lines),
             NothingReason::AllBlocked { by } => {
-                let list: Vec<String> = by.iter().map(|b| blocked_by(b, naming)).collect();
-                say!(notice_all_left_out, list = list.join(", "))
+                say!(notice_all_left_out, list = listed(by.iter().map(|b| blocked_by(b, naming))))
             }
         }
     }
@@ -89,39 +88,39 @@ fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
 }
 
 /// Targets of a surface that are left out for a cause, and the surface that is in the way.
-fn left_out(surface: &str, cause: Cause, by: Option<String>, targets: usize) -> String {
+pub(crate) fn left_out(surface: &str, cause: RefusalCause, by: Option<String>, targets: usize) -> String {
     match (cause, by) {
-        (Cause::Head, Some(by)) => say!(notice_blocked_for_head, surface, targets, by),
+        (RefusalCause::Head, Some(by)) => say!(notice_blocked_for_head, surface, targets, by),
         (_, Some(by)) => say!(notice_blocked_by, surface, targets, by),
-        (Cause::Beam, None) => say!(notice_blocked, surface, targets),
+        (RefusalCause::Beam, None) => say!(notice_blocked, surface, targets),
         (_, None) => say!(notice_refused, surface, targets, why = why(cause)),
     }
 }
 
 /// What would be if such a target were worked.
-fn why(cause: Cause) -> String {
+fn why(cause: RefusalCause) -> String {
     match cause {
-        Cause::Beam => say!(why_beam),
-        Cause::Robot => say!(why_robot),
-        Cause::Head => say!(why_head),
-        Cause::Obstacle => say!(why_obstacle),
-        Cause::Reach => say!(why_reach),
-        Cause::Limit => say!(why_limit),
-        Cause::Speed => say!(why_speed),
-        Cause::Singularity => say!(why_singularity),
+        RefusalCause::Beam => say!(why_beam),
+        RefusalCause::Robot => say!(why_robot),
+        RefusalCause::Head => say!(why_head),
+        RefusalCause::Obstacle => say!(why_obstacle),
+        RefusalCause::Reach => say!(why_reach),
+        RefusalCause::Limit => say!(why_limit),
+        RefusalCause::Speed => say!(why_speed),
+        RefusalCause::Singularity => say!(why_singularity),
     }
 }
 
-fn against(cause: Cause, correction: Correction) -> String {
+fn against(cause: RefusalCause, correction: Correction) -> String {
     match (cause, correction) {
-        (Cause::Beam | Cause::Head, Correction::None) => say!(remedy_correct),
-        (Cause::Beam | Cause::Head, Correction::SectionPlane) => say!(remedy_clearance),
-        (Cause::Beam | Cause::Head, Correction::Clearance) => say!(remedy_tilt),
-        (Cause::Obstacle, _) => say!(remedy_obstacle),
-        (Cause::Robot | Cause::Singularity, _) => say!(remedy_turn_part),
-        (Cause::Reach, _) => say!(remedy_reach),
-        (Cause::Limit, _) => say!(remedy_limit),
-        (Cause::Speed, _) => say!(remedy_speed),
+        (RefusalCause::Beam | RefusalCause::Head, Correction::None) => say!(remedy_correct),
+        (RefusalCause::Beam | RefusalCause::Head, Correction::SectionPlane) => say!(remedy_clearance),
+        (RefusalCause::Beam | RefusalCause::Head, Correction::Clearance) => say!(remedy_tilt),
+        (RefusalCause::Obstacle, _) => say!(remedy_obstacle),
+        (RefusalCause::Robot | RefusalCause::Singularity, _) => say!(remedy_turn_part),
+        (RefusalCause::Reach, _) => say!(remedy_reach),
+        (RefusalCause::Limit, _) => say!(remedy_limit),
+        (RefusalCause::Speed, _) => say!(remedy_speed),
     }
 }
 
@@ -130,11 +129,10 @@ fn part_changed(renumbered: &[[SurfaceId; 2]], lost: &[SurfaceId]) -> String {
     let moved: Vec<String> =
         renumbered.iter().map(|[old, new]| say!(notice_renumbered, old = id(old), new = id(new))).collect();
     if !moved.is_empty() {
-        parts.push(say!(notice_surfaces_renumbered, list = moved.join(", ")));
+        parts.push(say!(notice_surfaces_renumbered, list = listed(moved)));
     }
     if !lost.is_empty() {
-        let list: Vec<String> = lost.iter().map(ToString::to_string).collect();
-        parts.push(say!(notice_surfaces_lost, list = list.join(", ")));
+        parts.push(say!(notice_surfaces_lost, list = listed(lost.iter().map(ToString::to_string))));
     }
-    parts.join("; ")
+    listed_clauses(parts)
 }

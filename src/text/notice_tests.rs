@@ -2,10 +2,10 @@
 
 use super::{Naming, notice_line};
 use crate::cell::Setup;
-use crate::cell::motion::{Cause, Why};
+use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::document::{Chosen, Job, segmented};
 use crate::part::{Part, PartFinding, Placement, SurfaceId, Units};
-use crate::planning::remark::{LayingRemark, Remark};
+use crate::planning::remark::{Remark, ToolpathRemark};
 use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, first_things_first};
 use crate::planning::{Cache, plan};
 use crate::pose::{Correction, ToolBody};
@@ -26,8 +26,8 @@ fn cube() -> (Report, Job) {
     (Report::new(&plan, &surfaces), job)
 }
 
-fn blocked(point: usize, cause: Cause, by_surface: Option<u32>) -> Problem {
-    let why = by_surface.is_none().then(|| Why::OutOfReach { robot: "MZ04".into() });
+fn blocked(point: usize, cause: RefusalCause, by_surface: Option<u32>) -> Problem {
+    let why = by_surface.is_none().then(|| RefusalReason::OutOfReach { robot: "MZ04".into() });
     let cause = NotDone::Blocked(cause);
     Problem { pass: Some(4), point: Some(point), surface: 3, cause, by_facet: None, by_surface, why }
 }
@@ -35,15 +35,15 @@ fn blocked(point: usize, cause: Cause, by_surface: Option<u32>) -> Problem {
 #[test]
 fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
     let (mut report, job) = cube();
-    report.surfaces[0].remarks.push(Remark::Laying(LayingRemark::StopsAtRim { ends: 1 }));
+    report.surfaces[0].remarks.push(Remark::Toolpath(ToolpathRemark::StopsAtRim { ends: 1 }));
     let rim = Some(SurfaceId(3));
     report.unproven.push(Unproven { tool_body: ToolBody::Head, surface: rim, moves: 1200 });
     let (was, is) = ("a".into(), "b".into());
     report.findings.push(PlanFinding::PartChanged { was, is, kept: vec![[1, 1], [2, 5]], lost: vec![3] });
     report.problems.extend([
-        blocked(0, Cause::Reach, None),
-        blocked(1, Cause::Beam, Some(5)),
-        blocked(2, Cause::Reach, None),
+        blocked(0, RefusalCause::Reach, None),
+        blocked(1, RefusalCause::Beam, Some(5)),
+        blocked(2, RefusalCause::Reach, None),
     ]);
     let notices = first_things_first(&report, &job, &[PartFinding::OpenEdges { count: 7 }]);
     assert!(notices.is_sorted_by_key(Notice::severity));
@@ -72,9 +72,9 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
 #[test]
 fn remarks_are_codes_and_figures_in_the_report() {
     let remarks = [
-        Remark::Laying(LayingRemark::LayersAlike),
-        Remark::Laying(LayingRemark::TooShort { pieces: 2, length_mm: 1.5, shortest_mm: 1.0 }),
-        Remark::Laying(LayingRemark::Lines(crate::path::LinesFinding::NoBorder { surface: 4 })),
+        Remark::Toolpath(ToolpathRemark::LayersAlike),
+        Remark::Toolpath(ToolpathRemark::TooShort { pieces: 2, length_mm: 1.5, shortest_mm: 1.0 }),
+        Remark::Toolpath(ToolpathRemark::Lines(crate::path::LinesFinding::NoBorder { surface: 4 })),
     ];
     let json = serde_json::to_value(remarks).expect("JSON");
     let told = serde_json::json!([

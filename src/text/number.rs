@@ -1,6 +1,6 @@
 //! Numbers as people read them. Units stand in the messages.
 
-/// With so many decimals, and no minus before a zero.
+/// A number with so many decimals, and no minus before a zero.
 pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -9,7 +9,7 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// With all digits that it has.
+/// A number with all digits that it has.
 pub(crate) fn exact(value: f64) -> String {
     value.to_string()
 }
@@ -20,7 +20,7 @@ pub(crate) fn clock(seconds: f64) -> String {
     format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
-/// With up to three decimals, as many as say something, and one at least.
+/// A number with up to three decimals, without zeros that say nothing, but at least one.
 pub(crate) fn short(value: f64) -> String {
     let text = fixed(value, 3);
     match text.strip_suffix("00") {

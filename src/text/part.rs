@@ -1,6 +1,6 @@
 //! What is wrong with a part's file, and what was found in it.
 
-use super::{Arg, Sentence, fixed, id, say};
+use super::{Arg, Sentence, fixed, id, listed_clauses, say};
 use crate::part::stl::{FacetFault, InvalidFacet, StlError};
 use crate::part::{LoadError, PartFinding};
 
@@ -57,7 +57,7 @@ impl Sentence for PartFinding {
                 if *count > first.len() {
                     list.push(say!(part_more_dropped, count = count - first.len()));
                 }
-                say!(part_facets_dropped, count = *count, list = list.join("; "))
+                say!(part_facets_dropped, count = *count, list = listed_clauses(list))
             }
             PartFinding::OpenEdges { count } => say!(part_open_edges, count = *count),
             PartFinding::NonManifoldEdges { count } => say!(part_non_manifold_edges, count = *count),

@@ -1,11 +1,11 @@
 //! Why a program cannot be written, and what of it is not as it was wanted.
 
-use super::{Sentence, exact, id, say};
+use super::{Sentence, exact, id, listed, say};
 use crate::program::{ByHand, DialectError, Shortfall, UnknownDialect, WriteError, dialects};
 
 impl Sentence for UnknownDialect {
     fn sentence(&self) -> String {
-        say!(dialect_unknown, name = &self.0, known = dialects::names())
+        say!(dialect_unknown, name = &self.0, known = listed(dialects::names()))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The words of comments in programs: English, whatever the language of the window.
 
+use super::list::joined;
 use super::{Arg, Message, exact, id, messages};
 use crate::program::{ByHand, Caveat, Comment, WorkFigures};
 
@@ -15,8 +16,8 @@ pub fn program_comment(comment: &Comment) -> String {
     match comment {
         Comment::Part(part) => english!(comment_part, version = env!("CARGO_PKG_VERSION"), part = part),
         Comment::Surfaces { shown, more } => surfaces(shown, *more),
-        Comment::WorkedWith(figures) => worked_with(figures),
-        Comment::Laid { direction, spacing_mm, order } => english!(
+        Comment::WorkedWith(figures) => work_figures(figures),
+        Comment::LineLayout { direction, spacing_mm, order } => english!(
             comment_laid,
             direction = direction.to_string(),
             spacing = exact(*spacing_mm),
@@ -27,7 +28,10 @@ pub fn program_comment(comment: &Comment) -> String {
         }
         Comment::WithoutRobot(mount) => english!(comment_without_robot, mount = mount.word()),
         Comment::Robot { name, mount } => english!(comment_robot, name = name, mount = mount.word()),
-        Comment::Unchecked(figures) => english!(comment_unchecked, figures = figures.join(", ")),
+        Comment::Unchecked(figures) => english!(
+            comment_unchecked,
+            figures = joined(figures, |list, next| english!(list_and_next, list = list, next = next))
+        ),
         Comment::NeverRun { dialect } => english!(comment_never_run, dialect = dialect),
         Comment::Caveat(Caveat::Rapid) => english!(comment_caveat_rapid),
         Comment::Caveat(Caveat::Erp) => english!(comment_caveat_erp),
@@ -52,7 +56,7 @@ fn surfaces(shown: &[u32], more: usize) -> String {
     }
 }
 
-fn worked_with(w: &WorkFigures) -> String {
+fn work_figures(w: &WorkFigures) -> String {
     let [power, spot, defocus, speed] = [w.power_w, w.spot_mm, w.defocus_mm, w.speed_mm_s].map(exact);
     if w.frequency_khz > 0.0 {
         let frequency = exact(w.frequency_khz);

@@ -1,5 +1,6 @@
 //! Why a program cannot be read: what was expected in a line, and what stands there.
 
+use super::list::listed_choices;
 use super::{Sentence, fixed, id, say};
 use crate::program::{LineFault, ReadError, RowFault};
 
@@ -18,7 +19,9 @@ impl Sentence for ReadError {
 impl Sentence for LineFault {
     fn sentence(&self) -> String {
         match self {
-            LineFault::Expected { one_of, found } => say!(read_expected, found, expected = listed(one_of)),
+            LineFault::Expected { one_of, found } => {
+                say!(read_expected, found, expected = listed_choices(one_of.iter().map(AsRef::<str>::as_ref)))
+            }
             LineFault::Numbers { count, found } => say!(read_numbers, found, count = *count),
             LineFault::NotAboveZero { found } => say!(read_not_above_zero, found),
             LineFault::Quaternion { length } => say!(read_quaternion, length = fixed(*length, 6)),
@@ -41,7 +44,9 @@ impl Sentence for LineFault {
                 say!(read_moves_and_positions, moves = *moves, positions = *positions)
             }
             LineFault::NoMotionGroup => say!(read_no_motion_group),
-            LineFault::FlangeSpeed { found, one_of } => say!(read_flange_speed, found, expected = listed(one_of)),
+            LineFault::FlangeSpeed { found, one_of } => {
+                say!(read_flange_speed, found, expected = listed_choices(one_of.iter().map(AsRef::<str>::as_ref)))
+            }
             LineFault::Arc { found } => say!(read_arc, found),
             LineFault::NoDuration => say!(read_no_duration),
             LineFault::FromNowhere => say!(read_from_nowhere),
@@ -66,14 +71,5 @@ impl Sentence for RowFault {
                 say!(read_disagree, first = first.word(), second = second.word(), mm, deg)
             }
         }
-    }
-}
-
-/// `A, B or C`.
-fn listed<C: AsRef<str>>(one_of: &[C]) -> String {
-    let list: Vec<&str> = one_of.iter().map(AsRef::as_ref).collect();
-    match list.split_last() {
-        Some((last, first)) if !first.is_empty() => say!(read_one_more, first = first.join(", "), last = *last),
-        _ => list.concat(),
     }
 }

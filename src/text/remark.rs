@@ -1,27 +1,27 @@
 //! What of lines and program is not as it was wanted. The sentences stand behind the surface's name.
 
 use super::{Sentence, fixed, say};
-use crate::planning::remark::{LayingRemark, Remark};
+use crate::planning::remark::{Remark, ToolpathRemark};
 
 impl Sentence for Remark {
     fn sentence(&self) -> String {
         match self {
-            Remark::Laying(remark) => remark.sentence(),
+            Remark::Toolpath(remark) => remark.sentence(),
             Remark::Program(shortfall) => shortfall.sentence(),
         }
     }
 }
 
-impl Sentence for LayingRemark {
+impl Sentence for ToolpathRemark {
     fn sentence(&self) -> String {
         match self {
-            LayingRemark::LayersAlike => say!(remark_layers_alike),
-            LayingRemark::StopsAtRim { ends } => say!(remark_stops_at_rim, ends = *ends),
-            LayingRemark::TooShort { pieces, length_mm, shortest_mm } => {
+            ToolpathRemark::LayersAlike => say!(remark_layers_alike),
+            ToolpathRemark::StopsAtRim { ends } => say!(remark_stops_at_rim, ends = *ends),
+            ToolpathRemark::TooShort { pieces, length_mm, shortest_mm } => {
                 let (length, shortest) = (fixed(*length_mm, 1), shortest_mm.to_string());
                 say!(remark_too_short, pieces = *pieces, length, shortest)
             }
-            LayingRemark::Lines(finding) => finding.sentence(),
+            ToolpathRemark::Lines(finding) => finding.sentence(),
         }
     }
 }

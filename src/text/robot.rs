@@ -1,6 +1,6 @@
 //! What is wrong with a robot file.
 
-use super::{Sentence, exact, id, quoted, say};
+use super::{Sentence, exact, id, listed, quoted, say};
 use crate::cell::RobotError;
 use crate::cell::robot::RobotFigureError;
 
@@ -32,7 +32,7 @@ impl Sentence for RobotFigureError {
                 say!(robot_speed, joint = id(joint), value = exact(*value), low = exact(*low), high = exact(*high))
             }
             RobotFigureError::Dialect { dialect, known } => {
-                say!(robot_dialect, dialect = quoted(dialect), known = known.join(", "))
+                say!(robot_dialect, dialect = quoted(dialect), known = listed(known.iter().copied()))
             }
         }
     }

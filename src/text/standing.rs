@@ -37,24 +37,24 @@ mod tests {
     use super::*;
     use crate::planning::report::Grade;
 
-    fn stands(targets: usize, left_out: usize, lit_moves: usize, unproven: usize) -> Standing {
+    fn standing_of(targets: usize, left_out: usize, lit_moves: usize, unproven: usize) -> Standing {
         Standing { targets, left_out, lit_moves, unproven }
     }
 
     #[test]
     fn what_is_not_done_comes_first() {
         let cases = [
-            (stands(1700, 0, 1426, 0), Grade::Free, "proven free: 1 426 lit moves"),
-            (stands(2, 0, 1, 0), Grade::Free, "proven free: 1 lit move"),
-            (stands(1700, 232, 1426, 0), Grade::LeftOut, "232 targets left out · proven free: 1 426 lit moves"),
-            (stands(9, 1, 1, 0), Grade::LeftOut, "1 target left out · proven free: 1 lit move"),
-            (stands(1700, 0, 1426, 3), Grade::Unproven, "3 lit moves not proven · proven free: 1 423 lit moves"),
+            (standing_of(1700, 0, 1426, 0), Grade::Free, "proven free: 1 426 lit moves"),
+            (standing_of(2, 0, 1, 0), Grade::Free, "proven free: 1 lit move"),
+            (standing_of(1700, 232, 1426, 0), Grade::LeftOut, "232 targets left out · proven free: 1 426 lit moves"),
+            (standing_of(9, 1, 1, 0), Grade::LeftOut, "1 target left out · proven free: 1 lit move"),
+            (standing_of(1700, 0, 1426, 3), Grade::Unproven, "3 lit moves not proven · proven free: 1 423 lit moves"),
             (
-                stands(1_000_700, 232, 1_000_426, 1),
+                standing_of(1_000_700, 232, 1_000_426, 1),
                 Grade::Unproven,
                 "1 lit move not proven · 232 targets left out · proven free: 1 000 425 lit moves",
             ),
-            (stands(9, 0, 4, 4), Grade::Unproven, "4 lit moves not proven"),
+            (standing_of(9, 0, 4, 4), Grade::Unproven, "4 lit moves not proven"),
         ];
         for (standing, grade, text) in cases {
             assert_eq!((standing.grade(), standing.sentence().as_str()), (grade, text));
@@ -71,7 +71,7 @@ mod tests {
             (1232, 1230, "nothing to do: 1 230 targets left out"),
         ];
         for (targets, left_out, text) in cases {
-            let standing = stands(targets, left_out, 0, 0);
+            let standing = standing_of(targets, left_out, 0, 0);
             assert_eq!((standing.grade(), standing.sentence().as_str()), (Grade::Nothing, text));
         }
     }

@@ -1,11 +1,9 @@
 //! What is wrong with the values of a job, of its recipes and its bead.
 
 use super::number::exact;
-use super::{Sentence, id, say};
-use crate::document::bead::BeadError;
-use crate::document::check::ValueError;
-use crate::document::recipe::{OVERLAP_PERCENT, OverlapError, RecipeError};
-use crate::program::dialects;
+use super::{Sentence, id, listed, say};
+use crate::document::job_recipes::{OVERLAP_PERCENT, OverlapError};
+use crate::document::value_error::{BeadError, RecipeError, ValueError};
 
 impl Sentence for ValueError {
     fn sentence(&self) -> String {
@@ -13,7 +11,7 @@ impl Sentence for ValueError {
             ValueError::Parameter(e) => e.sentence(),
             ValueError::Recipe(e) => e.sentence(),
             ValueError::Bead(e) => e.sentence(),
-            ValueError::NoDialect { name } => say!(dialect_unknown, name, known = dialects::names()),
+            ValueError::Dialect(e) => e.sentence(),
             ValueError::OffsetOutside { offset_mm, spacing_mm } => {
                 say!(offset_outside, offset = exact(*offset_mm), spacing = exact(*spacing_mm))
             }
@@ -32,7 +30,7 @@ impl Sentence for RecipeError {
                 say!(recipe_missing_all, surface = id(surface), name)
             }
             RecipeError::Missing { surface, name, known } => {
-                say!(recipe_missing, surface = id(surface), name, known = known.join(", "))
+                say!(recipe_missing, surface = id(surface), name, known = listed(known))
             }
         }
     }

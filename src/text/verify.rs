@@ -1,16 +1,16 @@
 //! How a program differs from its plan, and why it cannot be compared.
 
-use super::{Sentence, fixed, id, say};
+use super::{Sentence, fixed, id, listed, listed_clauses, say};
 use crate::part::rpy;
 use crate::planning::verify::{Difference, Finding, JointOff, SpotOff, VerifyError};
-use crate::program::dialect::{Goal, Read};
+use crate::program::dialect::{Goal, Statement};
 use crate::program::{Interpolation, MoveTiming, dialects};
 use nalgebra::Isometry3;
 
 impl Sentence for VerifyError {
     fn sentence(&self) -> String {
         match self {
-            VerifyError::NoDialect { file } => say!(verify_no_dialect, file, known = dialects::names()),
+            VerifyError::NoDialect { file } => say!(verify_no_dialect, file, known = listed(dialects::names())),
             VerifyError::Unwritable(e) => say!(verify_plan_unwritable, reason = e.sentence()),
             VerifyError::NoProgram => say!(verify_no_program),
             VerifyError::OwnUnreadable(e) => say!(verify_plan_unreadable, reason = e.sentence()),
@@ -72,7 +72,7 @@ fn elsewhere(spot: Option<SpotOff>, joint: Option<JointOff>) -> String {
         let (found, planned) = (fixed(j.found_deg, 3), fixed(j.planned_deg, 3));
         say!(verify_joint_off, joint = id(j.joint + 1), found, planned)
     });
-    spot.into_iter().chain(joint).collect::<Vec<_>>().join("; ")
+    listed_clauses(spot.into_iter().chain(joint))
 }
 
 fn pace(pace: &MoveTiming) -> String {
@@ -90,23 +90,25 @@ fn way(way: Interpolation) -> String {
 }
 
 /// What a line of a program does, in a few words.
-fn line(what: &Read) -> String {
+fn line(what: &Statement) -> String {
     match what {
-        Read::Move(m) => say!(line_move, way = way(m.interpolation), goal = goal(&m.goal)),
-        Read::Output { number, on: true } => say!(line_output_on, number = id(number)),
-        Read::Output { number, on: false } => say!(line_output_off, number = id(number)),
-        Read::Level { number, value, group: true } => say!(line_group, number = id(number), value = value.to_string()),
-        Read::Level { number, value, group: false } => {
+        Statement::Move(m) => say!(line_move, way = way(m.interpolation), goal = goal(&m.goal)),
+        Statement::Output { number, on: true } => say!(line_output_on, number = id(number)),
+        Statement::Output { number, on: false } => say!(line_output_off, number = id(number)),
+        Statement::Level { number, value, group: true } => {
+            say!(line_group, number = id(number), value = value.to_string())
+        }
+        Statement::Level { number, value, group: false } => {
             say!(line_analogue, number = id(number), value = value.to_string())
         }
-        Read::Wait(s) => say!(line_wait, seconds = s.to_string()),
-        Read::Say(text) | Read::Other(text) => text.clone(),
+        Statement::Wait(s) => say!(line_wait, seconds = s.to_string()),
+        Statement::Say(text) | Statement::Other(text) => text.clone(),
     }
 }
 
 /// A target: mm, then turns about Z, Y and X in degrees.
 fn goal(goal: &Goal) -> String {
-    let list = |numbers: &[f64]| numbers.iter().map(|v| fixed(v + 0.0, 2)).collect::<Vec<_>>().join(", ");
+    let list = |numbers: &[f64]| listed(numbers.iter().map(|v| fixed(v + 0.0, 2)));
     let pose = |at: &Isometry3<f64>| {
         let turns = rpy::from_rotation(&at.rotation.to_rotation_matrix());
         format!("({}; {})", list(at.translation.vector.as_slice()), list(&turns))

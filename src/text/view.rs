@@ -1,6 +1,6 @@
 //! Why there is no 3D view, and the words of the view itself.
 
-use super::{Arg, Sentence, say};
+use super::{Arg, Sentence, listed_clauses, say};
 use crate::view::{CubeLabels, DeviceAnswer, DriverObject, NoEgl, ViewError, Viewport};
 
 /// Gives a view its accessible name, and its cube the words of its faces.
@@ -41,7 +41,7 @@ impl Sentence for NoEgl {
             NoEgl::NotOnMacOs => say!(view_egl_not_on_macos),
             NoEgl::Failed { answer } => say!(view_egl_failed, answer),
             NoEgl::NoDevice => say!(view_egl_no_device),
-            NoEgl::Devices(answers) => answers.iter().map(Sentence::sentence).collect::<Vec<_>>().join("; "),
+            NoEgl::Devices(answers) => listed_clauses(answers.iter().map(Sentence::sentence)),
         }
     }
 }

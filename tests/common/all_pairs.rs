@@ -6,7 +6,7 @@ use clearbeam::cell::Joints;
 use clearbeam::cell::motion::chain::{
     AT_LIMIT, AT_SINGULARITY, MOST_SPEED, MOST_SPIN_STEP_DEG, MOST_STEP_DEG, NEAR_LIMIT_DEG, NEAR_SINGULAR,
 };
-use clearbeam::cell::motion::{Arm, Choice, State};
+use clearbeam::cell::motion::{Arm, ArmState, Choice};
 use clearbeam::pose::Pass;
 
 /// What it costs to stand somewhere.
@@ -44,14 +44,14 @@ pub fn seconds(pass: &Pass, speed_mm_s: f64) -> Vec<f64> {
 
 /// Cost of the cheapest chain through all targets of a pass; infinite where there is none.
 pub fn cheapest(arm: &Arm<'_>, pass: &Pass, defocus_mm: f64, speed_mm_s: f64) -> f64 {
-    let states: Vec<Vec<State>> =
+    let states: Vec<Vec<ArmState>> =
         pass.targets.iter().map(|t| arm.states(&t.frame(defocus_mm)).unwrap_or_default()).collect();
     cheapest_of(arm, &states, &seconds(pass, speed_mm_s))
 }
 
 /// The same over states that are there already.
-pub fn cheapest_of(arm: &Arm<'_>, states: &[Vec<State>], seconds: &[f64]) -> f64 {
-    let stand = |s: &State| standing(arm, &s.joints_deg);
+pub fn cheapest_of(arm: &Arm<'_>, states: &[Vec<ArmState>], seconds: &[f64]) -> f64 {
+    let stand = |s: &ArmState| standing(arm, &s.joints_deg);
     let mut cost: Vec<f64> = states[0].iter().map(stand).collect();
     for i in 1..states.len() {
         let next = states[i].iter().map(|to| {

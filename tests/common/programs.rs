@@ -3,7 +3,7 @@
 
 use clearbeam::beam::ProcessSettings;
 use clearbeam::cell::{Robot, Setup};
-use clearbeam::program::dialect::{Goal, Read, ReadLine, Reading};
+use clearbeam::program::dialect::{Goal, ReadContext, ReadLine, Statement};
 use clearbeam::program::{
     Comment, Dialect, Interpolation, Move, MoveTiming, Program, ProgramFile, ProgramLine, ReadError,
 };
@@ -123,7 +123,7 @@ pub fn written(dialect: &dyn Dialect, head: &[&str], lines: &[ProgramLine], setu
 /// Reads the first file, and the others where they are called.
 pub fn read(dialect: &dyn Dialect, files: &[ProgramFile], setup: &Setup) -> Result<Vec<ReadLine>, ReadError> {
     let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    dialect.read(&files[0], &Reading { setup, open: &open })
+    dialect.read(&files[0], &ReadContext { setup, open: &open })
 }
 
 /// How far a dialect's decimals may carry a number.
@@ -150,19 +150,19 @@ pub fn rounding(dialect: &str) -> Rounding {
 /// Why what was read is not what was written; `None`: it is.
 pub fn difference(dialect: &str, lines: &[ProgramLine], found: &[ReadLine], setup: &Setup) -> Option<String> {
     let r = rounding(dialect);
-    let acts: Vec<&Read> =
-        found.iter().map(|l| &l.what).filter(|w| !matches!(w, Read::Say(_) | Read::Other(_))).collect();
+    let acts: Vec<&Statement> =
+        found.iter().map(|l| &l.what).filter(|w| !matches!(w, Statement::Say(_) | Statement::Other(_))).collect();
     let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Say(_))).collect();
     if acts.len() != meant.len() {
         return Some(format!("{} lines of {}", acts.len(), meant.len()));
     }
-    let wrong = |(line, read): &(&ProgramLine, &Read)| match (line, read) {
-        (ProgramLine::Output { number, on }, Read::Output { number: n, on: o }) => number != n || on != o,
-        (ProgramLine::Level { number, value, group }, Read::Level { number: n, value: v, group: g }) => {
+    let wrong = |(line, read): &(&ProgramLine, &Statement)| match (line, read) {
+        (ProgramLine::Output { number, on }, Statement::Output { number: n, on: o }) => number != n || on != o,
+        (ProgramLine::Level { number, value, group }, Statement::Level { number: n, value: v, group: g }) => {
             number != n || (value - v).abs() > 1e-3 || group != g
         }
-        (ProgramLine::Wait(s), Read::Wait(found)) => (s - found).abs() > 1e-9,
-        (ProgramLine::Move(m), Read::Move(found)) => {
+        (ProgramLine::Wait(s), Statement::Wait(found)) => (s - found).abs() > 1e-9,
+        (ProgramLine::Move(m), Statement::Move(found)) => {
             let off = match (m.timing, found.timing) {
                 (MoveTiming::Seconds(a), MoveTiming::Seconds(b)) => {
                     (a - b).abs() > if a > r.long.0 { r.long.1 } else { r.seconds }
@@ -195,7 +195,7 @@ fn is_elsewhere(m: &Move, goal: &Goal, r: &Rounding, setup: &Setup) -> bool {
 
 /// All comments, without blanks.
 pub fn said(found: &[ReadLine]) -> String {
-    let texts = found.iter().filter_map(|l| if let Read::Say(t) = &l.what { Some(t.as_str()) } else { None });
+    let texts = found.iter().filter_map(|l| if let Statement::Say(t) = &l.what { Some(t.as_str()) } else { None });
     texts.flat_map(|t| t.chars()).filter(|c| !c.is_whitespace()).collect()
 }
 

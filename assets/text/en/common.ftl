@@ -1,9 +1,7 @@
 ### Words that several rooms use.
 
-text_facets = { $count ->
-    [one] { $count } facet
-   *[other] { $count } facets
-}
+list_and_next = { $list }, { $next }
+list_and_next_clause = { $list }; { $next }
 text_cancelled = cancelled
 file_not_read = { $file }: cannot be read: { $reason }
 in_file = { $file }: { $what }

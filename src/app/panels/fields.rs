@@ -1,8 +1,8 @@
 //! Fields that the job's panel and that of a recipe share: what they show, and what the operator wants.
 
 use super::super::{quantity, theme};
+use crate::document::job_recipes::OVERLAP_PERCENT;
 use crate::document::parameter::Limits;
-use crate::document::recipe::OVERLAP_PERCENT;
 use crate::document::{Job, Parameter};
 use crate::text::parameter::{hint, label, with_unit};
 use crate::text::{Sentence as _, say};

@@ -17,7 +17,7 @@ pub(super) struct Capsule {
 
 /// Facets with a place, and a sphere around them.
 #[derive(Clone, Debug)]
-pub(super) struct Solid<'a> {
+pub(super) struct CollisionSolid<'a> {
     pub id: BodyId,
     bvh: &'a Bvh,
     /// Whether it has an inside.
@@ -28,35 +28,37 @@ pub(super) struct Solid<'a> {
 }
 
 /// What may touch.
-pub(super) enum Body<'s, 'a> {
+pub(super) enum CollisionBody<'s, 'a> {
     Capsule(Capsule),
-    Solid(&'s Solid<'a>),
+    Solid(&'s CollisionSolid<'a>),
     /// Everything below this height in the base, mm: it stands, and is always the second of a pair.
     Below(f64),
 }
 
-impl Body<'_, '_> {
+impl CollisionBody<'_, '_> {
     /// Whether it touches another body, or comes nearer than a margin.
-    pub fn is_near(&self, o: &Body<'_, '_>, margin_mm: f64) -> bool {
+    pub fn is_near(&self, o: &CollisionBody<'_, '_>, margin_mm: f64) -> bool {
         match (self, o) {
-            (Body::Capsule(a), Body::Capsule(b)) => a.distance_mm(b) <= margin_mm,
-            (Body::Capsule(c), Body::Solid(s)) | (Body::Solid(s), Body::Capsule(c)) => s.is_near(c, margin_mm),
-            (Body::Solid(a), Body::Solid(b)) => b.is_near_solid(a, margin_mm),
-            (Body::Capsule(c), Body::Below(z_mm)) => c.lowest_mm() < z_mm + margin_mm,
-            (Body::Solid(s), Body::Below(z_mm)) => s.reaches_below(z_mm + margin_mm),
-            (Body::Below(_), _) => false,
+            (CollisionBody::Capsule(a), CollisionBody::Capsule(b)) => a.distance_mm(b) <= margin_mm,
+            (CollisionBody::Capsule(c), CollisionBody::Solid(s))
+            | (CollisionBody::Solid(s), CollisionBody::Capsule(c)) => s.is_near(c, margin_mm),
+            (CollisionBody::Solid(a), CollisionBody::Solid(b)) => b.is_near_solid(a, margin_mm),
+            (CollisionBody::Capsule(c), CollisionBody::Below(z_mm)) => c.lowest_mm() < z_mm + margin_mm,
+            (CollisionBody::Solid(s), CollisionBody::Below(z_mm)) => s.reaches_below(z_mm + margin_mm),
+            (CollisionBody::Below(_), _) => false,
         }
     }
 
     /// How far apart the two are, mm, 0 where they touch; `None`: at least `within_mm`.
-    pub fn distance_mm(&self, o: &Body<'_, '_>, within_mm: f64) -> Option<f64> {
+    pub fn distance_mm(&self, o: &CollisionBody<'_, '_>, within_mm: f64) -> Option<f64> {
         let mm = match (self, o) {
-            (Body::Capsule(a), Body::Capsule(b)) => a.distance_mm(b),
-            (Body::Capsule(c), Body::Solid(s)) | (Body::Solid(s), Body::Capsule(c)) => s.distance_mm(c, within_mm)?,
-            (Body::Solid(a), Body::Solid(b)) => b.distance_of_solid_mm(a, within_mm)?,
-            (Body::Capsule(c), Body::Below(z_mm)) => c.lowest_mm() - z_mm,
-            (Body::Solid(s), Body::Below(z_mm)) => s.height_above_mm(*z_mm, within_mm)?,
-            (Body::Below(_), _) => return None,
+            (CollisionBody::Capsule(a), CollisionBody::Capsule(b)) => a.distance_mm(b),
+            (CollisionBody::Capsule(c), CollisionBody::Solid(s))
+            | (CollisionBody::Solid(s), CollisionBody::Capsule(c)) => s.distance_mm(c, within_mm)?,
+            (CollisionBody::Solid(a), CollisionBody::Solid(b)) => b.distance_of_solid_mm(a, within_mm)?,
+            (CollisionBody::Capsule(c), CollisionBody::Below(z_mm)) => c.lowest_mm() - z_mm,
+            (CollisionBody::Solid(s), CollisionBody::Below(z_mm)) => s.height_above_mm(*z_mm, within_mm)?,
+            (CollisionBody::Below(_), _) => return None,
         };
         let mm = mm.max(0.0);
         (mm < within_mm).then_some(mm)
@@ -87,14 +89,21 @@ impl Capsule {
     }
 }
 
-impl<'a> Solid<'a> {
-    pub fn new(id: BodyId, part: &'a Part, at: Isometry3<f64>) -> Option<Solid<'a>> {
+impl<'a> CollisionSolid<'a> {
+    pub fn new(id: BodyId, part: &'a Part, at: Isometry3<f64>) -> Option<CollisionSolid<'a>> {
         let (centre, radius_mm) = part.bvh.sphere()?;
-        Some(Solid { id, bvh: &part.bvh, closed: part.orientation.watertight, at, centre: at * centre, radius_mm })
+        Some(CollisionSolid {
+            id,
+            bvh: &part.bvh,
+            closed: part.orientation.watertight,
+            at,
+            centre: at * centre,
+            radius_mm,
+        })
     }
 
-    pub fn moved(&self, by: &Isometry3<f64>) -> Solid<'a> {
-        Solid { id: self.id.clone(), at: by * self.at, centre: by * self.centre, ..*self }
+    pub fn moved(&self, by: &Isometry3<f64>) -> CollisionSolid<'a> {
+        CollisionSolid { id: self.id.clone(), at: by * self.at, centre: by * self.centre, ..*self }
     }
 
     /// Whether the spheres around solid and capsule keep farther apart than this.
@@ -122,7 +131,7 @@ impl<'a> Solid<'a> {
         Some(self.bvh.distance_to_segment(&from, &to, within_mm + c.radius_mm)? - c.radius_mm)
     }
 
-    fn is_near_solid(&self, o: &Solid<'_>, margin_mm: f64) -> bool {
+    fn is_near_solid(&self, o: &CollisionSolid<'_>, margin_mm: f64) -> bool {
         if (self.centre - o.centre).norm() > self.radius_mm + o.radius_mm + margin_mm {
             return false;
         }
@@ -130,7 +139,7 @@ impl<'a> Solid<'a> {
         self.bvh.near_mesh(o.bvh, &self_from_other, margin_mm) || self.is_around_or_in(o, &self_from_other)
     }
 
-    fn distance_of_solid_mm(&self, o: &Solid<'_>, within_mm: f64) -> Option<f64> {
+    fn distance_of_solid_mm(&self, o: &CollisionSolid<'_>, within_mm: f64) -> Option<f64> {
         if (self.centre - o.centre).norm() > self.radius_mm + o.radius_mm + within_mm {
             return None;
         }
@@ -142,11 +151,11 @@ impl<'a> Solid<'a> {
     }
 
     /// Whether one of two solids whose facets do not meet is inside the other.
-    fn is_around_or_in(&self, o: &Solid<'_>, self_from_other: &Isometry3<f64>) -> bool {
+    fn is_around_or_in(&self, o: &CollisionSolid<'_>, self_from_other: &Isometry3<f64>) -> bool {
         self.holds_corner_of(o, self_from_other) || o.holds_corner_of(self, &self_from_other.inverse())
     }
 
-    fn holds_corner_of(&self, o: &Solid<'_>, self_from_other: &Isometry3<f64>) -> bool {
+    fn holds_corner_of(&self, o: &CollisionSolid<'_>, self_from_other: &Isometry3<f64>) -> bool {
         self.closed && o.bvh.corner().is_some_and(|p| self.bvh.holds(&(self_from_other * p)))
     }
 

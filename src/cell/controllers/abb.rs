@@ -1,6 +1,6 @@
 //! The `[abb]` table of a cell file.
 
-use super::words::check_template;
+use super::templates::check_template;
 use crate::cell::check::{FigureError, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 

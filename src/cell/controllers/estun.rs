@@ -1,7 +1,7 @@
 //! The `[estun]` table of a cell file.
 
-use super::words::check_template;
-use crate::cell::check::{FigureError, Form, Letters, name, plain_lines, ranges};
+use super::templates::check_template;
+use crate::cell::check::{FigureError, Letters, WordForm, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the ESTUN program needs; words that sources disagree on are templates.
@@ -67,7 +67,7 @@ impl Estun {
         plain_lines("estun.start", &self.start)?;
         if !self.version.starts_with("//") || !self.version.chars().all(|c| c.is_ascii_graphic() || c == ' ') {
             let value = format!("{:?}", self.version);
-            return Err(FigureError::Form { key: "estun.version", value, form: Form::Version });
+            return Err(FigureError::WordForm { key: "estun.version", value, form: WordForm::Version });
         }
         ranges(&[
             ("estun.max_mm_s", self.max_mm_s, 10.0, 10_000.0),

@@ -1,6 +1,6 @@
 //! The `[fanuc]` table of a cell file.
 
-use crate::cell::check::{FigureError, Form, Letters, name, ranges};
+use crate::cell::check::{FigureError, Letters, WordForm, name, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the program needs; words that sources disagree on are templates.
@@ -61,14 +61,14 @@ impl Fanuc {
             ("fanuc.max_lines", f64::from(self.max_lines), 50.0, 9999.0),
         ])?;
         name("fanuc.program", &self.program, Letters::CapitalIdentifier, 32)?;
-        let wrong = |key, value: &str, form| FigureError::Form { key, value: format!("{value:?}"), form };
+        let wrong = |key, value: &str, form| FigureError::WordForm { key, value: format!("{value:?}"), form };
         let share = self.termination.strip_prefix("CNT").and_then(|n| n.parse().ok());
         if self.termination != "FINE" && share.is_none_or(|n: u32| n > 100) {
-            return Err(wrong("fanuc.termination", &self.termination, Form::Termination));
+            return Err(wrong("fanuc.termination", &self.termination, WordForm::Termination));
         }
         let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, ' ' | ',' | '-');
         if self.configuration.is_empty() || !self.configuration.chars().all(plain) {
-            return Err(wrong("fanuc.configuration", &self.configuration, Form::Configuration));
+            return Err(wrong("fanuc.configuration", &self.configuration, WordForm::Configuration));
         }
         Ok(())
     }

@@ -5,8 +5,8 @@ mod estun;
 mod fanuc;
 mod kuka;
 mod nachi;
+pub mod templates;
 mod ur;
-pub mod words;
 mod yaskawa;
 
 pub use abb::Abb;

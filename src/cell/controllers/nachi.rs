@@ -1,6 +1,6 @@
 //! The `[nachi]` table of a cell file.
 
-use crate::cell::check::{FigureError, Form, ranges};
+use crate::cell::check::{FigureError, WordForm, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the NACHI program needs; words that sources disagree on are templates.
@@ -85,7 +85,7 @@ impl Nachi {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if self.unit.is_empty() || !self.unit.chars().all(plain) {
             let value = format!("{:?}", self.unit);
-            return Err(FigureError::Form { key: "nachi.unit", value, form: Form::Unit });
+            return Err(FigureError::WordForm { key: "nachi.unit", value, form: WordForm::Unit });
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! The `[yaskawa]` table of a cell file.
 
-use super::words::check_template;
-use crate::cell::check::{FigureError, Form, Letters, name, plain_lines, ranges};
+use super::templates::check_template;
+use crate::cell::check::{FigureError, Letters, WordForm, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
 /// What the INFORM job needs; words that sources disagree on are templates.
@@ -71,15 +71,15 @@ impl Yaskawa {
     /// # Errors
     /// The first that it cannot.
     pub fn check(&self) -> Result<(), FigureError> {
-        let wrong = |key, value, form| FigureError::Form { key, value, form };
+        let wrong = |key, value, form| FigureError::WordForm { key, value, form };
         if !matches!(self.longest_name, 8 | 32) {
-            return Err(wrong("yaskawa.longest_name", self.longest_name.to_string(), Form::LongestName));
+            return Err(wrong("yaskawa.longest_name", self.longest_name.to_string(), WordForm::LongestName));
         }
         // Parts add up to three digits.
         name("yaskawa.name", &self.name, Letters::Capitals, self.longest_name - 3)?;
         plain_lines("yaskawa.start", &self.start)?;
         if let Some(bad) = self.start.iter().find(|l| !l.starts_with("///")) {
-            return Err(wrong("yaskawa.start", format!("{bad:?}"), Form::Attributes));
+            return Err(wrong("yaskawa.start", format!("{bad:?}"), WordForm::Attributes));
         }
         ranges(&[
             ("yaskawa.tool", f64::from(self.tool), 0.0, 63.0),
@@ -89,7 +89,7 @@ impl Yaskawa {
         ])?;
         for pulses in self.pulses_per_deg.iter().flatten() {
             if !(10.0..=1e6).contains(&pulses.abs()) {
-                return Err(wrong("yaskawa.pulses_per_deg", pulses.to_string(), Form::Pulses));
+                return Err(wrong("yaskawa.pulses_per_deg", pulses.to_string(), WordForm::Pulses));
             }
         }
         check_template("yaskawa.output_on", &self.output_on, &["n"])?;

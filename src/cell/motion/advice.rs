@@ -41,7 +41,7 @@ pub enum FrameAxis {
 
 /// One change of a set-up.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Change {
+pub enum SetupChange {
     /// The spin is left free.
     FreeSpin,
     /// The part is turned about an axis of its own.
@@ -69,16 +69,19 @@ pub enum Change {
     },
 }
 
-impl Change {
+impl SetupChange {
     /// Whether another change is the same thing in the same direction, by another amount.
-    pub fn is_like(&self, other: &Change) -> bool {
+    pub fn is_like(&self, other: &SetupChange) -> bool {
         let alike = |a: f64, b: f64| (a > 0.0) == (b > 0.0);
         match (*self, *other) {
-            (Change::TurnPart { axis: a, deg: x, .. }, Change::TurnPart { axis: b, deg: y, .. }) => {
+            (SetupChange::TurnPart { axis: a, deg: x, .. }, SetupChange::TurnPart { axis: b, deg: y, .. }) => {
                 a == b && alike(x, y)
             }
-            (Change::Move { axis: a, mm: x, .. }, Change::Move { axis: b, mm: y, .. }) => a == b && alike(x, y),
-            (Change::FreeSpin, Change::FreeSpin) | (Change::HoldFurther { .. }, Change::HoldFurther { .. }) => true,
+            (SetupChange::Move { axis: a, mm: x, .. }, SetupChange::Move { axis: b, mm: y, .. }) => {
+                a == b && alike(x, y)
+            }
+            (SetupChange::FreeSpin, SetupChange::FreeSpin)
+            | (SetupChange::HoldFurther { .. }, SetupChange::HoldFurther { .. }) => true,
             _ => false,
         }
     }
@@ -88,7 +91,7 @@ impl Change {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advice {
     /// What to do.
-    pub change: Change,
+    pub change: SetupChange,
     /// Refused targets of the sample that become possible.
     pub gained: usize,
     /// Refused targets of the sample.
@@ -114,9 +117,9 @@ fn possible(
     let Some(robot) = &setup.robot else { return Ok(vec![false; frames.len()]) };
     let arm = Arm::with_step(robot, setup, step_deg);
     let collision = Collision::new(setup, part);
-    let free = |s: &super::State| {
+    let free = |s: &super::ArmState| {
         robot.limit_margin_deg(&s.joints_deg) >= SPARE_DEG
-            && collision.as_ref().is_none_or(|c| c.first(&s.joints_deg).is_none())
+            && collision.as_ref().is_none_or(|c| c.first_contact(&s.joints_deg).is_none())
     };
     let look = |f: &Isometry3<f64>| {
         progress.check()?;
@@ -154,9 +157,9 @@ pub fn changes(
         .filter(|(_, possible)| !possible)
         .map(|(f, _)| *f)
         .collect();
-    let mut tried: Vec<(Change, Setup, f64)> = Vec::new();
+    let mut tried: Vec<(SetupChange, Setup, f64)> = Vec::new();
     if spin == Spin::Travel {
-        tried.push((Change::FreeSpin, setup.clone(), SPINS_DEG));
+        tried.push((SetupChange::FreeSpin, setup.clone(), SPINS_DEG));
     }
     tried.extend(variants(setup).into_iter().map(|(change, changed)| (change, changed, now_deg)));
     progress.begin(Activity::TryingChanges, tried.len());
@@ -189,7 +192,7 @@ pub fn changes(
 }
 
 /// One thing changed, the smallest changes first.
-fn variants(setup: &Setup) -> Vec<(Change, Setup)> {
+fn variants(setup: &Setup) -> Vec<(SetupChange, Setup)> {
     use FrameAxis::{X, Y, Z};
     let mut out = Vec::new();
     let mount = setup.mount;
@@ -201,13 +204,13 @@ fn variants(setup: &Setup) -> Vec<(Change, Setup)> {
     for (deg, mm) in TURNS_DEG.into_iter().zip(MOVES_MM) {
         for (axis, direction) in [(Z, Vector3::z_axis()), (X, Vector3::x_axis()), (Y, Vector3::y_axis())] {
             let turn = UnitQuaternion::from_axis_angle(&direction, deg.to_radians());
-            out.push((Change::TurnPart { mount, axis, deg }, changed(&|s| turned(part_frame(s), &turn))));
+            out.push((SetupChange::TurnPart { mount, axis, deg }, changed(&|s| turn_frame(part_frame(s), &turn))));
         }
         for (axis, i) in [(Z, 2), (X, 0), (Y, 1)] {
-            out.push((Change::Move { mount, axis, mm }, changed(&|s| moved(fixed_frame(s), i, mm))));
+            out.push((SetupChange::Move { mount, axis, mm }, changed(&|s| move_frame(fixed_frame(s), i, mm))));
         }
         if mount == Mount::PartInHand && mm > 0.0 {
-            out.push((Change::HoldFurther { mm }, changed(&|s| moved(part_frame(s), 2, mm))));
+            out.push((SetupChange::HoldFurther { mm }, changed(&|s| move_frame(part_frame(s), 2, mm))));
         }
     }
     out
@@ -228,13 +231,13 @@ fn fixed_frame(s: &mut Setup) -> &mut Frame {
     }
 }
 
-fn moved(frame: &mut Frame, axis: usize, mm: f64) {
+fn move_frame(frame: &mut Frame, axis: usize, mm: f64) {
     let mut position = frame.position_mm;
     position[axis] += mm;
     *frame = Frame::new(position, frame.rz_ry_rx_deg);
 }
 
-fn turned(frame: &mut Frame, turn: &UnitQuaternion<f64>) {
+fn turn_frame(frame: &mut Frame, turn: &UnitQuaternion<f64>) {
     let rotation = frame.isometry().rotation * turn;
     *frame = Frame::new(frame.position_mm, angles(&rotation));
 }
@@ -258,10 +261,10 @@ mod tests {
     #[test]
     fn changes_differ_by_more_than_their_amount() {
         let setup = Setup::shipped().expect("shipped");
-        let all: Vec<Change> = variants(&setup).into_iter().map(|(change, _)| change).collect();
+        let all: Vec<SetupChange> = variants(&setup).into_iter().map(|(change, _)| change).collect();
         let kinds = all.iter().enumerate().filter(|(i, c)| !all[..*i].iter().any(|before| before.is_like(c)));
         // Three turns and three moves, each to either side, and further from the flange.
         assert_eq!(kinds.count(), 13);
-        assert!(all.iter().all(|c| c.is_like(c) && !c.is_like(&Change::FreeSpin)));
+        assert!(all.iter().all(|c| c.is_like(c) && !c.is_like(&SetupChange::FreeSpin)));
     }
 }

@@ -7,7 +7,7 @@
 //! optimum of these rules.
 
 use super::crowds::{Crowd, crowds};
-use super::states::{Arm, Lack, SPIN_STEP_DEG, State};
+use super::states::{Arm, ArmState, Lack, SPIN_STEP_DEG};
 use crate::cell::{Contact, Joints};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
@@ -20,9 +20,9 @@ pub const MOST_SPEED: f64 = 0.95;
 pub const MOST_SPIN_STEP_DEG: f64 = 30.0;
 /// Leaving a target out costs more than any motion.
 pub const LEFT_OUT: f64 = 1e9;
-/// A change of branch between pieces: the arm has to go round, worth a long way by joints.
+/// Cost of a change of branch between pieces: the arm has to turn over, which is worth a long way by joints.
 pub const CHANGED_BRANCH: f64 = 200.0;
-/// Starting a piece anew inside a pass: out, round and in again.
+/// Cost of starting a piece anew inside a pass, which takes another connecting move.
 pub const STARTED_ANEW: f64 = 100.0;
 /// From here on nearness to a limit costs, degrees.
 pub const NEAR_LIMIT_DEG: f64 = 20.0;
@@ -37,8 +37,8 @@ const CHUNK: usize = 256;
 /// So many states of a target are worked out by one thread.
 const SIDE_BY_SIDE: usize = 256;
 
-/// A target as the chain sees it.
-pub(super) struct Stop {
+/// A target of the chain: where the focus has to be, and how fast it is come to.
+pub(super) struct ChainTarget {
     pub pass: usize,
     pub point: usize,
     pub part_from_focus: Isometry3<f64>,
@@ -46,11 +46,11 @@ pub(super) struct Stop {
     pub lit_s: Option<f64>,
 }
 
-/// States of a target, or why it has none.
-pub(super) type Ways = Result<Vec<State>, Refused>;
+/// The states of a target, or why it has none.
+pub(super) type SolvedTarget = Result<Vec<ArmState>, Unreachable>;
 
 /// Why a target has no state.
-pub(super) enum Refused {
+pub(super) enum Unreachable {
     /// The arm cannot stand there.
     Lack(Lack),
     /// All its states touch something; the contact of the first.
@@ -74,34 +74,34 @@ pub(super) fn most_deg(speeds_deg_s: &[f64; 6], seconds: f64) -> [f64; 6] {
 /// cheapest chain leaves it out).
 pub(super) fn chain(
     arm: &Arm<'_>,
-    stops: &[Stop],
+    stops: &[ChainTarget],
     go_on: &(dyn Fn() -> bool + Sync),
-    ways: impl Fn(&Stop) -> Ways + Sync,
-) -> Option<Vec<Result<State, Option<Refused>>>> {
+    ways: impl Fn(&ChainTarget) -> SolvedTarget + Sync,
+) -> Option<Vec<Result<ArmState, Option<Unreachable>>>> {
     let rules = Rules::new(arm);
     let mut trace: Vec<Trace> = Vec::with_capacity(stops.len());
-    let mut before = Layer::start();
+    let mut before = TargetStates::start();
     for chunk in stops.chunks(CHUNK) {
         if !go_on() {
             return None;
         }
-        let made: Vec<(Layer, Option<Refused>)> = chunk
+        let made: Vec<(TargetStates, Option<Unreachable>)> = chunk
             .par_iter()
             .map(|stop| match ways(stop) {
-                Ok(states) => (Layer::new(states, &rules), None),
-                Err(lack) => (Layer::new(Vec::new(), &rules), Some(lack)),
+                Ok(states) => (TargetStates::new(states, &rules), None),
+                Err(lack) => (TargetStates::new(Vec::new(), &rules), Some(lack)),
             })
             .collect();
-        for (stop, (mut layer, lack)) in chunk.iter().zip(made) {
+        for (stop, (mut target, lack)) in chunk.iter().zip(made) {
             let from = match stop.lit_s {
-                Some(seconds) => rules.lit(&before, &mut layer, seconds),
-                None => rules.round(&before, &mut layer),
+                Some(seconds) => rules.after_lit_move(&before, &mut target, seconds),
+                None => rules.after_connecting_move(&before, &mut target),
             };
             let (left_out_from, cheapest) = before.cheapest();
-            layer.left_out = cheapest + LEFT_OUT;
-            let ways = layer.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
+            target.left_out = cheapest + LEFT_OUT;
+            let ways = target.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
             trace.push(Trace { from, left_out_from, ways, lack });
-            before = layer;
+            before = target;
         }
     }
     let mut at = before.cheapest().0;
@@ -110,7 +110,7 @@ pub(super) fn chain(
         *pick = at;
         at = if at == OUT { t.left_out_from } else { t.from[at as usize] };
     }
-    let state = |(stop, t, pick): (&Stop, Trace, u32)| {
+    let state = |(stop, t, pick): (&ChainTarget, Trace, u32)| {
         let way = t.ways.get(pick as usize);
         way.and_then(|[spin, branch, turn]| arm.state(&stop.part_from_focus, *spin, *branch, *turn)).ok_or(t.lack)
     };
@@ -120,34 +120,34 @@ pub(super) fn chain(
 /// Number of the node that leaves a target out.
 const OUT: u32 = u32::MAX;
 
-/// What is kept of a layer for the way back: predecessors, and how each state is made again.
+/// What is kept of a target for tracing the chain back: predecessors, and what each state can be made again from.
 struct Trace {
     from: Vec<u32>,
     left_out_from: u32,
     ways: Vec<[u8; 3]>,
-    lack: Option<Refused>,
+    lack: Option<Unreachable>,
 }
 
-/// One target's states with what it costs to have come to them.
-struct Layer {
-    states: Vec<State>,
+/// The states of one target, each with the cost of the cheapest chain that ends in it.
+struct TargetStates {
+    states: Vec<ArmState>,
     cost: Vec<f64>,
-    /// What it costs to stand in each.
-    standing: Vec<f64>,
+    /// What each state costs by itself.
+    state_costs: Vec<f64>,
     /// Cost with this target left out.
     left_out: f64,
     /// Where the states of each branch and spin begin.
     begin: Vec<u32>,
 }
 
-impl Layer {
-    /// Before the first target: nothing stands anywhere, and that costs nothing.
-    fn start() -> Layer {
-        Layer { states: Vec::new(), cost: Vec::new(), standing: Vec::new(), left_out: 0.0, begin: Vec::new() }
+impl TargetStates {
+    /// The start of the chain, before the first target: no states and no cost.
+    fn start() -> TargetStates {
+        TargetStates { states: Vec::new(), cost: Vec::new(), state_costs: Vec::new(), left_out: 0.0, begin: Vec::new() }
     }
 
     /// `states` in the order of branch and spin.
-    fn new(states: Vec<State>, rules: &Rules<'_>) -> Layer {
+    fn new(states: Vec<ArmState>, rules: &Rules<'_>) -> TargetStates {
         let spins = rules.arm.spins();
         let mut begin = vec![0_u32; 8 * spins + 1];
         for s in &states {
@@ -156,8 +156,8 @@ impl Layer {
         for i in 1..begin.len() {
             begin[i] += begin[i - 1];
         }
-        let standing = states.iter().map(|s| rules.standing(s)).collect();
-        Layer { cost: vec![f64::INFINITY; states.len()], states, standing, left_out: f64::INFINITY, begin }
+        let state_costs = states.iter().map(|s| rules.state_cost(s)).collect();
+        TargetStates { cost: vec![f64::INFINITY; states.len()], states, state_costs, left_out: f64::INFINITY, begin }
     }
 
     /// The states of a branch and spin.
@@ -200,8 +200,8 @@ impl<'a> Rules<'a> {
         Rules { arm, weights: weights(&arm.robot.speeds_deg_s), spin_steps }
     }
 
-    /// What it costs to stand in a state.
-    fn standing(&self, state: &State) -> f64 {
+    /// What a state costs by itself: nearness to limits and to singularities.
+    fn state_cost(&self, state: &ArmState) -> f64 {
         let robot = self.arm.robot;
         let share = |x: f64, from: f64| ((from - x) / from).max(0.0);
         let limit = share(robot.limit_margin_deg(&state.joints_deg), NEAR_LIMIT_DEG);
@@ -213,13 +213,13 @@ impl<'a> Rules<'a> {
         (0..6).map(|j| self.weights[j] * (to[j] - from[j]).abs()).fold(0.0, |a, b| a + b)
     }
 
-    /// Costs and predecessors after a lit move.
-    fn lit(&self, before: &Layer, layer: &mut Layer, seconds: f64) -> Vec<u32> {
+    /// Sets the costs of a target that a lit move leads to; gives the predecessors.
+    fn after_lit_move(&self, before: &TargetStates, target: &mut TargetStates, seconds: f64) -> Vec<u32> {
         let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
         let spins = self.arm.spins();
-        let one = |(state, standing): (&State, &f64)| {
+        let reach = |(state, state_cost): (&ArmState, &f64)| {
             let to = &state.joints_deg;
-            // Without its predecessor the piece starts here: out, round and in again.
+            // Without its predecessor the piece starts here, after another connecting move.
             let mut best = (before.left_out + STARTED_ANEW, OUT);
             for step in &self.spin_steps {
                 let spin = (usize::from(state.spin) + step) % spins;
@@ -242,39 +242,39 @@ impl<'a> Rules<'a> {
                     }
                 }
             }
-            (best.0 + standing, best.1)
+            (best.0 + state_cost, best.1)
         };
         let reached: Vec<(f64, u32)> =
-            layer.states.par_iter().zip(&layer.standing).with_min_len(SIDE_BY_SIDE).map(one).collect();
-        layer.cost = reached.iter().map(|r| r.0).collect();
+            target.states.par_iter().zip(&target.state_costs).with_min_len(SIDE_BY_SIDE).map(reach).collect();
+        target.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
 
-    /// Costs and predecessors after a connecting move: from any state to any.
-    fn round(&self, before: &Layer, layer: &mut Layer) -> Vec<u32> {
+    /// Sets the costs of a target that a connecting move leads to, from any state to any; gives the predecessors.
+    fn after_connecting_move(&self, before: &TargetStates, target: &mut TargetStates) -> Vec<u32> {
         let crowds = crowds(&before.states, &before.cost);
-        let some = |(states, standing): (&[State], &[f64])| -> Vec<(f64, u32)> {
+        let reach_all = |(states, state_cost): (&[ArmState], &[f64])| -> Vec<(f64, u32)> {
             // What was best for the state before is good for this one, and shows what need not be looked at.
             let mut guess = OUT;
-            let one = |(state, standing): (&State, &f64)| {
+            let reach = |(state, state_cost): (&ArmState, &f64)| {
                 let best = self.cheapest_way(before, &crowds, state, guess);
                 guess = best.1;
-                (best.0 + standing, best.1)
+                (best.0 + state_cost, best.1)
             };
-            states.iter().zip(standing).map(one).collect()
+            states.iter().zip(state_cost).map(reach).collect()
         };
-        let reached: Vec<(f64, u32)> = layer
+        let reached: Vec<(f64, u32)> = target
             .states
             .par_chunks(SIDE_BY_SIDE)
-            .zip(layer.standing.par_chunks(SIDE_BY_SIDE))
-            .flat_map_iter(some)
+            .zip(target.state_costs.par_chunks(SIDE_BY_SIDE))
+            .flat_map_iter(reach_all)
             .collect();
-        layer.cost = reached.iter().map(|r| r.0).collect();
+        target.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
 
     /// Cost and predecessor of a state after a connecting move; `guess` may be a good predecessor.
-    fn cheapest_way(&self, before: &Layer, crowds: &[Crowd], state: &State, guess: u32) -> (f64, u32) {
+    fn cheapest_way(&self, before: &TargetStates, crowds: &[Crowd], state: &ArmState, guess: u32) -> (f64, u32) {
         let changed = |branch: u8| if branch == state.branch { 0.0 } else { CHANGED_BRANCH };
         let mut best = (before.left_out, OUT);
         let look = |best: &mut (f64, u32), k: u32| {

@@ -1,18 +1,18 @@
 //! Spin and branch of every target, chosen together: the cheapest chain of states ([`super::chain`]) that touches
 //! nothing, and what is left out of it.
 
-use super::chain::{Refused, Stop, chain};
+use super::chain::{ChainTarget, Unreachable, chain};
 use super::memory::Memory;
 use super::reason;
-use super::refusal::{Cause, Refusal, Why};
-use super::states::{Arm, State};
+use super::refusal::{Refusal, RefusalCause, RefusalReason};
+use super::states::{Arm, ArmState};
 use crate::cell::{Contact, Joints};
 use crate::pose::{self, Pass};
 use rayon::prelude::*;
 
 /// What was chosen for a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Chosen {
+pub struct ChosenPose {
     /// Joints, degrees.
     pub joints_deg: Joints,
     /// Rotation about the beam axis from the path frame, degrees.
@@ -29,12 +29,12 @@ pub struct Chosen {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Choice {
     /// `None`: blocked before, or refused.
-    pub rows: Vec<Vec<Option<Chosen>>>,
+    pub rows: Vec<Vec<Option<ChosenPose>>>,
     /// In program order.
     pub refusals: Vec<Refusal>,
 }
 
-/// What the search asks while it works.
+/// What the search asks of its caller: contacts, whether to go on, and which branches are open.
 pub struct Watch<'a> {
     /// What the arm and all it carries touch at some joints; a joint turned by a whole turn touches what it touched.
     pub touches: &'a (dyn Fn(&Joints) -> Option<Contact> + Sync),
@@ -66,18 +66,19 @@ pub fn choose_again(arm: &Arm<'_>, passes: &[Pass], watch: &Watch<'_>, memory: &
     let stops = stops(passes);
     loop {
         let known = &*memory;
-        let chain = chain(arm, &stops, go_on, |stop: &Stop| {
-            let mut states =
-                known.states((stop.pass, stop.point), || arm.states(&stop.part_from_focus)).map_err(Refused::Lack)?;
+        let chain = chain(arm, &stops, go_on, |stop: &ChainTarget| {
+            let mut states = known
+                .states((stop.pass, stop.point), || arm.states(&stop.part_from_focus))
+                .map_err(Unreachable::Lack)?;
             states.retain(|s| is_open(stop.pass, s.branch));
             if states.is_empty() {
-                return Err(Refused::NoWay);
+                return Err(Unreachable::NoWay);
             }
             let Some(looks) = known.looks((stop.pass, stop.point)) else { return Ok(states) };
             let first = states[0].joints_deg;
             states.retain(|s| looks.is_free(s, arm.spins(), || touches(&s.joints_deg).is_none()));
             match states.is_empty() {
-                true => Err(touches(&first).map_or(Refused::NoWay, Refused::Contact)),
+                true => Err(touches(&first).map_or(Unreachable::NoWay, Unreachable::Contact)),
                 false => Ok(states),
             }
         })?;
@@ -104,26 +105,31 @@ pub fn choose_again(arm: &Arm<'_>, passes: &[Pass], watch: &Watch<'_>, memory: &
     }
 }
 
-fn stops(passes: &[Pass]) -> Vec<Stop> {
+fn stops(passes: &[Pass]) -> Vec<ChainTarget> {
     let mut out = Vec::new();
     for (pass, p) in passes.iter().enumerate() {
         for (point, t) in p.targets.iter().enumerate().filter(|(_, t)| t.state != pose::TargetState::Blocked) {
             let lit_s = t.laser.then(|| (t.p - p.targets[point - 1].p).norm() / p.settings.speed_mm_s);
-            out.push(Stop { pass, point, part_from_focus: t.frame(p.settings.defocus_mm), lit_s });
+            out.push(ChainTarget { pass, point, part_from_focus: t.frame(p.settings.defocus_mm), lit_s });
         }
     }
     out
 }
 
 /// The chain by pass and point, with what was left out and why.
-fn choice(arm: &Arm<'_>, passes: &[Pass], stops: &[Stop], chain: Vec<Result<State, Option<Refused>>>) -> Choice {
-    let mut rows: Vec<Vec<Option<Chosen>>> = passes.iter().map(|p| vec![None; p.targets.len()]).collect();
+fn choice(
+    arm: &Arm<'_>,
+    passes: &[Pass],
+    stops: &[ChainTarget],
+    chain: Vec<Result<ArmState, Option<Unreachable>>>,
+) -> Choice {
+    let mut rows: Vec<Vec<Option<ChosenPose>>> = passes.iter().map(|p| vec![None; p.targets.len()]).collect();
     let mut refusals = Vec::new();
-    let mut last: Option<(&Stop, State)> = None;
+    let mut last: Option<(&ChainTarget, ArmState)> = None;
     for (stop, node) in stops.iter().zip(chain) {
         match node {
             Ok(state) => {
-                rows[stop.pass][stop.point] = Some(Chosen {
+                rows[stop.pass][stop.point] = Some(ChosenPose {
                     joints_deg: state.joints_deg,
                     spin_deg: arm.spin_deg(state.spin),
                     branch: state.branch,
@@ -135,9 +141,9 @@ fn choice(arm: &Arm<'_>, passes: &[Pass], stops: &[Stop], chain: Vec<Result<Stat
             Err(refused) => {
                 let neighbour = last.filter(|(s, _)| s.pass == stop.pass).map(|(_, state)| state);
                 let (cause, why) = match refused {
-                    Some(Refused::Lack(lack)) => reason::of_lack(arm, &lack),
-                    Some(Refused::Contact(contact)) => Why::contact(contact),
-                    Some(Refused::NoWay) => (Cause::Robot, Why::NoWay),
+                    Some(Unreachable::Lack(lack)) => reason::of_lack(arm, &lack),
+                    Some(Unreachable::Contact(contact)) => RefusalReason::contact(contact),
+                    Some(Unreachable::NoWay) => (RefusalCause::Robot, RefusalReason::NoWay),
                     None => reason::of_move(arm, &stop.part_from_focus, neighbour.as_ref(), stop.lit_s),
                 };
                 refusals.push(Refusal { pass: stop.pass, point: stop.point, cause, why });

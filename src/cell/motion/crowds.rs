@@ -1,7 +1,7 @@
 //! States that lie near each other, looked at as one: most of those that a connecting move could start
 //! from are too far away to be the cheapest, whatever they are in detail.
 
-use super::states::State;
+use super::states::ArmState;
 use crate::cell::Joints;
 
 /// Neighbouring spins whose states are looked at as one crowd.
@@ -25,8 +25,8 @@ impl Crowd {
 }
 
 /// All states with their costs in crowds, the cheapest first.
-pub(super) fn crowds(all: &[State], cost: &[f64]) -> Vec<Crowd> {
-    let readings = |s: &State| s.joints_deg.map(|deg| (deg / 360.0).round() as i8);
+pub(super) fn crowds(all: &[ArmState], cost: &[f64]) -> Vec<Crowd> {
+    let readings = |s: &ArmState| s.joints_deg.map(|deg| (deg / 360.0).round() as i8);
     let mut order: Vec<u32> = (0..all.len() as u32).collect();
     let key = |k: u32| {
         let s = &all[k as usize];
@@ -65,10 +65,10 @@ mod tests {
         #[test]
         fn a_crowd_bounds_its_states(joints in prop::collection::vec(prop::array::uniform6(-360.0..360.0f64), 0..200),
                                      to in prop::array::uniform6(-400.0..400.0f64)) {
-            let state = |(i, joints_deg): (usize, &Joints)| State {
+            let state = |(i, joints_deg): (usize, &Joints)| ArmState {
                 joints_deg: *joints_deg, spin: (i / 3 % 72) as u8, branch: (i % 8) as u8, turn: 0, singularity: 1.0,
             };
-            let all: Vec<State> = joints.iter().enumerate().map(state).collect();
+            let all: Vec<ArmState> = joints.iter().enumerate().map(state).collect();
             let cost: Vec<f64> = joints.iter().map(|j| j[0].abs()).collect();
             let found = crowds(&all, &cost);
             let mut seen: Vec<u32> = found.iter().flat_map(|c| c.states.clone()).collect();

@@ -1,7 +1,7 @@
 //! What the search for a chain keeps when it is asked again: states, and which of them touch. A target
 //! stands where it stood, whatever was refused or closed meanwhile.
 
-use super::states::{Lack, State};
+use super::states::{ArmState, Lack};
 use crate::pose::Pass;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -11,13 +11,13 @@ use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 const MOST_STATES: usize = 4_000_000;
 
 /// The states of a target, or why there is none.
-type Made = Result<Vec<State>, Lack>;
+type SolvedStates = Result<Vec<ArmState>, Lack>;
 
 /// What is known of the targets of some passes.
 #[derive(Default)]
 pub struct Memory {
     /// By pass and point; empty until a second search begins.
-    states: Vec<Vec<OnceLock<Made>>>,
+    states: Vec<Vec<OnceLock<SolvedStates>>>,
     kept: AtomicUsize,
     /// By pass in which a chosen state touched: what is known of each of its targets.
     looks: BTreeMap<usize, Vec<Looks>>,
@@ -36,7 +36,7 @@ impl Memory {
     }
 
     /// The states of a target by pass and point, made if they are not known.
-    pub(super) fn states(&self, (pass, point): (usize, usize), make: impl FnOnce() -> Made) -> Made {
+    pub(super) fn states(&self, (pass, point): (usize, usize), make: impl FnOnce() -> SolvedStates) -> SolvedStates {
         let Some(place) = self.states.get(pass).and_then(|p| p.get(point)) else { return make() };
         if let Some(known) = place.get() {
             return known.clone();
@@ -67,7 +67,7 @@ impl Memory {
 
 impl Looks {
     /// Whether a state is free; it is looked at once.
-    pub(super) fn is_free(&self, state: &State, spins: usize, look: impl FnOnce() -> bool) -> bool {
+    pub(super) fn is_free(&self, state: &ArmState, spins: usize, look: impl FnOnce() -> bool) -> bool {
         let known = &self.0[usize::from(state.branch) * spins + usize::from(state.spin)];
         if known.load(Ordering::Relaxed) == 0 {
             known.store(if look() { 1 } else { 2 }, Ordering::Relaxed);

@@ -14,7 +14,7 @@ mod reason;
 pub mod refusal;
 pub mod states;
 
-pub use choice::{Choice, Chosen, Watch, choose, choose_again};
+pub use choice::{Choice, ChosenPose, Watch, choose, choose_again};
 pub use memory::Memory;
-pub use refusal::{Cause, Refusal, Why};
-pub use states::{Arm, State};
+pub use refusal::{Refusal, RefusalCause, RefusalReason};
+pub use states::{Arm, ArmState};

@@ -1,37 +1,39 @@
 //! The reason for which a target has no state, or no motion leads to one that it has.
 
 use super::chain::{MOST_SPEED, MOST_STEP_DEG, most_deg};
-use super::refusal::{Cause, Why};
-use super::states::{Arm, Lack, State};
+use super::refusal::{RefusalCause, RefusalReason};
+use super::states::{Arm, ArmState, Lack};
 use crate::cell::Joints;
 use nalgebra::Isometry3;
 
 /// Why a target has no state.
-pub(super) fn of_lack(arm: &Arm<'_>, lack: &Lack) -> (Cause, Why) {
+pub(super) fn of_lack(arm: &Arm<'_>, lack: &Lack) -> (RefusalCause, RefusalReason) {
     match *lack {
-        Lack::Reach => (Cause::Reach, Why::OutOfReach { robot: arm.robot.name.clone() }),
-        Lack::Limit { joint, needs_deg } => (Cause::Limit, beyond(arm, joint, needs_deg)),
-        Lack::Singularity => (Cause::Singularity, Why::Singular),
+        Lack::Reach => (RefusalCause::Reach, RefusalReason::OutOfReach { robot: arm.robot.name.clone() }),
+        Lack::Limit { joint, needs_deg } => (RefusalCause::Limit, beyond(arm, joint, needs_deg)),
+        Lack::Singularity => (RefusalCause::Singularity, RefusalReason::Singular),
     }
 }
 
 /// `joint` from 0.
-fn beyond(arm: &Arm<'_>, joint: usize, needs_deg: f64) -> Why {
-    Why::JointLimit { joint: joint + 1, needs_deg, range_deg: arm.robot.limits_deg[joint] }
+fn beyond(arm: &Arm<'_>, joint: usize, needs_deg: f64) -> RefusalReason {
+    RefusalReason::JointLimit { joint: joint + 1, needs_deg, range_deg: arm.robot.limits_deg[joint] }
 }
 
 /// Why no move leads to a target that has states, from the state before it.
 pub(super) fn of_move(
     arm: &Arm<'_>,
     part_from_focus: &Isometry3<f64>,
-    before: Option<&State>,
+    before: Option<&ArmState>,
     lit_s: Option<f64>,
-) -> (Cause, Why) {
-    let (Some(before), Some(seconds)) = (before, lit_s) else { return (Cause::Singularity, Why::NoMotion) };
+) -> (RefusalCause, RefusalReason) {
+    let (Some(before), Some(seconds)) = (before, lit_s) else {
+        return (RefusalCause::Singularity, RefusalReason::NoMotion);
+    };
     let speeds = &arm.robot.speeds_deg_s;
     let most = most_deg(speeds, seconds);
-    let Some(on) = carried_on(arm, part_from_focus, before, &most) else {
-        return (Cause::Reach, Why::BranchChange);
+    let Some(on) = nearest_continuation(arm, part_from_focus, before, &most) else {
+        return (RefusalCause::Reach, RefusalReason::BranchChange);
     };
     let (excess, j) = (0..6)
         .map(|j| ((on[j] - before.joints_deg[j]).abs() / most[j], j))
@@ -40,22 +42,28 @@ pub(super) fn of_move(
     let joint = j + 1;
     if excess > 1.0 && moved_deg <= MOST_STEP_DEG {
         let (needs_deg_s, can_deg_s) = (moved_deg / seconds, MOST_SPEED * speeds[j]);
-        return (Cause::Speed, Why::JointSpeed { joint, needs_deg_s, can_deg_s });
+        return (RefusalCause::Speed, RefusalReason::JointSpeed { joint, needs_deg_s, can_deg_s });
     }
     if excess > 1.0 {
-        return (Cause::Singularity, Why::WristFlip { joint, jump_deg: moved_deg });
+        return (RefusalCause::Singularity, RefusalReason::WristFlip { joint, jump_deg: moved_deg });
     }
     match arm.robot.beyond(&on) {
-        Some(j) => (Cause::Limit, beyond(arm, j, on[j])),
-        None => (Cause::Singularity, Why::NoMotion),
+        Some(j) => (RefusalCause::Limit, beyond(arm, j, on[j])),
+        None => (RefusalCause::Singularity, RefusalReason::NoMotion),
     }
 }
 
-/// The joints in the same branch that carry on most nearly, limits not looked at; `most_deg`: how far each may go.
-fn carried_on(arm: &Arm<'_>, part_from_focus: &Isometry3<f64>, before: &State, most_deg: &[f64; 6]) -> Option<Joints> {
+/// The solution in the same branch, at any spin, that needs the least of the motion allowed by `most_deg` for each joint.
+/// Limits are not looked at.
+fn nearest_continuation(
+    arm: &Arm<'_>,
+    part_from_focus: &Isometry3<f64>,
+    before: &ArmState,
+    most_deg: &[f64; 6],
+) -> Option<Joints> {
     let mut nearest: Option<(f64, Joints)> = None;
     for k in 0..arm.spins() {
-        let solutions = arm.robot.inverse(&arm.flange_for(&arm.turned(part_from_focus, k as u8)));
+        let solutions = arm.robot.inverse(&arm.flange_for(&arm.with_spin(part_from_focus, k as u8)));
         if let Some(joints) = solutions[usize::from(before.branch)] {
             let on = std::array::from_fn(|j| {
                 let d: f64 = joints[j] - before.joints_deg[j];

@@ -7,7 +7,7 @@ use serde::ser::{SerializeMap as _, Serializer};
 
 /// What kind of thing is in the way; what does harm comes before what cannot be reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Cause {
+pub enum RefusalCause {
     /// The beam hits the part on the way between two targets, as the controller goes.
     Beam,
     /// The arm touches the part, or no way leads there.
@@ -26,38 +26,38 @@ pub enum Cause {
     Singularity,
 }
 
-impl Cause {
+impl RefusalCause {
     /// The word in `report.json`.
     pub fn word(self) -> &'static str {
         match self {
-            Cause::Beam => "beam",
-            Cause::Robot => "robot",
-            Cause::Head => "head",
-            Cause::Obstacle => "obstacle",
-            Cause::Reach => "reach",
-            Cause::Limit => "limit",
-            Cause::Speed => "speed",
-            Cause::Singularity => "singularity",
+            RefusalCause::Beam => "beam",
+            RefusalCause::Robot => "robot",
+            RefusalCause::Head => "head",
+            RefusalCause::Obstacle => "obstacle",
+            RefusalCause::Reach => "reach",
+            RefusalCause::Limit => "limit",
+            RefusalCause::Speed => "speed",
+            RefusalCause::Singularity => "singularity",
         }
     }
 
     /// The cause of something in the way of beam or head.
-    pub fn of_blocker(b: &Blocker) -> Cause {
+    pub fn of_blocker(b: &Blocker) -> RefusalCause {
         match (b.tool_body, b.obstruction) {
-            (_, Obstruction::Clamp(_)) => Cause::Obstacle,
-            (ToolBody::Head, _) => Cause::Head,
-            (ToolBody::Beam, _) => Cause::Beam,
+            (_, Obstruction::Clamp(_)) => RefusalCause::Obstacle,
+            (ToolBody::Head, _) => RefusalCause::Head,
+            (ToolBody::Beam, _) => RefusalCause::Beam,
         }
     }
 
     /// The cause of a contact, by the bodies that touch.
-    pub fn of_contact(contact: &Contact) -> Cause {
+    pub fn of_contact(contact: &Contact) -> RefusalCause {
         if contact.any(|b| matches!(b, BodyId::Head)) {
-            Cause::Head
+            RefusalCause::Head
         } else if contact.any(|b| matches!(b, BodyId::Table | BodyId::Obstacle { .. })) {
-            Cause::Obstacle
+            RefusalCause::Obstacle
         } else {
-            Cause::Robot
+            RefusalCause::Robot
         }
     }
 }
@@ -70,15 +70,15 @@ pub struct Refusal {
     /// Point of the pass.
     pub point: usize,
     /// Kind of reason.
-    pub cause: Cause,
+    pub cause: RefusalCause,
     /// The reason, with its figures.
-    pub why: Why,
+    pub why: RefusalReason,
 }
 
 /// Why the arm does not do a target. Joints are counted from 1, as their names are: J1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
-pub enum Why {
+pub enum RefusalReason {
     /// No pose of the arm leads there, at any spin.
     OutOfReach {
         /// The robot's name for people.
@@ -152,10 +152,10 @@ pub enum Why {
     },
 }
 
-impl Why {
+impl RefusalReason {
     /// The reason that a contact is, with its cause.
-    pub fn contact(contact: Contact) -> (Cause, Why) {
-        (Cause::of_contact(&contact), Why::Contact(contact))
+    pub fn contact(contact: Contact) -> (RefusalCause, RefusalReason) {
+        (RefusalCause::of_contact(&contact), RefusalReason::Contact(contact))
     }
 }
 
@@ -183,34 +183,34 @@ mod tests {
     use crate::cell::Link;
     use serde_json::json;
 
-    fn json(why: &Why) -> serde_json::Value {
+    fn json(why: &RefusalReason) -> serde_json::Value {
         serde_json::to_value(why).expect("JSON")
     }
 
     #[test]
     fn the_cause_of_a_contact_is_in_its_bodies() {
         let obstacle = |file: &str| BodyId::Obstacle { index: 0, file: file.into() };
-        let cause = |a, b| Cause::of_contact(&Contact { a, b });
+        let cause = |a, b| RefusalCause::of_contact(&Contact { a, b });
         let arm = || BodyId::Link(Link::UpperArm);
-        assert_eq!(cause(BodyId::Part, obstacle("headstock.stl")), Cause::Obstacle);
-        assert_eq!(cause(BodyId::Head, obstacle("fence.stl")), Cause::Head);
-        assert_eq!(cause(arm(), BodyId::Head), Cause::Head);
-        assert_eq!(cause(BodyId::Part, BodyId::Table), Cause::Obstacle);
-        assert_eq!(cause(arm(), BodyId::Part), Cause::Robot);
+        assert_eq!(cause(BodyId::Part, obstacle("headstock.stl")), RefusalCause::Obstacle);
+        assert_eq!(cause(BodyId::Head, obstacle("fence.stl")), RefusalCause::Head);
+        assert_eq!(cause(arm(), BodyId::Head), RefusalCause::Head);
+        assert_eq!(cause(BodyId::Part, BodyId::Table), RefusalCause::Obstacle);
+        assert_eq!(cause(arm(), BodyId::Part), RefusalCause::Robot);
     }
 
     #[test]
     fn reasons_are_codes_and_figures() {
-        let limit = Why::JointLimit { joint: 5, needs_deg: 127.25, range_deg: [-120.0, 120.0] };
+        let limit = RefusalReason::JointLimit { joint: 5, needs_deg: 127.25, range_deg: [-120.0, 120.0] };
         let told = json!({ "code": "joint_limit", "joint": 5, "needs_deg": 127.25, "range_deg": [-120.0, 120.0] });
         assert_eq!(json(&limit), told);
-        assert_eq!(json(&Why::NoWay), json!({ "code": "no_way" }));
-        let touch = Why::contact(Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part }).1;
+        assert_eq!(json(&RefusalReason::NoWay), json!({ "code": "no_way" }));
+        let touch = RefusalReason::contact(Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part }).1;
         assert_eq!(json(&touch), json!({ "code": "contact", "a": { "body": "forearm" }, "b": { "body": "part" } }));
         let hit = Blocker { tool_body: ToolBody::Head, obstruction: Obstruction::Facet(12), t_mm: 40.5 };
         let back = json!({ "code": "hit_drawn_back", "hit": { "ours": "head", "facet": 12, "t_mm": 40.5 } });
-        assert_eq!(json(&Why::HitDrawnBack { hit }), back);
-        let moved = json(&Why::HitOnMove { spot_mm: [1.0, 2.0, 3.5], hit });
+        assert_eq!(json(&RefusalReason::HitDrawnBack { hit }), back);
+        let moved = json(&RefusalReason::HitOnMove { spot_mm: [1.0, 2.0, 3.5], hit });
         assert_eq!(moved["spot_mm"], json!([1.0, 2.0, 3.5]));
     }
 }

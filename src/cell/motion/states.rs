@@ -1,4 +1,4 @@
-//! All ways in which the arm can bring the beam to one target.
+//! The states of the arm at one target: every spin, branch and turn by which it can bring the beam there.
 
 use crate::cell::mounting::Mounted;
 use crate::cell::{Joints, Robot, Setup, Spin};
@@ -22,9 +22,9 @@ pub struct Arm<'a> {
     spins: Vec<(f64, UnitQuaternion<f64>)>,
 }
 
-/// One way: joints in degrees, the spin's number, and the branch of the inverse.
+/// A state of the arm at a target: its joints, the spin, and the branch of the inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct ArmState {
     /// Within their limits.
     pub joints_deg: Joints,
     /// Number of the spin.
@@ -83,7 +83,7 @@ impl<'a> Arm<'a> {
     }
 
     /// A path frame turned by a spin.
-    pub fn turned(&self, part_from_focus: &Isometry3<f64>, spin: u8) -> Isometry3<f64> {
+    pub fn with_spin(&self, part_from_focus: &Isometry3<f64>, spin: u8) -> Isometry3<f64> {
         Isometry3::from_parts(part_from_focus.translation, part_from_focus.rotation * self.spins[usize::from(spin)].1)
     }
 
@@ -96,10 +96,10 @@ impl<'a> Arm<'a> {
     ///
     /// # Errors
     /// There is none, and why.
-    pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<State>, Lack> {
+    pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<ArmState>, Lack> {
         let mut solved: Vec<[Option<Joints>; 8]> = Vec::with_capacity(self.spins.len());
         for k in 0..self.spins.len() {
-            solved.push(self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, k as u8))));
+            solved.push(self.robot.inverse(&self.flange_for(&self.with_spin(part_from_focus, k as u8))));
         }
         let mut out = Vec::new();
         let (mut reached, mut least): (bool, Option<(f64, usize, f64)>) = (false, None);
@@ -116,7 +116,7 @@ impl<'a> Arm<'a> {
                         singular = true;
                     } else {
                         let (spin, branch, turn) = (spin as u8, branch as u8, turn as u8);
-                        out.push(State { joints_deg, spin, branch, turn, singularity });
+                        out.push(ArmState { joints_deg, spin, branch, turn, singularity });
                     }
                 }
                 if out.len() == before && !is_singular {
@@ -139,11 +139,11 @@ impl<'a> Arm<'a> {
 
 impl Arm<'_> {
     /// The state of that spin, branch and reading, as [`Arm::states`] made it.
-    pub fn state(&self, part_from_focus: &Isometry3<f64>, spin: u8, branch: u8, turn: u8) -> Option<State> {
-        let solutions = self.robot.inverse(&self.flange_for(&self.turned(part_from_focus, spin)));
+    pub fn state(&self, part_from_focus: &Isometry3<f64>, spin: u8, branch: u8, turn: u8) -> Option<ArmState> {
+        let solutions = self.robot.inverse(&self.flange_for(&self.with_spin(part_from_focus, spin)));
         let joints = solutions[usize::from(branch)]?;
         let joints_deg = turns(&joints, &self.robot.limits_deg).nth(usize::from(turn))?;
-        Some(State { joints_deg, spin, branch, turn, singularity: self.robot.singularity(&joints) })
+        Some(ArmState { joints_deg, spin, branch, turn, singularity: self.robot.singularity(&joints) })
     }
 }
 

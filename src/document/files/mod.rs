@@ -12,7 +12,7 @@ pub mod stamps;
 pub use atomic::write_atomic;
 pub use error::JobError;
 pub use part_file::{build_part, load_part, part_file, read_part};
+pub(in crate::document) use paths::{absolute, with_whole_paths};
 pub use paths::{rebased, relative_to, resolved};
-pub(in crate::document) use paths::{whole, with_whole_paths};
 pub use save::{is_job, read, to_toml};
 pub use setup::{load_cell, load_robot, load_setup, load_tool, set_up};

@@ -31,14 +31,14 @@ pub fn rebased(job: &Job, from: Option<&Path>, to: &Path) -> Result<Job, JobErro
 /// # Errors
 /// The current folder cannot be found.
 pub(in crate::document) fn with_whole_paths(job: &Job) -> Result<Job, JobError> {
-    with_paths(job, |path| Ok(whole(Path::new(path))?.display().to_string()))
+    with_paths(job, |path| Ok(absolute(Path::new(path))?.display().to_string()))
 }
 
 /// A path from the root, without `.` and `..`.
 ///
 /// # Errors
 /// The current folder cannot be found.
-pub(in crate::document) fn whole(path: &Path) -> Result<PathBuf, JobError> {
+pub(in crate::document) fn absolute(path: &Path) -> Result<PathBuf, JobError> {
     std::path::absolute(path).map(|p| without_dots(&p)).map_err(|e| JobError::write(path, e))
 }
 
@@ -59,7 +59,7 @@ fn with_paths(job: &Job, change: impl Fn(&str) -> Result<String, JobError>) -> R
 
 /// Path of `file` as seen from the folder of `job_file`, with '/' on every system.
 fn relative(file: &Path, job_file: &Path) -> Result<String, JobError> {
-    let (file, job_file) = (whole(file)?, whole(job_file)?);
+    let (file, job_file) = (absolute(file)?, absolute(job_file)?);
     let folder: Vec<Component<'_>> = job_file.parent().map(|p| p.components().collect()).unwrap_or_default();
     let target: Vec<Component<'_>> = file.components().collect();
     let common = folder.iter().zip(&target).take_while(|(a, b)| a == b).count();

@@ -3,7 +3,7 @@
 
 use super::atomic::write_atomic;
 use super::error::JobError;
-use super::paths::{rebased, whole};
+use super::paths::{absolute, rebased};
 use crate::document::job_file;
 use crate::document::model::Job;
 use crate::file;
@@ -124,7 +124,7 @@ pub fn backup_of(file: &Path) -> PathBuf {
 
 /// Whether two paths lead to one file.
 fn is_same_file(a: &Path, b: &Path) -> bool {
-    let real = |p: &Path| std::fs::canonicalize(p).ok().or_else(|| whole(p).ok());
+    let real = |p: &Path| std::fs::canonicalize(p).ok().or_else(|| absolute(p).ok());
     real(a) == real(b)
 }
 

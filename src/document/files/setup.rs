@@ -31,7 +31,7 @@ pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, J
         name => {
             let robot = Robot::load(name, job_file.and_then(Path::parent))?;
             if dialects::by_name(&robot.dialect).is_none() {
-                let known = dialects::DIALECTS.iter().map(|d| d.name()).collect();
+                let known = dialects::names().collect();
                 let what = RobotFigureError::Dialect { dialect: robot.dialect, known };
                 return Err(RobotError::Figure { file: name.into(), what: Box::new(what) }.into());
             }

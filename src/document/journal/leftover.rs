@@ -2,8 +2,8 @@
 
 use super::error::JournalError;
 use super::recording::Journal;
-use super::slot::Slot;
-use super::state::State;
+use super::slot::JournalSlot;
+use super::state::JournalState;
 use crate::document::files;
 use crate::document::model::{Job, PartFile};
 use crate::document::undo::Document;
@@ -22,15 +22,15 @@ pub struct LeftBehind {
 /// they wait for the next start.
 #[derive(Debug)]
 pub struct Leftover {
-    slot: Slot,
-    state: State,
+    slot: JournalSlot,
+    state: JournalState,
 }
 
 /// Looks for unsaved changes that no running program owns. States that hold no more than their job
 /// file does are removed: there is nothing to restore.
 pub fn left_behind(folder: &Path) -> LeftBehind {
     let mut found = LeftBehind::default();
-    let numbers = Slot::with_state(folder).unwrap_or_else(|e| {
+    let numbers = JournalSlot::with_state(folder).unwrap_or_else(|e| {
         found.unreadable.push(e);
         Vec::new()
     });
@@ -45,9 +45,9 @@ pub fn left_behind(folder: &Path) -> LeftBehind {
 }
 
 fn unsaved_in_slot(folder: &Path, number: u32) -> Result<Option<Leftover>, JournalError> {
-    let Some(slot) = Slot::take(folder, number)? else { return Ok(None) };
+    let Some(slot) = JournalSlot::take(folder, number)? else { return Ok(None) };
     // Another window may have taken it over between listing and locking.
-    let Some(state) = State::read(&slot)? else { return Ok(None) };
+    let Some(state) = JournalState::read(&slot)? else { return Ok(None) };
     let leftover = Leftover { slot, state };
     if leftover.is_saved() {
         leftover.discard()?;

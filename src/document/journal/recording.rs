@@ -1,22 +1,22 @@
 //! The journal of a running window: it keeps the unsaved changes of one document.
 
 use super::error::JournalError;
-use super::slot::Slot;
-use super::state::State;
+use super::slot::JournalSlot;
+use super::state::JournalState;
 use crate::document::undo::Document;
 use std::path::Path;
 
 /// The journal of one window. Dropping it leaves its state behind, as a killed program does.
 #[derive(Debug, Default)]
 pub struct Journal {
-    slot: Option<Slot>,
+    slot: Option<JournalSlot>,
     /// What its state says; `None`: it has no state.
-    written: Option<State>,
+    written: Option<JournalState>,
 }
 
 impl Journal {
     /// A journal that goes on in a slot where a state was left behind.
-    pub(super) fn taken_over(slot: Slot, state: State) -> Journal {
+    pub(super) fn taken_over(slot: JournalSlot, state: JournalState) -> Journal {
         Journal { slot: Some(slot), written: Some(state) }
     }
 
@@ -25,7 +25,7 @@ impl Journal {
     /// # Errors
     /// The folder cannot be made, or gives no locks.
     pub fn open(folder: Option<&Path>) -> Result<Journal, JournalError> {
-        Ok(Journal { slot: folder.map(Slot::take_free).transpose()?, written: None })
+        Ok(Journal { slot: folder.map(JournalSlot::take_free).transpose()?, written: None })
     }
 
     /// Keeps a document as it is now; a clean one has nothing to keep. Cheap where nothing has changed.
@@ -37,7 +37,7 @@ impl Journal {
         if !document.is_dirty() {
             return self.clear();
         }
-        let state = State::of(document)?;
+        let state = JournalState::of(document)?;
         if self.written.as_ref().is_some_and(|w| w.differs_in_time_at_most(&state)) {
             return Ok(());
         }
@@ -52,7 +52,7 @@ impl Journal {
     /// The state cannot be removed.
     pub fn clear(&mut self) -> Result<(), JournalError> {
         if self.written.is_some() {
-            self.slot.as_ref().map_or(Ok(()), Slot::clear)?;
+            self.slot.as_ref().map_or(Ok(()), JournalSlot::clear)?;
         }
         self.written = None;
         Ok(())

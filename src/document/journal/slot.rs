@@ -13,16 +13,16 @@ use std::path::{Path, PathBuf};
 
 /// A slot that is owned here.
 #[derive(Debug)]
-pub(super) struct Slot {
+pub(super) struct JournalSlot {
     folder: PathBuf,
     number: u32,
     /// Unlocked when it is closed.
     _lock: File,
 }
 
-impl Slot {
+impl JournalSlot {
     /// Takes the first slot that nobody owns and that has no state, in a folder, which is made.
-    pub(super) fn take_free(folder: &Path) -> Result<Slot, JournalError> {
+    pub(super) fn take_free(folder: &Path) -> Result<JournalSlot, JournalError> {
         std::fs::create_dir_all(folder)
             .map_err(|source| JournalError::Folder { folder: folder.to_path_buf(), source })?;
         let mut number = 0;
@@ -32,7 +32,7 @@ impl Slot {
             // Looked at before, so that a leftover is not locked while another window looks for it; and
             // again under the lock, where nobody else can make one.
             if !state.exists()
-                && let Some(slot) = Slot::take(folder, number)?
+                && let Some(slot) = JournalSlot::take(folder, number)?
                 && !state.exists()
             {
                 return Ok(slot);
@@ -41,12 +41,12 @@ impl Slot {
     }
 
     /// Takes a slot by its number; `None` where somebody owns it already.
-    pub(super) fn take(folder: &Path, number: u32) -> Result<Option<Slot>, JournalError> {
+    pub(super) fn take(folder: &Path, number: u32) -> Result<Option<JournalSlot>, JournalError> {
         let unusable = |source| JournalError::Folder { folder: folder.to_path_buf(), source };
         let file = folder.join(format!("{number}.lock"));
         let lock = OpenOptions::new().create(true).truncate(false).write(true).open(file).map_err(unusable)?;
         match lock.try_lock() {
-            Ok(()) => Ok(Some(Slot { folder: folder.to_path_buf(), number, _lock: lock })),
+            Ok(()) => Ok(Some(JournalSlot { folder: folder.to_path_buf(), number, _lock: lock })),
             Err(TryLockError::WouldBlock) => Ok(None),
             Err(TryLockError::Error(source)) => Err(unusable(source)),
         }

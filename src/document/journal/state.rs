@@ -2,7 +2,7 @@
 //! The line is a comment, so that the file by itself is a job that can be looked at and opened.
 
 use super::error::{JournalError, StateError};
-use super::slot::Slot;
+use super::slot::JournalSlot;
 use crate::document::files::save::JobFile;
 use crate::document::files::{self, JobError};
 use crate::document::job_file;
@@ -18,7 +18,7 @@ const MARK: &str = "# clearbeam journal ";
 
 /// A document that is not saved.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct State {
+pub(super) struct JournalState {
     /// When it was edited last, and its files.
     pub(super) about: About,
     /// Its paths are seen from the job file; whole where there is none.
@@ -35,14 +35,14 @@ pub(super) struct About {
     pub(super) job_file: Option<JobFile>,
     /// The part's file, whole; empty: the job has none.
     pub(super) part_file: PathBuf,
-    /// Of the text below, so that half a job is not taken for a whole one.
+    /// SHA-256 of the text below, so that half a job is not taken for a whole one.
     text_sha256: String,
 }
 
-impl State {
+impl JournalState {
     /// What there is to keep of a document now.
-    pub(super) fn of(document: &Document) -> Result<State, JournalError> {
-        let job_file = document.job_file().map(whole).transpose()?;
+    pub(super) fn of(document: &Document) -> Result<JournalState, JournalError> {
+        let job_file = document.job_file().map(absolute_job_file).transpose()?;
         let job = match &job_file {
             Some(_) => document.job().clone(),
             None => files::with_whole_paths(document.job())?,
@@ -53,17 +53,17 @@ impl State {
             // A part that is gone for a moment is still the one that the job names.
             named => {
                 let file = files::part_file(&job, job_path).unwrap_or_else(|_| files::resolved(job_path, named));
-                files::whole(&file)?
+                files::absolute(&file)?
             }
         };
         let edited_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |t| t.as_secs());
         let about = About { edited_s, job_file, part_file, text_sha256: String::new() };
-        Ok(State { about, job })
+        Ok(JournalState { about, job })
     }
 
     /// Whether two states differ in the time of the last edit at most.
-    pub(super) fn differs_in_time_at_most(&self, other: &State) -> bool {
-        let files = |s: &State| (s.about.job_file.clone(), s.about.part_file.clone());
+    pub(super) fn differs_in_time_at_most(&self, other: &JournalState) -> bool {
+        let files = |s: &JournalState| (s.about.job_file.clone(), s.about.part_file.clone());
         files(self) == files(other) && self.job == other.job
     }
 
@@ -76,24 +76,24 @@ impl State {
     }
 
     /// The state of a slot; `None` where there is none.
-    pub(super) fn read(slot: &Slot) -> Result<Option<State>, JournalError> {
+    pub(super) fn read(slot: &JournalSlot) -> Result<Option<JournalState>, JournalError> {
         let unreadable = |source| JournalError::Unreadable { file: slot.state_file(), source };
         let bytes = slot.read().map_err(|e| unreadable(e.into()))?;
-        bytes.map(|bytes| State::from_bytes(&bytes).map_err(unreadable)).transpose()
+        bytes.map(|bytes| JournalState::from_bytes(&bytes).map_err(unreadable)).transpose()
     }
 
-    fn from_bytes(bytes: &[u8]) -> Result<State, StateError> {
+    fn from_bytes(bytes: &[u8]) -> Result<JournalState, StateError> {
         let parts = std::str::from_utf8(bytes)?.strip_prefix(MARK).and_then(|t| t.split_once('\n'));
         let (about, job) = parts.ok_or(StateError::NoOwner)?;
         let mut about: About = serde_json::from_str(about)?;
         if std::mem::take(&mut about.text_sha256) != digest_of(job.as_bytes()) {
             return Err(StateError::Damaged);
         }
-        Ok(State { about, job: job_file::parse(job)? })
+        Ok(JournalState { about, job: job_file::parse(job)? })
     }
 }
 
 /// The job's file, from whatever folder the program is started next.
-fn whole(file: &JobFile) -> Result<JobFile, JobError> {
-    Ok(JobFile { path: files::whole(&file.path)?, sha256: file.sha256.clone() })
+fn absolute_job_file(file: &JobFile) -> Result<JobFile, JobError> {
+    Ok(JobFile { path: files::absolute(&file.path)?, sha256: file.sha256.clone() })
 }

@@ -1,7 +1,7 @@
 //! Two windows beside each other, and what one leaves behind that ended early.
 
 use super::*;
-use crate::document::{Document, Edit, IfChanged, Job, JobError, Step, files, save};
+use crate::document::{Document, Edit, IfChanged, Job, JobError, UndoStep, files, save};
 use std::path::PathBuf;
 
 /// A folder with a job `a.toml` that names its part `a.stl`, and the journal's folder in it.
@@ -121,7 +121,7 @@ fn a_leftover_is_taken_over_once() {
     assert_eq!((leftover.job_file(), leftover.part_name().as_str()), (Some(desk.path("a.toml").as_path()), "a"));
     assert_eq!(leftover.part_file(), desk.path("parts/a.stl"));
     let mut document = leftover.restored();
-    assert_eq!((document.undo_step(), document.job()), (Some(&Step::Restored), desk.edited(2.0).job()));
+    assert_eq!((document.undo_step(), document.job()), (Some(&UndoStep::Restored), desk.edited(2.0).job()));
     leftover.take_over(&mut journal).expect("takes over");
     assert!(desk.spacings().is_empty(), "it is that of a live window now, and what that had is given up");
     document.apply(&Edit::Set("layers.spacing_mm", 4.0), &[], None);

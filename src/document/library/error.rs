@@ -1,7 +1,7 @@
 //! Why the library of recipes cannot be changed, and why a file of it is no recipe.
 
+use crate::document::RecipeError;
 use crate::document::files::JobError;
-use crate::document::recipe::RecipeError;
 use std::path::PathBuf;
 use thiserror::Error;
 

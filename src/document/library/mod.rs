@@ -142,8 +142,8 @@ fn rename(from: &Path, to: &Path) -> Result<(), LibraryError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::RecipeError;
     use crate::document::StartFrom;
-    use crate::document::recipe::RecipeError;
     use crate::path::{Direction, Order, Strategy};
 
     fn full() -> Recipe {

@@ -53,7 +53,7 @@ pub enum Offset {
     /// The family is centred on the extent.
     #[default]
     Centred,
-    /// So far above the lowest point of the extent, mm.
+    /// Height above the lowest point of the extent, mm.
     FromLowest(f64),
 }
 
@@ -80,14 +80,14 @@ impl<'de> Deserialize<'de> for Offset {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
         #[serde(untagged)]
-        enum Raw {
+        enum RawOffset {
             Number(f64),
             Word(String),
         }
-        match Raw::deserialize(d)? {
-            Raw::Number(mm) => Ok(Offset::FromLowest(mm)),
-            Raw::Word(w) if w == "centred" => Ok(Offset::Centred),
-            Raw::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"centred\" or a number of mm"))),
+        match RawOffset::deserialize(d)? {
+            RawOffset::Number(mm) => Ok(Offset::FromLowest(mm)),
+            RawOffset::Word(w) if w == "centred" => Ok(Offset::Centred),
+            RawOffset::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"centred\" or a number of mm"))),
         }
     }
 }

@@ -1,10 +1,11 @@
 //! Files into a folder, all of them or none, whatever stands there and whenever the process ends.
 
-use super::contents::OutputFile;
+use super::conflict::ExportOf;
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::ExportIntent;
-use super::ownership::{ExportOf, allowed, meet};
+use super::output_file::OutputFile;
+use super::ownership::{allowed, compare_folder};
 use super::recovery::recover;
 use crate::document::files::JobError;
 use crate::progress::{Activity, Progress};
@@ -16,7 +17,7 @@ use std::path::Path;
 /// # Errors
 /// What stands in the way, cannot be written, or [`ExportError::Cancelled`]; the folder is as it was, unless it could
 /// not be written half way: then the next export into it ends this one.
-pub(super) fn put(
+pub(super) fn put_in_place(
     dir: &Path,
     files: &[OutputFile],
     of: &ExportOf,
@@ -33,13 +34,13 @@ pub(super) fn put(
     progress.begin(Activity::WritingFiles, staging.len());
     let staged = staging.iter().try_for_each(|step| {
         progress.step()?;
-        intent.take(&folder, files, step).map_err(ExportError::from)
+        intent.apply(&folder, files, step).map_err(ExportError::from)
     });
     if let Err(e) = staged {
-        take_back(&folder, is_new);
+        roll_back(&folder, is_new);
         return Err(e);
     }
-    intent.steps().iter().try_for_each(|step| intent.take(&folder, files, step))?;
+    intent.steps().iter().try_for_each(|step| intent.apply(&folder, files, step))?;
     let goes = |name: &String| files.iter().all(|f| f.name != *name);
     Ok(intent.remove.into_iter().filter(goes).collect())
 }
@@ -55,13 +56,13 @@ pub(super) fn intended(
     (reads_job, overwrite): (bool, bool),
 ) -> Result<ExportIntent, ExportError> {
     let names: Vec<&str> = files.iter().map(|f| f.name.as_str()).collect();
-    let met = meet(folder, of, &names, reads_job)?;
+    let met = compare_folder(folder, of, &names, reads_job)?;
     allowed(folder.path(), met.conflicts, overwrite)?;
     Ok(ExportIntent::new(of.clone(), files, met.standing))
 }
 
 /// Removes what was staged. What cannot be removed now is when the next export comes.
-fn take_back(folder: &ExportFolder, is_new: bool) {
+fn roll_back(folder: &ExportFolder, is_new: bool) {
     for name in folder.all_staged().unwrap_or_default() {
         let _ = folder.unstage(&name);
     }

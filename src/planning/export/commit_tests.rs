@@ -1,11 +1,12 @@
 //! Exports that are broken off behind every single step, and what the next one makes of the folder.
 
-use super::commit::{intended, put};
-use super::contents::{OutputFile, REPORT};
+use super::commit::{intended, put_in_place};
+use super::conflict::{ConflictReason, ExportOf, FileConflict};
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::{CommitStep, ExportIntent};
-use super::ownership::{ConflictReason, ExportOf, FileConflict};
+use super::names::REPORT;
+use super::output_file::OutputFile;
 use super::recovery::Pending;
 use crate::planning::report::WrittenFiles;
 use crate::progress::Progress;
@@ -19,8 +20,8 @@ fn of() -> ExportOf {
     ExportOf { job: "gear".into(), part: "gear.stl".into() }
 }
 
-fn put_here(dir: &Path, files: &[OutputFile], overwrite: bool) -> Result<Vec<String>, ExportError> {
-    put(dir, files, &of(), (false, overwrite), &Progress::default())
+fn export_into(dir: &Path, files: &[OutputFile], overwrite: bool) -> Result<Vec<String>, ExportError> {
+    put_in_place(dir, files, &of(), (false, overwrite), &Progress::default())
 }
 
 /// An export whose main program is `first`, and calls the programs behind it. `said`: what the main program says.
@@ -59,7 +60,7 @@ fn cases() -> Vec<(Option<Vec<OutputFile>>, Vec<OutputFile>)> {
     ]
 }
 
-fn stands(dir: &Path) -> BTreeMap<String, String> {
+fn files_on_disk(dir: &Path) -> BTreeMap<String, String> {
     let entries = std::fs::read_dir(dir).expect("a folder").map(|e| e.expect("an entry"));
     let one = |e: std::fs::DirEntry| {
         (e.file_name().into_string().expect("a name"), std::fs::read_to_string(e.path()).expect("text"))
@@ -74,7 +75,7 @@ fn expected(files: &[OutputFile]) -> BTreeMap<String, String> {
 
 /// No main program calls what is not there, or what is of different exports.
 fn assert_sound(dir: &Path, when: &str) {
-    let files = stands(dir);
+    let files = files_on_disk(dir);
     assert_eq!(files.get(NOTES).map(String::as_str), Some("mine"), "{when}");
     for (name, text) in files.iter().filter(|(name, text)| !name.starts_with('.') && text.starts_with("main")) {
         let mut words = text.split(' ').skip(1);
@@ -95,7 +96,7 @@ fn broken_off(old: Option<&[OutputFile]>, new: &[OutputFile], taken: usize) -> O
     let dir = tempfile::tempdir().expect("a folder");
     std::fs::write(dir.path().join(NOTES), "mine").expect("writes");
     if let Some(old) = old {
-        put_here(dir.path(), old, false).expect("the old export");
+        export_into(dir.path(), old, false).expect("the old export");
     }
     let folder = ExportFolder::open(dir.path()).expect("opens");
     let intent: ExportIntent = intended(&folder, new, &of(), (false, false)).expect("nothing in the way");
@@ -104,7 +105,7 @@ fn broken_off(old: Option<&[OutputFile]>, new: &[OutputFile], taken: usize) -> O
         return None;
     }
     for step in &steps[..taken] {
-        intent.take(&folder, new, step).expect("a step");
+        intent.apply(&folder, new, step).expect("a step");
     }
     Some(dir)
 }
@@ -127,8 +128,8 @@ fn everywhere(count: usize, mut look: impl FnMut(&TempDir, &[OutputFile], &str))
 }
 
 fn assert_becomes(dir: &Path, next: &[OutputFile], when: &str) {
-    put_here(dir, next, false).unwrap_or_else(|e| panic!("{when}: {e}"));
-    assert_eq!(stands(dir), expected(next), "{when}");
+    export_into(dir, next, false).unwrap_or_else(|e| panic!("{when}: {e}"));
+    assert_eq!(files_on_disk(dir), expected(next), "{when}");
 }
 
 #[test]
@@ -144,7 +145,7 @@ fn ending_a_broken_export_can_be_broken_off_as_well() {
         for _ in 0..100 {
             let pending = Pending::in_folder(&folder, false).expect("reads");
             let Some(step) = pending.steps.iter().find(|s| **s != CommitStep::Sync) else { break };
-            pending.take(&folder, step).expect("a step");
+            pending.apply(&folder, step).expect("a step");
             assert_sound(dir.path(), when);
         }
         drop(folder);
@@ -156,7 +157,7 @@ fn ending_a_broken_export_can_be_broken_off_as_well() {
 fn an_export_whose_new_files_are_gone_leaves_no_mixed_program() {
     everywhere(1, |dir, next, when| {
         let staged: Vec<String> =
-            stands(dir.path()).into_keys().filter(|n| n.starts_with(".clearbeam-export-")).collect();
+            files_on_disk(dir.path()).into_keys().filter(|n| n.starts_with(".clearbeam-export-")).collect();
         let Some(gone) = staged.get(when.len() % staged.len().max(1)) else { return };
         std::fs::remove_file(dir.path().join(gone)).expect("removes");
         let folder = ExportFolder::open(dir.path()).expect("opens");
@@ -170,17 +171,17 @@ fn an_export_whose_new_files_are_gone_leaves_no_mixed_program() {
 #[test]
 fn what_was_changed_since_a_crash_is_named_and_kept() {
     everywhere(1, |dir, next, when| {
-        let names: Vec<String> = stands(dir.path()).into_keys().collect();
+        let names: Vec<String> = files_on_disk(dir.path()).into_keys().collect();
         let mine = names.iter().filter(|n| !n.starts_with('.') && *n != NOTES && *n != REPORT);
         let Some(name) = mine.max_by_key(|n| (n.starts_with("A."), n.len() * when.len() % 7)) else { return };
         let file = dir.path().join(name);
         std::fs::write(&file, "changed").expect("writes");
-        let said = put_here(dir.path(), next, false).expect_err(when);
+        let said = export_into(dir.path(), next, false).expect_err(when);
         let named = |e: &ExportError| matches!(e, ExportError::Conflicts { conflicts, .. } if conflicts.iter().any(|c| c.name == *name));
         assert!(named(&said), "{when}: {said}");
         assert_eq!(std::fs::read_to_string(&file).expect("kept"), "changed", "{when}");
-        put_here(dir.path(), next, true).unwrap_or_else(|e| panic!("{when}: {e}"));
-        assert_eq!(stands(dir.path()), expected(next), "{when}");
+        export_into(dir.path(), next, true).unwrap_or_else(|e| panic!("{when}: {e}"));
+        assert_eq!(files_on_disk(dir.path()), expected(next), "{when}");
     });
 }
 
@@ -196,8 +197,8 @@ fn a_job_that_was_changed_since_a_crash_is_not_put_back() {
         assert_sound(dir.path(), &format!("behind {taken} steps"));
         assert_eq!(std::fs::read_to_string(&job).expect("kept"), "changed");
         drop(folder);
-        put(dir.path(), new, &of(), (true, false), &Progress::default()).expect("the job may be replaced");
-        assert_eq!(stands(dir.path()), expected(new));
+        put_in_place(dir.path(), new, &of(), (true, false), &Progress::default()).expect("the job may be replaced");
+        assert_eq!(files_on_disk(dir.path()), expected(new));
     }
 }
 
@@ -206,15 +207,15 @@ fn a_cancelled_export_leaves_the_folder_as_it_was() {
     let dir = tempfile::tempdir().expect("a folder");
     let (old, new) = (export("old", "old", 1..4, &[]), export("new", "new", 1..3, &[]));
     std::fs::write(dir.path().join(NOTES), "mine").expect("writes");
-    put_here(dir.path(), &old, false).expect("the old export");
+    export_into(dir.path(), &old, false).expect("the old export");
     let cancelled = Progress::default();
     cancelled.cancel();
     let inner = dir.path().join("inner");
     for into in [dir.path(), &inner] {
-        let said = put(into, &new, &of(), (false, false), &cancelled);
+        let said = put_in_place(into, &new, &of(), (false, false), &cancelled);
         assert!(matches!(said, Err(ExportError::Cancelled)), "{said:?}");
     }
-    assert_eq!(stands(dir.path()), expected(&old));
+    assert_eq!(files_on_disk(dir.path()), expected(&old));
 }
 
 #[cfg(unix)]
@@ -222,9 +223,9 @@ fn a_cancelled_export_leaves_the_folder_as_it_was() {
 fn two_exports_into_one_folder_wait_for_each_other() {
     let dir = tempfile::tempdir().expect("a folder");
     let held = ExportFolder::open(dir.path()).expect("opens");
-    assert!(matches!(put_here(dir.path(), &cases()[0].1, false), Err(ExportError::Busy { .. })));
+    assert!(matches!(export_into(dir.path(), &cases()[0].1, false), Err(ExportError::Busy { .. })));
     drop(held);
-    put_here(dir.path(), &cases()[0].1, false).expect("free again");
+    export_into(dir.path(), &cases()[0].1, false).expect("free again");
 }
 
 #[test]
@@ -240,9 +241,9 @@ fn a_list_that_leads_out_of_the_folder_is_none() {
     std::fs::write(dir.join(REPORT), &report).expect("writes");
     std::fs::write(dir.join(NOTES), "mine").expect("writes");
     let new = export("new", "new", 1..3, &[]);
-    let why = put_here(&dir, &new, false).expect_err("not ours");
+    let why = export_into(&dir, &new, false).expect_err("not ours");
     let of_none = FileConflict { name: REPORT.into(), reason: ConflictReason::NoExports };
     assert!(matches!(&why, ExportError::Conflicts { conflicts, .. } if conflicts.contains(&of_none)), "{why:?}");
-    put_here(&dir, &new, true).expect("replaced");
-    assert_eq!((stands(&dir), victim.exists()), (expected(&new), true));
+    export_into(&dir, &new, true).expect("replaced");
+    assert_eq!((files_on_disk(&dir), victim.exists()), (expected(&new), true));
 }

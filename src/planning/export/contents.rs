@@ -1,45 +1,23 @@
 //! What an export writes: job, program, tables, dose and report, whole in memory. The same job gives the same bytes.
 //! The folder is not looked at here.
 
+use super::conflict::ExportOf;
 use super::error::ExportError;
-use super::folder::is_plain;
-use super::ownership::ExportOf;
+use super::names::{JOB, REPORT, is_plain};
+use super::output_file::OutputFile;
 use super::program::{self, program, read_back};
 use super::tables::{joints_csv, path_csv};
 use crate::cell::Setup;
 use crate::document::files::{self, JobError};
 use crate::document::{Job, Remembered};
-use crate::part::{Part, Surfaces, digest_of};
+use crate::part::{Part, Surfaces};
 use crate::planning::PlanError;
 use crate::planning::dose::{self, DoseReport, dose};
 use crate::planning::plan::Plan;
-use crate::planning::report::{FileDigest, PlanFinding, Report, WrittenFiles};
+use crate::planning::report::{PlanFinding, Report, WrittenFiles};
 use crate::program::Wording;
 use crate::progress::{Activity, Progress};
 use std::path::Path;
-
-/// The job as it was exported.
-pub(super) const JOB: &str = "job.toml";
-/// The report, which lists all other files.
-pub(super) const REPORT: &str = "report.json";
-/// What is no program.
-const TABLES: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", "dose.ply", "report.html"];
-
-/// What a file of a plan is called, and its bytes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OutputFile {
-    /// Name within the folder.
-    pub name: String,
-    /// Contents.
-    pub bytes: Vec<u8>,
-}
-
-impl OutputFile {
-    /// Its name and what its bytes come to.
-    pub(super) fn digest(&self) -> FileDigest {
-        FileDigest { name: self.name.clone(), sha256: digest_of(&self.bytes) }
-    }
-}
 
 /// A finished plan with all that it was made from.
 #[derive(Clone, Copy)]
@@ -58,11 +36,6 @@ pub struct ExportInput<'a> {
     pub findings: &'a [PlanFinding],
     /// The words of the program's comments.
     pub wording: Wording,
-}
-
-/// Whether a file that an export wrote belongs to its program.
-pub(super) fn is_program(name: &str) -> bool {
-    !TABLES.contains(&name)
 }
 
 /// The files of a plan, the report last, and what they report; the program is read back and compared with the plan,

@@ -1,6 +1,6 @@
 //! Why a plan was not exported. Sentences of it stand in `text`.
 
-use super::ownership::FileConflict;
+use super::conflict::FileConflict;
 use crate::document::JobError;
 use crate::planning::PlanError;
 use crate::planning::verify::{Finding, VerifyError};

@@ -23,18 +23,13 @@ pub(super) struct ExportFolder {
 
 /// What stands under a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Standing {
+pub(super) enum FolderEntry {
     /// Nothing.
     Nothing,
     /// A file with this SHA-256.
     File(String),
     /// A folder, which no file can replace.
     Folder,
-}
-
-/// Whether a name is that of a file of an export: within the folder, and none that it needs for itself.
-pub(super) fn is_plain(name: &str) -> bool {
-    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
 }
 
 fn staged(name: &str) -> String {
@@ -60,7 +55,7 @@ impl ExportFolder {
         ExportFolder { path: path.to_path_buf(), handle: None }
     }
 
-    /// Where it is.
+    /// Its path.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
@@ -69,22 +64,22 @@ impl ExportFolder {
     ///
     /// # Errors
     /// It is there and cannot be read.
-    pub(super) fn look(&self, name: &str) -> Result<Standing, JobError> {
+    pub(super) fn entry(&self, name: &str) -> Result<FolderEntry, JobError> {
         match fs::symlink_metadata(self.path.join(name)) {
-            Err(e) if e.kind() == ErrorKind::NotFound => return Ok(Standing::Nothing),
-            Ok(m) if m.is_dir() => return Ok(Standing::Folder),
+            Err(e) if e.kind() == ErrorKind::NotFound => return Ok(FolderEntry::Nothing),
+            Ok(m) if m.is_dir() => return Ok(FolderEntry::Folder),
             _ => {}
         }
         // A link that leads nowhere stands there, and is no file that was written.
-        Ok(Standing::File(self.read(name)?.map_or(String::new(), |bytes| digest_of(&bytes))))
+        Ok(FolderEntry::File(self.read(name)?.map_or(String::new(), |bytes| digest_of(&bytes))))
     }
 
     /// What is staged for a name.
     ///
     /// # Errors
     /// It is there and cannot be read.
-    pub(super) fn look_staged(&self, name: &str) -> Result<Standing, JobError> {
-        self.look(&staged(name))
+    pub(super) fn staged_entry(&self, name: &str) -> Result<FolderEntry, JobError> {
+        self.entry(&staged(name))
     }
 
     /// Bytes of a file; `None`: it is not there.

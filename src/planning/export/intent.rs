@@ -1,8 +1,9 @@
 //! What an export is about to do with a folder, kept there while it does it: whoever comes after a crash can end it.
 
-use super::contents::{OutputFile, REPORT, is_program};
-use super::folder::{ExportFolder, INTENT, is_plain};
-use super::ownership::ExportOf;
+use super::conflict::ExportOf;
+use super::folder::{ExportFolder, INTENT};
+use super::names::{REPORT, is_plain, is_program};
+use super::output_file::OutputFile;
 use crate::document::files::JobError;
 use crate::planning::report::FileDigest;
 use serde::{Deserialize, Serialize};
@@ -101,7 +102,7 @@ impl ExportIntent {
     ///
     /// # Errors
     /// The system does not let it be taken.
-    pub(super) fn take(&self, folder: &ExportFolder, files: &[OutputFile], step: &CommitStep) -> Result<(), JobError> {
+    pub(super) fn apply(&self, folder: &ExportFolder, files: &[OutputFile], step: &CommitStep) -> Result<(), JobError> {
         match step {
             CommitStep::Stage(number) => match files.get(*number) {
                 Some(f) => folder.stage(&f.name, &f.bytes),

@@ -7,18 +7,23 @@
 mod commit;
 #[cfg(test)]
 mod commit_tests;
+mod conflict;
 mod contents;
 mod error;
 mod folder;
 mod intent;
+mod names;
+mod output_file;
 mod ownership;
 mod program;
 mod recovery;
 mod tables;
 
-pub use contents::{ExportInput, OutputFile, files};
+pub use conflict::{ConflictReason, ExportOf, FileConflict};
+pub use contents::{ExportInput, files};
 pub use error::ExportError;
-pub use ownership::{ConflictReason, ExportOf, FileConflict, allowed};
+pub use output_file::OutputFile;
+pub use ownership::allowed;
 pub use program::program;
 pub use tables::path_csv;
 
@@ -64,7 +69,7 @@ pub fn conflicts(
     let names = contents::names_ahead(job, setup);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let of = ExportOf::new(job, job_file);
-    Ok(ownership::meet(&folder, &of, &names, reads_job)?.conflicts)
+    Ok(ownership::compare_folder(&folder, &of, &names, reads_job)?.conflicts)
 }
 
 /// Writes a plan into a folder, made if it is not there. `job_file`: where the job was read from. `overwrite`: what
@@ -80,10 +85,10 @@ pub fn write(
     progress: &Progress,
 ) -> Result<Exported, ExportError> {
     let of = ExportOf::new(input.job, job_file);
-    let job = rebased(input.job, job_file, &dir.join(contents::JOB))?;
+    let job = rebased(input.job, job_file, &dir.join(names::JOB))?;
     let (files, report) = contents::files(&ExportInput { job: &job, ..*input }, &of, progress)?;
     let reads_job = ownership::reads_job_of(dir, job_file);
-    let removed = commit::put(dir, &files, &of, (reads_job, overwrite), progress)?;
+    let removed = commit::put_in_place(dir, &files, &of, (reads_job, overwrite), progress)?;
     let path = |name: &String| dir.join(name);
     Ok(Exported {
         written: files.iter().map(|f| path(&f.name)).collect(),

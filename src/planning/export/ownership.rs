@@ -1,56 +1,17 @@
 //! Whose the files of a folder are: the earlier export of the same job may be replaced, and nothing else without
 //! being asked for.
 
-use super::contents::{JOB, REPORT};
+use super::conflict::{ConflictReason, ExportOf, FileConflict};
 use super::error::ExportError;
-use super::folder::{ExportFolder, Standing, is_plain};
+use super::folder::{ExportFolder, FolderEntry};
 use super::intent::ExportIntent;
+use super::names::{JOB, REPORT, is_plain};
 use crate::document::files::JobError;
 use crate::document::model::Job;
 use crate::planning::report::FileDigest;
+use serde::Deserialize;
 use serde::de::IgnoredAny;
-use serde::{Deserialize, Serialize};
 use std::path::Path;
-
-/// What an export is of. Two exports are of the same job if both names agree.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct ExportOf {
-    /// Name of the job: its file without ending, or the part's where the job has no file.
-    pub job: String,
-    /// File name of the part.
-    pub part: String,
-}
-
-/// Why a file may not be replaced or removed without being asked for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ConflictReason {
-    /// An earlier export of this job wrote it, and it is not as it was written.
-    ChangedByHand,
-    /// The export of another job wrote it.
-    OtherJob(ExportOf),
-    /// No export wrote it.
-    NoExports,
-    /// An earlier version wrote the export, which did not list its files.
-    EarlierVersion,
-    /// It is a folder; that is never replaced.
-    Folder,
-}
-
-/// A file that stands in the way of an export.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FileConflict {
-    /// Name within the folder.
-    pub name: String,
-    /// Why it stays.
-    pub reason: ConflictReason,
-}
-
-impl FileConflict {
-    /// Whether it is replaced if the user says so.
-    pub fn can_be_overwritten(&self) -> bool {
-        self.reason != ConflictReason::Folder
-    }
-}
 
 /// Passes if nothing is in the way, or all of it may be replaced.
 ///
@@ -147,7 +108,7 @@ impl Earlier {
 
 /// What an export meets in its folder.
 #[derive(Debug, Default)]
-pub(super) struct Met {
+pub(super) struct FolderComparison {
     /// What it may not touch unasked.
     pub(super) conflicts: Vec<FileConflict>,
     /// All files that it would replace or remove, as they stand; what the earlier export wrote in its order.
@@ -159,16 +120,21 @@ pub(super) struct Met {
 ///
 /// # Errors
 /// A file is there and cannot be read.
-pub(super) fn meet(folder: &ExportFolder, of: &ExportOf, names: &[&str], reads_job: bool) -> Result<Met, JobError> {
+pub(super) fn compare_folder(
+    folder: &ExportFolder,
+    of: &ExportOf,
+    names: &[&str],
+    reads_job: bool,
+) -> Result<FolderComparison, JobError> {
     let earlier = Earlier::in_folder(folder)?;
     let theirs = earlier.names();
     let fresh = names.iter().copied().filter(|n| !theirs.contains(n));
-    let mut met = Met::default();
+    let mut met = FolderComparison::default();
     for name in theirs.iter().copied().chain(fresh) {
-        let reason = match folder.look(name)? {
-            Standing::Nothing => continue,
-            Standing::Folder => Some(ConflictReason::Folder),
-            Standing::File(sha256) => {
+        let reason = match folder.entry(name)? {
+            FolderEntry::Nothing => continue,
+            FolderEntry::Folder => Some(ConflictReason::Folder),
+            FolderEntry::File(sha256) => {
                 let reason = earlier.objection(of, name, &sha256).filter(|_| !(reads_job && name == JOB));
                 met.standing.push(FileDigest { name: name.to_owned(), sha256 });
                 reason

@@ -68,9 +68,9 @@ fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Re
     let shown: Vec<u32> = report.surfaces.iter().take(MOST_SURFACES).map(|s| s.surface).collect();
     let more = report.surfaces.len() - shown.len();
     let mut out = vec![Comment::Part(part_name.into()), Comment::Surfaces { shown, more }];
-    out.extend(worked_with(steps));
+    out.extend(process_comments(steps));
     let l = &job.layers;
-    out.push(Comment::Laid { direction: l.direction, spacing_mm: l.spacing_mm, order: l.order });
+    out.push(Comment::LineLayout { direction: l.direction, spacing_mm: l.spacing_mm, order: l.order });
     out.push(Comment::Targets { all: report.points, corrected: report.corrected, blocked: report.blocked });
     match &setup.robot {
         None => out.push(Comment::WithoutRobot(setup.mount)),
@@ -86,10 +86,10 @@ fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Re
 }
 
 /// What the lit pieces are worked with, each once, in the order of work.
-fn worked_with(steps: &Steps) -> Vec<Comment> {
+fn process_comments(steps: &Steps) -> Vec<Comment> {
     let mut out: Vec<Comment> = Vec::new();
     for step in &steps.list {
-        let Step::Work(work) = step else { continue };
+        let Step::Process(work) = step else { continue };
         let comment = Comment::WorkedWith(WorkFigures::of(work));
         if !out.contains(&comment) {
             out.push(comment);

@@ -1,11 +1,12 @@
 //! What a crash left in a folder. An export whose intent stands is ended, where all of it is still there; where it
 //! is not, no program is left rather than a mixed one.
 
-use super::contents::{JOB, REPORT, is_program};
+use super::conflict::{ConflictReason, FileConflict};
 use super::error::ExportError;
-use super::folder::{ExportFolder, INTENT, Standing};
+use super::folder::{ExportFolder, FolderEntry, INTENT};
 use super::intent::{CommitStep, ExportIntent};
-use super::ownership::{ConflictReason, FileConflict, allowed};
+use super::names::{JOB, REPORT, is_program};
+use super::ownership::allowed;
 use crate::document::files::JobError;
 use crate::planning::report::FileDigest;
 
@@ -29,7 +30,7 @@ pub(super) struct Pending {
 pub(super) fn recover(folder: &ExportFolder, (reads_job, overwrite): (bool, bool)) -> Result<(), ExportError> {
     let pending = Pending::in_folder(folder, reads_job)?;
     allowed(folder.path(), pending.conflicts.clone(), overwrite)?;
-    pending.steps.iter().try_for_each(|step| pending.take(folder, step))?;
+    pending.steps.iter().try_for_each(|step| pending.apply(folder, step))?;
     Ok(())
 }
 
@@ -41,7 +42,7 @@ impl Pending {
     pub(super) fn in_folder(folder: &ExportFolder, reads_job: bool) -> Result<Pending, JobError> {
         let Some(intent) = ExportIntent::read(folder)? else {
             let mut steps: Vec<CommitStep> = folder.all_staged()?.into_iter().map(CommitStep::Unstage).collect();
-            if folder.look(INTENT)? != Standing::Nothing {
+            if folder.entry(INTENT)? != FolderEntry::Nothing {
                 steps.push(CommitStep::Forget);
             }
             return Ok(Pending { steps, ..Pending::default() });
@@ -77,9 +78,9 @@ impl Pending {
     ///
     /// # Errors
     /// The system does not let it be taken.
-    pub(super) fn take(&self, folder: &ExportFolder, step: &CommitStep) -> Result<(), JobError> {
+    pub(super) fn apply(&self, folder: &ExportFolder, step: &CommitStep) -> Result<(), JobError> {
         match (&self.intent, step) {
-            (Some(intent), _) => intent.take(folder, &[], step),
+            (Some(intent), _) => intent.apply(folder, &[], step),
             (None, CommitStep::Unstage(name)) => folder.unstage(name),
             (None, _) => folder.remove(INTENT),
         }
@@ -104,17 +105,17 @@ fn state(folder: &ExportFolder, intent: &ExportIntent, keeps_job: bool) -> Resul
     let (mut staged, mut is_all, mut is_untouched) = (Vec::new(), true, true);
     let others = |f: &&FileDigest| !(keeps_job && f.name == JOB);
     for f in intent.place.iter().filter(others) {
-        let new = Standing::File(f.sha256.clone());
-        if folder.look_staged(&f.name)? == new {
+        let new = FolderEntry::File(f.sha256.clone());
+        if folder.staged_entry(&f.name)? == new {
             staged.push(f.name.clone());
         } else {
-            is_all &= folder.look(&f.name)? == new;
+            is_all &= folder.entry(&f.name)? == new;
         }
         let was_there = intent.was.iter().any(|w| w.name == f.name);
-        is_untouched &= was_there || folder.look(&f.name)? == Standing::Nothing;
+        is_untouched &= was_there || folder.entry(&f.name)? == FolderEntry::Nothing;
     }
     for f in intent.was.iter().filter(others) {
-        is_untouched &= folder.look(&f.name)? == Standing::File(f.sha256.clone());
+        is_untouched &= folder.entry(&f.name)? == FolderEntry::File(f.sha256.clone());
     }
     Ok(match (is_all, is_untouched) {
         (true, _) => Left::All { staged },
@@ -128,11 +129,11 @@ fn changed_since(folder: &ExportFolder, intent: &ExportIntent) -> Result<Vec<Fil
     let mut out: Vec<FileConflict> = Vec::new();
     for name in intent.names().filter(|n| *n != REPORT) {
         let mut known = intent.place.iter().chain(&intent.was).filter(|f| f.name == name);
-        let reason = match folder.look(name)? {
-            Standing::Nothing => continue,
-            Standing::Folder => ConflictReason::Folder,
-            Standing::File(sha256) if known.any(|f| f.sha256 == sha256) => continue,
-            Standing::File(_) => ConflictReason::ChangedByHand,
+        let reason = match folder.entry(name)? {
+            FolderEntry::Nothing => continue,
+            FolderEntry::Folder => ConflictReason::Folder,
+            FolderEntry::File(sha256) if known.any(|f| f.sha256 == sha256) => continue,
+            FolderEntry::File(_) => ConflictReason::ChangedByHand,
         };
         let conflict = FileConflict { name: name.to_owned(), reason };
         if !out.contains(&conflict) {

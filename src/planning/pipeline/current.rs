@@ -4,9 +4,9 @@
 use super::super::error::PlanningError;
 use super::super::failure::Failure;
 use super::super::key::Keys;
-use super::super::lay::Laid;
 use super::super::planned::PlannedJob;
 use super::super::stage::Stage;
+use super::super::toolpath::Toolpath;
 use super::Pipeline;
 use crate::cell::{Cell, Setup};
 use crate::document::files::JobError;
@@ -45,13 +45,13 @@ impl Pipeline {
         outcome(&self.setup, self.keys()?.setup)
     }
 
-    /// Key of that.
+    /// Key of the set-up.
     pub fn setup_key(&self) -> Option<Digest> {
         self.keys().map(|keys| keys.setup)
     }
 
     /// Lines of the job that was synced last, while its plan is not there.
-    pub fn lines(&self) -> Option<(Digest, &Arc<Vec<Arc<Laid>>>)> {
+    pub fn lines(&self) -> Option<(Digest, &Arc<Vec<Arc<Toolpath>>>)> {
         let key = self.keys()?.plan;
         self.lines.of(key).filter(|_| self.plan.of(key).is_none()).map(|lines| (key, lines))
     }
@@ -66,7 +66,7 @@ impl Pipeline {
         self.keys().map(|keys| keys.dose)
     }
 
-    /// Why there is no plan of it.
+    /// Why the job that was synced last has no plan.
     pub fn error(&self) -> Option<PlanningError> {
         let keys = self.keys()?;
         if let Some(why) = self.part.failure(keys.part) {

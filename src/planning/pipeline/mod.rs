@@ -11,11 +11,11 @@ use super::error::{PartError, PlanError, PlanningError};
 use super::executor::Executor;
 use super::failure::Failure;
 use super::key::{Keys, part_key};
-use super::lay::Laid;
 use super::planned::PlannedJob;
 use super::pool::AtOnce;
 use super::stage::Stage;
 use super::surface_plan::Cache;
+use super::toolpath::Toolpath;
 use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
 use crate::document::Job;
@@ -30,9 +30,9 @@ use std::sync::Arc;
 /// What changed while the pipeline was brought up to date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
-    /// Other surfaces are.
+    /// The surfaces are others.
     pub surfaces: bool,
-    /// Another set-up is, or the reason why there is none.
+    /// The set-up is another, or the reason why there is none.
     pub setup: bool,
 }
 
@@ -50,7 +50,7 @@ pub struct Pipeline {
     wanted: Option<Wanted>,
     /// Counts how often the files beside the part were read.
     reading: u64,
-    /// How they were then.
+    /// Time and size of those files when they were read.
     stamps: Stamps,
     /// Surface plans and lines that other plans of this part can use again.
     pub cache: Arc<Cache>,
@@ -59,14 +59,14 @@ pub struct Pipeline {
     tool: Stage<Tool, Arc<JobError>>,
     cell: Stage<Cell, Arc<JobError>>,
     setup: Stage<Setup, Arc<JobError>>,
-    lines: Stage<Vec<Arc<Laid>>, PlanError>,
+    lines: Stage<Vec<Arc<Toolpath>>, PlanError>,
     /// Whether lines are wanted ahead of the plan.
     with_lines: bool,
     plan: Stage<PlannedJob, PlanError>,
 }
 
 impl Pipeline {
-    /// A pipeline without a part. `with_lines`: lines are laid, to be shown, before the plan is made.
+    /// A pipeline without a part. `with_lines`: toolpaths are made, to be shown, before the plan.
     pub fn new(executor: Arc<dyn Executor>, with_lines: bool) -> Pipeline {
         Pipeline {
             executor,

@@ -5,7 +5,7 @@ use super::super::failure::Failure;
 use super::super::key::Keys;
 use super::super::making::plan;
 use super::super::planned::PlannedJob;
-use super::super::preview::preview;
+use super::super::preview;
 use super::super::report::Report;
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
@@ -27,7 +27,7 @@ impl Pipeline {
     pub fn sync(&mut self, job: &Job, job_file: Option<&Path>) -> Changes {
         let mut changes = Changes::default();
         let Some(source) = self.source.clone() else { return changes };
-        let keys = self.want(&source, job, job_file);
+        let keys = self.keys_for(&source, job, job_file);
         self.sync_part(&source, job, &keys, &mut changes);
         self.sync_setup(job, job_file, &keys, &mut changes);
         self.sync_plan(job, &keys);
@@ -35,7 +35,7 @@ impl Pipeline {
     }
 
     /// The keys of what is wanted: those of the last time, while nothing has changed.
-    fn want(&mut self, source: &Source, job: &Job, job_file: Option<&Path>) -> Keys {
+    fn keys_for(&mut self, source: &Source, job: &Job, job_file: Option<&Path>) -> Keys {
         if let Some(known) = self.wanted.as_ref().filter(|_| self.is_synced(job, job_file)) {
             return known.keys;
         }

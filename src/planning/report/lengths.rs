@@ -2,7 +2,7 @@
 
 use crate::pose::{Pass, Target, TargetState};
 
-/// Length of the moves that are so, mm.
+/// Total length of the moves that a condition holds of, mm.
 pub(super) fn length<'a>(
     passes: impl IntoIterator<Item = &'a Pass>,
     which: impl Fn(&Target, &Target) -> bool + Copy,

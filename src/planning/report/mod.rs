@@ -14,7 +14,7 @@ mod written_files;
 
 pub use nothing::{BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, first_things_first};
-pub use outcome::Outcome;
+pub use outcome::CorrectionOutcome;
 pub use plan_finding::PlanFinding;
 pub use problem::{NotDone, Problem, problems};
 pub use rows::{OrderReport, SplitReport, SurfaceReport};
@@ -45,13 +45,13 @@ pub struct Report {
     pub passes: usize,
     /// Rows of `path.csv`.
     pub points: usize,
-    /// Points of the lines as they were laid, before anything was put between or dropped.
+    /// Points of the lines as the strategy made them, before any were inserted or dropped.
     pub line_points: usize,
     /// Points of the dense lines, of which the rows were chosen.
     pub dense_points: usize,
     /// Length of the moves with the laser on.
     pub work_mm: f64,
-    /// The share of it that begins or ends at a corrected target.
+    /// The part of that length that begins or ends at a corrected target.
     pub corrected_mm: f64,
     /// Length of passes with the laser off, gaps of lines not counted.
     pub blocked_mm: f64,
@@ -87,13 +87,13 @@ pub struct Report {
     pub splits: Vec<SplitReport>,
     /// Both corrections within the same limits, before any robot; none unless the beam was searched.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub corrections: Vec<Outcome>,
+    pub corrections: Vec<CorrectionOutcome>,
     /// What is proven of the moves with the laser on; null before the program is made.
     pub proof: Option<Proof>,
-    /// Those that are not proven, by what they would touch.
+    /// Moves with the laser on that are not proven, grouped by what they would touch.
     #[serde(skip)]
     pub unproven: Vec<Unproven>,
-    /// Whether all of them are, and there are any.
+    /// Whether there are moves with the laser on, and all of them are proven.
     pub proven: bool,
     /// The least that beam and head keep from everything at a target with the laser on; null without a head.
     pub min_clearance_mm: Option<f64>,

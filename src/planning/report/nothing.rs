@@ -1,7 +1,7 @@
 //! Plans that never light, and why.
 
 use super::problem::{NotDone, Problem, word};
-use crate::cell::motion::Cause;
+use crate::cell::motion::RefusalCause;
 use crate::planning::plan::Plan;
 use crate::program::Step;
 use serde::Serialize;
@@ -22,9 +22,9 @@ pub enum NothingReason {
 /// Blocked targets with the same cause.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BlockedBy {
-    /// As in `problems`.
+    /// The cause, named as in `problems`.
     #[serde(serialize_with = "word")]
-    pub cause: Cause,
+    pub cause: RefusalCause,
     /// The surface in the way.
     pub by_surface: Option<u32>,
     /// How many.

@@ -5,7 +5,7 @@
 
 use super::problem::{NotDone, Problem};
 use super::{NothingReason, PlanFinding, Report, Unproven};
-use crate::cell::motion::{Cause, Why};
+use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::document::Job;
 use crate::part::{PartFinding, SurfaceId};
 use crate::path::Strategy;
@@ -37,7 +37,7 @@ pub enum Notice {
         /// The surface.
         surface: SurfaceId,
         /// Why.
-        cause: Cause,
+        cause: RefusalCause,
         /// The surface in the way.
         by_surface: Option<SurfaceId>,
         /// How the beam may be tilted on it.
@@ -46,8 +46,8 @@ pub enum Notice {
         targets: usize,
         /// The first of them: pass and point.
         first: (usize, usize),
-        /// What stands against that one, where a move or the robot does.
-        why: Option<Why>,
+        /// Why a move or the robot cannot do that one, where one of them is the cause.
+        why: Option<RefusalReason>,
     },
     /// Area of a surface that no line reaches.
     Missed {
@@ -142,7 +142,7 @@ fn of_finding(finding: &PlanFinding) -> Notice {
 }
 
 /// Counts a target that is left out, with those of its surface that have the same cause.
-fn left_out(out: &mut Vec<Notice>, problem: &Problem, cause: Cause, job: &Job) {
+fn left_out(out: &mut Vec<Notice>, problem: &Problem, cause: RefusalCause, job: &Job) {
     let (surface, by_surface) = (SurfaceId(problem.surface), problem.by_surface.map(SurfaceId));
     let is_same = |n: &&mut Notice| {
         matches!(n, Notice::LeftOut { surface: s, cause: c, by_surface: b, .. }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 /// What a correction makes of the same lines.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Outcome {
+pub struct CorrectionOutcome {
     /// Its word.
     pub correction: &'static str,
     /// Rows that it corrects.
@@ -22,11 +22,11 @@ pub struct Outcome {
     pub max_tilt_rate_deg_per_mm: f64,
 }
 
-impl Outcome {
-    fn of<'a>(correction: Correction, passes: impl Iterator<Item = &'a Pass> + Clone) -> Outcome {
+impl CorrectionOutcome {
+    fn of<'a>(correction: Correction, passes: impl Iterator<Item = &'a Pass> + Clone) -> CorrectionOutcome {
         let targets = || passes.clone().flat_map(|p| &p.targets);
         let count = |state: TargetState| targets().filter(|t| t.state == state).count();
-        Outcome {
+        CorrectionOutcome {
             correction: correction.word(),
             corrected: count(TargetState::Corrected),
             blocked: count(TargetState::Blocked),
@@ -41,7 +41,7 @@ impl Outcome {
 }
 
 /// Both corrections on the surfaces that were searched.
-pub(super) fn corrections(plan: &Plan) -> Vec<Outcome> {
+pub(super) fn corrections(plan: &Plan) -> Vec<CorrectionOutcome> {
     if plan.surfaces.iter().all(|s| s.by_section_plane.is_none()) {
         return Vec::new();
     }
@@ -50,5 +50,5 @@ pub(super) fn corrections(plan: &Plan) -> Vec<Outcome> {
         let by_plane = s.by_section_plane.iter().flatten();
         s.passes.iter().zip(by_plane).map(|(own, other)| other.as_ref().unwrap_or(own))
     });
-    vec![Outcome::of(Correction::Clearance, searched), Outcome::of(Correction::SectionPlane, other)]
+    vec![CorrectionOutcome::of(Correction::Clearance, searched), CorrectionOutcome::of(Correction::SectionPlane, other)]
 }

@@ -21,7 +21,7 @@ pub enum PlanFinding {
         is: String,
         /// Surfaces that the job speaks of and that were found again: old number, new number.
         kept: Vec<[u32; 2]>,
-        /// Those that were not; none of them was to be cleaned.
+        /// Surfaces that the job speaks of and that were not found again; none of them was to be cleaned.
         lost: Vec<u32>,
     },
 }
@@ -30,14 +30,14 @@ pub enum PlanFinding {
 mod tests {
     use super::super::nothing::BlockedBy;
     use super::*;
-    use crate::cell::motion::Cause;
+    use crate::cell::motion::RefusalCause;
 
     #[test]
     fn findings_carry_their_code_and_their_fields_side_by_side() {
         let json = |f: &PlanFinding| serde_json::to_string(f).expect("JSON");
         let no_lines = PlanFinding::NothingPlanned { reason: NothingReason::NoLines };
         assert_eq!(json(&no_lines), r#"{"code":"nothing_planned","reason":"no_lines"}"#);
-        let by = vec![BlockedBy { cause: Cause::Beam, by_surface: Some(3), targets: 7 }];
+        let by = vec![BlockedBy { cause: RefusalCause::Beam, by_surface: Some(3), targets: 7 }];
         let blocked = PlanFinding::NothingPlanned { reason: NothingReason::AllBlocked { by } };
         assert_eq!(
             json(&blocked),

@@ -1,6 +1,6 @@
 //! What is blocked or missed, and why.
 
-use crate::cell::motion::{Cause, Why};
+use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
@@ -25,16 +25,16 @@ pub struct Problem {
     pub by_facet: Option<u32>,
     /// Its surface.
     pub by_surface: Option<u32>,
-    /// What stands against it, where a move or the robot does.
+    /// Why a move or the robot cannot do it, where one of them is the cause.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub why: Option<Why>,
+    pub why: Option<RefusalReason>,
 }
 
 /// Why something is not done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NotDone {
     /// A target: something is in the beam's way, or the robot cannot do it.
-    Blocked(Cause),
+    Blocked(RefusalCause),
     /// Area of a surface that no line reaches.
     Missed,
 }
@@ -54,7 +54,7 @@ fn not_done_word<S: Serializer>(cause: &NotDone, s: S) -> Result<S::Ok, S::Error
 }
 
 /// A cause by its word.
-pub(super) fn word<S: Serializer>(cause: &Cause, s: S) -> Result<S::Ok, S::Error> {
+pub(super) fn word<S: Serializer>(cause: &RefusalCause, s: S) -> Result<S::Ok, S::Error> {
     s.serialize_str(cause.word())
 }
 
@@ -70,7 +70,8 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
                 Obstruction::Facet(f) => Some(f),
                 Obstruction::Clamp(_) => None,
             });
-            let cause = refused.map(|r| r.cause).or(wall.map(|b| Cause::of_blocker(&b))).unwrap_or(Cause::Beam);
+            let cause =
+                refused.map(|r| r.cause).or(wall.map(|b| RefusalCause::of_blocker(&b))).unwrap_or(RefusalCause::Beam);
             out.push(Problem {
                 pass: Some(number),
                 point: Some(point),
@@ -82,9 +83,9 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
             });
         }
     }
-    let is_missed = |s: &&Arc<SurfacePlan>| s.laid.coverage.missed_area_mm2 > 0.0;
-    let missed: BTreeSet<u32> = plan.surfaces.iter().filter(is_missed).map(|s| s.laid.surface).collect();
-    let first = plan.surfaces.iter().filter(|s| s.laid.layer == 0).map(|s| s.laid.surface);
+    let is_missed = |s: &&Arc<SurfacePlan>| s.toolpath.coverage.missed_area_mm2 > 0.0;
+    let missed: BTreeSet<u32> = plan.surfaces.iter().filter(is_missed).map(|s| s.toolpath.surface).collect();
+    let first = plan.surfaces.iter().filter(|s| s.toolpath.layer == 0).map(|s| s.toolpath.surface);
     for surface in first.filter(|n| missed.contains(n)) {
         out.push(Problem {
             pass: None,

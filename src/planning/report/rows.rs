@@ -11,9 +11,9 @@ use serde::Serialize;
 /// What the order of the lines comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OrderReport {
-    /// In a plain zigzag, mm.
+    /// Length of the way between lines in a plain zigzag, mm.
     pub zigzag_way_mm: f64,
-    /// As they are run, mm.
+    /// Length of the way between lines in the order in which they are run, mm.
     pub way_mm: f64,
 }
 
@@ -37,7 +37,7 @@ pub struct SurfaceReport {
     pub points: usize,
     /// Length of its moves with the laser on.
     pub work_mm: f64,
-    /// The share of it that begins or ends at a corrected target.
+    /// The part of that length that begins or ends at a corrected target.
     pub corrected_mm: f64,
     /// Length of its passes with the laser off.
     pub blocked_mm: f64,
@@ -55,14 +55,14 @@ pub struct SurfaceReport {
 /// A row for each surface, in the order of work.
 pub(super) fn surface_rows(plan: &Plan, surfaces: &Surfaces) -> Vec<SurfaceReport> {
     // The first layer has every surface; those above it add to its row.
-    let first = plan.surfaces.iter().filter(|s| s.laid.layer == 0);
-    first.map(|s| SurfaceReport::new(plan, surfaces, s.laid.surface)).collect()
+    let first = plan.surfaces.iter().filter(|s| s.toolpath.layer == 0);
+    first.map(|s| SurfaceReport::new(plan, surfaces, s.toolpath.surface)).collect()
 }
 
 impl SurfaceReport {
     fn new(plan: &Plan, surfaces: &Surfaces, surface: u32) -> SurfaceReport {
         let passes: Vec<&Pass> = plan.passes.iter().filter(|p| p.surface == surface).collect();
-        let layers = || plan.surfaces.iter().map(|s| &s.laid).filter(|l| l.surface == surface);
+        let layers = || plan.surfaces.iter().map(|s| &s.toolpath).filter(|l| l.surface == surface);
         SurfaceReport {
             surface,
             area_mm2: surfaces.get(surface).map_or(0.0, |x| x.area_mm2),

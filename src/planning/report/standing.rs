@@ -20,11 +20,11 @@ pub enum Grade {
 pub struct Standing {
     /// Its targets.
     pub targets: usize,
-    /// Those that are left out.
+    /// Targets that are left out.
     pub left_out: usize,
     /// Its moves with the laser on.
     pub lit_moves: usize,
-    /// Those that are not proven to touch nothing.
+    /// Moves with the laser on that are not proven to be free of contact.
     pub unproven: usize,
 }
 

@@ -4,10 +4,10 @@ use crate::part::{SurfaceId, Surfaces};
 use crate::pose::{Obstruction, ToolBody};
 use crate::program::sweep::Proof;
 
-/// Moves with the laser on that would touch the same.
+/// Moves with the laser on whose same tool body would touch the same obstacle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unproven {
-    /// What of the tool would touch it.
+    /// The body of the tool that would touch it.
     pub tool_body: ToolBody,
     /// The surface that would be touched; `None`: a clamp.
     pub surface: Option<SurfaceId>,

@@ -10,7 +10,7 @@ use crate::program::neutral::steps::Station;
 /// A lead, seen from the end of the lit piece that it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lead {
-    /// Where it begins, or ends.
+    /// The far end of the lead: where a lead-in begins, or a lead-out ends.
     pub at: Station,
     /// How long it takes, s.
     pub seconds: f64,
@@ -23,7 +23,7 @@ pub struct Leads {
     pub before: Option<Lead>,
     /// After it went off.
     pub behind: Option<Lead>,
-    /// Of the two, how many are wanted and not free.
+    /// How many of the two are wanted but not free.
     pub left_out: usize,
 }
 

@@ -1,5 +1,5 @@
-//! Where the arm stands, and what was worked out of such poses: when targets are refused, or others chosen, most of
-//! the rest stays as it is. A pose is told by its joints, to the last bit.
+//! Poses of the arm, and a memo of what was worked out from them: when targets are refused or others are chosen, most
+//! results stay valid. A pose is told by its joints, to the last bit.
 
 use crate::cell::Joints;
 use crate::program::neutral::steps::Station;

@@ -3,7 +3,7 @@
 
 use super::lead::{Leads, leads};
 use super::space::Space;
-use crate::cell::motion::{Cause, Refusal, Why};
+use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
 use crate::pose::{Blocker, Pass};
 use crate::program::motion::sweep::Prover;
 use crate::program::neutral::steps::Station;
@@ -25,11 +25,11 @@ pub struct LitRange {
 pub struct LitPiece {
     /// Its targets.
     pub of: LitRange,
-    /// What it is led in and out by.
+    /// Its lead-in and lead-out.
     pub leads: Leads,
-    /// Where it is come to in the air.
+    /// Where the connecting move before it ends.
     pub entry: Station,
-    /// Where it is left.
+    /// Where the connecting move after it begins.
     pub exit: Station,
 }
 
@@ -86,13 +86,13 @@ pub fn stuck(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[
         let before = i.checked_sub(1).and_then(|i| hops.get(i));
         let space = spaces.of(&passes[piece.of.pass]);
         let hit = drawn_back(space, &piece.entry, before).or_else(|| drawn_back(space, &piece.exit, hops.get(i)));
-        hit.map_or_else(Vec::new, |b| refused(piece, &b))
+        hit.map_or_else(Vec::new, |b| refusals_of_hit(piece, &b))
     };
     pieces.par_iter().enumerate().flat_map_iter(refusals).collect()
 }
 
-fn refused(piece: &LitPiece, b: &Blocker) -> Vec<Refusal> {
-    let why = Why::HitDrawnBack { hit: *b };
-    let refuse = |point| Refusal { pass: piece.of.pass, point, cause: Cause::of_blocker(b), why: why.clone() };
+fn refusals_of_hit(piece: &LitPiece, b: &Blocker) -> Vec<Refusal> {
+    let why = RefusalReason::HitDrawnBack { hit: *b };
+    let refuse = |point| Refusal { pass: piece.of.pass, point, cause: RefusalCause::of_blocker(b), why: why.clone() };
     (piece.of.first..=piece.of.last).map(refuse).collect()
 }

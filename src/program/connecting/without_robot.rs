@@ -30,23 +30,23 @@ pub fn steps(
     let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
     walk.out.list.push(Step::Home);
     let mut at: Option<Station> = None;
-    let mut said = None;
+    let mut announced_pass = None;
     for (index, piece) in pieces.iter().enumerate() {
         let pass = &passes[piece.of.pass];
         let here = match at {
             None => walk.from_home(piece),
             Some(from) => walk.over(from, piece, hops[index - 1]),
         };
-        if said != Some(piece.of.pass) {
+        if announced_pass != Some(piece.of.pass) {
             walk.out.say_pass(piece.of.pass, pass);
-            said = Some(piece.of.pass);
+            announced_pass = Some(piece.of.pass);
         }
         let start = walk.onto(here, pass, piece);
         let end = walk.along(start, pass, piece);
         at = Some(walk.off(end, piece.leads.behind));
     }
     if let Some(end) = at {
-        walk.air(end, space.outside(&end), None);
+        walk.push_connecting_move(end, space.outside(&end), None);
     }
     let FocusWalk { mut out, refused, .. } = walk;
     out.list.push(Step::Home);
@@ -80,7 +80,7 @@ impl FocusWalk<'_> {
         let mut before = from;
         for via in self.space.between(&from, &to, is_hop) {
             let via = via.nearest_to(&before);
-            self.air(before, via, None);
+            self.push_connecting_move(before, via, None);
             before = via;
         }
         before
@@ -91,12 +91,12 @@ impl FocusWalk<'_> {
         let first = Some((piece.of.pass, piece.of.first));
         let start = Station::of(&pass.targets[piece.of.first], &pass.settings).nearest_to(&here);
         match piece.leads.before {
-            None => self.air(here, start, first),
+            None => self.push_connecting_move(here, start, first),
             Some(l) => {
                 let to = Station { o: start.o, ..l.at };
-                self.air(here, to, None);
+                self.push_connecting_move(here, to, None);
                 self.out.air_mm += (start.x - to.x).norm();
-                self.go(start, l.seconds, first);
+                self.push_move(start, l.seconds, first);
             }
         }
         start
@@ -105,7 +105,7 @@ impl FocusWalk<'_> {
     /// Along a piece with the laser on.
     fn along(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let mut here = start;
-        self.out.work_with(&pass.settings);
+        self.out.set_process(&pass.settings);
         self.out.list.push(Step::Laser(true));
         for i in piece.of.first + 1..=piece.of.last {
             let next = Station::of(&pass.targets[i], &pass.settings).nearest_to(&here);
@@ -115,13 +115,13 @@ impl FocusWalk<'_> {
             match self.straight.between(&here, &next, &pass.settings) {
                 Ok(between) => {
                     for (share, station) in between {
-                        self.go(station, seconds * (share - done), None);
+                        self.push_move(station, seconds * (share - done), None);
                         done = share;
                     }
                 }
                 Err((cause, why)) => self.refused.push(Refusal { pass: piece.of.pass, point: i, cause, why }),
             }
-            self.go(next, seconds * (1.0 - done), Some((piece.of.pass, i)));
+            self.push_move(next, seconds * (1.0 - done), Some((piece.of.pass, i)));
             here = next;
         }
         self.out.list.push(Step::Laser(false));
@@ -133,20 +133,20 @@ impl FocusWalk<'_> {
         let Some(lead) = lead else { return end };
         let to = Station { o: end.o, ..lead.at };
         self.out.air_mm += (to.x - end.x).norm();
-        self.go(to, lead.seconds, None);
+        self.push_move(to, lead.seconds, None);
         to
     }
 
     /// A straight move in a given time.
-    fn go(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
+    fn push_move(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
         self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target }));
         self.out.time_s += seconds;
     }
 
     /// A straight move at the speed of the air.
-    fn air(&mut self, from: Station, to: Station, target: Option<(usize, usize)>) {
+    fn push_connecting_move(&mut self, from: Station, to: Station, target: Option<(usize, usize)>) {
         self.out.air_mm += (to.x - from.x).norm();
-        self.go(to, self.space.seconds(&from, &to, self.air_mm_s), target);
+        self.push_move(to, self.space.seconds(&from, &to, self.air_mm_s), target);
     }
 }

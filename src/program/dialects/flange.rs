@@ -1,7 +1,7 @@
 //! Flange poses as six printed numbers, and the speed that gives a move its duration, for controllers
 //! that take a speed of the flange and no time. Both ways: what is written is read by the same rule.
 
-use crate::cell::controllers::words::{fixed, number};
+use crate::cell::controllers::templates::{fixed, number};
 use crate::cell::{Joints, Setup};
 use crate::part::rpy;
 use crate::program::neutral::lines::ProgramLine;
@@ -50,7 +50,7 @@ pub fn coupled(setup: &Setup, joints_deg: &Joints, sign: f64) -> Joints {
 }
 
 /// Where the flange is at joint angles as printed; `None` without a robot.
-pub fn stands_at(setup: &Setup, joints_deg: &Joints) -> Option<Isometry3<f64>> {
+pub fn printed_flange_at(setup: &Setup, joints_deg: &Joints) -> Option<Isometry3<f64>> {
     let as_printed = printed_joints(setup, joints_deg).map(|n| number(&n).unwrap_or(0.0));
     setup.robot.as_ref().map(|r| r.forward(&joints(setup, &as_printed)))
 }
@@ -98,9 +98,9 @@ impl Travel {
 /// Speeds of the flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speeds {
-    /// Of its origin, mm/s.
+    /// Speed of the flange's origin, mm/s.
     pub mm_s: f64,
-    /// Of its turning, degrees per second.
+    /// Speed of its rotation, degrees per second.
     pub deg_s: f64,
 }
 

@@ -1,6 +1,6 @@
 //! What the readers share: where something is wrong, and sub-programs that call each other.
 
-use crate::program::dialect::{ProgramFile, Read, ReadLine, Reading};
+use crate::program::dialect::{ProgramFile, ReadContext, ReadLine, Statement};
 use crate::program::read_error::{LineFault, ReadError};
 
 /// More than any program here, and little enough for memory: calls multiply.
@@ -44,7 +44,7 @@ impl Found {
         name: String,
         from: &str,
         line: usize,
-        reading: &Reading<'_>,
+        reading: &ReadContext<'_>,
     ) -> Result<ProgramFile, ReadError> {
         if self.open.contains(&name) || self.open.len() >= DEEPEST || self.lines.len() > MOST_LINES {
             return Err(LineFault::Circle { called: name }.at(from, line));
@@ -56,10 +56,10 @@ impl Found {
     }
 }
 
-/// A straight move from where nobody knows: without a robot the joint angles before it say no place, and so no
-/// duration. That is told where they stand, with the line that goes on from there.
-pub fn from_nowhere(before: &[ReadLine], file: &str, line: usize) -> ReadError {
-    match before.iter().rev().find(|l| matches!(l.what, Read::Move(_))) {
+/// The error of a straight move from an unknown pose: without a robot, joint angles give no pose and so no duration. It is
+/// reported at the line with the joint angles, and names the line that goes on from there.
+pub fn unknown_start(before: &[ReadLine], file: &str, line: usize) -> ReadError {
+    match before.iter().rev().find(|l| matches!(l.what, Statement::Move(_))) {
         None => LineFault::FromNowhere.at(file, line),
         Some(last) => LineFault::GoesOnStraight { file: file.into(), line }.at(&last.file, last.line),
     }

@@ -1,8 +1,8 @@
 //! Outputs, levels, dwells and comments by the templates of a controller's table, both ways. Moves are each dialect's
 //! own.
 
-use crate::cell::controllers::words::{check_template, cut, filled, fixed, matched, matched_key, number, plain};
-use crate::program::dialect::Read;
+use crate::cell::controllers::templates::{check_template, cut, filled, fixed, matched, matched_key, number, plain};
+use crate::program::dialect::Statement;
 use crate::program::neutral::comment::{Comment, Wording};
 use crate::program::neutral::lines::ProgramLine;
 use crate::program::write_error::{SignalKind, WriteError};
@@ -100,33 +100,33 @@ impl SignalTemplates<'_> {
     }
 
     /// What a line does, if it is one of these.
-    pub fn read(&self, line: &str) -> Option<Read> {
+    pub fn read(&self, line: &str) -> Option<Statement> {
         let output = self.read_output(line).or_else(|| self.read_level(line));
         output.or_else(|| self.read_wait(line)).or_else(|| self.read_comment(line))
     }
 
-    fn read_output(&self, line: &str) -> Option<Read> {
+    fn read_output(&self, line: &str) -> Option<Statement> {
         let number = |template| matched_key(template, "n", line)?.trim().parse().ok();
-        let on = number(self.output_on).map(|number| Read::Output { number, on: true });
-        on.or_else(|| number(self.output_off).map(|number| Read::Output { number, on: false }))
+        let on = number(self.output_on).map(|number| Statement::Output { number, on: true });
+        on.or_else(|| number(self.output_off).map(|number| Statement::Output { number, on: false }))
     }
 
-    fn read_level(&self, line: &str) -> Option<Read> {
+    fn read_level(&self, line: &str) -> Option<Statement> {
         let level = |template, group| {
             let keys = matched(template, line)?;
             let value = |key: &str| keys.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
-            Some(Read::Level { number: value("n")?.trim().parse().ok()?, value: number(value("v")?)?, group })
+            Some(Statement::Level { number: value("n")?.trim().parse().ok()?, value: number(value("v")?)?, group })
         };
         level(self.group, true).or_else(|| level(self.analogue, false))
     }
 
-    fn read_wait(&self, line: &str) -> Option<Read> {
+    fn read_wait(&self, line: &str) -> Option<Statement> {
         let count = number(matched_key(self.wait, "s", line)?).filter(|count| *count >= 0.0)?;
-        Some(Read::Wait(count / self.wait_per_s))
+        Some(Statement::Wait(count / self.wait_per_s))
     }
 
-    fn read_comment(&self, line: &str) -> Option<Read> {
+    fn read_comment(&self, line: &str) -> Option<Statement> {
         let text = matched_key(self.comment, "text", line).or((self.comment("") == line).then_some(""))?;
-        Some(Read::Say(text.trim().into()))
+        Some(Statement::Say(text.trim().into()))
     }
 }

@@ -3,7 +3,7 @@
 
 use super::Drive;
 use crate::beam::ProcessSettings;
-use crate::cell::motion::{Cause, Choice, Refusal, Why};
+use crate::cell::motion::{Choice, Refusal, RefusalCause, RefusalReason};
 use crate::pose::Pass;
 use crate::program::connecting::lead::{self, Lead, Leads};
 use crate::program::connecting::memo::ArmStand;
@@ -30,7 +30,7 @@ pub(super) struct DrivenLeads {
 }
 
 impl DrivenLeads {
-    pub(super) fn any(&self) -> bool {
+    pub(super) fn has_any(&self) -> bool {
         self.before.is_some() || self.behind.is_some()
     }
 
@@ -72,20 +72,20 @@ impl Drive<'_> {
         let (number, first, last) = (of.pass, of.first, of.last);
         let pass = &passes[number];
         let refuse = |point, (cause, why)| Refusal { pass: number, point, cause, why };
-        let stand = |point: usize| {
+        let arm_stand = |point: usize| {
             let chosen = choice.rows[number][point].as_ref();
             chosen
                 .map(|c| ArmStand {
                     at: Station::spun(&pass.targets[point], &pass.settings, c.spin_deg),
                     joints_deg: c.joints_deg,
                 })
-                .ok_or_else(|| refuse(point, (Cause::Reach, Why::NotChosen)))
+                .ok_or_else(|| refuse(point, (RefusalCause::Reach, RefusalReason::NotChosen)))
         };
-        let start = stand(first)?;
+        let start = arm_stand(first)?;
         let mut here = start;
         let mut lit = Vec::new();
         for point in first + 1..=last {
-            let to = stand(point)?;
+            let to = arm_stand(point)?;
             let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.settings.speed_mm_s;
             let before = lit.len();
             self.between(&here, &to, (&pass.settings, seconds), &mut lit).map_err(|reason| refuse(point, reason))?;
@@ -100,45 +100,52 @@ impl Drive<'_> {
 
     /// The leads that the arm can make.
     fn leads(&self, wanted: Leads, start: &ArmStand, end: &ArmStand) -> DrivenLeads {
-        let led = |lead: Lead, from: &ArmStand| {
-            let joints_deg = self.robot.near(&self.mounted.flange_for(&lead.at.frame()), &from.joints_deg)?;
+        let drive_lead = |lead: Lead, from: &ArmStand| {
+            let joints_deg =
+                self.robot.nearest_inverse(&self.mounted.flange_for(&lead.at.frame()), &from.joints_deg)?;
             let to = ArmStand { at: lead.at, joints_deg };
             let mut made = Vec::new();
-            self.lit(from, &to, lead.seconds, &mut made).ok()?;
+            self.push_lit_move(from, &to, lead.seconds, &mut made).ok()?;
             made.pop()
         };
-        let before = wanted.before.map(|l| led(l, start));
-        let behind = wanted.behind.map(|l| led(l, end));
+        let before = wanted.before.map(|l| drive_lead(l, start));
+        let behind = wanted.behind.map(|l| drive_lead(l, end));
         let left_out = wanted.left_out + [before, behind].iter().filter(|l| matches!(l, Some(None))).count();
         DrivenLeads { before: before.flatten(), behind: behind.flatten(), left_out }
     }
 
-    /// WorkMove moves from one stand to the next, with stations in between where the spot needs them.
+    /// Moves at the speed of the work from one stand to the next, with stations in between where the spot needs them.
     fn between(
         &self,
         from: &ArmStand,
         to: &ArmStand,
         (work, seconds): (&ProcessSettings, f64),
         out: &mut Vec<WorkMove>,
-    ) -> Result<(), (Cause, Why)> {
+    ) -> Result<(), (RefusalCause, RefusalReason)> {
         let (mut here, mut done) = (*from, 0.0);
         for (share, at) in self.straight.between(&from.at, &to.at, work)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
-            let Some(joints_deg) = self.robot.near(&self.mounted.flange_for(&at.frame()), &guess) else {
-                return Err((Cause::Limit, Why::LimitBetween));
+            let Some(joints_deg) = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), &guess) else {
+                return Err((RefusalCause::Limit, RefusalReason::LimitBetween));
             };
             let next = ArmStand { at, joints_deg };
-            self.lit(&here, &next, seconds * (share - done), out)?;
+            self.push_lit_move(&here, &next, seconds * (share - done), out)?;
             (here, done) = (next, share);
         }
-        self.lit(&here, to, seconds * (1.0 - done), out)
+        self.push_lit_move(&here, to, seconds * (1.0 - done), out)
     }
 
-    /// One lit move, if arm and part keep clear and no joint is too fast.
-    fn lit(&self, from: &ArmStand, to: &ArmStand, seconds: f64, out: &mut Vec<WorkMove>) -> Result<(), (Cause, Why)> {
-        let touched = self.collision.and_then(|c| c.first_between(&from.joints_deg, &to.joints_deg));
+    /// Adds one lit move, if arm and part keep clear and no joint is too fast.
+    fn push_lit_move(
+        &self,
+        from: &ArmStand,
+        to: &ArmStand,
+        seconds: f64,
+        out: &mut Vec<WorkMove>,
+    ) -> Result<(), (RefusalCause, RefusalReason)> {
+        let touched = self.collision.and_then(|c| c.first_contact_between(&from.joints_deg, &to.joints_deg));
         if let Some((_, contact)) = touched {
-            return Err(Why::contact(contact));
+            return Err(RefusalReason::contact(contact));
         }
         for j in 0..6 {
             let moved = (to.joints_deg[j] - from.joints_deg[j]).abs();
@@ -146,7 +153,7 @@ impl Drive<'_> {
             // The ends were chosen by the mean speed; between them a joint may go faster.
             if moved > can_deg_s * seconds + 1e-6 {
                 let needs_deg_s = moved / seconds.max(1e-9);
-                return Err((Cause::Speed, Why::JointSpeed { joint: j + 1, needs_deg_s, can_deg_s }));
+                return Err((RefusalCause::Speed, RefusalReason::JointSpeed { joint: j + 1, needs_deg_s, can_deg_s }));
             }
         }
         out.push(WorkMove { to: *to, seconds, target: None });

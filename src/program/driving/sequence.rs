@@ -2,7 +2,7 @@
 
 use super::lit_pieces::DrivenPiece;
 use super::{Drive, Undriven};
-use crate::cell::motion::{Cause, Choice, Refusal, Why};
+use crate::cell::motion::{Choice, Refusal, RefusalCause, RefusalReason};
 use crate::pose::Pass;
 use crate::program::connecting::memo::{ArmStand, bits};
 use crate::program::connecting::pieces::{LitRange, lit_ranges};
@@ -51,9 +51,9 @@ impl Drive<'_> {
 
     /// All targets, where something is touched at home.
     fn stuck_at_home(&self, ranges: &[LitRange]) -> Option<Vec<Refusal>> {
-        let contact = self.collision.and_then(|c| c.first(&self.setup.home_joints_deg()))?;
-        let why = Why::ContactAtHome(contact);
-        let refuse = |(pass, point)| Refusal { pass, point, cause: Cause::Robot, why: why.clone() };
+        let contact = self.collision.and_then(|c| c.first_contact(&self.setup.home_joints_deg()))?;
+        let why = RefusalReason::ContactAtHome(contact);
+        let refuse = |(pass, point)| Refusal { pass, point, cause: RefusalCause::Robot, why: why.clone() };
         let all = ranges.iter().flat_map(|of| (of.first..=of.last).map(move |point| (of.pass, point)));
         Some(all.map(refuse).collect())
     }
@@ -90,8 +90,8 @@ impl Drive<'_> {
             let ways = self.ways(space, whole);
             let closed = (0..ways.len()).filter(|&i| ways[i].is_none());
             let beside: Vec<usize> = closed.flat_map(|i| [i.checked_sub(1), Some(i)]).flatten().collect();
-            let led = whole.iter_mut().enumerate().filter(|(i, p)| beside.contains(i) && p.leads.any());
-            if led.map(|(_, piece)| piece.leads.leave_out()).count() == 0 {
+            let with_leads = whole.iter_mut().enumerate().filter(|(i, p)| beside.contains(i) && p.leads.has_any());
+            if with_leads.map(|(_, piece)| piece.leads.leave_out()).count() == 0 {
                 return ways;
             }
         }
@@ -113,7 +113,7 @@ impl Drive<'_> {
 
     fn known_way(&self, space: &Space<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
         let ends = [from, to].map(|s| s.map(|s| bits(&s.joints_deg)));
-        self.known.ways.get(ends, || with_robot::way(&self.arm(space), from, to))
+        self.known.ways.get(ends, || with_robot::connecting_moves(&self.arm(space), from, to))
     }
 
     /// Pieces that nothing leads to, or from.
@@ -143,7 +143,7 @@ fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
     // The ways to a piece and from it may both be missing: it is refused once.
     for &LitRange { pass, first, last } in BTreeSet::from_iter(pieces) {
         out.closed.extend(choice.rows[pass][first].as_ref().map(|c| (pass, c.branch)));
-        let refuse = |point| Refusal { pass, point, cause: Cause::Robot, why: Why::NoWay };
+        let refuse = |point| Refusal { pass, point, cause: RefusalCause::Robot, why: RefusalReason::NoWay };
         out.refused.extend((first..=last).map(refuse));
     }
     out
@@ -153,7 +153,7 @@ fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
 fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Steps {
     let mut out = Steps::default();
     out.list.push(Step::Home);
-    let mut said = None;
+    let mut announced_pass = None;
     let mut at: Option<Station> = None;
     for ((way, of), piece) in ways.iter().zip(ranges).zip(whole) {
         let Some((down, way)) = way.as_ref().and_then(|way| way.split_last()) else { continue };
@@ -162,9 +162,9 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
             at = Some(go.to);
         }
         let pass = &passes[of.pass];
-        if said != Some(of.pass) {
+        if announced_pass != Some(of.pass) {
             out.say_pass(of.pass, pass);
-            said = Some(of.pass);
+            announced_pass = Some(of.pass);
         }
         let begin = Some((of.pass, of.first));
         let target = begin.filter(|_| piece.leads.before.is_none());
@@ -172,7 +172,7 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
         if let Some(lead) = &piece.leads.before {
             out.lead(&piece.start, lead.seconds, (&lead.to.at, begin));
         }
-        out.work_with(&pass.settings);
+        out.set_process(&pass.settings);
         out.work(piece);
         if let Some(lead) = &piece.leads.behind {
             out.lead(&lead.to, lead.seconds, (&piece.last().at, None));

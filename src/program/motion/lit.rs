@@ -4,7 +4,7 @@
 use super::spot::foot;
 use super::sweep::{LitMove, Prover};
 use crate::beam::ProcessSettings;
-use crate::cell::motion::{Cause, Why};
+use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::pose::motion::Swept;
 use crate::program::neutral::steps::Station;
 use nalgebra::Isometry3;
@@ -32,7 +32,7 @@ impl StraightFlange<'_> {
         from: &Station,
         to: &Station,
         work: &ProcessSettings,
-    ) -> Result<Vec<(f64, Station)>, (Cause, Why)> {
+    ) -> Result<Vec<(f64, Station)>, (RefusalCause, RefusalReason)> {
         let mut out = Vec::new();
         self.halved((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
         Ok(out)
@@ -44,7 +44,7 @@ impl StraightFlange<'_> {
         to: (&Station, f64),
         (work, halvings): (&ProcessSettings, usize),
         out: &mut Vec<(f64, Station)>,
-    ) -> Result<(), (Cause, Why)> {
+    ) -> Result<(), (RefusalCause, RefusalReason)> {
         let off_mm = self.deviation(from.0, to.0, work);
         let keeps = off_mm <= self.deviation_mm;
         let met = if keeps { self.beam_hits(from.0, to.0, work) } else { None };
@@ -54,9 +54,9 @@ impl StraightFlange<'_> {
         if halvings == 0 {
             return Err(match met {
                 Some(Swept { pose, blocker: hit, .. }) => {
-                    (Cause::of_blocker(&hit), Why::HitOnMove { spot_mm: pose.p.into(), hit })
+                    (RefusalCause::of_blocker(&hit), RefusalReason::HitOnMove { spot_mm: pose.p.into(), hit })
                 }
-                None => (Cause::Singularity, Why::OffLine { off_mm }),
+                None => (RefusalCause::Singularity, RefusalReason::OffLine { off_mm }),
             });
         }
         let (middle, t) = (self.midway(from.0, to.0, work), 0.5 * (from.1 + to.1));

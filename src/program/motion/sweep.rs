@@ -40,7 +40,7 @@ impl Steps {
         for step in &self.list {
             match step {
                 Step::Laser(on) => lit = *on,
-                Step::Work(with) => work = *with,
+                Step::Process(with) => work = *with,
                 Step::Go(go) => {
                     let to = mounted.flange_for(&go.to.frame());
                     out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false, work }));
@@ -58,9 +58,9 @@ impl Steps {
 pub struct Proof {
     /// Lit moves.
     pub intervals: usize,
-    /// Those on which nothing can be touched.
+    /// How many moves cannot touch anything.
     pub proven: usize,
-    /// Those on which something is: their place in the list, and what.
+    /// Moves that touch something: their index in the list, and what they touch.
     #[serde(serialize_with = "count")]
     pub refuted: Vec<(usize, Blocker)>,
     /// What cone and head are proven to keep from everything, mm; 0 for a ray.

@@ -200,7 +200,7 @@ impl Timeline {
         let ends = [from, to].map(|s| self.robot.forward(&s.joints_deg));
         let flange = straight(&ends[0], &ends[1], share);
         // Where the way leaves the arm's reach between two poses within it, the joints are shown.
-        match self.robot.near(&flange, &joints) {
+        match self.robot.nearest_inverse(&flange, &joints) {
             Some(joints) => (joints, flange),
             None => (joints, self.robot.forward(&joints)),
         }

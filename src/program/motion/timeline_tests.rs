@@ -23,7 +23,7 @@ fn station(i: usize, spin_deg: f64) -> Station {
 }
 
 fn joints(setup: &Setup, station: &Station) -> Option<Joints> {
-    setup.robot.as_ref()?.near(&setup.flange_for(&station.frame()), &setup.home_joints_deg())
+    setup.robot.as_ref()?.nearest_inverse(&setup.flange_for(&station.frame()), &setup.home_joints_deg())
 }
 
 fn go(i: usize, interpolation: Interpolation, timing: MoveTiming, target: Option<(usize, usize)>) -> Step {

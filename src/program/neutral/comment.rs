@@ -27,7 +27,7 @@ pub enum Comment {
     /// What some of its lit pieces are worked with.
     WorkedWith(WorkFigures),
     /// How the lines are laid on the surfaces.
-    Laid {
+    LineLayout {
         /// Direction of the planes.
         direction: Direction,
         /// Distance of lines, mm.
@@ -39,9 +39,9 @@ pub enum Comment {
     Targets {
         /// All of them.
         all: usize,
-        /// Those whose beam was turned.
+        /// Targets whose beam was turned.
         corrected: usize,
-        /// Those that are left out.
+        /// Targets that are left out.
         blocked: usize,
     },
     /// It was planned without a robot.
@@ -50,7 +50,7 @@ pub enum Comment {
     Robot {
         /// Its name.
         name: String,
-        /// What it holds.
+        /// What the robot carries.
         mount: Mount,
     },
     /// Figures of the robot's file that nobody has checked.

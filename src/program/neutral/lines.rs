@@ -63,7 +63,7 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     let outputs = &setup.cell.outputs;
     let off = ProgramLine::Output { number: outputs.laser.number, on: false };
     let (whole, piece) = supplies(outputs);
-    let first = steps.list.iter().find_map(|s| if let Step::Work(work) = s { Some(*work) } else { None });
+    let first = steps.list.iter().find_map(|s| if let Step::Process(work) = s { Some(*work) } else { None });
     let mut work = first.unwrap_or_default();
     let mut lit = false;
     let mut out = vec![off.clone()];
@@ -75,7 +75,7 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     for step in &steps.list {
         match step {
             Step::Say(comment) => out.push(ProgramLine::Say(comment.clone())),
-            Step::Work(with) => {
+            Step::Process(with) => {
                 out.extend(levels(outputs, Some(&work), with));
                 work = *with;
             }
@@ -93,7 +93,7 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
                 }
                 out.push(home(setup, work));
             }
-            Step::Go(go) => out.push(ProgramLine::Move(Box::new(going(setup, go, lit, work)))),
+            Step::Go(go) => out.push(ProgramLine::Move(Box::new(move_to(setup, go, lit, work)))),
         }
     }
     out.push(off);
@@ -117,7 +117,7 @@ fn home(setup: &Setup, work: ProcessSettings) -> ProgramLine {
     }))
 }
 
-fn going(setup: &Setup, go: &Go, lit: bool, work: ProcessSettings) -> Move {
+fn move_to(setup: &Setup, go: &Go, lit: bool, work: ProcessSettings) -> Move {
     let part_from_focus = go.to.frame();
     Move {
         interpolation: go.interpolation,
@@ -190,7 +190,7 @@ mod tests {
         .expect("outputs");
         let work = ProcessSettings { power_w: 500.0, ..ProcessSettings::default() };
         let pulsed = ProcessSettings { frequency_khz: 20.0, ..work };
-        let list = vec![Step::Home, Step::Work(work), Step::Laser(true), Step::Laser(false), Step::Home];
+        let list = vec![Step::Home, Step::Process(work), Step::Laser(true), Step::Laser(false), Step::Home];
         let lines = lines(&Steps { list, ..Steps::default() }, &setup);
         let words: Vec<String> = lines
             .iter()

@@ -61,7 +61,7 @@ pub enum Step {
     /// A comment.
     Say(Comment),
     /// What follows is worked with this.
-    Work(ProcessSettings),
+    Process(ProcessSettings),
     /// The laser is switched.
     Laser(bool),
     /// Home, all joints in proportion.
@@ -118,10 +118,10 @@ pub struct Steps {
 
 impl Steps {
     /// Says what the next piece is worked with, where that changes.
-    pub fn work_with(&mut self, work: &ProcessSettings) {
-        let before = self.list.iter().rev().find_map(|s| if let Step::Work(work) = s { Some(work) } else { None });
+    pub fn set_process(&mut self, work: &ProcessSettings) {
+        let before = self.list.iter().rev().find_map(|s| if let Step::Process(work) = s { Some(work) } else { None });
         if before != Some(work) {
-            self.list.push(Step::Work(*work));
+            self.list.push(Step::Process(*work));
         }
     }
 

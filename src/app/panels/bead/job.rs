@@ -18,7 +18,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     let job = context.document.job();
     header(Owner::Job, job).show(ui, |ui| {
         if let Some(Change::To(on)) = laid(ui, Owner::Job, job, None) {
-            actions.edit(Edit::Bead(job.bead.laid(on, job.beam.spot_mm)));
+            actions.edit(Edit::Bead(job.bead.with_bead(on, job.beam.spot_mm)));
         }
         if job.section_of_bead().is_none() {
             return;

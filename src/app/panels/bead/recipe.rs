@@ -50,7 +50,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut
 fn take_laid(change: Change<bool>, job: &Job, own: &Job, recipe: &mut Recipe) {
     match change {
         Change::To(on) => {
-            let with = Job { bead: own.bead.laid(on, own.beam.spot_mm), ..own.clone() };
+            let with = Job { bead: own.bead.with_bead(on, own.beam.spot_mm), ..own.clone() };
             for p in Parameter::of_group(Group::BeadSize) {
                 recipe.values.insert(p.key.into(), with.number(p));
             }

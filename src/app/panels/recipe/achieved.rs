@@ -12,13 +12,13 @@ const TOLD: usize = 4;
 pub(super) fn ui(ui: &mut egui::Ui, selected: &[SurfaceId], context: Context<'_>) {
     let Some(of) = context.derived.plan() else { return };
     let (plan, job) = (&of.plan, &of.job);
-    for s in plan.surfaces.iter().filter(|s| selected.contains(&SurfaceId(s.laid.surface))).take(TOLD) {
-        let n = SurfaceId(s.laid.surface);
+    for s in plan.surfaces.iter().filter(|s| selected.contains(&SurfaceId(s.toolpath.surface))).take(TOLD) {
+        let n = SurfaceId(s.toolpath.surface);
         let told = |what: String| match selected.len() {
             0..=1 => what,
             _ => say!(recipe_panel_of_surface, surface = id(n), what),
         };
-        if let Some(a) = &s.laid.achieved {
+        if let Some(a) = &s.toolpath.achieved {
             let wanted = job.of_surface(n).layers.spacing_mm;
             let (least, greatest) = (fixed(a.min_mm, 2), fixed(a.max_mm, 2));
             ui.label(told(say!(recipe_panel_spacing, least, greatest, wanted = fixed(wanted, 2))));

@@ -2,7 +2,7 @@
 //!
 //! Single targets are looked at; the way from one to the next is the planner's.
 
-use super::{SPINS_DEG, count, fixed_frame, moved, part_frame, possible, turned, variants};
+use super::{SPINS_DEG, count, fixed_frame, move_frame, part_frame, possible, turn_frame, variants};
 use crate::cell::{Frame, Mount, Robot, Setup};
 use crate::part::Part;
 use crate::progress::{Activity, Cancelled, Progress};
@@ -102,7 +102,7 @@ fn grid(setup: &Setup) -> Vec<Setup> {
                     [libm::round(x * reach), here.position_mm[1], libm::round(z * reach)],
                     here.rz_ry_rx_deg,
                 );
-                turned(part_frame(&mut s), &turn);
+                turn_frame(part_frame(&mut s), &turn);
                 out.push(s);
             }
         }
@@ -137,7 +137,7 @@ fn around(setup: &Setup, step_mm: f64) -> Vec<Setup> {
     for sign in [1.0, -1.0] {
         for axis in 0..3 {
             let mut s = setup.clone();
-            moved(fixed_frame(&mut s), axis, sign * step_mm);
+            move_frame(fixed_frame(&mut s), axis, sign * step_mm);
             out.push(s);
             let turn = UnitQuaternion::from_axis_angle(
                 &nalgebra::Unit::new_unchecked(Vector3::ith(axis, 1.0)),
@@ -145,13 +145,13 @@ fn around(setup: &Setup, step_mm: f64) -> Vec<Setup> {
             );
             let mut s = setup.clone();
             if setup.mount == Mount::PartInHand || axis == 2 {
-                turned(part_frame(&mut s), &turn);
+                turn_frame(part_frame(&mut s), &turn);
                 out.push(s);
             }
         }
         if setup.mount == Mount::PartInHand {
             let mut s = setup.clone();
-            moved(part_frame(&mut s), 2, sign * step_mm);
+            move_frame(part_frame(&mut s), 2, sign * step_mm);
             if part_frame(&mut s).position_mm[2] >= 0.0 {
                 out.push(s);
             }

@@ -10,7 +10,7 @@ use crate::program::neutral::steps::Station;
 const LOOK_DEG: f64 = 1.0;
 /// On a straight move the focus goes no further than this between two looks, mm.
 const LOOK_MM: f64 = 0.5;
-/// And the part turns no further, degrees.
+/// On a straight move the part turns no further than this between two looks, degrees.
 const LOOK_TURN_DEG: f64 = 2.0;
 /// A straight connecting move turns no joint further than this.
 const MOST_STRAIGHT_DEG: f64 = 60.0;
@@ -18,9 +18,9 @@ const MOST_STRAIGHT_DEG: f64 = 60.0;
 const OUT_STEPS: usize = 8;
 
 impl MovingArm<'_> {
-    /// The stand at a station, carried on from some joints.
-    pub(super) fn stand(&self, at: Station, near: &Joints) -> Option<ArmStand> {
-        let joints_deg = self.robot.near(&self.mounted.flange_for(&at.frame()), near)?;
+    /// The arm at a station, by the solution nearest to some joints.
+    pub(super) fn arm_stand_at(&self, at: Station, near: &Joints) -> Option<ArmStand> {
+        let joints_deg = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), near)?;
         Some(ArmStand { at, joints_deg })
     }
 
@@ -29,8 +29,8 @@ impl MovingArm<'_> {
         let mut here = *from;
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
-            let next = self.stand(Station { x, ..from.at }, &here.joints_deg)?;
-            let touches = |c: &Collision<'_>| c.first_between(&here.joints_deg, &next.joints_deg).is_some();
+            let next = self.arm_stand_at(Station { x, ..from.at }, &here.joints_deg)?;
+            let touches = |c: &Collision<'_>| c.first_contact_between(&here.joints_deg, &next.joints_deg).is_some();
             if self.collision.is_some_and(touches)
                 || self.space.head_hit(&here.at, &next.at).is_some()
                 || farthest(&here.joints_deg, &next.joints_deg) > MOST_STRAIGHT_DEG
@@ -43,7 +43,7 @@ impl MovingArm<'_> {
     }
 
     /// Stands straight above a piece's end: on the sphere around the part, then nearer and nearer.
-    pub(super) fn outs<'b>(&'b self, stand: &'b ArmStand) -> impl Iterator<Item = ArmStand> + 'b {
+    pub(super) fn stands_above<'b>(&'b self, stand: &'b ArmStand) -> impl Iterator<Item = ArmStand> + 'b {
         let sphere = self.space.outside(&stand.at);
         (1..=OUT_STEPS).rev().filter_map(move |k| self.along(stand, &sphere, k as f64 / OUT_STEPS as f64))
     }
@@ -61,7 +61,7 @@ impl MovingArm<'_> {
             if head_known { self.space.is_head_clear_at(&focus) } else { self.space.is_clear_at(&focus) }
         };
         (head_known && !self.space.knows_head() || (0..=steps as usize).all(is_clear))
-            && self.collision.is_none_or(|c| c.first_between(from, to).is_none())
+            && self.collision.is_none_or(|c| c.first_contact_between(from, to).is_none())
     }
 
     /// Whether nothing is in the way where the flange goes straight, and the arm can follow.
@@ -76,11 +76,11 @@ impl MovingArm<'_> {
         let mut here = from.joints_deg;
         for k in 0..=steps as usize {
             let flange = a.lerp_slerp(&b, k as f64 / steps);
-            match self.robot.near(&flange, &here) {
+            match self.robot.nearest_inverse(&flange, &here) {
                 Some(joints) if farthest(&here, &joints) <= 0.5 * MOST_STRAIGHT_DEG => here = joints,
                 _ => return false,
             }
-            let touches = self.collision.is_some_and(|c| c.first(&here).is_some());
+            let touches = self.collision.is_some_and(|c| c.first_contact(&here).is_some());
             if touches || !self.space.is_clear_at(&setup.focus_for(&flange)) {
                 return false;
             }

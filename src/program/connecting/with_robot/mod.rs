@@ -46,7 +46,7 @@ pub struct KnownMoves {
 
 /// The way from one lit piece (or home) to the next (or home), its last move included; `None`: there
 /// is none.
-pub fn way(arm: &MovingArm<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
+pub fn connecting_moves(arm: &MovingArm<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
     match (from, to) {
         (None, None) => Some(Vec::new()),
         (None, Some(to)) => {
@@ -119,24 +119,24 @@ impl MovingArm<'_> {
 
     /// Out, one move by joints, in.
     fn direct(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
-        let (out, above) = (self.outs(from).next()?, self.outs(to).next()?);
+        let (out, above) = (self.stands_above(from).next()?, self.stands_above(to).next()?);
         self.joints_clear(&out.joints_deg, &above.joints_deg)
             .then(|| vec![self.straight(from, &out), self.by_joints(&above), self.straight(&above, to)])
     }
 
     /// Out, over the part from station to station, in.
     fn over(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
-        let (out, above) = (self.outs(from).next()?, self.outs(to).next()?);
+        let (out, above) = (self.stands_above(from).next()?, self.stands_above(to).next()?);
         let stands = self.along_sphere(&out, &above)?;
         let moves = stands.iter().map(|s| self.by_joints(s));
         Some([self.straight(from, &out)].into_iter().chain(moves).chain([self.straight(&above, to)]).collect())
     }
 
     fn home(&self) -> ArmStand {
-        self.stand_of(self.setup.home_joints_deg())
+        self.arm_stand(self.setup.home_joints_deg())
     }
 
-    fn stand_of(&self, joints_deg: Joints) -> ArmStand {
+    fn arm_stand(&self, joints_deg: Joints) -> ArmStand {
         ArmStand { at: Station::at(&self.mounted.focus_for(&self.robot.forward(&joints_deg))), joints_deg }
     }
 

@@ -3,7 +3,7 @@
 use super::clear::farthest;
 use super::{MovingArm, WayIn};
 use crate::cell::Joints;
-use crate::cell::motion::{Arm, State};
+use crate::cell::motion::{Arm, ArmState};
 use crate::part::angle;
 use crate::program::connecting::memo::{ArmStand, bits};
 use crate::program::neutral::steps::Station;
@@ -37,7 +37,7 @@ impl MovingArm<'_> {
     /// A stand between home and the work, if the cell has one; `None`: the way to it from home is not clear.
     pub(super) fn gate(&self, joints_deg: Option<Joints>) -> Option<Option<ArmStand>> {
         let Some(joints) = joints_deg else { return Some(None) };
-        self.joints_clear(&self.setup.home_joints_deg(), &joints).then(|| Some(self.stand_of(joints)))
+        self.joints_clear(&self.setup.home_joints_deg(), &joints).then(|| Some(self.arm_stand(joints)))
     }
 
     /// Stands from home (or a gate) to straight above a piece's end, that one included and given once
@@ -48,10 +48,10 @@ impl MovingArm<'_> {
 
     fn new_way_in(&self, from: &ArmStand, to: &ArmStand) -> Option<WayIn> {
         let home = from.joints_deg;
-        if let Some(above) = self.outs(to).find(|above| self.joints_clear(&home, &above.joints_deg)) {
+        if let Some(above) = self.stands_above(to).find(|above| self.joints_clear(&home, &above.joints_deg)) {
             return Some((vec![above], above));
         }
-        let above = self.outs(to).next()?;
+        let above = self.stands_above(to).next()?;
         let arm = Arm::with_step(self.robot, self.setup, 2.0 * SPINS_DEG);
         let mut gates: Vec<(f64, ArmStand)> = Vec::new();
         for direction in DIRECTIONS {
@@ -59,7 +59,7 @@ impl MovingArm<'_> {
             let station = self.space.on_top(&radial, &angle::any_square_to(&radial));
             let states = arm.states(&station.frame()).unwrap_or_default();
             gates.extend(states.iter().map(|s| {
-                let at = Station::at(&arm.turned(&station.frame(), s.spin));
+                let at = Station::at(&arm.with_spin(&station.frame(), s.spin));
                 let length = farthest(&home, &s.joints_deg) + farthest(&s.joints_deg, &above.joints_deg);
                 (length, ArmStand { at, joints_deg: s.joints_deg })
             }));
@@ -87,9 +87,10 @@ impl MovingArm<'_> {
         for k in 0..=steps {
             let t = k as f64 / steps as f64;
             let station = self.space.on_top(&arc.at(t), &(p.slerp(&q, t) * Vector3::y()));
-            let next =
-                self.stand(station, &here.joints_deg).filter(|n| self.joints_clear(&here.joints_deg, &n.joints_deg));
-            here = match next.or_else(|| self.some_stand(&arm, &station, &here.joints_deg, &above.joints_deg)) {
+            let next = self
+                .arm_stand_at(station, &here.joints_deg)
+                .filter(|n| self.joints_clear(&here.joints_deg, &n.joints_deg));
+            here = match next.or_else(|| self.any_arm_stand(&arm, &station, &here.joints_deg, &above.joints_deg)) {
                 Some(next) => next,
                 // The last station stands where the next move would begin: it may be left out.
                 None if k == steps => break,
@@ -104,15 +105,18 @@ impl MovingArm<'_> {
     }
 
     /// A stand at a station with any spin: the one that lies best between two others.
-    fn some_stand(&self, arm: &Arm<'_>, station: &Station, from: &Joints, to: &Joints) -> Option<ArmStand> {
+    fn any_arm_stand(&self, arm: &Arm<'_>, station: &Station, from: &Joints, to: &Joints) -> Option<ArmStand> {
         let states = arm.states(&station.frame()).ok()?;
-        let length = |s: &State| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
-        let mut order: Vec<(f64, &State)> = states.iter().map(|s| (length(s), s)).collect();
+        let length = |s: &ArmState| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
+        let mut order: Vec<(f64, &ArmState)> = states.iter().map(|s| (length(s), s)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         order
             .into_iter()
             .take(MOST_TRIED)
-            .map(|(_, s)| ArmStand { at: Station::at(&arm.turned(&station.frame(), s.spin)), joints_deg: s.joints_deg })
+            .map(|(_, s)| ArmStand {
+                at: Station::at(&arm.with_spin(&station.frame(), s.spin)),
+                joints_deg: s.joints_deg,
+            })
             .find(|n| self.joints_clear(from, &n.joints_deg))
     }
 }

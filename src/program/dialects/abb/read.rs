@@ -2,8 +2,8 @@
 
 use super::{FULL_DEG_S, data, share, target, templates};
 use crate::cell::Setup;
-use crate::cell::controllers::words::{number, numbers, said_lines};
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove};
+use crate::cell::controllers::templates::{non_blank_lines, number, numbers};
+use crate::program::dialect::{Goal, ProgramFile, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::joints;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
@@ -30,9 +30,9 @@ struct Module<'t> {
 pub fn read(file: &ProgramFile, setup: &Setup) -> Result<Vec<ReadLine>, ReadError> {
     let abb = &setup.cell.abb;
     let mut out = Vec::new();
-    let mut add = |line: usize, what: Read| out.push(ReadLine { file: file.name.clone(), line, what });
+    let mut add = |line: usize, what: Statement| out.push(ReadLine { file: file.name.clone(), line, what });
     let mut module = Module::default();
-    for (line, text) in said_lines(&file.text) {
+    for (line, text) in non_blank_lines(&file.text) {
         if let Some(what) = module.line(setup, line, text).map_err(|fault| fault.at(&file.name, line))? {
             add(line, what);
         }
@@ -64,7 +64,7 @@ pub fn read(file: &ProgramFile, setup: &Setup) -> Result<Vec<ReadLine>, ReadErro
 
 impl<'t> Module<'t> {
     /// Takes a line; what it says by itself, outside the procedures.
-    fn line(&mut self, setup: &Setup, line: usize, text: &'t str) -> Result<Option<Read>, LineFault> {
+    fn line(&mut self, setup: &Setup, line: usize, text: &'t str) -> Result<Option<Statement>, LineFault> {
         let abb = &setup.cell.abb;
         if self.ended {
             return Err(LineFault::BehindEnd { end: "ENDMODULE".into() });
@@ -99,13 +99,13 @@ impl<'t> Module<'t> {
 }
 
 /// What a line outside procedures says.
-fn declaration(setup: &Setup, text: &str) -> Result<Read, LineFault> {
-    if let Some(Read::Say(comment)) = templates(&setup.cell.abb).read(text) {
-        return Ok(Read::Say(comment));
+fn declaration(setup: &Setup, text: &str) -> Result<Statement, LineFault> {
+    if let Some(Statement::Say(comment)) = templates(&setup.cell.abb).read(text) {
+        return Ok(Statement::Say(comment));
     }
     let data = data(setup);
     if data.iter().any(|d| d == text) {
-        return Ok(Read::Other(text.into()));
+        return Ok(Statement::Other(text.into()));
     }
     let named = data.iter().find(|d| d.split(":=").next() == text.split(":=").next());
     Err(match named {
@@ -115,7 +115,7 @@ fn declaration(setup: &Setup, text: &str) -> Result<Read, LineFault> {
 }
 
 /// What a statement does.
-fn statement(setup: &Setup, text: &str) -> Result<Read, LineFault> {
+fn statement(setup: &Setup, text: &str) -> Result<Statement, LineFault> {
     let abb = &setup.cell.abb;
     for (word, interpolation, is_joints) in [
         ("MoveAbsJ ", Interpolation::Joint, true),
@@ -131,10 +131,10 @@ fn statement(setup: &Setup, text: &str) -> Result<Read, LineFault> {
         if zone != "fine" && zone != abb.zone {
             return Err(LineFault::expected(["fine".to_owned(), abb.zone.clone()], zone));
         }
-        return Ok(Read::Move(ReadMove { interpolation, goal, timing, rest: format!("{configured}{zone}") }));
+        return Ok(Statement::Move(ReadMove { interpolation, goal, timing, rest: format!("{configured}{zone}") }));
     }
     if abb.start.iter().any(|s| s == text) {
-        return Ok(Read::Other(text.into()));
+        return Ok(Statement::Other(text.into()));
     }
     templates(abb).read(text).ok_or_else(|| {
         let known = [&abb.output_on, &abb.output_off, &abb.wait, &abb.comment].map(String::as_str);

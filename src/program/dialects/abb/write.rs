@@ -1,7 +1,7 @@
 //! RAPID modules as they are written.
 
 use super::{data, pose, share, target, templates};
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::cell::{Joints, Setup};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::arm_shape::ArmShape;

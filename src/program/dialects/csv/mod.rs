@@ -4,7 +4,7 @@
 mod read;
 mod write;
 
-use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -45,7 +45,7 @@ impl Dialect for Table {
         text.lines().next().is_some_and(|l| l.trim_end() == CONVENTIONS[0])
     }
 
-    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }

@@ -2,8 +2,8 @@
 
 use super::{COLUMNS, CONVENTIONS, COUNT, END};
 use crate::cell::Setup;
-use crate::cell::controllers::words::number;
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::cell::controllers::templates::number;
+use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{Account, LineFault, ReadError, RowFault};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
@@ -19,7 +19,7 @@ enum TablePlace {
 }
 
 /// Reads a table.
-pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let mut out = Vec::new();
     let (mut rows, mut place) = (0usize, TablePlace::Head);
     for (i, text) in file.text.lines().enumerate() {
@@ -38,7 +38,7 @@ pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, 
                 continue;
             }
             TablePlace::Head => match text.strip_prefix("# ") {
-                Some(said) => Read::Say(said.into()),
+                Some(said) => Statement::Say(said.into()),
                 None => return fail(RowFault::OtherColumns.into()),
             },
             TablePlace::Rows => match text.strip_prefix(END) {
@@ -63,7 +63,7 @@ pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, 
     }
 }
 
-fn row(text: &str, index: usize, setup: &Setup) -> Result<Read, LineFault> {
+fn row(text: &str, index: usize, setup: &Setup) -> Result<Statement, LineFault> {
     let too_short = || LineFault::expected([COLUMNS], text);
     // The text comes last and may hold commas.
     let cells: Vec<&str> = text.splitn(COUNT, ',').collect();
@@ -84,23 +84,25 @@ fn row(text: &str, index: usize, setup: &Setup) -> Result<Read, LineFault> {
     let plain_number = || output.parse::<u32>().map_err(|_| LineFault::numbers(1, output));
     let level = || number(value).ok_or_else(|| LineFault::numbers(1, value));
     match *what {
-        "move" => go(way, figures, setup).map(Read::Move),
+        "move" => read_move(way, figures, setup).map(Statement::Move),
         "output" => match *value {
-            "0" | "1" => Ok(Read::Output { number: plain_number()?, on: *value == "1" }),
+            "0" | "1" => Ok(Statement::Output { number: plain_number()?, on: *value == "1" }),
             other => Err(LineFault::expected(["1", "0"], other)),
         },
-        "analogue" | "group" => Ok(Read::Level { number: plain_number()?, value: level()?, group: *what == "group" }),
-        "wait" => level().map(Read::Wait),
+        "analogue" | "group" => {
+            Ok(Statement::Level { number: plain_number()?, value: level()?, group: *what == "group" })
+        }
+        "wait" => level().map(Statement::Wait),
         "say" => {
             let inner = said.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
-            inner.map(|t| Read::Say(t.into())).ok_or_else(|| LineFault::expected(["\"…\""], said))
+            inner.map(|t| Statement::Say(t.into())).ok_or_else(|| LineFault::expected(["\"…\""], said))
         }
         other => Err(LineFault::expected(["move", "output", "analogue", "group", "wait", "say"], other)),
     }
 }
 
 /// `figures`: flange, focus, joints, seconds, percent, laser.
-fn go(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, LineFault> {
+fn read_move(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, LineFault> {
     let interpolation = match way {
         "joint" => Interpolation::Joint,
         "linear" => Interpolation::Linear,

@@ -1,7 +1,7 @@
 //! Tables as they are written.
 
 use super::{COLUMNS, CONVENTIONS, COUNT, END};
-use crate::cell::controllers::words::{fixed, plain, text};
+use crate::cell::controllers::templates::{fixed, plain, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::neutral::comment::Wording;
 use crate::program::neutral::lines::{Move, ProgramLine};
@@ -40,11 +40,11 @@ fn row(line: &ProgramLine, wording: Wording) -> Vec<String> {
             bare(if *group { "group" } else { "analogue" }, number(n), fixed(*value, DECIMALS), none())
         }
         ProgramLine::Wait(seconds) => bare("wait", none(), fixed(*seconds, DECIMALS), none()),
-        ProgramLine::Move(m) => go(m),
+        ProgramLine::Move(m) => write_move(m),
     }
 }
 
-fn go(m: &Move) -> Vec<String> {
+fn write_move(m: &Move) -> Vec<String> {
     let interpolation = match m.interpolation {
         Interpolation::Joint => "joint",
         Interpolation::Linear => "linear",

@@ -10,8 +10,8 @@ mod write;
 
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Estun;
-use crate::cell::controllers::words::{fixed, said_lines};
-use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::cell::controllers::templates::{fixed, non_blank_lines};
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -28,11 +28,11 @@ impl Dialect for Erp {
     }
 
     fn claims(&self, text: &str) -> bool {
-        let first = said_lines(text).map(|(_, l)| l).find(|l| !l.starts_with("//") && !l.starts_with("/*"));
+        let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with("//") && !l.starts_with("/*"));
         first == Some("Start:")
     }
 
-    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }

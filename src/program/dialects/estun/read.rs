@@ -2,17 +2,17 @@
 
 use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, templates};
 use crate::cell::Setup;
-use crate::cell::controllers::words::{number, said_lines};
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::cell::controllers::templates::{non_blank_lines, number};
+use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::{Speeds, Travel, joints, pose};
-use crate::program::dialects::reading::from_nowhere;
+use crate::program::dialects::reading::unknown_start;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
 use std::collections::BTreeMap;
 
 /// The lines of a program.
-pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let estun = &reading.setup.cell.estun;
     let name = format!("{}.erd", file.name.strip_suffix(".erp").unwrap_or(&file.name));
     let Some(text) = (reading.open)(&name) else {
@@ -20,7 +20,7 @@ pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, 
     };
     let data = ErdData::parse(reading.setup, &ProgramFile { name, text })?;
     let (mut out, mut at, mut begun, mut ended) = (Vec::new(), None, false, false);
-    for (line, text) in said_lines(&file.text) {
+    for (line, text) in non_blank_lines(&file.text) {
         let wrong = |fault: LineFault| fault.at(&file.name, line);
         if ended {
             return Err(wrong(LineFault::BehindEnd { end: "End;".into() }));
@@ -31,7 +31,7 @@ pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, 
                 if text != estun.version {
                     return Err(wrong(LineFault::expected([estun.version.clone(), "Start:".into()], text)));
                 }
-                out.push(ReadLine { file: file.name.clone(), line, what: Read::Other(text.into()) });
+                out.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(text.into()) });
             }
             continue;
         }
@@ -40,7 +40,7 @@ pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, 
             continue;
         }
         if text.starts_with("MovL{") && at.is_none() {
-            return Err(from_nowhere(&out, &file.name, line));
+            return Err(unknown_start(&out, &file.name, line));
         }
         let what = statement(reading.setup, &data, &mut at, text).map_err(wrong)?;
         out.push(ReadLine { file: file.name.clone(), line, what });
@@ -48,13 +48,18 @@ pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, 
     if ended { Ok(out) } else { Err(ReadError::CutOff { file: file.name.clone(), expected: "End;".into() }) }
 }
 
-fn statement(setup: &Setup, data: &ErdData, at: &mut Option<Isometry3<f64>>, text: &str) -> Result<Read, LineFault> {
+fn statement(
+    setup: &Setup,
+    data: &ErdData,
+    at: &mut Option<Isometry3<f64>>,
+    text: &str,
+) -> Result<Statement, LineFault> {
     let estun = &setup.cell.estun;
     if text.starts_with("MovJ{") || text.starts_with("MovL{") {
-        return go(setup, data, at, text).map(Read::Move);
+        return read_move(setup, data, at, text).map(Statement::Move);
     }
     if estun.start.iter().any(|s| s == text) {
-        return Ok(Read::Other(text.into()));
+        return Ok(Statement::Other(text.into()));
     }
     templates(estun).read(text).ok_or_else(|| {
         let known = [&estun.output_on, &estun.output_off, &estun.wait, &estun.comment].map(String::as_str);
@@ -62,7 +67,12 @@ fn statement(setup: &Setup, data: &ErdData, at: &mut Option<Isometry3<f64>>, tex
     })
 }
 
-fn go(setup: &Setup, data: &ErdData, at: &mut Option<Isometry3<f64>>, text: &str) -> Result<ReadMove, LineFault> {
+fn read_move(
+    setup: &Setup,
+    data: &ErdData,
+    at: &mut Option<Isometry3<f64>>,
+    text: &str,
+) -> Result<ReadMove, LineFault> {
     let interpolation = if text.starts_with("MovJ{") { Interpolation::Joint } else { Interpolation::Linear };
     let form = || LineFault::expected(["{P=t_l.P0000,V=t_l.V0000,B=…}"], text);
     let inside = text.get(5..).and_then(|t| t.strip_suffix('}')).ok_or_else(form)?;
@@ -100,7 +110,7 @@ struct ErdData {
 impl ErdData {
     fn parse(setup: &Setup, file: &ProgramFile) -> Result<ErdData, ReadError> {
         let mut data = ErdData { points: BTreeMap::new(), speeds: BTreeMap::new() };
-        for (line, text) in said_lines(&file.text) {
+        for (line, text) in non_blank_lines(&file.text) {
             data.line(setup, text).map_err(|fault| fault.at(&file.name, line))?;
         }
         Ok(data)

@@ -2,9 +2,9 @@
 
 use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, templates};
 use crate::cell::Setup;
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
-use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_joints, stands_at};
+use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_flange_at, printed_joints};
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
@@ -23,7 +23,7 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     out.extend(estun.start.iter().cloned());
     for (index, line) in program.lines.iter().enumerate() {
         match line {
-            ProgramLine::Move(m) => out.push(writer.go(m, flows_on(&program.lines, index))?),
+            ProgramLine::Move(m) => out.push(writer.write_move(m, flows_on(&program.lines, index))?),
             _ => out.extend(templates(estun).write(line, program.wording)?),
         }
     }
@@ -42,14 +42,14 @@ struct ErpWriter<'a> {
 }
 
 impl ErpWriter<'_> {
-    fn go(&mut self, m: &Move, flows: bool) -> Result<String, WriteError> {
+    fn write_move(&mut self, m: &Move, flows: bool) -> Result<String, WriteError> {
         let estun = &self.setup.cell.estun;
         let most = Speeds { mm_s: estun.max_mm_s, deg_s: estun.max_turn_deg_s };
         match (m.interpolation, m.timing) {
             (Interpolation::Joint, MoveTiming::Percent(percent)) => {
                 let point = match (&m.joints_deg, &m.base_from_flange) {
                     (Some(joints), _) => {
-                        self.at = stands_at(self.setup, joints);
+                        self.at = printed_flange_at(self.setup, joints);
                         let numbers = printed_joints(self.setup, joints);
                         let axes: Vec<String> = (1..).zip(&numbers).map(|(i, n)| format!("a{i}={n}")).collect();
                         self.point(format!("_type=\"APOS\",{}{}", axes.join(","), no_axes()))

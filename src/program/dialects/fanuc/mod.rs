@@ -10,8 +10,8 @@ mod write;
 use super::templates::SignalTemplates;
 use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
-use crate::cell::controllers::words::fixed;
-use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::cell::controllers::templates::fixed;
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -31,7 +31,7 @@ impl Dialect for Tp {
         text.lines().find(|l| !l.trim().is_empty()).is_some_and(|l| l.trim_start().starts_with("/PROG"))
     }
 
-    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }

@@ -2,8 +2,8 @@
 
 use super::{is_coupled, templates};
 use crate::cell::controllers::Fanuc;
-use crate::cell::controllers::words::{matched, matched_key, number, said_lines};
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::cell::controllers::templates::{matched, matched_key, non_blank_lines, number};
+use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::pose;
 use crate::program::dialects::reading::Found;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
@@ -39,13 +39,13 @@ enum ListingSection {
 }
 
 /// Reads a program and those it calls.
-pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let mut found = Found::new();
     found.file(file, &|file, found| one_file(file, reading, found))?;
     Ok(found.lines)
 }
 
-fn one_file(file: &ProgramFile, reading: &Reading<'_>, found: &mut Found) -> Result<(), ReadError> {
+fn one_file(file: &ProgramFile, reading: &ReadContext<'_>, found: &mut Found) -> Result<(), ReadError> {
     let fanuc = &reading.setup.cell.fanuc;
     let listing = sections(file, is_coupled(reading.setup))?;
     if listing.promised != Some(listing.body.len()) {
@@ -57,8 +57,8 @@ fn one_file(file: &ProgramFile, reading: &Reading<'_>, found: &mut Found) -> Res
         return Err(LineFault::NoMotionGroup.at(&file.name, 1));
     };
     // How many pages a program has depends on its comments: what they all say alike counts once.
-    if !found.lines.iter().any(|l| matches!(&l.what, Read::Other(said) if said == group)) {
-        found.lines.push(ReadLine { file: file.name.clone(), line, what: Read::Other(group.into()) });
+    if !found.lines.iter().any(|l| matches!(&l.what, Statement::Other(said) if said == group)) {
+        found.lines.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(group.into()) });
     }
     let mut used = 0;
     for (line, text) in &listing.body {
@@ -68,7 +68,7 @@ fn one_file(file: &ProgramFile, reading: &Reading<'_>, found: &mut Found) -> Res
             continue;
         }
         let what = statement(fanuc, text, &listing.positions).map_err(|fault| fault.at(&file.name, *line))?;
-        used += usize::from(matches!(what, Read::Move(_)));
+        used += usize::from(matches!(what, Statement::Move(_)));
         found.lines.push(ReadLine { file: file.name.clone(), line: *line, what });
     }
     let positions = listing.positions.len();
@@ -82,7 +82,7 @@ fn one_file(file: &ProgramFile, reading: &Reading<'_>, found: &mut Found) -> Res
 fn sections(file: &ProgramFile, coupled: bool) -> Result<Listing<'_>, ReadError> {
     let mut listing = Listing::default();
     let mut section = ListingSection::Before;
-    for (line, text) in said_lines(&file.text) {
+    for (line, text) in non_blank_lines(&file.text) {
         section = listing.line(section, line, text, coupled).map_err(|fault| fault.at(&file.name, line))?;
     }
     match section {
@@ -188,12 +188,12 @@ fn position(said: &str, coupled: bool) -> Result<(Goal, String), LineFault> {
     Err(LineFault::expected(forms, said))
 }
 
-fn statement(fanuc: &Fanuc, text: &str, positions: &ListedPositions) -> Result<Read, LineFault> {
+fn statement(fanuc: &Fanuc, text: &str, positions: &ListedPositions) -> Result<Statement, LineFault> {
     if text.starts_with("J P[") || text.starts_with("L P[") {
-        return go(text, positions).map(Read::Move);
+        return read_move(text, positions).map(Statement::Move);
     }
     if text.starts_with("UFRAME_NUM=") || text.starts_with("UTOOL_NUM=") {
-        return Ok(Read::Other(text.into()));
+        return Ok(Statement::Other(text.into()));
     }
     templates(fanuc).read(text).ok_or_else(|| {
         let known =
@@ -202,7 +202,7 @@ fn statement(fanuc: &Fanuc, text: &str, positions: &ListedPositions) -> Result<R
     })
 }
 
-fn go(text: &str, positions: &ListedPositions) -> Result<ReadMove, LineFault> {
+fn read_move(text: &str, positions: &ListedPositions) -> Result<ReadMove, LineFault> {
     let fields: Vec<&str> = text.split_whitespace().collect();
     let &[way, position, speed, termination] = fields.as_slice() else {
         return Err(LineFault::expected(["J P[n] % FINE", "L P[n] sec or msec, FINE or CNT"], text));

@@ -3,7 +3,7 @@
 use super::{is_coupled, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::printed;
 use crate::program::dialects::pages::pages;
@@ -69,7 +69,7 @@ fn listing(
         let number = positions.len() / LINES_OF_POSITION + 1;
         positions.extend(position(setup, number, m)?);
         let goes_on = m.lit && matches!(lines.get(i + 1), Some(ProgramLine::Move(next)) if next.lit);
-        body.push(go(fanuc, number, m, goes_on)?);
+        body.push(write_move(fanuc, number, m, goes_on)?);
     }
     let mut out = attributes(name, body.len());
     out.extend(body.iter().enumerate().map(|(i, l)| format!("{:4}:{l}", i + 1)));
@@ -105,7 +105,7 @@ fn attributes(name: &str, lines: usize) -> Vec<String> {
     .to_vec()
 }
 
-fn go(fanuc: &Fanuc, number: usize, m: &Move, goes_on: bool) -> Result<String, WriteError> {
+fn write_move(fanuc: &Fanuc, number: usize, m: &Move, goes_on: bool) -> Result<String, WriteError> {
     let speed = match m.timing {
         MoveTiming::Seconds(s) if s * 1000.0 <= MOST_MSEC => format!("{}msec", fixed((s * 1000.0).max(1.0), 0)),
         MoveTiming::Seconds(s) => format!("{}sec", fixed(s, 1)),

@@ -3,16 +3,16 @@
 use super::{AXES, FRAME, settings, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::Kuka;
-use crate::cell::controllers::words::{matched_key, number, said_lines};
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::cell::controllers::templates::{matched_key, non_blank_lines, number};
+use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::{Speeds, Travel, joints, pose};
-use crate::program::dialects::reading::from_nowhere;
+use crate::program::dialects::reading::unknown_start;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
 
 /// The lines of a program and its sub-programs.
-pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let kuka = &reading.setup.cell.kuka;
     let mut reader = KrlReader {
         setup: reading.setup,
@@ -42,10 +42,10 @@ struct KrlReader<'a> {
 
 impl KrlReader<'_> {
     /// One file; only the main one may call others.
-    fn module(&mut self, file: &ProgramFile, calls: Option<&Reading<'_>>) -> Result<(), ReadError> {
+    fn module(&mut self, file: &ProgramFile, calls: Option<&ReadContext<'_>>) -> Result<(), ReadError> {
         let first = format!("DEF {}( )", file.name.strip_suffix(".src").unwrap_or(&file.name));
         let (mut begun, mut ended) = (false, false);
-        for (line, text) in said_lines(&file.text) {
+        for (line, text) in non_blank_lines(&file.text) {
             let wrong = |fault: LineFault| fault.at(&file.name, line);
             if ended {
                 return Err(wrong(LineFault::BehindEnd { end: "END".into() }));
@@ -56,7 +56,7 @@ impl KrlReader<'_> {
                     if !self.kuka.attributes.iter().any(|a| a == text) {
                         return Err(wrong(LineFault::expected([first], text)));
                     }
-                    self.out.push(ReadLine { file: file.name.clone(), line, what: Read::Other(text.into()) });
+                    self.out.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(text.into()) });
                 }
                 continue;
             }
@@ -77,7 +77,7 @@ impl KrlReader<'_> {
             let what = match (text.strip_prefix("LIN "), self.at) {
                 (None, _) => self.line(text).map_err(wrong)?,
                 (Some(rest), Some(from)) => Some(self.lin(&from, rest).map_err(wrong)?),
-                (Some(_), None) => return Err(from_nowhere(&self.out, &file.name, line)),
+                (Some(_), None) => return Err(unknown_start(&self.out, &file.name, line)),
             };
             self.out.extend(what.map(|what| ReadLine { file: file.name.clone(), line, what }));
         }
@@ -85,7 +85,7 @@ impl KrlReader<'_> {
     }
 
     /// What a line that is no straight move does; `None` for a speed, which counts in the moves after it.
-    fn line(&mut self, text: &str) -> Result<Option<Read>, LineFault> {
+    fn line(&mut self, text: &str) -> Result<Option<Statement>, LineFault> {
         if let Some(rest) = text.strip_prefix("PTP ") {
             return self.ptp(rest).map(Some);
         }
@@ -106,7 +106,7 @@ impl KrlReader<'_> {
             return Ok(None);
         }
         if self.settings.iter().any(|s| s == text) {
-            return Ok(Some(Read::Other(text.into())));
+            return Ok(Some(Statement::Other(text.into())));
         }
         templates(self.kuka).read(text).map(Some).ok_or_else(|| {
             let k = self.kuka;
@@ -115,7 +115,7 @@ impl KrlReader<'_> {
         })
     }
 
-    fn ptp(&mut self, rest: &str) -> Result<Read, LineFault> {
+    fn ptp(&mut self, rest: &str) -> Result<Statement, LineFault> {
         let percent =
             self.percent.ok_or_else(|| LineFault::Before { missing: self.kuka.joint_speed.clone().into() })?;
         let goal = if let Some(axes) = braced(AXES, rest) {
@@ -129,10 +129,10 @@ impl KrlReader<'_> {
             Goal::Flange(at)
         };
         let timing = MoveTiming::Percent(percent);
-        Ok(Read::Move(ReadMove { interpolation: Interpolation::Joint, goal, timing, rest: String::new() }))
+        Ok(Statement::Move(ReadMove { interpolation: Interpolation::Joint, goal, timing, rest: String::new() }))
     }
 
-    fn lin(&mut self, from: &Isometry3<f64>, text: &str) -> Result<Read, LineFault> {
+    fn lin(&mut self, from: &Isometry3<f64>, text: &str) -> Result<Statement, LineFault> {
         let form = || LineFault::expected(["{X …,Y …,Z …,A …,B …,C …}"], text);
         let (numbers, rest) = text.split_once('}').ok_or_else(form)?;
         let rest = rest.trim();
@@ -148,7 +148,7 @@ impl KrlReader<'_> {
         let seconds = Travel::between(from, &to).seconds(speeds);
         self.at = Some(to);
         let (goal, timing) = (Goal::Flange(to), MoveTiming::Seconds(seconds));
-        Ok(Read::Move(ReadMove { interpolation: Interpolation::Linear, goal, timing, rest: rest.into() }))
+        Ok(Statement::Move(ReadMove { interpolation: Interpolation::Linear, goal, timing, rest: rest.into() }))
     }
 }
 

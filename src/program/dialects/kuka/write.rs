@@ -3,9 +3,9 @@
 use super::{AXES, FRAME, settings, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::Kuka;
-use crate::cell::controllers::words::{filled, fixed, text};
+use crate::cell::controllers::templates::{filled, fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
-use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_joints, stands_at};
+use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_flange_at, printed_joints};
 use crate::program::dialects::pages::pages;
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
@@ -20,7 +20,7 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     let mut writer =
         KrlWriter { kuka, setup: program.setup, at: None, cp: String::new(), ori: String::new(), percent: None };
     let laser = program.setup.cell.outputs.laser.number;
-    let pages = pages(&program.lines, laser, kuka.max_lines, text_lines);
+    let pages = pages(&program.lines, laser, kuka.max_lines, text_line_count);
     let mut main = templates(kuka).head(&[Comment::Caveat(Caveat::Krl)], program.wording);
     main.extend(templates(kuka).head(&program.head, program.wording));
     main.extend(settings(kuka));
@@ -30,7 +30,7 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         let mut body = Vec::new();
         for line in *page {
             match line {
-                ProgramLine::Move(m) => writer.go(&mut body, m, flows_on(&program.lines, index))?,
+                ProgramLine::Move(m) => writer.write_move(&mut body, m, flows_on(&program.lines, index))?,
                 _ => body.extend(templates(kuka).write(line, program.wording)?),
             }
             index += 1;
@@ -48,8 +48,8 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     Ok(all)
 }
 
-/// Lines of text of a line of the program, about.
-fn text_lines(line: &ProgramLine) -> usize {
+/// About how many lines of text a line of the program takes.
+fn text_line_count(line: &ProgramLine) -> usize {
     match line {
         // The speed and the move.
         ProgramLine::Move(_) => 2,
@@ -77,7 +77,7 @@ struct KrlWriter<'a> {
 }
 
 impl KrlWriter<'_> {
-    fn go(&mut self, out: &mut Vec<String>, m: &Move, flows: bool) -> Result<(), WriteError> {
+    fn write_move(&mut self, out: &mut Vec<String>, m: &Move, flows: bool) -> Result<(), WriteError> {
         match (m.interpolation, m.timing) {
             (Interpolation::Joint, MoveTiming::Percent(percent)) => {
                 // $VEL_AXIS is a whole number.
@@ -107,7 +107,7 @@ impl KrlWriter<'_> {
         match (&m.joints_deg, &m.base_from_flange) {
             (Some(joints), _) => {
                 out.push(format!("PTP {}", braced(AXES, &printed_joints(self.setup, joints))));
-                self.at = stands_at(self.setup, joints);
+                self.at = printed_flange_at(self.setup, joints);
                 Ok(())
             }
             (None, Some(flange)) => {

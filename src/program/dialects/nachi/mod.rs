@@ -11,8 +11,8 @@ mod write;
 use super::templates::SignalTemplates;
 use crate::cell::Cell;
 use crate::cell::controllers::Nachi;
-use crate::cell::controllers::words::fixed;
-use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::cell::controllers::templates::fixed;
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -32,7 +32,7 @@ impl Dialect for Slim {
         text.lines().any(|l| l.trim_start().starts_with("MOVEX ") || l.trim_start().starts_with("CALLP "))
     }
 
-    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }

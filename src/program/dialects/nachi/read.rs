@@ -2,24 +2,24 @@
 
 use super::templates;
 use crate::cell::controllers::Nachi;
-use crate::cell::controllers::words::{matched, matched_key, number, numbers, said_lines};
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::cell::controllers::templates::{matched, matched_key, non_blank_lines, number, numbers};
+use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::pose;
 use crate::program::dialects::reading::Found;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 
 /// Reads a program and those it calls.
-pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let mut found = Found::new();
     found.file(file, &|file, found| one_file(file, reading, found))?;
     Ok(found.lines)
 }
 
-fn one_file(file: &ProgramFile, reading: &Reading<'_>, found: &mut Found) -> Result<(), ReadError> {
+fn one_file(file: &ProgramFile, reading: &ReadContext<'_>, found: &mut Found) -> Result<(), ReadError> {
     let nachi = &reading.setup.cell.nachi;
     let mut ended = false;
-    for (line, text) in said_lines(&file.text) {
+    for (line, text) in non_blank_lines(&file.text) {
         if ended {
             return Err(LineFault::BehindEnd { end: "END".into() }.at(&file.name, line));
         }
@@ -45,14 +45,14 @@ fn sub_program(caller: &str, n: &str) -> Option<String> {
     Some(format!("{unit}.{number:03}"))
 }
 
-fn statement(nachi: &Nachi, text: &str) -> Result<Read, LineFault> {
+fn statement(nachi: &Nachi, text: &str) -> Result<Statement, LineFault> {
     if let Some(rest) = text.strip_prefix("MOVEX ") {
-        return movex(rest).map(Read::Move);
+        return movex(rest).map(Statement::Move);
     }
     // Comments of a hand, whatever the template.
     let comment = || text.strip_prefix("REM ").map(|t| t.trim().trim_matches('"'));
     let comment = || comment().or_else(|| text.strip_prefix('\'').map(str::trim));
-    let read = templates(nachi).read(text).or_else(|| Some(Read::Say(comment()?.into())));
+    let read = templates(nachi).read(text).or_else(|| Some(Statement::Say(comment()?.into())));
     read.ok_or_else(|| {
         let known = [&nachi.output_on, &nachi.output_off, &nachi.wait, &nachi.call, &nachi.comment];
         let known = known.into_iter().map(String::as_str);

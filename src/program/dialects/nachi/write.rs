@@ -1,7 +1,7 @@
 //! NACHI programs as they are written.
 
 use super::{numbered, templates};
-use crate::cell::controllers::words::{check_template, filled, fixed, text};
+use crate::cell::controllers::templates::{check_template, filled, fixed, text};
 use crate::cell::controllers::{Nachi, NachiForm};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::{SHORTEST_S, printed};
@@ -74,7 +74,7 @@ fn movex(nachi: &Nachi, m: &Move) -> Result<String, WriteError> {
 mod tests {
     use super::*;
     use crate::cell::Cell;
-    use crate::cell::controllers::words::{TemplateError, TemplateFault};
+    use crate::cell::controllers::templates::{TemplateError, TemplateFault};
     use crate::program::dialects::nachi::file_name;
 
     #[test]

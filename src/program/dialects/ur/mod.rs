@@ -9,8 +9,8 @@ mod write;
 
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Ur;
-use crate::cell::controllers::words::fixed;
-use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::cell::controllers::templates::fixed;
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -30,7 +30,7 @@ impl Dialect for UrScript {
         text.lines().any(|l| l.trim_start().starts_with("def ")) && text.contains("set_tcp(")
     }
 
-    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }

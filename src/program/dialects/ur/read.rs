@@ -2,8 +2,8 @@
 
 use super::templates;
 use crate::cell::controllers::Ur;
-use crate::cell::controllers::words::{matched, matched_key, number, numbers, said_lines};
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::cell::controllers::templates::{matched, matched_key, non_blank_lines, number, numbers};
+use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
@@ -28,11 +28,11 @@ struct Script {
 }
 
 /// Reads a program.
-pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let ur = bare_templates(&reading.setup.cell.ur);
     let call = format!("{}()", ur.program);
     let mut script = Script::default();
-    for (line, text) in said_lines(&file.text) {
+    for (line, text) in non_blank_lines(&file.text) {
         script.line(&ur, file, line, text).map_err(|fault| fault.at(&file.name, line))?;
     }
     let cut = |expected: String| ReadError::CutOff { file: file.name.clone(), expected: expected.into() };
@@ -70,7 +70,7 @@ impl Script {
             let what = statement(ur, text)?;
             let into = match (self.open.last_mut(), &what) {
                 (Some(function), _) => &mut function.lines,
-                (None, Read::Say(_)) => &mut self.head,
+                (None, Statement::Say(_)) => &mut self.head,
                 (None, _) => return Err(LineFault::OutsideFunction),
             };
             into.push(ReadLine { file: file.name.clone(), line, what });
@@ -91,16 +91,16 @@ fn bare_templates(ur: &Ur) -> Ur {
 }
 
 /// What a statement does. `ur`: with bare templates.
-fn statement(ur: &Ur, text: &str) -> Result<Read, LineFault> {
+fn statement(ur: &Ur, text: &str) -> Result<Statement, LineFault> {
     if let Some(comment) = text.strip_prefix('#') {
-        return Ok(Read::Say(comment.trim().into()));
+        return Ok(Statement::Say(comment.trim().into()));
     }
     let line = bare(text);
     if line.starts_with("movej(") || line.starts_with("movel(") {
-        return go(ur, &line).map(Read::Move);
+        return read_move(ur, &line).map(Statement::Move);
     }
     if line.starts_with("set_tcp(p[") && line.ends_with("])") {
-        return Ok(Read::Other(line));
+        return Ok(Statement::Other(line));
     }
     templates(ur).read(&line).ok_or_else(|| {
         let known = ["movej", "movel", &ur.output_on, &ur.output_off, "sleep", "set_tcp", "#", "def", "end"];
@@ -108,7 +108,7 @@ fn statement(ur: &Ur, text: &str) -> Result<Read, LineFault> {
     })
 }
 
-fn go(ur: &Ur, line: &str) -> Result<ReadMove, LineFault> {
+fn read_move(ur: &Ur, line: &str) -> Result<ReadMove, LineFault> {
     let Some(&[(_, word), (_, six), (_, rest)]) = matched("{word}[{six}],{rest})", line).as_deref() else {
         let forms = ["movej([six numbers], a=, v=, t=, r=)", "movel(p[six numbers], a=, v=, t=, r=)"];
         return Err(LineFault::expected(forms, line));

@@ -2,7 +2,7 @@
 
 use super::templates;
 use crate::cell::controllers::Ur;
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::SHORTEST_S;
 use crate::program::dialects::pages::{moves, pages};
@@ -51,7 +51,7 @@ fn body(ur: &Ur, lines: &[ProgramLine], wording: Wording) -> Result<Vec<String>,
         };
         let after = if let Some(ProgramLine::Move(after)) = lines.get(i + 1) { Some(&**after) } else { None };
         let blend_mm = blend_mm(ur, before.replace(m), m, after);
-        out.push(go(ur, m, blend_mm)?);
+        out.push(write_move(ur, m, blend_mm)?);
     }
     Ok(out)
 }
@@ -71,7 +71,7 @@ fn blend_mm(ur: &Ur, before: Option<&Move>, m: &Move, after: Option<&Move>) -> f
     ur.blend_mm.min(BLEND_SHARE * shortest)
 }
 
-fn go(ur: &Ur, m: &Move, blend_mm: f64) -> Result<String, WriteError> {
+fn write_move(ur: &Ur, m: &Move, blend_mm: f64) -> Result<String, WriteError> {
     let list = |numbers: [f64; 6]| numbers.map(|v| fixed(v, 7)).join(", ");
     // A straight move goes to a pose: the arm's own calibration finds its joints.
     let joints = m.joints_deg.filter(|_| m.interpolation == Interpolation::Joint || m.base_from_flange.is_none());

@@ -17,9 +17,9 @@ mod write;
 use super::flange::joints;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Yaskawa;
-use crate::cell::controllers::words::{fixed, said_lines};
+use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::{Joints, Setup};
-use crate::program::dialect::{Dialect, Program, ProgramFile, ReadLine, Reading};
+use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -36,10 +36,10 @@ impl Dialect for Inform {
     }
 
     fn claims(&self, text: &str) -> bool {
-        said_lines(text).next().is_some_and(|(_, l)| l == "/JOB")
+        non_blank_lines(text).next().is_some_and(|(_, l)| l == "/JOB")
     }
 
-    fn read(&self, file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+    fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::from_pulses;
 use crate::cell::Setup;
-use crate::cell::controllers::words::numbers;
+use crate::cell::controllers::templates::numbers;
 use crate::program::dialect::Goal;
 use crate::program::dialects::flange::pose;
 use crate::program::read_error::LineFault;

@@ -3,16 +3,16 @@
 use super::positions::{JobPositions, ReadPosition};
 use super::templates;
 use crate::cell::Setup;
-use crate::cell::controllers::words::{number, said_lines};
-use crate::program::dialect::{Goal, ProgramFile, Read, ReadLine, ReadMove, Reading};
+use crate::cell::controllers::templates::{non_blank_lines, number};
+use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::Travel;
-use crate::program::dialects::reading::from_nowhere;
+use crate::program::dialects::reading::unknown_start;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
 
 /// The lines of a job and of those that it calls.
-pub fn read(file: &ProgramFile, reading: &Reading<'_>) -> Result<Vec<ReadLine>, ReadError> {
+pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let mut reader = JobReader { setup: reading.setup, out: Vec::new(), at: None };
     reader.job(file, Some(reading))?;
     Ok(reader.out)
@@ -40,10 +40,10 @@ enum JobSection {
 
 impl JobReader<'_> {
     /// One file; only the main one may call others.
-    fn job(&mut self, file: &ProgramFile, calls: Option<&Reading<'_>>) -> Result<(), ReadError> {
+    fn job(&mut self, file: &ProgramFile, calls: Option<&ReadContext<'_>>) -> Result<(), ReadError> {
         let mut positions = JobPositions::default();
         let mut section = JobSection::Job;
-        for (line, text) in said_lines(&file.text) {
+        for (line, text) in non_blank_lines(&file.text) {
             let wrong = |fault: LineFault| fault.at(&file.name, line);
             section = match section {
                 JobSection::Head if text == "NOP" => JobSection::Body,
@@ -51,7 +51,7 @@ impl JobReader<'_> {
                     if !self.setup.cell.yaskawa.start.iter().any(|s| s == text) {
                         return Err(wrong(LineFault::NotAsInCell { expected: "yaskawa.start".into() }));
                     }
-                    self.out.push(ReadLine { file: file.name.clone(), line, what: Read::Other(text.into()) });
+                    self.out.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(text.into()) });
                     JobSection::Head
                 }
                 JobSection::Body if text == "END" => JobSection::End,
@@ -109,7 +109,7 @@ impl JobReader<'_> {
         line: usize,
         text: &str,
         positions: &[ReadPosition],
-        calls: Option<&Reading<'_>>,
+        calls: Option<&ReadContext<'_>>,
     ) -> Result<(), ReadError> {
         if let Some(name) = text.strip_prefix("CALL JOB:") {
             let reading = calls.ok_or_else(|| LineFault::NestedCall.at(&file.name, line))?;
@@ -120,14 +120,14 @@ impl JobReader<'_> {
             return self.job(&ProgramFile { name, text }, None);
         }
         if text.starts_with("MOVL ") && self.at.is_none() {
-            return Err(from_nowhere(&self.out, &file.name, line));
+            return Err(unknown_start(&self.out, &file.name, line));
         }
         let what = self.instruction(positions, text).map_err(|fault| fault.at(&file.name, line))?;
         self.out.push(ReadLine { file: file.name.clone(), line, what });
         Ok(())
     }
 
-    fn instruction(&mut self, positions: &[ReadPosition], text: &str) -> Result<Read, LineFault> {
+    fn instruction(&mut self, positions: &[ReadPosition], text: &str) -> Result<Statement, LineFault> {
         let (interpolation, rest) = if let Some(rest) = text.strip_prefix("MOVJ ") {
             (Interpolation::Joint, rest)
         } else if let Some(rest) = text.strip_prefix("MOVL ") {
@@ -156,7 +156,7 @@ impl JobReader<'_> {
         let timing = self.timing(interpolation, speed, at.as_ref())?;
         self.at = at;
         let rest = format!("PL={level} {}", to.figure).trim().into();
-        Ok(Read::Move(ReadMove { interpolation, goal: to.goal, timing, rest }))
+        Ok(Statement::Move(ReadMove { interpolation, goal: to.goal, timing, rest }))
     }
 
     /// How fast a move is that leads to a pose of the flange.

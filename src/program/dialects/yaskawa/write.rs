@@ -1,7 +1,7 @@
 //! INFORM jobs as they are written.
 
 use super::{from_pulses, templates};
-use crate::cell::controllers::words::{fixed, text};
+use crate::cell::controllers::templates::{fixed, text};
 use crate::cell::{Joints, Setup};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::arm_shape::ArmShape;
@@ -29,7 +29,7 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         let job = if pages.len() == 1 { &mut main } else { &mut part };
         for line in *page {
             match line {
-                ProgramLine::Move(m) => at = job.go(at, m, flows_on(&program.lines, index))?,
+                ProgramLine::Move(m) => at = job.write_move(at, m, flows_on(&program.lines, index))?,
                 _ => job.instructions.extend(templates(yaskawa).write(line, program.wording)?),
             }
             index += 1;
@@ -65,7 +65,12 @@ impl<'a> JobText<'a> {
     }
 
     /// Writes a move from `at`; where it leads, as a reader will know it.
-    fn go(&mut self, at: Option<Isometry3<f64>>, m: &Move, flows: bool) -> Result<Option<Isometry3<f64>>, WriteError> {
+    fn write_move(
+        &mut self,
+        at: Option<Isometry3<f64>>,
+        m: &Move,
+        flows: bool,
+    ) -> Result<Option<Isometry3<f64>>, WriteError> {
         let number = self.positions.len();
         if number > 99_999 {
             return Err(WriteError::TooManyPositions);

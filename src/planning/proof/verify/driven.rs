@@ -3,10 +3,10 @@
 use super::expected::{Expected, Poses};
 use super::verdict::{Difference, Finding, Verdict};
 use crate::beam::ProcessSettings;
-use crate::cell::Joints;
+use crate::cell::{Joints, Robot};
 use crate::pose::Beam;
 use crate::pose::checker::Checker;
-use crate::program::dialect::{Goal, Read, ReadLine};
+use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::sweep::LitMove;
 use crate::program::{Interpolation, Move, MoveTiming, spot};
 use nalgebra::Isometry3;
@@ -17,16 +17,16 @@ const SPEED_SHARE: f64 = 0.02;
 /// Facets that the slow second opinion may look at.
 const CHECKER_BUDGET: usize = 400_000_000;
 
-/// A move as it is driven.
+/// A lit move as the robot drives it.
 pub(in super::super) struct Driven<'a> {
     at: &'a ReadLine,
-    /// Its place among all lines.
+    /// Its index among all lines that were read.
     pub(in super::super) place: usize,
     pub(in super::super) lit: LitMove,
 }
 
 /// Follows the program with the robot: ranges, speeds, and where the laser is on. Gives the lit moves.
-pub(in super::super) fn driven<'a>(
+pub(in super::super) fn drive_program<'a>(
     poses: &Poses<'_>,
     read: &'a [ReadLine],
     planned: &[Option<&Move>],
@@ -40,34 +40,23 @@ pub(in super::super) fn driven<'a>(
         work = planned.map_or(work, |m| m.work);
         let planned = planned.and_then(|m| m.joints_deg);
         let m = match &line.what {
-            Read::Output { number, on } if *number == laser => {
+            Statement::Output { number, on } if *number == laser => {
                 lit = *on;
                 continue;
             }
-            Read::Move(m) => m,
+            Statement::Move(m) => m,
             _ => continue,
         };
         verdict.moves += 1;
         let flange = poses.flange(&m.goal);
         if let Some(robot) = &poses.setup.robot {
-            let next = match (&m.goal, planned.as_ref().or(joints.as_ref()), &flange) {
-                (Goal::Joints(j), ..) => Some(*j),
-                (_, Some(before), Some(flange)) => robot.near(flange, before),
-                (_, None, Some(flange)) => robot.near(flange, &poses.setup.home_joints_deg()),
+            let near = planned.or(joints).unwrap_or_else(|| poses.setup.home_joints_deg());
+            let next = match (&m.goal, &flange) {
+                (Goal::Joints(j), _) => Some(*j),
+                (_, Some(flange)) => robot.nearest_inverse(flange, &near),
                 _ => None,
             };
-            match &next {
-                None => verdict.findings.push(Difference::OutOfReach { robot: robot.name.clone() }.at(line)),
-                Some(j) => {
-                    if let Some(i) = robot.beyond(j) {
-                        let beyond = Difference::BeyondRange { joint: i, at_deg: j[i], range_deg: robot.limits_deg[i] };
-                        verdict.findings.push(beyond.at(line));
-                    }
-                    if let (MoveTiming::Seconds(s), Some(before)) = (&m.timing, &joints) {
-                        speed(poses, line, before, j, *s, verdict);
-                    }
-                }
-            }
+            check_joints(robot, line, m, joints.as_ref(), next.as_ref(), verdict);
             joints = next.or(joints);
         }
         let here = match m.goal {
@@ -98,8 +87,29 @@ pub(in super::super) fn driven<'a>(
     out
 }
 
-fn speed(poses: &Poses<'_>, line: &ReadLine, from: &Joints, to: &Joints, seconds: f64, verdict: &mut Verdict) {
-    let Some(robot) = &poses.setup.robot else { return };
+/// Whether the robot can stand where a move ends, and its joints turn as fast as it asks.
+fn check_joints(
+    robot: &Robot,
+    line: &ReadLine,
+    m: &ReadMove,
+    before: Option<&Joints>,
+    next: Option<&Joints>,
+    verdict: &mut Verdict,
+) {
+    let Some(next) = next else {
+        verdict.findings.push(Difference::OutOfReach { robot: robot.name.clone() }.at(line));
+        return;
+    };
+    if let Some(i) = robot.beyond(next) {
+        let beyond = Difference::BeyondRange { joint: i, at_deg: next[i], range_deg: robot.limits_deg[i] };
+        verdict.findings.push(beyond.at(line));
+    }
+    if let (MoveTiming::Seconds(s), Some(before)) = (&m.timing, before) {
+        check_speeds(robot, line, before, next, *s, verdict);
+    }
+}
+
+fn check_speeds(robot: &Robot, line: &ReadLine, from: &Joints, to: &Joints, seconds: f64, verdict: &mut Verdict) {
     // Joints written with four decimals may be off by 0.0001 degrees at both ends.
     let fast = (0..6)
         .find(|&j| (to[j] - from[j]).abs() > robot.speeds_deg_s[j] * (1.0 + SPEED_SHARE) * seconds.max(0.001) + 2e-4);

@@ -1,39 +1,39 @@
 //! The lines of a job before anything is asked of the beam: what is shown while a plan is being made.
 
-use super::error::PlanError;
-use super::lay::Laid;
-use super::layer;
-use super::prepared::prepared;
+use super::build_up::layer_toolpaths;
+use super::prepared::prepare;
 use super::surface_plan::Cache;
+use super::toolpath::Toolpath;
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
+use crate::planning::error::PlanError;
 use crate::progress::Progress;
 use std::sync::Arc;
 
-/// Lays the lines of the lowest layer, as the plan of the same job will have them; it takes them from the cache.
+/// The lines of the lowest layer, as the plan of the same job will have them; it takes them from the cache.
 ///
 /// # Errors
-/// As [`super::plan()`].
+/// Those of [`crate::planning::plan()`].
 pub fn preview(
     part: &Part,
     surfaces: &Surfaces,
     job: &Job,
     cache: &Cache,
     progress: &Progress,
-) -> Result<Vec<Arc<Laid>>, PlanError> {
-    let (list, own) = prepared(part, surfaces, job)?;
-    let laid = layer::laid((part, surfaces), &list, &own, cache, 0, progress)?;
-    cache.add(&laid);
-    Ok(laid.into_iter().map(|l| l.1).collect())
+) -> Result<Vec<Arc<Toolpath>>, PlanError> {
+    let (list, own) = prepare(part, surfaces, job)?;
+    let toolpaths = layer_toolpaths((part, surfaces), &list, &own, cache, 0, progress)?;
+    cache.add_toolpaths(&toolpaths);
+    Ok(toolpaths.into_iter().map(|l| l.1).collect())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::making::plan;
     use super::*;
     use crate::cell::Setup;
     use crate::document::{Recipe, segmented};
     use crate::part::{Placement, SurfaceId, Units};
+    use crate::planning::plan;
     use crate::sample::{solids, stl_bytes};
 
     #[test]
@@ -53,7 +53,7 @@ mod tests {
         let plan = plan(&part, &surfaces, &job, &setup, &cache, &Progress::default()).expect("a plan");
         assert_eq!(plan.surfaces.len(), 4, "two layers");
         for (shown, made) in shown.iter().zip(&plan.surfaces) {
-            assert!(Arc::ptr_eq(shown, &made.laid));
+            assert!(Arc::ptr_eq(shown, &made.toolpath));
         }
         job.layers.spacing_mm = 200.0;
         let too_large = preview(&part, &surfaces, &job, &cache, &Progress::default());

@@ -8,13 +8,13 @@ use super::expected::Poses;
 use super::verdict::{Difference, JointOff, SpotOff};
 use crate::part::angle;
 use crate::program::MoveTiming;
-use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
+use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use nalgebra::Isometry3;
 use std::mem::discriminant;
 
 /// The spot may stand so far from where it was planned, mm.
 pub const MOST_OFF_MM: f64 = 0.01;
-/// And the beam with its spin may be turned by so much, degrees.
+/// The beam with its spin may be turned by so much, degrees.
 pub const MOST_TURNED_DEG: f64 = 0.01;
 /// Share by which a time may differ: speeds are written with few digits.
 const MOST_SLOWER: f64 = 0.02;
@@ -22,7 +22,7 @@ const MOST_SLOWER: f64 = 0.02;
 /// Whether a line is the one of the plan, small changes of pose and time not looked at.
 pub(super) fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bool {
     match (&want.what, &have.what) {
-        (Read::Move(w), Read::Move(h)) => {
+        (Statement::Move(w), Statement::Move(h)) => {
             is_same_kind(w, h)
                 && off_joint(&w.goal, &h.goal, MOST_TURNED_DEG).is_none()
                 && off(poses, &w.goal, &h.goal).is_none_or(SpotOff::is_near)
@@ -63,7 +63,7 @@ pub(super) fn turn_deg(a: &Isometry3<f64>, b: &Isometry3<f64>) -> f64 {
 }
 
 /// Where two moves to the same kind of target differ in place; `None` where they do not.
-pub(super) fn elsewhere(poses: &Poses<'_>, want: &Goal, have: &Goal) -> Option<Difference> {
+pub(super) fn position_difference(poses: &Poses<'_>, want: &Goal, have: &Goal) -> Option<Difference> {
     let spot = off(poses, want, have).filter(|o| !o.is_near());
     let joint = match (off_joint(want, have, MOST_TURNED_DEG), want, have) {
         (Some(j), Goal::Joints(w), Goal::Joints(h)) => Some(JointOff::new(j, w, h)),
@@ -90,7 +90,8 @@ mod tests {
     use crate::program::Interpolation;
 
     fn line(interpolation: Interpolation, goal: Goal) -> ReadLine {
-        let what = Read::Move(ReadMove { interpolation, goal, timing: MoveTiming::Percent(10.0), rest: String::new() });
+        let what =
+            Statement::Move(ReadMove { interpolation, goal, timing: MoveTiming::Percent(10.0), rest: String::new() });
         ReadLine { file: "a".into(), line: 1, what }
     }
 
@@ -129,7 +130,7 @@ mod tests {
         assert!(!is_same(&poses, &line(Interpolation::Joint, was), &line(Interpolation::Joint, is)));
         let turned = JointOff { joint: 5, planned_deg: home[5], found_deg: turned[5] };
         let found = Difference::Elsewhere { spot: None, joint: Some(turned) };
-        assert_eq!(elsewhere(&poses, &was, &is), Some(found));
-        assert_eq!(elsewhere(&poses, &was, &was), None);
+        assert_eq!(position_difference(&poses, &was, &is), Some(found));
+        assert_eq!(position_difference(&poses, &was, &was), None);
     }
 }

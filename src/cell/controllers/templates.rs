@@ -1,5 +1,5 @@
-//! Words that all dialects share: numbers, plain text, templates of the cell file in both
-//! directions, long lines, line ends. What the words mean is each dialect's.
+//! Templates of a cell file, filled when a program is written and matched when it is read, and the plain text that all
+//! dialects share: numbers, long lines, line ends.
 
 use thiserror::Error;
 
@@ -19,7 +19,7 @@ pub fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|v: &f64| plain && v.is_finite())
 }
 
-/// So many numbers between commas.
+/// Exactly `N` numbers between commas.
 pub fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let list: Vec<f64> = text.split(',').map(number).collect::<Option<_>>()?;
     list.try_into().ok()
@@ -64,8 +64,8 @@ pub fn filled(template: &str, values: &[(&str, &str)]) -> String {
     parts(template)
         .into_iter()
         .map(|part| match part {
-            Part::Text(text) => text,
-            Part::Key(key) => values.iter().find(|(k, _)| *k == key).map_or("", |(_, v)| *v),
+            TemplatePart::Text(text) => text,
+            TemplatePart::Key(key) => values.iter().find(|(k, _)| *k == key).map_or("", |(_, v)| *v),
         })
         .collect()
 }
@@ -79,13 +79,13 @@ pub fn matched<'t, 'l>(template: &'t str, line: &'l str) -> Option<Vec<(&'t str,
     let list = parts(template.trim());
     for (i, part) in list.iter().enumerate() {
         match part {
-            Part::Text(text) => rest = rest.strip_prefix(text)?,
-            Part::Key(key) => {
+            TemplatePart::Text(text) => rest = rest.strip_prefix(text)?,
+            TemplatePart::Key(key) => {
                 let value = match &list[i + 1..] {
                     [] => rest,
-                    [Part::Text(end)] => rest.strip_suffix(end)?,
-                    [Part::Text(next), ..] => &rest[..rest.find(next)?],
-                    [Part::Key(_), ..] => return None,
+                    [TemplatePart::Text(end)] => rest.strip_suffix(end)?,
+                    [TemplatePart::Text(next), ..] => &rest[..rest.find(next)?],
+                    [TemplatePart::Key(_), ..] => return None,
                 };
                 rest = &rest[value.len()..];
                 if out.iter().any(|(k, v)| k == key && *v != value) {
@@ -133,25 +133,25 @@ pub enum TemplateFault {
     NotPlain,
 }
 
-/// Whether a template says all values of `names`, and can be read back.
+/// Checks that a template has all values of `names`, and can be read back.
 ///
 /// # Errors
 /// What is wrong with it; `key` is where it stands.
 pub fn check_template(key: &str, template: &str, names: &'static [&'static str]) -> Result<(), TemplateError> {
     let refused = |fault| Err(TemplateError { key: key.to_owned(), template: template.to_owned(), fault });
     let list = parts(template);
-    let has = |key: &str| list.iter().any(|p| matches!(p, Part::Key(k) if *k == key));
+    let has = |key: &str| list.iter().any(|p| matches!(p, TemplatePart::Key(k) if *k == key));
     if let Some(missing) = names.iter().find(|n| !has(n)) {
         return refused(TemplateFault::Lacks(missing));
     }
     let unknown = list.iter().find_map(|p| match p {
-        Part::Key(k) if !names.contains(k) => Some(*k),
+        TemplatePart::Key(k) if !names.contains(k) => Some(*k),
         _ => None,
     });
     if let Some(name) = unknown {
         return refused(TemplateFault::Unknown { name: name.to_owned(), known: names });
     }
-    if list.windows(2).any(|w| matches!(w, [Part::Key(_), Part::Key(_)])) {
+    if list.windows(2).any(|w| matches!(w, [TemplatePart::Key(_), TemplatePart::Key(_)])) {
         return refused(TemplateFault::Touching);
     }
     if plain(template, &[]) != template {
@@ -161,13 +161,13 @@ pub fn check_template(key: &str, template: &str, names: &'static [&'static str])
 }
 
 /// A piece of a template.
-enum Part<'a> {
+enum TemplatePart<'a> {
     Text(&'a str),
     Key(&'a str),
 }
 
 /// Literal text and `{keys}` (lower-case words); any other brace is text.
-fn parts(template: &str) -> Vec<Part<'_>> {
+fn parts(template: &str) -> Vec<TemplatePart<'_>> {
     let mut out = Vec::new();
     let (mut start, mut from) = (0, 0);
     while let Some(open) = template[from..].find('{').map(|i| from + i) {
@@ -176,14 +176,14 @@ fn parts(template: &str) -> Vec<Part<'_>> {
         let key = &template[from..close];
         if !key.is_empty() && key.bytes().all(|b| b.is_ascii_lowercase()) {
             if start < open {
-                out.push(Part::Text(&template[start..open]));
+                out.push(TemplatePart::Text(&template[start..open]));
             }
-            out.push(Part::Key(key));
+            out.push(TemplatePart::Key(key));
             (start, from) = (close + 1, close + 1);
         }
     }
     if start < template.len() {
-        out.push(Part::Text(&template[start..]));
+        out.push(TemplatePart::Text(&template[start..]));
     }
     out
 }
@@ -195,7 +195,7 @@ pub fn text(lines: &[String], crlf: bool) -> String {
 }
 
 /// Lines that say something, trimmed, with their numbers from 1.
-pub fn said_lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub fn non_blank_lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().map(|(i, l)| (i + 1, l.trim())).filter(|(_, l)| !l.is_empty())
 }
 

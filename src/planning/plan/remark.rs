@@ -1,23 +1,23 @@
-//! What of lines and program is not as it was wanted, though they are there. Sentences of it stand in `text`.
+//! Remarks: how lines or program differ from what the job asks for, though they are there. Sentences of them stand in `text`.
 
 use crate::path::LinesFinding;
 use crate::program::Shortfall;
 use serde::Serialize;
 
-/// What is said of a surface's lines, or of its share of the program.
+/// A remark on a surface's lines, or on its share of the program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Remark {
-    /// Of its lines.
-    Laying(LayingRemark),
-    /// Of the program that works on it.
+    /// On its lines.
+    Toolpath(ToolpathRemark),
+    /// On the program that works on it.
     Program(Shortfall),
 }
 
 /// What of a surface's lines is not as it was wanted. In `report.json` by its code.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
-pub enum LayingRemark {
+pub enum ToolpathRemark {
     /// Every second layer was to run across the others, and all run alike: the planes lie across the mean normal,
     /// or the surface has none.
     LayersAlike,

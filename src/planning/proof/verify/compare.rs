@@ -1,9 +1,9 @@
 //! A program's lines against those of the plan, one by one: what is gone, new, or otherwise.
 
 use super::expected::{Expected, Poses};
-use super::likeness::{elsewhere, is_same, is_same_kind, is_same_pace, off_joint, turn_deg};
+use super::likeness::{is_same, is_same_kind, is_same_pace, off_joint, position_difference, turn_deg};
 use super::verdict::{Difference, JointOff, SpotOff, Verdict};
-use crate::program::dialect::{Goal, Read, ReadLine, ReadMove};
+use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::{Move, spot};
 
 /// Lines looked ahead to find where two programs meet again.
@@ -12,7 +12,7 @@ const LOOK_AHEAD: usize = 40;
 const COARSEST_DEG: f64 = 0.06;
 
 /// The lines that do something, of both sides.
-struct Sides<'a, 'r> {
+struct ComparedLines<'a, 'r> {
     poses: &'r Poses<'r>,
     want: Vec<&'r ReadLine>,
     /// The plan's moves, beside its lines.
@@ -31,14 +31,14 @@ pub(super) fn compare<'a>(
     read: &[ReadLine],
     verdict: &mut Verdict,
 ) -> Vec<Option<&'a Move>> {
-    let sides = Sides::new(expected, poses, read);
+    let sides = ComparedLines::new(expected, poses, read);
     let (want, have) = (&sides.want, &sides.have);
     let mut found_moves = vec![None; read.len()];
     let (mut i, mut k) = (0, 0);
     while i < want.len() && k < have.len() {
         let (gone, new) = if sides.is_same(i, k) { (1, 1) } else { sides.way_back(i, k) };
         for n in 0..gone.min(new) {
-            if i + n < want.len() && k + n < have.len() && sides.pair(i + n, k + n, verdict) {
+            if i + n < want.len() && k + n < have.len() && sides.compare_pair(i + n, k + n, verdict) {
                 found_moves[sides.places[k + n]] = sides.plans[i + n];
             }
         }
@@ -62,15 +62,17 @@ pub(super) fn compare<'a>(
     found_moves
 }
 
-impl<'a, 'r> Sides<'a, 'r> {
-    fn new(expected: &'r Expected<'a>, poses: &'r Poses<'r>, read: &'r [ReadLine]) -> Sides<'a, 'r> {
-        let acts = |l: &&ReadLine| !matches!(l.what, Read::Say(_));
+impl<'a, 'r> ComparedLines<'a, 'r> {
+    fn new(expected: &'r Expected<'a>, poses: &'r Poses<'r>, read: &'r [ReadLine]) -> ComparedLines<'a, 'r> {
+        let acts = |l: &&ReadLine| !matches!(l.what, Statement::Say(_));
         let want: Vec<&ReadLine> = expected.written.iter().filter(acts).collect();
         let mut planned = expected.moves.iter();
-        let plans =
-            want.iter().map(|l| matches!(l.what, Read::Move(_)).then(|| planned.next().copied()).flatten()).collect();
+        let plans = want
+            .iter()
+            .map(|l| matches!(l.what, Statement::Move(_)).then(|| planned.next().copied()).flatten())
+            .collect();
         let places: Vec<usize> = (0..read.len()).filter(|i| acts(&&read[*i])).collect();
-        Sides { poses, want, plans, have: places.iter().map(|i| &read[*i]).collect(), places }
+        ComparedLines { poses, want, plans, have: places.iter().map(|i| &read[*i]).collect(), places }
     }
 
     fn is_same(&self, i: usize, k: usize) -> bool {
@@ -91,24 +93,24 @@ impl<'a, 'r> Sides<'a, 'r> {
         found.unwrap_or((1, 1))
     }
 
-    /// Two lines at the same place: what of them differs. Whether they are the same one.
-    fn pair(&self, i: usize, k: usize, verdict: &mut Verdict) -> bool {
+    /// Compares two lines at the same place. Gives whether they are the same line.
+    fn compare_pair(&self, i: usize, k: usize, verdict: &mut Verdict) -> bool {
         let (want, have) = (self.want[i], self.have[k]);
         let is_same = self.is_same(i, k);
         match (&want.what, &have.what) {
-            (Read::Move(w), Read::Move(h)) if is_same => {
+            (Statement::Move(w), Statement::Move(h)) if is_same => {
                 if let Some(plan) = self.plans[i] {
-                    self.as_planned(plan, have, h, verdict);
-                    in_time(plan, have, w, h, verdict);
+                    self.compare_with_plan(plan, have, h, verdict);
+                    compare_timing(plan, have, w, h, verdict);
                 }
-                words(w, have, h, verdict);
+                compare_settings(w, have, h, verdict);
             }
             _ if is_same => {}
-            (Read::Move(w), Read::Move(h)) if is_same_kind(w, h) => {
-                if let Some(difference) = elsewhere(self.poses, &w.goal, &h.goal) {
+            (Statement::Move(w), Statement::Move(h)) if is_same_kind(w, h) => {
+                if let Some(difference) = position_difference(self.poses, &w.goal, &h.goal) {
                     verdict.findings.push(difference.at(have));
                 }
-                words(w, have, h, verdict);
+                compare_settings(w, have, h, verdict);
             }
             _ => {
                 let (found, planned) = (have.what.clone(), want.what.clone());
@@ -118,8 +120,8 @@ impl<'a, 'r> Sides<'a, 'r> {
         is_same
     }
 
-    /// A move against the plan itself, not against its text: what the dialect's words make of it.
-    fn as_planned(&self, plan: &Move, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
+    /// Compares a move with the plan itself, not with the plan's text: an error of the dialect's own writer shows here.
+    fn compare_with_plan(&self, plan: &Move, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
         let poses = self.poses;
         // Home is told by its joints, or where they are.
         let home = plan.part_from_focus.is_none().then_some(plan.joints_deg).flatten();
@@ -151,15 +153,15 @@ impl<'a, 'r> Sides<'a, 'r> {
     }
 }
 
-/// What the dialect's words make of the plan's pace; a pace that was changed in them is told by [`words`].
-fn in_time(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
+/// Compares a move's timing with the plan. A timing that was changed in the text is [`compare_settings`]'s finding.
+fn compare_timing(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
     if !is_same_pace(&plan.timing, &have.timing) && is_same_pace(&want.timing, &have.timing) {
         verdict.findings.push(Difference::OtherPace { found: have.timing, planned: plan.timing }.at(at));
     }
 }
 
-/// What the words of a move say beside its target.
-fn words(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
+/// Compares what a move says beside its target with the plan as it is written.
+fn compare_settings(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
     if want.rest != have.rest {
         let (found, planned) = (have.rest.clone(), want.rest.clone());
         verdict.findings.push(Difference::OtherWords { found, planned }.at(at));

@@ -13,19 +13,19 @@ mod expected;
 mod likeness;
 mod verdict;
 
-pub(super) use driven::driven;
+pub(super) use driven::drive_program;
 pub use error::VerifyError;
 pub use expected::Expected;
 pub(super) use expected::{Poses, moves};
 pub use likeness::{MOST_OFF_MM, MOST_TURNED_DEG};
 pub use verdict::{Difference, Finding, JointOff, Kind, SpotOff, Verdict};
 
-use super::plan::Plan;
-use super::proof::prover;
+use super::prover;
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::dialect::{ReadLine, Reading};
+use crate::planning::plan::Plan;
+use crate::program::dialect::{ReadContext, ReadLine};
 use crate::program::{Dialect, Program, ProgramFile, ReadError, WITHOUT_WORDS, dialects, lines};
 use compare::compare;
 use driven::interference;
@@ -51,11 +51,11 @@ pub fn check(
     let files = dialect.write(&program).map_err(VerifyError::Unwritable)?;
     let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let Some(main) = files.first() else { return Err(VerifyError::NoProgram) };
-    let written = dialect.read(main, &Reading { setup, open: &own }).map_err(VerifyError::OwnUnreadable)?;
+    let written = dialect.read(main, &ReadContext { setup, open: &own }).map_err(VerifyError::OwnUnreadable)?;
     let prover = prover(part, setup, job).on_layers(&planned.grown);
     let expected =
         Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
-    let verdict = match dialect.read(first, &Reading { setup, open }) {
+    let verdict = match dialect.read(first, &ReadContext { setup, open }) {
         Ok(read) => verify(&expected, &read, with_checker),
         Err(e) => Verdict { findings: vec![unreadable(e)], ..Verdict::default() },
     };
@@ -84,7 +84,8 @@ pub fn check_own(
 ) -> Result<Verdict, VerifyError> {
     let Some(first) = written.first() else { return Ok(Verdict::default()) };
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let read = dialect_of(first)?.read(first, &Reading { setup, open: &open }).map_err(VerifyError::OwnUnreadable)?;
+    let read =
+        dialect_of(first)?.read(first, &ReadContext { setup, open: &open }).map_err(VerifyError::OwnUnreadable)?;
     let lines = lines(&plan.steps, setup);
     let prover = prover(part, setup, job).on_layers(&plan.grown);
     let defocus_mm = job.beam.defocus_mm;
@@ -101,7 +102,7 @@ pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) ->
     let mut verdict = Verdict::default();
     let poses = Poses { setup: expected.setup, defocus_mm: expected.defocus_mm };
     let planned = compare(expected, &poses, read, &mut verdict);
-    let driven = driven(&poses, read, &planned, &mut verdict);
+    let driven = drive_program(&poses, read, &planned, &mut verdict);
     interference(expected, &poses, &driven, with_checker, &mut verdict);
     verdict.findings.sort_by_key(|f| order_of(read, f));
     verdict

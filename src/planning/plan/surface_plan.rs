@@ -1,7 +1,6 @@
 //! One surface's share of a plan: its lines become passes. What has not changed is taken from the cache.
 
-use super::error::PlanError;
-use super::lay::{self, Laid, LayingRules, Ordered};
+use super::toolpath::{Ordered, Toolpath, ToolpathRules, plan_toolpath};
 use crate::beam::{Optics, ProcessSettings, Tool, ToolConfiguration, ToolGeometry};
 use crate::cell::Setup;
 use crate::document::model::Job;
@@ -10,6 +9,7 @@ use crate::part::{Digest, Hasher, Part, SurfaceId, Surfaces, keyed};
 use crate::path::chord::ChordLimits;
 use crate::path::planes::Raster;
 use crate::path::{SurfacePlanes, dense};
+use crate::planning::error::PlanError;
 use crate::pose::{
     Correction, LineOnSurface, LineRules, Pass, TargetState, TiltRule, plan_line, plan_line_by_section_plane,
 };
@@ -22,74 +22,74 @@ use std::sync::{Arc, Mutex};
 /// A surface's share of a plan.
 #[derive(Clone, Debug)]
 pub struct SurfacePlan {
-    /// How its lines lie.
-    pub laid: Arc<Laid>,
+    /// Its lines.
+    pub toolpath: Arc<Toolpath>,
     /// Length of the way between its lines, mm, and from the surface before.
     pub way_mm: f64,
     /// Length of the way in a plain zigzag, mm.
     pub zigzag_way_mm: f64,
     /// Its passes in working order, once each.
     pub passes: Vec<Pass>,
-    /// If the beam was searched: the passes that interfere as the section plane would have them, within the
-    /// same limits.
+    /// Where the clearance search was used: for each pass that interferes, what the correction in the section plane makes
+    /// of it within the same limits.
     pub by_section_plane: Option<Vec<Option<Pass>>>,
 }
 
-/// Surface plans and laid lines by the digest of all that they depend on.
+/// Surface plans and toolpaths by the digest of all that they depend on.
 #[derive(Debug, Default)]
 pub struct Cache(Mutex<Kept>);
 
 /// What one plan was made of.
 #[derive(Debug, Default)]
-pub(super) struct Kept {
-    pub(super) plans: BTreeMap<Digest, Arc<SurfacePlan>>,
-    pub(super) laid: BTreeMap<Digest, Arc<Laid>>,
+pub(in super::super) struct Kept {
+    pub(in super::super) plans: BTreeMap<Digest, Arc<SurfacePlan>>,
+    pub(in super::super) toolpaths: BTreeMap<Digest, Arc<Toolpath>>,
 }
 
 impl Cache {
-    pub(super) fn get(&self, key: &Digest) -> Option<Arc<SurfacePlan>> {
+    pub(in super::super) fn get(&self, key: &Digest) -> Option<Arc<SurfacePlan>> {
         self.0.lock().ok()?.plans.get(key).cloned()
     }
 
-    /// The lines of the surface of a family in a layer, laid by the job of that surface.
-    pub(super) fn laid<'a>(
+    /// The lines of the surface of a family in a layer, by the job of that surface.
+    pub(in super::super) fn toolpath<'a>(
         &self,
         part: &Part,
         surfaces: &Surfaces,
         family: SurfacePlanes,
         job_of: impl Fn(u32) -> &'a Job,
         layer: u32,
-    ) -> Option<(Digest, Arc<Laid>)> {
+    ) -> Option<(Digest, Arc<Toolpath>)> {
         let surface = surfaces.get(family.surface)?;
-        let by = LayingRules::new(surface.number, job_of(surface.number), layer);
-        let key = laid_key(part, surfaces, surface, &family, &by);
-        let known = self.0.lock().ok().and_then(|kept| kept.laid.get(&key).cloned());
-        let laid = known.unwrap_or_else(|| Arc::new(lay::laid(part, surfaces, surface, family, &by)));
-        Some((key, laid))
+        let by = ToolpathRules::new(surface.number, job_of(surface.number), layer);
+        let key = toolpath_key(part, surfaces, surface, &family, &by);
+        let known = self.0.lock().ok().and_then(|kept| kept.toolpaths.get(&key).cloned());
+        let toolpath = known.unwrap_or_else(|| Arc::new(plan_toolpath(part, surfaces, surface, family, &by)));
+        Some((key, toolpath))
     }
 
-    /// Keeps lines that were laid, for the plan to come.
-    pub(super) fn add(&self, laid: &[(Digest, Arc<Laid>)]) {
+    /// Keeps toolpaths for the plan to come.
+    pub(in super::super) fn add_toolpaths(&self, toolpaths: &[(Digest, Arc<Toolpath>)]) {
         if let Ok(mut kept) = self.0.lock() {
-            kept.laid.extend(laid.iter().cloned());
+            kept.toolpaths.extend(toolpaths.iter().cloned());
         }
     }
 
     /// Keeps what the newest plan uses, and nothing else.
-    pub(super) fn keep(&self, used: Kept) {
+    pub(in super::super) fn keep(&self, used: Kept) {
         if let Ok(mut kept) = self.0.lock() {
             *kept = used;
         }
     }
 }
 
-/// Of all that the lines of a surface depend on.
-fn laid_key(
+/// The key of a surface's toolpath: a digest of all that its lines depend on.
+fn toolpath_key(
     part: &Part,
     surfaces: &Surfaces,
     surface: &Surface,
     planes: &SurfacePlanes,
-    by: &LayingRules<'_>,
+    by: &ToolpathRules<'_>,
 ) -> Digest {
     let key = Hasher::default().of(&part.digest).u32s(&surface.facets).of(planes).of(by).finish();
     if by.layers.inset_mm >= 0.0 {
@@ -102,19 +102,19 @@ fn laid_key(
 }
 
 /// The planes that a surface's job wants.
-pub(super) fn raster(surface: u32, job: &Job) -> Raster {
+pub(in super::super) fn raster(surface: u32, job: &Job) -> Raster {
     let l = &job.layers;
     Raster { surface, direction: l.direction, spacing_mm: l.spacing_mm, offset_mm: l.offset_mm.mm() }
 }
 
 /// What the lines of a surface are planned by.
-pub(super) fn rules_of(surface: u32, job: &Job) -> LineRules {
+pub(in super::super) fn rules_of(surface: u32, job: &Job) -> LineRules {
     let own = job.settings.of(SurfaceId(surface));
     LineRules { tilt: own.tilt.clone(), pins: own.pins.clone(), ..rules(job) }
 }
 
 /// What lines are planned by where no surface asks for anything of its own.
-pub(super) fn rules(job: &Job) -> LineRules {
+pub(in super::super) fn rules(job: &Job) -> LineRules {
     LineRules {
         max_gap_mm: dense::max_gap_mm(job.layers.spacing_mm).min(job.path.max_step_mm),
         max_dense_turn_deg: dense::MAX_TURN_DEG.min(job.path.max_turn_deg),
@@ -131,9 +131,9 @@ pub(super) fn rules(job: &Job) -> LineRules {
     }
 }
 
-/// A surface's plan with the work of its job: power and speed change no pose, and without a head where the
-/// focus stands does not either.
-pub(super) fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
+/// A surface's plan with the process settings of its job, which change no pose: power and speed never do, and without
+/// a head neither does the defocus.
+pub(in super::super) fn with_process_settings(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
     let wanted = work(job);
     let own = |w: &ProcessSettings| match tool.head {
         None => ProcessSettings { layer: w.layer, ..wanted },
@@ -145,9 +145,9 @@ pub(super) fn worked(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<
     made
 }
 
-/// A surface's plan with the way to and between its lines, and that of a plain zigzag: where the surface before
-/// ends is no part of its poses.
-pub(super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64)) -> Arc<SurfacePlan> {
+/// A surface's plan with the length of the way to and between its lines, and that of a plain zigzag. They depend on where
+/// the surface before ends, which poses do not.
+pub(in super::super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64)) -> Arc<SurfacePlan> {
     if (made.way_mm, made.zigzag_way_mm) != ways_mm {
         let plan = Arc::make_mut(&mut made);
         (plan.way_mm, plan.zigzag_way_mm) = ways_mm;
@@ -155,21 +155,21 @@ pub(super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64)) -> Arc<
     made
 }
 
-/// What stands around the beam; `None`: the beam is a ray.
+/// The body of the tool around the beam; `None`: the beam is a ray.
 pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<ToolGeometry<'a>> {
     configurations(job, &setup.tool).swap_remove(0).geometry
 }
 
-/// How the head may be held over lines, as wanted first: then drawn back and pushed forward by half of the
-/// standoff window and all of it.
-pub(super) fn configurations<'a>(job: &Job, tool: &'a Tool) -> Vec<ToolConfiguration<'a>> {
+/// The tool configurations that may be tried over lines, the wanted one first, then drawn back and pushed forward by half
+/// of the standoff window and by all of it.
+pub(in super::super) fn configurations<'a>(job: &Job, tool: &'a Tool) -> Vec<ToolConfiguration<'a>> {
     let wanted = work(job);
     let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
     let lifted = |share: &f64| wanted.lifted(&job.optics, share * job.path.standoff_mm);
     lifts.iter().map(|s| ToolConfiguration::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
 }
 
-/// What a job works with.
+/// The process settings of a job.
 fn work(job: &Job) -> ProcessSettings {
     let b = &job.beam;
     ProcessSettings {
@@ -185,9 +185,9 @@ fn work(job: &Job) -> ProcessSettings {
 }
 
 /// Makes the passes of a surface.
-pub(super) fn plan_surface(
+pub(in super::super) fn plan_surface(
     part: &Part,
-    laid: Arc<Laid>,
+    toolpath: Arc<Toolpath>,
     ordered: Ordered,
     job: &Job,
     tool: &Tool,
@@ -202,9 +202,10 @@ pub(super) fn plan_surface(
         .enumerate()
         .map(|(number, line)| {
             progress.step()?;
-            let line = LineOnSurface { line, surface: laid.surface, number: number as u32, m: laid.plane_of(line) };
+            let line =
+                LineOnSurface { line, surface: toolpath.surface, number: number as u32, m: toolpath.plane_of(line) };
             let mut pass = plan_line(part, &configurations, &line, rules);
-            pass.settings.layer = laid.layer;
+            pass.settings.layer = toolpath.layer;
             let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != TargetState::Free);
             let other =
                 (is_searched && interferes).then(|| plan_line_by_section_plane(part, &configurations[0], &line, rules));
@@ -213,7 +214,7 @@ pub(super) fn plan_surface(
         .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
     let (passes, others): (Vec<_>, Vec<_>) = both.into_iter().unzip();
     Ok(SurfacePlan {
-        laid,
+        toolpath,
         way_mm: ordered.way_mm,
         zigzag_way_mm: ordered.zigzag_way_mm,
         passes,
@@ -244,8 +245,14 @@ struct BeamWidth<'a> {
 
 keyed!(BeamWidth<'_> { defocus_mm, spot_mm, margin_mm, optics });
 
-/// Of the lines of a surface and all that its poses depend on beside them.
-pub(super) fn key_of(laid: Digest, spot: Option<Point3<f64>>, job: &Job, rules: &LineRules, tool: &Tool) -> Digest {
+/// The key of a surface's plan: a digest of its toolpath and all else that its poses depend on.
+pub(in super::super) fn poses_key(
+    toolpath: Digest,
+    spot: Option<Point3<f64>>,
+    job: &Job,
+    rules: &LineRules,
+    tool: &Tool,
+) -> Digest {
     let b = &job.beam;
     let width = BeamWidth { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, margin_mm: b.margin_mm, optics: &job.optics };
     let has_width = tool.head.is_some() || !tool.clamps.is_empty();
@@ -257,5 +264,5 @@ pub(super) fn key_of(laid: Digest, spot: Option<Point3<f64>>, job: &Job, rules: 
         tool,
         width: has_width.then_some(width),
     };
-    Hasher::default().of(&laid).of(&by).finish()
+    Hasher::default().of(&toolpath).of(&by).finish()
 }

@@ -1,14 +1,22 @@
 //! A plan: passes, steps, what was refused, and what is proven. How it is made, `making` says.
 
-use super::cell_report::CellReport;
-use super::remark::Remark;
-use super::surface_plan::SurfacePlan;
+pub(super) mod build_up;
+pub mod cell_report;
+pub(super) mod prepared;
+pub mod preview;
+pub mod remark;
+pub mod surface_plan;
+pub mod toolpath;
+
 use crate::cell::motion::{Choice, Refusal};
 use crate::part::{GrownPart, SurfaceId};
 use crate::pose::{Pass, TargetState};
 use crate::program::sweep::Proof;
 use crate::program::{Steps, Timeline};
+use cell_report::CellReport;
+use remark::Remark;
 use std::sync::Arc;
+use surface_plan::SurfacePlan;
 
 /// A plan.
 #[derive(Clone, Debug, Default)]
@@ -37,9 +45,9 @@ pub struct Plan {
 impl Plan {
     /// What of lines and program is not as it was wanted, by surface: a layer's after those below it.
     pub fn remarks(&self) -> impl Iterator<Item = (SurfaceId, Remark)> {
-        let laid = self.surfaces.iter().flat_map(|s| s.laid.remarks.iter().map(|r| (s.laid.surface, r)));
-        let laid = laid.map(|(surface, r)| (SurfaceId(surface), Remark::Laying(r.clone())));
-        laid.chain(self.steps.shortfalls.iter().map(|(surface, s)| (SurfaceId(*surface), Remark::Program(*s))))
+        let of_lines = self.surfaces.iter().flat_map(|s| s.toolpath.remarks.iter().map(|r| (s.toolpath.surface, r)));
+        let of_lines = of_lines.map(|(surface, r)| (SurfaceId(surface), Remark::Toolpath(r.clone())));
+        of_lines.chain(self.steps.shortfalls.iter().map(|(surface, s)| (SurfaceId(*surface), Remark::Program(*s))))
     }
 
     /// Blocks what was refused.

@@ -1,6 +1,9 @@
 //! What proves the lit moves of a job, in its plan and in its program. The sweep itself is `program::sweep`'s.
 
-use super::surface_plan::configurations;
+pub mod as_written;
+pub mod verify;
+
+use super::plan::surface_plan::configurations;
 use crate::beam::ToolConfiguration;
 use crate::cell::Setup;
 use crate::document::model::Job;

@@ -1,23 +1,23 @@
 //! What a job asks for, checked before anything is computed: numbers, surfaces, and how large the plan would be.
 
-use super::error::PlanError;
-use super::layer;
+use super::build_up::SurfaceJobs;
 use super::surface_plan::rules;
 use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
+use crate::planning::error::PlanError;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// The surfaces to clean and the job of each, checked.
-pub(super) fn prepared<'a>(
+pub(in super::super) fn prepare<'a>(
     part: &Part,
     surfaces: &Surfaces,
     job: &'a Job,
-) -> Result<(Vec<u32>, layer::Own<'a>), PlanError> {
+) -> Result<(Vec<u32>, SurfaceJobs<'a>), PlanError> {
     job.check()?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
-    let own: layer::Own<'_> = list.iter().map(|&n| (n, job.of_surface(SurfaceId(n)))).collect();
+    let own: SurfaceJobs<'_> = list.iter().map(|&n| (n, job.of_surface(SurfaceId(n)))).collect();
     if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
         return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }

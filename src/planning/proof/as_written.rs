@@ -1,14 +1,14 @@
 //! The proof of a plan's lit moves as its program is written, while the plan can still be changed. What is read
 //! from a file on disk is `verify`'s.
 
-use super::plan::Plan;
-use super::proof::prover;
-use super::verify::{Poses, Verdict, driven, moves};
+use super::prover;
+use super::verify::{Poses, Verdict, drive_program, moves};
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::Part;
+use crate::planning::plan::Plan;
 use crate::pose::Blocker;
-use crate::program::dialect::{Read, ReadLine, Reading};
+use crate::program::dialect::{ReadContext, ReadLine, Statement};
 use crate::program::sweep::{LitMove, Proof};
 use crate::program::{DialectError, Move, Program, ReadError, WITHOUT_WORDS, dialects, lines};
 use thiserror::Error;
@@ -53,13 +53,13 @@ pub fn proven_as_written(
     let files = dialect.write(&program).map_err(DialectError::from)?;
     let open = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let first = files.first().ok_or(UnprovenProgram::Empty)?;
-    let read = dialect.read(first, &Reading { setup, open: &open })?;
+    let read = dialect.read(first, &ReadContext { setup, open: &open })?;
     let mut numbers = 0..planned.len();
-    let of_line = |l: &ReadLine| matches!(l.what, Read::Move(_)).then(|| numbers.next()).flatten();
+    let of_line = |l: &ReadLine| matches!(l.what, Statement::Move(_)).then(|| numbers.next()).flatten();
     let number: Vec<Option<usize>> = read.iter().map(of_line).collect();
     let of_plan: Vec<Option<&Move>> = number.iter().map(|n| n.and_then(|n| planned.get(n).copied())).collect();
     let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
-    let driven = driven(&poses, &read, &of_plan, &mut Verdict::default());
+    let driven = drive_program(&poses, &read, &of_plan, &mut Verdict::default());
     let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
     let proof = prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
     let target = |at: usize| {

@@ -3,7 +3,7 @@
 
 use crate::cell::Joints;
 use crate::pose::Blocker;
-use crate::program::dialect::{Read, ReadLine};
+use crate::program::dialect::{ReadLine, Statement};
 use crate::program::sweep::Proof;
 use crate::program::{Interpolation, MoveTiming, ReadError};
 use nalgebra::Point3;
@@ -34,7 +34,7 @@ pub enum Kind {
     Interference,
 }
 
-/// One thing that is wrong.
+/// One difference between program and plan, or one thing that the robot could not do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// The file.
@@ -54,32 +54,32 @@ pub enum Difference {
     Unreadable(Arc<ReadError>),
     /// Before this line the plan has another one.
     Missing {
-        /// That line.
-        planned: Read,
+        /// The line that should stand there.
+        planned: Statement,
     },
     /// Behind the last line the plan goes on.
     EndMissing {
-        /// So many more lines.
+        /// How many lines are missing.
         lines: usize,
         /// The first of them.
-        first: Read,
+        first: Statement,
     },
     /// The plan does not have this line.
     Extra {
         /// What it does.
-        found: Read,
+        found: Statement,
     },
     /// The plan has ended before this line.
     BehindEnd {
         /// What it does.
-        found: Read,
+        found: Statement,
     },
     /// The line does something else.
     OtherLine {
         /// What it does.
-        found: Read,
+        found: Statement,
         /// What it should do.
-        planned: Read,
+        planned: Statement,
     },
     /// The move leads elsewhere.
     Elsewhere {
@@ -113,7 +113,7 @@ pub enum Difference {
     OtherWords {
         /// Its own.
         found: String,
-        /// Those that it should have.
+        /// The settings that it should have.
         planned: String,
     },
     /// The robot cannot go there.
@@ -161,7 +161,7 @@ pub enum Difference {
 pub struct SpotOff {
     /// How far, mm.
     pub mm: f64,
-    /// And turned by so much, degrees.
+    /// Angle between the two beams, spin included, degrees.
     pub deg: f64,
 }
 
@@ -170,9 +170,9 @@ pub struct SpotOff {
 pub struct JointOff {
     /// The joint, from 0.
     pub joint: usize,
-    /// Where the plan has it, degrees.
+    /// The joint's angle in the plan, degrees.
     pub planned_deg: f64,
-    /// Where it is, degrees.
+    /// The joint's angle in the program, degrees.
     pub found_deg: f64,
 }
 

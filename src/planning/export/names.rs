@@ -1,0 +1,18 @@
+//! Names of the files of an export.
+
+/// The job as it was exported.
+pub(super) const JOB: &str = "job.toml";
+/// The report, which lists all other files.
+pub(super) const REPORT: &str = "report.json";
+/// What is no program.
+const TABLES: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", "dose.ply", "report.html"];
+
+/// Whether a file that an export wrote belongs to its program.
+pub(super) fn is_program(name: &str) -> bool {
+    !TABLES.contains(&name)
+}
+
+/// Whether a name is that of a file of an export: within the folder, and none that it needs for itself.
+pub(super) fn is_plain(name: &str) -> bool {
+    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
+}

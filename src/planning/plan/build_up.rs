@@ -1,0 +1,117 @@
+//! Layers of a build-up: each is planned on the part as those before have made it.
+//!
+//! The beads of a layer itself are not part of that shape: whether the beam of a later line hits a bead of the same
+//! layer is not checked.
+
+use super::surface_plan::{
+    Cache, Kept, SurfacePlan, plan_surface, poses_key, raster, rules_of, with_process_settings, with_ways,
+};
+use super::toolpath::{self, Toolpath};
+use crate::beam::Tool;
+use crate::document::model::Job;
+use crate::part::{Digest, GrownPart, Part, Surfaces, grown};
+use crate::path::Order;
+use crate::path::planes::{self, Raster};
+use crate::planning::error::PlanError;
+use crate::progress::{Activity, Cancelled, Progress};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The jobs of surfaces, by their numbers.
+pub(in super::super) type SurfaceJobs<'a> = BTreeMap<u32, Cow<'a, Job>>;
+
+/// How many layers the thickest build-up has.
+pub(in super::super) fn layer_count(own: &SurfaceJobs<'_>) -> u32 {
+    own.values().map(|j| j.layer_count()).max().unwrap_or(1)
+}
+
+/// The part and its surfaces after each layer, on which the next one is planned: each surface has grown by its layers so
+/// far. Empty without a bead.
+///
+/// # Errors
+/// A surface that is too hollow for its build-up.
+pub(in super::super) fn grown_parts(
+    part: &Part,
+    surfaces: &Surfaces,
+    own: &SurfaceJobs<'_>,
+) -> Result<Vec<Arc<GrownPart>>, PlanError> {
+    let last = if own.values().any(|j| j.section_of_bead().is_some()) { layer_count(own) } else { 0 };
+    let made: Vec<_> = (1..=last)
+        .into_par_iter()
+        .map(|layer| {
+            let height_mm = |j: &Job| j.bead.height_mm * f64::from(layer.min(j.layer_count()));
+            let heights_mm = own.iter().map(|(n, j)| (*n, height_mm(j))).collect();
+            let folds = |surface| PlanError::Folds { surface, layers: layer };
+            grown(part, surfaces, &heights_mm).map(Arc::new).map_err(folds)
+        })
+        .collect();
+    // The lowest layer that folds is the one to tell, whichever thread was first.
+    made.into_iter().collect()
+}
+
+/// The toolpaths of one layer of the surfaces in `list`, each with the digest of all that it depends on.
+pub(in super::super) fn layer_toolpaths(
+    (part, surfaces): (&Part, &Surfaces),
+    list: &[u32],
+    own: &SurfaceJobs<'_>,
+    cache: &Cache,
+    layer: u32,
+    progress: &Progress,
+) -> Result<Vec<(Digest, Arc<Toolpath>)>, Cancelled> {
+    let default = Job::default();
+    let job_of = |n: u32| own.get(&n).map_or(&default, |j| j);
+    let list = list.iter().filter(|n| layer < job_of(**n).layer_count());
+    let rasters: Vec<Raster> = list.map(|n| raster(*n, job_of(*n))).collect();
+    let families = planes::planes(&part.mesh, surfaces, &rasters);
+    progress.begin(Activity::LayingLines, families.len());
+    let toolpaths = families.into_par_iter().map(|family| {
+        progress.step()?;
+        Ok(cache.toolpath(part, surfaces, family, job_of, layer))
+    });
+    Ok(toolpaths.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
+}
+
+/// Plans one layer of the surfaces in `list`, in the order of work. The pieces that it is made of go into `kept`.
+pub(in super::super) fn plan_layer(
+    (part, surfaces): (&Part, &Surfaces),
+    list: &[u32],
+    own: &SurfaceJobs<'_>,
+    (tool, cache): (&Tool, &Cache),
+    layer: u32,
+    kept: &mut Kept,
+    progress: &Progress,
+) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
+    let default = Job::default();
+    let job_of = |n: u32| own.get(&n).map_or(&default, |j| j);
+    let toolpaths = layer_toolpaths((part, surfaces), list, own, cache, layer, progress)?;
+    // Where a surface begins may depend on where the one before ends.
+    let (mut spot, mut lines) = (None, Vec::with_capacity(toolpaths.len()));
+    for (key, toolpath) in &toolpaths {
+        let ordered = toolpath::ordered(toolpath, &job_of(toolpath.surface).layers, spot.as_ref());
+        let from = spot;
+        spot = toolpath::end_of(&ordered.lines).or(spot);
+        lines.push((*key, from, toolpath.clone(), ordered));
+    }
+    progress.begin(Activity::Planning, lines.iter().map(|l| l.3.lines.len()).sum());
+    let planned: Vec<(Digest, Arc<SurfacePlan>)> = lines
+        .into_par_iter()
+        .map(|(key, from, toolpath, ordered)| {
+            let job = job_of(toolpath.surface);
+            let rules = rules_of(toolpath.surface, job);
+            let from = from.filter(|_| job.layers.order == Order::Shortest);
+            let key = poses_key(key, from, job, &rules, tool);
+            let ways_mm = (ordered.way_mm, ordered.zigzag_way_mm);
+            let made = match cache.get(&key) {
+                Some(known) => known,
+                None => Arc::new(plan_surface(part, toolpath, ordered, job, tool, &rules, progress)?),
+            };
+            Ok((key, with_ways(with_process_settings(made, job, tool), ways_mm)))
+        })
+        .collect::<Result<_, PlanError>>()?;
+    let surface_plans = planned.iter().map(|(_, p)| p.clone()).collect();
+    kept.plans.extend(planned);
+    kept.toolpaths.extend(toolpaths);
+    Ok(surface_plans)
+}
