@@ -27,6 +27,8 @@
 //!   ([`planning::export`]) and compared with what was read ([`planning::verify`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
+//! - [`text`] makes sentences of what the rooms above find and refuse, in the user's language; the rooms themselves
+//!   know no words.
 //! - [`file`] reads files that people write, and names them where they are wrong.
 //! - [`fit`] brings points onto others by one rigid motion.
 //! - [`progress`] is the one thing that all who work long share with who waits for them.

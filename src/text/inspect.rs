@@ -1,7 +1,7 @@
 //! What `inspect` prints for people, and the names of shapes.
 
 use super::part::size;
-use super::{fixed, say};
+use super::{exact, fixed, say};
 use crate::part::Shape;
 use crate::part::inspect::InspectReport;
 
@@ -18,7 +18,7 @@ pub(crate) fn inspected(r: &InspectReport) -> String {
     if let Some(volume_mm3) = r.volume_mm3 {
         let _ = writeln!(out, "{}", say!(inspect_volume, volume = fixed(volume_mm3, 2)));
     }
-    let surfaces = say!(inspect_surfaces, count = r.surfaces.len(), angle = r.angle_deg.to_string());
+    let surfaces = say!(inspect_surfaces, count = r.surfaces.len(), angle = exact(r.angle_deg));
     let _ = writeln!(out, "{surfaces}");
     let columns = [say!(inspect_column_surface), say!(inspect_column_facets), say!(inspect_column_area)];
     let [surface, facets, area] = columns;

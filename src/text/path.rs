@@ -1,6 +1,6 @@
 //! Why lines are not as they were wanted, and what is no direction.
 
-use super::{Sentence, fixed, id, say};
+use super::{Sentence, exact, fixed, id, say};
 use crate::path::{DirectionError, LinesFinding};
 
 impl Sentence for LinesFinding {
@@ -15,7 +15,7 @@ impl Sentence for LinesFinding {
             }
             LinesFinding::NoLineFits { .. } => say!(lines_none_fits),
             LinesFinding::NoTurnFits { spacing_mm, .. } => {
-                say!(lines_no_turn_fits, mm = spacing_mm.to_string())
+                say!(lines_no_turn_fits, mm = exact(spacing_mm))
             }
             LinesFinding::NoMeanNormal { .. } => say!(lines_no_mean_normal),
             LinesFinding::ApartFromBorder { area_mm2, .. } => {

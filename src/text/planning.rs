@@ -1,6 +1,6 @@
 //! Why there is no part and no plan.
 
-use super::{Sentence, fixed, id, say};
+use super::{Sentence, exact, fixed, id, say};
 use crate::planning::{Failure, PartError, PlanError, PlanningError};
 
 impl<E: Sentence> Sentence for Failure<E> {
@@ -30,11 +30,11 @@ impl Sentence for PlanError {
             PlanError::NoSurface { surface, last } => say!(plan_no_surface, surface = id(surface), last = id(last)),
             PlanError::Nothing => say!(plan_nothing_chosen),
             PlanError::SpacingTooLarge { spacing_mm, size_mm } => {
-                say!(plan_spacing_too_large, spacing = spacing_mm.to_string(), size = fixed(*size_mm, 3))
+                say!(plan_spacing_too_large, spacing = exact(*spacing_mm), size = fixed(*size_mm, 3))
             }
             PlanError::SpacingTooSmall { spacing_mm, points } => {
                 // More than any count holds is said as the largest.
-                say!(plan_spacing_too_small, spacing = spacing_mm.to_string(), points = *points as u64)
+                say!(plan_spacing_too_small, spacing = exact(*spacing_mm), points = *points as u64)
             }
             PlanError::PartTooLarge { size_mm } => say!(plan_part_too_large, size = format!("{size_mm:e}")),
             PlanError::Folds { surface, layers } => say!(plan_folds, surface = id(surface), layers = *layers),

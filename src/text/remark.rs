@@ -1,6 +1,6 @@
 //! What of lines and program is not as it was wanted. The sentences stand behind the surface's name.
 
-use super::{Sentence, fixed, say};
+use super::{Sentence, exact, fixed, say};
 use crate::planning::remark::{Remark, ToolpathRemark};
 
 impl Sentence for Remark {
@@ -18,7 +18,7 @@ impl Sentence for ToolpathRemark {
             ToolpathRemark::LayersAlike => say!(remark_layers_alike),
             ToolpathRemark::StopsAtRim { ends } => say!(remark_stops_at_rim, ends = *ends),
             ToolpathRemark::TooShort { pieces, length_mm, shortest_mm } => {
-                let (length, shortest) = (fixed(*length_mm, 1), shortest_mm.to_string());
+                let (length, shortest) = (fixed(*length_mm, 1), exact(*shortest_mm));
                 say!(remark_too_short, pieces = *pieces, length, shortest)
             }
             ToolpathRemark::Lines(finding) => finding.sentence(),

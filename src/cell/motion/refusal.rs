@@ -163,7 +163,7 @@ impl RefusalReason {
 fn blocker<S: Serializer>(b: &Blocker, serializer: S) -> Result<S::Ok, S::Error> {
     let mut map = serializer.serialize_map(Some(3))?;
     map.serialize_entry(
-        "ours",
+        "tool",
         match b.tool_body {
             ToolBody::Beam => "beam",
             ToolBody::Head => "head",
@@ -208,7 +208,7 @@ mod tests {
         let touch = RefusalReason::contact(Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part }).1;
         assert_eq!(json(&touch), json!({ "code": "contact", "a": { "body": "forearm" }, "b": { "body": "part" } }));
         let hit = Blocker { tool_body: ToolBody::Head, obstruction: Obstruction::Facet(12), t_mm: 40.5 };
-        let back = json!({ "code": "hit_drawn_back", "hit": { "ours": "head", "facet": 12, "t_mm": 40.5 } });
+        let back = json!({ "code": "hit_drawn_back", "hit": { "tool": "head", "facet": 12, "t_mm": 40.5 } });
         assert_eq!(json(&RefusalReason::HitDrawnBack { hit }), back);
         let moved = json(&RefusalReason::HitOnMove { spot_mm: [1.0, 2.0, 3.5], hit });
         assert_eq!(moved["spot_mm"], json!([1.0, 2.0, 3.5]));
