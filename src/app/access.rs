@@ -6,7 +6,7 @@ use crate::cell::Setup;
 use crate::document::Job;
 use crate::part::{Part, SurfaceId, angle};
 use crate::planning::surface_plan::body;
-use crate::pose::access::{AccessMap, AccessStrip, Over};
+use crate::pose::access::{AccessMap, AccessStrip, TiltPart};
 use crate::pose::{Beam, Pass, TargetState, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
@@ -44,7 +44,7 @@ type MadeOf<K> = (K, Job, u64);
 pub(super) struct AccessViews {
     map: Option<(MadeOf<Place>, AccessMap)>,
     /// Over which part of the tilt, and of which pass.
-    strip: Option<(MadeOf<(Over, usize)>, AccessStrip)>,
+    strip: Option<(MadeOf<(TiltPart, usize)>, AccessStrip)>,
 }
 
 /// What access is looked at with.
@@ -73,7 +73,7 @@ impl AccessViews {
     }
 
     /// The strip along a pass.
-    fn strip(&mut self, over: Over, number: usize, pass: &Pass, on: &Ground<'_>) -> &AccessStrip {
+    fn strip(&mut self, over: TiltPart, number: usize, pass: &Pass, on: &Ground<'_>) -> &AccessStrip {
         let of = ((over, number), on.job.clone(), on.plan);
         if self.strip.as_ref().is_some_and(|s| s.0 != of) {
             self.strip = None;
@@ -131,7 +131,7 @@ impl App {
     }
 
     /// The strip of the current pass.
-    pub(super) fn access_strip(&mut self, over: Over) -> Option<&AccessStrip> {
+    pub(super) fn access_strip(&mut self, over: TiltPart) -> Option<&AccessStrip> {
         let (planned, number) = (self.derived.plan()?, self.session.playback.at.0);
         let pass = planned.plan.passes.get(number)?;
         let setup = self.derived.pipeline.setup()?.ok()?;

@@ -6,7 +6,7 @@
 mod prepared;
 mod proximity;
 
-use super::topology::{Dead, Mesh};
+use super::topology::{FacetDefect, Mesh};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -35,7 +35,7 @@ pub struct Bvh {
 
 /// A facet met by a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
+pub struct RayHit {
     /// Facet index in the mesh.
     pub facet: u32,
     /// Distance along the ray, mm (the direction is a unit vector).
@@ -45,7 +45,8 @@ pub struct Hit {
 impl Bvh {
     /// Builds over all facets with area.
     pub fn new(mesh: &Mesh) -> Bvh {
-        let facet: Vec<u32> = (0..mesh.facets.len() as u32).filter(|&f| mesh.dead[f as usize] == Dead::No).collect();
+        let facet: Vec<u32> =
+            (0..mesh.facets.len() as u32).filter(|&f| mesh.defects[f as usize] == FacetDefect::None).collect();
         let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
         let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
         let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0) };
@@ -118,14 +119,14 @@ impl Bvh {
     }
 
     /// The nearest facet that the ray meets, `t` in `[t0, t1]`.
-    pub fn nearest_hit(&self, origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, t1: f64) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
+    pub fn nearest_hit(&self, origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, t1: f64) -> Option<RayHit> {
+        let mut best: Option<RayHit> = None;
         self.visit_ray(origin, dir, t0, t1, 0.0, |facet, corners| {
             if let Some(t_mm) = ray_hit_mm(corners, origin, dir).filter(|t| (t0..=t1).contains(t)) {
                 // Equal distances (a ray through an edge): the lower facet, whatever the order.
                 let better = best.is_none_or(|b| t_mm < b.t_mm || (t_mm == b.t_mm && facet < b.facet));
                 if better {
-                    best = Some(Hit { facet, t_mm });
+                    best = Some(RayHit { facet, t_mm });
                 }
             }
             best.map_or(t1, |b| b.t_mm)
@@ -375,7 +376,7 @@ mod tests {
             prop_assume!(d.norm() > 0.1);
             let (o, d) = (Point3::from(Vector3::from(o)), d.normalize());
             let expected = (0..mesh.facets.len())
-                .filter(|&f| mesh.dead[f] == Dead::No)
+                .filter(|&f| mesh.defects[f] == FacetDefect::None)
                 .filter_map(|f| ray_hit_mm(&mesh.corners(f), &o, &d).map(|t| (t, f as u32)))
                 .filter(|(t, _)| *t >= 0.0)
                 .min_by(|a, b| a.0.total_cmp(&b.0));
@@ -389,7 +390,7 @@ mod tests {
         let mesh = soup(&[5.0, -1.0, -1.0, 5.0, 3.0, -1.0, 5.0, -1.0, 3.0]);
         let bvh = Bvh::new(&mesh);
         let hit = bvh.nearest_hit(&Point3::origin(), &Vector3::x(), 0.0, f64::INFINITY);
-        assert_eq!(hit, Some(Hit { facet: 0, t_mm: 5.0 }));
+        assert_eq!(hit, Some(RayHit { facet: 0, t_mm: 5.0 }));
         assert_eq!(bvh.nearest_hit(&Point3::origin(), &Vector3::y(), 0.0, f64::INFINITY), None);
     }
 }

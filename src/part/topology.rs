@@ -26,8 +26,8 @@ pub struct Mesh {
     pub normals: Vec<Vector3<f64>>,
     /// Areas, mm².
     pub areas: Vec<f64>,
-    /// Degenerate (no area) or duplicate (same three vertices as an earlier facet): not planned on.
-    pub dead: Vec<Dead>,
+    /// Defect of each facet; facets with one are not planned on.
+    pub defects: Vec<FacetDefect>,
     edge_start: Vec<u32>,
     edge_list: Vec<u32>,
     vertex_start: Vec<u32>,
@@ -37,12 +37,12 @@ pub struct Mesh {
 /// In [`Mesh::facet_edges`]: the two corners are one vertex.
 pub const NO_EDGE: u32 = u32::MAX;
 
-/// Whether a facet is planned on.
+/// What is wrong with a facet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Dead {
-    /// A proper facet.
+pub enum FacetDefect {
+    /// Nothing: a proper facet.
     #[default]
-    No,
+    None,
     /// Two corners are one vertex, or all lie on one line.
     Degenerate,
     /// An earlier facet has the same vertices.
@@ -80,11 +80,11 @@ impl Mesh {
         mesh
     }
 
-    /// Normals, areas and dead facets from the vertices; to be called when those have moved.
+    /// Computes normals, areas and defects from the vertices; to be called when those have moved.
     pub fn update_geometry(&mut self) {
         let count = self.facets.len();
         (self.normals, self.areas) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        self.dead = vec![Dead::No; count];
+        self.defects = vec![FacetDefect::None; count];
         for f in 0..count {
             let [a, b, c] = self.corners(f);
             let cross = (b - a).cross(&(c - a));
@@ -96,7 +96,7 @@ impl Mesh {
             self.normals.push(if flat { Vector3::zeros() } else { cross / twice_area });
             self.areas.push(if flat { 0.0 } else { 0.5 * twice_area });
             if flat {
-                self.dead[f] = Dead::Degenerate;
+                self.defects[f] = FacetDefect::Degenerate;
             }
         }
         self.mark_duplicates();
@@ -111,8 +111,8 @@ impl Mesh {
         for f in 0..self.facets.len() {
             let key = sorted(f as u32);
             let earlier = self.vertex_facets(key[0]).iter().any(|&g| (g as usize) < f && sorted(g) == key);
-            if earlier && self.dead[f] == Dead::No {
-                self.dead[f] = Dead::Duplicate;
+            if earlier && self.defects[f] == FacetDefect::None {
+                self.defects[f] = FacetDefect::Duplicate;
             }
         }
     }
@@ -156,7 +156,7 @@ impl Mesh {
     pub fn is_fold(&self, [f, g]: [u32; 2], edge: u32) -> bool {
         self.runs_forward(f, edge) == self.runs_forward(g, edge)
             && between_deg(&self.normals[f as usize], &self.normals[g as usize]) < 1.0
-            && [f, g].iter().all(|&h| self.dead[h as usize] != Dead::Degenerate)
+            && [f, g].iter().all(|&h| self.defects[h as usize] != FacetDefect::Degenerate)
     }
 
     /// Whether the facet passes the edge from its lower to its higher vertex.
@@ -367,7 +367,7 @@ mod tests {
             vec![[[0.0, 0.0, 0.0], [1.0, -0.0, 0.0], [0.0, 1.0, 0.0]], [[-0.0; 3], [0.0, 1.0, -0.0], [1.0, 0.0, 0.0]]];
         let mesh = Mesh::weld(&raw, 25.4);
         assert_eq!((mesh.vertices.len(), mesh.edges.len()), (3, 3));
-        assert_eq!(mesh.dead, [Dead::No, Dead::Duplicate]);
+        assert_eq!(mesh.defects, [FacetDefect::None, FacetDefect::Duplicate]);
         assert!((mesh.areas[0] - 0.5 * 25.4 * 25.4).abs() < 1e-9);
         let soup: Vec<RawFacet> =
             (0..500).map(|i| [[i as f32, 0.0, 0.0], [i as f32, 1.0, 0.0], [i as f32, 0.0, 1.0]]).collect();
@@ -379,7 +379,7 @@ mod tests {
         let raw: Vec<RawFacet> =
             vec![[[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]], [[0.0; 3], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0]]];
         let mesh = Mesh::weld(&raw, 1.0);
-        assert_eq!(mesh.dead, [Dead::Degenerate, Dead::Degenerate]);
+        assert_eq!(mesh.defects, [FacetDefect::Degenerate, FacetDefect::Degenerate]);
         assert_eq!(mesh.facet_edges[0][0], NO_EDGE);
         assert_eq!(mesh.edge_facets(mesh.facet_edges[0][1]), [0, 1]);
     }

@@ -5,7 +5,7 @@
 
 use super::planes::SurfacePlanes;
 use super::section::TransversalLine;
-use crate::part::{Mesh, surfaces::Surface, topology::Dead};
+use crate::part::{Mesh, surfaces::Surface, topology::FacetDefect};
 use nalgebra::Point3;
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ pub fn coverage(
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let mut grid: Option<PointGrid> = None;
     let mut out = Coverage::default();
-    for &f in surface.facets.iter().filter(|&&f| mesh.dead[f as usize] == Dead::No) {
+    for &f in surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None) {
         let sine = |planes: &SurfacePlanes| mesh.normals[f as usize].cross(&planes.normal).norm();
         let crosses = |planes: &SurfacePlanes| {
             let heights = mesh.corners(f as usize).map(|p| p.coords.dot(&planes.normal));

@@ -7,7 +7,7 @@ use crate::document::model::{Job, Layers};
 use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
 use crate::path::coverage::{Coverage, coverage};
-use crate::path::ends::{self, Short};
+use crate::path::ends::{self, DroppedLines};
 use crate::path::neighbour_axes::neighbour_axes;
 use crate::path::normals::VertexNormals;
 use crate::path::strategy::{self, Achieved, Layout, Strategy};
@@ -115,7 +115,7 @@ pub fn laid(part: &Part, surfaces: &Surfaces, surface: &Surface, family: Surface
         }
     }
     let lines = if l.join_mm > 0.0 { ends::joined(found.lines, l.join_mm) } else { found.lines };
-    let (lines, Short { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
+    let (lines, DroppedLines { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
     if count > 0 {
         remarks.push(LayingRemark::TooShort { pieces: count, length_mm, shortest_mm: l.shortest_mm });
     }

@@ -6,11 +6,11 @@
 
 use super::light::Light;
 use super::parameters::Thresholds;
-use super::reach::{Near, lit_facets};
+use super::reach::{NearPiece, lit_facets};
 use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut_plot, split_plot};
-use super::shade::{Last, Shade};
+use super::shade::{LastShade, Shade};
 use crate::beam::Obstacle;
-use crate::part::{Part, Surfaces, topology::Dead};
+use crate::part::{Part, Surfaces, topology::FacetDefect};
 use crate::pose::Obstruction;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -80,7 +80,7 @@ pub struct SpotHit {
 
 /// Energy that lands at one point, summed over pieces of the light.
 #[derive(Default)]
-struct Sum {
+struct DoseSum {
     j_mm2: f64,
     unshaded_j_mm2: f64,
     angle_j: f64,
@@ -90,7 +90,7 @@ struct Sum {
     walls: Vec<(Obstruction, f64)>,
 }
 
-impl Sum {
+impl DoseSum {
     fn add(&mut self, landed: &Landed) {
         self.unshaded_j_mm2 += landed.unshaded_j_mm2;
         self.j_mm2 += landed.j_mm2;
@@ -124,9 +124,9 @@ struct Landed {
 fn landed(
     light: &Light,
     shade: &Shade<'_>,
-    near: &Near,
+    near: &NearPiece,
     (q, normal, own): (&Point3<f64>, &Vector3<f64>, u32),
-    last: &mut Last,
+    last: &mut LastShade,
 ) -> Option<Landed> {
     let piece = light.pieces.get(near.piece as usize)?;
     let passing = light.passing(piece, q)?;
@@ -208,16 +208,16 @@ fn near_facets(
     light: &Light,
     shade: &Shade<'_>,
     step: &(dyn Fn() -> bool + Sync),
-) -> Option<Vec<Vec<Near>>> {
+) -> Option<Vec<Vec<NearPiece>>> {
     let lit: Vec<Vec<(u32, bool)>> = (0..light.runs.len())
         .into_par_iter()
         .map(|i| step().then(|| lit_of_run(input, light, shade, i)))
         .collect::<Option<_>>()?;
-    let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); input.part.mesh.facets.len()];
+    let mut of_facet: Vec<Vec<NearPiece>> = vec![Vec::new(); input.part.mesh.facets.len()];
     for (i, facets) in lit.into_iter().enumerate() {
         let (first, run) = light.run(i);
         for (facet, clear) in facets {
-            of_facet[facet as usize].extend((first..first + run.len() as u32).map(|piece| Near { piece, clear }));
+            of_facet[facet as usize].extend((first..first + run.len() as u32).map(|piece| NearPiece { piece, clear }));
         }
     }
     Some(of_facet)
@@ -235,7 +235,7 @@ fn lit_of_run(input: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: us
 fn plots(
     input: &DoseInput<'_>,
     light: &Light,
-    near: Vec<Vec<Near>>,
+    near: Vec<Vec<NearPiece>>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<(f64, bool, Vec<Plot>)> {
     let spot_mm = light.least_spot_mm();
@@ -248,7 +248,7 @@ fn plots(
     let whole: Vec<Plot> = near
         .into_iter()
         .enumerate()
-        .filter(|(f, _)| mesh.dead[*f] == Dead::No)
+        .filter(|(f, _)| mesh.defects[*f] == FacetDefect::None)
         .map(|(f, near)| {
             let is_chosen = input.surfaces.of_facet.get(f).is_some_and(|n| input.chosen.contains(n));
             Plot::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
@@ -287,7 +287,7 @@ fn samples_of(
     plots: &[Plot],
 ) -> (Vec<DoseSample>, Vec<[f32; 3]>) {
     let (mut out, mut all_corners) = (Vec::new(), Vec::new());
-    let mut last = Last::default();
+    let mut last = LastShade::default();
     let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     for plot in plots {
         let normal = input.surfaces.normals[plot.facet as usize];
@@ -298,7 +298,7 @@ fn samples_of(
                 return; // a corner that a line of the grid has just touched
             }
             let q = plot.plane.place(middle);
-            let mut sum = Sum::default();
+            let mut sum = DoseSum::default();
             last.next_point();
             for n in near {
                 if let Some(l) = landed(light, shade, n, (&q, &normal, plot.facet), &mut last) {
@@ -352,10 +352,10 @@ impl DoseMap {
         normal: &Vector3<f64>,
     ) -> Vec<SpotHit> {
         let shade = Shade::new(part, clamps);
-        let mut last = Last::default();
+        let mut last = LastShade::default();
         let mut hits: Vec<(SpotHit, f64)> = Vec::new();
         for piece in 0..self.light.pieces.len() as u32 {
-            let near = Near { piece, clear: false };
+            let near = NearPiece { piece, clear: false };
             let Some(l) = landed(&self.light, &shade, &near, (q, normal, facet), &mut last) else { continue };
             if l.j_mm2 <= 0.0 {
                 continue;

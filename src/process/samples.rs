@@ -3,7 +3,7 @@
 
 use super::facet_polygon::{FacetPolygon, Plane};
 use super::light::Light;
-use super::reach::Near;
+use super::reach::NearPiece;
 use crate::pose::Obstruction;
 use nalgebra::Point3;
 
@@ -44,14 +44,14 @@ pub struct Plot {
     /// The piece.
     pub cell: FacetPolygon,
     /// In the order of the program.
-    pub near: Vec<Near>,
+    pub near: Vec<NearPiece>,
     /// Where no light comes, pieces are no wider than this, mm.
     pub dark_mm: f64,
 }
 
 impl Plot {
     /// A whole facet.
-    pub fn of(facet: u32, corners: &[Point3<f64>; 3], near: Vec<Near>, dark_mm: f64) -> Plot {
+    pub fn of(facet: u32, corners: &[Point3<f64>; 3], near: Vec<NearPiece>, dark_mm: f64) -> Plot {
         let (plane, cell) = Plane::of(corners);
         Plot { facet, plane, cell, near, dark_mm }
     }
@@ -59,7 +59,7 @@ impl Plot {
 
 /// Cuts a plot until its pieces are no wider than a square of `pitch_mm`, or no light comes near, and
 /// hands every piece on with the light that does.
-pub fn cut_plot(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[Near])) {
+pub fn cut_plot(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[NearPiece])) {
     let mut lists = plot.near.clone();
     let whole = lists.len();
     halve(light, pitch_mm, plot, &plot.cell, (&mut lists, 0, whole), &mut leaf);
@@ -72,8 +72,8 @@ fn halve(
     pitch_mm: f64,
     plot: &Plot,
     cell: &FacetPolygon,
-    (lists, start, end): (&mut Vec<Near>, usize, usize),
-    leaf: &mut impl FnMut(&FacetPolygon, &[Near]),
+    (lists, start, end): (&mut Vec<NearPiece>, usize, usize),
+    leaf: &mut impl FnMut(&FacetPolygon, &[NearPiece]),
 ) {
     let (middle, radius) = cell.disc();
     let centre = plot.plane.place(middle);

@@ -32,14 +32,14 @@ pub struct Shade<'a> {
 /// The last results: light and shade change little from one piece to the next, and from one point to its
 /// neighbour.
 #[derive(Clone, Copy, Default)]
-pub struct Last {
+pub struct LastShade {
     /// The facet that shaded is likely to shade the next point too.
     facet: Option<(u32, [Point3<f64>; 3])>,
     /// What stood in the way at this point: of which pass, at which place about the axis.
     look: Option<(u32, [f64; 2], Option<Obstruction>)>,
 }
 
-impl Last {
+impl LastShade {
     /// Moves on to another point.
     pub fn next_point(&mut self) {
         self.look = None;
@@ -73,7 +73,7 @@ impl<'a> Shade<'a> {
         piece: &LightPiece,
         (q, own): (&Point3<f64>, u32),
         passing: &Passing,
-        last: &mut Last,
+        last: &mut LastShade,
     ) -> Landing {
         let [t0, t1] = passing.window;
         let way = [0, 1].map(|k| (passing.seen.to[k] - passing.seen.from[k]) * (t1 - t0));
@@ -133,7 +133,7 @@ impl<'a> Shade<'a> {
         (q, own): (&Point3<f64>, u32),
         passing: &Passing,
         t: f64,
-        last: &mut Last,
+        last: &mut LastShade,
     ) -> Option<Obstruction> {
         let z_mm = passing.seen.z_mm;
         let [along, across] = light.spot(piece).slope(passing.seen.at(t), z_mm);

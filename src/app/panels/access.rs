@@ -5,7 +5,7 @@ use super::super::access::Place;
 use super::super::{App, theme};
 use crate::document::Edit;
 use crate::part::SurfaceId;
-use crate::pose::access::{Access, AccessMap, AccessStrip, Over};
+use crate::pose::access::{Access, AccessMap, AccessStrip, TiltPart};
 use crate::pose::{Blocker, Correction, Obstruction, Pin, Tilt, ToolBody};
 use crate::text::{Sentence as _, fixed, id, percent, say};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, pos2, vec2};
@@ -74,7 +74,7 @@ impl App {
         let over = self.session.strip_over;
         ui.horizontal(|ui| {
             ui.label(RichText::new(say!(access_strip)).strong());
-            for (o, name) in [(Over::Lead, say!(access_lead)), (Over::Lean, say!(access_lean))] {
+            for (o, name) in [(TiltPart::Lead, say!(access_lead)), (TiltPart::Lean, say!(access_lean))] {
                 if ui.selectable_label(over == o, name).clicked() {
                     self.session.strip_over = o;
                 }

@@ -251,7 +251,7 @@ mod tests {
     use super::*;
     use crate::part::Mesh;
     use crate::part::distance::segment_triangle;
-    use crate::part::topology::Dead;
+    use crate::part::topology::FacetDefect;
     use crate::sample::solids;
     use proptest::prelude::*;
 
@@ -264,7 +264,7 @@ mod tests {
     }
 
     fn live(mesh: &Mesh) -> impl Iterator<Item = [Point3<f64>; 3]> + Clone + '_ {
-        (0..mesh.facets.len()).filter(|&f| mesh.dead[f] == Dead::No).map(|f| mesh.corners(f))
+        (0..mesh.facets.len()).filter(|&f| mesh.defects[f] == FacetDefect::None).map(|f| mesh.corners(f))
     }
 
     fn point(c: [f64; 3]) -> Point3<f64> {

@@ -3,7 +3,7 @@
 
 use super::CorrectedPoint;
 use super::site_tilts::SiteTilts;
-use super::track::{Lean, Site, Track};
+use super::track::{Site, TiltVector, Track};
 use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
@@ -15,7 +15,7 @@ const END_MM: f64 = 0.05;
 pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTilts]) -> Vec<CorrectedPoint> {
     // Tested once more, whatever step a tilt came from.
     let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
-    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| CorrectedPoint {
+    let row = |site: &Site, tilt: Option<TiltVector>, is_split: bool| CorrectedPoint {
         q: site.q,
         axis: tilt.map(|t| site.axis(&t)).filter(|a| is_free(&site.q, a)),
         aim: site.axis(&site.aim),
@@ -59,7 +59,13 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
 }
 
 /// The last site, going from one end of a gap, at which a constant tilt is free.
-fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
+fn last_free_site(
+    beam: &Beam<'_>,
+    track: &Track<'_>,
+    (site, next): (&Site, &Site),
+    tilt: TiltVector,
+    from: f64,
+) -> Site {
     let start = site.midway(next, from);
     let good = |t: f64| {
         let there = site.midway(next, t);
