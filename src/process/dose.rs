@@ -4,6 +4,8 @@
 //! Every sample is worked out by itself, from the light that comes near it in the order of the program,
 //! so the result is the same on any number of threads.
 
+use super::dose_map::DoseMap;
+use super::landed::{DoseSum, J_CM2, landed};
 use super::light::Light;
 use super::parameters::Thresholds;
 use super::reach::{NearPiece, lit_facets};
@@ -11,8 +13,7 @@ use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut_plot, split_plot};
 use super::shade::{LastShade, Shade};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::FacetDefect};
-use crate::pose::Obstruction;
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -41,121 +42,6 @@ pub struct DoseInput<'a> {
     /// Thresholds of surfaces that have their own, by their numbers.
     pub own: BTreeMap<u32, Thresholds>,
 }
-
-/// The dose on all samples.
-#[derive(Clone, Debug)]
-pub struct DoseMap {
-    /// Facet by facet.
-    pub samples: Vec<DoseSample>,
-    /// Their corners, mm, part frame.
-    pub corners: Vec<[f32; 3]>,
-    /// Where the samples of each facet begin; one more than there are facets.
-    starts: Vec<u32>,
-    /// Greatest width of a sample in the light, corner to corner, mm.
-    pub sample_mm: f64,
-    /// The part was so large that samples are larger than a quarter of the spot.
-    pub coarsened: bool,
-    /// Which doses are too little and too much.
-    pub thresholds: Thresholds,
-    /// Thresholds of facets whose surfaces have their own, by facet.
-    pub(super) own: BTreeMap<u32, Thresholds>,
-    /// The surfaces that are to be cleaned.
-    pub chosen: Vec<u32>,
-    /// The light that it was made by.
-    pub light: Light,
-}
-
-/// What one pass leaves at a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpotHit {
-    /// Number of the pass.
-    pub pass: u32,
-    /// When most of it lands, s from the program's start.
-    pub at_s: f64,
-    /// Angle between light and normal, degrees, weighed by energy.
-    pub angle_deg: f64,
-    /// What lands, J/cm².
-    pub j_cm2: f64,
-}
-
-/// Energy that lands at one point, summed over pieces of the light.
-#[derive(Default)]
-struct DoseSum {
-    j_mm2: f64,
-    unshaded_j_mm2: f64,
-    angle_j: f64,
-    last_pass: Option<u32>,
-    passes: u16,
-    /// What shades it, and how much energy each keeps off, J/mm².
-    walls: Vec<(Obstruction, f64)>,
-}
-
-impl DoseSum {
-    fn add(&mut self, landed: &Landed) {
-        self.unshaded_j_mm2 += landed.unshaded_j_mm2;
-        self.j_mm2 += landed.j_mm2;
-        self.angle_j += landed.j_mm2 * landed.angle_deg;
-        if landed.covered && landed.j_mm2 > 0.0 && self.last_pass != Some(landed.pass) {
-            self.last_pass = Some(landed.pass);
-            self.passes = self.passes.saturating_add(1);
-        }
-        if let Some(wall) = landed.by {
-            let lost = landed.unshaded_j_mm2 - landed.j_mm2;
-            match self.walls.iter_mut().find(|(w, _)| *w == wall) {
-                Some((_, j)) => *j += lost,
-                None => self.walls.push((wall, lost)),
-            }
-        }
-    }
-}
-
-/// The energy of one piece of the light that lands at a point.
-struct Landed {
-    pass: u32,
-    at_s: f64,
-    unshaded_j_mm2: f64,
-    j_mm2: f64,
-    angle_deg: f64,
-    /// The spot itself went over it.
-    covered: bool,
-    by: Option<Obstruction>,
-}
-
-fn landed(
-    light: &Light,
-    shade: &Shade<'_>,
-    near: &NearPiece,
-    (q, normal, own): (&Point3<f64>, &Vector3<f64>, u32),
-    last: &mut LastShade,
-) -> Option<Landed> {
-    let piece = light.pieces.get(near.piece as usize)?;
-    let passing = light.passing(piece, q)?;
-    let when = passing.seen.nearest.clamp(passing.window[0], passing.window[1]);
-    let axis = piece.axis(when);
-    let cosine = axis.dot(normal);
-    if cosine <= 0.0 {
-        return None;
-    }
-    let (share, by) = if near.clear {
-        (1.0, None)
-    } else {
-        let l = shade.landing(light, piece, (q, own), &passing, last);
-        (l.share, l.by)
-    };
-    let unshaded_j_mm2 = passing.j_mm2 * cosine;
-    Some(Landed {
-        pass: piece.pass,
-        at_s: piece.ends_s - piece.seconds * (1.0 - when),
-        unshaded_j_mm2,
-        j_mm2: unshaded_j_mm2 * share,
-        angle_deg: libm::atan2(axis.cross(normal).norm(), cosine).to_degrees(),
-        covered: light.spot(piece).covers(passing.seen.at(when), passing.seen.z_mm),
-        by,
-    })
-}
-
-/// 1 J/mm² in J/cm².
-pub const J_CM2: f64 = 100.0;
 
 /// Computes the dose. `step` is called once for every share of `steps` work done, and ends it by
 /// returning false; then there is no map.
@@ -327,54 +213,4 @@ fn samples_of(
         });
     }
     (out, all_corners)
-}
-
-impl DoseMap {
-    /// The samples of a facet: none where it has no area.
-    pub fn of_facet(&self, facet: u32) -> &[DoseSample] {
-        let at = |f: usize| self.starts.get(f).map_or(self.samples.len(), |s| *s as usize);
-        &self.samples[at(facet as usize)..at(facet as usize + 1)]
-    }
-
-    /// The corners of a sample, counter-clockwise seen from the side that is worked on.
-    pub fn corners_of(&self, sample: &DoseSample) -> &[[f32; 3]] {
-        let first = sample.first_corner as usize;
-        self.corners.get(first..first + usize::from(sample.corner_count)).unwrap_or_default()
-    }
-
-    /// Which passes come to a point of a facet, when, and at what angle, in the order of the program.
-    pub fn hits_at(
-        &self,
-        part: &Part,
-        clamps: &[Obstacle],
-        facet: u32,
-        q: &Point3<f64>,
-        normal: &Vector3<f64>,
-    ) -> Vec<SpotHit> {
-        let shade = Shade::new(part, clamps);
-        let mut last = LastShade::default();
-        let mut hits: Vec<(SpotHit, f64)> = Vec::new();
-        for piece in 0..self.light.pieces.len() as u32 {
-            let near = NearPiece { piece, clear: false };
-            let Some(l) = landed(&self.light, &shade, &near, (q, normal, facet), &mut last) else { continue };
-            if l.j_mm2 <= 0.0 {
-                continue;
-            }
-            let j_cm2 = l.j_mm2 * J_CM2;
-            match hits.last_mut().filter(|(h, _)| h.pass == l.pass) {
-                Some((h, most)) => {
-                    h.angle_deg = (h.angle_deg * h.j_cm2 + l.angle_deg * j_cm2) / (h.j_cm2 + j_cm2);
-                    h.j_cm2 += j_cm2;
-                    if j_cm2 > *most {
-                        (h.at_s, *most) = (l.at_s, j_cm2);
-                    }
-                }
-                None => {
-                    let hit = SpotHit { pass: l.pass, at_s: l.at_s, angle_deg: l.angle_deg, j_cm2 };
-                    hits.push((hit, j_cm2));
-                }
-            }
-        }
-        hits.into_iter().map(|(h, _)| h).collect()
-    }
 }

@@ -4,7 +4,7 @@
 //! all the rest: so facets that no other facet near the beam can shade are found here, once for a run.
 
 use super::floor::{floor_mm, in_frame};
-use super::light::LightPiece;
+use super::light_piece::LightPiece;
 use super::shade::Shade;
 use super::spot::Spot;
 use crate::part::{Part, Surfaces, angle, topology::FacetDefect};

@@ -2,7 +2,8 @@
 //!
 //! The light that lands beside the axis comes along its own ray, through the focus and on to the lens.
 
-use super::light::{Light, LightPiece, Passing};
+use super::light::{Light, Passing};
+use super::light_piece::LightPiece;
 use crate::beam::Obstacle;
 use crate::part::{Bvh, Part, bvh::ray_hit_mm};
 use crate::pose::Obstruction;

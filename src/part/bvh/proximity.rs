@@ -4,8 +4,9 @@
 //! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
 //! box first, and no box is entered that keeps farther away than what was found.
 
+use super::build::Node;
 use super::prepared::{SegmentForBoxes, SegmentForFacets, Turn};
-use super::{Bvh, Node, ray_hit_mm};
+use super::{Bvh, ray_hit_mm};
 use crate::part::distance::triangles;
 use nalgebra::{Isometry3, Point3, Vector3};
 
