@@ -1,7 +1,7 @@
 //! Rays and distances against all facets of a part: a bounding volume hierarchy.
 //!
-//! Boxes are f64 and queries exact to
-//! rounding; what a hit means (own neighbourhood, interference) is decided by the caller.
+//! Boxes are f64 and queries exact to rounding; what a hit means (own neighbourhood, interference) is decided by the
+//! caller.
 
 mod aabb;
 mod build;

@@ -71,6 +71,7 @@ impl SeenPoint {
 
 impl LightPiece {
     /// The axis at a share of the way; the turn is small enough for the chord.
+    #[inline]
     pub fn axis(&self, t: f64) -> Vector3<f64> {
         (self.from.a * (1.0 - t) + self.to.a * t).normalize()
     }
