@@ -10,7 +10,7 @@ use super::light::Light;
 use super::parameters::Thresholds;
 use super::reach::{NearPiece, lit_facets};
 use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut_plot, split_plot};
-use super::shade::{LastShade, Shade};
+use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::FacetDefect};
 use nalgebra::Point3;
@@ -187,7 +187,8 @@ fn samples_of(
             let mut sum = DoseSum::default();
             last.next_point();
             for n in near {
-                if let Some(l) = landed(light, shade, n, (&q, &normal, plot.facet), &mut last) {
+                if let Some(l) = landed(light, shade, n, &SurfacePoint { p: q, facet: plot.facet }, &normal, &mut last)
+                {
                     sum.add(&l);
                 }
             }

@@ -5,7 +5,7 @@ use super::light::Light;
 use super::parameters::Thresholds;
 use super::reach::NearPiece;
 use super::samples::DoseSample;
-use super::shade::{LastShade, Shade};
+use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::beam::Obstacle;
 use crate::part::Part;
 use nalgebra::{Point3, Vector3};
@@ -70,11 +70,11 @@ impl DoseMap {
         normal: &Vector3<f64>,
     ) -> Vec<SpotHit> {
         let shade = Shade::new(part, clamps);
-        let mut last = LastShade::default();
+        let (at, mut last) = (SurfacePoint { p: *q, facet }, LastShade::default());
         let mut hits: Vec<(SpotHit, f64)> = Vec::new();
         for piece in 0..self.light.pieces.len() as u32 {
             let near = NearPiece { piece, clear: false };
-            let Some(l) = landed(&self.light, &shade, &near, (q, normal, facet), &mut last) else { continue };
+            let Some(l) = landed(&self.light, &shade, &near, &at, normal, &mut last) else { continue };
             if l.j_mm2 <= 0.0 {
                 continue;
             }

@@ -2,9 +2,9 @@
 
 use super::light::Light;
 use super::reach::NearPiece;
-use super::shade::{LastShade, Shade};
+use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::pose::Obstruction;
-use nalgebra::{Point3, Vector3};
+use nalgebra::Vector3;
 
 /// 1 J/mm² in J/cm².
 pub const J_CM2: f64 = 100.0;
@@ -53,16 +53,17 @@ pub(super) struct Landed {
     pub(super) by: Option<Obstruction>,
 }
 
-/// The energy of one piece that lands at a point with a normal, on the facet `own`; `None` where none comes.
+/// The energy of one piece that lands at a point, `normal` towards the side that is worked on; `None` where none comes.
 pub(super) fn landed(
     light: &Light,
     shade: &Shade<'_>,
     near: &NearPiece,
-    (q, normal, own): (&Point3<f64>, &Vector3<f64>, u32),
+    at: &SurfacePoint,
+    normal: &Vector3<f64>,
     last: &mut LastShade,
 ) -> Option<Landed> {
     let piece = light.pieces.get(near.piece as usize)?;
-    let passing = light.passing(piece, q)?;
+    let passing = light.passing(piece, &at.p)?;
     let when = passing.seen.nearest.clamp(passing.window[0], passing.window[1]);
     let axis = piece.axis(when);
     let cosine = axis.dot(normal);
@@ -72,7 +73,7 @@ pub(super) fn landed(
     let (share, by) = if near.clear {
         (1.0, None)
     } else {
-        let l = shade.landing(light, piece, (q, own), &passing, last);
+        let l = shade.landing(light, piece, at, &passing, last);
         (l.share, l.by)
     };
     let unshaded_j_mm2 = passing.j_mm2 * cosine;

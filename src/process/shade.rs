@@ -24,6 +24,15 @@ const FAINT: f64 = 1e-3;
 /// Bisections for the edge of a shadow between two places that differ.
 const HALVINGS: usize = 4;
 
+/// A point of a facet; the facet does not shade it.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfacePoint {
+    /// The point, mm, part frame.
+    pub p: Point3<f64>,
+    /// Its facet.
+    pub facet: u32,
+}
+
 /// The bodies that shade.
 pub struct Shade<'a> {
     part: &'a Bvh,
@@ -67,12 +76,12 @@ impl<'a> Shade<'a> {
         self.clamps.iter().any(|(solid, at)| solid.bvh.near_segment(&(at * from), &(at * to), reach_mm))
     }
 
-    /// The part of a passing's energy that lands on a point of facet `own`.
+    /// The part of a passing's energy that lands at a point of a facet.
     pub fn landing(
         &self,
         light: &Light,
         piece: &LightPiece,
-        (q, own): (&Point3<f64>, u32),
+        at: &SurfacePoint,
         passing: &Passing,
         last: &mut LastShade,
     ) -> Landing {
@@ -87,7 +96,7 @@ impl<'a> Shade<'a> {
                 return Landing { share: if wall.is_none() { 1.0 } else { 0.0 }, by: wall };
             }
         }
-        let mut look = |t: f64| self.wall(light, piece, (q, own), passing, t, last);
+        let mut look = |t: f64| self.wall(light, piece, at, passing, t, last);
         let time =
             |k: usize| if stretches == 0 { 0.5 * (t0 + t1) } else { t0 + (t1 - t0) * k as f64 / stretches as f64 };
         let mut looks: [Option<Obstruction>; MOST_LOOKS] = [None; MOST_LOOKS];
@@ -131,11 +140,12 @@ impl<'a> Shade<'a> {
         &self,
         light: &Light,
         piece: &LightPiece,
-        (q, own): (&Point3<f64>, u32),
+        at: &SurfacePoint,
         passing: &Passing,
         t: f64,
         last: &mut LastShade,
     ) -> Option<Obstruction> {
+        let (q, own) = (&at.p, at.facet);
         let z_mm = passing.seen.z_mm;
         let [along, across] = light.spot(piece).slope(passing.seen.at(t), z_mm);
         let mix = |u: &Vector3<f64>, v: &Vector3<f64>| u * (1.0 - t) + v * t;

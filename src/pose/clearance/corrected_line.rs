@@ -37,10 +37,10 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
         let (low, high) = (tilts.leave.or(tilts.arrive), after.arrive.or(after.leave));
         let (mut from, mut to) = (site.midway(next, 0.0), site.midway(next, 1.0));
         if let Some(tilt) = low {
-            from = last_free_site(beam, track, (site, next), tilt, 0.0);
+            from = last_free_site(beam, track, site, next, tilt, 0.0);
         }
         if let Some(tilt) = high {
-            to = last_free_site(beam, track, (site, next), tilt, 1.0);
+            to = last_free_site(beam, track, site, next, tilt, 1.0);
         }
         if low.is_some() && from.arc_mm > site.arc_mm && from.arc_mm < next.arc_mm {
             out.push(row(&from, low, false));
@@ -59,13 +59,7 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
 }
 
 /// The last site, going from one end of a gap, at which a constant tilt is free.
-fn last_free_site(
-    beam: &Beam<'_>,
-    track: &Track<'_>,
-    (site, next): (&Site, &Site),
-    tilt: TiltVector,
-    from: f64,
-) -> Site {
+fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, site: &Site, next: &Site, tilt: TiltVector, from: f64) -> Site {
     let start = site.midway(next, from);
     let good = |t: f64| {
         let there = site.midway(next, t);

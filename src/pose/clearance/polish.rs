@@ -20,7 +20,7 @@ const FARTHER_DEG: f64 = 1.0;
 const SWEEPS: usize = 6;
 
 /// Draws the tilts of points `first` to `last` to their aims.
-pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), site_tilts: &mut [SiteTilts]) {
+pub fn polish(beam: &Beam<'_>, track: &Track<'_>, first: usize, last: usize, site_tilts: &mut [SiteTilts]) {
     let mut at = first;
     while at < last {
         // A piece: lit from point to point, without a split inside.

@@ -7,8 +7,8 @@
 
 use crate::part::angle;
 use crate::path::DensePoint;
-use crate::pose::Pose;
 use crate::pose::tilt::{Pin, Tilt, TiltRule};
+use crate::pose::{LineRules, Pose};
 use nalgebra::{Vector2, Vector3};
 
 /// A tilt in the carried frame, degrees.
@@ -114,17 +114,19 @@ pub struct Track<'a> {
 }
 
 impl<'a> Track<'a> {
-    /// `places_mm`: where the points stand on the line as the operator knows it, for the pins, and the
-    /// line's length if it is closed.
+    /// The track of points with their tangents, under the rules of a line, of which `pins` are those that concern it.
+    /// `places_mm`: where the points lie on the line as the operator knows it, for the pins; `round_mm`: the line's
+    /// length if it is closed.
     pub fn new(
         points: &[DensePoint],
         tangents: &[Vector3<f64>],
-        (places_mm, round_mm): (&[f64], Option<f64>),
-        rule: &'a TiltRule,
+        places_mm: &[f64],
+        round_mm: Option<f64>,
+        rules: &'a LineRules,
         pins: &[Pin],
-        (max_tilt_deg, rate_deg_mm): (f64, f64),
     ) -> Track<'a> {
-        let rate_deg_mm = RATE_SHARE * rate_deg_mm;
+        let (rule, max_tilt_deg) = (&rules.tilt, rules.max_tilt_deg);
+        let rate_deg_mm = RATE_SHARE * rules.tilt_rate_deg_mm;
         let aim = rule.aim(max_tilt_deg);
         let mut sites: Vec<Site> = Vec::with_capacity(points.len());
         for ((q, tangent), place_mm) in points.iter().zip(tangents).zip(places_mm) {

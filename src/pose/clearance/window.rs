@@ -67,7 +67,7 @@ impl Window<'_> {
         if openings.iter().any(|o| !o.is_empty()) {
             self.in_tube(FINEST_DEG, 2.0, &openings, out);
         }
-        polish::polish(self.beam, track, (self.first, self.last), out);
+        polish::polish(self.beam, track, self.first, self.last, out);
     }
 
     fn widest_gap_mm(&self) -> f64 {
