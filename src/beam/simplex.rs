@@ -99,7 +99,7 @@ fn nearest_on_tetrahedron(p: &[Vector3<f64>; 4]) -> Option<(Vector3<f64>, [bool;
     for [i, j, k, l] in [[0, 1, 2, 3], [0, 3, 1, 2], [0, 2, 3, 1], [1, 3, 2, 0]] {
         let n = (p[j] - p[i]).cross(&(p[k] - p[i]));
         let (origin, other) = (-p[i].dot(&n), (p[l] - p[i]).dot(&n));
-        // The origin is on the fourth corner's side of this face, so it is not nearest. A flat tetrahedron is checked too.
+        // The origin is on the fourth corner's side of this face, so it is not nearest. Flat ones are checked too.
         if origin * other > 0.0 && other.abs() > 1e-14 * n.norm() {
             continue;
         }

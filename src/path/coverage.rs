@@ -27,7 +27,7 @@ pub struct Coverage {
 }
 
 /// Looks for missed facets: parallel within 10° to the planes (of two families: to both), or crossed by no line
-/// of the surface and further than one spacing from any. Lines that were not cut by planes are judged by distance alone.
+/// of the surface and further than one spacing from any. Without planes distance alone decides.
 ///
 /// The spacing is that of planes at equal distances; other strategies measure it.
 pub fn coverage(

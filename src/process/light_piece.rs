@@ -36,7 +36,7 @@ impl BeamFrame {
 pub struct LightPiece {
     /// Number of its pass.
     pub pass: u32,
-    /// Its lamp, an index into [`Light::lamps`].
+    /// Its lamp, an index into [`Light::lamps`](super::light::Light::lamps).
     pub lamp: u32,
     /// Where it begins.
     pub from: BeamFrame,

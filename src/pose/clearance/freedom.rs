@@ -44,7 +44,7 @@ impl ChainSearch<'_> {
         LayerCosts { weight, assumed, bins, arrive: Vec::new(), off: (Default::default(), None), leave: Vec::new() }
     }
 
-    /// Whether a candidate is free (`None`: not allowed at all), and whether that was only inferred from a coarser grid.
+    /// Whether a candidate is free (`None`: not allowed at all), and whether a coarser grid was trusted for it.
     fn freedom_of(
         &self,
         k: usize,
