@@ -10,7 +10,7 @@ use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::merge_tree::dihedral_angles;
 use clearbeam::part::orient::orient;
 use clearbeam::part::surfaces::Surface;
-use clearbeam::part::topology::Dead;
+use clearbeam::part::topology::FacetDefect;
 use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, SurfaceRule, Surfaces, Units, stl};
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
@@ -140,7 +140,7 @@ fn surface_points(mesh: &Mesh) -> Vec<(Point3<f64>, Vector3<f64>)> {
     let whole: f64 = mesh.areas.iter().sum();
     let mut sum = 0.0;
     let mut out = Vec::with_capacity(BEAMS);
-    for f in (0..mesh.facets.len()).filter(|&f| mesh.dead[f] == Dead::No) {
+    for f in (0..mesh.facets.len()).filter(|&f| mesh.defects[f] == FacetDefect::None) {
         sum += mesh.areas[f];
         while out.len() < BEAMS && (out.len() as f64 + 0.5) / BEAMS as f64 * whole < sum {
             let i = out.len() as f64 + 1.0;

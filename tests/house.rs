@@ -78,7 +78,8 @@ fn named(text: &str) -> Vec<(String, bool)> {
     let mut out = Vec::new();
     let mut rest = String::new();
     for statement in text.split_inclusive(';') {
-        let begin = statement.rfind("use ").filter(|i| statement[..*i].chars().next_back().is_none_or(char::is_whitespace));
+        let begin =
+            statement.rfind("use ").filter(|i| statement[..*i].chars().next_back().is_none_or(char::is_whitespace));
         let Some(begin) = begin.filter(|i| !statement[*i..].contains('(')) else {
             rest.push_str(statement);
             continue;

@@ -5,7 +5,7 @@ use crate::cell::Setup;
 use crate::document::Job;
 use crate::part::{Part, SurfaceId};
 use crate::planning::surface_plan::body;
-use crate::pose::access::{AccessMap, AccessStrip, Over};
+use crate::pose::access::{AccessMap, AccessStrip, TiltPart};
 use crate::pose::{Beam, Pass, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
@@ -39,8 +39,8 @@ type MadeOf<K> = (K, Job, u64);
 #[derive(Default)]
 pub(super) struct AccessViews {
     map: Option<(MadeOf<Place>, AccessMap)>,
-    /// Over which part of the tilt, and of which pass.
-    strip: Option<(MadeOf<(Over, usize)>, AccessStrip)>,
+    /// TiltPart which part of the tilt, and of which pass.
+    strip: Option<(MadeOf<(TiltPart, usize)>, AccessStrip)>,
 }
 
 /// What access is looked at with.
@@ -75,7 +75,7 @@ impl AccessViews {
     }
 
     /// Looks along a pass, which is given with its number; without one there is no strip.
-    pub fn look_along(&mut self, pass: Option<(usize, &Pass)>, over: Over, on: Option<&Ground<'_>>) {
+    pub fn look_along(&mut self, pass: Option<(usize, &Pass)>, over: TiltPart, on: Option<&Ground<'_>>) {
         let (Some((number, pass)), Some(on)) = (pass, on) else {
             self.strip = None;
             return;

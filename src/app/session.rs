@@ -9,7 +9,7 @@ use super::program_view::ProgramView;
 use crate::cell::Mount;
 use crate::document::{Forgotten, Job, RecutAnchor};
 use crate::part::SurfaceId;
-use crate::pose::access::Over;
+use crate::pose::access::TiltPart;
 use crate::view::Camera;
 use eframe::egui;
 use nalgebra::Point3;
@@ -72,7 +72,7 @@ pub struct Session {
     /// Facet and point of the part under the cursor.
     pub hover_place: Option<(u32, Point3<f64>)>,
     /// Which part of the tilt is shown along the line.
-    pub strip_over: Over,
+    pub strip_over: TiltPart,
     /// The pin that is dragged, by its place among those of the line.
     pub pin_dragged: Option<usize>,
     /// What the part is coloured by.
@@ -199,7 +199,7 @@ impl Default for Session {
             forgotten: None,
             error: None,
             hover_place: None,
-            strip_over: Over::Lead,
+            strip_over: TiltPart::Lead,
             pin_dragged: None,
             coloring: Coloring::Surface,
             clicked: None,

@@ -10,6 +10,7 @@ mod head_part;
 pub mod obstacle;
 pub mod optics;
 pub mod process_settings;
+mod simplex;
 pub mod tool_configuration;
 pub mod tool_geometry;
 

@@ -19,24 +19,24 @@ pub fn turned(v: &Vector3<f64>, axis: &Vector3<f64>, angle_deg: f64) -> Vector3<
 ///
 /// Opposite directions have no great circle of their own; then a fixed one is taken.
 pub fn slerp(a: &Vector3<f64>, b: &Vector3<f64>, t: f64) -> Vector3<f64> {
-    Arc::new(a, b).at(t)
+    GreatCircle::new(a, b).at(t)
 }
 
-/// The way of [`slerp`], for many `t`.
+/// The great circle of [`slerp`], prepared for many `t`.
 #[derive(Clone, Copy, Debug)]
-pub struct Arc {
+pub struct GreatCircle {
     from: Vector3<f64>,
     /// Axis of the turn and its whole angle, degrees; `None`: no turn.
     turn: Option<(Vector3<f64>, f64)>,
 }
 
-impl Arc {
+impl GreatCircle {
     /// From `a` to `b`, unit both.
-    pub fn new(a: &Vector3<f64>, b: &Vector3<f64>) -> Arc {
+    pub fn new(a: &Vector3<f64>, b: &Vector3<f64>) -> GreatCircle {
         let angle_deg = between_deg(a, b);
         let axis = a.cross(b);
         let axis = || if axis.norm() > 1e-9 { axis.normalize() } else { any_square_to(a) };
-        Arc { from: *a, turn: (angle_deg >= 1e-9).then(|| (axis(), angle_deg)) }
+        GreatCircle { from: *a, turn: (angle_deg >= 1e-9).then(|| (axis(), angle_deg)) }
     }
 
     /// The direction at the share `t` of the way.

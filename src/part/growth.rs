@@ -5,7 +5,7 @@
 //! height its facets fold over; such a growth is refused, and so nothing is planned on it.
 
 use super::surfaces::Surfaces;
-use super::topology::{Dead, Mesh};
+use super::topology::{FacetDefect, Mesh};
 use super::{Bvh, Hasher, Part, angle};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use std::collections::BTreeMap;
@@ -34,7 +34,7 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
     for (v, at) in mesh.vertices.iter_mut().enumerate() {
         let (mut spread, mut wanted) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
         let facets = part.mesh.vertex_facets(v as u32).iter().copied();
-        for f in facets.filter(|&f| part.mesh.dead[f as usize] == Dead::No) {
+        for f in facets.filter(|&f| part.mesh.defects[f as usize] == FacetDefect::None) {
             let Some(height_mm) = height(f) else { continue };
             let (n, weight) = (surfaces.normals[f as usize], corner_deg(&part.mesh, f, v as u32));
             spread += n * n.transpose() * weight;
@@ -83,7 +83,8 @@ fn folded(before: &Mesh, mesh: &Mesh, grown: impl Fn(u32) -> Option<u32>) -> Opt
     let edge = mesh.edges.iter().find(backwards).and_then(|[a, b]| at(*a).or(at(*b)));
     let turned = |f: &u32| {
         let f = *f as usize;
-        before.dead[f] == Dead::No && (mesh.dead[f] != Dead::No || mesh.normals[f].dot(&before.normals[f]) < 0.5)
+        before.defects[f] == FacetDefect::None
+            && (mesh.defects[f] != FacetDefect::None || mesh.normals[f].dot(&before.normals[f]) < 0.5)
     };
     edge.or_else(|| (0..mesh.facets.len() as u32).filter(turned).find_map(grown))
 }

@@ -5,7 +5,7 @@
 //! Dragging the α slider is then one pass over the tree, whatever the part.
 
 use super::angle;
-use super::topology::{Dead, Mesh, NO_EDGE};
+use super::topology::{FacetDefect, Mesh, NO_EDGE};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -59,7 +59,7 @@ fn lent_normal(mesh: &Mesh, facet: usize) -> Vector3<f64> {
     let mut f = facet;
     // A few steps: slivers come in strips, seldom longer.
     for _ in 0..8 {
-        if mesh.dead[f] != Dead::Degenerate {
+        if mesh.defects[f] != FacetDefect::Degenerate {
             return mesh.normals[f];
         }
         let length = |e: u32| {

@@ -4,7 +4,7 @@
 use super::Units;
 use super::orient::{Orientation, volume};
 use super::raw_part::{InvalidFacet, RawPart};
-use super::topology::{Dead, Mesh};
+use super::topology::{FacetDefect, Mesh};
 
 /// Figures of a file that do not depend on the crease angle.
 #[derive(Clone, Debug, Default)]
@@ -36,14 +36,14 @@ impl PartFigures {
     pub fn new(raw: &RawPart, mesh: &Mesh, orientation: &Orientation, units: Units) -> PartFigures {
         let facets_at =
             |test: fn(usize) -> bool| (0..mesh.edges.len() as u32).filter(|&e| test(mesh.edge_facets(e).len())).count();
-        let dead = |kind| mesh.dead.iter().filter(|&&d| d == kind).count();
+        let count = |kind| mesh.defects.iter().filter(|&&d| d == kind).count();
         let (lo, hi) = mesh.bounds();
         PartFigures {
             invalid: raw.invalid.clone(),
             boundary_edges: facets_at(|n| n == 1),
             non_manifold_edges: facets_at(|n| n > 2),
-            degenerate_facets: dead(Dead::Degenerate),
-            duplicate_facets: dead(Dead::Duplicate),
+            degenerate_facets: count(FacetDefect::Degenerate),
+            duplicate_facets: count(FacetDefect::Duplicate),
             volume_mm3: orientation.watertight.then(|| volume(mesh)),
             units,
             better_units: units.better_guess((hi - lo).max() / units.mm()),

@@ -3,7 +3,7 @@
 //! be strict; facets only give the axis.
 
 use super::surfaces::Surface;
-use super::topology::{Dead, Mesh};
+use super::topology::{FacetDefect, Mesh};
 use nalgebra::{Matrix3, Matrix4, Point3, SymmetricEigen, Vector3, Vector4};
 
 /// A shape with its size, mm and degrees, part frame.
@@ -98,7 +98,7 @@ struct Samples {
 impl Samples {
     fn new(mesh: &Mesh, surface: &Surface) -> Samples {
         let live: Vec<usize> =
-            surface.facets.iter().map(|&f| f as usize).filter(|&f| mesh.dead[f] == Dead::No).collect();
+            surface.facets.iter().map(|&f| f as usize).filter(|&f| mesh.defects[f] == FacetDefect::None).collect();
         let mut vertices: Vec<u32> = live.iter().flat_map(|&f| mesh.facets[f]).collect();
         vertices.sort_unstable();
         vertices.dedup();

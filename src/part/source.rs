@@ -5,7 +5,7 @@ use super::merge_tree::{MergeTree, dihedral_angles};
 use super::orient::orient;
 use super::part_figures::PartFigures;
 use super::stl::{self, FacetFault, RawPart, StlError};
-use super::topology::Dead;
+use super::topology::FacetDefect;
 use super::{Bvh, Hasher, Mesh, Part, Placement, Units, digest_of};
 use crate::progress::{Activity, Progress};
 use std::path::Path;
@@ -82,7 +82,7 @@ impl Source {
             }
             mesh.update_geometry();
         }
-        if mesh.dead.iter().all(|d| *d != Dead::No) {
+        if mesh.defects.iter().all(|d| *d != FacetDefect::None) {
             return Err(StlError::NoFacet { dropped: mesh.facets.len(), first: Some(FacetFault::NoArea) });
         }
         let orientation = orient(&mut mesh);

@@ -92,8 +92,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, StlError> {
         } else if is(token.word, "facet") {
             match facet(&mut tokens) {
                 Ok(f) => part.push_checked(f, number, token.byte),
-                Err(Bad::Ends) => return Err(StlError::TextCutOff { facets: number, byte: bytes.len() }),
-                Err(Bad::Facet(fault)) => part.invalid.push(InvalidFacet { facet: number, byte: token.byte, fault }),
+                Err(FacetReadError::Ends) => return Err(StlError::TextCutOff { facets: number, byte: bytes.len() }),
+                Err(FacetReadError::Facet(fault)) => {
+                    part.invalid.push(InvalidFacet { facet: number, byte: token.byte, fault })
+                }
             }
             number += 1;
         }
@@ -104,7 +106,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, StlError> {
     Ok(part)
 }
 
-enum Bad {
+enum FacetReadError {
     /// The file ends inside the facet.
     Ends,
     /// This facet is unusable; the next may be good.
@@ -112,15 +114,15 @@ enum Bad {
 }
 
 /// Reads up to `endfacet`; a bad facet is read to its end too, so that the next one is found.
-fn facet(tokens: &mut Tokens<'_>) -> Result<RawFacet, Bad> {
+fn facet(tokens: &mut Tokens<'_>) -> Result<RawFacet, FacetReadError> {
     let mut corners: RawFacet = Default::default();
     let (mut count, mut readable) = (0, true);
     loop {
         let before = tokens.at;
-        let token = tokens.next().ok_or(Bad::Ends)?;
+        let token = tokens.next().ok_or(FacetReadError::Ends)?;
         if is(token.word, "vertex") {
             for axis in 0..3 {
-                let value = number(tokens.next().ok_or(Bad::Ends)?.word);
+                let value = number(tokens.next().ok_or(FacetReadError::Ends)?.word);
                 readable &= value.is_some();
                 if let (Some(corner), Some(v)) = (corners.get_mut(count), value) {
                     corner[axis] = v;
@@ -131,13 +133,13 @@ fn facet(tokens: &mut Tokens<'_>) -> Result<RawFacet, Bad> {
             break;
         } else if is(token.word, "facet") || is(token.word, "endsolid") {
             tokens.at = before;
-            return Err(Bad::Facet(FacetFault::NoEnd));
+            return Err(FacetReadError::Facet(FacetFault::NoEnd));
         }
     }
     match (count, readable) {
         (3, true) => Ok(corners),
-        (3, false) => Err(Bad::Facet(FacetFault::Unreadable)),
-        _ => Err(Bad::Facet(FacetFault::NotThreeVertices)),
+        (3, false) => Err(FacetReadError::Facet(FacetFault::Unreadable)),
+        _ => Err(FacetReadError::Facet(FacetFault::NotThreeVertices)),
     }
 }
 

@@ -9,6 +9,7 @@
 
 use super::angle::between_deg;
 use super::stl::RawFacet;
+use super::weld::weld_corners;
 use nalgebra::{Point3, Vector3};
 
 /// A triangle mesh with its topology. Lengths mm, part frame.
@@ -26,8 +27,8 @@ pub struct Mesh {
     pub normals: Vec<Vector3<f64>>,
     /// Areas, mm².
     pub areas: Vec<f64>,
-    /// Degenerate (no area) or duplicate (same three vertices as an earlier facet): not planned on.
-    pub dead: Vec<Dead>,
+    /// Defect of each facet; facets with one are not planned on.
+    pub defects: Vec<FacetDefect>,
     edge_start: Vec<u32>,
     edge_list: Vec<u32>,
     vertex_start: Vec<u32>,
@@ -37,12 +38,12 @@ pub struct Mesh {
 /// In [`Mesh::facet_edges`]: the two corners are one vertex.
 pub const NO_EDGE: u32 = u32::MAX;
 
-/// Whether a facet is planned on.
+/// What is wrong with a facet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Dead {
-    /// A proper facet.
+pub enum FacetDefect {
+    /// Nothing: a proper facet.
     #[default]
-    No,
+    None,
     /// Two corners are one vertex, or all lie on one line.
     Degenerate,
     /// An earlier facet has the same vertices.
@@ -80,11 +81,11 @@ impl Mesh {
         mesh
     }
 
-    /// Normals, areas and dead facets from the vertices; to be called when those have moved.
+    /// Computes normals, areas and defects from the vertices; to be called when those have moved.
     pub fn update_geometry(&mut self) {
         let count = self.facets.len();
         (self.normals, self.areas) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        self.dead = vec![Dead::No; count];
+        self.defects = vec![FacetDefect::None; count];
         for f in 0..count {
             let [a, b, c] = self.corners(f);
             let cross = (b - a).cross(&(c - a));
@@ -96,7 +97,7 @@ impl Mesh {
             self.normals.push(if flat { Vector3::zeros() } else { cross / twice_area });
             self.areas.push(if flat { 0.0 } else { 0.5 * twice_area });
             if flat {
-                self.dead[f] = Dead::Degenerate;
+                self.defects[f] = FacetDefect::Degenerate;
             }
         }
         self.mark_duplicates();
@@ -111,8 +112,8 @@ impl Mesh {
         for f in 0..self.facets.len() {
             let key = sorted(f as u32);
             let earlier = self.vertex_facets(key[0]).iter().any(|&g| (g as usize) < f && sorted(g) == key);
-            if earlier && self.dead[f] == Dead::No {
-                self.dead[f] = Dead::Duplicate;
+            if earlier && self.defects[f] == FacetDefect::None {
+                self.defects[f] = FacetDefect::Duplicate;
             }
         }
     }
@@ -156,7 +157,7 @@ impl Mesh {
     pub fn is_fold(&self, [f, g]: [u32; 2], edge: u32) -> bool {
         self.runs_forward(f, edge) == self.runs_forward(g, edge)
             && between_deg(&self.normals[f as usize], &self.normals[g as usize]) < 1.0
-            && [f, g].iter().all(|&h| self.dead[h as usize] != Dead::Degenerate)
+            && [f, g].iter().all(|&h| self.defects[h as usize] != FacetDefect::Degenerate)
     }
 
     /// Whether the facet passes the edge from its lower to its higher vertex.
@@ -194,68 +195,6 @@ pub fn bounds_of(points: impl Iterator<Item = Point3<f64>>) -> (Point3<f64>, Poi
 
 fn range<'a>(start: &[u32], list: &'a [u32], i: u32) -> &'a [u32] {
     &list[start[i as usize] as usize..start[i as usize + 1] as usize]
-}
-
-/// Unique corners by equal coordinates, numbered in order of first appearance.
-fn weld_corners(raw: &[RawFacet]) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
-    let mut welder = Welder {
-        slots: vec![EMPTY; (raw.len() * 2).next_power_of_two().max(16)],
-        points: Vec::with_capacity(raw.len() / 2 + 3),
-    };
-    let facets = raw.iter().map(|corners| corners.map(|c| welder.index_of(c))).collect();
-    (welder.points, facets)
-}
-
-/// A hash table with open addressing: twice as fast here as the standard map, whose keys would be
-/// stored a second time.
-struct Welder {
-    slots: Vec<u32>,
-    points: Vec<[f32; 3]>,
-}
-
-const EMPTY: u32 = u32::MAX;
-
-impl Welder {
-    fn index_of(&mut self, corner: [f32; 3]) -> u32 {
-        let corner = corner.map(|x| x + 0.0); // −0 + 0 = 0
-        let mut slot = hash(corner, self.slots.len());
-        loop {
-            match self.slots[slot] {
-                EMPTY => break,
-                v if self.points[v as usize] == corner => return v,
-                _ => slot = (slot + 1) & (self.slots.len() - 1),
-            }
-        }
-        let new = self.points.len() as u32;
-        self.slots[slot] = new;
-        self.points.push(corner);
-        // Triangle soup has three points a facet, six times those of a closed surface.
-        if self.points.len() * 4 > self.slots.len() * 3 {
-            self.grow();
-        }
-        new
-    }
-
-    fn grow(&mut self) {
-        let size = self.slots.len() * 2;
-        self.slots = vec![EMPTY; size];
-        for (i, p) in self.points.iter().enumerate() {
-            let mut slot = hash(*p, size);
-            while self.slots[slot] != EMPTY {
-                slot = (slot + 1) & (size - 1);
-            }
-            self.slots[slot] = i as u32;
-        }
-    }
-}
-
-/// Slot of a corner in a table whose size is a power of two.
-fn hash(corner: [f32; 3], size: usize) -> usize {
-    let mut h = 0u64;
-    for x in corner {
-        h = (h.rotate_left(5) ^ u64::from(x.to_bits())).wrapping_mul(0x517c_c1b7_2722_0a95);
-    }
-    (h ^ (h >> 32)) as usize & (size - 1)
 }
 
 /// Unique edges by lower and higher vertex, grouped by the lower; and the edges of each facet.
@@ -367,7 +306,7 @@ mod tests {
             vec![[[0.0, 0.0, 0.0], [1.0, -0.0, 0.0], [0.0, 1.0, 0.0]], [[-0.0; 3], [0.0, 1.0, -0.0], [1.0, 0.0, 0.0]]];
         let mesh = Mesh::weld(&raw, 25.4);
         assert_eq!((mesh.vertices.len(), mesh.edges.len()), (3, 3));
-        assert_eq!(mesh.dead, [Dead::No, Dead::Duplicate]);
+        assert_eq!(mesh.defects, [FacetDefect::None, FacetDefect::Duplicate]);
         assert!((mesh.areas[0] - 0.5 * 25.4 * 25.4).abs() < 1e-9);
         let soup: Vec<RawFacet> =
             (0..500).map(|i| [[i as f32, 0.0, 0.0], [i as f32, 1.0, 0.0], [i as f32, 0.0, 1.0]]).collect();
@@ -379,7 +318,7 @@ mod tests {
         let raw: Vec<RawFacet> =
             vec![[[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]], [[0.0; 3], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0]]];
         let mesh = Mesh::weld(&raw, 1.0);
-        assert_eq!(mesh.dead, [Dead::Degenerate, Dead::Degenerate]);
+        assert_eq!(mesh.defects, [FacetDefect::Degenerate, FacetDefect::Degenerate]);
         assert_eq!(mesh.facet_edges[0][0], NO_EDGE);
         assert_eq!(mesh.edge_facets(mesh.facet_edges[0][1]), [0, 1]);
     }

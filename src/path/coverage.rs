@@ -5,7 +5,7 @@
 
 use super::planes::SurfacePlanes;
 use super::section::TransversalLine;
-use crate::part::{Mesh, surfaces::Surface, topology::Dead};
+use crate::part::{Mesh, surfaces::Surface, topology::FacetDefect};
 use nalgebra::Point3;
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ pub struct Coverage {
 }
 
 /// Looks for missed facets: parallel within 10° to the planes (of two families: to both), or crossed by no line
-/// of the surface and further than one spacing from any. Lines that were not cut by planes are judged by distance alone.
+/// of the surface and further than one spacing from any. Without planes distance alone decides.
 ///
 /// The spacing is that of planes at equal distances; other strategies measure it.
 pub fn coverage(
@@ -40,7 +40,7 @@ pub fn coverage(
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let mut grid: Option<PointGrid> = None;
     let mut out = Coverage::default();
-    for &f in surface.facets.iter().filter(|&&f| mesh.dead[f as usize] == Dead::No) {
+    for &f in surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None) {
         let sine = |planes: &SurfacePlanes| mesh.normals[f as usize].cross(&planes.normal).norm();
         let crosses = |planes: &SurfacePlanes| {
             let heights = mesh.corners(f as usize).map(|p| p.coords.dot(&planes.normal));

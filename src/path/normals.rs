@@ -4,7 +4,7 @@
 //! face was cut into triangles. Only facets of the same surface count: across a crease the mean
 //! would tilt the beam by 45° at a cube's edge.
 
-use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::Dead};
+use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::FacetDefect};
 use nalgebra::Vector3;
 
 /// Unit normals at the vertices of one surface.
@@ -17,7 +17,7 @@ pub struct VertexNormals {
 impl VertexNormals {
     /// Sums the facets of a surface, weighed by their angle at the vertex.
     pub fn new(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface) -> VertexNormals {
-        let live = || surface.facets.iter().map(|&f| f as usize).filter(|&f| mesh.dead[f] == Dead::No);
+        let live = || surface.facets.iter().map(|&f| f as usize).filter(|&f| mesh.defects[f] == FacetDefect::None);
         let mut vertices: Vec<u32> = live().flat_map(|f| mesh.facets[f]).collect();
         vertices.sort_unstable();
         vertices.dedup();
@@ -48,7 +48,7 @@ impl VertexNormals {
     pub fn extended(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface, beyond: &[u32]) -> VertexNormals {
         let VertexNormals { vertices, normals } = VertexNormals::new(mesh, surfaces, surface);
         let mut all: Vec<(u32, Vector3<f64>)> = vertices.iter().copied().zip(normals).collect();
-        let is_live = |f: usize| mesh.dead.get(f) == Some(&Dead::No);
+        let is_live = |f: usize| mesh.defects.get(f) == Some(&FacetDefect::None);
         let turned = surface.facets.iter().map(|&f| f as usize).find(|&f| is_live(f));
         let side = if turned.is_some_and(|f| surfaces.normals[f] != mesh.normals[f]) { -1.0 } else { 1.0 };
         for &f in beyond.iter().filter(|&&f| is_live(f as usize)) {

@@ -4,7 +4,7 @@
 //! extent, so that their lines meet at creases; P2's start at `min + d` would leave a strip of
 //! width d at one rim. A surface that falls between two planes gets one of its own.
 
-use crate::part::{Hasher, Keyed, Mesh, Surfaces, angle, surfaces::Surface, topology::Dead};
+use crate::part::{Hasher, Keyed, Mesh, Surfaces, angle, surfaces::Surface, topology::FacetDefect};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::fmt;
@@ -178,7 +178,7 @@ pub(super) fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f6
 
 /// The proper facets of a surface.
 pub(super) fn live<'a>(mesh: &'a Mesh, s: &'a Surface) -> impl Iterator<Item = usize> + 'a {
-    s.facets.iter().map(|&f| f as usize).filter(|&f| mesh.dead[f] == Dead::No)
+    s.facets.iter().map(|&f| f as usize).filter(|&f| mesh.defects[f] == FacetDefect::None)
 }
 
 /// Least and greatest height of a surface along a direction, mm.

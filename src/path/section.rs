@@ -5,7 +5,7 @@
 //! points come out in order, and every line runs in the sense of (facet normal × plane normal).
 
 use super::normals::{VertexNormals, between};
-use crate::part::{Mesh, surfaces::Surface, topology::Dead};
+use crate::part::{Mesh, surfaces::Surface, topology::FacetDefect};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -76,7 +76,7 @@ pub fn sections(
 ) -> Vec<TransversalLine> {
     let height = |v: u32| mesh.vertices[v as usize].coords.dot(normal);
     let mut per_plane: Vec<Vec<u32>> = vec![Vec::new(); heights_mm.len()];
-    for &f in surface.facets.iter().filter(|&&f| mesh.dead[f as usize] == Dead::No) {
+    for &f in surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None) {
         let h = mesh.facets[f as usize].map(height);
         let (lo, hi) = (h[0].min(h[1]).min(h[2]), h[0].max(h[1]).max(h[2]));
         // Crossed where lo < height <= hi.

@@ -99,7 +99,7 @@ fn access(
 
 /// Which part of the tilt a strip varies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Over {
+pub enum TiltPart {
     /// Over lead; the lean stays as chosen.
     #[default]
     Lead,
@@ -107,20 +107,20 @@ pub enum Over {
     Lean,
 }
 
-impl Over {
+impl TiltPart {
     /// The value of this part of a tilt, degrees.
     pub fn of(self, tilt: Tilt) -> f64 {
         match self {
-            Over::Lead => tilt.lead_deg,
-            Over::Lean => tilt.lean_deg,
+            TiltPart::Lead => tilt.lead_deg,
+            TiltPart::Lean => tilt.lean_deg,
         }
     }
 
     /// A tilt with this part changed.
     pub fn with(self, tilt: Tilt, deg: f64) -> Tilt {
         match self {
-            Over::Lead => Tilt { lead_deg: deg, ..tilt },
-            Over::Lean => Tilt { lean_deg: deg, ..tilt },
+            TiltPart::Lead => Tilt { lead_deg: deg, ..tilt },
+            TiltPart::Lean => Tilt { lean_deg: deg, ..tilt },
         }
     }
 }
@@ -142,7 +142,7 @@ pub struct AccessColumn {
 #[derive(Clone, Debug, PartialEq)]
 pub struct AccessStrip {
     /// Which part.
-    pub over: Over,
+    pub over: TiltPart,
     /// Step from one cell to the next, degrees.
     pub step_deg: f64,
     /// Cells from 0 to either end.
@@ -163,7 +163,7 @@ impl AccessStrip {
         beam: &Beam<'_>,
         pass: &Pass,
         rule: &TiltRule,
-        over: Over,
+        over: TiltPart,
         max_tilt_deg: f64,
         step_deg: f64,
         most: usize,

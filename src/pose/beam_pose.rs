@@ -14,6 +14,7 @@ pub struct Pose {
 
 impl Pose {
     /// The pose at a share `t` of the way to another: the point goes straight, the axis turns at constant rate.
+    #[inline]
     pub fn midway(&self, to: &Pose, t: f64) -> Pose {
         Pose { p: self.p + (to.p - self.p) * t, a: angle::slerp(&self.a, &to.a, t) }
     }

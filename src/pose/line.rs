@@ -45,7 +45,7 @@ pub fn plan_line(
     for configuration in configurations {
         // Without a head the section plane keeps limits of its own.
         let limit_deg = configuration.geometry.as_ref().map(|_| rules.max_tilt_deg);
-        let pass = planned(part, configuration, line, rules, (rules.correction, limit_deg));
+        let pass = planned(part, configuration, line, rules, rules.correction, limit_deg);
         let blocked_mm = pass.length_mm(|from, to| !to.laser && !Pass::is_gap(from, to));
         if best.as_ref().is_none_or(|(least_mm, _)| blocked_mm < least_mm - 1e-6) {
             best = Some((blocked_mm, pass));
@@ -55,7 +55,7 @@ pub fn plan_line(
         }
     }
     best.map_or_else(
-        || planned(part, &ToolConfiguration::ray(ProcessSettings::default()), line, rules, (Correction::None, None)),
+        || planned(part, &ToolConfiguration::ray(ProcessSettings::default()), line, rules, Correction::None, None),
         |b| b.1,
     )
 }
@@ -67,7 +67,7 @@ pub fn plan_line_by_section_plane(
     line: &LineOnSurface<'_>,
     rules: &LineRules,
 ) -> Pass {
-    planned(part, configuration, line, rules, (Correction::SectionPlane, Some(rules.max_tilt_deg)))
+    planned(part, configuration, line, rules, Correction::SectionPlane, Some(rules.max_tilt_deg))
 }
 
 fn planned(
@@ -75,10 +75,11 @@ fn planned(
     configuration: &ToolConfiguration<'_>,
     whole_line: &LineOnSurface<'_>,
     rules: &LineRules,
-    correction: (Correction, Option<f64>),
+    correction: Correction,
+    limit_deg: Option<f64>,
 ) -> Pass {
     if whole_line.line.dark.is_empty() {
-        return planned_piece(part, configuration, whole_line, rules, correction);
+        return planned_piece(part, configuration, whole_line, rules, correction, limit_deg);
     }
     let LineOnSurface { line, surface, m, .. } = whole_line;
     // Obstacles on one side of a gap do not matter on the other, so each piece is planned by itself; its first
@@ -104,8 +105,14 @@ fn planned(
         let rules = LineRules { pins: rules.pins.iter().map(moved).collect(), ..rules.clone() };
         start_mm += points.windows(2).map(way_mm).fold(0.0, |a, b| a + b);
         let piece = TransversalLine { plane: line.plane, points: points.to_vec(), closed: false, dark: Vec::new() };
-        let pass =
-            planned_piece(part, configuration, &LineOnSurface { line: &piece, ..*whole_line }, &rules, correction);
+        let pass = planned_piece(
+            part,
+            configuration,
+            &LineOnSurface { line: &piece, ..*whole_line },
+            &rules,
+            correction,
+            limit_deg,
+        );
         let before = whole.targets.len();
         whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
         whole.targets.extend(pass.targets);
@@ -132,7 +139,8 @@ fn planned_piece(
     configuration: &ToolConfiguration<'_>,
     LineOnSurface { line, surface, number, m }: &LineOnSurface<'_>,
     rules: &LineRules,
-    (correction, limit_deg): (Correction, Option<f64>),
+    correction: Correction,
+    limit_deg: Option<f64>,
 ) -> Pass {
     let beam = Beam::with(part, configuration.geometry.as_ref());
     let dense = dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg);

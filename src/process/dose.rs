@@ -4,15 +4,16 @@
 //! Every sample is worked out by itself, from the light that comes near it in the order of the program,
 //! so the result is the same on any number of threads.
 
+use super::dose_map::DoseMap;
+use super::landed::{DoseSum, J_CM2, landed};
 use super::light::Light;
 use super::parameters::Thresholds;
-use super::reach::{Near, lit_facets};
+use super::reach::{NearPiece, lit_facets};
 use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut_plot, split_plot};
-use super::shade::{Last, Shade};
+use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::beam::Obstacle;
-use crate::part::{Part, Surfaces, topology::Dead};
-use crate::pose::Obstruction;
-use nalgebra::{Point3, Vector3};
+use crate::part::{Part, Surfaces, topology::FacetDefect};
+use nalgebra::Point3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -41,121 +42,6 @@ pub struct DoseInput<'a> {
     /// Thresholds of surfaces that have their own, by their numbers.
     pub own: BTreeMap<u32, Thresholds>,
 }
-
-/// The dose on all samples.
-#[derive(Clone, Debug)]
-pub struct DoseMap {
-    /// Facet by facet.
-    pub samples: Vec<DoseSample>,
-    /// Their corners, mm, part frame.
-    pub corners: Vec<[f32; 3]>,
-    /// Where the samples of each facet begin; one more than there are facets.
-    starts: Vec<u32>,
-    /// Greatest width of a sample in the light, corner to corner, mm.
-    pub sample_mm: f64,
-    /// The part was so large that samples are larger than a quarter of the spot.
-    pub coarsened: bool,
-    /// Which doses are too little and too much.
-    pub thresholds: Thresholds,
-    /// Thresholds of facets whose surfaces have their own, by facet.
-    pub(super) own: BTreeMap<u32, Thresholds>,
-    /// The surfaces that are to be cleaned.
-    pub chosen: Vec<u32>,
-    /// The light that it was made by.
-    pub light: Light,
-}
-
-/// What one pass leaves at a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpotHit {
-    /// Number of the pass.
-    pub pass: u32,
-    /// When most of it lands, s from the program's start.
-    pub at_s: f64,
-    /// Angle between light and normal, degrees, weighed by energy.
-    pub angle_deg: f64,
-    /// What lands, J/cm².
-    pub j_cm2: f64,
-}
-
-/// Energy that lands at one point, summed over pieces of the light.
-#[derive(Default)]
-struct Sum {
-    j_mm2: f64,
-    unshaded_j_mm2: f64,
-    angle_j: f64,
-    last_pass: Option<u32>,
-    passes: u16,
-    /// What shades it, and how much energy each keeps off, J/mm².
-    walls: Vec<(Obstruction, f64)>,
-}
-
-impl Sum {
-    fn add(&mut self, landed: &Landed) {
-        self.unshaded_j_mm2 += landed.unshaded_j_mm2;
-        self.j_mm2 += landed.j_mm2;
-        self.angle_j += landed.j_mm2 * landed.angle_deg;
-        if landed.covered && landed.j_mm2 > 0.0 && self.last_pass != Some(landed.pass) {
-            self.last_pass = Some(landed.pass);
-            self.passes = self.passes.saturating_add(1);
-        }
-        if let Some(wall) = landed.by {
-            let lost = landed.unshaded_j_mm2 - landed.j_mm2;
-            match self.walls.iter_mut().find(|(w, _)| *w == wall) {
-                Some((_, j)) => *j += lost,
-                None => self.walls.push((wall, lost)),
-            }
-        }
-    }
-}
-
-/// The energy of one piece of the light that lands at a point.
-struct Landed {
-    pass: u32,
-    at_s: f64,
-    unshaded_j_mm2: f64,
-    j_mm2: f64,
-    angle_deg: f64,
-    /// The spot itself went over it.
-    covered: bool,
-    by: Option<Obstruction>,
-}
-
-fn landed(
-    light: &Light,
-    shade: &Shade<'_>,
-    near: &Near,
-    (q, normal, own): (&Point3<f64>, &Vector3<f64>, u32),
-    last: &mut Last,
-) -> Option<Landed> {
-    let piece = light.pieces.get(near.piece as usize)?;
-    let passing = light.passing(piece, q)?;
-    let when = passing.seen.nearest.clamp(passing.window[0], passing.window[1]);
-    let axis = piece.axis(when);
-    let cosine = axis.dot(normal);
-    if cosine <= 0.0 {
-        return None;
-    }
-    let (share, by) = if near.clear {
-        (1.0, None)
-    } else {
-        let l = shade.landing(light, piece, (q, own), &passing, last);
-        (l.share, l.by)
-    };
-    let unshaded_j_mm2 = passing.j_mm2 * cosine;
-    Some(Landed {
-        pass: piece.pass,
-        at_s: piece.ends_s - piece.seconds * (1.0 - when),
-        unshaded_j_mm2,
-        j_mm2: unshaded_j_mm2 * share,
-        angle_deg: libm::atan2(axis.cross(normal).norm(), cosine).to_degrees(),
-        covered: light.spot(piece).covers(passing.seen.at(when), passing.seen.z_mm),
-        by,
-    })
-}
-
-/// 1 J/mm² in J/cm².
-pub const J_CM2: f64 = 100.0;
 
 /// Computes the dose. `step` is called once for every share of `steps` work done, and ends it by
 /// returning false; then there is no map.
@@ -208,16 +94,16 @@ fn near_facets(
     light: &Light,
     shade: &Shade<'_>,
     step: &(dyn Fn() -> bool + Sync),
-) -> Option<Vec<Vec<Near>>> {
+) -> Option<Vec<Vec<NearPiece>>> {
     let lit: Vec<Vec<(u32, bool)>> = (0..light.runs.len())
         .into_par_iter()
         .map(|i| step().then(|| lit_of_run(input, light, shade, i)))
         .collect::<Option<_>>()?;
-    let mut of_facet: Vec<Vec<Near>> = vec![Vec::new(); input.part.mesh.facets.len()];
+    let mut of_facet: Vec<Vec<NearPiece>> = vec![Vec::new(); input.part.mesh.facets.len()];
     for (i, facets) in lit.into_iter().enumerate() {
         let (first, run) = light.run(i);
         for (facet, clear) in facets {
-            of_facet[facet as usize].extend((first..first + run.len() as u32).map(|piece| Near { piece, clear }));
+            of_facet[facet as usize].extend((first..first + run.len() as u32).map(|piece| NearPiece { piece, clear }));
         }
     }
     Some(of_facet)
@@ -235,7 +121,7 @@ fn lit_of_run(input: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: us
 fn plots(
     input: &DoseInput<'_>,
     light: &Light,
-    near: Vec<Vec<Near>>,
+    near: Vec<Vec<NearPiece>>,
     step: &(dyn Fn() -> bool + Sync),
 ) -> Option<(f64, bool, Vec<Plot>)> {
     let spot_mm = light.least_spot_mm();
@@ -248,7 +134,7 @@ fn plots(
     let whole: Vec<Plot> = near
         .into_iter()
         .enumerate()
-        .filter(|(f, _)| mesh.dead[*f] == Dead::No)
+        .filter(|(f, _)| mesh.defects[*f] == FacetDefect::None)
         .map(|(f, near)| {
             let is_chosen = input.surfaces.of_facet.get(f).is_some_and(|n| input.chosen.contains(n));
             Plot::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
@@ -287,7 +173,7 @@ fn samples_of(
     plots: &[Plot],
 ) -> (Vec<DoseSample>, Vec<[f32; 3]>) {
     let (mut out, mut all_corners) = (Vec::new(), Vec::new());
-    let mut last = Last::default();
+    let mut last = LastShade::default();
     let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     for plot in plots {
         let normal = input.surfaces.normals[plot.facet as usize];
@@ -298,10 +184,11 @@ fn samples_of(
                 return; // a corner that a line of the grid has just touched
             }
             let q = plot.plane.place(middle);
-            let mut sum = Sum::default();
+            let mut sum = DoseSum::default();
             last.next_point();
             for n in near {
-                if let Some(l) = landed(light, shade, n, (&q, &normal, plot.facet), &mut last) {
+                if let Some(l) = landed(light, shade, n, &SurfacePoint { p: q, facet: plot.facet }, &normal, &mut last)
+                {
                     sum.add(&l);
                 }
             }
@@ -327,54 +214,4 @@ fn samples_of(
         });
     }
     (out, all_corners)
-}
-
-impl DoseMap {
-    /// The samples of a facet: none where it has no area.
-    pub fn of_facet(&self, facet: u32) -> &[DoseSample] {
-        let at = |f: usize| self.starts.get(f).map_or(self.samples.len(), |s| *s as usize);
-        &self.samples[at(facet as usize)..at(facet as usize + 1)]
-    }
-
-    /// The corners of a sample, counter-clockwise seen from the side that is worked on.
-    pub fn corners_of(&self, sample: &DoseSample) -> &[[f32; 3]] {
-        let first = sample.first_corner as usize;
-        self.corners.get(first..first + usize::from(sample.corner_count)).unwrap_or_default()
-    }
-
-    /// Which passes come to a point of a facet, when, and at what angle, in the order of the program.
-    pub fn hits_at(
-        &self,
-        part: &Part,
-        clamps: &[Obstacle],
-        facet: u32,
-        q: &Point3<f64>,
-        normal: &Vector3<f64>,
-    ) -> Vec<SpotHit> {
-        let shade = Shade::new(part, clamps);
-        let mut last = Last::default();
-        let mut hits: Vec<(SpotHit, f64)> = Vec::new();
-        for piece in 0..self.light.pieces.len() as u32 {
-            let near = Near { piece, clear: false };
-            let Some(l) = landed(&self.light, &shade, &near, (q, normal, facet), &mut last) else { continue };
-            if l.j_mm2 <= 0.0 {
-                continue;
-            }
-            let j_cm2 = l.j_mm2 * J_CM2;
-            match hits.last_mut().filter(|(h, _)| h.pass == l.pass) {
-                Some((h, most)) => {
-                    h.angle_deg = (h.angle_deg * h.j_cm2 + l.angle_deg * j_cm2) / (h.j_cm2 + j_cm2);
-                    h.j_cm2 += j_cm2;
-                    if j_cm2 > *most {
-                        (h.at_s, *most) = (l.at_s, j_cm2);
-                    }
-                }
-                None => {
-                    let hit = SpotHit { pass: l.pass, at_s: l.at_s, angle_deg: l.angle_deg, j_cm2 };
-                    hits.push((hit, j_cm2));
-                }
-            }
-        }
-        hits.into_iter().map(|(h, _)| h).collect()
-    }
 }

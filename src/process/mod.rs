@@ -7,9 +7,12 @@
 pub mod bead;
 pub mod closeness;
 pub mod dose;
+pub mod dose_map;
 mod facet_polygon;
 mod floor;
+mod landed;
 pub mod light;
+pub mod light_piece;
 pub mod parameters;
 pub mod patches;
 mod reach;
@@ -18,7 +21,8 @@ pub mod shade;
 pub mod spot;
 pub mod statistics;
 
-pub use dose::{DoseInput, DoseMap, SpotHit, dose};
+pub use dose::{DoseInput, dose};
+pub use dose_map::{DoseMap, SpotHit};
 pub use light::Light;
 pub use parameters::{DoseParameters, Profile, Thresholds};
 pub use patches::{Patch, PatchCause};

@@ -1,6 +1,6 @@
 //! What a plan leaves unclean: connected pieces of the chosen surfaces that get too little, and why.
 
-use super::dose::DoseMap;
+use super::dose_map::DoseMap;
 use super::statistics::DoseVerdict;
 use crate::part::{Mesh, Surfaces, merge_tree::Sets};
 use crate::pose::{Blocker, Obstruction, Pass, TargetState};

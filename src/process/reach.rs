@@ -4,10 +4,10 @@
 //! all the rest: so facets that no other facet near the beam can shade are found here, once for a run.
 
 use super::floor::{floor_mm, in_frame};
-use super::light::LightPiece;
+use super::light_piece::LightPiece;
 use super::shade::Shade;
 use super::spot::Spot;
-use crate::part::{Part, Surfaces, angle, topology::Dead};
+use crate::part::{Part, Surfaces, angle, topology::FacetDefect};
 use crate::pose::target;
 use nalgebra::{Point3, Vector3};
 
@@ -20,7 +20,7 @@ const FIRST_STRETCH_MM: f64 = 2.0;
 
 /// A piece that comes near a facet.
 #[derive(Clone, Copy, Debug)]
-pub struct Near {
+pub struct NearPiece {
     /// Its place in [`super::light::Light::pieces`].
     pub piece: u32,
     /// Nothing can shade it.
@@ -144,7 +144,7 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[LightPiece], frame
         }
         let [x, y] = frame.reach(spot, low, high);
         part.bvh.visit_ray(&(p + a * low), a, 0.0, high - low, libm::hypot(x, y), |facet, corners| {
-            if part.mesh.dead[facet as usize] == Dead::No {
+            if part.mesh.defects[facet as usize] == FacetDefect::None {
                 found.push((facet, corners.map(|c| in_frame(&c, p, &frame.axes))));
             }
             high - low

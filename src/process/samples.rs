@@ -3,9 +3,10 @@
 
 use super::facet_polygon::{FacetPolygon, Plane};
 use super::light::Light;
-use super::reach::Near;
+use super::reach::NearPiece;
 use crate::pose::Obstruction;
 use nalgebra::Point3;
+use std::ops::Range;
 
 /// Greatest number of samples, some 400 MB; beyond it they are cut more coarsely.
 pub const MOST_SAMPLES: usize = 4_000_000;
@@ -44,14 +45,14 @@ pub struct Plot {
     /// The piece.
     pub cell: FacetPolygon,
     /// In the order of the program.
-    pub near: Vec<Near>,
+    pub near: Vec<NearPiece>,
     /// Where no light comes, pieces are no wider than this, mm.
     pub dark_mm: f64,
 }
 
 impl Plot {
     /// A whole facet.
-    pub fn of(facet: u32, corners: &[Point3<f64>; 3], near: Vec<Near>, dark_mm: f64) -> Plot {
+    pub fn of(facet: u32, corners: &[Point3<f64>; 3], near: Vec<NearPiece>, dark_mm: f64) -> Plot {
         let (plane, cell) = Plane::of(corners);
         Plot { facet, plane, cell, near, dark_mm }
     }
@@ -59,41 +60,50 @@ impl Plot {
 
 /// Cuts a plot until its pieces are no wider than a square of `pitch_mm`, or no light comes near, and
 /// hands every piece on with the light that does.
-pub fn cut_plot(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[Near])) {
+pub fn cut_plot(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[NearPiece])) {
     let mut lists = plot.near.clone();
     let whole = lists.len();
-    halve(light, pitch_mm, plot, &plot.cell, (&mut lists, 0, whole), &mut leaf);
+    Cutter { light, pitch_mm, plot }.halve(&plot.cell, &mut lists, 0..whole, &mut leaf);
 }
 
-/// `lists`: the light near all cells that this one is a piece of, one behind the other; that of the
-/// last is from `start` to `end`.
-fn halve(
-    light: &Light,
+/// A plot that is being cut.
+struct Cutter<'a> {
+    light: &'a Light,
     pitch_mm: f64,
-    plot: &Plot,
-    cell: &FacetPolygon,
-    (lists, start, end): (&mut Vec<Near>, usize, usize),
-    leaf: &mut impl FnMut(&FacetPolygon, &[Near]),
-) {
-    let (middle, radius) = cell.disc();
-    let centre = plot.plane.place(middle);
-    for i in start..end {
-        let near = lists[i];
-        if light.reaches(&light.pieces[near.piece as usize], &centre, radius) {
-            lists.push(near);
-        }
-    }
-    let all = lists.len();
-    let is_dark = all == end && cell.size_mm() <= plot.dark_mm;
-    match cell.halves(pitch_mm).filter(|_| !is_dark) {
-        None => leaf(cell, &lists[end..]),
-        Some(halves) => {
-            for half in halves {
-                halve(light, pitch_mm, plot, &half, (lists, end, all), leaf);
+    plot: &'a Plot,
+}
+
+impl Cutter<'_> {
+    /// Cuts a cell. `lists`: the light near all cells that this one is a piece of, one behind the other; `of` is the
+    /// range of the last one's.
+    fn halve(
+        &self,
+        cell: &FacetPolygon,
+        lists: &mut Vec<NearPiece>,
+        of: Range<usize>,
+        leaf: &mut impl FnMut(&FacetPolygon, &[NearPiece]),
+    ) {
+        let (middle, radius) = cell.disc();
+        let centre = self.plot.plane.place(middle);
+        let end = of.end;
+        for i in of {
+            let near = lists[i];
+            if self.light.reaches(&self.light.pieces[near.piece as usize], &centre, radius) {
+                lists.push(near);
             }
         }
+        let all = lists.len();
+        let is_dark = all == end && cell.size_mm() <= self.plot.dark_mm;
+        match cell.halves(self.pitch_mm).filter(|_| !is_dark) {
+            None => leaf(cell, &lists[end..]),
+            Some(halves) => {
+                for half in halves {
+                    self.halve(&half, lists, end..all, leaf);
+                }
+            }
+        }
+        lists.truncate(end);
     }
-    lists.truncate(end);
 }
 
 /// Divides a plot into smaller ones for parallel work.

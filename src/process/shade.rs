@@ -2,7 +2,8 @@
 //!
 //! The light that lands beside the axis comes along its own ray, through the focus and on to the lens.
 
-use super::light::{Light, LightPiece, Passing};
+use super::light::{Light, Passing};
+use super::light_piece::LightPiece;
 use crate::beam::Obstacle;
 use crate::part::{Bvh, Part, bvh::ray_hit_mm};
 use crate::pose::Obstruction;
@@ -23,6 +24,15 @@ const FAINT: f64 = 1e-3;
 /// Bisections for the edge of a shadow between two places that differ.
 const HALVINGS: usize = 4;
 
+/// A point of a facet; the facet does not shade it.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfacePoint {
+    /// The point, mm, part frame.
+    pub p: Point3<f64>,
+    /// Its facet.
+    pub facet: u32,
+}
+
 /// The bodies that shade.
 pub struct Shade<'a> {
     part: &'a Bvh,
@@ -32,14 +42,14 @@ pub struct Shade<'a> {
 /// The last results: light and shade change little from one piece to the next, and from one point to its
 /// neighbour.
 #[derive(Clone, Copy, Default)]
-pub struct Last {
+pub struct LastShade {
     /// The facet that shaded is likely to shade the next point too.
     facet: Option<(u32, [Point3<f64>; 3])>,
     /// What stood in the way at this point: of which pass, at which place about the axis.
     look: Option<(u32, [f64; 2], Option<Obstruction>)>,
 }
 
-impl Last {
+impl LastShade {
     /// Moves on to another point.
     pub fn next_point(&mut self) {
         self.look = None;
@@ -66,14 +76,14 @@ impl<'a> Shade<'a> {
         self.clamps.iter().any(|(solid, at)| solid.bvh.near_segment(&(at * from), &(at * to), reach_mm))
     }
 
-    /// The part of a passing's energy that lands on a point of facet `own`.
+    /// The part of a passing's energy that lands at a point of a facet.
     pub fn landing(
         &self,
         light: &Light,
         piece: &LightPiece,
-        (q, own): (&Point3<f64>, u32),
+        at: &SurfacePoint,
         passing: &Passing,
-        last: &mut Last,
+        last: &mut LastShade,
     ) -> Landing {
         let [t0, t1] = passing.window;
         let way = [0, 1].map(|k| (passing.seen.to[k] - passing.seen.from[k]) * (t1 - t0));
@@ -86,7 +96,7 @@ impl<'a> Shade<'a> {
                 return Landing { share: if wall.is_none() { 1.0 } else { 0.0 }, by: wall };
             }
         }
-        let mut look = |t: f64| self.wall(light, piece, (q, own), passing, t, last);
+        let mut look = |t: f64| self.wall(light, piece, at, passing, t, last);
         let time =
             |k: usize| if stretches == 0 { 0.5 * (t0 + t1) } else { t0 + (t1 - t0) * k as f64 / stretches as f64 };
         let mut looks: [Option<Obstruction>; MOST_LOOKS] = [None; MOST_LOOKS];
@@ -130,11 +140,12 @@ impl<'a> Shade<'a> {
         &self,
         light: &Light,
         piece: &LightPiece,
-        (q, own): (&Point3<f64>, u32),
+        at: &SurfacePoint,
         passing: &Passing,
         t: f64,
-        last: &mut Last,
+        last: &mut LastShade,
     ) -> Option<Obstruction> {
+        let (q, own) = (&at.p, at.facet);
         let z_mm = passing.seen.z_mm;
         let [along, across] = light.spot(piece).slope(passing.seen.at(t), z_mm);
         let mix = |u: &Vector3<f64>, v: &Vector3<f64>| u * (1.0 - t) + v * t;

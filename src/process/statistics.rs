@@ -1,6 +1,6 @@
 //! Statistics of a dose: shares of the chosen area, what lands where it should not, a histogram.
 
-use super::dose::DoseMap;
+use super::dose_map::DoseMap;
 use super::samples::DoseSample;
 use crate::part::Surfaces;
 use std::collections::BTreeMap;

@@ -1,7 +1,8 @@
 //! Segments, motions and boxes prepared for many distance tests. Gaps between boxes are slightly too small, never
 //! too large, so a box is skipped only if nothing in it can be nearer.
 
-use super::{Aabb, ray_hit_mm};
+use super::aabb::Aabb;
+use super::ray_hit_mm;
 use crate::part::distance::segment_triangle;
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 

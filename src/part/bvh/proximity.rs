@@ -4,8 +4,9 @@
 //! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
 //! box first, and no box is entered that keeps farther away than what was found.
 
+use super::build::Node;
 use super::prepared::{SegmentForBoxes, SegmentForFacets, Turn};
-use super::{Bvh, Node, ray_hit_mm};
+use super::{Bvh, ray_hit_mm};
 use crate::part::distance::triangles;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -251,7 +252,7 @@ mod tests {
     use super::*;
     use crate::part::Mesh;
     use crate::part::distance::segment_triangle;
-    use crate::part::topology::Dead;
+    use crate::part::topology::FacetDefect;
     use crate::sample::solids;
     use proptest::prelude::*;
 
@@ -264,7 +265,7 @@ mod tests {
     }
 
     fn live(mesh: &Mesh) -> impl Iterator<Item = [Point3<f64>; 3]> + Clone + '_ {
-        (0..mesh.facets.len()).filter(|&f| mesh.dead[f] == Dead::No).map(|f| mesh.corners(f))
+        (0..mesh.facets.len()).filter(|&f| mesh.defects[f] == FacetDefect::None).map(|f| mesh.corners(f))
     }
 
     fn point(c: [f64; 3]) -> Point3<f64> {

@@ -51,7 +51,7 @@ pub(super) fn unlikeness_in_place(a: &Fingerprint, b: &Fingerprint, diagonal: f6
     total(form(a, b) + normal(a, b) + unlikeness_of_place(a, b, diagonal), a, b)
 }
 
-/// The greatest distance of centroids that [`in_place`] can allow.
+/// The greatest distance of centroids that [`unlikeness_in_place`] can allow.
 pub(super) fn reach(a: &Fingerprint, diagonal: f64) -> f64 {
     PLACE_IN_PLANE * a.area.sqrt() + (PLANE_OFFSET + GRAIN) * diagonal
 }

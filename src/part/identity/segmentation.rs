@@ -2,8 +2,9 @@
 
 use super::file_frame::{FileFrame, LoadedAs};
 use super::fingerprint::{Fingerprint, FormWord, Landmark};
+use crate::part::numbering::Numbering;
 use crate::part::shape::Shape;
-use crate::part::surfaces::{Numbering, Surface, listed};
+use crate::part::surface::{Surface, listed};
 use crate::part::{Part, SurfaceEdit, SurfaceRule};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;

@@ -49,9 +49,9 @@ pub(super) struct Trial {
 
 /// Old numbers used or given out by edits that could not be repeated.
 #[derive(Default)]
-struct Spoilt(Vec<RangeInclusive<u32>>);
+struct LostNumbers(Vec<RangeInclusive<u32>>);
 
-impl Spoilt {
+impl LostNumbers {
     fn contains(&self, number: u32) -> bool {
         self.0.iter().any(|range| range.contains(&number))
     }
@@ -63,9 +63,9 @@ impl SurfaceSearch<'_> {
         let moved = |l: &Landmark| Landmark { number: l.number, print: l.print.moved(new_from_old) };
         let diagonal = self.landmarks.diagonal * new_from_old.scaling();
         let mut now = self.base.clone();
-        let (mut edits, mut lost_edits, mut spoilt) = (Vec::new(), Vec::new(), Spoilt::default());
+        let (mut edits, mut lost_edits, mut lost_numbers) = (Vec::new(), Vec::new(), LostNumbers::default());
         for (index, edit) in self.edits.iter().enumerate() {
-            match self.repeated(&mut now, index, &spoilt, new_from_old) {
+            match self.repeated(&mut now, index, &lost_numbers, new_from_old) {
                 Ok(None) => {}
                 Ok(Some(edit)) => {
                     now.apply(&edit);
@@ -73,14 +73,14 @@ impl SurfaceSearch<'_> {
                 }
                 Err(why) => {
                     lost_edits.push(LostEdit { index, why });
-                    spoilt.0.extend(operands(edit).iter().map(|&n| n..=n));
-                    spoilt.0.push(self.landmarks.numbers_given_by(index));
+                    lost_numbers.0.extend(operands(edit).iter().map(|&n| n..=n));
+                    lost_numbers.0.push(self.landmarks.numbers_given_by(index));
                 }
             }
         }
         let mut surfaces = paired(self.landmarks.surfaces.iter().map(moved), &Lineup::new(now.landmarks()), diagonal);
         let asked = self.landmarks.surfaces.iter().map(|l| l.number).chain(self.needed.iter().copied());
-        for number in asked.filter(|n| spoilt.contains(*n)) {
+        for number in asked.filter(|n| lost_numbers.contains(*n)) {
             surfaces.numbers.remove(&number);
             surfaces.lost.insert(number, LostReason::EditNotRepeated);
         }
@@ -106,7 +106,7 @@ impl SurfaceSearch<'_> {
         &self,
         now: &mut Segmentation,
         index: usize,
-        spoilt: &Spoilt,
+        lost_numbers: &LostNumbers,
         new_from_old: &Similarity3<f64>,
     ) -> Result<Option<SurfaceEdit>, LostReason> {
         let edit = &self.edits[index];
@@ -117,7 +117,7 @@ impl SurfaceSearch<'_> {
         if mark.operands.iter().any(|o| !operands(edit).contains(&o.number)) {
             return Err(LostReason::NotRemembered);
         }
-        if mark.operands.iter().any(|o| spoilt.contains(o.number)) {
+        if mark.operands.iter().any(|o| lost_numbers.contains(o.number)) {
             return Err(LostReason::EditNotRepeated);
         }
         let numbers = self.operands_now(now, mark, new_from_old)?;

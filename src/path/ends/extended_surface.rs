@@ -3,7 +3,7 @@
 use super::rim::rim;
 use super::tree::Tree;
 use crate::part::distance::{segment_triangle, segments};
-use crate::part::{Mesh, angle::between_deg, surfaces::Surface, topology::Dead, topology::NO_EDGE};
+use crate::part::{Mesh, angle::between_deg, surfaces::Surface, topology::FacetDefect, topology::NO_EDGE};
 use nalgebra::Point3;
 use std::collections::{BTreeSet, VecDeque};
 
@@ -79,7 +79,7 @@ pub fn extended(mesh: &Mesh, surface: &Surface, over_mm: f64) -> ExtendedSurface
 
 /// The two live facets of an edge that meet at less than the limit, wound alike.
 fn gentle(mesh: &Mesh, edge: u32) -> Option<[u32; 2]> {
-    let mut live = mesh.edge_facets(edge).iter().copied().filter(|&f| mesh.dead[f as usize] == Dead::No);
+    let mut live = mesh.edge_facets(edge).iter().copied().filter(|&f| mesh.defects[f as usize] == FacetDefect::None);
     let (f, g) = (live.next()?, live.next()?);
     let only = live.next().is_none() && mesh.runs_forward(f, edge) != mesh.runs_forward(g, edge);
     let turn_deg = between_deg(&mesh.normals[f as usize], &mesh.normals[g as usize]);

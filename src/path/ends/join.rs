@@ -12,7 +12,7 @@ const TOUCHING_MM: f64 = 1e-6;
 
 /// What was dropped for being short.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Short {
+pub struct DroppedLines {
     /// Number of lines.
     pub count: usize,
     /// Their lit length, mm.
@@ -68,8 +68,8 @@ pub fn joined(lines: Vec<TransversalLine>, join_mm: f64) -> Vec<TransversalLine>
 }
 
 /// Leaves out lines of less lit length than `shortest_mm`, and says what those were.
-pub fn without_short(lines: Vec<TransversalLine>, shortest_mm: f64) -> (Vec<TransversalLine>, Short) {
-    let mut short = Short::default();
+pub fn without_short(lines: Vec<TransversalLine>, shortest_mm: f64) -> (Vec<TransversalLine>, DroppedLines) {
+    let mut short = DroppedLines::default();
     let long = lines.into_iter().filter(|line| {
         let length_mm = line.length_mm();
         let is_short = length_mm < shortest_mm;

@@ -18,5 +18,5 @@ mod tests;
 
 pub use clip::{inset, run_over};
 pub use extended_surface::{ExtendedSurface, extended};
-pub use join::{Short, joined, without_short};
+pub use join::{DroppedLines, joined, without_short};
 pub use rim::{Rim, RimLoop, rim};

@@ -2,7 +2,7 @@
 //! holes.
 
 use crate::part::angle::between_deg;
-use crate::part::{Mesh, surfaces::Surface, topology::Dead, topology::NO_EDGE};
+use crate::part::{Mesh, surfaces::Surface, topology::FacetDefect, topology::NO_EDGE};
 use nalgebra::{Point3, Vector3};
 
 /// The outline of a surface.
@@ -100,7 +100,7 @@ struct SurfaceFacets<'a> {
 
 impl SurfaceFacets<'_> {
     fn has(&self, facet: u32) -> bool {
-        self.mesh.dead[facet as usize] == Dead::No && self.surface.facets.binary_search(&facet).is_ok()
+        self.mesh.defects[facet as usize] == FacetDefect::None && self.surface.facets.binary_search(&facet).is_ok()
     }
 
     fn at_edge(&self, edge: u32) -> impl Iterator<Item = u32> {

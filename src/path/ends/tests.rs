@@ -1,10 +1,11 @@
 //! Rims, insets and run-overs in closed form and against brute force. No timing: that is for benches.
 
 use super::*;
+use crate::part::SurfaceRule;
 use crate::part::distance::point_segment;
 use crate::part::merge_tree::{MergeTree, dihedral_angles};
 use crate::part::stl::RawFacet;
-use crate::part::surfaces::{Surface, SurfaceRule, Surfaces};
+use crate::part::surfaces::{Surface, Surfaces};
 use crate::part::{Mesh, angle::between_deg};
 use crate::path::normals::VertexNormals;
 use crate::path::section::{SectionPoint, TransversalLine, sections};

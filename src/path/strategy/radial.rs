@@ -97,7 +97,7 @@ pub(super) fn wrapped(angle: f64) -> f64 {
 }
 
 /// Where a curve comes in over a rim: facet, edge and place.
-type Entry = (u32, u32, Point3<f64>);
+type RimEntry = (u32, u32, Point3<f64>);
 
 struct Walk<'a> {
     net: &'a Net,
@@ -222,11 +222,11 @@ impl Walk<'_> {
     }
 
     /// The nearest rim further inwards in the half-plane: facet, edge and place.
-    fn over_gap(&self, here: &Point3<f64>, plane: &HalfPlane<'_>) -> Option<Entry> {
+    fn over_gap(&self, here: &Point3<f64>, plane: &HalfPlane<'_>) -> Option<RimEntry> {
         let mesh = &self.net.mesh;
         let from = self.axis.radius_mm(here) * (1.0 - 1e-9);
         let sector = ((plane.angle / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
-        let mut best: Option<(f64, Entry)> = None;
+        let mut best: Option<(f64, RimEntry)> = None;
         for &e in &self.rims[sector] {
             let Some(&f) = mesh.edge_facets(e).first() else { continue };
             let Some(k) = mesh.facet_edges[f as usize].iter().position(|&x| x == e) else { continue };

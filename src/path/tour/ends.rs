@@ -1,6 +1,6 @@
 //! The lines of a tour: where each is entered and left, and the way between.
 
-use super::Sense;
+use super::sense::Sense;
 use crate::path::section::TransversalLine;
 use nalgebra::Point3;
 

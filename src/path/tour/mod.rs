@@ -10,23 +10,16 @@ mod exact;
 mod proximity;
 mod seams;
 mod search;
+mod sense;
 mod shift;
 
+pub use sense::Sense;
 pub use shift::shift_seams;
 
 use super::order::{Order, ordered};
 use super::section::TransversalLine;
 use ends::{LineVisit, TourLines};
 use nalgebra::{Point3, Vector3};
-
-/// In which sense open lines may be run. Closed ones keep theirs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sense {
-    /// From either end.
-    Either,
-    /// As they are: cladding in one direction, or spirals that are to end outside.
-    Kept,
-}
 
 /// Below this many lines the order is solved exactly.
 const EXACT_BELOW: usize = 12;

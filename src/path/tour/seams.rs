@@ -1,8 +1,8 @@
 //! The best entries along a given order: dynamic programming over some points of every closed line (and both
 //! ends of open ones), then each seam by itself among all its points.
 
-use super::Sense;
 use super::ends::{LineVisit, TourLines};
+use super::sense::Sense;
 
 /// Points of a closed line spread over it that are looked at beside those nearest to its neighbours.
 const SPREAD: usize = 12;

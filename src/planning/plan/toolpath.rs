@@ -7,7 +7,7 @@ use crate::document::model::{Job, Layers};
 use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
 use crate::path::coverage::{Coverage, coverage};
-use crate::path::ends::{self, Short};
+use crate::path::ends::{self, DroppedLines};
 use crate::path::neighbour_axes::neighbour_axes;
 use crate::path::normals::VertexNormals;
 use crate::path::strategy::{self, Achieved, Layout, Strategy, SurfaceLines};
@@ -92,7 +92,7 @@ pub fn plan_toolpath(
     };
     let found = lines_to_rim(part, surfaces, surface, &family, by, &mut remarks);
     let lines = if l.join_mm > 0.0 { ends::joined(found.lines, l.join_mm) } else { found.lines };
-    let (lines, Short { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
+    let (lines, DroppedLines { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
     if count > 0 {
         remarks.push(ToolpathRemark::TooShort { pieces: count, length_mm, shortest_mm: l.shortest_mm });
     }

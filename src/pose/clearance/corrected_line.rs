@@ -3,7 +3,7 @@
 
 use super::CorrectedPoint;
 use super::site_tilts::SiteTilts;
-use super::track::{Lean, Site, Track};
+use super::track::{Site, TiltVector, Track};
 use crate::path::DensePoint;
 use crate::pose::{Beam, motion};
 use nalgebra::Vector3;
@@ -15,7 +15,7 @@ const END_MM: f64 = 0.05;
 pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTilts]) -> Vec<CorrectedPoint> {
     // Tested once more, whatever step a tilt came from.
     let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
-    let row = |site: &Site, tilt: Option<Lean>, is_split: bool| CorrectedPoint {
+    let row = |site: &Site, tilt: Option<TiltVector>, is_split: bool| CorrectedPoint {
         q: site.q,
         axis: tilt.map(|t| site.axis(&t)).filter(|a| is_free(&site.q, a)),
         aim: site.axis(&site.aim),
@@ -37,10 +37,10 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
         let (low, high) = (tilts.leave.or(tilts.arrive), after.arrive.or(after.leave));
         let (mut from, mut to) = (site.midway(next, 0.0), site.midway(next, 1.0));
         if let Some(tilt) = low {
-            from = last_free_site(beam, track, (site, next), tilt, 0.0);
+            from = last_free_site(beam, track, site, next, tilt, 0.0);
         }
         if let Some(tilt) = high {
-            to = last_free_site(beam, track, (site, next), tilt, 1.0);
+            to = last_free_site(beam, track, site, next, tilt, 1.0);
         }
         if low.is_some() && from.arc_mm > site.arc_mm && from.arc_mm < next.arc_mm {
             out.push(row(&from, low, false));
@@ -59,7 +59,7 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
 }
 
 /// The last site, going from one end of a gap, at which a constant tilt is free.
-fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, (site, next): (&Site, &Site), tilt: Lean, from: f64) -> Site {
+fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, site: &Site, next: &Site, tilt: TiltVector, from: f64) -> Site {
     let start = site.midway(next, from);
     let good = |t: f64| {
         let there = site.midway(next, t);

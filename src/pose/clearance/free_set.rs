@@ -2,7 +2,7 @@
 //! half a degree where the coarse grid finds none.
 
 use super::grid;
-use super::track::{Lean, Site, Track};
+use super::track::{Site, TiltVector, Track};
 use crate::part::{Part, bvh};
 use crate::pose::Beam;
 use crate::pose::tilt::Tilt;
@@ -40,7 +40,7 @@ pub fn free_set(
     max_tilt_deg: f64,
 ) -> Vec<TestedDirection> {
     let cells = grid::disc(max_tilt_deg, grid::coarse_spacing_deg(max_tilt_deg));
-    let direction = |c: Lean| {
+    let direction = |c: TiltVector| {
         let tilt = Tilt { lead_deg: c.x, lean_deg: c.y };
         let axis = tilt.axis(n, tangent);
         TestedDirection { tilt, axis, is_free: beam.is_free(p, &axis) }
@@ -50,15 +50,15 @@ pub fn free_set(
 
 /// Free tilts at a point, on a grid of half a degree; empty only if none of that grid is free. Squares that lie
 /// behind a single facet are skipped as a whole.
-pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) -> Vec<Lean> {
+pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) -> Vec<TiltVector> {
     let mut out = Vec::new();
     let search = Openings { part, beam, track, site };
     let count = (track.max_tilt_deg / (2.0 * HALF_SQUARE_DEG)).ceil() as i32;
     for row in -count..=count {
         for column in -count..=count {
             // Shifted so that the middles of the last squares are multiples of half a degree.
-            let middle =
-                Lean::new(f64::from(column), f64::from(row)) * (2.0 * HALF_SQUARE_DEG) + Lean::repeat(HALF_LEAST_DEG);
+            let middle = TiltVector::new(f64::from(column), f64::from(row)) * (2.0 * HALF_SQUARE_DEG)
+                + TiltVector::repeat(HALF_LEAST_DEG);
             search.within(&middle, HALF_SQUARE_DEG, &mut out);
         }
     }
@@ -73,7 +73,7 @@ struct Openings<'a> {
 }
 
 impl Openings<'_> {
-    fn within(&self, middle: &Lean, half_deg: f64, out: &mut Vec<Lean>) {
+    fn within(&self, middle: &TiltVector, half_deg: f64, out: &mut Vec<TiltVector>) {
         let corner_deg = half_deg * std::f64::consts::SQRT_2;
         if out.len() >= ENOUGH || middle.norm() - corner_deg > self.track.max_tilt_deg {
             return;
@@ -81,16 +81,17 @@ impl Openings<'_> {
         let p = &self.site.q.p;
         if half_deg <= HALF_LEAST_DEG {
             let tilt = grid::at_rim(*middle, self.track.max_tilt_deg, 2.0 * HALF_LEAST_DEG);
-            let is_free = |t: &Lean| self.track.allows(self.site, t) && self.beam.is_free(p, &self.site.axis(t));
+            let is_free = |t: &TiltVector| self.track.allows(self.site, t) && self.beam.is_free(p, &self.site.axis(t));
             out.extend(tilt.filter(is_free));
             return;
         }
-        let corners =
-            |half: f64| [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| Lean::new(x, y));
+        let corners = |half: f64| {
+            [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| TiltVector::new(x, y))
+        };
         if let Some(facet) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
             let facet = self.part.mesh.corners(facet as usize);
             let is_behind =
-                |c: Lean| bvh::ray_hit_mm(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
+                |c: TiltVector| bvh::ray_hit_mm(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);
             if corners(half_deg * INFLATED).into_iter().all(is_behind) {
                 return;
             }

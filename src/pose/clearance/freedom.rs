@@ -3,7 +3,7 @@
 use super::bins::Bins;
 use super::grid::{self, GridCell};
 use super::search::{ChainSearch, ChainSteps, LayerCosts};
-use super::track::{Lean, Track};
+use super::track::{TiltVector, Track};
 use crate::pose::motion;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,7 +16,7 @@ pub const NEARNESS_DEG2: f64 = 4.0;
 const NEAR_DEG: f64 = 6.0;
 
 /// Cost of a tilt itself, per mm of line.
-fn cost_of(track: &Track<'_>, site: usize, tilt: &Lean) -> f64 {
+fn cost_of(track: &Track<'_>, site: usize, tilt: &TiltVector) -> f64 {
     let s = &track.sites[site];
     s.pull * (tilt - s.aim).norm() + DOSE_DEG * (1.0 - libm::cos(tilt.norm().to_radians()))
 }
@@ -44,8 +44,13 @@ impl ChainSearch<'_> {
         LayerCosts { weight, assumed, bins, arrive: Vec::new(), off: (Default::default(), None), leave: Vec::new() }
     }
 
-    /// Whether a candidate is free (`None`: not allowed at all), and whether that was only inferred from a coarser grid.
-    fn freedom_of(&self, k: usize, tilt: &Lean, coarse: &mut BTreeMap<GridCell, Option<bool>>) -> (Option<bool>, bool) {
+    /// Whether a candidate is free (`None`: not allowed at all), and whether a coarser grid was trusted for it.
+    fn freedom_of(
+        &self,
+        k: usize,
+        tilt: &TiltVector,
+        coarse: &mut BTreeMap<GridCell, Option<bool>>,
+    ) -> (Option<bool>, bool) {
         let layer = &self.layers[k];
         let site = &self.track.sites[layer.site];
         let Some(spacing_deg) = layer.coarser_deg.filter(|_| !layer.given && self.track.allows(site, tilt)) else {
@@ -68,7 +73,7 @@ impl ChainSearch<'_> {
     }
 
     /// Whether the beam is free over the layer's stretch of the line; `None`: not allowed at all.
-    fn is_free(&self, k: usize, tilt: &Lean) -> Option<bool> {
+    fn is_free(&self, k: usize, tilt: &TiltVector) -> Option<bool> {
         let layer = &self.layers[k];
         let sites = &self.track.sites;
         let here = layer.site;
@@ -125,7 +130,7 @@ impl ChainSearch<'_> {
 
     /// Whether the beam is free from one candidate to one of the next layer, at the points between and
     /// on the motions.
-    fn is_way(&self, k: usize, from: &Lean, to: &Lean) -> bool {
+    fn is_way(&self, k: usize, from: &TiltVector, to: &TiltVector) -> bool {
         let (a, b) = (self.layers[k].site, self.layers[k + 1].site);
         let sites = &self.track.sites;
         let whole = (sites[b].arc_mm - sites[a].arc_mm).max(1e-12);

@@ -59,9 +59,8 @@ pub fn correct(
         places_mm.push(places_mm[places_mm.len() - 1] + (w[1].p - w[0].p).norm());
     }
     let round_mm = places_mm.last().copied().filter(|_| closed);
-    let limits = (rules.max_tilt_deg, rules.tilt_rate_deg_mm);
     let tangents = dense::tangents(points, closed);
-    let track = Track::new(points, &tangents, (&places_mm, round_mm), &rules.tilt, &pins, limits);
+    let track = Track::new(points, &tangents, &places_mm, round_mm, rules, &pins);
     let windows = Windows::new(part, beam, &track, free);
     let has_search = !windows.ok.iter().all(|ok| *ok);
     if !closed || !has_search {
@@ -77,7 +76,7 @@ pub fn correct(
         let tangents: Vec<Vector3<f64>> = at.iter().map(|&i| tangents[i]).collect();
         let places: Vec<f64> = at.iter().map(|&i| places_mm[i]).collect();
         let free = at.iter().map(|&i| free[i]).collect();
-        (Track::new(&points, &tangents, (&places, round_mm), &rules.tilt, &pins, limits), free)
+        (Track::new(&points, &tangents, &places, round_mm, rules, &pins), free)
     };
     let ok = &windows.ok[..count];
     let (seam, held) = match windows::middle_of_longest(ok) {

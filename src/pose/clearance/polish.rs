@@ -2,7 +2,7 @@
 
 use super::freedom::NEARNESS_DEG2;
 use super::site_tilts::SiteTilts;
-use super::track::{Lean, Track};
+use super::track::{TiltVector, Track};
 use crate::pose::{Beam, motion};
 
 /// Steps in which a tilt is drawn towards its aim, degrees.
@@ -20,7 +20,7 @@ const FARTHER_DEG: f64 = 1.0;
 const SWEEPS: usize = 6;
 
 /// Draws the tilts of points `first` to `last` to their aims.
-pub fn polish(beam: &Beam<'_>, track: &Track<'_>, (first, last): (usize, usize), site_tilts: &mut [SiteTilts]) {
+pub fn polish(beam: &Beam<'_>, track: &Track<'_>, first: usize, last: usize, site_tilts: &mut [SiteTilts]) {
     let mut at = first;
     while at < last {
         // A piece: lit from point to point, without a split inside.
@@ -61,28 +61,28 @@ struct LitRun<'a> {
 }
 
 impl LitRun<'_> {
-    fn is_free(&self, k: usize, tilt: &Lean) -> bool {
+    fn is_free(&self, k: usize, tilt: &TiltVector) -> bool {
         let site = &self.track.sites[self.from + k];
         self.track.allows(site, tilt) && self.beam.is_free(&site.q.p, &site.axis(tilt))
     }
 
-    fn aim(&self, k: usize) -> Lean {
+    fn aim(&self, k: usize) -> TiltVector {
         self.track.sites[self.from + k].aim
     }
 
-    fn may_turn(&self, k: usize, from: &Lean, to: &Lean) -> bool {
+    fn may_turn(&self, k: usize, from: &TiltVector, to: &TiltVector) -> bool {
         let sites = &self.track.sites;
         self.track.may_turn((&sites[self.from + k], from), (&sites[self.from + k + 1], to))
     }
 
-    fn polished(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+    fn polished(&self, tilts: &[TiltVector], held: (bool, bool)) -> Vec<TiltVector> {
         let drawn = self.drawn_to_aim(tilts, held);
         let smooth = self.smoothed(&drawn, held);
         [smooth, drawn].into_iter().find(|t| self.is_good(t)).unwrap_or_else(|| tilts.to_vec())
     }
 
     /// Whether the beam can follow these tilts: no turn too fast, and every motion free.
-    fn is_good(&self, tilts: &[Lean]) -> bool {
+    fn is_good(&self, tilts: &[TiltVector]) -> bool {
         let sites = &self.track.sites[self.from..];
         tilts.windows(2).enumerate().all(|(k, w)| {
             self.may_turn(k, &w[0], &w[1])
@@ -92,7 +92,7 @@ impl LitRun<'_> {
 
     /// The tilts drawn straight towards their aims, each as far as it is free with something to spare, and no farther
     /// than the tilt rate allows beside its neighbours.
-    fn drawn_to_aim(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+    fn drawn_to_aim(&self, tilts: &[TiltVector], held: (bool, bool)) -> Vec<TiltVector> {
         let last = tilts.len() - 1;
         let whole: Vec<f64> = tilts.iter().enumerate().map(|(k, t)| (t - self.aim(k)).norm()).collect();
         let at = |k: usize, size: f64| match whole[k] {
@@ -132,7 +132,7 @@ impl LitRun<'_> {
     }
 
     /// The least size to which a tilt can shrink without being blocked on the way, enlarged by what it keeps to spare.
-    fn least_free_size(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+    fn least_free_size(&self, k: usize, whole: f64, at: &impl Fn(usize, f64) -> TiltVector) -> f64 {
         let good = |size: f64| self.is_free(k, &at(k, size));
         let mut low = whole;
         loop {
@@ -154,7 +154,7 @@ impl LitRun<'_> {
 
     /// The size, from the least free one on, at which the cost of tilt and nearness is least. Nearness is 1/clearance
     /// for beam and head; a ray keeps a fixed angle from what is blocked.
-    fn size_with_clearance(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> Lean) -> f64 {
+    fn size_with_clearance(&self, k: usize, low: f64, whole: f64, at: &impl Fn(usize, f64) -> TiltVector) -> f64 {
         let site = &self.track.sites[self.from + k];
         let cost = |size: f64| {
             let clearance_mm = self.beam.clearance_within_mm(&site.q.p, &site.axis(&at(k, size)), FAR_MM)?;
@@ -171,7 +171,7 @@ impl LitRun<'_> {
     }
 
     /// Each tilt moved between those of its neighbours, where it stays free with a step to spare.
-    fn smoothed(&self, tilts: &[Lean], held: (bool, bool)) -> Vec<Lean> {
+    fn smoothed(&self, tilts: &[TiltVector], held: (bool, bool)) -> Vec<TiltVector> {
         let mut out = tilts.to_vec();
         let last = tilts.len() - 1;
         let sites = &self.track.sites[self.from..];

@@ -7,7 +7,7 @@
 //! splits, and splits before all else.
 
 use super::bins::Bins;
-use super::track::{Lean, Track};
+use super::track::{TiltVector, Track};
 use crate::pose::Beam;
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ pub struct TiltLayer {
     /// Index of the point.
     pub site: usize,
     /// Its candidates.
-    pub tilts: Vec<Lean>,
+    pub tilts: Vec<TiltVector>,
     /// Whether they are fixed from outside; then they are not tested.
     pub given: bool,
     /// Spacing of a coarser grid that is tested first: candidates among its free cells count as free until the chain
@@ -52,9 +52,9 @@ impl Cost {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     /// Arriving.
-    pub arrive: Vec<Option<Lean>>,
+    pub arrive: Vec<Option<TiltVector>>,
     /// Leaving.
-    pub leave: Vec<Option<Lean>>,
+    pub leave: Vec<Option<TiltVector>>,
     /// Its cost.
     pub cost: Cost,
 }

@@ -7,12 +7,12 @@
 
 use crate::part::angle;
 use crate::path::DensePoint;
-use crate::pose::Pose;
 use crate::pose::tilt::{Pin, Tilt, TiltRule};
+use crate::pose::{LineRules, Pose};
 use nalgebra::{Vector2, Vector3};
 
 /// A tilt in the carried frame, degrees.
-pub type Lean = Vector2<f64>;
+pub type TiltVector = Vector2<f64>;
 
 /// A pin draws the beam this far to either side of its place, mm, and farther where the beam cannot
 /// turn back in less.
@@ -36,16 +36,16 @@ pub struct Site {
     /// Along the line, mm.
     pub arc_mm: f64,
     /// What the surface's rule prefers.
-    pub base: Lean,
+    pub base: TiltVector,
     /// What rule and pins together prefer.
-    pub aim: Lean,
+    pub aim: TiltVector,
     /// How much a degree away from the aim weighs.
     pub pull: f64,
 }
 
 impl Site {
     /// The beam axis of a tilt.
-    pub fn axis(&self, tilt: &Lean) -> Vector3<f64> {
+    pub fn axis(&self, tilt: &TiltVector) -> Vector3<f64> {
         let whole = tilt.norm();
         if whole == 0.0 {
             return self.q.n;
@@ -55,25 +55,25 @@ impl Site {
     }
 
     /// The pose of the beam with a tilt.
-    pub fn pose(&self, tilt: &Lean) -> Pose {
+    pub fn pose(&self, tilt: &TiltVector) -> Pose {
         Pose { p: self.q.p, a: self.axis(tilt) }
     }
 
     /// The tilt of a beam axis.
-    pub fn tilt_of(&self, axis: &Vector3<f64>) -> Lean {
-        let flat = Lean::new(axis.dot(&self.e1), axis.dot(&self.e2));
-        flat.try_normalize(1e-12).map_or_else(Lean::zeros, |d| d * angle::between_deg(axis, &self.q.n))
+    pub fn tilt_of(&self, axis: &Vector3<f64>) -> TiltVector {
+        let flat = TiltVector::new(axis.dot(&self.e1), axis.dot(&self.e2));
+        flat.try_normalize(1e-12).map_or_else(TiltVector::zeros, |d| d * angle::between_deg(axis, &self.q.n))
     }
 
     /// As lead and lean.
-    fn seen(&self, tilt: &Lean) -> Tilt {
+    fn seen(&self, tilt: &TiltVector) -> Tilt {
         let (cos, sin) = self.travel;
         Tilt { lead_deg: tilt.x * cos + tilt.y * sin, lean_deg: tilt.y * cos - tilt.x * sin }
     }
 
-    fn carried(&self, tilt: Tilt) -> Lean {
+    fn carried(&self, tilt: Tilt) -> TiltVector {
         let (cos, sin) = self.travel;
-        Lean::new(tilt.lead_deg * cos - tilt.lean_deg * sin, tilt.lead_deg * sin + tilt.lean_deg * cos)
+        TiltVector::new(tilt.lead_deg * cos - tilt.lean_deg * sin, tilt.lead_deg * sin + tilt.lean_deg * cos)
     }
 
     /// The place at a share of the way to the next.
@@ -114,17 +114,19 @@ pub struct Track<'a> {
 }
 
 impl<'a> Track<'a> {
-    /// `places_mm`: where the points stand on the line as the operator knows it, for the pins, and the
-    /// line's length if it is closed.
+    /// The track of points with their tangents, under the rules of a line, of which `pins` are those that concern it.
+    /// `places_mm`: where the points lie on the line as the operator knows it, for the pins; `round_mm`: the line's
+    /// length if it is closed.
     pub fn new(
         points: &[DensePoint],
         tangents: &[Vector3<f64>],
-        (places_mm, round_mm): (&[f64], Option<f64>),
-        rule: &'a TiltRule,
+        places_mm: &[f64],
+        round_mm: Option<f64>,
+        rules: &'a LineRules,
         pins: &[Pin],
-        (max_tilt_deg, rate_deg_mm): (f64, f64),
     ) -> Track<'a> {
-        let rate_deg_mm = RATE_SHARE * rate_deg_mm;
+        let (rule, max_tilt_deg) = (&rules.tilt, rules.max_tilt_deg);
+        let rate_deg_mm = RATE_SHARE * rules.tilt_rate_deg_mm;
         let aim = rule.aim(max_tilt_deg);
         let mut sites: Vec<Site> = Vec::with_capacity(points.len());
         for ((q, tangent), place_mm) in points.iter().zip(tangents).zip(places_mm) {
@@ -136,21 +138,21 @@ impl<'a> Track<'a> {
                     (e1, e2, before.arc_mm + (q.p - before.q.p).norm())
                 }
             };
-            let travel = Lean::new(ahead.dot(&e1), ahead.dot(&e2));
-            let travel = travel.try_normalize(1e-9).unwrap_or_else(Lean::x);
+            let travel = TiltVector::new(ahead.dot(&e1), ahead.dot(&e2));
+            let travel = travel.try_normalize(1e-9).unwrap_or_else(TiltVector::x);
             let mut site = Site {
                 q: *q,
                 e1,
                 e2,
                 travel: (travel.x, travel.y),
                 arc_mm,
-                base: Lean::zeros(),
-                aim: Lean::zeros(),
+                base: TiltVector::zeros(),
+                aim: TiltVector::zeros(),
                 pull: 1.0,
             };
             site.base = site.carried(aim);
             site.aim = site.base;
-            let (mut sum, mut weights) = (Lean::zeros(), 0.0);
+            let (mut sum, mut weights) = (TiltVector::zeros(), 0.0);
             for pin in pins {
                 let tilt = site.carried(pin.tilt);
                 let tilt = tilt * (max_tilt_deg / tilt.norm().max(max_tilt_deg));
@@ -169,12 +171,12 @@ impl<'a> Track<'a> {
     }
 
     /// Whether a tilt is within the process limit and the surface's rule.
-    pub fn allows(&self, site: &Site, tilt: &Lean) -> bool {
+    pub fn allows(&self, site: &Site, tilt: &TiltVector) -> bool {
         tilt.norm() <= self.max_tilt_deg + 1e-6 && self.rule.allows(site.seen(tilt))
     }
 
     /// Whether the tilt may change so between two places.
-    pub fn may_turn(&self, from: (&Site, &Lean), to: (&Site, &Lean)) -> bool {
+    pub fn may_turn(&self, from: (&Site, &TiltVector), to: (&Site, &TiltVector)) -> bool {
         (to.1 - from.1).norm() <= self.rate_deg_mm * (to.0.arc_mm - from.0.arc_mm) + 1e-9
     }
 }

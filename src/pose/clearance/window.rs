@@ -3,7 +3,7 @@
 use super::free_set::openings;
 use super::search::{self, Chain, TiltLayer};
 use super::site_tilts::SiteTilts;
-use super::track::{Lean, Track};
+use super::track::{TiltVector, Track};
 use super::{grid, polish};
 use crate::part::Part;
 use crate::pose::Beam;
@@ -33,9 +33,9 @@ pub(super) struct Window<'a> {
     /// Its last point.
     pub(super) last: usize,
     /// The tilt at the first point, where it is given.
-    pub(super) start: Option<Lean>,
+    pub(super) start: Option<TiltVector>,
     /// The tilt at the last.
-    pub(super) finish: Option<Lean>,
+    pub(super) finish: Option<TiltVector>,
 }
 
 impl Window<'_> {
@@ -67,7 +67,7 @@ impl Window<'_> {
         if openings.iter().any(|o| !o.is_empty()) {
             self.in_tube(FINEST_DEG, 2.0, &openings, out);
         }
-        polish::polish(self.beam, track, (self.first, self.last), out);
+        polish::polish(self.beam, track, self.first, self.last, out);
     }
 
     fn widest_gap_mm(&self) -> f64 {
@@ -94,7 +94,7 @@ impl Window<'_> {
         out
     }
 
-    fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<Lean>) -> TiltLayer {
+    fn layer(&self, site: usize, coarser_deg: Option<f64>, tilts: impl FnOnce() -> Vec<TiltVector>) -> TiltLayer {
         let given = if site == self.first {
             self.start
         } else if site == self.last {
@@ -106,11 +106,11 @@ impl Window<'_> {
     }
 
     /// Whether a tilt can be reached from the given ends. Only tilts beside the core are limited by this.
-    fn is_within_reach(&self, site: usize, tilt: &Lean) -> bool {
+    fn is_within_reach(&self, site: usize, tilt: &TiltVector) -> bool {
         let track = self.track;
         let arc_mm = |i: usize| track.sites[i].arc_mm;
         let reaches =
-            |end: Option<Lean>, mm: f64| end.is_none_or(|e| (tilt - e).norm() <= track.rate_deg_mm * mm + 1e-9);
+            |end: Option<TiltVector>, mm: f64| end.is_none_or(|e| (tilt - e).norm() <= track.rate_deg_mm * mm + 1e-9);
         (site >= self.core || reaches(self.start, arc_mm(site) - arc_mm(self.first)))
             && (site <= self.end || reaches(self.finish, arc_mm(self.last) - arc_mm(site)))
     }
@@ -119,11 +119,11 @@ impl Window<'_> {
     fn on_grid(&self, spacing_deg: f64, coarser_deg: Option<f64>) -> (Vec<TiltLayer>, Chain) {
         let track = self.track;
         let cells = grid::disc(track.max_tilt_deg + 0.5 * spacing_deg, spacing_deg);
-        let at_rim = |t: Lean| grid::at_rim(t, track.max_tilt_deg, spacing_deg);
+        let at_rim = |t: TiltVector| grid::at_rim(t, track.max_tilt_deg, spacing_deg);
         let layer = |site: usize| {
             self.layer(site, coarser_deg, || {
                 let s = &track.sites[site];
-                let mut tilts: Vec<Lean> = cells.iter().filter_map(|c| at_rim(s.base + c)).collect();
+                let mut tilts: Vec<TiltVector> = cells.iter().filter_map(|c| at_rim(s.base + c)).collect();
                 tilts.extend((s.aim != s.base).then_some(s.aim));
                 tilts.retain(|t| self.is_within_reach(site, t));
                 tilts
@@ -135,13 +135,14 @@ impl Window<'_> {
     }
 
     /// Improves what is there, within a radius of it.
-    fn in_tube(&self, spacing_deg: f64, radius_deg: f64, openings: &[Vec<Lean>], out: &mut [SiteTilts]) {
+    fn in_tube(&self, spacing_deg: f64, radius_deg: f64, openings: &[Vec<TiltVector>], out: &mut [SiteTilts]) {
         let track = self.track;
         let before = out.to_vec();
         let layer = |site: usize| {
             self.layer(site, None, || {
                 let s = &track.sites[site];
-                let mut middles: Vec<Lean> = [before[site].arrive, before[site].leave].into_iter().flatten().collect();
+                let mut middles: Vec<TiltVector> =
+                    [before[site].arrive, before[site].leave].into_iter().flatten().collect();
                 if middles.is_empty() {
                     middles.extend(self.tilts_beside(site, &before));
                 }
@@ -151,7 +152,7 @@ impl Window<'_> {
                     grid::add_disc(&mut cells, &(m - s.base), radius_deg, spacing_deg);
                 }
                 let tilt = |c| grid::at_rim(s.base + grid::middle(c, spacing_deg), track.max_tilt_deg, spacing_deg);
-                let mut tilts: Vec<Lean> = cells.into_iter().filter_map(tilt).collect();
+                let mut tilts: Vec<TiltVector> = cells.into_iter().filter_map(tilt).collect();
                 let near = middles.iter().any(|m| (m - s.aim).norm() <= radius_deg);
                 tilts.extend(near.then_some(s.aim));
                 tilts.extend(middles);
@@ -165,7 +166,7 @@ impl Window<'_> {
     }
 
     /// Beams of the nearest points on both sides where the laser is on.
-    fn tilts_beside(&self, site: usize, site_tilts: &[SiteTilts]) -> Vec<Lean> {
+    fn tilts_beside(&self, site: usize, site_tilts: &[SiteTilts]) -> Vec<TiltVector> {
         let sites = &self.track.sites;
         let near = |i: &usize| (sites[*i].arc_mm - sites[site].arc_mm).abs() <= HOLD_MM;
         let before =
@@ -203,7 +204,7 @@ impl Window<'_> {
     }
 
     /// Openings at points that are still blocked.
-    fn openings(&self, site_tilts: &[SiteTilts]) -> Vec<Vec<Lean>> {
+    fn openings(&self, site_tilts: &[SiteTilts]) -> Vec<Vec<TiltVector>> {
         let (track, sites) = (self.track, &self.track.sites);
         let mut out = vec![Vec::new(); sites.len()];
         let is_dark = |i: usize| site_tilts[i].arrive.is_none() && site_tilts[i].leave.is_none();

@@ -1,7 +1,7 @@
 //! Where a line's aim is blocked, and how far around that it is searched.
 
 use super::site_tilts::SiteTilts;
-use super::track::{Lean, Track};
+use super::track::{TiltVector, Track};
 use super::window::Window;
 use crate::part::Part;
 use crate::pose::{Beam, motion};
@@ -20,7 +20,7 @@ impl<'a> Windows<'a> {
     /// Looks at the aims. `free[i]`: the beam along the normal is free.
     pub fn new(part: &'a Part, beam: &'a Beam<'a>, track: &'a Track<'a>, free: &[bool]) -> Windows<'a> {
         let sites = &track.sites;
-        let plain = |i: usize| sites[i].aim == Lean::zeros();
+        let plain = |i: usize| sites[i].aim == TiltVector::zeros();
         let mut ok: Vec<bool> = (0..sites.len())
             .map(|i| {
                 let s = &sites[i];

@@ -50,6 +50,7 @@ impl<'a> Beam<'a> {
 }
 
 /// The pose in the frame of something that stands at `at`.
+#[inline]
 pub(super) fn into_frame(
     at: Option<&Isometry3<f64>>,
     p: &Point3<f64>,

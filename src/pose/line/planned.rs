@@ -142,7 +142,7 @@ impl Planned {
         if same_axis && sag < 1e-7 {
             return true; // flat: the detection has tested this motion
         }
-        let arc = angle::Arc::new(&from.a, &to.a);
+        let arc = angle::GreatCircle::new(&from.a, &to.a);
         let on_axis = |k: usize| {
             let share = ((self.points[k].p - from.p).dot(&(to.p - from.p)) / (whole * whole)).clamp(0.0, 1.0);
             self.axes[k].is_some_and(|a| angle::between_deg(&arc.at(share), &a) <= AXIS_ERROR_DEG)
@@ -198,7 +198,7 @@ impl Planned {
     /// on the line if the beam kept the tilt it has before the split.
     fn wall(&self, beam: &Beam<'_>, i: usize) -> Option<Blocker> {
         let (q, from, to) = (self.points[i], self.axes[i.checked_sub(1)?]?, self.axes[i]?);
-        let arc = angle::Arc::new(&from, &to);
+        let arc = angle::GreatCircle::new(&from, &to);
         let steps = angle::between_deg(&from, &to).ceil().max(2.0);
         let across = (1..steps as usize).find_map(|k| beam.blocker(&q.p, &arc.at(k as f64 / steps)));
         let kept_on = || {

@@ -6,7 +6,7 @@ use super::draw_strip::draw_strip;
 use super::frame::Frame;
 use crate::document::Edit;
 use crate::part::SurfaceId;
-use crate::pose::access::{AccessColumn, AccessStrip, Over};
+use crate::pose::access::{AccessColumn, AccessStrip, TiltPart};
 use crate::pose::{Correction, Pin};
 use crate::text::say;
 use eframe::egui::{self, Pos2, RichText, Sense, vec2};
@@ -41,7 +41,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 /// Which part of the tilt is shown, and how it is bent.
 fn head(ui: &mut egui::Ui, no_pins: bool, context: Context<'_>, actions: &mut Actions) {
     ui.label(RichText::new(say!(access_strip)).strong());
-    for (over, name) in [(Over::Lead, say!(access_lead)), (Over::Lean, say!(access_lean))] {
+    for (over, name) in [(TiltPart::Lead, say!(access_lead)), (TiltPart::Lean, say!(access_lean))] {
         if ui.selectable_label(context.session.strip_over == over, name).clicked() {
             actions.session(move |s| s.strip_over = over);
         }

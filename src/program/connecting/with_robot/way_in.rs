@@ -78,7 +78,7 @@ impl MovingArm<'_> {
     /// Stands over the part, the last one included. The spin turns on the way as well.
     pub(super) fn along_sphere(&self, out: &ArmStand, above: &ArmStand) -> Option<Vec<ArmStand>> {
         let (u, v) = (self.space.radial(&out.at)?, self.space.radial(&above.at)?);
-        let arc = angle::Arc::new(&u, &v);
+        let arc = angle::GreatCircle::new(&u, &v);
         let (p, q) = (out.at.frame().rotation, above.at.frame().rotation);
         let steps = (angle::between_deg(&u, &v).max(out.at.turn_deg(&above.at)) / ARC_DEG).ceil().max(1.0) as usize;
         let arm = Arm::with_step(self.robot, self.setup, SPINS_DEG);
