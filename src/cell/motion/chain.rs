@@ -6,8 +6,8 @@
 //! possible are left out. All spins are looked at; nothing is sampled or refined, so the chain is the
 //! optimum of these rules.
 
-use super::crowds::{Crowd, crowds};
-use super::states::{Arm, ArmState, Lack, SPIN_STEP_DEG};
+use super::clusters::{StateCluster, clusters};
+use super::states::{Arm, ArmState, NoState, SPIN_STEP_DEG};
 use crate::cell::{Contact, Joints};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
@@ -52,7 +52,7 @@ pub(super) type SolvedTarget = Result<Vec<ArmState>, Unreachable>;
 /// Why a target has no state.
 pub(super) enum Unreachable {
     /// The arm cannot stand there.
-    Lack(Lack),
+    NoState(NoState),
     /// All its states touch something; the contact of the first.
     Contact(Contact),
     /// No way leads there in any branch.
@@ -252,12 +252,12 @@ impl<'a> Rules<'a> {
 
     /// Sets the costs of a target that a connecting move leads to, from any state to any; gives the predecessors.
     fn after_connecting_move(&self, before: &TargetStates, target: &mut TargetStates) -> Vec<u32> {
-        let crowds = crowds(&before.states, &before.cost);
+        let clusters = clusters(&before.states, &before.cost);
         let reach_all = |(states, state_cost): (&[ArmState], &[f64])| -> Vec<(f64, u32)> {
             // What was best for the state before is good for this one, and shows what need not be looked at.
             let mut guess = OUT;
             let reach = |(state, state_cost): (&ArmState, &f64)| {
-                let best = self.cheapest_way(before, &crowds, state, guess);
+                let best = self.cheapest_way(before, &clusters, state, guess);
                 guess = best.1;
                 (best.0 + state_cost, best.1)
             };
@@ -274,7 +274,13 @@ impl<'a> Rules<'a> {
     }
 
     /// Cost and predecessor of a state after a connecting move; `guess` may be a good predecessor.
-    fn cheapest_way(&self, before: &TargetStates, crowds: &[Crowd], state: &ArmState, guess: u32) -> (f64, u32) {
+    fn cheapest_way(
+        &self,
+        before: &TargetStates,
+        clusters: &[StateCluster],
+        state: &ArmState,
+        guess: u32,
+    ) -> (f64, u32) {
         let changed = |branch: u8| if branch == state.branch { 0.0 } else { CHANGED_BRANCH };
         let mut best = (before.left_out, OUT);
         let look = |best: &mut (f64, u32), k: u32| {
@@ -290,14 +296,14 @@ impl<'a> Rules<'a> {
         if guess != OUT {
             look(&mut best, guess);
         }
-        for crowd in crowds {
+        for cluster in clusters {
             // Travel costs something at least: none behind this one can be cheaper.
-            if crowd.cost >= best.0 {
+            if cluster.cost >= best.0 {
                 break;
             }
-            let nearest = crowd.nearest(&state.joints_deg);
-            if crowd.cost + changed(crowd.branch) + self.travel(&nearest, &state.joints_deg) < best.0 {
-                crowd.states.iter().for_each(|k| look(&mut best, *k));
+            let nearest = cluster.nearest(&state.joints_deg);
+            if cluster.cost + changed(cluster.branch) + self.travel(&nearest, &state.joints_deg) < best.0 {
+                cluster.states.iter().for_each(|k| look(&mut best, *k));
             }
         }
         best

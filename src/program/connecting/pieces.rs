@@ -80,7 +80,7 @@ pub fn hops(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece]) -> Vec<bo
 pub fn stuck(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[bool]) -> Vec<Refusal> {
     let drawn_back = |space: &Space<'_>, at: &Station, is_hop: Option<&bool>| match is_hop {
         Some(true) => None,
-        _ => space.head_hit(at, &space.outside(at)),
+        _ => space.head_hit(at, &space.on_sphere(at)),
     };
     let refusals = |(i, piece): (usize, &LitPiece)| {
         let before = i.checked_sub(1).and_then(|i| hops.get(i));

@@ -130,11 +130,6 @@ impl<'a> Space<'a> {
         angle::unit(at.x - self.centre)
     }
 
-    /// Entry (before the first piece) or exit (behind the last).
-    pub fn outside(&self, at: &Station) -> Station {
-        self.on_sphere(at)
-    }
-
     /// The focus drawn back along the beam, the first of a way round.
     pub fn drawn_back(&self, s: &Station) -> Station {
         Station { x: s.x + s.a * self.air.retreat_mm, ..*s }
@@ -168,8 +163,8 @@ impl<'a> Space<'a> {
         clear
     }
 
-    /// Where the beam of a station leaves the sphere.
-    fn on_sphere(&self, s: &Station) -> Station {
+    /// Where the beam of a station leaves the sphere around the part.
+    pub fn on_sphere(&self, s: &Station) -> Station {
         let w = s.x - self.centre;
         let along = w.dot(&s.a);
         let t = -along + (along * along - w.norm_squared() + self.radius_mm * self.radius_mm).max(0.0).sqrt();

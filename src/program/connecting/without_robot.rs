@@ -46,7 +46,7 @@ pub fn steps(
         at = Some(walk.off(end, piece.leads.behind));
     }
     if let Some(end) = at {
-        walk.push_connecting_move(end, space.outside(&end), None);
+        walk.push_connecting_move(end, space.on_sphere(&end), None);
     }
     let FocusWalk { mut out, refused, .. } = walk;
     out.list.push(Step::Home);
@@ -67,7 +67,7 @@ struct FocusWalk<'a> {
 impl FocusWalk<'_> {
     /// From home to outside the first piece, by joints: how far that is, is not known without a robot.
     fn from_home(&mut self, piece: &LitPiece) -> Station {
-        let to = self.space.outside(&piece.entry);
+        let to = self.space.on_sphere(&piece.entry);
         let timing = MoveTiming::Percent(self.setup.cell.air.home_percent);
         let interpolation = Interpolation::Joint;
         self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target: None }));

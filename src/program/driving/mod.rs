@@ -38,12 +38,12 @@ pub struct Drive<'a> {
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
     /// What was found out so far.
-    pub known: Known,
+    pub known: DriveMemo,
 }
 
 /// Moves and pieces that were worked out.
 #[derive(Default)]
-pub struct Known {
+pub struct DriveMemo {
     moves: KnownMoves,
     ways: Memo<Ends, Option<Vec<Go>>>,
     pieces: Memo<(LitRange, Vec<JointBits>), Result<DrivenPiece, Refusal>>,

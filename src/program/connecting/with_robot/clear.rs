@@ -44,7 +44,7 @@ impl MovingArm<'_> {
 
     /// Stands straight above a piece's end: on the sphere around the part, then nearer and nearer.
     pub(super) fn stands_above<'b>(&'b self, stand: &'b ArmStand) -> impl Iterator<Item = ArmStand> + 'b {
-        let sphere = self.space.outside(&stand.at);
+        let sphere = self.space.on_sphere(&stand.at);
         (1..=OUT_STEPS).rev().filter_map(move |k| self.along(stand, &sphere, k as f64 / OUT_STEPS as f64))
     }
 
