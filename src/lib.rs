@@ -14,7 +14,7 @@
 //! - [`process`]: what the beam does to the surface. The [`process::Light`] of all lit moves lands on fine
 //!   samples, a [`process::DoseMap`]; a [`process::Patch`] stays unclean, and says why.
 //! - [`cell`]: the robot and where it stands. A [`cell::Setup`] is a [`cell::Cell`] (frames, given or
-//!   measured, bodies, outputs, the controllers' words), a [`cell::Robot`] (kinematics both ways, limits)
+//!   measured, bodies, outputs, the controllers' templates), a [`cell::Robot`] (kinematics both ways, limits)
 //!   and a [`cell::Mount`]: part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot(180°)·H⁻¹`.
 //!   [`cell::motion`] chooses spin and branch for all targets together, and says why where it cannot;
 //!   [`cell::Collision`] says what touches.
