@@ -185,7 +185,7 @@ fn what_touches_is_avoided_or_named() {
     let used: Vec<bool> = free.rows.iter().flatten().flatten().map(|c| is_left(&c.joints_deg)).collect();
     let mostly = used.iter().filter(|left| **left).count() * 2 > used.len();
     let half = move |joints: &[f64; 6]| {
-        (is_left(joints) == mostly).then(|| Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part })
+        (is_left(joints) == mostly).then_some(Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part })
     };
     let avoided =
         choose(&arm, &p.plan.passes, &SearchHooks { touches: &half, ..SearchHooks::default() }).expect("goes on");

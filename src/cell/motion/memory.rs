@@ -23,8 +23,8 @@ pub struct SearchMemory {
     checks: BTreeMap<usize, Vec<ContactChecks>>,
 }
 
-/// What is known of one target's states, by branch and spin: not looked at, free, or touching. Every reading of the turns is
-/// the same pose.
+/// What is known of one target's states, by branch and spin: not looked at, free, or touching. All readings of a turn
+/// are one pose.
 pub(super) struct ContactChecks(Vec<AtomicU8>);
 
 impl SearchMemory {

@@ -34,7 +34,7 @@ pub fn steps(
     for (index, piece) in pieces.iter().enumerate() {
         let pass = &passes[piece.of.pass];
         let here = match at {
-            None => walk.from_home(piece),
+            None => walk.start_at_home(piece),
             Some(from) => walk.over(from, piece, hops[index - 1]),
         };
         if announced_pass != Some(piece.of.pass) {
@@ -66,7 +66,7 @@ struct FocusWalk<'a> {
 
 impl FocusWalk<'_> {
     /// From home to outside the first piece, by joints: how far that is, is not known without a robot.
-    fn from_home(&mut self, piece: &LitPiece) -> Station {
+    fn start_at_home(&mut self, piece: &LitPiece) -> Station {
         let to = self.space.on_sphere(&piece.entry);
         let timing = MoveTiming::Percent(self.setup.cell.air.home_percent);
         let interpolation = Interpolation::Joint;
