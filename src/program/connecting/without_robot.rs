@@ -26,7 +26,7 @@ pub fn steps(
     let spaces = Spaces::new(&space, &straight.prover, passes);
     let pieces = pieces::pieces(&spaces, passes);
     let hops = pieces::hops(&spaces, passes, &pieces);
-    let refused = pieces::stuck(&spaces, passes, &pieces, &hops);
+    let refused = pieces::blocked_retreats(&spaces, passes, &pieces, &hops);
     let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
     walk.out.list.push(Step::Home);
     let mut at: Option<Station> = None;
@@ -34,16 +34,16 @@ pub fn steps(
     for (index, piece) in pieces.iter().enumerate() {
         let pass = &passes[piece.of.pass];
         let here = match at {
-            None => walk.start_at_home(piece),
-            Some(from) => walk.over(from, piece, hops[index - 1]),
+            None => walk.push_way_from_home(piece),
+            Some(from) => walk.push_way_to(from, piece, hops[index - 1]),
         };
         if announced_pass != Some(piece.of.pass) {
             walk.out.say_pass(piece.of.pass, pass);
             announced_pass = Some(piece.of.pass);
         }
-        let start = walk.onto(here, pass, piece);
-        let end = walk.along(start, pass, piece);
-        at = Some(walk.off(end, piece.leads.behind));
+        let start = walk.push_approach(here, pass, piece);
+        let end = walk.push_lit_piece(start, pass, piece);
+        at = Some(walk.push_retreat(end, piece.leads.behind));
     }
     if let Some(end) = at {
         walk.push_connecting_move(end, space.on_sphere(&end), None);
@@ -66,7 +66,7 @@ struct FocusWalk<'a> {
 
 impl FocusWalk<'_> {
     /// From home to outside the first piece, by joints: how far that is, is not known without a robot.
-    fn start_at_home(&mut self, piece: &LitPiece) -> Station {
+    fn push_way_from_home(&mut self, piece: &LitPiece) -> Station {
         let to = self.space.on_sphere(&piece.entry);
         let timing = MoveTiming::Percent(self.setup.cell.air.home_percent);
         let interpolation = Interpolation::Joint;
@@ -75,7 +75,7 @@ impl FocusWalk<'_> {
     }
 
     /// Over the part to before a piece.
-    fn over(&mut self, from: Station, piece: &LitPiece, is_hop: bool) -> Station {
+    fn push_way_to(&mut self, from: Station, piece: &LitPiece, is_hop: bool) -> Station {
         let to = piece.entry.nearest_to(&from);
         let mut before = from;
         for via in self.space.between(&from, &to, is_hop) {
@@ -87,7 +87,7 @@ impl FocusWalk<'_> {
     }
 
     /// Down to a piece's first target, by its lead-in if it has one.
-    fn onto(&mut self, here: Station, pass: &Pass, piece: &LitPiece) -> Station {
+    fn push_approach(&mut self, here: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let first = Some((piece.of.pass, piece.of.first));
         let start = Station::of(&pass.targets[piece.of.first], &pass.work).nearest_to(&here);
         match piece.leads.before {
@@ -103,7 +103,7 @@ impl FocusWalk<'_> {
     }
 
     /// Along a piece with the laser on.
-    fn along(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
+    fn push_lit_piece(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let mut here = start;
         self.out.set_process(&pass.work);
         self.out.list.push(Step::Laser(true));
@@ -112,7 +112,7 @@ impl FocusWalk<'_> {
             let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
             let seconds = spot_mm / pass.work.speed_mm_s;
             let mut done = 0.0;
-            match self.straight.between(&here, &next, &pass.work) {
+            match self.straight.stations_between(&here, &next, &pass.work) {
                 Ok(between) => {
                     for (share, station) in between {
                         self.push_move(station, seconds * (share - done), None);
@@ -129,7 +129,7 @@ impl FocusWalk<'_> {
     }
 
     /// Off a piece, by its lead-out if it has one.
-    fn off(&mut self, end: Station, lead: Option<Lead>) -> Station {
+    fn push_retreat(&mut self, end: Station, lead: Option<Lead>) -> Station {
         let Some(lead) = lead else { return end };
         let to = Station { o: end.o, ..lead.at };
         self.out.air_mm += (to.x - end.x).norm();
