@@ -45,7 +45,7 @@ pub fn lit_ranges(passes: &[Pass]) -> Vec<LitRange> {
 pub struct Spaces<'a>(Vec<Space<'a>>);
 
 impl<'a> Spaces<'a> {
-    /// `whole`: around all layers.
+    /// `whole`: the space around the part with all its layers.
     pub fn new(whole: &Space<'a>, prover: &Prover<'a>, passes: &[Pass]) -> Spaces<'a> {
         let last = passes.iter().map(|p| p.work.layer).max().unwrap_or(0);
         Spaces((0..=last).map(|layer| whole.with_part(prover.part_of(layer + 1))).collect())

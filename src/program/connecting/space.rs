@@ -48,7 +48,7 @@ impl<'a> Space<'a> {
     }
 
     /// The sphere lies `air.clearance_mm` outside everything that the focus reaches, and the head beside it.
-    /// `head`: without its beam.
+    /// `head`: its body without the beam.
     fn new(part: &'a Part, (head, mounted): (Option<Body<'a>>, Mounted), air: &'a Air, defocus_mm: f64) -> Space<'a> {
         let (mut lo, mut hi) = part.mesh.bounds();
         for clamp in head.iter().flat_map(|h| h.clamps) {
@@ -141,7 +141,7 @@ impl<'a> Space<'a> {
         self.clears(&at.x, &at.a) && self.is_head_clear_at(part_from_focus)
     }
 
-    /// Whether the head alone does.
+    /// Whether the head alone keeps clear of the part at a path frame.
     pub fn is_head_clear_at(&self, part_from_focus: &Isometry3<f64>) -> bool {
         let at = Station::at(part_from_focus);
         self.head_hit(&at, &at).is_none()
@@ -188,7 +188,7 @@ impl<'a> Space<'a> {
         })
     }
 
-    /// Duration of a move in the air, s: by its length or by its turn, whichever takes longer.
+    /// Duration of a connecting move, s: by its length or by its turn, whichever takes longer.
     pub fn seconds(&self, from: &Station, to: &Station, air_speed_mm_s: f64) -> f64 {
         let turn = from.turn_deg(to);
         ((to.x - from.x).norm() / air_speed_mm_s).max(turn / self.air.turn_deg_s)

@@ -65,7 +65,7 @@ struct FocusWalk<'a> {
 }
 
 impl FocusWalk<'_> {
-    /// From home to outside the first piece, by joints: how far that is, is not known without a robot.
+    /// Adds the move by joints from home to outside the first piece. Without a robot its length is not known.
     fn push_way_from_home(&mut self, piece: &LitPiece) -> Station {
         let to = self.space.on_sphere(&piece.entry);
         let timing = MoveTiming::Percent(self.setup.cell.air.home_percent);
@@ -74,7 +74,7 @@ impl FocusWalk<'_> {
         to
     }
 
-    /// Over the part to before a piece.
+    /// Adds the way over the part to a piece, straight if it is a hop.
     fn push_way_to(&mut self, from: Station, piece: &LitPiece, is_hop: bool) -> Station {
         let to = piece.entry.nearest_to(&from);
         let mut before = from;
@@ -86,7 +86,7 @@ impl FocusWalk<'_> {
         before
     }
 
-    /// Down to a piece's first target, by its lead-in if it has one.
+    /// Adds the way down to a piece's first target, by its lead-in if it has one.
     fn push_approach(&mut self, here: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let first = Some((piece.of.pass, piece.of.first));
         let start = Station::of(&pass.targets[piece.of.first], &pass.work).nearest_to(&here);
@@ -102,7 +102,7 @@ impl FocusWalk<'_> {
         start
     }
 
-    /// Along a piece with the laser on.
+    /// Adds a piece with the laser on.
     fn push_lit_piece(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let mut here = start;
         self.out.set_process(&pass.work);
@@ -128,7 +128,7 @@ impl FocusWalk<'_> {
         here
     }
 
-    /// Off a piece, by its lead-out if it has one.
+    /// Adds the lead-out of a piece, if it has one.
     fn push_retreat(&mut self, end: Station, lead: Option<Lead>) -> Station {
         let Some(lead) = lead else { return end };
         let to = Station { o: end.o, ..lead.at };
@@ -137,14 +137,14 @@ impl FocusWalk<'_> {
         to
     }
 
-    /// A straight move in a given time.
+    /// Adds a straight move in a given time.
     fn push_move(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
         self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target }));
         self.out.time_s += seconds;
     }
 
-    /// A straight move at the speed of the air.
+    /// Adds a straight move at the speed of connecting moves.
     fn push_connecting_move(&mut self, from: Station, to: Station, target: Option<(usize, usize)>) {
         self.out.air_mm += (to.x - from.x).norm();
         self.push_move(to, self.space.seconds(&from, &to, self.air_mm_s), target);

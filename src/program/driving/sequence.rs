@@ -84,7 +84,7 @@ impl Drive<'_> {
         if refused.is_empty() { Ok(whole) } else { Err(Undriven { refused, ..Undriven::default() }) }
     }
 
-    /// The ways. Where nothing leads to the far end of a lead, the piece does without.
+    /// The ways between the pieces. Where none leads to the far end of a lead, the lead is left out.
     fn ways_without_leads(&self, space: &Space<'_>, whole: &mut [DrivenPiece]) -> WaysBetween {
         loop {
             let ways = self.ways(space, whole);
@@ -190,7 +190,7 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
 }
 
 impl Steps {
-    /// A piece with the laser on.
+    /// Adds a piece with the laser on.
     fn push_lit_piece(&mut self, piece: &DrivenPiece) {
         self.list.push(Step::Laser(true));
         for l in &piece.lit {
@@ -206,14 +206,14 @@ impl Steps {
         self.list.push(Step::Laser(false));
     }
 
-    /// A move along a lead, from a station.
+    /// Adds a move along a lead, from a station.
     fn push_lead(&mut self, to: &ArmStand, seconds: f64, (from, target): (&Station, Option<(usize, usize)>)) {
         let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
         let go = Go { to: to.at, interpolation, joints_deg: Some(to.joints_deg), timing, target };
         self.push_connecting_move(&go, Some(from));
     }
 
-    /// A connecting move.
+    /// Adds a connecting move.
     fn push_connecting_move(&mut self, go: &Go, from: Option<&Station>) {
         if let Some(from) = from {
             self.air_mm += (go.to.x - from.x).norm();

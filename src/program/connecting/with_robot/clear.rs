@@ -24,7 +24,7 @@ impl MovingArm<'_> {
         Some(ArmStand { at, joints_deg })
     }
 
-    /// Along the beam, away from the part, by a share of the way between two stations.
+    /// The arm drawn back along the beam, by a share of the way to the station `end`; `None`: that is not clear.
     pub(super) fn along_beam(&self, from: &ArmStand, end: &Station, share: f64) -> Option<ArmStand> {
         let mut here = *from;
         for k in 1..=4 {
@@ -42,7 +42,7 @@ impl MovingArm<'_> {
         Some(here)
     }
 
-    /// Stands straight above a piece's end: on the sphere around the part, then nearer and nearer.
+    /// Poses straight above a piece's end: on the sphere around the part, then nearer and nearer.
     pub(super) fn stands_above<'b>(&'b self, stand: &'b ArmStand) -> impl Iterator<Item = ArmStand> + 'b {
         let sphere = self.space.on_sphere(&stand.at);
         (1..=OUT_STEPS).rev().filter_map(move |k| self.along_beam(stand, &sphere, k as f64 / OUT_STEPS as f64))

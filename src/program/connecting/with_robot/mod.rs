@@ -77,7 +77,7 @@ pub fn connecting_moves(arm: &MovingArm<'_>, from: Option<&ArmStand>, to: Option
 }
 
 impl MovingArm<'_> {
-    /// Straight up, straight over, straight down.
+    /// A hop: straight up, straight over, straight down.
     fn hop(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         if !self.space.is_hop(&from.at, &to.at) {
             return None;
@@ -107,7 +107,7 @@ impl MovingArm<'_> {
         })
     }
 
-    /// Out and home, then in from there.
+    /// By way of home: out and home, then in from there.
     fn by_home(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         let home = self.home();
         let (mut back, out) = self.way_in(&home, from)?;
@@ -119,14 +119,14 @@ impl MovingArm<'_> {
         )
     }
 
-    /// Out, one move by joints, in.
+    /// Straight out, one move by joints, straight in.
     fn by_one_joint_move(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         let (out, above) = (self.stands_above(from).next()?, self.stands_above(to).next()?);
         self.is_joint_move_clear(&out.joints_deg, &above.joints_deg)
             .then(|| vec![self.straight_move(from, &out), self.joint_move(&above), self.straight_move(&above, to)])
     }
 
-    /// Out, over the part from station to station, in.
+    /// Straight out, over the part from station to station, straight in.
     fn over_part(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         let (out, above) = (self.stands_above(from).next()?, self.stands_above(to).next()?);
         let stands = self.along_sphere(&out, &above)?;

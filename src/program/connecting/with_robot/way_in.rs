@@ -34,7 +34,7 @@ const MOST_TRIED: usize = 6;
 const ARC_DEG: f64 = 20.0;
 
 impl MovingArm<'_> {
-    /// A stand between home and the work, if the cell has one; `None`: the way to it from home is not clear.
+    /// The entry or exit pose of the cell, if it has one; `None`: the move to it from home is not clear.
     pub(super) fn gate(&self, joints_deg: Option<Joints>) -> Option<Option<ArmStand>> {
         let Some(joints) = joints_deg else { return Some(None) };
         self.is_joint_move_clear(&self.setup.home_joints_deg(), &joints).then(|| Some(self.arm_stand(joints)))
@@ -76,7 +76,7 @@ impl MovingArm<'_> {
         })
     }
 
-    /// Stands over the part, the last one included. The spin turns on the way as well.
+    /// Poses of the arm over the part from one to another, the last one included. The spin turns on the way as well.
     pub(super) fn along_sphere(&self, out: &ArmStand, above: &ArmStand) -> Option<Vec<ArmStand>> {
         let (u, v) = (self.space.radial(&out.at)?, self.space.radial(&above.at)?);
         let arc = angle::Arc::new(&u, &v);
@@ -105,7 +105,7 @@ impl MovingArm<'_> {
         })
     }
 
-    /// A stand at a station with any spin: the one that lies best between two others.
+    /// The arm at a station with any spin: the pose that lies best between two others.
     fn any_arm_stand(&self, arm: &Arm<'_>, station: &Station, from: &Joints, to: &Joints) -> Option<ArmStand> {
         let states = arm.states(&station.frame()).ok()?;
         let length = |s: &ArmState| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
