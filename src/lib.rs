@@ -27,7 +27,7 @@
 //!   ([`planning::export`]) and compared with what was read ([`planning::verify`]).
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
-//! - [`file`] reads files that people write, and names them where they are wrong.
+//! - [`mod@file`] reads files that people write, and names them where they are wrong.
 //! - [`fit`] brings points onto others by one rigid motion.
 //! - [`progress`] is the one thing that all who work long share with who waits for them.
 //! - [`cli`] and [`app`] are the two doors: the command line and the window. Nothing imports them.

@@ -103,7 +103,7 @@ impl<'a> Collision<'a> {
     }
 
     /// Distance of the two bodies that are nearest each other at a pose of the robot, mm, 0 where they
-    /// touch; of equals the first in the order of [`Self::first`]. `None`: all keep farther apart than
+    /// touch; of equals the first in the order of [`Self::first_contact`]. `None`: all keep farther apart than
     /// [`CLEARANCE_REACH_MM`].
     pub fn clearance(&self, joints_deg: &Joints) -> Option<(f64, Contact)> {
         let mut nearest = None;
