@@ -141,7 +141,7 @@ fn angles(plan: &Plan, setup: &Setup, defocus_mm: f64) {
         pass = began.or(pass);
     }
     for (number, frames) in &runs {
-        let spots: Vec<_> = frames.iter().map(|f| spot::foot(f, defocus_mm)).collect();
+        let spots: Vec<_> = frames.iter().map(|f| spot::planned_spot(f, defocus_mm)).collect();
         let mut along_mm = vec![0.0];
         for w in spots.windows(2) {
             along_mm.push(along_mm.last().copied().unwrap_or(0.0) + (w[1] - w[0]).norm());

@@ -7,7 +7,7 @@
 mod all_pairs;
 
 use clearbeam::beam::ProcessSettings;
-use clearbeam::cell::motion::{Arm, ArmState, Watch, choose};
+use clearbeam::cell::motion::{Arm, ArmState, SearchHooks, choose};
 use clearbeam::cell::{Robot, Setup, Spin};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::pose::{self, Pass, Target};
@@ -69,16 +69,16 @@ fn motion(c: &mut Criterion) {
     let mut group = c.benchmark_group("motion");
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
     let all = passes(TARGETS);
-    let Some(choice) = choose(&arm, &all, &Watch::default()) else { return };
+    let Some(choice) = choose(&arm, &all, &SearchHooks::default()) else { return };
     let states = |t: &Target| arm.states(&t.frame(DEFOCUS_MM)).map_or(0, |s| s.len());
     let count: usize = all.iter().flat_map(|p| &p.targets).map(states).sum();
     println!("{} targets refused, {} states a target", choice.refusals.len(), count / TARGETS);
     group.bench_function("chain, 10 000 targets x 72 spins", |b| {
-        b.iter(|| choose(&arm, &all, &Watch::default()));
+        b.iter(|| choose(&arm, &all, &SearchHooks::default()));
     });
     let few = passes(PAIRED);
     group.bench_function("chain, 100 targets x 72 spins", |b| {
-        b.iter(|| choose(&arm, &few, &Watch::default()));
+        b.iter(|| choose(&arm, &few, &SearchHooks::default()));
     });
     group.bench_function("all pairs, 100 targets x 72 spins", |b| {
         b.iter(|| all_pairs::cheapest(&arm, &few[0], DEFOCUS_MM, SPEED_MM_S));

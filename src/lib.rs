@@ -14,7 +14,7 @@
 //! - [`process`]: what the beam does to the surface. The [`process::Light`] of all lit moves lands on fine
 //!   samples, a [`process::DoseMap`]; a [`process::Patch`] stays unclean, and says why.
 //! - [`cell`]: the robot and where it stands. A [`cell::Setup`] is a [`cell::Cell`] (frames, given or
-//!   measured, bodies, outputs, the controllers' words), a [`cell::Robot`] (kinematics both ways, limits)
+//!   measured, bodies, outputs, the controllers' templates), a [`cell::Robot`] (kinematics both ways, limits)
 //!   and a [`cell::Mount`]: part in hand `T = L·(G·F)⁻¹`, tool in hand `T = B·F·Rot(180°)·H⁻¹`.
 //!   [`cell::motion`] chooses spin and branch for all targets together, and says why where it cannot;
 //!   [`cell::Collision`] says what touches.
@@ -29,7 +29,7 @@
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
 //! - [`text`] makes sentences of what the rooms above find and refuse, in the user's language; the rooms themselves
 //!   know no words.
-//! - [`file`] reads files that people write, and names them where they are wrong.
+//! - [`mod@file`] reads files that people write, and names them where they are wrong.
 //! - [`fit`] brings points onto others by one rigid motion.
 //! - [`progress`] is the one thing that all who work long share with who waits for them.
 //! - [`cli`] and [`app`] are the two doors: the command line and the window. Nothing imports them.

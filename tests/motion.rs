@@ -6,7 +6,7 @@ mod all_pairs;
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::cell::motion::{Arm, RefusalCause, RefusalReason, Watch, choose};
+use clearbeam::cell::motion::{Arm, RefusalCause, RefusalReason, SearchHooks, choose};
 use clearbeam::cell::{BodyId, Contact, Link, Mount, Robot, Setup, Spin};
 use clearbeam::part::angle;
 use clearbeam::planning::{Cache, advice};
@@ -40,7 +40,7 @@ fn the_chain_is_as_cheap_as_over_all_pairs() {
         let arm = Arm::new(&setup, spin).expect("a robot");
         for pass in p.plan.passes.iter().filter(|p| p.targets.iter().all(|t| t.state != TargetState::Blocked)).take(3) {
             let pass = first(pass, 14);
-            let choice = choose(&arm, std::slice::from_ref(&pass), &Watch::default()).expect("goes on");
+            let choice = choose(&arm, std::slice::from_ref(&pass), &SearchHooks::default()).expect("goes on");
             let seconds = all_pairs::seconds(&pass, 3.0);
             let chosen = all_pairs::cost_of(&arm, &choice, 0, &seconds);
             let least = all_pairs::cheapest(&arm, &pass, 20.0, 3.0);
@@ -179,19 +179,20 @@ fn what_touches_is_avoided_or_named() {
     let setup = setup("mz04", Mount::PartInHand);
     let p = planned(part(&sample("workpiece")), on(job("z", 8.0), &[1]));
     let arm = Arm::new(&setup, Spin::Free).expect("a robot");
-    let free = choose(&arm, &p.plan.passes, &Watch::default()).expect("goes on");
+    let free = choose(&arm, &p.plan.passes, &SearchHooks::default()).expect("goes on");
     // A whole turn of J6 is the same pose, and touches the same.
     let is_left = |joints: &[f64; 6]| (joints[5] - 360.0 * (joints[5] / 360.0).floor()) < 180.0;
     let used: Vec<bool> = free.rows.iter().flatten().flatten().map(|c| is_left(&c.joints_deg)).collect();
     let mostly = used.iter().filter(|left| **left).count() * 2 > used.len();
     let half = move |joints: &[f64; 6]| {
-        (is_left(joints) == mostly).then(|| Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part })
+        (is_left(joints) == mostly).then_some(Contact { a: BodyId::Link(Link::Forearm), b: BodyId::Part })
     };
-    let avoided = choose(&arm, &p.plan.passes, &Watch { touches: &half, ..Watch::default() }).expect("goes on");
+    let avoided =
+        choose(&arm, &p.plan.passes, &SearchHooks { touches: &half, ..SearchHooks::default() }).expect("goes on");
     assert!(avoided.rows.iter().flatten().flatten().all(|c| half(&c.joints_deg).is_none()));
     assert!(avoided.rows.iter().flatten().flatten().count() > used.len() / 2);
     let contact = Contact { a: BodyId::Part, b: BodyId::Head };
-    let touching = Watch { touches: &|_| Some(contact.clone()), ..Watch::default() };
+    let touching = SearchHooks { touches: &|_| Some(contact.clone()), ..SearchHooks::default() };
     let named = choose(&arm, &p.plan.passes, &touching).expect("goes on");
     let why = RefusalReason::Contact(contact.clone());
     assert!(named.refusals.iter().all(|r| r.cause == RefusalCause::Head && r.why == why));

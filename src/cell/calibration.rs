@@ -1,6 +1,7 @@
 //! Frames from what was measured: three points, one tip touched in several poses, points of a model.
 //!
-//! Each fit keeps its residuals, and refuses points that cannot tell the frame, with what is wrong with them. Where the figures come from and what frame they become is the cell file's business.
+//! Each fit keeps its residuals, and refuses points that cannot tell the frame, with what is wrong with them. Where the
+//! figures come from and what frame they become is the cell file's business.
 
 use crate::fit::{self, PlacedPair};
 use crate::part::rpy;

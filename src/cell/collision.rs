@@ -93,7 +93,7 @@ impl<'a> Collision<'a> {
     /// The first contact at a pose of the robot, in an order that is always the same; joints in
     /// degrees.
     pub fn first_contact(&self, joints_deg: &Joints) -> Option<Contact> {
-        let met = self.each_pair(joints_deg, &mut |pair, one, other| {
+        let met = self.visit_pairs(joints_deg, &mut |pair, one, other| {
             if !one.is_near(other, self.margin_mm) {
                 return ControlFlow::Continue(());
             }
@@ -103,12 +103,12 @@ impl<'a> Collision<'a> {
     }
 
     /// Distance of the two bodies that are nearest each other at a pose of the robot, mm, 0 where they
-    /// touch; of equals the first in the order of [`Self::first`]. `None`: all keep farther apart than
+    /// touch; of equals the first in the order of [`Self::first_contact`]. `None`: all keep farther apart than
     /// [`CLEARANCE_REACH_MM`].
     pub fn clearance(&self, joints_deg: &Joints) -> Option<(f64, Contact)> {
         let mut nearest = None;
         let mut within_mm = CLEARANCE_REACH_MM;
-        let _: ControlFlow<()> = self.each_pair(joints_deg, &mut |pair, one, other| {
+        let _: ControlFlow<()> = self.visit_pairs(joints_deg, &mut |pair, one, other| {
             if let Some(mm) = one.distance_mm(other, within_mm) {
                 within_mm = mm;
                 nearest = Some((mm, pair.into()));
@@ -124,22 +124,27 @@ impl<'a> Collision<'a> {
     }
 
     /// Shows all that may touch at a pose, two by two and always in this order, until one look ends it.
-    fn each_pair<B>(&self, joints_deg: &Joints, look: &mut Look<'_, B>) -> ControlFlow<B> {
+    fn visit_pairs<B>(&self, joints_deg: &Joints, look: &mut Look<'_, B>) -> ControlFlow<B> {
         let links = self.robot.capsules(joints_deg);
         let base_from_flange = self.robot.forward(joints_deg);
         let [_, moving @ ..] = &links;
         for l in moving {
-            self.each_beside(&BodyId::Link(l.link), &CollisionBody::Capsule(Capsule::of_link(l)), &[], look)?;
+            self.visit_pairs_of(&BodyId::Link(l.link), &CollisionBody::Capsule(Capsule::of_link(l)), &[], look)?;
         }
         // What is carried may touch all but the wrist that carries it.
         let [rest @ .., _] = &links;
         match &self.carried {
             Carried::Part(part) => {
-                self.each_beside(&BodyId::Part, &CollisionBody::Solid(&part.moved(&base_from_flange)), rest, look)?;
+                self.visit_pairs_of(&BodyId::Part, &CollisionBody::Solid(&part.moved(&base_from_flange)), rest, look)?;
             }
             Carried::Head(head) => {
                 for c in head {
-                    self.each_beside(&BodyId::Head, &CollisionBody::Capsule(c.moved(&base_from_flange)), rest, look)?;
+                    self.visit_pairs_of(
+                        &BodyId::Head,
+                        &CollisionBody::Capsule(c.moved(&base_from_flange)),
+                        rest,
+                        look,
+                    )?;
                 }
             }
         }
@@ -147,7 +152,7 @@ impl<'a> Collision<'a> {
     }
 
     /// A body with all that stands, and with links.
-    fn each_beside<B>(
+    fn visit_pairs_of<B>(
         &self,
         id: &BodyId,
         body: &CollisionBody<'_, 'a>,

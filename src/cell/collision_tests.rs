@@ -223,6 +223,45 @@ fn sampled(c: &Capsule, off: impl Fn(&Point3<f64>) -> f64) -> f64 {
     points.map(|p| off(&p)).fold(f64::INFINITY, f64::min) - c.radius_mm
 }
 
+/// How far apart all bodies are that may touch each other, by sampling; `table_z` is the height of the table, mm.
+fn sampled_pairs(setup: &Setup, ball: &Part, joints: &Joints, table_z: f64) -> Vec<(BodyId, BodyId, f64)> {
+    let (robot, is_carried) = (setup.robot.as_ref().expect("one"), setup.mount == Mount::PartInHand);
+    let (flange, links, cell) = (robot.forward(joints), robot.capsules(joints), &setup.cell);
+    let facets: Vec<_> = (0..ball.mesh.facets.len()).map(|f| ball.mesh.corners(f)).collect();
+    let (head_at, ball_at) = match setup.mount {
+        Mount::PartInHand => (cell.base_from_laser.isometry(), flange * cell.flange_from_part.isometry()),
+        Mount::ToolInHand => (flange * cell.flange_from_focus(), cell.base_from_part.isometry()),
+    };
+    let to_ball = |p: &Point3<f64>| {
+        let p = ball_at.inverse_transform_point(p);
+        facets.iter().map(|c| point_triangle(&p, c)).fold(f64::INFINITY, f64::min)
+    };
+    let head = Capsule::of(&cell.bodies.head[0], &head_at);
+    let to_head = |p: &Point3<f64>| crate::part::distance::point_segment(p, &head.from, &head.to) - head.radius_mm;
+    let to_table = |p: &Point3<f64>| p.z - table_z;
+    let mut pairs: Vec<(BodyId, BodyId, f64)> = Vec::new();
+    for (i, l) in links.iter().enumerate() {
+        let c = Capsule::of_link(l);
+        if i > 0 {
+            pairs.push((link(l.link), TABLE, sampled(&c, to_table)));
+        }
+        if if is_carried { i > 0 } else { i < 4 } {
+            pairs.push((link(l.link), HEAD, sampled(&c, to_head)));
+        }
+        if if is_carried { i < 4 } else { i > 0 } {
+            pairs.push((link(l.link), PART, sampled(&c, to_ball)));
+        }
+    }
+    if is_carried {
+        let lowest = ball.mesh.vertices.iter().map(|v| (ball_at * v).z).fold(f64::INFINITY, f64::min);
+        pairs.push((PART, TABLE, lowest - table_z));
+    } else {
+        pairs.push((HEAD, TABLE, sampled(&head, to_table)));
+    }
+    pairs.push((HEAD, PART, sampled(&head, to_ball)));
+    pairs
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
@@ -257,42 +296,7 @@ proptest! {
             prop_assert_eq!(Some(pair.clone()), bare.first_contact(&joints));
         }
 
-        let flange = robot.forward(&joints);
-        let links = robot.capsules(&joints);
-        let facets: Vec<_> = (0..ball.mesh.facets.len()).map(|f| ball.mesh.corners(f)).collect();
-        let to_ball = |place: Isometry3<f64>| {
-            let facets = &facets;
-            move |p: &Point3<f64>| {
-                let p = place.inverse_transform_point(p);
-                facets.iter().map(|c| point_triangle(&p, c)).fold(f64::INFINITY, f64::min)
-            }
-        };
-        let head_at = if carried { setup.cell.base_from_laser.isometry() } else { flange * setup.cell.flange_from_focus() };
-        let head = Capsule::of(&setup.cell.bodies.head[0], &head_at);
-        let to_head = |p: &Point3<f64>| crate::part::distance::point_segment(p, &head.from, &head.to) - head.radius_mm;
-        let table_z = table * size;
-        let to_table = |p: &Point3<f64>| p.z - table_z;
-        let mut pairs: Vec<(BodyId, BodyId, f64)> = Vec::new();
-        let ball_at = if carried { flange * setup.cell.flange_from_part.isometry() } else { setup.cell.base_from_part.isometry() };
-        let lowest = ball.mesh.vertices.iter().map(|v| (ball_at * v).z).fold(f64::INFINITY, f64::min);
-        for (i, l) in links.iter().enumerate() {
-            let c = Capsule::of_link(l);
-            if i > 0 {
-                pairs.push((link(l.link), TABLE, sampled(&c, to_table)));
-            }
-            if if carried { i > 0 } else { i < 4 } {
-                pairs.push((link(l.link), HEAD, sampled(&c, to_head)));
-            }
-            if if carried { i < 4 } else { i > 0 } {
-                pairs.push((link(l.link), PART, sampled(&c, to_ball(ball_at))));
-            }
-        }
-        if carried {
-            pairs.push((PART, TABLE, lowest - table_z));
-        } else {
-            pairs.push((HEAD, TABLE, sampled(&head, to_table)));
-        }
-        pairs.push((HEAD, PART, sampled(&head, to_ball(ball_at))));
+        let pairs = sampled_pairs(&setup, &ball, &joints, table * size);
         match found {
             None => for (a, b, off) in pairs {
                 prop_assert!(off > 5.0 - 1e-9, "{key}: {a:?} and {b:?} are {off} apart");

@@ -54,7 +54,7 @@ impl Serialize for Chosen {
 impl<'de> Deserialize<'de> for Chosen {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
-        #[serde(untagged)]
+        #[serde(untagged, expecting = "give \"all\" or a list of surface numbers")]
         enum RawChosen {
             Word(String),
             List(Vec<SurfaceId>),

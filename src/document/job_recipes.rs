@@ -1,5 +1,5 @@
-//! What recipes make of a job: its values on one surface, the overlap of neighbouring lines, and whether the recipes can be
-//! together.
+//! What recipes make of a job: its values on one surface, the overlap of neighbouring lines, and whether its recipes are
+//! sound together.
 
 use super::model::Job;
 use super::parameter::Parameter;

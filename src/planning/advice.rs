@@ -7,7 +7,7 @@ use super::plan::Plan;
 use super::surface_plan::Cache;
 use crate::beam::ProcessSettings;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
-use crate::cell::motion::{Arm, Refusal, RefusalCause, Watch, choose};
+use crate::cell::motion::{Arm, Refusal, RefusalCause, SearchHooks, choose};
 use crate::cell::{Mount, Setup};
 use crate::document::model::{CellFile, Job};
 use crate::part::{Part, Surfaces};
@@ -99,7 +99,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
         .collect();
     let Some(arm) = Arm::new(setup, job.cell.spin).filter(|_| !again.is_empty()) else { return Ok(None) };
     let go_on = || progress.goes_on();
-    let watch = Watch { go_on: &go_on, ..Watch::default() };
+    let watch = SearchHooks { go_on: &go_on, ..SearchHooks::default() };
     progress.begin(Activity::TryingSpeeds, SLOWER.len());
     for share in SLOWER {
         let slower: Vec<Pass> = again

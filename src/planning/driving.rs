@@ -5,11 +5,11 @@ use super::error::PlanError;
 use super::plan::Plan;
 use super::proof::straight;
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Memory, Refusal, Watch, choose_again};
+use crate::cell::motion::{Arm, Refusal, SearchHooks, SearchMemory, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{Drive, Known, Steps, Timeline};
+use crate::program::{Drive, DriveMemo, Steps, Timeline};
 use crate::progress::{Activity, Progress};
 use std::collections::BTreeSet;
 
@@ -47,12 +47,12 @@ pub(super) fn drive(
         straight: straight(part, &grown, setup, job),
         collision: collision.as_ref(),
         go_on: &go_on,
-        known: Known::default(),
+        known: DriveMemo::default(),
     };
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
-        let watch = Watch { touches: &touches, go_on: &go_on, is_open: &is_open };
+        let watch = SearchHooks { touches: &touches, go_on: &go_on, is_open: &is_open };
         let shut = choose_and_drive(plan, &arm, &drive, &watch, &mut known, progress)?;
         if best.as_ref().is_none_or(|b| plan.refusals.len() < b.refusals.len()) {
             best = Some(plan.clone());
@@ -73,7 +73,7 @@ pub(super) fn drive(
 /// What was found out in the rounds before.
 #[derive(Default)]
 struct EarlierRounds {
-    memory: Memory,
+    memory: SearchMemory,
     /// What driving refused stays refused, whatever branch is chosen then.
     refused: Vec<Refusal>,
 }
@@ -83,7 +83,7 @@ fn choose_and_drive(
     plan: &mut Plan,
     arm: &Arm<'_>,
     drive: &Drive<'_>,
-    watch: &Watch<'_>,
+    watch: &SearchHooks<'_>,
     known: &mut EarlierRounds,
     progress: &Progress,
 ) -> Result<Vec<(usize, u8)>, PlanError> {

@@ -4,7 +4,7 @@
 use super::driving::{drive, settle};
 use super::error::PlanError;
 use super::plan::Plan;
-use super::plan::build_up::{grown_parts, layer_count, plan_layer};
+use super::plan::build_up::{LayerInput, grown_parts, layer_count, plan_layer};
 use super::plan::cell_report::CellReport;
 use super::plan::prepared::prepare;
 use super::plan::surface_plan::{Cache, Kept};
@@ -44,9 +44,9 @@ pub fn plan(
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
     for number in 0..layer_count(&own) {
         let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
-        let on = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
-        let with = (&setup.tool, cache);
-        let made = plan_layer(on, &list, &own, with, number, &mut kept, progress)?;
+        let (part, surfaces) = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
+        let of = LayerInput { part, surfaces, list: &list, jobs: &own, layer: number };
+        let made = plan_layer(&of, &setup.tool, cache, &mut kept, progress)?;
         passes.extend(made.iter().flat_map(|s| {
             let times = own.get(&s.toolpath.surface).map_or(1, |j| j.layers.passes as usize);
             (0..times).flat_map(|_| s.passes.iter().cloned())

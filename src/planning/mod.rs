@@ -1,5 +1,9 @@
 //! What is computed from a job: lines, poses, the program's steps, what is proven of them, the dose, the
 //! report; and how a program that was read compares with them.
+//!
+//! `plan` holds a plan and what it is made of: toolpaths, build-ups, surface plans. `proof` proves its lit moves, as
+//! they are written and as they are read. `making` and `driving` make a plan with both; `report` and `export` tell and write it;
+//! `key`, `stage`, `pool` and `pipeline` keep it current.
 
 pub mod advice;
 pub mod dose;

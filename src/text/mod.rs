@@ -1,9 +1,9 @@
 //! Words for people: sentences of what the rooms below find, refuse and fail at, and those of the doors.
 //!
 //! They stand in Project Fluent files, `assets/text/<language>/*.ftl`; a folder more is a language more. The build
-//! makes a type of each English message ([`say!`] fills it), so that a missing or unused key, or a wrong argument,
+//! makes a type of each English message (`say!` fills it), so that a missing or unused key, or a wrong argument,
 //! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
-//! Comments in programs are English whatever the language ([`Message::english`]).
+//! Comments in programs are English whatever the language (`Message::english`).
 
 mod advice;
 mod beam;

@@ -1,5 +1,5 @@
 //! What would help where the arm cannot do a target: small changes of the set-up (another spin, the part turned, the
-//! laser or the part moved), tried one by one. Whole set-ups are looked for in [`set_ups`].
+//! laser or the part moved), tried one by one. Whole set-ups are looked for in `set_ups`.
 //!
 //! Reach, limits and singularities of single targets are looked at; the chain between them is the planner's.
 

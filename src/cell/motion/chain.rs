@@ -6,8 +6,8 @@
 //! possible are left out. All spins are looked at; nothing is sampled or refined, so the chain is the
 //! optimum of these rules.
 
-use super::crowds::{Crowd, crowds};
-use super::states::{Arm, ArmState, Lack, SPIN_STEP_DEG};
+use super::clusters::{StateCluster, clusters};
+use super::states::{Arm, ArmState, NoState, SPIN_STEP_DEG};
 use crate::cell::{Contact, Joints};
 use nalgebra::Isometry3;
 use rayon::prelude::*;
@@ -52,7 +52,7 @@ pub(super) type SolvedTarget = Result<Vec<ArmState>, Unreachable>;
 /// Why a target has no state.
 pub(super) enum Unreachable {
     /// The arm cannot stand there.
-    Lack(Lack),
+    NoState(NoState),
     /// All its states touch something; the contact of the first.
     Contact(Contact),
     /// No way leads there in any branch.
@@ -74,47 +74,47 @@ pub(super) fn most_deg(speeds_deg_s: &[f64; 6], seconds: f64) -> [f64; 6] {
 /// cheapest chain leaves it out).
 pub(super) fn chain(
     arm: &Arm<'_>,
-    stops: &[ChainTarget],
+    targets: &[ChainTarget],
     go_on: &(dyn Fn() -> bool + Sync),
-    ways: impl Fn(&ChainTarget) -> SolvedTarget + Sync,
+    solve: impl Fn(&ChainTarget) -> SolvedTarget + Sync,
 ) -> Option<Vec<Result<ArmState, Option<Unreachable>>>> {
     let rules = Rules::new(arm);
-    let mut trace: Vec<Trace> = Vec::with_capacity(stops.len());
+    let mut trace: Vec<Trace> = Vec::with_capacity(targets.len());
     let mut before = TargetStates::start();
-    for chunk in stops.chunks(CHUNK) {
+    for chunk in targets.chunks(CHUNK) {
         if !go_on() {
             return None;
         }
         let made: Vec<(TargetStates, Option<Unreachable>)> = chunk
             .par_iter()
-            .map(|stop| match ways(stop) {
+            .map(|target| match solve(target) {
                 Ok(states) => (TargetStates::new(states, &rules), None),
                 Err(lack) => (TargetStates::new(Vec::new(), &rules), Some(lack)),
             })
             .collect();
-        for (stop, (mut target, lack)) in chunk.iter().zip(made) {
-            let from = match stop.lit_s {
-                Some(seconds) => rules.after_lit_move(&before, &mut target, seconds),
-                None => rules.after_connecting_move(&before, &mut target),
+        for (target, (mut current, lack)) in chunk.iter().zip(made) {
+            let from = match target.lit_s {
+                Some(seconds) => rules.after_lit_move(&before, &mut current, seconds),
+                None => rules.after_connecting_move(&before, &mut current),
             };
             let (left_out_from, cheapest) = before.cheapest();
-            target.left_out = cheapest + LEFT_OUT;
-            let ways = target.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
-            trace.push(Trace { from, left_out_from, ways, lack });
-            before = target;
+            current.left_out = cheapest + LEFT_OUT;
+            let keys = current.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
+            trace.push(Trace { from, left_out_from, keys, lack });
+            before = current;
         }
     }
     let mut at = before.cheapest().0;
-    let mut picked = vec![OUT; stops.len()];
+    let mut picked = vec![OUT; targets.len()];
     for (pick, t) in picked.iter_mut().zip(&trace).rev() {
         *pick = at;
         at = if at == OUT { t.left_out_from } else { t.from[at as usize] };
     }
-    let state = |(stop, t, pick): (&ChainTarget, Trace, u32)| {
-        let way = t.ways.get(pick as usize);
-        way.and_then(|[spin, branch, turn]| arm.state(&stop.part_from_focus, *spin, *branch, *turn)).ok_or(t.lack)
+    let state = |(target, t, pick): (&ChainTarget, Trace, u32)| {
+        let key = t.keys.get(pick as usize);
+        key.and_then(|[spin, branch, turn]| arm.state(&target.part_from_focus, *spin, *branch, *turn)).ok_or(t.lack)
     };
-    Some(stops.iter().zip(trace).zip(picked).map(|((stop, t), pick)| state((stop, t, pick))).collect())
+    Some(targets.iter().zip(trace).zip(picked).map(|((target, t), pick)| state((target, t, pick))).collect())
 }
 
 /// Number of the node that leaves a target out.
@@ -124,7 +124,7 @@ const OUT: u32 = u32::MAX;
 struct Trace {
     from: Vec<u32>,
     left_out_from: u32,
-    ways: Vec<[u8; 3]>,
+    keys: Vec<[u8; 3]>,
     lack: Option<Unreachable>,
 }
 
@@ -214,7 +214,7 @@ impl<'a> Rules<'a> {
     }
 
     /// Sets the costs of a target that a lit move leads to; gives the predecessors.
-    fn after_lit_move(&self, before: &TargetStates, target: &mut TargetStates, seconds: f64) -> Vec<u32> {
+    fn after_lit_move(&self, before: &TargetStates, current: &mut TargetStates, seconds: f64) -> Vec<u32> {
         let most = most_deg(&self.arm.robot.speeds_deg_s, seconds);
         let spins = self.arm.spins();
         let reach = |(state, state_cost): (&ArmState, &f64)| {
@@ -245,36 +245,42 @@ impl<'a> Rules<'a> {
             (best.0 + state_cost, best.1)
         };
         let reached: Vec<(f64, u32)> =
-            target.states.par_iter().zip(&target.state_costs).with_min_len(SIDE_BY_SIDE).map(reach).collect();
-        target.cost = reached.iter().map(|r| r.0).collect();
+            current.states.par_iter().zip(&current.state_costs).with_min_len(SIDE_BY_SIDE).map(reach).collect();
+        current.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
 
     /// Sets the costs of a target that a connecting move leads to, from any state to any; gives the predecessors.
-    fn after_connecting_move(&self, before: &TargetStates, target: &mut TargetStates) -> Vec<u32> {
-        let crowds = crowds(&before.states, &before.cost);
+    fn after_connecting_move(&self, before: &TargetStates, current: &mut TargetStates) -> Vec<u32> {
+        let clusters = clusters(&before.states, &before.cost);
         let reach_all = |(states, state_cost): (&[ArmState], &[f64])| -> Vec<(f64, u32)> {
             // What was best for the state before is good for this one, and shows what need not be looked at.
             let mut guess = OUT;
             let reach = |(state, state_cost): (&ArmState, &f64)| {
-                let best = self.cheapest_way(before, &crowds, state, guess);
+                let best = self.cheapest_way(before, &clusters, state, guess);
                 guess = best.1;
                 (best.0 + state_cost, best.1)
             };
             states.iter().zip(state_cost).map(reach).collect()
         };
-        let reached: Vec<(f64, u32)> = target
+        let reached: Vec<(f64, u32)> = current
             .states
             .par_chunks(SIDE_BY_SIDE)
-            .zip(target.state_costs.par_chunks(SIDE_BY_SIDE))
+            .zip(current.state_costs.par_chunks(SIDE_BY_SIDE))
             .flat_map_iter(reach_all)
             .collect();
-        target.cost = reached.iter().map(|r| r.0).collect();
+        current.cost = reached.iter().map(|r| r.0).collect();
         reached.into_iter().map(|r| r.1).collect()
     }
 
     /// Cost and predecessor of a state after a connecting move; `guess` may be a good predecessor.
-    fn cheapest_way(&self, before: &TargetStates, crowds: &[Crowd], state: &ArmState, guess: u32) -> (f64, u32) {
+    fn cheapest_way(
+        &self,
+        before: &TargetStates,
+        clusters: &[StateCluster],
+        state: &ArmState,
+        guess: u32,
+    ) -> (f64, u32) {
         let changed = |branch: u8| if branch == state.branch { 0.0 } else { CHANGED_BRANCH };
         let mut best = (before.left_out, OUT);
         let look = |best: &mut (f64, u32), k: u32| {
@@ -290,14 +296,14 @@ impl<'a> Rules<'a> {
         if guess != OUT {
             look(&mut best, guess);
         }
-        for crowd in crowds {
+        for cluster in clusters {
             // Travel costs something at least: none behind this one can be cheaper.
-            if crowd.cost >= best.0 {
+            if cluster.cost >= best.0 {
                 break;
             }
-            let nearest = crowd.nearest(&state.joints_deg);
-            if crowd.cost + changed(crowd.branch) + self.travel(&nearest, &state.joints_deg) < best.0 {
-                crowd.states.iter().for_each(|k| look(&mut best, *k));
+            let nearest = cluster.nearest(&state.joints_deg);
+            if cluster.cost + changed(cluster.branch) + self.travel(&nearest, &state.joints_deg) < best.0 {
+                cluster.states.iter().for_each(|k| look(&mut best, *k));
             }
         }
         best

@@ -2,7 +2,7 @@
 //! nothing, and what is left out of it.
 
 use super::chain::{ChainTarget, Unreachable, chain};
-use super::memory::Memory;
+use super::memory::SearchMemory;
 use super::reason;
 use super::refusal::{Refusal, RefusalCause, RefusalReason};
 use super::states::{Arm, ArmState};
@@ -35,7 +35,7 @@ pub struct Choice {
 }
 
 /// What the search asks of its caller: contacts, whether to go on, and which branches are open.
-pub struct Watch<'a> {
+pub struct SearchHooks<'a> {
     /// What the arm and all it carries touch at some joints; a joint turned by a whole turn touches what it touched.
     pub touches: &'a (dyn Fn(&Joints) -> Option<Contact> + Sync),
     /// Whether to go on.
@@ -44,10 +44,10 @@ pub struct Watch<'a> {
     pub is_open: &'a (dyn Fn(usize, u8) -> bool + Sync),
 }
 
-impl Default for Watch<'_> {
+impl Default for SearchHooks<'_> {
     /// Nothing is touched, every branch is open, and nobody stops the search.
     fn default() -> Self {
-        Watch { touches: &|_| None, go_on: &|| true, is_open: &|_, _| true }
+        SearchHooks { touches: &|_| None, go_on: &|| true, is_open: &|_, _| true }
     }
 }
 
@@ -55,57 +55,62 @@ impl Default for Watch<'_> {
 ///
 /// What is touched is asked for the chosen states first, and for all states of a pass where one of
 /// them does. `None`: the search was stopped.
-pub fn choose(arm: &Arm<'_>, passes: &[Pass], watch: &Watch<'_>) -> Option<Choice> {
-    choose_again(arm, passes, watch, &mut Memory::default())
+pub fn choose(arm: &Arm<'_>, passes: &[Pass], watch: &SearchHooks<'_>) -> Option<Choice> {
+    choose_again(arm, passes, watch, &mut SearchMemory::default())
 }
 
 /// Chooses spin and branch for every target that is not blocked, with what is known of targets that were looked at
 /// before: they may be blocked by now, and branches closed, but they stand where they stood.
-pub fn choose_again(arm: &Arm<'_>, passes: &[Pass], watch: &Watch<'_>, memory: &mut Memory) -> Option<Choice> {
-    let Watch { touches, go_on, is_open } = watch;
-    let stops = stops(passes);
+pub fn choose_again(
+    arm: &Arm<'_>,
+    passes: &[Pass],
+    watch: &SearchHooks<'_>,
+    memory: &mut SearchMemory,
+) -> Option<Choice> {
+    let SearchHooks { touches, go_on, is_open } = watch;
+    let targets = chain_targets(passes);
     loop {
         let known = &*memory;
-        let chain = chain(arm, &stops, go_on, |stop: &ChainTarget| {
+        let chain = chain(arm, &targets, go_on, |target: &ChainTarget| {
             let mut states = known
-                .states((stop.pass, stop.point), || arm.states(&stop.part_from_focus))
-                .map_err(Unreachable::Lack)?;
-            states.retain(|s| is_open(stop.pass, s.branch));
+                .states((target.pass, target.point), || arm.states(&target.part_from_focus))
+                .map_err(Unreachable::NoState)?;
+            states.retain(|s| is_open(target.pass, s.branch));
             if states.is_empty() {
                 return Err(Unreachable::NoWay);
             }
-            let Some(looks) = known.looks((stop.pass, stop.point)) else { return Ok(states) };
+            let Some(checks) = known.checks((target.pass, target.point)) else { return Ok(states) };
             let first = states[0].joints_deg;
-            states.retain(|s| looks.is_free(s, arm.spins(), || touches(&s.joints_deg).is_none()));
+            states.retain(|s| checks.is_free(s, arm.spins(), || touches(&s.joints_deg).is_none()));
             match states.is_empty() {
                 true => Err(touches(&first).map_or(Unreachable::NoWay, Unreachable::Contact)),
                 false => Ok(states),
             }
         })?;
-        let touching: Vec<usize> = stops
+        let touching: Vec<usize> = targets
             .par_iter()
             .zip(&chain)
-            .filter(|(stop, state)| {
+            .filter(|(target, state)| {
                 go_on()
-                    && known.looks((stop.pass, stop.point)).is_none()
+                    && known.checks((target.pass, target.point)).is_none()
                     && state.as_ref().is_ok_and(|s| touches(&s.joints_deg).is_some())
             })
-            .map(|(stop, _)| stop.pass)
+            .map(|(target, _)| target.pass)
             .collect();
         if !go_on() {
             return None;
         }
         if touching.is_empty() {
-            let choice = choice(arm, passes, &stops, chain);
+            let choice = choice(arm, passes, &targets, chain);
             memory.keep(passes);
             return Some(choice);
         }
-        memory.look_at(&touching, passes, arm.spins());
+        memory.check_all_of(&touching, passes, arm.spins());
         memory.keep(passes);
     }
 }
 
-fn stops(passes: &[Pass]) -> Vec<ChainTarget> {
+fn chain_targets(passes: &[Pass]) -> Vec<ChainTarget> {
     let mut out = Vec::new();
     for (pass, p) in passes.iter().enumerate() {
         for (point, t) in p.targets.iter().enumerate().filter(|(_, t)| t.state != pose::TargetState::Blocked) {
@@ -120,33 +125,33 @@ fn stops(passes: &[Pass]) -> Vec<ChainTarget> {
 fn choice(
     arm: &Arm<'_>,
     passes: &[Pass],
-    stops: &[ChainTarget],
+    targets: &[ChainTarget],
     chain: Vec<Result<ArmState, Option<Unreachable>>>,
 ) -> Choice {
     let mut rows: Vec<Vec<Option<ChosenPose>>> = passes.iter().map(|p| vec![None; p.targets.len()]).collect();
     let mut refusals = Vec::new();
     let mut last: Option<(&ChainTarget, ArmState)> = None;
-    for (stop, node) in stops.iter().zip(chain) {
+    for (target, node) in targets.iter().zip(chain) {
         match node {
             Ok(state) => {
-                rows[stop.pass][stop.point] = Some(ChosenPose {
+                rows[target.pass][target.point] = Some(ChosenPose {
                     joints_deg: state.joints_deg,
                     spin_deg: arm.spin_deg(state.spin),
                     branch: state.branch,
                     singularity: state.singularity,
                     limit_margin_deg: arm.robot.limit_margin_deg(&state.joints_deg),
                 });
-                last = Some((stop, state));
+                last = Some((target, state));
             }
             Err(refused) => {
-                let neighbour = last.filter(|(s, _)| s.pass == stop.pass).map(|(_, state)| state);
+                let neighbour = last.filter(|(s, _)| s.pass == target.pass).map(|(_, state)| state);
                 let (cause, why) = match refused {
-                    Some(Unreachable::Lack(lack)) => reason::of_lack(arm, &lack),
+                    Some(Unreachable::NoState(lack)) => reason::of_no_state(arm, &lack),
                     Some(Unreachable::Contact(contact)) => RefusalReason::contact(contact),
                     Some(Unreachable::NoWay) => (RefusalCause::Robot, RefusalReason::NoWay),
-                    None => reason::of_move(arm, &stop.part_from_focus, neighbour.as_ref(), stop.lit_s),
+                    None => reason::of_move(arm, &target.part_from_focus, neighbour.as_ref(), target.lit_s),
                 };
-                refusals.push(Refusal { pass: stop.pass, point: stop.point, cause, why });
+                refusals.push(Refusal { pass: target.pass, point: target.point, cause, why });
             }
         }
     }

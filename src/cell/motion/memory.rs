@@ -1,7 +1,7 @@
-//! What the search for a chain keeps when it is asked again: states, and which of them touch. A target
-//! stands where it stood, whatever was refused or closed meanwhile.
+//! What a repeated search for a chain keeps from the one before: the states of targets, and which of them touch. Targets
+//! do not move, whatever was refused or closed meanwhile.
 
-use super::states::{ArmState, Lack};
+use super::states::{ArmState, NoState};
 use crate::pose::Pass;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -11,23 +11,23 @@ use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 const MOST_STATES: usize = 4_000_000;
 
 /// The states of a target, or why there is none.
-type SolvedStates = Result<Vec<ArmState>, Lack>;
+type SolvedStates = Result<Vec<ArmState>, NoState>;
 
 /// What is known of the targets of some passes.
 #[derive(Default)]
-pub struct Memory {
+pub struct SearchMemory {
     /// By pass and point; empty until a second search begins.
     states: Vec<Vec<OnceLock<SolvedStates>>>,
     kept: AtomicUsize,
     /// By pass in which a chosen state touched: what is known of each of its targets.
-    looks: BTreeMap<usize, Vec<Looks>>,
+    checks: BTreeMap<usize, Vec<ContactChecks>>,
 }
 
-/// What is known of one target's states, by branch and spin: not looked at, free, or touching. Every reading of the turns is
-/// the same pose.
-pub(super) struct Looks(Vec<AtomicU8>);
+/// What is known of one target's states, by branch and spin: not looked at, free, or touching. All readings of a turn
+/// are one pose.
+pub(super) struct ContactChecks(Vec<AtomicU8>);
 
-impl Memory {
+impl SearchMemory {
     /// Keeps the states of these passes from now on.
     pub(super) fn keep(&mut self, passes: &[Pass]) {
         if self.states.is_empty() {
@@ -51,21 +51,21 @@ impl Memory {
     }
 
     /// Which states of a target touch, where its pass is looked at in full.
-    pub(super) fn looks(&self, (pass, point): (usize, usize)) -> Option<&Looks> {
-        self.looks.get(&pass)?.get(point)
+    pub(super) fn checks(&self, (pass, point): (usize, usize)) -> Option<&ContactChecks> {
+        self.checks.get(&pass)?.get(point)
     }
 
     /// Looks at these passes in full from now on.
-    pub(super) fn look_at(&mut self, numbers: &[usize], passes: &[Pass], spins: usize) {
-        let unknown = || Looks(std::iter::repeat_with(AtomicU8::default).take(8 * spins).collect());
+    pub(super) fn check_all_of(&mut self, numbers: &[usize], passes: &[Pass], spins: usize) {
+        let unknown = || ContactChecks(std::iter::repeat_with(AtomicU8::default).take(8 * spins).collect());
         for &number in numbers {
-            let looks = || passes[number].targets.iter().map(|_| unknown()).collect();
-            self.looks.entry(number).or_insert_with(looks);
+            let checks = || passes[number].targets.iter().map(|_| unknown()).collect();
+            self.checks.entry(number).or_insert_with(checks);
         }
     }
 }
 
-impl Looks {
+impl ContactChecks {
     /// Whether a state is free; it is looked at once.
     pub(super) fn is_free(&self, state: &ArmState, spins: usize, look: impl FnOnce() -> bool) -> bool {
         let known = &self.0[usize::from(state.branch) * spins + usize::from(state.spin)];

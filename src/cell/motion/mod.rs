@@ -8,13 +8,13 @@
 pub mod advice;
 pub mod chain;
 pub mod choice;
-mod crowds;
+mod clusters;
 pub mod memory;
 mod reason;
 pub mod refusal;
 pub mod states;
 
-pub use choice::{Choice, ChosenPose, Watch, choose, choose_again};
-pub use memory::Memory;
+pub use choice::{Choice, ChosenPose, SearchHooks, choose, choose_again};
+pub use memory::SearchMemory;
 pub use refusal::{Refusal, RefusalCause, RefusalReason};
 pub use states::{Arm, ArmState};

@@ -2,16 +2,16 @@
 
 use super::chain::{MOST_SPEED, MOST_STEP_DEG, most_deg};
 use super::refusal::{RefusalCause, RefusalReason};
-use super::states::{Arm, ArmState, Lack};
+use super::states::{Arm, ArmState, NoState};
 use crate::cell::Joints;
 use nalgebra::Isometry3;
 
 /// Why a target has no state.
-pub(super) fn of_lack(arm: &Arm<'_>, lack: &Lack) -> (RefusalCause, RefusalReason) {
+pub(super) fn of_no_state(arm: &Arm<'_>, lack: &NoState) -> (RefusalCause, RefusalReason) {
     match *lack {
-        Lack::Reach => (RefusalCause::Reach, RefusalReason::OutOfReach { robot: arm.robot.name.clone() }),
-        Lack::Limit { joint, needs_deg } => (RefusalCause::Limit, beyond(arm, joint, needs_deg)),
-        Lack::Singularity => (RefusalCause::Singularity, RefusalReason::Singular),
+        NoState::Reach => (RefusalCause::Reach, RefusalReason::OutOfReach { robot: arm.robot.name.clone() }),
+        NoState::Limit { joint, needs_deg } => (RefusalCause::Limit, beyond(arm, joint, needs_deg)),
+        NoState::Singularity => (RefusalCause::Singularity, RefusalReason::Singular),
     }
 }
 

@@ -39,7 +39,7 @@ pub struct ArmState {
 
 /// Why a path frame has no state.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Lack {
+pub enum NoState {
     /// No solution at any spin.
     Reach,
     /// Solutions, but in each a joint is beyond its limits; the least overrun that was found.
@@ -96,7 +96,7 @@ impl<'a> Arm<'a> {
     ///
     /// # Errors
     /// There is none, and why.
-    pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<ArmState>, Lack> {
+    pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<ArmState>, NoState> {
         let mut solved: Vec<[Option<Joints>; 8]> = Vec::with_capacity(self.spins.len());
         for k in 0..self.spins.len() {
             solved.push(self.robot.inverse(&self.flange_for(&self.with_spin(part_from_focus, k as u8))));
@@ -129,10 +129,10 @@ impl<'a> Arm<'a> {
             return Ok(out);
         }
         Err(match least {
-            _ if !reached => Lack::Reach,
-            _ if singular => Lack::Singularity,
-            Some((_, joint, needs_deg)) => Lack::Limit { joint, needs_deg },
-            None => Lack::Singularity,
+            _ if !reached => NoState::Reach,
+            _ if singular => NoState::Singularity,
+            Some((_, joint, needs_deg)) => NoState::Limit { joint, needs_deg },
+            None => NoState::Singularity,
         })
     }
 }

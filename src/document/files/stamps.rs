@@ -22,8 +22,8 @@ pub fn stamp_of(file: &Path) -> Stamp {
 pub struct Stamps(Vec<(PathBuf, Stamp)>);
 
 impl Stamps {
-    /// The stamps of all files but the part's that a job in `job_file` names; `cell` is the one that it names, if that can be
-    /// read.
+    /// Stamps of all files that a job in `job_file` names, but for the part's; `cell` is the one that it names, if that can
+    /// be read.
     pub fn of(job: &Job, job_file: Option<&Path>, cell: Option<&Cell>) -> Stamps {
         let robot_file = Some(&job.cell.robot).filter(|r| !Robot::is_shipped(r));
         let named = [Some(&job.cell.file), Some(&job.beam.head), robot_file];

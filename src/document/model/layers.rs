@@ -79,7 +79,7 @@ impl Serialize for Offset {
 impl<'de> Deserialize<'de> for Offset {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
-        #[serde(untagged)]
+        #[serde(untagged, expecting = "give \"centred\" or a number of mm")]
         enum RawOffset {
             Number(f64),
             Word(String),

@@ -1,6 +1,6 @@
 //! Files into a folder, all of them or none, whatever stands there and whenever the process ends.
 
-use super::conflict::ExportOf;
+use super::conflict::{ExportOf, MayReplace};
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::ExportIntent;
@@ -12,7 +12,6 @@ use crate::progress::{Activity, Progress};
 use std::path::Path;
 
 /// Puts files into a folder, which is made if it is not there; names of those of the earlier export that went.
-/// `reads_job`: the job that stands there is the one that is exported.
 ///
 /// # Errors
 /// What stands in the way, cannot be written, or [`ExportError::Cancelled`]; the folder is as it was, unless it could
@@ -21,15 +20,15 @@ pub(super) fn put_in_place(
     dir: &Path,
     files: &[OutputFile],
     of: &ExportOf,
-    (reads_job, overwrite): (bool, bool),
+    may: MayReplace,
     progress: &Progress,
 ) -> Result<Vec<String>, ExportError> {
     progress.check()?;
     let is_new = !dir.exists();
     std::fs::create_dir_all(dir).map_err(|e| JobError::write(dir, e))?;
     let folder = ExportFolder::open(dir)?;
-    recover(&folder, (reads_job, overwrite))?;
-    let intent = intended(&folder, files, of, (reads_job, overwrite))?;
+    recover(&folder, may)?;
+    let intent = intended(&folder, files, of, may)?;
     let staging = intent.staging(files);
     progress.begin(Activity::WritingFiles, staging.len());
     let staged = staging.iter().try_for_each(|step| {
@@ -53,11 +52,11 @@ pub(super) fn intended(
     folder: &ExportFolder,
     files: &[OutputFile],
     of: &ExportOf,
-    (reads_job, overwrite): (bool, bool),
+    may: MayReplace,
 ) -> Result<ExportIntent, ExportError> {
     let names: Vec<&str> = files.iter().map(|f| f.name.as_str()).collect();
-    let met = compare_folder(folder, of, &names, reads_job)?;
-    allowed(folder.path(), met.conflicts, overwrite)?;
+    let met = compare_folder(folder, of, &names, may.reads_job)?;
+    allowed(folder.path(), met.conflicts, may.overwrite)?;
     Ok(ExportIntent::new(of.clone(), files, met.standing))
 }
 

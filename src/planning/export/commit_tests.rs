@@ -1,7 +1,7 @@
 //! Exports that are broken off behind every single step, and what the next one makes of the folder.
 
 use super::commit::{intended, put_in_place};
-use super::conflict::{ConflictReason, ExportOf, FileConflict};
+use super::conflict::{ConflictReason, ExportOf, FileConflict, MayReplace};
 use super::error::ExportError;
 use super::folder::ExportFolder;
 use super::intent::{CommitStep, ExportIntent};
@@ -16,12 +16,14 @@ use tempfile::TempDir;
 
 const NOTES: &str = "notes.txt";
 
+const NOTHING: MayReplace = MayReplace { reads_job: false, overwrite: false };
+
 fn of() -> ExportOf {
     ExportOf { job: "gear".into(), part: "gear.stl".into() }
 }
 
 fn export_into(dir: &Path, files: &[OutputFile], overwrite: bool) -> Result<Vec<String>, ExportError> {
-    put_in_place(dir, files, &of(), (false, overwrite), &Progress::default())
+    put_in_place(dir, files, &of(), MayReplace { reads_job: false, overwrite }, &Progress::default())
 }
 
 /// An export whose main program is `first`, and calls the programs behind it. `said`: what the main program says.
@@ -99,7 +101,7 @@ fn broken_off(old: Option<&[OutputFile]>, new: &[OutputFile], taken: usize) -> O
         export_into(dir.path(), old, false).expect("the old export");
     }
     let folder = ExportFolder::open(dir.path()).expect("opens");
-    let intent: ExportIntent = intended(&folder, new, &of(), (false, false)).expect("nothing in the way");
+    let intent: ExportIntent = intended(&folder, new, &of(), NOTHING).expect("nothing in the way");
     let steps: Vec<CommitStep> = intent.staging(new).into_iter().chain(intent.steps()).collect();
     if taken > steps.len() {
         return None;
@@ -161,7 +163,7 @@ fn an_export_whose_new_files_are_gone_leaves_no_mixed_program() {
         let Some(gone) = staged.get(when.len() % staged.len().max(1)) else { return };
         std::fs::remove_file(dir.path().join(gone)).expect("removes");
         let folder = ExportFolder::open(dir.path()).expect("opens");
-        super::recovery::recover(&folder, (false, false)).expect("nothing in the way");
+        super::recovery::recover(&folder, NOTHING).expect("nothing in the way");
         assert_sound(dir.path(), when);
         drop(folder);
         assert_becomes(dir.path(), next, when);
@@ -193,11 +195,13 @@ fn a_job_that_was_changed_since_a_crash_is_not_put_back() {
         let job = dir.path().join("job.toml");
         std::fs::write(&job, "changed").expect("writes");
         let folder = ExportFolder::open(dir.path()).expect("opens");
-        super::recovery::recover(&folder, (true, false)).expect("nothing in the way");
+        super::recovery::recover(&folder, MayReplace { reads_job: true, overwrite: false })
+            .expect("nothing in the way");
         assert_sound(dir.path(), &format!("behind {taken} steps"));
         assert_eq!(std::fs::read_to_string(&job).expect("kept"), "changed");
         drop(folder);
-        put_in_place(dir.path(), new, &of(), (true, false), &Progress::default()).expect("the job may be replaced");
+        put_in_place(dir.path(), new, &of(), MayReplace { reads_job: true, overwrite: false }, &Progress::default())
+            .expect("the job may be replaced");
         assert_eq!(files_on_disk(dir.path()), expected(new));
     }
 }
@@ -212,7 +216,7 @@ fn a_cancelled_export_leaves_the_folder_as_it_was() {
     cancelled.cancel();
     let inner = dir.path().join("inner");
     for into in [dir.path(), &inner] {
-        let said = put_in_place(into, &new, &of(), (false, false), &cancelled);
+        let said = put_in_place(into, &new, &of(), NOTHING, &cancelled);
         assert!(matches!(said, Err(ExportError::Cancelled)), "{said:?}");
     }
     assert_eq!(files_on_disk(dir.path()), expected(&old));

@@ -41,3 +41,12 @@ impl FileConflict {
         self.reason != ConflictReason::Folder
     }
 }
+
+/// What an export may replace although it is not as an earlier export of the same job left it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MayReplace {
+    /// The folder's job: it is the file that the exported job was read from.
+    pub(super) reads_job: bool,
+    /// All files: the user said so.
+    pub(super) overwrite: bool,
+}

@@ -32,6 +32,7 @@ use crate::cell::Setup;
 use crate::document::files::rebased;
 use crate::document::model::Job;
 use crate::progress::Progress;
+use conflict::MayReplace;
 use folder::ExportFolder;
 use std::path::{Path, PathBuf};
 
@@ -62,7 +63,7 @@ pub fn conflicts(
     }
     let folder = ExportFolder::open(dir)?;
     let reads_job = ownership::reads_job_of(dir, job_file);
-    match recovery::recover(&folder, (reads_job, false)) {
+    match recovery::recover(&folder, MayReplace { reads_job, overwrite: false }) {
         Err(ExportError::Conflicts { conflicts, .. }) => return Ok(conflicts),
         other => other?,
     }
@@ -87,8 +88,8 @@ pub fn write(
     let of = ExportOf::new(input.job, job_file);
     let job = rebased(input.job, job_file, &dir.join(names::JOB))?;
     let (files, report) = contents::files(&ExportInput { job: &job, ..*input }, &of, progress)?;
-    let reads_job = ownership::reads_job_of(dir, job_file);
-    let removed = commit::put_in_place(dir, &files, &of, (reads_job, overwrite), progress)?;
+    let may = MayReplace { reads_job: ownership::reads_job_of(dir, job_file), overwrite };
+    let removed = commit::put_in_place(dir, &files, &of, may, progress)?;
     let path = |name: &String| dir.join(name);
     Ok(Exported {
         written: files.iter().map(|f| path(&f.name)).collect(),

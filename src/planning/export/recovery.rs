@@ -1,7 +1,7 @@
 //! What a crash left in a folder. An export whose intent stands is ended, where all of it is still there; where it
 //! is not, no program is left rather than a mixed one.
 
-use super::conflict::{ConflictReason, FileConflict};
+use super::conflict::{ConflictReason, FileConflict, MayReplace};
 use super::error::ExportError;
 use super::folder::{ExportFolder, FolderEntry, INTENT};
 use super::intent::{CommitStep, ExportIntent};
@@ -27,15 +27,15 @@ pub(super) struct Pending {
 /// # Errors
 /// [`ExportError::Conflicts`] with what was changed since the crash, unless it may be overwritten; what cannot be
 /// read or written.
-pub(super) fn recover(folder: &ExportFolder, (reads_job, overwrite): (bool, bool)) -> Result<(), ExportError> {
-    let pending = Pending::in_folder(folder, reads_job)?;
-    allowed(folder.path(), pending.conflicts.clone(), overwrite)?;
+pub(super) fn recover(folder: &ExportFolder, may: MayReplace) -> Result<(), ExportError> {
+    let pending = Pending::in_folder(folder, may.reads_job)?;
+    allowed(folder.path(), pending.conflicts.clone(), may.overwrite)?;
     pending.steps.iter().try_for_each(|step| pending.apply(folder, step))?;
     Ok(())
 }
 
 impl Pending {
-    /// Looks into a folder. `reads_job`: see [`recover`].
+    /// Looks into a folder. `reads_job`: as in [`MayReplace`].
     ///
     /// # Errors
     /// A file is there and cannot be read.

@@ -51,17 +51,30 @@ pub(in super::super) fn grown_parts(
     made.into_iter().collect()
 }
 
-/// The toolpaths of one layer of the surfaces in `list`, each with the digest of all that it depends on.
+/// What one layer is planned from.
+#[derive(Clone, Copy)]
+pub(in super::super) struct LayerInput<'a> {
+    /// The part as it has grown when the layer begins.
+    pub(in super::super) part: &'a Part,
+    /// Its surfaces, grown with it.
+    pub(in super::super) surfaces: &'a Surfaces,
+    /// Numbers of the surfaces to work on, in the order of work.
+    pub(in super::super) list: &'a [u32],
+    /// Their jobs.
+    pub(in super::super) jobs: &'a SurfaceJobs<'a>,
+    /// Layer of the build-up, from 0.
+    pub(in super::super) layer: u32,
+}
+
+/// The toolpaths of one layer, each with the digest of all that it depends on.
 pub(in super::super) fn layer_toolpaths(
-    (part, surfaces): (&Part, &Surfaces),
-    list: &[u32],
-    own: &SurfaceJobs<'_>,
+    of: &LayerInput<'_>,
     cache: &Cache,
-    layer: u32,
     progress: &Progress,
 ) -> Result<Vec<(Digest, Arc<Toolpath>)>, Cancelled> {
+    let LayerInput { part, surfaces, list, jobs, layer } = *of;
     let default = Job::default();
-    let job_of = |n: u32| own.get(&n).map_or(&default, |j| j);
+    let job_of = |n: u32| jobs.get(&n).map_or(&default, |j| j);
     let list = list.iter().filter(|n| layer < job_of(**n).layer_count());
     let rasters: Vec<Raster> = list.map(|n| raster(*n, job_of(*n))).collect();
     let families = planes::planes(&part.mesh, surfaces, &rasters);
@@ -73,19 +86,18 @@ pub(in super::super) fn layer_toolpaths(
     Ok(toolpaths.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
 }
 
-/// Plans one layer of the surfaces in `list`, in the order of work. The pieces that it is made of go into `kept`.
+/// Plans one layer, its surfaces in the order of work. The pieces that it is made of go into `kept`.
 pub(in super::super) fn plan_layer(
-    (part, surfaces): (&Part, &Surfaces),
-    list: &[u32],
-    own: &SurfaceJobs<'_>,
-    (tool, cache): (&Tool, &Cache),
-    layer: u32,
+    of: &LayerInput<'_>,
+    tool: &Tool,
+    cache: &Cache,
     kept: &mut Kept,
     progress: &Progress,
 ) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
+    let (part, jobs) = (of.part, of.jobs);
     let default = Job::default();
-    let job_of = |n: u32| own.get(&n).map_or(&default, |j| j);
-    let toolpaths = layer_toolpaths((part, surfaces), list, own, cache, layer, progress)?;
+    let job_of = |n: u32| jobs.get(&n).map_or(&default, |j| j);
+    let toolpaths = layer_toolpaths(of, cache, progress)?;
     // Where a surface begins may depend on where the one before ends.
     let (mut spot, mut lines) = (None, Vec::with_capacity(toolpaths.len()));
     for (key, toolpath) in &toolpaths {

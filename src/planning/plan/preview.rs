@@ -1,6 +1,6 @@
 //! The lines of a job before anything is asked of the beam: what is shown while a plan is being made.
 
-use super::build_up::layer_toolpaths;
+use super::build_up::{LayerInput, layer_toolpaths};
 use super::prepared::prepare;
 use super::surface_plan::Cache;
 use super::toolpath::Toolpath;
@@ -22,7 +22,8 @@ pub fn preview(
     progress: &Progress,
 ) -> Result<Vec<Arc<Toolpath>>, PlanError> {
     let (list, own) = prepare(part, surfaces, job)?;
-    let toolpaths = layer_toolpaths((part, surfaces), &list, &own, cache, 0, progress)?;
+    let toolpaths =
+        layer_toolpaths(&LayerInput { part, surfaces, list: &list, jobs: &own, layer: 0 }, cache, progress)?;
     cache.add_toolpaths(&toolpaths);
     Ok(toolpaths.into_iter().map(|l| l.1).collect())
 }

@@ -1,4 +1,4 @@
-//! Remarks: how lines or program differ from what the job asks for, though they are there. Sentences of them stand in `text`.
+//! Remarks: how lines or program differ from what the job asks for, though they are there. Sentences stand in `text`.
 
 use crate::path::LinesFinding;
 use crate::program::Shortfall;

@@ -96,7 +96,7 @@ pub struct SplitReport {
 /// Where passes are split, in program order.
 pub(super) fn splits(passes: &[Pass], surfaces: &Surfaces) -> Vec<SplitReport> {
     let of_pass = |(pass, p): (usize, &Pass)| -> Vec<SplitReport> {
-        let one = |s: &Split| {
+        let report = |s: &Split| {
             let by_facet = s.wall.and_then(|b| match b.obstruction {
                 Obstruction::Facet(f) => Some(f),
                 Obstruction::Clamp(_) => None,
@@ -104,7 +104,7 @@ pub(super) fn splits(passes: &[Pass], surfaces: &Surfaces) -> Vec<SplitReport> {
             let by_surface = by_facet.map(|f| surfaces.of_facet[f as usize]);
             SplitReport { pass, point: s.point, surface: p.surface, by_facet, by_surface }
         };
-        p.splits.iter().map(one).collect()
+        p.splits.iter().map(report).collect()
     };
     passes.iter().enumerate().flat_map(of_pass).collect()
 }

@@ -35,7 +35,8 @@ pub fn leads(space: &Space<'_>, pass: &Pass, (first, last): (usize, usize), [sta
     Leads { before: before.and_then(Result::ok), behind: behind.and_then(Result::ok), left_out }
 }
 
-/// Straight away from target `inner`, beyond target `at`. `None`: none is wanted; an error: it is not free.
+/// The lead that goes straight on beyond target `at`, away from target `inner`.
+/// `None`: none is wanted; an error: it is not free.
 fn lead(
     space: &Space<'_>,
     pass: &Pass,

@@ -45,13 +45,13 @@ pub fn lit_ranges(passes: &[Pass]) -> Vec<LitRange> {
 pub struct Spaces<'a>(Vec<Space<'a>>);
 
 impl<'a> Spaces<'a> {
-    /// `whole`: around all layers.
+    /// `whole`: the space around the part with all its layers.
     pub fn new(whole: &Space<'a>, prover: &Prover<'a>, passes: &[Pass]) -> Spaces<'a> {
         let last = passes.iter().map(|p| p.settings.layer).max().unwrap_or(0);
         Spaces((0..=last).map(|layer| whole.with_part(prover.part_of(layer + 1))).collect())
     }
 
-    fn of(&self, pass: &Pass) -> &Space<'a> {
+    fn of_pass(&self, pass: &Pass) -> &Space<'a> {
         let layer = (pass.settings.layer as usize).min(self.0.len() - 1);
         &self.0[layer]
     }
@@ -63,7 +63,7 @@ pub fn pieces(spaces: &Spaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
         let (pass, first, last) = (&passes[of.pass], of.first, of.last);
         let at = |point: usize| Station::of(&pass.targets[point], &pass.settings);
         let (start, end) = (at(first), at(last));
-        let leads = leads(spaces.of(pass), pass, (first, last), [&start, &end]);
+        let leads = leads(spaces.of_pass(pass), pass, (first, last), [&start, &end]);
         let (entry, exit) = (leads.before.map_or(start, |l| l.at), leads.behind.map_or(end, |l| l.at));
         LitPiece { of, leads, entry, exit }
     };
@@ -72,19 +72,19 @@ pub fn pieces(spaces: &Spaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
 
 /// Whether the way from one piece to the next may go straight: it depends on their two ends alone.
 pub fn hops(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece]) -> Vec<bool> {
-    let is_hop = |w: &[LitPiece]| spaces.of(&passes[w[1].of.pass]).is_hop(&w[0].exit, &w[1].entry);
+    let is_hop = |w: &[LitPiece]| spaces.of_pass(&passes[w[1].of.pass]).is_hop(&w[0].exit, &w[1].entry);
     pieces.par_windows(2).map(is_hop).collect()
 }
 
 /// Targets of pieces that the head would have to be drawn back from, out to the sphere, and cannot.
-pub fn stuck(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[bool]) -> Vec<Refusal> {
+pub fn blocked_retreats(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[bool]) -> Vec<Refusal> {
     let drawn_back = |space: &Space<'_>, at: &Station, is_hop: Option<&bool>| match is_hop {
         Some(true) => None,
-        _ => space.head_hit(at, &space.outside(at)),
+        _ => space.head_hit(at, &space.on_sphere(at)),
     };
     let refusals = |(i, piece): (usize, &LitPiece)| {
         let before = i.checked_sub(1).and_then(|i| hops.get(i));
-        let space = spaces.of(&passes[piece.of.pass]);
+        let space = spaces.of_pass(&passes[piece.of.pass]);
         let hit = drawn_back(space, &piece.entry, before).or_else(|| drawn_back(space, &piece.exit, hops.get(i)));
         hit.map_or_else(Vec::new, |b| refusals_of_hit(piece, &b))
     };

@@ -49,7 +49,7 @@ impl<'a> Space<'a> {
     }
 
     /// The sphere lies `air.clearance_mm` outside everything that the focus reaches, and the head beside it.
-    /// `head`: without its beam.
+    /// `head`: its body without the beam.
     fn new(
         part: &'a Part,
         (head, mounted): (Option<ToolGeometry<'a>>, Mounted),
@@ -136,11 +136,6 @@ impl<'a> Space<'a> {
         angle::unit(at.x - self.centre)
     }
 
-    /// Entry (before the first piece) or exit (behind the last).
-    pub fn outside(&self, at: &Station) -> Station {
-        self.on_sphere(at)
-    }
-
     /// The focus drawn back along the beam, the first of a way round.
     pub fn drawn_back(&self, s: &Station) -> Station {
         Station { x: s.x + s.a * self.air.retreat_mm, ..*s }
@@ -152,7 +147,7 @@ impl<'a> Space<'a> {
         self.clears(&at.x, &at.a) && self.is_head_clear_at(part_from_focus)
     }
 
-    /// Whether the head alone does.
+    /// Whether the head alone keeps clear of the part at a path frame.
     pub fn is_head_clear_at(&self, part_from_focus: &Isometry3<f64>) -> bool {
         let at = Station::at(part_from_focus);
         self.head_hit(&at, &at).is_none()
@@ -174,8 +169,8 @@ impl<'a> Space<'a> {
         clear
     }
 
-    /// Where the beam of a station leaves the sphere.
-    fn on_sphere(&self, s: &Station) -> Station {
+    /// Where the beam of a station leaves the sphere around the part.
+    pub fn on_sphere(&self, s: &Station) -> Station {
         let w = s.x - self.centre;
         let along = w.dot(&s.a);
         let t = -along + (along * along - w.norm_squared() + self.radius_mm * self.radius_mm).max(0.0).sqrt();
@@ -199,7 +194,7 @@ impl<'a> Space<'a> {
         })
     }
 
-    /// Duration of a move in the air, s: by its length or by its turn, whichever takes longer.
+    /// Duration of a connecting move, s: by its length or by its turn, whichever takes longer.
     pub fn seconds(&self, from: &Station, to: &Station, air_speed_mm_s: f64) -> f64 {
         let turn = from.turn_deg(to);
         ((to.x - from.x).norm() / air_speed_mm_s).max(turn / self.air.turn_deg_s)

@@ -26,7 +26,7 @@ pub fn steps(
     let spaces = Spaces::new(&space, &straight.prover, passes);
     let pieces = pieces::pieces(&spaces, passes);
     let hops = pieces::hops(&spaces, passes, &pieces);
-    let refused = pieces::stuck(&spaces, passes, &pieces, &hops);
+    let refused = pieces::blocked_retreats(&spaces, passes, &pieces, &hops);
     let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
     walk.out.list.push(Step::Home);
     let mut at: Option<Station> = None;
@@ -34,19 +34,19 @@ pub fn steps(
     for (index, piece) in pieces.iter().enumerate() {
         let pass = &passes[piece.of.pass];
         let here = match at {
-            None => walk.from_home(piece),
-            Some(from) => walk.over(from, piece, hops[index - 1]),
+            None => walk.push_way_from_home(piece),
+            Some(from) => walk.push_way_to(from, piece, hops[index - 1]),
         };
         if announced_pass != Some(piece.of.pass) {
             walk.out.say_pass(piece.of.pass, pass);
             announced_pass = Some(piece.of.pass);
         }
-        let start = walk.onto(here, pass, piece);
-        let end = walk.along(start, pass, piece);
-        at = Some(walk.off(end, piece.leads.behind));
+        let start = walk.push_approach(here, pass, piece);
+        let end = walk.push_lit_piece(start, pass, piece);
+        at = Some(walk.push_retreat(end, piece.leads.behind));
     }
     if let Some(end) = at {
-        walk.push_connecting_move(end, space.outside(&end), None);
+        walk.push_connecting_move(end, space.on_sphere(&end), None);
     }
     let FocusWalk { mut out, refused, .. } = walk;
     out.list.push(Step::Home);
@@ -65,17 +65,17 @@ struct FocusWalk<'a> {
 }
 
 impl FocusWalk<'_> {
-    /// From home to outside the first piece, by joints: how far that is, is not known without a robot.
-    fn from_home(&mut self, piece: &LitPiece) -> Station {
-        let to = self.space.outside(&piece.entry);
+    /// Adds the move by joints from home to outside the first piece. Without a robot its length is not known.
+    fn push_way_from_home(&mut self, piece: &LitPiece) -> Station {
+        let to = self.space.on_sphere(&piece.entry);
         let timing = MoveTiming::Percent(self.setup.cell.air.home_percent);
         let interpolation = Interpolation::Joint;
         self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target: None }));
         to
     }
 
-    /// Over the part to before a piece.
-    fn over(&mut self, from: Station, piece: &LitPiece, is_hop: bool) -> Station {
+    /// Adds the way over the part to a piece, straight if it is a hop.
+    fn push_way_to(&mut self, from: Station, piece: &LitPiece, is_hop: bool) -> Station {
         let to = piece.entry.nearest_to(&from);
         let mut before = from;
         for via in self.space.between(&from, &to, is_hop) {
@@ -86,8 +86,8 @@ impl FocusWalk<'_> {
         before
     }
 
-    /// Down to a piece's first target, by its lead-in if it has one.
-    fn onto(&mut self, here: Station, pass: &Pass, piece: &LitPiece) -> Station {
+    /// Adds the way down to a piece's first target, by its lead-in if it has one.
+    fn push_approach(&mut self, here: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let first = Some((piece.of.pass, piece.of.first));
         let start = Station::of(&pass.targets[piece.of.first], &pass.settings).nearest_to(&here);
         match piece.leads.before {
@@ -102,8 +102,8 @@ impl FocusWalk<'_> {
         start
     }
 
-    /// Along a piece with the laser on.
-    fn along(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
+    /// Adds a piece with the laser on.
+    fn push_lit_piece(&mut self, start: Station, pass: &Pass, piece: &LitPiece) -> Station {
         let mut here = start;
         self.out.set_process(&pass.settings);
         self.out.list.push(Step::Laser(true));
@@ -112,7 +112,7 @@ impl FocusWalk<'_> {
             let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
             let seconds = spot_mm / pass.settings.speed_mm_s;
             let mut done = 0.0;
-            match self.straight.between(&here, &next, &pass.settings) {
+            match self.straight.stations_between(&here, &next, &pass.settings) {
                 Ok(between) => {
                     for (share, station) in between {
                         self.push_move(station, seconds * (share - done), None);
@@ -128,8 +128,8 @@ impl FocusWalk<'_> {
         here
     }
 
-    /// Off a piece, by its lead-out if it has one.
-    fn off(&mut self, end: Station, lead: Option<Lead>) -> Station {
+    /// Adds the lead-out of a piece, if it has one.
+    fn push_retreat(&mut self, end: Station, lead: Option<Lead>) -> Station {
         let Some(lead) = lead else { return end };
         let to = Station { o: end.o, ..lead.at };
         self.out.air_mm += (to.x - end.x).norm();
@@ -137,14 +137,14 @@ impl FocusWalk<'_> {
         to
     }
 
-    /// A straight move in a given time.
+    /// Adds a straight move in a given time.
     fn push_move(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
         self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target }));
         self.out.time_s += seconds;
     }
 
-    /// A straight move at the speed of the air.
+    /// Adds a straight move at the speed of connecting moves.
     fn push_connecting_move(&mut self, from: Station, to: Station, target: Option<(usize, usize)>) {
         self.out.air_mm += (to.x - from.x).norm();
         self.push_move(to, self.space.seconds(&from, &to, self.air_mm_s), target);

@@ -56,8 +56,8 @@ impl Found {
     }
 }
 
-/// The error of a straight move from an unknown pose: without a robot, joint angles give no pose and so no duration. It is
-/// reported at the line with the joint angles, and names the line that goes on from there.
+/// The error of a straight move from an unknown pose: without a robot, joint angles give no pose and so no duration.
+/// It is reported at the line with the joint angles, and names the line that goes on from there.
 pub fn unknown_start(before: &[ReadLine], file: &str, line: usize) -> ReadError {
     match before.iter().rev().find(|l| matches!(l.what, Statement::Move(_))) {
         None => LineFault::FromNowhere.at(file, line),

@@ -62,7 +62,7 @@ pub(super) struct WorkMove {
 }
 
 impl Drive<'_> {
-    pub(super) fn piece(
+    pub(super) fn drive_piece(
         &self,
         space: &Space<'_>,
         passes: &[Pass],
@@ -88,18 +88,19 @@ impl Drive<'_> {
             let to = arm_stand(point)?;
             let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.settings.speed_mm_s;
             let before = lit.len();
-            self.between(&here, &to, (&pass.settings, seconds), &mut lit).map_err(|reason| refuse(point, reason))?;
+            self.push_work_moves(&here, &to, (&pass.settings, seconds), &mut lit)
+                .map_err(|reason| refuse(point, reason))?;
             if let Some(l) = lit[before..].last_mut() {
                 l.target = Some((number, point));
             }
             here = to;
         }
-        let leads = self.leads(lead::leads(space, pass, (first, last), [&start.at, &here.at]), &start, &here);
+        let leads = self.drive_leads(lead::leads(space, pass, (first, last), [&start.at, &here.at]), &start, &here);
         Ok(DrivenPiece { start, lit, leads })
     }
 
     /// The leads that the arm can make.
-    fn leads(&self, wanted: Leads, start: &ArmStand, end: &ArmStand) -> DrivenLeads {
+    fn drive_leads(&self, wanted: Leads, start: &ArmStand, end: &ArmStand) -> DrivenLeads {
         let drive_lead = |lead: Lead, from: &ArmStand| {
             let joints_deg =
                 self.robot.nearest_inverse(&self.mounted.flange_for(&lead.at.frame()), &from.joints_deg)?;
@@ -115,7 +116,7 @@ impl Drive<'_> {
     }
 
     /// Moves at the speed of the work from one stand to the next, with stations in between where the spot needs them.
-    fn between(
+    fn push_work_moves(
         &self,
         from: &ArmStand,
         to: &ArmStand,
@@ -123,7 +124,7 @@ impl Drive<'_> {
         out: &mut Vec<WorkMove>,
     ) -> Result<(), (RefusalCause, RefusalReason)> {
         let (mut here, mut done) = (*from, 0.0);
-        for (share, at) in self.straight.between(&from.at, &to.at, work)? {
+        for (share, at) in self.straight.stations_between(&from.at, &to.at, work)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
             let Some(joints_deg) = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), &guess) else {
                 return Err((RefusalCause::Limit, RefusalReason::LimitBetween));

@@ -38,12 +38,12 @@ pub struct Drive<'a> {
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
     /// What was found out so far.
-    pub known: Known,
+    pub known: DriveMemo,
 }
 
 /// Moves and pieces that were worked out.
 #[derive(Default)]
-pub struct Known {
+pub struct DriveMemo {
     moves: KnownMoves,
     ways: Memo<Ends, Option<Vec<Go>>>,
     pieces: Memo<(LitRange, Vec<JointBits>), Result<DrivenPiece, Refusal>>,
@@ -75,7 +75,7 @@ impl<'a> Drive<'a> {
         }
     }
 
-    fn known_piece(
+    fn driven_piece(
         &self,
         space: &Space<'_>,
         passes: &[Pass],
@@ -83,6 +83,6 @@ impl<'a> Drive<'a> {
         of: LitRange,
     ) -> Result<DrivenPiece, Refusal> {
         let chosen = choice.rows[of.pass][of.first..=of.last].iter().flatten().map(|c| bits(&c.joints_deg)).collect();
-        self.known.pieces.get((of, chosen), || self.piece(space, passes, choice, of))
+        self.known.pieces.get((of, chosen), || self.drive_piece(space, passes, choice, of))
     }
 }

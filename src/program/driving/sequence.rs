@@ -39,7 +39,7 @@ impl Drive<'_> {
             let begin = (1..whole.len()).into_par_iter().find_first(reachable).unwrap_or(whole.len());
             return Err(unreached(&ranges[..begin], choice));
         }
-        let closed = self.closed(&space, &ranges, &whole, &ways);
+        let closed = self.unreachable_pieces(&space, &ranges, &whole, &ways);
         if !closed.is_empty() {
             return Err(unreached(&closed, choice));
         }
@@ -69,7 +69,7 @@ impl Drive<'_> {
         let driven: Vec<Result<DrivenPiece, Refusal>> = ranges
             .par_iter()
             .take_any_while(|_| (self.go_on)())
-            .map(|&of| self.known_piece(space, passes, choice, of))
+            .map(|&of| self.driven_piece(space, passes, choice, of))
             .collect();
         if !(self.go_on)() {
             return Err(Undriven::default());
@@ -84,7 +84,7 @@ impl Drive<'_> {
         if refused.is_empty() { Ok(whole) } else { Err(Undriven { refused, ..Undriven::default() }) }
     }
 
-    /// The ways. Where nothing leads to the far end of a lead, the piece does without.
+    /// The ways between the pieces. Where none leads to the far end of a lead, the lead is left out.
     fn ways_without_leads(&self, space: &Space<'_>, whole: &mut [DrivenPiece]) -> WaysBetween {
         loop {
             let ways = self.ways(space, whole);
@@ -117,7 +117,7 @@ impl Drive<'_> {
     }
 
     /// Pieces that nothing leads to, or from.
-    fn closed(
+    fn unreachable_pieces(
         &self,
         space: &Space<'_>,
         ranges: &[LitRange],
@@ -158,7 +158,7 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
     for ((way, of), piece) in ways.iter().zip(ranges).zip(whole) {
         let Some((down, way)) = way.as_ref().and_then(|way| way.split_last()) else { continue };
         for go in way {
-            out.connect(go, at.as_ref());
+            out.push_connecting_move(go, at.as_ref());
             at = Some(go.to);
         }
         let pass = &passes[of.pass];
@@ -168,20 +168,20 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
         }
         let begin = Some((of.pass, of.first));
         let target = begin.filter(|_| piece.leads.before.is_none());
-        out.connect(&Go { target, ..*down }, at.as_ref());
+        out.push_connecting_move(&Go { target, ..*down }, at.as_ref());
         if let Some(lead) = &piece.leads.before {
-            out.lead(&piece.start, lead.seconds, (&lead.to.at, begin));
+            out.push_lead(&piece.start, lead.seconds, (&lead.to.at, begin));
         }
         out.set_process(&pass.settings);
-        out.work(piece);
+        out.push_lit_piece(piece);
         if let Some(lead) = &piece.leads.behind {
-            out.lead(&lead.to, lead.seconds, (&piece.last().at, None));
+            out.push_lead(&lead.to, lead.seconds, (&piece.last().at, None));
         }
         at = Some(piece.exit().at);
     }
     if let (Some(Some(way)), true) = (ways.last(), !whole.is_empty()) {
         for go in way {
-            out.connect(go, at.as_ref());
+            out.push_connecting_move(go, at.as_ref());
             at = Some(go.to);
         }
     }
@@ -190,8 +190,8 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
 }
 
 impl Steps {
-    /// A piece with the laser on.
-    fn work(&mut self, piece: &DrivenPiece) {
+    /// Adds a piece with the laser on.
+    fn push_lit_piece(&mut self, piece: &DrivenPiece) {
         self.list.push(Step::Laser(true));
         for l in &piece.lit {
             self.time_s += l.seconds;
@@ -206,15 +206,15 @@ impl Steps {
         self.list.push(Step::Laser(false));
     }
 
-    /// A move along a lead, from a station.
-    fn lead(&mut self, to: &ArmStand, seconds: f64, (from, target): (&Station, Option<(usize, usize)>)) {
+    /// Adds a move along a lead, from a station.
+    fn push_lead(&mut self, to: &ArmStand, seconds: f64, (from, target): (&Station, Option<(usize, usize)>)) {
         let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
         let go = Go { to: to.at, interpolation, joints_deg: Some(to.joints_deg), timing, target };
-        self.connect(&go, Some(from));
+        self.push_connecting_move(&go, Some(from));
     }
 
-    /// A connecting move.
-    fn connect(&mut self, go: &Go, from: Option<&Station>) {
+    /// Adds a connecting move.
+    fn push_connecting_move(&mut self, go: &Go, from: Option<&Station>) {
         if let Some(from) = from {
             self.air_mm += (go.to.x - from.x).norm();
         }

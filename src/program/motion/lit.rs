@@ -1,7 +1,7 @@
 //! Stations between targets: between two of them the controller moves the flange straight, and the spot a little
 //! beside its line.
 
-use super::spot::foot;
+use super::spot::planned_spot;
 use super::sweep::{LitMove, Prover};
 use crate::beam::ProcessSettings;
 use crate::cell::motion::{RefusalCause, RefusalReason};
@@ -27,18 +27,18 @@ impl StraightFlange<'_> {
     ///
     /// # Errors
     /// Even the shortest pieces leave the line, or hit something.
-    pub fn between(
+    pub fn stations_between(
         &self,
         from: &Station,
         to: &Station,
         work: &ProcessSettings,
     ) -> Result<Vec<(f64, Station)>, (RefusalCause, RefusalReason)> {
         let mut out = Vec::new();
-        self.halved((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
+        self.push_stations((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
         Ok(out)
     }
 
-    fn halved(
+    fn push_stations(
         &self,
         from: (&Station, f64),
         to: (&Station, f64),
@@ -60,9 +60,9 @@ impl StraightFlange<'_> {
             });
         }
         let (middle, t) = (self.midway(from.0, to.0, work), 0.5 * (from.1 + to.1));
-        self.halved(from, (&middle, t), (work, halvings - 1), out)?;
+        self.push_stations(from, (&middle, t), (work, halvings - 1), out)?;
         out.push((t, middle));
-        self.halved((&middle, t), to, (work, halvings - 1), out)
+        self.push_stations((&middle, t), to, (work, halvings - 1), out)
     }
 
     /// What beam or head hits on a lit move, as the flange goes.
@@ -74,24 +74,24 @@ impl StraightFlange<'_> {
     /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
     fn midway(&self, from: &Station, to: &Station, work: &ProcessSettings) -> Station {
         let (a, b) = (from.frame(), to.frame());
-        let foot = nalgebra::center(&foot(&a, work.defocus_mm), &foot(&b, work.defocus_mm));
+        let spot = nalgebra::center(&planned_spot(&a, work.defocus_mm), &planned_spot(&b, work.defocus_mm));
         let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
-        middle.x = foot + middle.a * work.defocus_mm;
+        middle.x = spot + middle.a * work.defocus_mm;
         middle
     }
 
     /// How far the spot leaves the straight line where the flange goes straight, mm.
     fn deviation(&self, from: &Station, to: &Station, work: &ProcessSettings) -> f64 {
         let (a, b) = (self.prover.mounted.flange_for(&from.frame()), self.prover.mounted.flange_for(&to.frame()));
-        let (start, end) = (foot(&from.frame(), work.defocus_mm), foot(&to.frame(), work.defocus_mm));
+        let (start, end) = (planned_spot(&from.frame(), work.defocus_mm), planned_spot(&to.frame(), work.defocus_mm));
         let line = end - start;
         let length2 = line.norm_squared();
         [0.25, 0.5, 0.75]
             .into_iter()
             .map(|t| {
-                let foot = foot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)), work.defocus_mm);
-                let along = if length2 > 0.0 { ((foot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
-                (foot - (start + line * along)).norm()
+                let spot = planned_spot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)), work.defocus_mm);
+                let along = if length2 > 0.0 { ((spot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
+                (spot - (start + line * along)).norm()
             })
             .fold(0.0, f64::max)
     }

@@ -9,7 +9,7 @@ pub const FROM_MM: f64 = 0.1;
 
 /// Where the spot of a path frame should be: D below the focus, on the part or on the chord between two
 /// targets.
-pub fn foot(part_from_focus: &Isometry3<f64>, defocus_mm: f64) -> Point3<f64> {
+pub fn planned_spot(part_from_focus: &Isometry3<f64>, defocus_mm: f64) -> Point3<f64> {
     Point3::from(part_from_focus.translation.vector) - part_from_focus.rotation * Vector3::z() * defocus_mm
 }
 
@@ -22,5 +22,5 @@ pub fn on_part(
     window_mm: f64,
 ) -> (Point3<f64>, Vector3<f64>) {
     let a = part_from_focus.rotation * Vector3::z();
-    (beam.spot(&foot(part_from_focus, defocus_mm), &a, window_mm), a)
+    (beam.spot(&planned_spot(part_from_focus, defocus_mm), &a, window_mm), a)
 }

@@ -67,7 +67,7 @@ pub struct Proof {
     pub margin_mm: f64,
 }
 
-/// Reports say how many.
+/// In reports: how many.
 fn count<S: Serializer>(list: &[(usize, Blocker)], s: S) -> Result<S::Ok, S::Error> {
     s.serialize_u64(list.len() as u64)
 }
@@ -147,12 +147,12 @@ impl<'a> Prover<'a> {
         spot::on_part(beam, part_from_focus, work.defocus_mm, self.window_mm)
     }
 
-    /// A prover that asks for a little more, for a plan.
+    /// A prover with a little more margin, for plans.
     pub fn with_spare(&self) -> Prover<'a> {
         Prover { bodies: self.spare.clone(), ray_share: 0.5, ..self.clone() }
     }
 
-    /// What stands around the beam of a move. Falls back to the nearest work that a plan has used.
+    /// The tool body of a move. Falls back to the nearest work that a plan has used.
     fn body(&self, work: &ProcessSettings) -> Option<&ToolGeometry<'a>> {
         let off = |w: &ProcessSettings| (w.defocus_mm - work.defocus_mm).abs() + (w.spot_mm - work.spot_mm).abs();
         self.bodies.iter().min_by(|a, b| off(&a.0).total_cmp(&off(&b.0)))?.1.as_ref()

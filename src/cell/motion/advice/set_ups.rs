@@ -51,11 +51,11 @@ pub fn better_setups(
     let start = score(setup)?;
     let scored = |stage, list: Vec<Setup>| -> Result<Vec<(usize, Setup)>, Cancelled> {
         progress.begin(stage, list.len());
-        let one = |s: &Setup| {
+        let score_and_step = |s: &Setup| {
             let score = score(s)?;
             progress.step().map(|()| score)
         };
-        let scores = list.par_iter().map(one).collect::<Result<Vec<usize>, Cancelled>>()?;
+        let scores = list.par_iter().map(score_and_step).collect::<Result<Vec<usize>, Cancelled>>()?;
         let mut out: Vec<(usize, Setup)> = scores.into_iter().zip(list).collect();
         out.sort_by_key(|s| std::cmp::Reverse(s.0));
         Ok(out)

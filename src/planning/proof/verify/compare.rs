@@ -137,7 +137,7 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
         };
         if let (Some(planned), Some(focus)) = (planned, poses.focus(&have.goal)) {
             let defocus_mm = plan.work.defocus_mm;
-            let mm = (spot::foot(&planned, defocus_mm) - spot::foot(&focus, defocus_mm)).norm();
+            let mm = (spot::planned_spot(&planned, defocus_mm) - spot::planned_spot(&focus, defocus_mm)).norm();
             let deg = turn_deg(&planned, &focus);
             (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
             let off = SpotOff { mm, deg };

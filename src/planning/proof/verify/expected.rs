@@ -55,6 +55,6 @@ impl Poses<'_> {
 
     /// Where the spot is.
     pub(super) fn spot(&self, focus: &Isometry3<f64>) -> Point3<f64> {
-        spot::foot(focus, self.defocus_mm)
+        spot::planned_spot(focus, self.defocus_mm)
     }
 }

@@ -24,8 +24,8 @@ impl MovingArm<'_> {
         Some(ArmStand { at, joints_deg })
     }
 
-    /// Along the beam, away from the part, by a share of the way between two stations.
-    pub(super) fn along(&self, from: &ArmStand, end: &Station, share: f64) -> Option<ArmStand> {
+    /// The arm drawn back along the beam, by a share of the way to the station `end`; `None`: that is not clear.
+    pub(super) fn along_beam(&self, from: &ArmStand, end: &Station, share: f64) -> Option<ArmStand> {
         let mut here = *from;
         for k in 1..=4 {
             let x = from.at.x + (end.x - from.at.x) * (share * f64::from(k) / 4.0);
@@ -42,15 +42,15 @@ impl MovingArm<'_> {
         Some(here)
     }
 
-    /// Stands straight above a piece's end: on the sphere around the part, then nearer and nearer.
+    /// Poses straight above a piece's end: on the sphere around the part, then nearer and nearer.
     pub(super) fn stands_above<'b>(&'b self, stand: &'b ArmStand) -> impl Iterator<Item = ArmStand> + 'b {
-        let sphere = self.space.outside(&stand.at);
-        (1..=OUT_STEPS).rev().filter_map(move |k| self.along(stand, &sphere, k as f64 / OUT_STEPS as f64))
+        let sphere = self.space.on_sphere(&stand.at);
+        (1..=OUT_STEPS).rev().filter_map(move |k| self.along_beam(stand, &sphere, k as f64 / OUT_STEPS as f64))
     }
 
     /// Whether nothing is in the way of a move by joints. Where the head is known, it is what must not
     /// touch a part in hand; where it is not, the beam stands for it.
-    pub(super) fn joints_clear(&self, from: &Joints, to: &Joints) -> bool {
+    pub(super) fn is_joint_move_clear(&self, from: &Joints, to: &Joints) -> bool {
         let setup = self.setup;
         let head_known = setup.mount == Mount::PartInHand && !setup.cell.bodies.head.is_empty();
         let steps = (farthest(from, to) / LOOK_DEG).ceil().max(1.0);
@@ -65,7 +65,7 @@ impl MovingArm<'_> {
     }
 
     /// Whether nothing is in the way where the flange goes straight, and the arm can follow.
-    pub(super) fn straight_clear(&self, from: &ArmStand, to: &ArmStand) -> bool {
+    pub(super) fn is_straight_move_clear(&self, from: &ArmStand, to: &ArmStand) -> bool {
         if farthest(&from.joints_deg, &to.joints_deg) > MOST_STRAIGHT_DEG {
             return false;
         }

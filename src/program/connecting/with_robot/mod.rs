@@ -52,23 +52,23 @@ pub fn connecting_moves(arm: &MovingArm<'_>, from: Option<&ArmStand>, to: Option
         (None, Some(to)) => {
             let entry = arm.gate(arm.setup.cell.air.entry_joints_deg)?;
             let (stands, above) = arm.way_in(entry.as_ref().unwrap_or(&arm.home()), to)?;
-            let moves = entry.iter().chain(&stands).map(|s| arm.by_joints(s));
-            Some(moves.chain([arm.straight(&above, to)]).collect())
+            let moves = entry.iter().chain(&stands).map(|s| arm.joint_move(s));
+            Some(moves.chain([arm.straight_move(&above, to)]).collect())
         }
         (Some(from), None) => {
             // The way in, backwards; home itself is gone to by the program's end.
             let exit = arm.gate(arm.setup.cell.air.exit_joints_deg)?;
             let (mut stands, out) = arm.way_in(exit.as_ref().unwrap_or(&arm.home()), from)?;
             stands.pop();
-            let moves = stands.iter().rev().chain(&exit).map(|s| arm.by_joints(s));
-            Some([arm.straight(from, &out)].into_iter().chain(moves).collect())
+            let moves = stands.iter().rev().chain(&exit).map(|s| arm.joint_move(s));
+            Some([arm.straight_move(from, &out)].into_iter().chain(moves).collect())
         }
         (Some(from), Some(to)) => {
             let tries: [&dyn Fn() -> Option<Vec<Go>>; 5] = [
                 &|| arm.hop(from, to),
                 &|| arm.by_safe_plane(from, to),
-                &|| arm.direct(from, to),
-                &|| arm.over(from, to),
+                &|| arm.by_one_joint_move(from, to),
+                &|| arm.over_part(from, to),
                 &|| arm.by_home(from, to),
             ];
             tries.iter().find_map(|way| way())
@@ -77,15 +77,15 @@ pub fn connecting_moves(arm: &MovingArm<'_>, from: Option<&ArmStand>, to: Option
 }
 
 impl MovingArm<'_> {
-    /// Straight up, straight over, straight down.
+    /// A hop: straight up, straight over, straight down.
     fn hop(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         if !self.space.is_hop(&from.at, &to.at) {
             return None;
         }
-        let up = self.along(from, &self.space.drawn_back(&from.at), 1.0)?;
-        let down = self.along(to, &self.space.drawn_back(&to.at), 1.0)?;
-        self.straight_clear(&up, &down)
-            .then(|| vec![self.straight(from, &up), self.straight(&up, &down), self.straight(&down, to)])
+        let up = self.along_beam(from, &self.space.drawn_back(&from.at), 1.0)?;
+        let down = self.along_beam(to, &self.space.drawn_back(&to.at), 1.0)?;
+        self.is_straight_move_clear(&up, &down)
+            .then(|| vec![self.straight_move(from, &up), self.straight_move(&up, &down), self.straight_move(&down, to)])
     }
 
     /// Tool in hand: up to the safe plane, straight across, down.
@@ -94,42 +94,46 @@ impl MovingArm<'_> {
         let height_mm = setup.cell.air.safe_plane_mm.filter(|_| setup.mount == Mount::ToolInHand)?;
         let base_from_part = setup.cell.base_from_part.isometry();
         let lifted = |stand: &ArmStand| {
-            let back = self.along(stand, &self.space.drawn_back(&stand.at), 1.0)?;
+            let back = self.along_beam(stand, &self.space.drawn_back(&stand.at), 1.0)?;
             let mut x = base_from_part * back.at.x;
             x.z = x.z.max(height_mm);
-            let up = self.along(&back, &Station { x: base_from_part.inverse() * x, ..back.at }, 1.0)?;
+            let up = self.along_beam(&back, &Station { x: base_from_part.inverse() * x, ..back.at }, 1.0)?;
             Some((back, up))
         };
         let ((back, up), (down, above)) = (lifted(from)?, lifted(to)?);
-        self.straight_clear(&up, &above).then(|| {
+        self.is_straight_move_clear(&up, &above).then(|| {
             let stands = [from, &back, &up, &above, &down, to];
-            stands.windows(2).map(|w| self.straight(w[0], w[1])).collect()
+            stands.windows(2).map(|w| self.straight_move(w[0], w[1])).collect()
         })
     }
 
-    /// Out and home, then in from there.
+    /// By way of home: out and home, then in from there.
     fn by_home(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         let home = self.home();
         let (mut back, out) = self.way_in(&home, from)?;
         let (forth, above) = self.way_in(&home, to)?;
         back.pop();
-        let moves = back.iter().rev().chain([&home]).chain(&forth).map(|s| self.by_joints(s));
-        Some([self.straight(from, &out)].into_iter().chain(moves).chain([self.straight(&above, to)]).collect())
+        let moves = back.iter().rev().chain([&home]).chain(&forth).map(|s| self.joint_move(s));
+        Some(
+            [self.straight_move(from, &out)].into_iter().chain(moves).chain([self.straight_move(&above, to)]).collect(),
+        )
     }
 
-    /// Out, one move by joints, in.
-    fn direct(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
+    /// Straight out, one move by joints, straight in.
+    fn by_one_joint_move(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         let (out, above) = (self.stands_above(from).next()?, self.stands_above(to).next()?);
-        self.joints_clear(&out.joints_deg, &above.joints_deg)
-            .then(|| vec![self.straight(from, &out), self.by_joints(&above), self.straight(&above, to)])
+        self.is_joint_move_clear(&out.joints_deg, &above.joints_deg)
+            .then(|| vec![self.straight_move(from, &out), self.joint_move(&above), self.straight_move(&above, to)])
     }
 
-    /// Out, over the part from station to station, in.
-    fn over(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
+    /// Straight out, over the part from station to station, straight in.
+    fn over_part(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
         let (out, above) = (self.stands_above(from).next()?, self.stands_above(to).next()?);
         let stands = self.along_sphere(&out, &above)?;
-        let moves = stands.iter().map(|s| self.by_joints(s));
-        Some([self.straight(from, &out)].into_iter().chain(moves).chain([self.straight(&above, to)]).collect())
+        let moves = stands.iter().map(|s| self.joint_move(s));
+        Some(
+            [self.straight_move(from, &out)].into_iter().chain(moves).chain([self.straight_move(&above, to)]).collect(),
+        )
     }
 
     fn home(&self) -> ArmStand {
@@ -140,7 +144,7 @@ impl MovingArm<'_> {
         ArmStand { at: Station::at(&self.mounted.focus_for(&self.robot.forward(&joints_deg))), joints_deg }
     }
 
-    fn by_joints(&self, to: &ArmStand) -> Go {
+    fn joint_move(&self, to: &ArmStand) -> Go {
         Go {
             to: to.at,
             interpolation: Interpolation::Joint,
@@ -151,7 +155,7 @@ impl MovingArm<'_> {
     }
 
     /// A straight move in the time that speed, turn and the slowest joint need.
-    fn straight(&self, from: &ArmStand, to: &ArmStand) -> Go {
+    fn straight_move(&self, from: &ArmStand, to: &ArmStand) -> Go {
         let joints = (0..6)
             .map(|j| (to.joints_deg[j] - from.joints_deg[j]).abs() / self.robot.speeds_deg_s[j])
             .fold(0.0, f64::max);

@@ -34,10 +34,10 @@ const MOST_TRIED: usize = 6;
 const ARC_DEG: f64 = 20.0;
 
 impl MovingArm<'_> {
-    /// A stand between home and the work, if the cell has one; `None`: the way to it from home is not clear.
+    /// The entry or exit pose of the cell, if it has one; `None`: the move to it from home is not clear.
     pub(super) fn gate(&self, joints_deg: Option<Joints>) -> Option<Option<ArmStand>> {
         let Some(joints) = joints_deg else { return Some(None) };
-        self.joints_clear(&self.setup.home_joints_deg(), &joints).then(|| Some(self.arm_stand(joints)))
+        self.is_joint_move_clear(&self.setup.home_joints_deg(), &joints).then(|| Some(self.arm_stand(joints)))
     }
 
     /// Stands from home (or a gate) to straight above a piece's end, that one included and given once
@@ -48,7 +48,7 @@ impl MovingArm<'_> {
 
     fn new_way_in(&self, from: &ArmStand, to: &ArmStand) -> Option<WayIn> {
         let home = from.joints_deg;
-        if let Some(above) = self.stands_above(to).find(|above| self.joints_clear(&home, &above.joints_deg)) {
+        if let Some(above) = self.stands_above(to).find(|above| self.is_joint_move_clear(&home, &above.joints_deg)) {
             return Some((vec![above], above));
         }
         let above = self.stands_above(to).next()?;
@@ -66,7 +66,8 @@ impl MovingArm<'_> {
         }
         gates.sort_by(|a, b| a.0.total_cmp(&b.0));
         // All pieces share the gates.
-        let is_open = |gate: &Joints| self.known.clear.get([&home, gate].map(bits), || self.joints_clear(&home, gate));
+        let is_open =
+            |gate: &Joints| self.known.clear.get([&home, gate].map(bits), || self.is_joint_move_clear(&home, gate));
         let open = gates.iter().filter(|g| is_open(&g.1.joints_deg)).take(MOST_TRIED);
         open.into_iter().find_map(|(_, gate)| {
             let mut stands = vec![*gate];
@@ -75,7 +76,7 @@ impl MovingArm<'_> {
         })
     }
 
-    /// Stands over the part, the last one included. The spin turns on the way as well.
+    /// Poses of the arm over the part from one to another, the last one included. The spin turns on the way as well.
     pub(super) fn along_sphere(&self, out: &ArmStand, above: &ArmStand) -> Option<Vec<ArmStand>> {
         let (u, v) = (self.space.radial(&out.at)?, self.space.radial(&above.at)?);
         let arc = angle::GreatCircle::new(&u, &v);
@@ -89,7 +90,7 @@ impl MovingArm<'_> {
             let station = self.space.on_top(&arc.at(t), &(p.slerp(&q, t) * Vector3::y()));
             let next = self
                 .arm_stand_at(station, &here.joints_deg)
-                .filter(|n| self.joints_clear(&here.joints_deg, &n.joints_deg));
+                .filter(|n| self.is_joint_move_clear(&here.joints_deg, &n.joints_deg));
             here = match next.or_else(|| self.any_arm_stand(&arm, &station, &here.joints_deg, &above.joints_deg)) {
                 Some(next) => next,
                 // The last station stands where the next move would begin: it may be left out.
@@ -98,13 +99,13 @@ impl MovingArm<'_> {
             };
             stands.push(here);
         }
-        self.joints_clear(&here.joints_deg, &above.joints_deg).then(|| {
+        self.is_joint_move_clear(&here.joints_deg, &above.joints_deg).then(|| {
             stands.push(*above);
             stands
         })
     }
 
-    /// A stand at a station with any spin: the one that lies best between two others.
+    /// The arm at a station with any spin: the pose that lies best between two others.
     fn any_arm_stand(&self, arm: &Arm<'_>, station: &Station, from: &Joints, to: &Joints) -> Option<ArmStand> {
         let states = arm.states(&station.frame()).ok()?;
         let length = |s: &ArmState| farthest(from, &s.joints_deg) + 0.5 * farthest(&s.joints_deg, to);
@@ -117,6 +118,6 @@ impl MovingArm<'_> {
                 at: Station::at(&arm.with_spin(&station.frame(), s.spin)),
                 joints_deg: s.joints_deg,
             })
-            .find(|n| self.joints_clear(from, &n.joints_deg))
+            .find(|n| self.is_joint_move_clear(from, &n.joints_deg))
     }
 }

@@ -1,14 +1,14 @@
-//! States that lie near each other, looked at as one: most of those that a connecting move could start
-//! from are too far away to be the cheapest, whatever they are in detail.
+//! Clusters of states that lie near each other, to bound the cost of a connecting move from any of them: most are too
+//! far away for the cheapest, and their states need not be tried one by one.
 
 use super::states::ArmState;
 use crate::cell::Joints;
 
-/// Neighbouring spins whose states are looked at as one crowd.
-const CROWD_SPINS: u8 = 4;
+/// Neighbouring spins whose states are looked at as one cluster.
+const CLUSTER_SPINS: u8 = 4;
 
 /// States of one branch that lie near each other, and the box around their joints.
-pub(super) struct Crowd {
+pub(super) struct StateCluster {
     pub states: Vec<u32>,
     pub branch: u8,
     least: Joints,
@@ -17,15 +17,15 @@ pub(super) struct Crowd {
     pub cost: f64,
 }
 
-impl Crowd {
+impl StateCluster {
     /// The joints of the box that are nearest to others.
     pub fn nearest(&self, to: &Joints) -> Joints {
         std::array::from_fn(|j| to[j].clamp(self.least[j], self.most[j]))
     }
 }
 
-/// All states with their costs in crowds, the cheapest first.
-pub(super) fn crowds(all: &[ArmState], cost: &[f64]) -> Vec<Crowd> {
+/// All states with their costs in clusters, the cheapest first.
+pub(super) fn clusters(all: &[ArmState], cost: &[f64]) -> Vec<StateCluster> {
     let readings = |s: &ArmState| s.joints_deg.map(|deg| (deg / 360.0).round() as i8);
     let mut order: Vec<u32> = (0..all.len() as u32).collect();
     let key = |k: u32| {
@@ -35,14 +35,14 @@ pub(super) fn crowds(all: &[ArmState], cost: &[f64]) -> Vec<Crowd> {
     order.sort_by_cached_key(|k| key(*k));
     let like = |a: &u32, b: &u32| {
         let (a, b) = (key(*a), key(*b));
-        (a.0, a.1, a.2 / CROWD_SPINS) == (b.0, b.1, b.2 / CROWD_SPINS)
+        (a.0, a.1, a.2 / CLUSTER_SPINS) == (b.0, b.1, b.2 / CLUSTER_SPINS)
     };
-    let crowd = |states: &[u32]| {
+    let cluster = |states: &[u32]| {
         let of = |k: &u32| &all[*k as usize];
         let edge = |pick: fn(f64, f64) -> f64, start: f64| -> Joints {
             std::array::from_fn(|j| states.iter().map(|k| of(k).joints_deg[j]).fold(start, pick))
         };
-        Crowd {
+        StateCluster {
             branch: states.first().map_or(0, |k| of(k).branch),
             least: edge(f64::min, f64::INFINITY),
             most: edge(f64::max, f64::NEG_INFINITY),
@@ -50,7 +50,7 @@ pub(super) fn crowds(all: &[ArmState], cost: &[f64]) -> Vec<Crowd> {
             states: states.to_vec(),
         }
     };
-    let mut out: Vec<Crowd> = order.chunk_by(like).map(crowd).collect();
+    let mut out: Vec<StateCluster> = order.chunk_by(like).map(cluster).collect();
     out.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     out
 }
@@ -61,16 +61,16 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Every state is in one crowd, within its box and no cheaper than it; crowds are of one branch.
+        /// Every state is in one cluster, within its box and no cheaper than it; clusters are of one branch.
         #[test]
-        fn a_crowd_bounds_its_states(joints in prop::collection::vec(prop::array::uniform6(-360.0..360.0f64), 0..200),
+        fn a_cluster_bounds_its_states(joints in prop::collection::vec(prop::array::uniform6(-360.0..360.0f64), 0..200),
                                      to in prop::array::uniform6(-400.0..400.0f64)) {
             let state = |(i, joints_deg): (usize, &Joints)| ArmState {
                 joints_deg: *joints_deg, spin: (i / 3 % 72) as u8, branch: (i % 8) as u8, turn: 0, singularity: 1.0,
             };
             let all: Vec<ArmState> = joints.iter().enumerate().map(state).collect();
             let cost: Vec<f64> = joints.iter().map(|j| j[0].abs()).collect();
-            let found = crowds(&all, &cost);
+            let found = clusters(&all, &cost);
             let mut seen: Vec<u32> = found.iter().flat_map(|c| c.states.clone()).collect();
             seen.sort_unstable();
             prop_assert_eq!(seen, (0..all.len() as u32).collect::<Vec<_>>());
