@@ -2,7 +2,8 @@
 //!
 //! They stand in Project Fluent files, `assets/text/<language>/*.ftl`; a folder more is a language more. The build
 //! makes a type of each English message (`say!` fills it), so that a missing or unused key, or a wrong argument,
-//! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
+//! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them. Only
+//! the parser's own line about a broken TOML file, and the `Display` of an error for a log, are English everywhere.
 //! Comments in programs are English whatever the language (`Message::english`).
 
 mod advice;

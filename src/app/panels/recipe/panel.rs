@@ -8,7 +8,7 @@ use super::values::values;
 use super::{achieved, choice, typed};
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
-use crate::text::{id, say};
+use crate::text::{id, listed, say};
 use eframe::egui::{self, RichText};
 use std::collections::BTreeSet;
 
@@ -68,7 +68,7 @@ fn others(ui: &mut egui::Ui, selected: &[SurfaceId], recipe: &Recipe, context: C
     let all = context.document.job().surfaces_of_recipe(&recipe.name);
     let others: Vec<String> = all.iter().filter(|n| !selected.contains(n)).map(SurfaceId::to_string).collect();
     if !others.is_empty() {
-        let text = say!(recipe_panel_others, count = others.len(), surfaces = others.join(", "));
+        let text = say!(recipe_panel_others, count = others.len(), surfaces = listed(others));
         ui.label(RichText::new(text).small().color(theme::ATTENTION));
     }
 }
