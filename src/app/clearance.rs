@@ -19,7 +19,7 @@ pub struct ClearanceCurve {
     pub margin_mm: f64,
 }
 
-/// Measures clearances, for one plan at a time; that of an earlier plan is dropped.
+/// Measures clearances, one plan at a time: of plans that come while one is measured, only the newest follows.
 #[derive(Default)]
 pub struct ClearanceSearch(Stage<ClearanceCurve, Infallible>);
 

@@ -151,7 +151,7 @@ impl<'a> Context<'a> {
         self.spacing.of(planned)
     }
 
-    /// Whether what a command shows and hides is shown now.
+    /// Whether a command is a toggle that is on.
     pub fn is_shown(self, command: Command) -> bool {
         matches!(command, Command::Toggle(what) if self.session.show.is_on(what))
     }

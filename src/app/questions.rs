@@ -30,7 +30,7 @@ pub(super) enum Question {
     },
     /// A killed program left unsaved changes.
     Restore(LeftBehind),
-    /// Saving would overwrite a file that has changed since this window read or saved it.
+    /// Saving would overwrite a file that is not the document's, or that has changed since this window read or saved it.
     SaveOver(PathBuf),
     /// An export would replace files of a folder that it must not replace unasked.
     ExportOver {

@@ -1,4 +1,4 @@
-//! The operator's changes of the recipe library, which outlives a job, and the word on how each ended.
+//! The operator's changes of the recipe library, which outlives a job, and what the window says of them.
 
 use super::App;
 use crate::document::Recipe;

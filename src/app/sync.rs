@@ -104,7 +104,7 @@ impl App {
         }
     }
 
-    /// A plan takes a while: its lines are shown before it is finished, unless they are those that are shown.
+    /// Shows the lines of a plan before it is finished, as it takes a while; not if the plan that is shown has the same.
     fn sync_lines(&mut self) {
         let d = &mut self.derived;
         let Some((key, laid)) = d.pipeline.lines() else {

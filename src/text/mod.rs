@@ -76,14 +76,14 @@ macro_rules! say {
 }
 pub(crate) use say;
 
-/// Words of a file between quotation marks, as they would stand there.
+/// Words from a file in quotation marks, escaped as in code.
 fn quoted(words: &str) -> String {
     format!("{words:?}")
 }
 
-/// What people read of a finding or an error, in the language that was chosen.
+/// A finding or an error as a sentence for people, in the language in use.
 pub trait Sentence {
-    /// One line, without a full stop; it begins small, as it may stand behind a file's name.
+    /// One line, without a full stop; it begins with a small letter, as it may follow a file's name.
     fn sentence(&self) -> String;
 }
 
