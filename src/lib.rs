@@ -7,7 +7,7 @@
 //!   rays against all facets.
 //! - [`path`]: where the spot travels. Families of section planes, transversal lines walked along
 //!   the topology, normals, the dense line, chord error, order, and what no line reaches.
-//! - [`beam`]: the tool. Optics, the head, clamps, and the space they take up at a pose.
+//! - [`beam`]: the tool. Optics, the head, the space they take up at a pose, and clamps, which stand in their way.
 //! - [`pose`]: how the beam stands. Interference of beam and head with the part, P1's correction in the
 //!   section plane, the search for clearance, the motion between targets, the targets of a [`pose::Pass`]; and an independent
 //!   checker that shares no code with the rest.

@@ -1,5 +1,5 @@
-//! From where a place can be reached, and from where the places along a line. What was looked at is kept while neither
-//! place nor job nor plan changes. Which place and line are looked at stands in `access_place`.
+//! The access map of a place and the access strip along a line: from which directions the beam can reach them. They are
+//! kept while place, job and plan stay the same. Which place and line are shown is decided in `access_place`.
 
 use crate::cell::Setup;
 use crate::document::Job;
@@ -32,18 +32,18 @@ pub struct Place {
     pub hovered: bool,
 }
 
-/// What a map or a strip was made from: its place, the job, the plan's picture key.
+/// What a map or a strip was made from: its place, the job, and the plan's picture key.
 type MadeOf<K> = (K, Job, u64);
 
 /// The map and the strip that were asked for last.
 #[derive(Default)]
 pub(super) struct AccessViews {
     map: Option<(MadeOf<Place>, AccessMap)>,
-    /// TiltPart which part of the tilt, and of which pass.
+    /// The strip, of which pass and of which part of the tilt.
     strip: Option<(MadeOf<(TiltPart, usize)>, AccessStrip)>,
 }
 
-/// What access is looked at with.
+/// What access depends on.
 pub(super) struct Ground<'a> {
     /// The part, which may be in the way.
     pub part: &'a Part,
@@ -56,7 +56,7 @@ pub(super) struct Ground<'a> {
 }
 
 impl AccessViews {
-    /// Looks from all directions at a place; without one there is no map.
+    /// Makes the map of a place; without a place there is none.
     pub fn look_at(&mut self, place: Option<Place>, on: Option<&Ground<'_>>) {
         let (Some(place), Some(on)) = (place, on) else {
             self.map = None;
@@ -74,7 +74,7 @@ impl AccessViews {
         self.map = Some((of, map));
     }
 
-    /// Looks along a pass, which is given with its number; without one there is no strip.
+    /// Makes the strip along a pass, which is given with its number; without a pass there is none.
     pub fn look_along(&mut self, pass: Option<(usize, &Pass)>, over: TiltPart, on: Option<&Ground<'_>>) {
         let (Some((number, pass)), Some(on)) = (pass, on) else {
             self.strip = None;
@@ -90,12 +90,12 @@ impl AccessViews {
         self.strip = Some((of, AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES)));
     }
 
-    /// The map of the place that was looked at last.
+    /// The map that was made last.
     pub fn map(&self) -> Option<(&Place, &AccessMap)> {
         self.map.as_ref().map(|((place, ..), map)| (place, map))
     }
 
-    /// The strip along the pass that was looked along last.
+    /// The strip that was made last.
     pub fn strip(&self) -> Option<&AccessStrip> {
         self.strip.as_ref().map(|(_, strip)| strip)
     }

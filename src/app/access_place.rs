@@ -1,12 +1,12 @@
-//! Which place the access map is of, and which line the strip beside it.
+//! Chooses the place of the access map, and the line of the strip beside it.
 
 use super::access::Place;
 use super::context::Context;
 use crate::part::angle;
 use crate::pose::TargetState;
 
-/// Under the cursor the normal of a target is taken, if it is no farther than this from the facet's, degrees:
-/// that of a smooth surface, where the facets are not.
+/// Under the cursor the normal of the nearest target is used if it differs from the facet's by this at most, degrees:
+/// it is that of the smooth surface, which the facet only approximates.
 const SAME_NORMAL_DEG: f64 = 20.0;
 
 impl Context<'_> {

@@ -1,4 +1,4 @@
-//! What a panel wants done: it collects that while it is drawn, and the window carries it out afterwards.
+//! What a panel wants done: collected while it is drawn, and carried out by the window afterwards.
 
 use super::App;
 use super::command::Command;
@@ -49,17 +49,17 @@ impl Actions {
         self.0.push(Action::Edit { edit, gesture: None });
     }
 
-    /// Changes the document as a piece of the drag that is going on: edits of one gesture are one step of undo.
+    /// Changes the document as part of a drag: edits of one gesture are one step of undo.
     pub fn drag(&mut self, edit: Edit, gesture: impl Into<String>) {
         self.0.push(Action::Edit { edit, gesture: Some(gesture.into()) });
     }
 
-    /// Sets a number of the parameter table, as a piece of the drag that is going on.
+    /// Sets a number of the parameter table, as part of a drag.
     pub fn number(&mut self, parameter: &'static Parameter, value: f64) {
         self.0.push(Action::Number(parameter, value));
     }
 
-    /// Takes a robot by its key or file, with the language of its controller; an empty name is none.
+    /// Chooses a robot by its key or file, with the dialect of its controller; an empty name stands for no robot.
     pub fn robot(&mut self, name: String) {
         self.0.push(Action::Robot(name));
     }
@@ -109,8 +109,8 @@ impl Actions {
         self.0.push(Action::GoToTime(time_s));
     }
 
-    /// Turns the camera to a point of the part frame, with so much around it in sight; where the part stands is
-    /// asked once the actions before this one are done.
+    /// Turns the camera to a point of the part frame, with `reach_mm` around it in sight. Where the part stands then is
+    /// found out after the actions before this one.
     pub fn look_at(&mut self, in_part: Point3<f64>, reach_mm: f64) {
         self.0.push(Action::LookAt { in_part, reach_mm });
     }
@@ -120,7 +120,7 @@ impl Actions {
         self.0.push(Action::ApplyProposal);
     }
 
-    /// Forgets the proposed set-up.
+    /// Dismisses the proposed set-up.
     pub fn dismiss_proposal(&mut self) {
         self.0.push(Action::DismissProposal);
     }
@@ -130,7 +130,7 @@ impl Actions {
         self.0.push(Action::Save);
     }
 
-    /// Does what waited for the unsaved changes.
+    /// Does what had to wait until unsaved changes were dealt with.
     pub fn go_on(&mut self) {
         self.0.push(Action::GoOn);
     }

@@ -1,4 +1,4 @@
-//! A word beside the cursor, over all panels: what it is on, or what it carries.
+//! A label beside the cursor, over all panels: what is under it, or what it drags.
 
 use eframe::egui::{self, Color32};
 

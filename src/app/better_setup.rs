@@ -1,5 +1,5 @@
-//! What is done about a better set-up: it is looked for, taken into the job, or forgotten. The searches themselves
-//! stand in `remedy`.
+//! The commands about a better set-up: look for one, take it into the job, or dismiss it. The searches themselves are
+//! in `remedy`.
 
 use super::App;
 use crate::document::Edit;
@@ -21,7 +21,7 @@ impl App {
         self.edit(Edit::Frames(Box::new(cell)));
     }
 
-    /// Forgets the proposed set-up; whether there was one, or word that there is none.
+    /// Dismisses the proposed set-up, or the word that none was found; whether there was anything to dismiss.
     pub(super) fn dismiss_proposal(&mut self) -> bool {
         let there = self.context().proposal().is_some() || self.context().has_no_proposal();
         self.derived.remedy.forget_proposal();

@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// The borders that were asked for, and what is drawn of them.
 #[derive(Default)]
 pub(super) struct Borders {
-    /// The surfaces that they are of.
+    /// The feature surfaces that the borders belong to.
     of: Option<Arc<Surfaces>>,
     known: BTreeMap<u32, Vec<Border>>,
     /// Surface and border of what is drawn.
@@ -22,7 +22,8 @@ pub(super) struct Borders {
 }
 
 impl Borders {
-    /// Finds the borders that are chosen to start from, and those of a surface besides; lines are made of the former.
+    /// Finds the borders of the surfaces in `chosen`, whose chosen borders (surface, border) are drawn, and of one surface
+    /// besides.
     pub fn sync(&mut self, part: &Part, surfaces: &Arc<Surfaces>, chosen: Vec<(u32, u32)>, besides: Option<u32>) {
         if self.of.as_ref().is_none_or(|of| !Arc::ptr_eq(of, surfaces)) {
             *self = Borders { of: Some(surfaces.clone()), ..Borders::default() };

@@ -1,5 +1,5 @@
-//! How far arm, head and part keep from everything over a program: looked at on a thread once the curves
-//! are shown, and kept for one plan.
+//! The clearance of arm, head and part over a program: measured on a thread once the curves are shown, and kept for
+//! one plan.
 
 use super::motion::Motion;
 use crate::cell::Collision;
@@ -15,16 +15,16 @@ use std::sync::Arc;
 pub struct ClearanceCurve {
     /// Over the time of the program.
     pub samples: Vec<Clearance>,
-    /// The distance that everything has to keep, mm.
+    /// The margin that all bodies have to keep, mm.
     pub margin_mm: f64,
 }
 
-/// The look at clearances, for one plan at a time: those of a drag are not waited for.
+/// Measures clearances, one plan at a time: of plans that come while one is measured, only the newest follows.
 #[derive(Default)]
 pub struct ClearanceSearch(Stage<ClearanceCurve, Infallible>);
 
 impl ClearanceSearch {
-    /// Takes what has arrived, and looks at a plan in motion unless that is known.
+    /// Takes what has arrived, and starts to measure a plan in motion unless that is known.
     pub fn sync(&mut self, current: Option<(Arc<PlannedJob>, Arc<Motion>)>, executor: &dyn Executor) {
         self.0.poll();
         let Some((planned, motion)) = current.filter(|(planned, _)| !self.0.is_running() && self.0.lacks(planned.key))
@@ -36,12 +36,12 @@ impl ClearanceSearch {
         });
     }
 
-    /// The clearance over a plan; `None`: that is being looked at.
+    /// The clearance over a plan; `None`: it is not known yet.
     pub fn of(&self, plan: Digest) -> Option<&Arc<ClearanceCurve>> {
         self.0.of(plan)
     }
 
-    /// Whether nothing is being looked at.
+    /// Whether nothing is being measured.
     pub fn is_at_rest(&self) -> bool {
         !self.0.is_running()
     }

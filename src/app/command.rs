@@ -1,8 +1,8 @@
 //! Every command once: name, menu and keys. Menus, shortcuts, the page of shortcuts and the tests that sweep all
 //! commands are made from this table.
 //!
-//! When a command can be given stands in `enabled`, what it does in `run`. All three match it exhaustively, so a
-//! command that was forgotten in one of them does not compile.
+//! When a command can be given, and what it does, stands in `run` (`is_enabled` and `run`). Both match all commands, so
+//! one that was forgotten there does not compile. One without a row in the table does not compile either.
 
 use crate::text::say;
 use crate::view::StandardView;
@@ -19,17 +19,17 @@ pub enum Command {
     SaveAs,
     /// Writes the program into a folder.
     Export,
-    /// Takes the last step back.
+    /// Undoes the last step.
     Undo,
-    /// Does it again.
+    /// Redoes the step that was undone last.
     Redo,
     /// Moves the selected surfaces to the list to clean.
     Clean,
-    /// Moves them back.
+    /// Moves the selected surfaces back from there.
     Unclean,
-    /// The selected surfaces are cleaned one place earlier.
+    /// Moves the selected surfaces one place up in the order of work.
     CleanEarlier,
-    /// And one place later.
+    /// Moves the selected surfaces one place down in the order of work.
     CleanLater,
     /// Selects more surfaces.
     Select(More),
@@ -37,9 +37,9 @@ pub enum Command {
     Merge,
     /// Cuts the selected surface at the local angle.
     Split,
-    /// Begins to type the selected surface's name.
+    /// Opens the field in which the selected surface is renamed.
     Rename,
-    /// Turns the selected surfaces inside out.
+    /// Turns the selected surface inside out.
     FlipSurface,
     /// Turns the shell of the selected surface inside out.
     FlipShell,
@@ -53,7 +53,7 @@ pub enum Command {
     Look(StandardView),
     /// Fits the camera to the selected surfaces, or to everything.
     Fit,
-    /// Changes between perspective and parallel projection.
+    /// Switches between perspective and parallel projection.
     Projection,
     /// Hides the selected surfaces.
     Hide,
@@ -61,15 +61,15 @@ pub enum Command {
     Isolate,
     /// Shows all surfaces.
     ShowAll,
-    /// Shows something, or no longer.
+    /// Shows or hides something.
     Toggle(Toggle),
-    /// Changes between the dark and the light look.
+    /// Switches between the dark and the light theme.
     Theme,
     /// Plans again what was cancelled or failed, and reads changed files.
     Plan,
-    /// Ends what is being computed.
+    /// Cancels what is being computed.
     Cancel,
-    /// Looks for frames with which the robot refuses less.
+    /// Looks for a set-up with which the robot refuses fewer targets.
     BetterSetup,
     /// Starts or stops the simulation.
     Play,
@@ -77,18 +77,19 @@ pub enum Command {
     Go(Jump),
     /// Opens or closes the page of shortcuts.
     Help,
-    /// Ends the innermost thing that is going on: page, name, tool, preview, section, selection.
+    /// Closes or ends the innermost of these that is open: page of shortcuts, renaming, tool, preview, section,
+    /// selection.
     Escape,
 }
 
-/// Which surfaces are added to the selection.
+/// Which surfaces are selected besides those that are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum More {
-    /// All that the list of feature surfaces shows.
+    /// All that are listed as feature surfaces.
     Listed,
-    /// Those of the same shape and size.
+    /// Those of the same shape and size as a selected one.
     SameShape,
-    /// Planes that face the same way.
+    /// Planes with the same normal.
     SameNormal,
     /// Those that share an edge with a selected one.
     Neighbours,
@@ -137,7 +138,7 @@ pub enum Toggle {
     BeforeCorrection,
     /// The part without colours.
     PlainPart,
-    /// Surfaces to clean are hidden.
+    /// All but the surfaces to clean, which are hidden.
     HideChosen,
     /// The section plane of the current pass, alone.
     SectionPlane,
@@ -149,7 +150,7 @@ pub enum Toggle {
     ProgramText,
     /// Head, beam and clamps.
     ToolBodies,
-    /// From where the current place can be reached.
+    /// The access map: from which directions the current place can be reached.
     AccessMap,
     /// The dose, and what stays unclean.
     Dose,

@@ -50,17 +50,17 @@ pub(super) struct Context<'a> {
     pub exporting: &'a Stage<Exported, ExportError>,
     /// Files that were opened or saved last, the newest first.
     pub recent: &'a [PathBuf],
-    /// Recipes beside those of the job.
+    /// The library: recipes of the user and shipped ones.
     pub recipes: &'a Library,
     /// Dots and scale of the achieved spacing.
     pub spacing: &'a SpacingView,
     /// Borders that offset lines may start from.
     pub borders: &'a Borders,
-    /// From where the current place, and its line, can be reached.
+    /// The access map of the current place, and the strip of its line.
     pub access: &'a AccessViews,
-    /// What waits for the operator's word.
+    /// The question that waits for the operator's answer.
     pub question: Option<&'a Question>,
-    /// What files are asked for.
+    /// What files are being asked for.
     pub answers: &'a Answers,
     /// What is being read.
     pub reading: &'a Reading,
@@ -128,7 +128,7 @@ impl<'a> Context<'a> {
         self.derived.motion()?.timeline.as_ref()
     }
 
-    /// The arm now.
+    /// Where arm, part and focus stand now.
     pub fn moment(self) -> Option<Moment> {
         Some(self.timeline()?.moment(self.session.playback.time_s))
     }
@@ -139,7 +139,7 @@ impl<'a> Context<'a> {
         self.derived.plan()?.plan.passes.get(pass)?.targets.get(point)
     }
 
-    /// What the current pass is worked with.
+    /// The process settings of the current pass.
     pub fn work(self) -> ProcessSettings {
         let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.playback.at.0));
         pass.map_or_else(ProcessSettings::default, |p| p.settings)
@@ -151,7 +151,7 @@ impl<'a> Context<'a> {
         self.spacing.of(planned)
     }
 
-    /// Whether a command has something shown that it would hide.
+    /// Whether a command is a toggle that is on.
     pub fn is_shown(self, command: Command) -> bool {
         matches!(command, Command::Toggle(what) if self.session.show.is_on(what))
     }

@@ -40,11 +40,11 @@ pub struct Derived {
     pub(super) laid: Option<(Digest, LineItem)>,
     /// The plan in motion.
     pub(super) motion: Stage<Motion, Infallible>,
-    /// How far everything keeps from everything over it.
+    /// The clearance of arm, head and part over that motion.
     pub(super) clearance: ClearanceSearch,
-    /// What would help with what the robot refuses.
+    /// Advice and a better set-up for targets that the robot refuses.
     pub(super) remedy: Remedy,
-    /// What lands.
+    /// The dose.
     pub(super) dose: Dose,
 }
 
@@ -73,7 +73,7 @@ impl Derived {
         self.pipeline.newest_plan()
     }
 
-    /// That plan, if it lies on the part that is shown: else its lines would stand beside it.
+    /// That plan, if it was made on the part that is shown: else its lines would not lie on it.
     pub fn plan_on_part(&self) -> Option<&Arc<PlannedJob>> {
         let part = self.part.as_ref()?;
         self.plan().filter(|planned| Arc::ptr_eq(&planned.part, part))
@@ -114,7 +114,7 @@ impl Derived {
         self.motion.of(self.plan()?.key)
     }
 
-    /// Ends all work.
+    /// Cancels all work.
     pub fn cancel_all(&mut self) {
         self.pipeline.cancel();
         self.remedy.cancel();

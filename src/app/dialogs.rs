@@ -1,4 +1,4 @@
-//! File dialogs, off the UI thread and behind a trait, so that tests inject the answer.
+//! File dialogs, off the UI thread and behind a trait, so that tests can give the answer.
 
 use crate::text::say;
 use eframe::egui;
@@ -22,11 +22,11 @@ pub enum Purpose {
     Robot,
     /// A laser head to open.
     Head,
-    /// An STL that stands on the part.
+    /// The STL of a clamp on the part.
     Clamp,
 }
 
-/// Gets its answer when the user has given it; `None` if he would not.
+/// Called with the user's answer; `None`: the dialog was cancelled.
 pub type Answer = Box<dyn FnOnce(Option<PathBuf>) + Send>;
 
 /// Asks the user for files.

@@ -1,5 +1,5 @@
 //! The dose of the plan that is shown: computed on a thread once it is asked for, with progress and
-//! cancel, and kept for one plan. And what of it lands at a clicked place.
+//! cancel, and kept for one plan. Also what lands at a clicked place.
 
 use crate::document::Job;
 use crate::part::{Digest, Surfaces};
@@ -18,11 +18,11 @@ pub struct DoseView {
     pub map: DoseMap,
     /// What stays unclean.
     pub patches: Vec<Patch>,
-    /// Its numbers.
+    /// Its figures, as in the report.
     pub report: DoseReport,
     /// The surfaces that it was computed for.
     pub surfaces: Arc<Surfaces>,
-    /// By dose, and by incidence.
+    /// The coloured part: by dose, and by incidence.
     items: [MeshItem; 2],
 }
 
@@ -42,8 +42,8 @@ pub struct Clicked {
 pub struct Dose(Stage<DoseView, PlanError>);
 
 impl Dose {
-    /// Takes what has arrived, and computes the dose of a plan if it is wanted. Nobody waits for the dose of a plan
-    /// that is out of date. Thresholds are those of the job as it is; all else of it is the plan's.
+    /// Takes what has arrived, and starts to compute the dose of a plan if it is wanted; that of a plan that is out of
+    /// date is dropped. Thresholds are those of the job as it is; all else is the plan's.
     pub fn sync(
         &mut self,
         current: Option<(Digest, Arc<PlannedJob>)>,
@@ -69,7 +69,7 @@ impl Dose {
         self.0.of(key)
     }
 
-    /// How far the computation is that is going on.
+    /// The progress of the computation, while there is one.
     pub fn progress(&self) -> Option<&Progress> {
         self.0.progress()
     }
@@ -79,7 +79,7 @@ impl Dose {
         !self.0.is_running()
     }
 
-    /// Ends the computation.
+    /// Cancels the computation.
     pub fn cancel(&mut self) {
         self.0.cancel();
     }

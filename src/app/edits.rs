@@ -4,7 +4,7 @@ use super::App;
 use crate::cell::Robot;
 use crate::document::{Edit, LostSettings, Parameter, RecutAnchor};
 use crate::part::{Placement, SurfaceId};
-use crate::text::{Sentence as _, say};
+use crate::text::{Sentence as _, listed_clauses, say};
 use std::path::Path;
 
 impl App {
@@ -13,15 +13,16 @@ impl App {
         self.apply(&edit, None);
     }
 
-    /// Applies an edit as a piece of the drag that is going on.
+    /// Applies an edit as part of a drag: edits of one gesture are one step of undo.
     pub(super) fn edit_dragging(&mut self, edit: &Edit, gesture: &str) {
         self.apply(edit, Some(gesture));
     }
 
-    /// Applies an edit, and says what surfaces lost by it; a drag that brings it back takes the word back.
+    /// Applies an edit, and says in the status line what surfaces lost by it; a drag that brings that back clears the
+    /// line.
     pub(super) fn apply(&mut self, edit: &Edit, gesture: Option<&str>) {
         let all: Vec<SurfaceId> = self.derived.surfaces.ids().collect();
-        let told = |lost: &[LostSettings]| lost.iter().map(LostSettings::sentence).collect::<Vec<_>>().join("; ");
+        let told = |lost: &[LostSettings]| listed_clauses(lost.iter().map(LostSettings::sentence));
         let before = told(self.document.lost());
         self.document.apply(edit, &all, gesture);
         let now = told(self.document.lost());
@@ -30,13 +31,13 @@ impl App {
         }
     }
 
-    /// Changes where the part stands.
+    /// Changes the placement of the part.
     pub(super) fn place(&mut self, change: impl FnOnce(&Placement) -> Placement) {
         let placement = change(&self.document.job().part.placement);
         self.edit(Edit::Place(placement));
     }
 
-    /// Takes a robot by its key or file, with the language of its controller; an empty name is none.
+    /// Chooses a robot by its key or file, with the dialect of its controller; an empty name stands for no robot.
     pub(super) fn choose_robot(&mut self, name: &str) {
         let dialect = self.document.job().cell.dialect.clone();
         if name.is_empty() {
@@ -49,7 +50,7 @@ impl App {
         }
     }
 
-    /// Sets a number of the parameter table. One that cuts the surfaces anew carries over what is said of them.
+    /// Sets a number of the parameter table. One that cuts the surfaces anew carries their settings over.
     pub(super) fn set_parameter(&mut self, p: &'static Parameter, value: f64) {
         if !p.recuts() {
             self.edit_dragging(&Edit::Set(p.key, value), p.key);

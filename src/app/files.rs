@@ -1,4 +1,4 @@
-//! Saving, exporting, what files are asked for, and the guard over unsaved changes.
+//! Saving, exporting, file dialogs, and the question about unsaved changes.
 
 use super::App;
 use super::dialogs::Purpose;
@@ -22,7 +22,7 @@ impl App {
         self.dialogs.ask(purpose, &name, answer);
     }
 
-    /// Does what files were asked for.
+    /// Does what a file was asked for, now that the user has chosen it.
     pub(super) fn take_answers(&mut self) {
         while let Some((purpose, path)) = self.answers.take() {
             self.picked(purpose, path);
@@ -170,7 +170,7 @@ impl App {
         }
     }
 
-    /// Does what waited for the unsaved changes.
+    /// Does what had to wait until unsaved changes were dealt with.
     pub(super) fn go_on(&mut self) {
         match self.session.after_guard.take() {
             Some(AfterGuard::Close) => self.session.may_close = true,

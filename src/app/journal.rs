@@ -1,4 +1,4 @@
-//! Unsaved changes are kept in the journal with every edit, so that a killed program loses nothing.
+//! Keeps unsaved changes in the journal with every edit, so that a killed program loses nothing.
 
 use crate::document::journal::{JournalError, Leftover};
 use crate::document::{Document, Journal};
@@ -9,7 +9,7 @@ use std::path::Path;
 #[derive(Default)]
 pub(super) struct JournalKeeper {
     journal: Journal,
-    /// Why it could not be kept, once that was told.
+    /// Why changes could not be kept, once the user was told.
     told: Option<String>,
 }
 
@@ -22,7 +22,7 @@ impl JournalKeeper {
         Ok(JournalKeeper { journal: Journal::open(folder)?, told: None })
     }
 
-    /// Keeps the unsaved changes of a document. A failure is told once, as it is tried again with every edit.
+    /// Keeps the unsaved changes of a document. A failure is returned once, though every edit tries again.
     pub fn keep(&mut self, document: &Document) -> Option<String> {
         let why = self.journal.record(document).err()?.sentence();
         let is_new = self.told.as_ref() != Some(&why);
@@ -30,7 +30,7 @@ impl JournalKeeper {
         is_new.then_some(why)
     }
 
-    /// Forgets the unsaved changes: nobody wants them any more.
+    /// Deletes the unsaved changes that are kept: nobody wants them any more.
     ///
     /// # Errors
     /// The file cannot be removed.

@@ -2,7 +2,8 @@
 //!
 //! `Document` (saved, undone) · `Session` (selection, what is shown) · `Derived` (the stages of the one
 //! pipeline, and what the window makes of them). Panels look at a `Context` of these and ask for `Actions`:
-//! [`Command`]s and edits; nothing else changes the document. Work over 100 ms runs on a pool of threads, and a result that nobody wants any more is dropped.
+//! [`Command`]s and edits. Work over 100 ms runs on a pool of threads, and results that are no longer wanted are
+//! dropped.
 
 mod access;
 mod access_place;
@@ -56,7 +57,7 @@ use session::Session;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The application's state.
+/// The window's state.
 pub struct App {
     document: Document,
     derived: Derived,
@@ -65,22 +66,22 @@ pub struct App {
     scene: Arc<Scene>,
     ctx: egui::Context,
     dialogs: Box<dyn FileDialogs>,
-    /// What they are asked for.
+    /// What files are being asked for.
     answers: dialogs::Answers,
     /// What is being read.
     reading: reading::Reading,
-    /// What waits for the operator's word.
+    /// The question that waits for the operator's answer.
     question: Option<questions::Question>,
-    /// Unsaved changes, kept for the case that the program is killed.
+    /// Keeps unsaved changes, in case the program is killed.
     journal: journal::JournalKeeper,
     /// The export that is being written.
     exporting: Stage<Exported, ExportError>,
-    /// From where the current place can be reached.
+    /// The access map and strip that were asked for last.
     access: access::AccessViews,
     /// Lines of the paths, kept while nothing about them changes.
     path_lines: Option<scene::PathLines>,
     recent: Vec<PathBuf>,
-    /// Recipes beside those of the job.
+    /// The library: recipes of the user and shipped ones.
     recipes: Library,
     /// Dots of the achieved spacing, kept while the plan stays.
     spacing: spacing::SpacingView,
@@ -127,7 +128,7 @@ impl App {
         app
     }
 
-    /// The window with recipes of the user's from a folder; without it there are none.
+    /// The window with the user's recipes from this folder; `None`: there are none.
     pub fn with_recipes(self, folder: Option<PathBuf>) -> App {
         App { recipes: Library::open(folder), ..self }
     }
@@ -216,7 +217,7 @@ impl eframe::App for App {
     }
 }
 
-/// Opens the window and stays until it is closed.
+/// Opens the window, and returns when it is closed.
 ///
 /// # Errors
 /// There is no screen, or no OpenGL on it.

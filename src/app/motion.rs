@@ -1,5 +1,5 @@
-//! What follows from a plan for watching it: the program over time, its curves, the trail on the
-//! part, and the program's text with the line of each move. Made on a thread, once for a plan.
+//! What is needed to watch a plan: the program over time, its curves, the trail on the part, and the program's text
+//! with the line of each move. Made on a thread, once for each plan.
 
 use crate::cell::Setup;
 use crate::picture::Trail;
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 /// A plan in motion.
 pub struct Motion {
-    /// Without a robot nothing is known of times.
+    /// The program over time; `None` without a robot.
     pub timeline: Option<Timeline>,
     /// Curves over the timeline.
     pub curves: Vec<CurveSample>,
@@ -30,7 +30,7 @@ pub struct Motion {
     pub line_of_move: Vec<(usize, usize)>,
 }
 
-/// Neighbouring targets that are left out, at the time when their turn would be.
+/// A run of neighbouring targets that are left out, at the time at which they would come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mark {
     /// The move before them.
@@ -70,7 +70,7 @@ impl TextFile {
 }
 
 impl Motion {
-    /// Everything of a plan.
+    /// Makes all of it from a plan.
     pub fn new(of: &PlannedJob, part_name: &str) -> Motion {
         let PlannedJob { job, setup, plan, report, .. } = of;
         let timeline = plan.timeline.clone();

@@ -1,4 +1,4 @@
-//! Opening a part, a job, or what a killed program left behind; and a part whose file is another one by now.
+//! Opens a part, a job, or what a killed program left behind, and deals with a part's file that has changed.
 
 use super::App;
 use super::derived::Derived;
@@ -125,7 +125,7 @@ impl App {
         self.keep_journal();
     }
 
-    /// Goes on with a part's file that has changed, or with another: the job is changed by that, and nothing saved.
+    /// Goes on with a changed part file, or with another one: this changes the job, and saves nothing.
     pub(super) fn use_part(&mut self, looked: LookedAt, opening: Option<(Box<Document>, Option<Leftover>)>) {
         if opening.is_none() && *looked.job != *self.document.job() {
             // Something was done meanwhile: what was found is not of the job as it is.
@@ -146,7 +146,7 @@ impl App {
         self.edit(Edit::ChangedPart(Box::new(job)));
     }
 
-    /// Looks at another file in the place of the part that a question is about.
+    /// Looks at another file, in place of the part that a question is about.
     pub(super) fn look_at_file(&mut self, file: PathBuf) {
         self.session.said = say!(window_reading, file = file.display().to_string());
         match &self.question {

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 impl App {
-    /// The window with its work done by another than its own threads.
+    /// The window with its work done by this executor.
     pub fn with_executor(self, executor: Arc<dyn Executor>) -> App {
         App { derived: Derived::new(executor), ..self }
     }
@@ -84,7 +84,7 @@ impl App {
         }
     }
 
-    /// Gives a command, on some surfaces where it is about such.
+    /// Selects these surfaces, if there are any, and gives a command.
     pub fn give(&mut self, command: Command, selected: &[u32]) {
         if !selected.is_empty() {
             self.session.selected = selected.iter().copied().collect();

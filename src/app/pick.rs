@@ -137,7 +137,7 @@ fn click(place: Option<(u32, Point3<f64>)>, modifiers: egui::Modifiers, context:
 }
 
 impl Context<'_> {
-    /// Facet and point of the part, in its own frame, that a ray of the scene meets; hidden surfaces are seen through.
+    /// Facet and point of the part, in its own frame, that a ray of the scene meets; hidden surfaces are ignored.
     fn picked_at(self, (origin, dir): (Point3<f64>, Vector3<f64>)) -> Option<(u32, Point3<f64>)> {
         let show = &self.session.show;
         if show.is_on(Toggle::SectionPlane) {

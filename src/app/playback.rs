@@ -1,24 +1,24 @@
-//! The simulation's place in the plan and its going on. Target and time go together: with a robot either may lead,
-//! without one there is no time and the target alone goes on, at the speed of the spot.
+//! The simulation's place in the plan, and how it advances. Target and time go together: with a robot either may be
+//! set, and the other follows; without one there is no time, and the target advances at the speed of the spot.
 
 use super::command::Jump;
 use super::motion::Motion;
 use crate::planning::Plan;
 use crate::program::Timeline;
 
-/// How long a target is shown that no distance leads on from, s.
+/// How long a target is shown if the next is at the same place, s.
 const STAY_S: f64 = 0.3;
 
-/// Where the simulation is, and how it goes on.
+/// Where the simulation is, and how it advances.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Playback {
     /// The current target: pass and point.
     pub at: (usize, usize),
     /// Time in the program, s; 0 without a robot.
     pub time_s: f64,
-    /// Whether it goes on by itself.
+    /// Whether it is playing.
     pub is_playing: bool,
-    /// Times the real speed.
+    /// Speed, as a multiple of real time.
     pub speed: f32,
     /// Whether it starts over at the end.
     pub repeats: bool,
@@ -65,7 +65,7 @@ impl Playback {
         }
     }
 
-    /// Goes on by a time, s, of the real clock.
+    /// Advances by a time, s, of the real clock.
     pub fn advance(&mut self, real_s: f64, plan: &Plan, motion: Option<&Motion>) {
         let passed_s = real_s * f64::from(self.speed);
         match motion.and_then(|m| m.timeline.as_ref()) {

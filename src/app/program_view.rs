@@ -14,8 +14,8 @@ pub struct ProgramView {
 }
 
 impl ProgramView {
-    /// Turns to the file of the line that is being done when that line changes; until then another file can be looked
-    /// at. Whether the line has changed.
+    /// Shows the file of the current line whenever that line changes; until then another file can be looked at. Returns
+    /// whether the line has changed.
     pub fn follow(&mut self, current: Option<(usize, usize)>, files: usize) -> bool {
         let moved = current.filter(|_| current != self.line);
         if let Some((file, _)) = moved {

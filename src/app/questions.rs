@@ -1,4 +1,4 @@
-//! What waits for the operator's word before anything is done, and what is done at his word.
+//! Questions that wait for the operator's answer before anything is done, and what each answer does.
 
 use super::App;
 use super::dialogs::Purpose;
@@ -30,9 +30,9 @@ pub(super) enum Question {
     },
     /// A killed program left unsaved changes.
     Restore(LeftBehind),
-    /// A file would be written over that holds something else than this window knows.
+    /// Saving would overwrite a file that is not the document's, or that has changed since this window read or saved it.
     SaveOver(PathBuf),
-    /// Files of a folder are not this export's to replace.
+    /// An export would replace files of a folder that it must not replace unasked.
     ExportOver {
         /// The folder.
         dir: PathBuf,
@@ -44,23 +44,23 @@ pub(super) enum Question {
 /// The answer to a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Reply {
-    /// The part's file is taken as it is now.
+    /// Takes the part's file as it is now.
     UsePart,
-    /// Another file is looked for in its place.
+    /// Asks for another file in its place.
     OtherFile,
-    /// One of the states that were left behind is opened, by its place among them.
+    /// Opens one of the states that were left behind, by its place in the list.
     Restore(usize),
-    /// One of them is thrown away.
+    /// Deletes one of them.
     Discard(usize),
-    /// What stands there is replaced.
+    /// Replaces what stands there.
     Overwrite,
-    /// The job is saved in another file.
+    /// Saves the job in another file.
     SaveAs,
-    /// The file is opened as it is, instead of being written over.
+    /// Opens the file as it is, instead of overwriting it.
     Reload,
-    /// The program is written into another folder.
+    /// Writes the program into another folder.
     OtherFolder,
-    /// Nothing is done.
+    /// Does nothing.
     Cancel,
 }
 
@@ -81,7 +81,7 @@ impl App {
         self
     }
 
-    /// Does what a question was answered with.
+    /// Does what the operator answered.
     pub(super) fn take_reply(&mut self, reply: Reply) {
         // A file that is still to be picked leaves the question open.
         if reply == Reply::OtherFile {
@@ -119,7 +119,7 @@ impl App {
         }
     }
 
-    /// Nothing of the unsaved changes is wanted any more.
+    /// Discards the unsaved changes that the journal keeps.
     pub(super) fn clear_journal(&mut self) {
         if let Err(why) = self.journal.clear() {
             self.session.error = Some(why.sentence());

@@ -1,6 +1,6 @@
-//! Reading documents and their parts on a thread: what is there, and whether it is what the job was made for.
+//! Reads documents and their parts on a thread, and tells whether a part's file is the one that the job was made for.
 //!
-//! What the window does with it stands in `opening`.
+//! What the window does with that is in `opening`.
 
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
@@ -23,7 +23,7 @@ pub(super) struct Reading {
     opening: Stage<Opened, Arc<JobError>>,
     /// The part's file, looked at again while its document is open.
     looking: Stage<LookedAt, Arc<JobError>>,
-    /// How the part's file was when it was read last.
+    /// Stamp of the part's file when it was read last.
     stamp: Option<Stamp>,
     /// A changed file that the operator does not want, by its SHA-256.
     unwanted: Option<String>,
@@ -61,8 +61,8 @@ impl Reading {
         self.opening.start(Hasher::default().finish(), Activity::Reading, executor, work);
     }
 
-    /// Begins to look what becomes of a job on a file. What its surfaces look like is known from the part that is
-    /// shown, with the way it was built.
+    /// Begins to find out what becomes of a job on a changed file. What the job's surfaces look like is taken from the
+    /// part that is shown.
     pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, PartFile)>, executor: &dyn Executor) {
         self.looking.clear();
         self.looking.start(Hasher::default().finish(), Activity::Reading, executor, move |progress| {
@@ -80,7 +80,7 @@ impl Reading {
         self.opening.take_result()
     }
 
-    /// What was found where it was looked, or why it could not be read.
+    /// What was found at the file that was looked at, or why it could not be read.
     pub fn looked_at(&mut self) -> Option<Result<LookedAt, Refused>> {
         self.looking.take_result()
     }
@@ -95,7 +95,7 @@ impl Reading {
         !self.opening.is_running() && !self.looking.is_running()
     }
 
-    /// A part's file was taken as it is: changes are noticed from there.
+    /// Notes that a part's file was taken as it is: later changes are noticed.
     pub fn took(&mut self, stamp: Stamp) {
         (self.stamp, self.unwanted) = (Some(stamp), None);
     }
@@ -108,12 +108,12 @@ impl Reading {
         now != known
     }
 
-    /// A changed file is not wanted: as long as the document is open it is not asked about again.
+    /// Notes that a changed file was refused: while the document is open it is not asked about again.
     pub fn refuse(&mut self, looked: &LookedAt) {
         self.unwanted = Some(looked.source.sha256.clone());
     }
 
-    /// Whether a file is another one than the job's, and was not refused.
+    /// Whether a file differs from the job's, and was not refused.
     pub fn is_news(&self, looked: &LookedAt) -> bool {
         looked.carried.is_some() && self.unwanted.as_deref() != Some(&looked.source.sha256)
     }
@@ -125,31 +125,31 @@ pub(super) struct Opened {
     pub document: Document,
     /// Its part.
     pub part: PartThere,
-    /// What it was restored from: taken over once it is shown.
+    /// The journal entry that it was restored from; it is taken over once the document is shown.
     pub leftover: Option<Leftover>,
 }
 
-/// What stands where the part of a job should be.
+/// What is found where the part of a job should be.
 pub(super) enum PartThere {
     /// The file that the job was made for.
     Same(Arc<Source>, Box<Part>, Stamp),
-    /// Another.
+    /// Another file.
     Changed(LookedAt),
-    /// Nothing.
+    /// No file.
     Gone(PathBuf),
 }
 
-/// A part's file that is not the one that the job was made for, or another file that may be it.
+/// A part's file that has changed since the job was made, or another file in its place.
 pub(super) struct LookedAt {
     /// The file.
     pub file: PathBuf,
     /// Its bytes.
     pub source: Arc<Source>,
-    /// How it was when they were read.
+    /// Its stamp when they were read.
     pub stamp: Stamp,
     /// The job that was asked about.
     pub job: Box<Job>,
-    /// What becomes of it there; `None`: the same bytes under another name, nothing changes.
+    /// What becomes of the job there; `None`: the bytes are those of the job's part, and only the name differs.
     pub carried: Option<Box<CarriedOver>>,
 }
 

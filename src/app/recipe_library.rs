@@ -1,4 +1,4 @@
-//! What the operator changes of the library of recipes, which outlives a job, and how that ended.
+//! The operator's changes of the recipe library, which outlives a job, and what the window says of them.
 
 use super::App;
 use crate::document::Recipe;

@@ -1,6 +1,6 @@
 //! What would help with the targets that the robot refuses: advice, and a better set-up
-//! with its picture. Both are looked for on a thread, with progress and cancel, and belong to one plan:
-//! with that they go.
+//! with its picture. Both are searched on a thread, with progress and cancel, and belong to one plan: they are dropped
+//! with it.
 
 use crate::cell::Setup;
 use crate::cell::motion::advice::BetterSetup;
@@ -15,14 +15,14 @@ use nalgebra::{Isometry3, Point3};
 use std::convert::Infallible;
 use std::sync::Arc;
 
-/// Colour of a target that is within reach, in a preview.
+/// Colour of targets within reach, in a preview.
 pub(super) const WITHIN: [u8; 3] = [64, 178, 255];
-/// And of one that is not.
+/// Colour of targets out of reach, in a preview.
 pub(super) const OUT_OF_REACH: [u8; 3] = state::BLOCKED;
 
 /// A set-up that was found, ready to be looked at.
 pub struct Proposal {
-    /// Its frames and what they are worth.
+    /// Its frames, and how many targets they make possible.
     pub found: BetterSetup,
     /// Targets that are refused with it, and without.
     pub refused: [usize; 2],
@@ -74,8 +74,8 @@ pub struct Remedy {
 }
 
 impl Remedy {
-    /// Takes what has arrived, looks for advice on a plan of which the robot refuses something, and ends searches
-    /// for plans that are no more.
+    /// Takes what has arrived, starts to look for advice where the robot refuses targets of the plan, and cancels
+    /// searches for earlier plans.
     pub fn sync(&mut self, refusing: Option<Arc<PlannedJob>>, executor: &dyn Executor) {
         self.advice.poll();
         self.proposal.poll();
@@ -127,12 +127,12 @@ impl Remedy {
         !self.advice.is_running() && !self.proposal.is_running()
     }
 
-    /// The search that is shown: one that was asked for before one that nobody asked for.
+    /// Progress of the search that is shown: of a better set-up, which the operator asked for, before that of advice.
     pub fn progress(&self) -> Option<&Progress> {
         self.proposal.progress().or(self.advice.progress())
     }
 
-    /// Ends that search.
+    /// Cancels that search.
     pub fn cancel_shown(&mut self) {
         if self.proposal.is_running() {
             self.proposal.cancel();
@@ -141,7 +141,7 @@ impl Remedy {
         }
     }
 
-    /// Ends both searches.
+    /// Cancels both searches.
     pub fn cancel(&mut self) {
         self.advice.cancel();
         self.proposal.cancel();

@@ -77,7 +77,7 @@ impl App {
             C::Merge => self.edit(Edit::Merge(self.session.selected_ids())),
             C::Split => self.split_selected(),
             C::Rename => self.begin_renaming(),
-            C::FlipSurface => self.session.selected_ids().into_iter().for_each(|n| self.edit(Edit::FlipSurface(n))),
+            C::FlipSurface => self.flip_surface(),
             C::FlipShell => self.flip_shell(),
             C::PickOrigin => self.session.tool = Tool::PickOrigin,
             C::LayFlat => self.session.tool = Tool::LayFlat,
@@ -155,6 +155,12 @@ impl App {
         let (part, angle_deg) = (self.derived.part.clone(), self.session.split_angle_deg);
         if let (Some(part), Some(&n)) = (part, self.session.selected_ids().first()) {
             self.edit(Edit::split(&part, &self.derived.surfaces, self.document.job(), n, angle_deg));
+        }
+    }
+
+    fn flip_surface(&mut self) {
+        if let Some(&n) = self.session.selected_ids().first() {
+            self.edit(Edit::FlipSurface(n));
         }
     }
 

@@ -1,4 +1,4 @@
-//! The 3D scene of the moment.
+//! Builds the 3D scene of each frame.
 
 use super::App;
 use super::command::Toggle;
@@ -85,7 +85,7 @@ impl App {
 }
 
 impl<'a> Context<'a> {
-    /// The part coloured by what lands, if that is asked for and known.
+    /// The part coloured by dose or incidence, if that is asked for and known.
     fn dose_picture(self) -> Option<&'a MeshItem> {
         let look = match self.session.coloring {
             Coloring::Surface => return None,
@@ -117,7 +117,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// What has been done, and in the robot cell who does it.
+    /// The trail of the spot, and in the robot cell the arm.
     fn add_simulation(self, scene: &mut Scene, place: Isometry3<f64>) {
         let trail = self.derived.motion().and_then(|m| m.trail.as_ref());
         if let (Some(moment), Some(trail), Some(_)) = (self.moment(), trail, self.derived.plan_on_part()) {

@@ -25,7 +25,7 @@ pub struct Session {
     pub anchor: Option<u32>,
     /// Row that was clicked last.
     pub last_clicked: Option<u32>,
-    /// Surface under the cursor in this frame, and in the last.
+    /// Surface under the cursor in this frame, and in the frame before.
     pub hovered: Option<u32>,
     /// A selection made in the view: its row is scrolled into sight.
     pub scroll_to: Option<u32>,
@@ -35,7 +35,7 @@ pub struct Session {
     pub show: Show,
     /// Filter texts of the two lists.
     pub filter: [String; 2],
-    /// Sort column of the feature surfaces and whether it is turned.
+    /// Sort column of the feature surfaces, and whether the order is reversed.
     pub sort: (Column, bool),
     /// Where the simulation is, and how it goes on.
     pub playback: Playback,
@@ -65,7 +65,7 @@ pub struct Session {
     pub was_focused: bool,
     /// The recipe that was taken out of the library last: it can come back.
     pub forgotten: Option<Forgotten>,
-    /// Last thing said in the status line.
+    /// The last message of the status line.
     pub said: String,
     /// An error that must be read.
     pub error: Option<String>,
@@ -140,7 +140,7 @@ impl Show {
         }
     }
 
-    /// Shows what was not shown, and the other way round; whether it is shown now.
+    /// Shows what was hidden, and hides what was shown; returns whether it is shown now.
     pub fn flip(&mut self, what: Toggle) -> bool {
         let on = !self.is_on(what);
         self.set(what, on);
@@ -235,7 +235,7 @@ impl Session {
         self.anchor = surface;
     }
 
-    /// Forgets what belongs to one part.
+    /// Resets all that belongs to one part.
     pub fn forget_part(&mut self) {
         let playback = Playback::at_speed(self.playback.speed);
         *self = Session { show: self.show.clone(), playback, ..Session::default() };

@@ -1,5 +1,5 @@
-//! The simulation in the window: its place in the plan, and what stands where then. And the two modes of the view:
-//! the part alone in its own frame, or the robot cell in the base.
+//! The simulation in the window: its place in the plan, and where arm, part and focus stand then. Also the two modes of
+//! the view: the part alone in its own frame, or the robot cell in the base.
 
 use super::App;
 use super::command::{Jump, Toggle};
@@ -12,10 +12,10 @@ use crate::view::{Bounds, Camera};
 use eframe::egui;
 use nalgebra::{Isometry3, Point3};
 
-/// A frame that took longer, s, counts as so long: the simulation must not jump.
+/// The longest time, s, that one frame moves the simulation on, so that it does not jump after a slow frame.
 const LONGEST_FRAME_S: f32 = 0.1;
 
-/// What stands where in the base.
+/// Where arm, part and focus stand in the base.
 pub(super) struct Placed {
     /// The arm.
     pub joints_deg: Joints,
@@ -94,7 +94,7 @@ impl App {
         }
     }
 
-    /// Back to the part, where only its own frame will do.
+    /// Leaves the cell for the part, for what is shown in the part's own frame alone.
     pub(super) fn leave_cell(&mut self) {
         if self.session.show.is_on(Toggle::Cell) {
             let section = self.session.show.is_on(Toggle::SectionPlane);
@@ -115,7 +115,7 @@ impl<'a> Context<'a> {
         proposed.or(self.derived.cell.as_ref())
     }
 
-    /// What stands where now, or would; at home before there is a plan.
+    /// Where all stands now, or would in a proposed set-up; at home before there is a plan.
     pub fn placed(self) -> Option<Placed> {
         let proposal = self.proposal();
         let setup = proposal.map_or_else(|| self.setup(), |p| Some(&p.setup))?;

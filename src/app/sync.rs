@@ -15,7 +15,7 @@ use crate::text::{Sentence as _, say};
 use std::sync::Arc;
 
 impl App {
-    /// Takes what has arrived and brings what is out of date on its way.
+    /// Takes what has arrived, and starts the work on what is out of date.
     pub(super) fn sync(&mut self) {
         let changes = self.derived.pipeline.sync(self.document.job(), self.document.file());
         if changes.surfaces {
@@ -104,7 +104,7 @@ impl App {
         }
     }
 
-    /// A plan takes a while: where its lines lie is shown before, unless they are those that are shown.
+    /// Shows the lines of a plan before it is finished, as it takes a while; not if the plan that is shown has the same.
     fn sync_lines(&mut self) {
         let d = &mut self.derived;
         let Some((key, laid)) = d.pipeline.lines() else {
@@ -164,8 +164,8 @@ impl App {
         self.derived.clearance.sync(current, &*executor);
     }
 
-    /// Looks from where the place under the cursor, or the current target, can be reached, and from where along its
-    /// line. Asked right before it is drawn: place and target may have changed in this frame.
+    /// Makes the access map of the place under the cursor, or of the current target, and the strip of its line. Called
+    /// right before they are drawn: place and target may have changed in this frame.
     pub(super) fn sync_access(&mut self) {
         let place = self.context().access_place();
         let (d, job) = (&self.derived, self.document.job());
@@ -180,7 +180,7 @@ impl App {
         self.access.look_along(pass, over, on.as_ref());
     }
 
-    /// Looks at the files when the operator comes back to the window: he may have been to his CAD.
+    /// Looks for changed files when the window gets the focus: the operator may come from the CAD program.
     pub(super) fn watch_focus(&mut self, ctx: &eframe::egui::Context) {
         let is_focused = ctx.input(|i| i.focused);
         if is_focused && !self.session.was_focused {

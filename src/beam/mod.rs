@@ -1,5 +1,5 @@
-//! The tool: optics, the head behind them, what is clamped to the part, and the space that all of it
-//! takes up at a pose.
+//! The tool: optics, the head behind them, and the space that both take up at a pose; also the bodies of facets that
+//! stand in its way, such as clamps.
 //!
 //! Millimetres; along the beam, t runs from the point on the part and z from the focus.
 

@@ -31,10 +31,10 @@ pub(crate) const OWN_SINE: f64 = 0.258_819_045_102_520_74;
 /// rounding of f32 coordinates on a large part.
 pub(crate) const START_MM: f64 = 0.05;
 
-/// Beam, head and clamps, prepared for queries at many poses.
+/// Beam and head of a tool, and the clamps that they must miss, prepared for queries at many poses.
 #[derive(Clone, Debug)]
 pub struct ToolGeometry<'a> {
-    /// D, mm.
+    /// Defocus distance, mm.
     pub defocus_mm: f64,
     /// Clearance that beam and head keep from everything, mm.
     pub margin_mm: f64,
@@ -42,7 +42,7 @@ pub struct ToolGeometry<'a> {
     pub beam: Vec<Frustum>,
     /// The head, as it is.
     pub head: Vec<Frustum>,
-    /// Clamps on the part, in its frame.
+    /// Clamps on the part, in its frame: they stand in the way, and are no part of the tool.
     pub clamps: &'a [Obstacle],
     /// Whether there is a head; without one the beam is a ray, and keeps no margin.
     pub has_head: bool,

@@ -1,6 +1,6 @@
 //! The cell file: what stands in it, reading and checking it.
 //!
-//! What single tables may say is checked by their own types.
+//! Each table is checked by its own type.
 
 use super::bodies::Bodies;
 use super::calibration::CalibrationNote;
@@ -22,10 +22,10 @@ pub struct Air {
     /// How far the focus is drawn back along the beam before a move, mm.
     #[serde(default = "ten")]
     pub retreat_mm: f64,
-    /// How far outside the part's sphere long moves go, mm.
+    /// How far outside the sphere around the part long moves go, mm.
     #[serde(default = "twenty")]
     pub clearance_mm: f64,
-    /// How fast the part may be turned, degrees per second.
+    /// How fast what the robot carries may be turned on a straight move with the laser off, degrees per second.
     #[serde(default = "ninety")]
     pub turn_deg_s: f64,
     /// Where the program begins and ends, joint angles in degrees.
@@ -39,7 +39,7 @@ pub struct Air {
     /// Tool in hand: height in the base on which the focus crosses the part, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safe_plane_mm: Option<f64>,
-    /// Speed from and to home, per cent.
+    /// Speed from and to home, per cent of the joints' full speed.
     #[serde(default = "ten")]
     pub home_percent: f64,
 }

@@ -1,5 +1,5 @@
-//! A job whose part's file has changed: planned on all the same where all that is to be cleaned is found again in
-//! its place, refused with the list where not.
+//! A job whose part's file has changed: it is planned if all surfaces to clean are found again in their place, and
+//! refused with the list of what was found if not.
 
 use super::CommandFailure;
 use crate::document::{CarriedOver, Job, files};
@@ -9,10 +9,10 @@ use crate::progress::Progress;
 use crate::text::{carried_lines, listed_clauses, say};
 use std::path::Path;
 
-/// The part's file of a job as it is, the job for it, and what is to be said.
+/// The part's file of a job as it is now, the job carried over to it, and the lines to print about that.
 ///
 /// # Errors
-/// The part is gone, is no usable STL, or has changed so that work of the job is not where it was.
+/// The part is gone, is no usable STL, or has changed so that a surface to clean is not found in its place.
 pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), CommandFailure> {
     let file = files::part_file(&job, job_file).map_err(CommandFailure::failed)?;
     let source = Source::read(&file).map_err(CommandFailure::failed)?;

@@ -1,5 +1,5 @@
 //! `--lang`: taken out of the arguments before anything else is read, so that help and refusals are in that
-//! language as well. A language that there is not stays, for the parser to refuse.
+//! language as well. An unknown language is left for the parser to refuse.
 
 use crate::text::{Language, choose, languages, say};
 use clap::Arg;
@@ -8,7 +8,7 @@ use std::ffi::OsString;
 
 const OPTION: &str = "--lang";
 
-/// The option as help shows it, and as a wrong value is refused.
+/// The option for the parser, which shows it in the help and refuses a wrong value.
 pub(super) fn option() -> Arg {
     let codes: Vec<&str> = languages().map(Language::code).collect();
     Arg::new("lang")
@@ -19,7 +19,7 @@ pub(super) fn option() -> Arg {
         .help(say!(cli_lang))
 }
 
-/// Takes the language that is named last; gives back the other arguments.
+/// Chooses the language that is named last, and returns the other arguments.
 pub(super) fn taken(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let (language, rest) = split(arguments);
     if let Some(language) = language {

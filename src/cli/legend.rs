@@ -74,7 +74,7 @@ pub fn paint(image: &mut RgbaImage, legend: &Legend) {
     }
 }
 
-/// The unit of the numbers, in letters that there are dots for.
+/// The unit of the numbers, in letters that have a glyph.
 fn unit(look: DoseLook) -> &'static str {
     match look {
         DoseLook::Dose => "J/cm2",

@@ -54,11 +54,11 @@ pub enum CliCommand {
 pub enum CommandOutcome {
     /// All done.
     Done,
-    /// Done, but something is blocked or missed.
+    /// Done, but something is blocked, missed or found.
     Found,
 }
 
-/// Why a command did not do its work, in a sentence for its user.
+/// Why a command failed, as a sentence for its user.
 #[derive(Debug)]
 pub enum CommandFailure {
     /// An option cannot be taken.
@@ -74,8 +74,7 @@ impl CommandFailure {
     }
 }
 
-/// The arguments of this program. Where they cannot be read, or ask for help or version, that is said and the
-/// program ends.
+/// Reads the arguments. If they cannot be read, or ask for help or version, prints that and ends the program.
 pub fn arguments() -> Arguments {
     let given = language::taken(std::env::args_os());
     let command = Arguments::command().arg(language::option());
@@ -107,7 +106,7 @@ fn tell<F: Sentence>(file: &Path, findings: &[F]) {
     }
 }
 
-/// Prints, and takes a reader who has gone (`| head`) for an answer.
+/// Prints; a reader that has gone (`| head`) is no failure.
 fn print(text: &str) {
     use std::io::Write as _;
     let _ = std::io::stdout().write_all(text.as_bytes());

@@ -31,7 +31,7 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| say!(give_number))
 }
 
-/// What stands for the value in the help.
+/// The placeholder of the value in the help.
 fn placeholder(kind: NumberKind) -> &'static str {
     match kind {
         NumberKind::Length => "MM",

@@ -20,7 +20,8 @@ pub struct PlanOptions {
     words: WordOptions,
 }
 
-/// Words that the help tells behind a number that they belong with; `""`: before all numbers. Others follow all.
+/// Word options that the help lists after the number that they belong to; `""`: before all numbers. Others follow at the
+/// end.
 const BEHIND: [(&str, &str); 8] = [
     ("units", ""),
     ("surfaces", "angle"),
@@ -70,7 +71,7 @@ impl PlanOptions {
     /// Writes the given options into a job on the part that was read from `source`.
     ///
     /// # Errors
-    /// A number that is out of range; the part cannot be cut by it.
+    /// A number is out of range, or the part cannot be cut with it.
     pub fn apply(&self, job: &mut Job, source: &Source) -> Result<(), CommandFailure> {
         for &(p, value) in &self.numbers {
             p.check(value).map_err(|e| CommandFailure::Usage(refused_option(&e)))?;
@@ -118,7 +119,7 @@ impl PlanOptions {
     }
 }
 
-/// Cuts the surfaces anew as the window does: what the job says of them is carried over to their new numbers.
+/// Cuts the surfaces anew as the window does: their settings are carried over to their new numbers.
 fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<(), CommandFailure> {
     let built = build_part(source, &job.part, Path::new(&job.part.file), &Progress::default());
     // Nobody can have cancelled it.

@@ -89,7 +89,7 @@ fn take_files(options: &PlanOptions, job: &mut Job) -> Result<(), CommandFailure
     Ok(())
 }
 
-/// Says on stderr how well the cell's frames were measured, and where another dialect is the robot's own.
+/// Says on stderr how well the cell's frames fit what was measured, and whether the dialect is not the robot's own.
 fn tell_of_cell(job: &Job, setup: &Setup) {
     for note in setup.cell.calibrations() {
         eprintln!("{}: {}", setup.cell.name, note.sentence());
@@ -100,7 +100,7 @@ fn tell_of_cell(job: &Job, setup: &Setup) {
     }
 }
 
-/// What would help where something is left out, a line each.
+/// What would help where something is left out, one line each.
 fn advised(of: &ExportInput<'_>, pipeline: &Pipeline) -> String {
     let ExportInput { job, part, surfaces, setup, plan, .. } = *of;
     let progress = Progress::default();
@@ -118,7 +118,7 @@ fn advised(of: &ExportInput<'_>, pipeline: &Pipeline) -> String {
     text
 }
 
-/// What the options ask for and cannot be is wrong usage.
+/// Errors that come from the options count as wrong usage.
 fn refused(e: PlanningError) -> CommandFailure {
     match &e {
         PlanningError::Plan(planning::Failure::Refused(

@@ -10,7 +10,7 @@ use crate::program::dialects;
 use crate::text::{id, say};
 use std::path::PathBuf;
 
-/// Words, lists and files that were given.
+/// The words, lists and files that were given.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub(super) struct WordOptions {
     #[arg(long, value_parser = units, help = say!(option_units))]

@@ -1,7 +1,8 @@
 //! The workpiece: reading an STL file, its topology, its feature surfaces and their shapes,
 //! its place in space, and rays against it.
 //!
-//! Everything here is in the part frame, millimetres. Nothing here knows of planes, beams or robots.
+//! Everything here is in the part frame, millimetres; only `identity` compares parts in the coordinates and unit of
+//! their files. Nothing here knows of section planes, beams or robots.
 
 pub mod angle;
 pub mod bvh;

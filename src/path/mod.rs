@@ -1,5 +1,5 @@
-//! Where the spot travels: section planes, transversal lines, normals along them, chord error,
-//! order, and what no line reaches.
+//! Where the spot travels: the lines of each strategy, their normals and neighbours, their ends at the rim, chord
+//! error, working order, and what no line reaches.
 //!
 //! Part frame, millimetres. Whether a beam can get there is decided in `pose`.
 

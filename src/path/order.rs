@@ -1,5 +1,5 @@
-//! Order and sense of a surface's lines: plane by plane, zigzag or one-way, each next line the
-//! nearest of its plane. A closed line begins where the spot is nearest.
+//! Order and sense of a surface's lines: plane by plane, zigzag or one-way, each next line the nearest of its
+//! plane. A closed line begins at its point nearest to the spot. `tour` finds the order with the shortest ways.
 
 use super::section::{SectionPoint, TransversalLine};
 use crate::part::angle::any_square_to;

@@ -52,7 +52,7 @@ impl LegendEntry {
     }
 }
 
-/// A scale of even colours, and what has a colour of its own.
+/// A colour scale, and what has a colour beside it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Legend {
     /// What the numbers are: J/cm², or degrees.
@@ -68,7 +68,7 @@ pub struct Legend {
 }
 
 impl Legend {
-    /// Share of the colours' way at a share of the scale.
+    /// Share of the colour map at a share of the scale.
     pub fn share(&self, share: f64) -> f64 {
         if self.falls { 1.0 - share } else { share }
     }
@@ -92,7 +92,7 @@ pub fn legend(map: &DoseMap, look: DoseLook) -> Legend {
     }
 }
 
-/// The window takes up the scale: what is within can be told apart.
+/// Share of the colour map for a dose: 1 at the greatest dose that is allowed.
 fn share(map: &DoseMap, dose: f64) -> f64 {
     dose / map.thresholds.high_j_cm2
 }

@@ -20,7 +20,7 @@ const PAIRS: [(Rgb, Rgb); 10] = [
     ([168, 178, 186], [92, 110, 126]),
 ];
 
-/// What tells states apart, everywhere.
+/// The colours of states, the same everywhere.
 pub mod state {
     use super::Rgb;
     /// Along the normal.
@@ -29,7 +29,7 @@ pub mod state {
     pub const CORRECTED: Rgb = [236, 132, 0];
     /// Laser off.
     pub const BLOCKED: Rgb = [222, 22, 34];
-    /// Lines of which only their place is known.
+    /// Lines that are laid, and not planned yet.
     pub const LAID: Rgb = [70, 76, 88];
     /// Connecting moves.
     pub const AIR: Rgb = [130, 136, 146];

@@ -30,7 +30,7 @@ pub struct PathLook {
     pub frame_mm: f64,
 }
 
-/// At most so many frames and beams are shown; of more, evenly every k-th.
+/// Frames and beams that are shown, at most; of more, every k-th.
 const MOST_FRAMES: usize = 500;
 const MOST_BEAMS: usize = 4000;
 
@@ -62,7 +62,7 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     items
 }
 
-/// Draws lines of which nothing is known yet but where they lie.
+/// Draws lines that are laid, and not planned yet.
 pub fn toolpath_item(lines: &[Arc<Toolpath>]) -> LineItem {
     let points = lines.iter().flat_map(|l| &l.lines);
     let segments: Vec<LineSegment> = points

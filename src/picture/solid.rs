@@ -1,5 +1,5 @@
-//! Solids of revolution about z, for what has no CAD: links, nozzle, plates. Made once; moving one
-//! only changes where it stands.
+//! Solids of revolution about z, for what has no CAD: links, nozzle, plates. They are made once;
+//! moving one only changes where it stands.
 
 use super::palette::Rgb;
 use crate::part::{Hasher, angle};

@@ -31,7 +31,7 @@ impl SpacingSample {
     }
 }
 
-/// The scale of a plan: dark is narrow, bright is wide, what is wanted stands in the middle.
+/// The colour scale of a plan: dark is narrow, bright is wide, the wanted spacing is in the middle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpacingScale {
     /// Its ends, as shares of what is wanted.
@@ -45,7 +45,7 @@ pub struct SpacingScale {
 }
 
 impl SpacingScale {
-    /// Share of the colours' way for a share of what is wanted.
+    /// Share of the colour map for a share of what is wanted.
     pub fn share(&self, ratio: f64) -> f64 {
         let [low, high] = self.ends;
         if ratio < 1.0 { 0.5 * (ratio - low) / (1.0 - low) } else { 0.5 + 0.5 * (ratio - 1.0) / (high - 1.0) }

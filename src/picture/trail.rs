@@ -1,4 +1,4 @@
-//! What the beam has done so far: the way of the spot with the laser on, up to a moment.
+//! The trail: the way of the spot with the laser on, up to a moment.
 
 use crate::pose::Pass;
 use crate::program::{Moment, Timeline};
@@ -8,14 +8,14 @@ use std::sync::Arc;
 
 /// Segments of one item: whole ones are uploaded once, only the last one changes.
 const PIECE: usize = 512;
-/// Unlike every state of a target: done.
+/// What is done; unlike the colour of any state of a target.
 const COLOR: [u8; 4] = [88, 208, 166, 255];
 
 /// The spot's way on the part, in the part frame.
 #[derive(Clone, Debug)]
 pub struct Trail {
     key: u64,
-    /// D on the ways, mm.
+    /// Defocus distance on the ways, mm.
     defocus_mm: Vec<f64>,
     /// Ways with the laser on, in order, and the stop that each ends at.
     segments: Vec<LineSegment>,

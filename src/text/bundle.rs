@@ -1,4 +1,4 @@
-//! Languages, and how a message becomes its words.
+//! Languages, and how a message becomes words.
 
 use super::messages::LANGUAGES;
 use super::number::grouped;
@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A language that there are words in.
+/// A language that has a folder of words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Language(usize);
 
@@ -17,7 +17,7 @@ impl Language {
         LANGUAGES[self.0].0
     }
 
-    /// English: what stands where the language must not matter.
+    /// English, for texts that must not depend on the language in use.
     pub(crate) fn english() -> Language {
         Language(LANGUAGES.iter().position(|l| l.0 == "en").unwrap_or_default())
     }
@@ -28,7 +28,7 @@ pub fn languages() -> impl Iterator<Item = Language> {
     (0..LANGUAGES.len()).map(Language)
 }
 
-/// Place of the language in use plus one; 0: none was chosen.
+/// Index of the language in use, plus one; 0: none was chosen.
 static IN_USE: AtomicUsize = AtomicUsize::new(0);
 
 /// Takes a language for all words from now on. A door does it once, before anything is said.
@@ -41,10 +41,10 @@ pub fn language() -> Language {
     IN_USE.load(Ordering::Relaxed).checked_sub(1).map_or_else(Language::english, Language)
 }
 
-/// What stands in a message for one of its variables.
+/// The value of a variable of a message.
 #[derive(Clone, Debug)]
 pub(crate) enum Arg<'a> {
-    /// Text that stands in the message as it is.
+    /// Text that is put into the message as it is.
     Words(Cow<'a, str>),
     /// A count: its digits are grouped, and the message may depend on it. Numbers of facets, lines and surfaces are
     /// no counts: see [`id`].

@@ -5,7 +5,7 @@ use crate::document::{CarriedOver, LostSurface};
 use crate::part::identity::LostReason;
 use nalgebra::Isometry3;
 
-/// Turns below this are not told, degrees.
+/// Turns below this are not mentioned, degrees.
 const LEAST_TURN_DEG: f64 = 1e-3;
 
 /// What there is to know, a line each.

@@ -1,5 +1,5 @@
-//! Names of the choices that the window offers. Their machine words, which files and the command line take, are
-//! no text and stand with the types.
+//! Names of the choices that the window offers. Their words in files and on the command line belong to the types, and
+//! are the same in all languages.
 
 use super::number::{exact, fixed};
 use super::say;

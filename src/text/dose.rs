@@ -5,10 +5,10 @@ use crate::part::SurfaceId;
 use crate::planning::dose::{DoseReport, PatchReport};
 use crate::process::PatchCause;
 
-/// Patches that are told one by one.
+/// Patches that are listed one by one, at most.
 const PATCHES_TOLD: usize = 8;
 
-/// Shares of the area, what lands beside, and what stays unclean.
+/// Shares of the area, what lands on other surfaces, and what stays unclean.
 pub fn dose_lines(dose: &DoseReport, naming: &Naming<'_>) -> Vec<String> {
     let percent = |share: f64| fixed(100.0 * share, 1);
     let [within, under, over, shaded] = [dose.within, dose.under, dose.over, dose.shaded].map(percent);

@@ -68,7 +68,7 @@ impl Sentence for Edit {
     }
 }
 
-/// The number of the first surface: the one that a message names where there is one alone.
+/// The number of the first surface, which a message names if there is only one.
 fn first(list: &[SurfaceId]) -> Arg<'static> {
     list.first().map_or_else(|| "".into(), id)
 }

@@ -12,7 +12,7 @@ pub(crate) fn listed_clauses<T: Into<String>>(items: impl IntoIterator<Item = T>
     joined(items, |list, next| say!(list_and_next_clause, list, next))
 }
 
-/// `A, B or C`: one of them is to be given.
+/// `A, B or C`: alternatives.
 pub(super) fn listed_choices<T: Into<String>>(items: impl IntoIterator<Item = T>) -> String {
     let mut items: Vec<String> = items.into_iter().map(Into::into).collect();
     match items.pop() {
@@ -21,7 +21,7 @@ pub(super) fn listed_choices<T: Into<String>>(items: impl IntoIterator<Item = T>
     }
 }
 
-/// Items joined one by one; nothing of none.
+/// Items joined one by one; without items an empty text.
 pub(super) fn joined<T: Into<String>>(
     items: impl IntoIterator<Item = T>,
     join: impl Fn(String, String) -> String,

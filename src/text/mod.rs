@@ -2,7 +2,8 @@
 //!
 //! They stand in Project Fluent files, `assets/text/<language>/*.ftl`; a folder more is a language more. The build
 //! makes a type of each English message (`say!` fills it), so that a missing or unused key, or a wrong argument,
-//! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them.
+//! does not compile. The rooms below know no words: their findings are types, and [`Sentence`] makes lines of them. Only
+//! the parser's own line about a broken TOML file, and the `Display` of an error for a log, are English everywhere.
 //! Comments in programs are English whatever the language (`Message::english`).
 
 mod advice;
@@ -75,14 +76,14 @@ macro_rules! say {
 }
 pub(crate) use say;
 
-/// Words of a file between quotation marks, as they would stand there.
+/// Words from a file in quotation marks, escaped as in code.
 fn quoted(words: &str) -> String {
     format!("{words:?}")
 }
 
-/// What people read of a finding or an error, in the language that was chosen.
+/// A finding or an error as a sentence for people, in the language in use.
 pub trait Sentence {
-    /// One line, without a full stop; it begins small, as it may stand behind a file's name.
+    /// One line, without a full stop; it begins with a small letter, as it may follow a file's name.
     fn sentence(&self) -> String;
 }
 

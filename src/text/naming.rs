@@ -30,7 +30,7 @@ impl<'a> Naming<'a> {
     }
 }
 
-/// What people read of something that is about surfaces of a job.
+/// Something about surfaces of a job, as a sentence for people.
 pub trait NamedSentence {
     /// One line, without a full stop, as [`super::Sentence::sentence`].
     fn sentence_with(&self, naming: &Naming<'_>) -> String;

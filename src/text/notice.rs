@@ -97,7 +97,7 @@ pub(crate) fn left_out(surface: &str, cause: RefusalCause, by: Option<String>, t
     }
 }
 
-/// What would be if such a target were worked.
+/// What would happen if such a target were worked.
 fn why(cause: RefusalCause) -> String {
     match cause {
         RefusalCause::Beam => say!(why_beam),

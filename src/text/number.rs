@@ -1,6 +1,6 @@
 //! Numbers as people read them. Units stand in the messages.
 
-/// A number with so many decimals, and no minus before a zero.
+/// A number with this many decimals, without a minus before a zero.
 pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -9,7 +9,7 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A number with all digits that it has.
+/// A number with all its digits.
 pub(crate) fn exact(value: f64) -> String {
     value.to_string()
 }
@@ -20,7 +20,7 @@ pub(crate) fn clock(seconds: f64) -> String {
     format!("{:02}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
-/// A number with up to three decimals, without zeros that say nothing, but at least one.
+/// A number with one to three decimals, without trailing zeros.
 pub(crate) fn short(value: f64) -> String {
     let text = fixed(value, 3);
     match text.strip_suffix("00") {
@@ -39,7 +39,7 @@ pub(crate) fn hour_and_minute(seconds: u64) -> String {
     format!("{:02}:{:02}", seconds / 3600 % 24, seconds / 60 % 60)
 }
 
-/// `1 426`: a blank before every three digits.
+/// `1 426`: digits in groups of three.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();
     let mut out = String::with_capacity(digits.len() + digits.len() / 3);

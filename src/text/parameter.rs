@@ -20,7 +20,7 @@ fn text_key(parameter: &Parameter) -> String {
     parameter.key.replace('.', "_")
 }
 
-/// Name and unit, as lists tell them.
+/// Name and unit, as in lists.
 pub(crate) fn label_with_unit(parameter: &Parameter) -> String {
     match parameter.kind.unit() {
         "" => label(parameter),
@@ -28,7 +28,7 @@ pub(crate) fn label_with_unit(parameter: &Parameter) -> String {
     }
 }
 
-/// A number with its unit, with all digits that it has.
+/// A number with all its digits and its unit.
 pub(crate) fn with_unit(value: f64, kind: NumberKind) -> String {
     let value = exact(value);
     match kind.unit() {
@@ -38,7 +38,7 @@ pub(crate) fn with_unit(value: f64, kind: NumberKind) -> String {
     }
 }
 
-/// What a field tells when asked: meaning, range from `least` on, symbol.
+/// The tip of a field: meaning, range from `least` on, symbol.
 pub(crate) fn hint(parameter: &Parameter, least: f64) -> String {
     let decimals = parameter.kind.decimals();
     // As many digits as the field shows, without zeros that say nothing.

@@ -1,4 +1,4 @@
-//! Why lines are not as they were wanted, and what is no direction.
+//! Why lines are not as they were wanted, and why a direction is refused.
 
 use super::{Sentence, exact, fixed, id, say};
 use crate::path::{DirectionError, LinesFinding};

@@ -1,4 +1,4 @@
-//! What stands in the way of the tool.
+//! What is in the way of beam or head.
 
 use super::{Sentence, id, say};
 use crate::pose::{Blocker, Obstruction, ToolBody};

@@ -1,4 +1,4 @@
-//! Why a program cannot be written, and what of it is not as it was wanted.
+//! Why a program cannot be written, and how it differs from what was wanted.
 
 use super::{Sentence, exact, id, listed, say};
 use crate::program::{ByHand, DialectError, Shortfall, UnknownDialect, WriteError, dialects};

@@ -1,4 +1,4 @@
-//! Why a program cannot be read: what was expected in a line, and what stands there.
+//! Why a program cannot be read: what was expected in a line, and what was found there.
 
 use super::list::listed_choices;
 use super::{Sentence, fixed, id, say};

@@ -1,4 +1,4 @@
-//! What of lines and program is not as it was wanted. The sentences stand behind the surface's name.
+//! How lines and program differ from what was wanted. The sentences follow the surface's name.
 
 use super::{Sentence, exact, fixed, say};
 use crate::planning::remark::{Remark, ToolpathRemark};

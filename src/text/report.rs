@@ -1,4 +1,4 @@
-//! The report in a few lines for people, first things first.
+//! The report in a few lines for people, the most important first.
 
 use super::dose::dose_lines;
 use super::notice::notice_line;
@@ -7,8 +7,8 @@ use crate::document::Job;
 use crate::part::SurfaceId;
 use crate::planning::report::{Report, first_things_first};
 
-/// How a plan stands, its findings with what helps, then figures; what was found in the file is told apart from it.
-/// `job`: what was planned. Each line ends.
+/// The state of a plan, its findings with what helps, then figures; without what was found in the part's file. `job`:
+/// what was planned. Every line ends with a line break.
 pub fn report_lines(report: &Report, job: &Job) -> String {
     let naming = Naming::of(job);
     let mut lines: Vec<String> = report.standing().iter().map(Sentence::sentence).collect();

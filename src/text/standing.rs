@@ -1,4 +1,4 @@
-//! How a plan stands, in one line: what is not proven comes first, then what is left out, then what is done.
+//! The state of a plan in one line: first what is not proven, then what is left out, then what is done.
 
 use super::{Sentence, say};
 use crate::planning::report::Standing;

@@ -18,7 +18,7 @@ impl Sentence for VerifyError {
     }
 }
 
-/// What is wrong, without its place.
+/// What is wrong, without where.
 impl Sentence for Finding {
     fn sentence(&self) -> String {
         self.what.sentence()

@@ -1,4 +1,4 @@
-//! How large a thing is: an axis-aligned box, for fitting the camera and its clip planes.
+//! Axis-aligned boxes, for fitting the camera and its clip planes.
 
 use nalgebra::{Point3, Vector3};
 

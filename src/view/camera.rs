@@ -16,7 +16,7 @@ const FIT_MARGIN: f64 = 0.08;
 /// Nearest and farthest eye, as multiples of the radius of the scene: from a weld pore filling
 /// the window on a car door, to a door of the size of a pea.
 const DISTANCE_RANGE: [f64; 2] = [1e-3, 60.0];
-/// 0.4° per point: half a turn takes half a laptop screen.
+/// Turn per point of a drag, 0.4°: half a turn takes half a laptop screen.
 const ORBIT_RAD_PER_STEP: f64 = 0.4 * std::f64::consts::PI / 180.0;
 
 /// Where the eye is and what it can see.
@@ -150,7 +150,7 @@ impl Camera {
 }
 
 impl Default for Camera {
-    /// An iso view of a hand-sized nothing.
+    /// An iso view of an empty scene, as large as a hand.
     fn default() -> Self {
         let (yaw_rad, pitch_rad) = StandardView::Iso.angles_rad();
         Self {

@@ -1,4 +1,4 @@
-//! Gliding from one view to another, so that the eye keeps its bearings.
+//! Glides from one view to another, so that the viewer keeps the orientation.
 
 use super::camera::Camera;
 
@@ -14,22 +14,22 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// Takes off now.
+    /// A glide that begins now.
     pub fn new(from: Camera, to: Camera, now_s: f64) -> Self {
         Self { from, to, started_s: now_s }
     }
 
-    /// Where it lands.
+    /// The camera at its end.
     pub fn destination(&self) -> &Camera {
         &self.to
     }
 
-    /// This glide, to another place.
+    /// This glide, ending at another camera.
     pub fn redirected(&self, to: Camera) -> Self {
         Self { to, ..*self }
     }
 
-    /// The camera at a time, and whether it has landed.
+    /// The camera at a time, and whether the glide has ended.
     pub fn at(&self, now_s: f64) -> (Camera, bool) {
         let t = ((now_s - self.started_s) / DURATION_S).clamp(0.0, 1.0);
         // Starts and stops gently.

@@ -39,7 +39,7 @@ impl GpuCache {
         }
     }
 
-    /// Makes the buffers those of the scene: no more, no fewer.
+    /// Brings the buffers in line with the scene: uploads what is missing, drops what is no longer in it.
     pub fn follow(&mut self, scene: &Scene) {
         self.drop_unused(scene);
         let Self { context, geometry, colors, edges, lines, dots, indices, uploads } = self;

@@ -1,4 +1,4 @@
-//! What a camera projects by: the size of its picture, and whether depth makes things smaller.
+//! How a camera projects: the size of its picture, and whether distance makes things smaller.
 
 /// Size of the view in physical pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,4 +1,4 @@
-//! The room that draws: a scene of plain data, seen by a camera, becomes pixels.
+//! Draws 3D: a scene of plain data, seen by a camera, becomes pixels.
 //!
 //! - [`scene`] says *what* is shown (meshes, lines, dots) without knowing OpenGL;
 //! - [`camera`] and its [`lens`] say *from where*, [`bounds`] how large the shown things are,

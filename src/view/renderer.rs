@@ -22,7 +22,7 @@ use three_d::{Context, DepthTest, Program, RenderStates, Vec3, VertexBuffer, Vie
 /// Width of crease lines.
 const EDGE_WIDTH_PX: f32 = 1.25;
 
-/// A picture of a scene, kept until something changes.
+/// Draws a scene, and keeps the picture until something changes.
 pub struct Renderer {
     context: Context,
     background: Program,

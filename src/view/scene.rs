@@ -1,5 +1,5 @@
-//! What is to be seen, as plain data: no OpenGL here, so that anything may build a scene on any
-//! thread and a test may look inside it.
+//! What is shown, as plain data: no OpenGL here, so that a scene can be built on any thread and
+//! tests can look inside it.
 //!
 //! Every item names its data with a key. **Same key = same data**: the renderer then reuses what
 //! is already on the graphics card and does not look at the data again. Derive keys from a hash
@@ -100,7 +100,7 @@ pub enum Depth {
 }
 
 impl Default for Scene {
-    /// Nothing, on the dark backdrop.
+    /// An empty scene on the dark background.
     fn default() -> Self {
         Self {
             background_top: [58, 66, 78],

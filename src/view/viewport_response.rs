@@ -1,4 +1,4 @@
-//! What the view tells its owner in each frame, in physical pixels.
+//! What the view reports to its owner in each frame, in physical pixels.
 
 use super::error::ViewError;
 use super::lens::ViewSize;

@@ -42,7 +42,7 @@ pub(in super::super) fn guard(ctx: &egui::Context, context: Context<'_>, actions
     }
 }
 
-/// An error, until it was read.
+/// An error, until the operator closes it.
 pub(in super::super) fn message(ctx: &egui::Context, context: Context<'_>, actions: &mut Actions) {
     let Some(why) = &context.session.error else { return };
     let shown = Modal::new(Id::unique("error")).show(ctx, |ui| {

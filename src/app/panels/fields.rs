@@ -8,12 +8,12 @@ use crate::text::parameter::{hint, label, with_unit};
 use crate::text::{Sentence as _, say};
 use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo, vec2};
 
-/// What is wanted of a value.
+/// What the operator did to a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Change<T> {
-    /// Another one.
+    /// Set it to this.
     To(T),
-    /// What it goes back to.
+    /// Took the way back to what it would be otherwise.
     Back,
 }
 
@@ -38,7 +38,7 @@ impl Owner {
         }
     }
 
-    /// What a value goes back to.
+    /// Tip of the way back: whose value it leads to.
     fn back(self, to: &str) -> String {
         match self {
             Owner::Job => say!(field_back, to),
@@ -48,7 +48,7 @@ impl Owner {
     }
 }
 
-/// The distance of lines, which an overlap sets too.
+/// The row of the spacing, which an overlap sets too.
 pub(super) const SPACING: &Parameter = Parameter::named("layers.spacing_mm");
 
 /// Width of the names.
@@ -63,7 +63,7 @@ pub(super) fn name(ui: &mut egui::Ui, text: &str, is_changed: bool) -> egui::Res
     label
 }
 
-/// A way back; whether it was taken.
+/// The button of the way back; returns whether it was clicked.
 pub(super) fn back(ui: &mut egui::Ui, owner: Owner, what: &str, to: &str) -> bool {
     let reset = ui.small_button("↺").on_hover_text(owner.back(to));
     reset.widget_info(|| WidgetInfo::labeled(Role::Button, true, owner.told(say!(field_reset, what))));
@@ -134,7 +134,7 @@ pub(super) fn number_from(
     wanted
 }
 
-/// The overlap of neighbouring spots; the spacing that is wanted by it, mm.
+/// The field of the overlap of neighbouring spots; returns the spacing that was asked for by it, mm.
 pub(super) fn overlap(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<f64> {
     let now = job.overlap_percent();
     let mut percent = now;

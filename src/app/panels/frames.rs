@@ -143,7 +143,7 @@ fn heading(ui: &mut egui::Ui, row: &Row, own: Option<&Own>, of_cell: &Frame) -> 
     taken.inner
 }
 
-/// Place and angles of a frame, in a line each; whether they were changed.
+/// Position and angles of a frame, in a line each; returns whether they were changed.
 fn figures(ui: &mut egui::Ui, row: &Row, frame: &mut Frame) -> bool {
     let (name, tip) = ((row.name)(), (row.tip)());
     let mut changed = false;

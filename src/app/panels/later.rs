@@ -57,7 +57,7 @@ fn row(ui: &mut egui::Ui, n: u32, context: Context<'_>, actions: &mut Actions) {
     });
 }
 
-/// Back among the feature surfaces, or to be cleaned after all.
+/// Buttons that bring a surface back: to the feature surfaces, or to the list to clean.
 fn ways(ui: &mut egui::Ui, n: u32, actions: &mut Actions) {
     let ways = [
         (

@@ -1,4 +1,4 @@
-//! How the job lays lines: the strategy, and what concerns it; rim, joins and passes.
+//! How the job lays lines: the strategy and its settings, rim, joins and passes.
 
 use super::super::actions::Actions;
 use super::super::context::Context;
@@ -32,7 +32,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     bead::job::ui(ui, context, actions);
 }
 
-/// The strategy, and what it alone asks for.
+/// The strategy, and the settings that it alone has.
 fn strategy(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let l = &context.document.job().layers;
     if let Some(Change::To(s)) = laying::strategy(ui, Owner::Job, l.strategy, None) {

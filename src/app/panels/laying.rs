@@ -1,4 +1,4 @@
-//! Fields of how lines are laid, for the job and for recipes: the strategy, and what concerns it.
+//! Fields that say how lines are laid, for the job and for recipes: the strategy and its settings.
 
 use super::super::theme;
 use super::fields::{Change, NAMES, Owner, back, name};
@@ -178,7 +178,7 @@ pub(super) fn inward(ui: &mut egui::Ui, owner: Owner, now: bool, to: Option<bool
     wanted
 }
 
-/// The centre of a spiral; whether it shall go back. `is_set`: it is no one else's.
+/// The centre of a spiral; returns whether the way back was taken. `is_set`: the owner has a centre of its own.
 pub(super) fn centre(ui: &mut egui::Ui, owner: Owner, now: Option<[f64; 3]>, is_set: bool) -> bool {
     let row = ui.horizontal(|ui| {
         let tip = say!(laying_centre_tip);

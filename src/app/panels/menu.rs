@@ -67,7 +67,7 @@ fn switches(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
 }
 
 impl Context<'_> {
-    /// The name of a command with what it would do now: "Undo move 3 surfaces to clean".
+    /// The name of a command, with what it would do now: "Undo move 3 surfaces to clean".
     fn name_now(self, command: Command) -> String {
         let step = match command {
             Command::Undo => self.document.undo_step(),

@@ -1,4 +1,4 @@
-//! The panels: each shows a part of the state and sends commands and edits; `context` says how.
+//! The panels: each shows a part of the window's state and sends commands and edits; `app::context` says how.
 
 pub(super) mod access;
 mod bead;

@@ -10,7 +10,7 @@ use crate::path::Strategy;
 use crate::text::{Sentence as _, choices, id as number, say};
 use eframe::egui::{self, RichText};
 
-/// Surfaces that are told, at most.
+/// Surfaces that are listed, at most.
 const TOLD: usize = 6;
 
 /// What single surfaces start from, as far as their strategies ask for it; it is set by a right click on them.

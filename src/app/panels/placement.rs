@@ -1,4 +1,4 @@
-//! The part as its file is read: units, turn and move, and what was found of it.
+//! How the part's file is read: unit, turn and move, and what was found in the file.
 
 use super::super::actions::Actions;
 use super::super::command::Command;

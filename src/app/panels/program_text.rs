@@ -1,4 +1,4 @@
-//! The program as it would be written; the line that is being done is lit and kept in sight.
+//! The program as it would be written; the current line is highlighted and kept in sight.
 
 use super::super::actions::Actions;
 use super::super::context::Context;
@@ -53,7 +53,7 @@ fn file_choice(ui: &mut egui::Ui, files: &[TextFile], chosen: &mut usize) {
     });
 }
 
-/// The lines in sight, one of them lit; scrolls to the row that is wanted. The row that was clicked.
+/// The lines in sight, one of them highlighted; scrolls to the row that is wanted, and returns the row that was clicked.
 fn lines(
     ui: &mut egui::Ui,
     file: &TextFile,

@@ -1,4 +1,4 @@
-//! A better set-up over the view that previews it: what it is worth, its frames, Apply and Dismiss.
+//! A proposed set-up, over the view that previews it: how many targets it makes possible, its frames, Apply and Dismiss.
 
 use super::super::actions::Actions;
 use super::super::context::Context;
@@ -9,7 +9,7 @@ use crate::cell::Mount;
 use crate::text::{fixed, say};
 use eframe::egui::{self, RichText};
 
-/// A share as whole per cent; 100 is said of all and nothing less.
+/// A share as whole per cent; 100 stands only for all of it.
 fn percent(share: f64) -> String {
     fixed((100.0 * share + 1e-9).floor(), 0)
 }

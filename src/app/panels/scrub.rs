@@ -1,4 +1,4 @@
-//! The time as a strip: the laser's stretches, what is left out, and where the simulation is.
+//! The time as a strip: when the laser is on, what is left out, and where the simulation is.
 
 use super::super::actions::Actions;
 use super::super::context::Context;
@@ -10,7 +10,7 @@ use crate::text::{id, say};
 use eframe::egui::{self, Color32, Rect, Sense, Stroke, pos2, vec2};
 
 const HEIGHT: f32 = 26.0;
-/// A mark is caught this far to each side, points.
+/// A mark is hit by the pointer this far to each side, points.
 const CATCH: f32 = 4.0;
 
 pub(super) fn ui(ui: &mut egui::Ui, width: f32, context: Context<'_>, actions: &mut Actions) {

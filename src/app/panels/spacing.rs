@@ -1,4 +1,5 @@
-//! The legend of the achieved spacing, in a corner of the view: scale, and the two places to go to.
+//! The legend of the achieved spacing, in a corner of the view: the scale, and buttons that go to the narrowest and the
+//! widest place.
 
 use super::super::actions::Actions;
 use super::super::command::Toggle;

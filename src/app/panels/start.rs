@@ -1,4 +1,4 @@
-//! The empty window: drop a part, take a sample, go on with a recent job.
+//! The empty window: drop a part, open a sample, or go on with a recent job.
 
 use super::super::actions::Actions;
 use super::super::command::Command;

@@ -11,10 +11,10 @@ use crate::text::{Naming, Sentence as _, clock, fixed, notice_line, say};
 use eframe::egui::{self, ProgressBar, RichText};
 use std::time::Duration;
 
-/// Progress is shown anew after this time.
+/// How often the progress is shown anew.
 const SHOWN_AGAIN: Duration = Duration::from_millis(100);
 
-/// Findings that are told on hover.
+/// Findings that are shown on hover, at most.
 const WORST: usize = 3;
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
@@ -55,8 +55,8 @@ fn plan(ui: &mut egui::Ui, context: Context<'_>) {
     }
 }
 
-/// What is not proven and what is left out, then what is proven; the worst of it on hover. Of what is out of date
-/// nothing is called proven.
+/// What is not proven and what is left out, then what is proven, and the worst findings on hover. Nothing that is out of
+/// date is called proven.
 fn standing(ui: &mut egui::Ui, context: Context<'_>) {
     let Some(of) = context.plan() else { return };
     let Some(standing) = of.report.standing() else { return };

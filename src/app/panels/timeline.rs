@@ -1,5 +1,5 @@
-//! Stepping through the plan: with a robot over its time, without over passes and points; play, and
-//! the numbers of the target.
+//! Stepping through the plan: with a robot over time, without one over passes and points; also play, and the numbers of
+//! the target.
 
 use super::super::actions::Actions;
 use super::super::command::Command;
@@ -36,7 +36,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     target_numbers(ui, context);
 }
 
-/// Play, time, speed, and what the time goes into.
+/// Play, time, speed, and what takes how much of the time.
 fn time_row(ui: &mut egui::Ui, timeline: &Timeline, context: Context<'_>, actions: &mut Actions) {
     ui.horizontal(|ui| {
         play_button(ui, context, actions);

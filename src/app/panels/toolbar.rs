@@ -1,4 +1,4 @@
-//! The line over the view: what the view shows, and what its next click does.
+//! The bar above the view: what the view shows, and what the next click in it does.
 
 use super::super::actions::Actions;
 use super::super::command::{Command, Toggle};

@@ -1,28 +1,28 @@
-//! What the arm does not do, and why: kind of reason, bodies, joints and figures. Sentences are made of it elsewhere.
+//! What the robot refuses, and why: the kind of refusal, bodies, joints and figures. Its sentences stand in `text`.
 
 use crate::cell::{BodyId, Contact};
 use crate::pose::{Blocker, Obstruction, ToolBody};
 use serde::Serialize;
 use serde::ser::{SerializeMap as _, Serializer};
 
-/// What kind of thing is in the way; what does harm comes before what cannot be reached.
+/// The kind of a refusal, the most harmful first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RefusalCause {
-    /// The beam hits the part on the way between two targets, as the controller goes.
+    /// The beam hits the part.
     Beam,
-    /// The arm touches the part, or no way leads there.
+    /// The arm touches the part, or no connecting move leads there.
     Robot,
-    /// The head is touched.
+    /// The head touches something, or is touched.
     Head,
-    /// The table or an obstacle is touched.
+    /// The table, an obstacle or a clamp is touched.
     Obstacle,
-    /// Too far away, or too near.
+    /// No pose of the arm leads to the target.
     Reach,
-    /// A joint would go beyond its limits.
+    /// A joint would leave its range.
     Limit,
-    /// A joint would go faster than it can.
+    /// A joint would have to turn faster than it can.
     Speed,
-    /// A pose in which a direction of motion is lost, or the wrist would have to flip.
+    /// The arm would pass a singularity, flip its wrist or change its branch.
     Singularity,
 }
 
@@ -62,20 +62,20 @@ impl RefusalCause {
     }
 }
 
-/// A target that the arm does not do.
+/// A target that the robot refuses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
     /// Pass.
     pub pass: usize,
     /// Point of the pass.
     pub point: usize,
-    /// Kind of reason.
+    /// The kind of refusal.
     pub cause: RefusalCause,
     /// The reason, with its figures.
     pub why: RefusalReason,
 }
 
-/// Why the arm does not do a target. Joints are counted from 1, as their names are: J1.
+/// Why the robot refuses a target. Joints are counted from 1, as their names are: J1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 pub enum RefusalReason {
@@ -111,7 +111,7 @@ pub enum RefusalReason {
         /// How far it would jump, degrees.
         jump_deg: f64,
     },
-    /// Every pose of the arm is next to a singularity.
+    /// Every pose of the arm that reaches the target is too near a singularity.
     Singular,
     /// The arm would have to change its branch in the middle of a pass.
     BranchChange,
@@ -153,7 +153,7 @@ pub enum RefusalReason {
 }
 
 impl RefusalReason {
-    /// The reason that a contact is, with its cause.
+    /// The refusal because of a contact, with its cause.
     pub fn contact(contact: Contact) -> (RefusalCause, RefusalReason) {
         (RefusalCause::of_contact(&contact), RefusalReason::Contact(contact))
     }

@@ -1,7 +1,8 @@
 //! Which lines the spot runs on a surface: parallel planes, planes that follow its slope, lines at
 //! equal distance from its border, one spiral, or two rasters across each other.
 //!
-//! [`lines`] is the one entry; it knows geometry alone. Working order and sense are `path::order`'s.
+//! [`lines()`] lays them, [`across`] turns planes about a surface, and [`offset`] finds its borders. All is geometry:
+//! the order and sense in which lines are run are the business of `path::order` and `path::tour`.
 
 pub mod adaptive;
 mod finding;

@@ -131,8 +131,8 @@ pub(in super::super) fn rules(job: &Job) -> LineRules {
     }
 }
 
-/// A surface's plan with the process settings of its job, which change no pose: power and speed never do, and without
-/// a head neither does the defocus.
+/// A surface's plan with the process settings of its job. They are not in the key of its poses: power changes no pose,
+/// speed only through the tilt rate of [`rules`], which is in the key, and without a head neither does the defocus.
 pub(in super::super) fn with_process_settings(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
     let wanted = work(job);
     let own = |w: &ProcessSettings| match tool.head {
@@ -235,7 +235,8 @@ struct PosingRules<'a> {
 
 keyed!(PosingRules<'_> { spot, spacing_mm, rules, standoff_mm, tool, width });
 
-/// How wide the beam is, where it has a width: power and speed change no pose, and a ray has no focus.
+/// How wide the beam is, where it has a width: a ray has no focus. Power changes no pose, and speed only through the
+/// tilt rate of the rules.
 struct BeamWidth<'a> {
     defocus_mm: f64,
     spot_mm: f64,

@@ -13,11 +13,11 @@ use crate::program::sweep::{LitMove, Proof};
 use crate::program::{DialectError, Move, Program, ReadError, WITHOUT_WORDS, dialects, lines};
 use thiserror::Error;
 
-/// A lit move that its own program would make into something.
+/// A lit move on which beam or head hits something as the program is written.
 pub struct Refuted {
-    /// The target that it leads to: pass and point.
+    /// The target that the move leads to: pass and point.
     pub target: (usize, usize),
-    /// What is in the way.
+    /// What hits what.
     pub blocker: Blocker,
 }
 
@@ -35,8 +35,8 @@ pub enum UnprovenProgram {
     Unreadable(#[from] ReadError),
 }
 
-/// Proves the lit moves of a plan as its program is written: with few digits, what just passes a facet may just
-/// hit it.
+/// Proves the lit moves of a plan as its program is written: rounded to the program's digits, a move that just
+/// clears a facet may hit it.
 ///
 /// # Errors
 /// The program cannot be written, or read back.

@@ -3,8 +3,8 @@
 //! A candidate is free if the beam is, held so, over the stretch of the line that is nearer to its layer
 //! than to others. Candidates of neighbouring layers connect where the rate allows it. What connects
 //! is tested exactly only on the chain that was chosen; what fails there is struck out, and the chain
-//! is made again from that layer on. The laser may be off between layers: blocked length counts before
-//! splits, and splits before all else.
+//! is made again from that layer on. The laser may be off between layers. A chain's cost is its blocked length; of
+//! equals the number of splits decides, and of equals again tilt, turns and nearness to what is in the way.
 
 use super::bins::Bins;
 use super::track::{TiltVector, Track};
@@ -31,7 +31,7 @@ pub struct TiltLayer {
     pub coarser_deg: Option<f64>,
 }
 
-/// What a sequence costs.
+/// What a sequence costs: blocked length, then splits, then tilt; compared in this order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Cost {
     /// Length with the laser off, µm.

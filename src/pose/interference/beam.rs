@@ -10,13 +10,13 @@ use std::cell::Cell;
 /// ray's test, `STRETCHES_MM`. The moving cone is held to it as well.
 pub(super) const RISE_MM: f64 = 0.01;
 
-/// The beam on a part: a ray without end, and cone, head and clamps where there are any.
+/// The beam on a part: a ray without end, with cone and head where the job has a head, and the clamps it must miss.
 #[derive(Clone, Debug)]
 pub struct Beam<'a> {
     pub(super) bvh: &'a Bvh,
     /// Diagonal of the part: nothing lies further along a beam.
     pub(super) size_mm: f64,
-    /// Cone, head and clamps; `None`: the ray alone.
+    /// Cone and head, and the clamps they must miss; `None`: the ray alone.
     pub(super) geometry: Option<&'a ToolGeometry<'a>>,
     /// The facet of the part that cone or head hit last; it is tested first.
     pub(super) last_body_facet: Cell<Option<[Point3<f64>; 3]>>,
@@ -30,7 +30,7 @@ impl<'a> Beam<'a> {
         Beam::with(part, None)
     }
 
-    /// A beam with cone, head and clamps on this part; without them a ray.
+    /// A beam with this geometry (cone, head, clamps) on this part; without one a ray.
     pub fn with(part: &'a Part, geometry: Option<&'a ToolGeometry<'a>>) -> Beam<'a> {
         Beam {
             bvh: &part.bvh,

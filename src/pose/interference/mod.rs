@@ -1,5 +1,5 @@
-//! Does the tool hit anything at a pose, or on a short motion? The beam's ray, its cone, the head and clamps,
-//! against the part and against clamps.
+//! Does the tool hit anything at a pose, or on a short motion? The beam's ray, its cone and the head, against the
+//! part and the clamps.
 //!
 //! These questions serve detection, correction and verification alike; `checker` shares no code with them.
 

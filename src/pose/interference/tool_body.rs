@@ -1,4 +1,4 @@
-//! Tool body queries: cone, head and clamps against all facets.
+//! Queries of the tool's bodies: cone and head against all facets of part and clamps.
 //!
 //! Cut cones are asked what `ray` asks of the ray: is a pose free, what is in its way, may a motion touch
 //! anything. The margin is kept from everything; what the spot stands on is told from a wall by direction (see

@@ -15,7 +15,8 @@ pub struct Station {
     pub x: Point3<f64>,
     /// Beam axis, unit.
     pub a: Vector3<f64>,
-    /// Travel axis, unit, square to a; of the two senses the one nearer to the station before.
+    /// Second axis of the frame, unit, square to a: the travel direction or its opposite, whichever turns the flange
+    /// less from the station before; turned about a by the spin, where a robot chose one.
     pub o: Vector3<f64>,
 }
 
@@ -47,8 +48,8 @@ impl Station {
         2.0 * libm::atan2(q.imag().norm(), q.w.abs()).to_degrees()
     }
 
-    /// With the sense of travel that needs the smaller turn from `before`: lines of a zigzag need
-    /// no half turn of the part.
+    /// With o or its opposite, whichever needs the smaller turn from `before`: so the lines of a zigzag need no half
+    /// turn of the part.
     pub fn nearest_to(self, before: &Station) -> Station {
         let other = Station { o: -self.o, ..self };
         if before.turn_deg(&other) < before.turn_deg(&self) { other } else { self }
@@ -60,7 +61,7 @@ impl Station {
 pub enum Step {
     /// A comment.
     Say(Comment),
-    /// What follows is worked with this.
+    /// Process settings of the pieces that follow.
     Process(ProcessSettings),
     /// The laser is switched.
     Laser(bool),
@@ -90,20 +91,20 @@ pub struct Go {
 pub enum Interpolation {
     /// All joints in proportion.
     Joint,
-    /// The tool centre point straight, the orientation about one axis.
+    /// The flange goes straight (in `abb` programs the focus), and turns about one axis.
     Linear,
 }
 
 /// How fast a move goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MoveTiming {
-    /// Its duration, s: that is what gives the spot its speed on the part.
+    /// Its duration, s: it gives the spot its speed on the part.
     Seconds(f64),
     /// Share of the joints' full speed, per cent.
     Percent(f64),
 }
 
-/// A program's steps, and what its air moves come to.
+/// A program's steps, with the length of its air moves and its time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Steps {
     /// In order.
@@ -117,7 +118,7 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// Says what the next piece is worked with, where that changes.
+    /// Adds the process settings of the next piece, where they change.
     pub fn set_process(&mut self, work: &ProcessSettings) {
         let before = self.list.iter().rev().find_map(|s| if let Step::Process(work) = s { Some(work) } else { None });
         if before != Some(work) {
@@ -125,7 +126,7 @@ impl Steps {
         }
     }
 
-    /// Says which pass begins.
+    /// Adds the comment that says which pass begins.
     pub fn say_pass(&mut self, number: usize, pass: &Pass) {
         let (surface, layer) = (pass.surface, pass.settings.layer);
         self.list.push(Step::Say(Comment::Pass { number, surface, layer }));

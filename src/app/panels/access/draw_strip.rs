@@ -1,4 +1,4 @@
-//! The strip as it is drawn: what is blocked, the chosen tilt, the pins, and the current target.
+//! Draws the strip: what is blocked, the chosen tilt, the pins, and the current target.
 
 use super::super::super::theme;
 use super::frame::Frame;

@@ -1,5 +1,5 @@
-//! The access map: from which directions a spot can be reached, and why not from the others; and the tilt
-//! along a line with what is blocked, to be bent by hand.
+//! The access map: from which directions a spot can be reached, and why not from the others. Beside it the strip: the
+//! tilt along a line with what is blocked, which pins bend by hand.
 
 mod draw_strip;
 mod frame;

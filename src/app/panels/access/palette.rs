@@ -4,11 +4,11 @@ use crate::pose::access::Access;
 use crate::pose::{Obstruction, ToolBody};
 use eframe::egui::Color32;
 
-/// Free, told from the others by lightness as well.
+/// Free; it differs from the others in lightness as well.
 pub(super) const FREE: Color32 = Color32::from_rgb(126, 200, 196);
-/// The light hits something.
+/// The beam hits something.
 pub(super) const BY_BEAM: Color32 = Color32::from_rgb(198, 90, 17);
-/// The head does.
+/// The head hits something.
 pub(super) const BY_HEAD: Color32 = Color32::from_rgb(122, 62, 132);
 /// A clamp is hit.
 pub(super) const BY_CLAMP: Color32 = Color32::from_rgb(70, 74, 82);

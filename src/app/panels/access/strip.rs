@@ -11,7 +11,7 @@ use crate::pose::{Correction, Pin};
 use crate::text::say;
 use eframe::egui::{self, Pos2, RichText, Sense, vec2};
 
-/// A pin is taken within this of the pointer.
+/// A pin is grabbed within this distance of the pointer.
 const GRAB: f32 = 9.0;
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
@@ -38,7 +38,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     }
 }
 
-/// Which part of the tilt is shown, and how it is bent.
+/// Chooses which part of the tilt is shown, and tells how to bend it.
 fn head(ui: &mut egui::Ui, no_pins: bool, context: Context<'_>, actions: &mut Actions) {
     ui.label(RichText::new(say!(access_strip)).strong());
     for (over, name) in [(TiltPart::Lead, say!(access_lead)), (TiltPart::Lean, say!(access_lean))] {
@@ -97,7 +97,7 @@ fn pins(context: Context<'_>) -> Vec<Pin> {
     settings.of(SurfaceId(surface)).pins.iter().filter(|p| p.line == line).copied().collect()
 }
 
-/// Gives the current line other pins.
+/// Replaces the pins of the current line.
 fn set_pins(pins: Vec<Pin>, context: Context<'_>, actions: &mut Actions) {
     let Some((surface, line)) = context.current_line() else { return };
     let surface = SurfaceId(surface);

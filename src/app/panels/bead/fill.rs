@@ -1,4 +1,4 @@
-//! P3's way between a bead's size and the distance of centres: what would make beads fill their layer.
+//! P3's relation between a bead's size and the distance of centres: which of them would make beads fill their layer.
 
 use super::super::super::theme;
 use super::super::fields::{Owner, SPACING};
@@ -10,7 +10,7 @@ use eframe::egui::{self, RichText, Role, WidgetInfo};
 
 const WIDTH: &Parameter = Parameter::named("bead.width_mm");
 const HEIGHT: &Parameter = Parameter::named("bead.height_mm");
-/// From this share on another distance of centres than that of the bead is worth a word.
+/// From this relative difference on, a word is said of a spacing at which the beads do not fill their layer.
 const OTHER_SPACING: f64 = 0.005;
 
 /// What is changed so that beads fill their layer.
@@ -37,7 +37,8 @@ impl Measure {
     }
 }
 
-/// How the layer comes out at the spacing that is set, and what would fill it: key and value of what is taken.
+/// How beads fill their layer at the spacing that is set, and buttons for what would fill it; returns key and value of
+/// what was clicked.
 pub(super) fn fill(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<(&'static str, f64)> {
     let bead = job.section_of_bead()?;
     let (spacing_mm, own_mm) = (job.layers.spacing_mm, bead.spacing_mm());

@@ -6,7 +6,7 @@ use crate::process::bead::Bead;
 use crate::text::{exact, say};
 use eframe::egui::{self, CollapsingHeader, Role, WidgetInfo};
 
-/// The least width and height that are set here, mm; none at all is the checkbox's.
+/// The least width and height that can be set here, mm; the checkbox sets none at all.
 pub(super) const LEAST_MM: f64 = 0.01;
 
 /// The group, closed where nothing is laid, and open once something is.

@@ -1,5 +1,5 @@
-//! *Bead*: what the beam lays, for the job and for a recipe: its size and layers, the section that comes of it,
-//! and P3's way between a bead's size and the distance of centres, both ways.
+//! *Bead*: what the beam lays, for the job and for a recipe: its size and layers, the section that they give, and P3's
+//! relation between a bead's size and the distance of centres.
 
 mod fill;
 mod group;

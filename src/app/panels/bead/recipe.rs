@@ -46,7 +46,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, job: &Job, own: &Job, recipe: &mut
     what
 }
 
-/// Lays a bead by the recipe, or none, or what the job does.
+/// Makes the recipe lay a bead, lay none, or do as the job does.
 fn take_laid(change: Change<bool>, job: &Job, own: &Job, recipe: &mut Recipe) {
     match change {
         Change::To(on) => {

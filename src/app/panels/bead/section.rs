@@ -85,7 +85,7 @@ impl Measures {
         }
     }
 
-    /// All in a row, for who cannot see the drawing.
+    /// All measures in a row, as the accessible text of the drawing.
     fn told(&self) -> String {
         let Measures { width, height, centres, overlap, ripple, build_up } = self;
         say!(bead_section_told, width, height, centres, overlap, ripple, build_up)

@@ -32,7 +32,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     }
 }
 
-/// Where a clamp stands; whether that was changed.
+/// Where a clamp stands; returns whether that was changed.
 fn placed(ui: &mut egui::Ui, c: &mut Obstacle, number: usize) -> bool {
     let mut changed = false;
     let rows = [

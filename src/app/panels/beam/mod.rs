@@ -1,4 +1,4 @@
-//! The tool: the head, what tilts it, optics and the spot they give, clamps on the part, and the dose.
+//! The tool: head, tilt, optics with the spot they give, clamps on the part, and the dose.
 
 mod clamps;
 pub(super) mod dose;

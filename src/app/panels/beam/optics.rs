@@ -10,7 +10,7 @@ use crate::document::parameter::{Group, Parameter};
 use crate::text::{exact, fixed, say};
 use eframe::egui::{self, RichText};
 
-/// A spot that the optics would give is told from the one that is set from this share on.
+/// From this relative difference on, the spot that the optics give counts as another than the one that is set.
 const OTHER_SPOT: f64 = 0.05;
 const SPOT: &Parameter = Parameter::named("beam.spot_mm");
 const DEFOCUS: &Parameter = Parameter::named("beam.defocus_mm");
@@ -31,7 +31,8 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     take(ui, optics, spot, beam.spot_mm, actions);
 }
 
-/// Ways out of a spot that is not the one of the optics: it, or the defocus that gives the one that is set; both mm.
+/// Buttons where the spot is not the one that the optics give: take that spot, or a defocus that gives the spot that is
+/// set; mm.
 fn take(ui: &mut egui::Ui, optics: &Optics, spot_mm: f64, set_mm: f64, actions: &mut Actions) {
     let thousandths = |mm: f64| (mm * 1000.0).round() / 1000.0;
     ui.horizontal_wrapped(|ui| {

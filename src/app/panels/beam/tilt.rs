@@ -1,4 +1,4 @@
-//! What the selected surface asks of the tilt.
+//! The tilt rule of the selected surface.
 
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;

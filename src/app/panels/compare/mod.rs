@@ -1,4 +1,4 @@
-//! Recipes side by side: the rows in which they differ, or all.
+//! Compares recipes side by side: the rows in which they differ, or all.
 
 pub(in super::super) mod state;
 mod window;

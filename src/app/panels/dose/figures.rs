@@ -15,7 +15,7 @@ fn rgb([r, g, b]: [u8; 3]) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// A dose for people: three digits that say something.
+/// A dose for people, with three significant digits.
 pub(super) fn j_cm2(value: f64) -> String {
     match value >= 10_000.0 {
         true => say!(dose_panel_kj_cm2, dose = fixed(value * 1e-3, 1)),
@@ -23,7 +23,7 @@ pub(super) fn j_cm2(value: f64) -> String {
     }
 }
 
-/// The colours from end to end; `way`: share of their way at a share of the bar.
+/// The colour bar from end to end; `way`: the share of the colour map at a share of the bar.
 pub(in super::super) fn bar(ui: &mut egui::Ui, width: f32, told: impl Fn() -> String, way: impl Fn(f64) -> f64) {
     let (rect, response) = ui.allocate_exact_size(vec2(width, 14.0), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, told()));
@@ -36,7 +36,7 @@ pub(in super::super) fn bar(ui: &mut egui::Ui, width: f32, told: impl Fn() -> St
     }
 }
 
-/// The colours with their range, and what other colours say.
+/// The colour bar with its range, and what the other colours stand for.
 pub(super) fn scale(ui: &mut egui::Ui, legend: &Legend) {
     let width = ui.available_width().min(260.0);
     // Incidence is lightest where the light stands upright.

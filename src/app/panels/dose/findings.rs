@@ -1,4 +1,5 @@
-//! What stands at the place that was clicked, what stays unclean, and what lands beside; a click goes there.
+//! The dose at the place that was clicked, what stays unclean, and what lands on other surfaces; a click on a row goes
+//! there.
 
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
@@ -9,7 +10,7 @@ use crate::document::Edit;
 use crate::text::{NamedSentence as _, Naming, choices, clock, fixed, id, say};
 use eframe::egui::{self, RichText};
 
-/// Rows of a list before it is cut.
+/// Rows of a list that are shown at most.
 const ROWS: usize = 12;
 
 /// Which passes come to the place that was clicked last.

@@ -1,5 +1,5 @@
-//! The dose in numbers: shares of the chosen area, histogram, what lands beside, what stays unclean, and
-//! which passes come to a clicked place.
+//! The dose in numbers: shares of the chosen area, histogram, what lands on other surfaces, what stays unclean, and
+//! which passes reach a clicked place.
 
 mod figures;
 mod findings;

@@ -1,4 +1,5 @@
-//! A recipe on its way onto a surface: from a label that carries it, at the cursor, and what it becomes there.
+//! Dragging a recipe onto a surface: the label that it is dragged from, its name at the cursor, and the edit that it
+//! becomes.
 
 use super::super::super::at_cursor;
 use crate::document::{Edit, Job, Recipe};

@@ -37,7 +37,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     });
 }
 
-/// The way back for the recipe that was removed last.
+/// The button that brings back the recipe that was removed last.
 fn forgotten(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let Some(forgotten) = &context.session.forgotten else { return };
     ui.horizontal(|ui| {

@@ -23,7 +23,7 @@ impl Shelf {
         }
     }
 
-    /// In a few letters, where recipes of all shelves stand in a row.
+    /// Short name, where recipes of all shelves stand in a row.
     pub fn word(self) -> String {
         match self {
             Shelf::Job => say!(library_job_word),

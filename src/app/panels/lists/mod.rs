@@ -1,5 +1,5 @@
-//! The two lists of P1 Fig. 3: *Feature surfaces*, and *To clean* in the order of work; with what moves surfaces from
-//! one to the other.
+//! The two lists of P1 Fig. 3: *Feature surfaces*, and *To clean* in the order of work; and what moves surfaces between
+//! them.
 
 mod row;
 mod rows;
@@ -15,7 +15,7 @@ use crate::part::SurfaceId;
 use crate::text::say;
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 
-/// Surfaces on the way from one list to the other.
+/// Surfaces that are dragged from one list to the other.
 struct Dragged {
     surfaces: Vec<SurfaceId>,
     from_clean: bool,

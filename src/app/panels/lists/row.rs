@@ -1,4 +1,4 @@
-//! A row of a list: what stands in its cell of the shape, and what clicks and drags on it do.
+//! A row of a list: the cell with shape or name, and what clicks and drags on the row do.
 
 use super::super::super::actions::Actions;
 use super::super::super::command::Command;
@@ -66,7 +66,7 @@ fn recipe_chip(ui: &mut egui::Ui, n: u32, recipe: &Recipe) {
     chip.widget_info(|| WidgetInfo::labeled(Role::Label, true, told.clone()));
 }
 
-/// What the plan says of a surface; of a plan that is out of date nothing is said.
+/// What the plan says of a surface; nothing if it is out of date.
 fn state_of(n: u32, context: Context<'_>) -> Option<(String, egui::Color32)> {
     let row = context.plan()?.report.surfaces.iter().find(|s| s.surface == n)?;
     Some(if row.blocked_mm > 0.0 {

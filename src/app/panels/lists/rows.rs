@@ -1,4 +1,4 @@
-//! Which surfaces stand in which list: as they are filtered and sorted.
+//! Which surfaces stand in which list, filtered and sorted.
 
 use super::super::super::context::Context;
 use super::super::super::session::Column;

@@ -19,7 +19,7 @@ const COLORS: [Color32; 6] = [
     Color32::from_rgb(213, 94, 0),
 ];
 
-/// P2's Fig. 16, and what limits it.
+/// The diagrams of P2's Fig. 16, and those of what limits the motion.
 pub(super) fn diagrams<'a>(timeline: &'a Timeline, samples: &[CurveSample]) -> Vec<Diagram<'a, CurveSample>> {
     let robot = timeline.robot();
     let six = |value: fn(&'a Robot, &CurveSample, usize) -> f64| -> Vec<Curve<'a, CurveSample>> {
@@ -78,7 +78,7 @@ pub(super) fn diagrams<'a>(timeline: &'a Timeline, samples: &[CurveSample]) -> V
     ]
 }
 
-/// How near anything comes to anything else; without a curve that is being looked at.
+/// The diagram of the clearance; empty while it is being measured.
 pub(super) fn clearance_diagram(curve: Option<&ClearanceCurve>) -> Diagram<'static, Clearance> {
     let nearest = curve.iter().flat_map(|c| &c.samples).filter_map(|s| s.nearest.as_ref());
     let least = nearest.min_by(|a, b| a.0.total_cmp(&b.0));

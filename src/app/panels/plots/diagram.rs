@@ -10,27 +10,27 @@ use egui_plot::{HLine, Line, LineStyle, Plot, PlotBounds, PlotResponse, PlotUi, 
 pub(super) struct Diagram<'a, T> {
     /// Tells it apart from the others.
     pub key: &'static str,
-    /// For who cannot see it.
+    /// Its accessible name.
     pub name: String,
-    /// Over it.
+    /// Title above it.
     pub title: String,
     /// Its curves.
     pub curves: Vec<Curve<'a, T>>,
-    /// Said behind the numbers of the curves.
+    /// Text behind the numbers of the curves.
     pub words: Option<fn(&T) -> String>,
-    /// Where it must not go: value and colour.
+    /// Limits: value and colour.
     pub bounds: Vec<(f64, Color32)>,
-    /// Of the numbers of its curves.
+    /// Decimals of the numbers of its curves.
     pub decimals: usize,
-    /// Least height of the scale.
+    /// Least range of the scale of values.
     pub least: f64,
 }
 
 /// A curve of a diagram.
 pub(super) struct Curve<'a, T> {
-    /// As its number is marked.
+    /// What stands before its number.
     pub name: String,
-    /// Of line and number.
+    /// Colour of line and number.
     pub color: Color32,
     /// Its value at a sample.
     pub value: Box<dyn Fn(&T) -> f64 + 'a>,

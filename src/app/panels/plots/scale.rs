@@ -2,12 +2,12 @@
 
 use crate::program::{Clearance, CurveSample};
 
-/// Of more samples than this in sight, least and greatest of each group are drawn.
+/// If more samples than this are in sight, only the least and the greatest of each group are drawn.
 const MOST_POINTS: usize = 1200;
 /// The shortest stretch that can be looked at, s.
 pub(super) const SHORTEST_S: f64 = 0.05;
 
-/// What a curve runs over.
+/// Something with a time: curves run over it.
 pub(super) trait Timed {
     /// Time in the program, s.
     fn time_s(&self) -> f64;

@@ -1,4 +1,4 @@
-//! Changes that were tried, and make targets possible that the robot refuses.
+//! Changes of the set-up that were tried out, and make refused targets possible.
 
 use super::super::super::command::Command;
 use super::super::super::context::Context;
@@ -34,7 +34,7 @@ fn row(ui: &mut egui::Ui, help: &Help) {
     ui.add(egui::Label::new(text).wrap());
 }
 
-/// As a sentence begins.
+/// With a capital, as a sentence begins.
 fn capital(text: &str) -> String {
     let mut rest = text.chars();
     rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())

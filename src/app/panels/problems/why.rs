@@ -1,4 +1,4 @@
-//! Why a target is left out, as the time strip and the numbers of the target say it.
+//! Why a target is left out, in the words of the time strip and of the numbers of the target.
 
 use super::super::super::context::Context;
 use crate::planning::report::Problem;

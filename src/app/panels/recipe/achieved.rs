@@ -1,4 +1,4 @@
-//! What came of the wanted spacing, and what else is to be said of how lines lie.
+//! The spacing that was achieved, and the remarks on the surface's lines.
 
 use super::super::super::context::Context;
 use super::super::super::theme;
@@ -6,7 +6,7 @@ use crate::part::SurfaceId;
 use crate::text::{Sentence as _, fixed, id, say};
 use eframe::egui::{self, RichText};
 
-/// Surfaces whose spacing is told, at most.
+/// Surfaces whose spacing is shown, at most.
 const TOLD: usize = 4;
 
 pub(super) fn ui(ui: &mut egui::Ui, selected: &[SurfaceId], context: Context<'_>) {

@@ -1,5 +1,5 @@
-//! *Recipe of surface N*: what the selected surfaces are worked with, where that differs from the job's
-//! own values, and the spacing that came of it.
+//! *Recipe of surface N*: the recipe of the selected surfaces, where its values differ from the job's, and the spacing
+//! that was achieved with it.
 
 mod achieved;
 mod choice;

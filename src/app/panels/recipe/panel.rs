@@ -8,7 +8,7 @@ use super::values::values;
 use super::{achieved, choice, typed};
 use crate::document::{Edit, Recipe};
 use crate::part::SurfaceId;
-use crate::text::{id, say};
+use crate::text::{id, listed, say};
 use eframe::egui::{self, RichText};
 use std::collections::BTreeSet;
 
@@ -43,7 +43,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     });
 }
 
-/// The values of the recipe; without one, the job's, and the first that is changed makes one.
+/// The values of the recipe; without one those of the job, and the first that is changed makes a recipe.
 fn recipe(ui: &mut egui::Ui, selected: &[SurfaceId], name: Option<&str>, context: Context<'_>, actions: &mut Actions) {
     let job = context.document.job();
     let known = name.and_then(|name| job.recipes.iter().find(|r| r.name == name));
@@ -63,12 +63,12 @@ fn recipe(ui: &mut egui::Ui, selected: &[SurfaceId], name: Option<&str>, context
     }
 }
 
-/// Surfaces besides the selected ones that the recipe is of.
+/// The other surfaces that have this recipe.
 fn others(ui: &mut egui::Ui, selected: &[SurfaceId], recipe: &Recipe, context: Context<'_>) {
     let all = context.document.job().surfaces_of_recipe(&recipe.name);
     let others: Vec<String> = all.iter().filter(|n| !selected.contains(n)).map(SurfaceId::to_string).collect();
     if !others.is_empty() {
-        let text = say!(recipe_panel_others, count = others.len(), surfaces = others.join(", "));
+        let text = say!(recipe_panel_others, count = others.len(), surfaces = listed(others));
         ui.label(RichText::new(text).small().color(theme::ATTENTION));
     }
 }
