@@ -10,7 +10,7 @@ use clearbeam::planning::proof::prover;
 use clearbeam::planning::surface_plan::body;
 use clearbeam::planning::{self, Cache};
 use clearbeam::pose::access::AccessMap;
-use clearbeam::pose::{Beam, Correction, Tilt, TiltRule};
+use clearbeam::pose::{BeamInterference, Correction, Tilt, TiltRule};
 use clearbeam::progress::Progress;
 use clearbeam::sample::solids::helical_gear;
 use clearbeam::sample::stl_bytes;
@@ -65,7 +65,7 @@ fn proven(c: &mut Criterion) {
         return;
     };
     let body = body(&job, &setup);
-    let beam = || Beam::with(&part, body.as_ref());
+    let beam = || BeamInterference::with(&part, body.as_ref());
     type Place = (Point3<f64>, Vector3<f64>, Vector3<f64>);
     let all: Vec<Place> = plan.passes.iter().flat_map(|p| &p.targets).map(|t| (t.p, t.n, t.tangent())).collect();
     let every = (all.len() / POSES).max(1);
@@ -80,12 +80,13 @@ fn proven(c: &mut Criterion) {
     let mut group = c.benchmark_group("beam");
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
     group.bench_function(format!("detection, {} poses/100k", places.len()), |b| {
-        let free = |beam: &mut Beam<'_>, (p, n, _): &Place| usize::from(beam.is_free(p, n));
+        let free = |beam: &mut BeamInterference<'_>, (p, n, _): &Place| usize::from(beam.is_free(p, n));
         b.iter(|| places.par_iter().map_init(beam, free).sum::<usize>());
     });
     group.bench_function(format!("free sets, {} poses x {DIRECTIONS}/100k", places.len()), |b| {
-        let free =
-            |beam: &mut Beam<'_>, (p, n, o): &Place| tilts.iter().filter(|t| beam.is_free(p, &t.axis(n, o))).count();
+        let free = |beam: &mut BeamInterference<'_>, (p, n, o): &Place| {
+            tilts.iter().filter(|t| beam.is_free(p, &t.axis(n, o))).count()
+        };
         b.iter(|| places.par_iter().map_init(beam, free).sum::<usize>());
     });
     group.bench_function("access map of one place, 3 degrees/100k", |b| {

@@ -45,7 +45,7 @@
 //! use clearbeam::planning::{self, Cache, report::Report};
 //! use clearbeam::progress::Progress;
 //! use clearbeam::part::{Part, Placement, Units};
-//! use clearbeam::program::{Dialect, Program, dialects::nachi::Slim, lines};
+//! use clearbeam::program::{Dialect, Program, dialects::nachi::NachiDialect, lines};
 //! use clearbeam::sample::{solids, stl_bytes};
 //!
 //! let stl = stl_bytes(&solids::cube(20.0));
@@ -63,7 +63,7 @@
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
 //! let lines = lines(&plan.steps, &setup);
 //! let program = Program { head: Vec::new(), lines, setup: &setup, wording: clearbeam::text::program_comment };
-//! assert!(Slim.write(&program)?[0].text.ends_with("END\n"));
+//! assert!(NachiDialect.write(&program)?[0].text.ends_with("END\n"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -76,14 +76,14 @@ fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
         assert!((m.abs() - 1.0).abs() < 1e-9);
     }
     let proof = plan.proof.as_ref().expect("a proof");
-    assert!(proof.intervals > 10 && proof.proven == proof.intervals, "{proof:?}");
+    assert!(proof.lit_moves > 10 && proof.proven == proof.lit_moves, "{proof:?}");
     let verdict = case.verified(&plan);
     assert_eq!(verdict.findings, []);
     assert_eq!(verdict.proof.proven, verdict.lit_moves);
     let lines = lines(&plan.steps, &case.setup);
     let comments: Vec<String> = lines
         .iter()
-        .filter_map(|l| if let ProgramLine::Say(comment) = l { Some(program_comment(comment)) } else { None })
+        .filter_map(|l| if let ProgramLine::Comment(comment) = l { Some(program_comment(comment)) } else { None })
         .collect();
     let said = |text: &str| comments.iter().any(|c| c.ends_with(text));
     assert!(said("layer 2") && said("layer 3") && !said("layer 1"));

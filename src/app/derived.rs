@@ -7,7 +7,7 @@ use super::clearance::ClearanceSearch;
 use super::dose::Dose;
 use super::motion::Motion;
 use super::remedy::Remedy;
-use crate::document::model::PartFile;
+use crate::document::model::JobPart;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
@@ -25,7 +25,7 @@ pub struct Derived {
     /// The part that is shown.
     pub part: Option<Arc<Part>>,
     /// How it was built from its file.
-    pub part_of: PartFile,
+    pub part_of: JobPart,
     /// Its feature surfaces.
     pub surfaces: Arc<Surfaces>,
     /// Their shapes, as far as known.
@@ -54,7 +54,7 @@ impl Derived {
         Derived {
             pipeline: Pipeline::new(executor, true),
             part: None,
-            part_of: PartFile::default(),
+            part_of: JobPart::default(),
             surfaces: Arc::default(),
             shapes: Stage::default(),
             picture: None,

@@ -4,7 +4,7 @@
 
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
-use crate::document::model::PartFile;
+use crate::document::model::JobPart;
 use crate::document::stamps::{Stamp, stamp_of};
 use crate::document::{CarriedOver, Document, Job, JobFile, Remembered, save};
 use crate::part::{Hasher, Part, Source};
@@ -63,7 +63,7 @@ impl Reading {
 
     /// Begins to look what becomes of a job on a file. What its surfaces look like is known from the part that is
     /// shown, with the way it was built.
-    pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, PartFile)>, executor: &dyn Executor) {
+    pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, JobPart)>, executor: &dyn Executor) {
         self.looking.clear();
         self.looking.start(Hasher::default().finish(), Activity::Reading, executor, move |progress| {
             if let Some((part, built)) = shown {

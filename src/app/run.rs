@@ -4,7 +4,7 @@ use super::App;
 use super::command::{Command, More, Toggle};
 use super::context::Context;
 use super::dialogs::Purpose;
-use super::session::{AfterGuard, Coloring, Tool};
+use super::session::{AfterGuard, Coloring, PointerTool};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::view::{Bounds, Projection};
@@ -79,8 +79,8 @@ impl App {
             C::Rename => self.begin_renaming(),
             C::FlipSurface => self.session.selected_ids().into_iter().for_each(|n| self.edit(Edit::FlipSurface(n))),
             C::FlipShell => self.flip_shell(),
-            C::PickOrigin => self.session.tool = Tool::PickOrigin,
-            C::LayFlat => self.session.tool = Tool::LayFlat,
+            C::PickOrigin => self.session.tool = PointerTool::PickOrigin,
+            C::LayFlat => self.session.tool = PointerTool::LayFlat,
             C::QuarterTurn(axis) => self.place(|p| p.quarter_turn(axis as usize)),
             C::Look(view) => self.viewport.look(view),
             C::Fit => self.fit_selection(),
@@ -187,8 +187,8 @@ impl App {
             self.session.help_open = false;
         } else if self.session.renaming.is_some() {
             self.session.renaming = None;
-        } else if self.session.tool != Tool::Select {
-            self.session.tool = Tool::Select;
+        } else if self.session.tool != PointerTool::Select {
+            self.session.tool = PointerTool::Select;
         } else if self.dismiss_proposal() {
             // Its preview is gone: one step.
         } else if self.session.show.is_on(Toggle::SectionPlane) {

@@ -9,7 +9,7 @@ use crate::beam::ProcessSettings;
 use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
 use crate::cell::motion::{Arm, Refusal, RefusalCause, SearchHooks, choose};
 use crate::cell::{Mount, Setup};
-use crate::document::model::{CellFile, Job};
+use crate::document::model::{Job, JobCell};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, TargetState};
 use crate::progress::{Activity, Cancelled, Progress};
@@ -177,7 +177,7 @@ pub fn better_setup(
 }
 
 /// The job's cell with the frames of a better set-up.
-pub fn applied(cell: &CellFile, mount: Mount, better: &BetterSetup) -> CellFile {
+pub fn applied(cell: &JobCell, mount: Mount, better: &BetterSetup) -> JobCell {
     let mut cell = cell.clone();
     match mount {
         Mount::PartInHand => {

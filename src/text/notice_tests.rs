@@ -6,7 +6,7 @@ use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::document::{Chosen, Job, segmented};
 use crate::part::{Part, PartFinding, Placement, SurfaceId, Units};
 use crate::planning::remark::{Remark, ToolpathRemark};
-use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, first_things_first};
+use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, notices_worst_first};
 use crate::planning::{Cache, plan};
 use crate::pose::{Correction, ToolBody};
 use crate::progress::Progress;
@@ -45,7 +45,7 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
         blocked(1, RefusalCause::Beam, Some(5)),
         blocked(2, RefusalCause::Reach, None),
     ]);
-    let notices = first_things_first(&report, &job, &[PartFinding::OpenEdges { count: 7 }]);
+    let notices = notices_worst_first(&report, &job, &[PartFinding::OpenEdges { count: 7 }]);
     assert!(notices.is_sorted_by_key(Notice::severity));
     let naming = Naming::of(&job);
     let lines: Vec<String> = notices.iter().map(|n| notice_line(n, &naming)).collect();

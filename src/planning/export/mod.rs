@@ -48,7 +48,7 @@ pub struct Exported {
 }
 
 /// What would stand in the way of exporting a job into a folder, as far as it can be told before anything is
-/// planned: sub-programs are not known by then. What a crash left there is brought to its end first.
+/// planned: subprograms are not known by then. What a crash left there is brought to its end first.
 ///
 /// # Errors
 /// What cannot be read, or, after a crash, written.

@@ -20,7 +20,7 @@ use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
 use crate::document::Job;
 use crate::document::files::JobError;
-use crate::document::model::PartFile;
+use crate::document::model::JobPart;
 use crate::document::stamps::Stamps;
 use crate::part::{Part, Source, Surfaces};
 use std::convert::Infallible;
@@ -87,7 +87,7 @@ impl Pipeline {
     }
 
     /// Takes another file, and the part of a job that was built from it if there is one; all else goes.
-    pub fn open(&mut self, source: Arc<Source>, built: Option<(&PartFile, Part)>) {
+    pub fn open(&mut self, source: Arc<Source>, built: Option<(&JobPart, Part)>) {
         self.cancel();
         let reading = self.reading + 1;
         let fresh = Pipeline::new(self.executor.clone(), self.with_lines);

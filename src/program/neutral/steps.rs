@@ -59,7 +59,7 @@ impl Station {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// A comment.
-    Say(Comment),
+    Comment(Comment),
     /// What follows is worked with this.
     Process(ProcessSettings),
     /// The laser is switched.
@@ -128,6 +128,6 @@ impl Steps {
     /// Says which pass begins.
     pub fn say_pass(&mut self, number: usize, pass: &Pass) {
         let (surface, layer) = (pass.surface, pass.settings.layer);
-        self.list.push(Step::Say(Comment::Pass { number, surface, layer }));
+        self.list.push(Step::Comment(Comment::Pass { number, surface, layer }));
     }
 }
