@@ -8,7 +8,7 @@ use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::planning::proof::prover;
 use clearbeam::planning::surface_plan::body;
-use clearbeam::planning::{self, Cache};
+use clearbeam::planning::{self, PlanCache};
 use clearbeam::pose::access::AccessMap;
 use clearbeam::pose::{BeamInterference, Correction, Tilt, TiltRule};
 use clearbeam::progress::Progress;
@@ -30,7 +30,7 @@ fn dose(c: &mut Criterion) {
     let mut job = Job::default();
     job.settings.choose((1..=SURFACES).collect::<Vec<u32>>());
     let surfaces = segmented(&part, &job);
-    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
+    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()) else {
         return;
     };
     let run = || planning::dose(&part, &surfaces, &plan, &job, &setup, &Progress::default());
@@ -61,7 +61,7 @@ fn proven(c: &mut Criterion) {
     job.path.correction = Correction::SectionPlane;
     let surfaces = segmented(&part, &job);
     job.settings.choose(surfaces.list.iter().map(|s| s.number).take(12).collect::<Vec<u32>>());
-    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
+    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()) else {
         return;
     };
     let body = body(&job, &setup);
@@ -107,10 +107,10 @@ fn proven(c: &mut Criterion) {
     for correction in [Correction::SectionPlane, Correction::Clearance] {
         let mut job = few(&job);
         job.path.correction = correction;
-        let planned = || planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default());
+        let planned = || planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default());
         let Ok(plan) = planned() else { return };
         let shown =
-            || planning::preview(&part, &surfaces, &job, &Cache::default(), &Progress::default()).map(|l| l.len());
+            || planning::preview(&part, &surfaces, &job, &PlanCache::default(), &Progress::default()).map(|l| l.len());
         group.bench_function(format!("preview before {}/100k", correction.word()), |b| b.iter(shown));
         let rows: usize = plan.passes.iter().map(|p| p.targets.len()).sum();
         group.bench_function(format!("plan with {}, {rows} rows/100k", correction.word()), |b| b.iter(planned));

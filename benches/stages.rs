@@ -15,7 +15,7 @@ use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, Surfac
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
-use clearbeam::planning::{Cache, plan};
+use clearbeam::planning::{PlanCache, plan};
 use clearbeam::pose::clearance::free_set;
 use clearbeam::pose::{BeamInterference, Correction, LineOnSurface, LineRules, Pass, TiltRule, plan_line};
 use clearbeam::progress::Progress;
@@ -273,7 +273,7 @@ fn whole_plan(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part)
     let surfaces = segmented(part, &job);
     let Ok(setup) = Setup::shipped() else { return };
     group.bench_function(format!("whole plan/{size}"), |b| {
-        b.iter(|| plan(part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()));
+        b.iter(|| plan(part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()));
     });
 }
 

@@ -42,7 +42,7 @@
 //! ```
 //! use clearbeam::cell::Setup;
 //! use clearbeam::document::{Job, segmented};
-//! use clearbeam::planning::{self, Cache, report::Report};
+//! use clearbeam::planning::{self, PlanCache, report::Report};
 //! use clearbeam::progress::Progress;
 //! use clearbeam::part::{Part, Placement, Units};
 //! use clearbeam::program::{Dialect, Program, dialects::nachi::NachiDialect, lines};
@@ -57,7 +57,7 @@
 //! job.settings.choose([upright.number]);
 //! job.layers.spacing_mm = 1.0;
 //! let setup = Setup::shipped()?;
-//! let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
+//! let plan = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default())?;
 //! assert_eq!(plan.passes.len(), 20);
 //! let report = Report::new(&plan, &surfaces);
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);

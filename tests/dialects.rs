@@ -7,7 +7,7 @@ mod programs;
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
-use clearbeam::planning::{self, Cache};
+use clearbeam::planning::{self, PlanCache};
 use clearbeam::program;
 use clearbeam::program::dialect::Statement;
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};
@@ -143,8 +143,8 @@ fn a_planned_program_is_read_as_it_was_meant() {
     job.layers.direction = "auto".parse().expect("a direction");
     for robot in [None, Some("mz04")] {
         let setup = setup(robot);
-        let plan =
-            planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
+        let plan = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default())
+            .expect("a plan");
         let lines = program::lines(&plan.steps, &setup);
         let lit = lines.iter().filter(|l| matches!(l, ProgramLine::Move(m) if m.lit)).count();
         let known = lines.iter().filter(|l| matches!(l, ProgramLine::Move(m) if m.joints_deg.is_some())).count();

@@ -6,7 +6,7 @@
 use super::clearance::ClearanceSearch;
 use super::dose::Dose;
 use super::motion::Motion;
-use super::remedy::Remedy;
+use super::suggestion_search::SuggestionSearch;
 use crate::document::model::JobPart;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
@@ -43,7 +43,7 @@ pub struct Derived {
     /// How far everything keeps from everything over it.
     pub(super) clearance: ClearanceSearch,
     /// What would help with what the robot refuses.
-    pub(super) remedy: Remedy,
+    pub(super) suggestions: SuggestionSearch,
     /// What lands.
     pub(super) dose: Dose,
 }
@@ -63,7 +63,7 @@ impl Derived {
             laid: None,
             motion: Stage::default(),
             clearance: ClearanceSearch::default(),
-            remedy: Remedy::default(),
+            suggestions: SuggestionSearch::default(),
             dose: Dose::default(),
         }
     }
@@ -117,7 +117,7 @@ impl Derived {
     /// Ends all work.
     pub fn cancel_all(&mut self) {
         self.pipeline.cancel();
-        self.remedy.cancel();
+        self.suggestions.cancel();
         self.dose.cancel();
     }
 
@@ -127,7 +127,7 @@ impl Derived {
             && !self.shapes.is_running()
             && !self.motion.is_running()
             && self.clearance.is_at_rest()
-            && self.remedy.is_at_rest()
+            && self.suggestions.is_at_rest()
             && self.dose.is_at_rest()
     }
 

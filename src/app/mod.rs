@@ -31,7 +31,6 @@ mod quantity;
 mod questions;
 mod reading;
 mod recipe_library;
-mod remedy;
 mod run;
 mod scene;
 mod selection;
@@ -39,6 +38,7 @@ mod session;
 mod shortcuts;
 mod simulation;
 mod spacing;
+mod suggestion_search;
 mod sync;
 mod theme;
 

@@ -7,7 +7,7 @@ use crate::document::{Chosen, Job, segmented};
 use crate::part::{Part, PartFinding, Placement, SurfaceId, Units};
 use crate::planning::remark::{Remark, ToolpathRemark};
 use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, notices_worst_first};
-use crate::planning::{Cache, plan};
+use crate::planning::{PlanCache, plan};
 use crate::pose::{Correction, ToolBody};
 use crate::progress::Progress;
 use crate::sample::{solids, stl_bytes};
@@ -22,7 +22,7 @@ fn cube() -> (Report, Job) {
     job.path.correction = Correction::SectionPlane;
     job.settings.change(SurfaceId(3), |s| s.name = "Rim".into());
     let (surfaces, setup) = (segmented(&part, &job), Setup::shipped().expect("shipped"));
-    let plan = plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
+    let plan = plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()).expect("a plan");
     (Report::new(&plan, &surfaces), job)
 }
 

@@ -14,7 +14,7 @@ use super::key::{Keys, part_key};
 use super::planned::PlannedJob;
 use super::pool::AtOnce;
 use super::stage::Stage;
-use super::surface_plan::Cache;
+use super::surface_plan::PlanCache;
 use super::toolpath::Toolpath;
 use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
@@ -53,7 +53,7 @@ pub struct Pipeline {
     /// Time and size of those files when they were read.
     stamps: Stamps,
     /// Surface plans and lines that other plans of this part can use again.
-    pub cache: Arc<Cache>,
+    pub cache: Arc<PlanCache>,
     part: Stage<Part, PartError>,
     surfaces: Stage<Surfaces, Infallible>,
     tool: Stage<Tool, Arc<JobError>>,

@@ -1,6 +1,6 @@
 //! What people are to know of the plan, the worst first, and what would help; a click goes there.
 
-mod help;
+mod suggestions;
 mod why;
 
 pub(super) use why::why_left_out;
@@ -34,7 +34,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     };
     theme::heading(ui, &title);
     wrong.iter().for_each(|notice| row(ui, notice, of, actions));
-    help::ui(ui, context);
+    suggestions::ui(ui, context);
     if !found.is_empty() {
         theme::heading(ui, &say!(problems_found));
         found.iter().for_each(|notice| row(ui, notice, of, actions));
