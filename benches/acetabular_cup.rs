@@ -8,7 +8,7 @@ use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::{Mesh, Part, Surfaces, rpy};
 use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf};
 use clearbeam::planning::report::Report;
-use clearbeam::planning::{self, Cache, Plan};
+use clearbeam::planning::{self, Plan, PlanCache};
 use clearbeam::program::{ProgramFile, ProgramLine, lines, spot};
 use clearbeam::progress::Progress;
 use clearbeam::text::program_comment;
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let begun = Instant::now();
         let part = files::load_part(&job, Some(file))?;
         let surfaces = segmented(&part, &job);
-        let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
+        let plan = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default())?;
         let report = Report::new(&plan, &surfaces);
         let program = export::program(&job, &job.part.file, &setup, &plan, &report, program_comment)?;
         quickest[0] = quickest[0].min(begun.elapsed().as_secs_f64());

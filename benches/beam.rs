@@ -8,9 +8,9 @@ use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::planning::proof::prover;
 use clearbeam::planning::surface_plan::body;
-use clearbeam::planning::{self, Cache};
+use clearbeam::planning::{self, PlanCache};
 use clearbeam::pose::access::AccessMap;
-use clearbeam::pose::{Beam, Correction, Tilt, TiltRule};
+use clearbeam::pose::{BeamInterference, Correction, Tilt, TiltRule};
 use clearbeam::progress::Progress;
 use clearbeam::sample::solids::helical_gear;
 use clearbeam::sample::stl_bytes;
@@ -30,7 +30,7 @@ fn dose(c: &mut Criterion) {
     let mut job = Job::default();
     job.settings.choose((1..=SURFACES).collect::<Vec<u32>>());
     let surfaces = segmented(&part, &job);
-    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
+    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()) else {
         return;
     };
     let run = || planning::dose(&part, &surfaces, &plan, &job, &setup, &Progress::default());
@@ -61,11 +61,11 @@ fn proven(c: &mut Criterion) {
     job.path.correction = Correction::SectionPlane;
     let surfaces = segmented(&part, &job);
     job.settings.choose(surfaces.list.iter().map(|s| s.number).take(12).collect::<Vec<u32>>());
-    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()) else {
+    let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()) else {
         return;
     };
     let body = body(&job, &setup);
-    let beam = || Beam::with(&part, body.as_ref());
+    let beam = || BeamInterference::with(&part, body.as_ref());
     type Place = (Point3<f64>, Vector3<f64>, Vector3<f64>);
     let all: Vec<Place> = plan.passes.iter().flat_map(|p| &p.targets).map(|t| (t.p, t.n, t.tangent())).collect();
     let every = (all.len() / POSES).max(1);
@@ -80,12 +80,13 @@ fn proven(c: &mut Criterion) {
     let mut group = c.benchmark_group("beam");
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
     group.bench_function(format!("detection, {} poses/100k", places.len()), |b| {
-        let free = |beam: &mut Beam<'_>, (p, n, _): &Place| usize::from(beam.is_free(p, n));
+        let free = |beam: &mut BeamInterference<'_>, (p, n, _): &Place| usize::from(beam.is_free(p, n));
         b.iter(|| places.par_iter().map_init(beam, free).sum::<usize>());
     });
     group.bench_function(format!("free sets, {} poses x {DIRECTIONS}/100k", places.len()), |b| {
-        let free =
-            |beam: &mut Beam<'_>, (p, n, o): &Place| tilts.iter().filter(|t| beam.is_free(p, &t.axis(n, o))).count();
+        let free = |beam: &mut BeamInterference<'_>, (p, n, o): &Place| {
+            tilts.iter().filter(|t| beam.is_free(p, &t.axis(n, o))).count()
+        };
         b.iter(|| places.par_iter().map_init(beam, free).sum::<usize>());
     });
     group.bench_function("access map of one place, 3 degrees/100k", |b| {
@@ -106,10 +107,10 @@ fn proven(c: &mut Criterion) {
     for correction in [Correction::SectionPlane, Correction::Clearance] {
         let mut job = few(&job);
         job.path.correction = correction;
-        let planned = || planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default());
+        let planned = || planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default());
         let Ok(plan) = planned() else { return };
         let shown =
-            || planning::preview(&part, &surfaces, &job, &Cache::default(), &Progress::default()).map(|l| l.len());
+            || planning::preview(&part, &surfaces, &job, &PlanCache::default(), &Progress::default()).map(|l| l.len());
         group.bench_function(format!("preview before {}/100k", correction.word()), |b| b.iter(shown));
         let rows: usize = plan.passes.iter().map(|p| p.targets.len()).sum();
         group.bench_function(format!("plan with {}, {rows} rows/100k", correction.word()), |b| b.iter(planned));

@@ -122,7 +122,7 @@ fn motion(c: &mut Criterion) {
 /// The worm gear sample from its passes to the driven program.
 fn whole(c: &mut Criterion, setup: &Setup) {
     use clearbeam::document::{Chosen, Job, segmented};
-    use clearbeam::planning::{Cache, plan};
+    use clearbeam::planning::{PlanCache, plan};
     use clearbeam::progress::Progress;
     let Some(gear) = SAMPLES.iter().find(|s| s.name == "worm_gear") else { return };
     let bytes = stl_bytes(&(gear.triangles)());
@@ -134,7 +134,7 @@ fn whole(c: &mut Criterion, setup: &Setup) {
     let mut group = c.benchmark_group("motion");
     group.sample_size(10).measurement_time(Duration::from_secs(5));
     group.bench_function("plan of the worm gear with a robot", |b| {
-        b.iter(|| plan(&part, &surfaces, &job, setup, &Cache::default(), &Progress::default()));
+        b.iter(|| plan(&part, &surfaces, &job, setup, &PlanCache::default(), &Progress::default()));
     });
     group.finish();
 }

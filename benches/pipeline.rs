@@ -7,7 +7,7 @@
 
 use clearbeam::document::{Chosen, Job, segmented};
 use clearbeam::part::{Part, Placement, Source, Units};
-use clearbeam::planning::{AtOnce, Cache, Executor, Pipeline, Task, preview};
+use clearbeam::planning::{AtOnce, Executor, Pipeline, PlanCache, Task, preview};
 use clearbeam::progress::{Activity, Progress};
 use clearbeam::sample::solids::helical_gear;
 use clearbeam::sample::stl_bytes;
@@ -58,7 +58,7 @@ fn pipeline(c: &mut Criterion) {
         b.iter(|| {
             other(&mut job);
             // Lines that were laid are kept until there is a plan: each edit is to lay its own.
-            black_box(preview(&part, &surfaces, &job, &Cache::default(), &progress).is_ok())
+            black_box(preview(&part, &surfaces, &job, &PlanCache::default(), &progress).is_ok())
         });
     });
     let laying = Arc::new(LinesAlone);

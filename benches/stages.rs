@@ -15,9 +15,9 @@ use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, Surfac
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
-use clearbeam::planning::{Cache, plan};
+use clearbeam::planning::{PlanCache, plan};
 use clearbeam::pose::clearance::free_set;
-use clearbeam::pose::{Beam, Correction, LineOnSurface, LineRules, Pass, TiltRule, plan_line};
+use clearbeam::pose::{BeamInterference, Correction, LineOnSurface, LineRules, Pass, TiltRule, plan_line};
 use clearbeam::progress::Progress;
 use clearbeam::sample::solids::helical_gear;
 use clearbeam::sample::stl_bytes;
@@ -123,13 +123,14 @@ fn lines_of(part: &Part, surfaces: &Surfaces, surface: &Surface, heights_mm: &[f
 /// Beams along the normals of points that are spread evenly over the area.
 fn beams(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) {
     let points = surface_points(&part.mesh);
-    let free_of = |beam: &Beam<'_>, (p, a): &(Point3<f64>, Vector3<f64>)| usize::from(beam.is_free(p, a));
+    let free_of = |beam: &BeamInterference<'_>, (p, a): &(Point3<f64>, Vector3<f64>)| usize::from(beam.is_free(p, a));
     group.bench_function(format!("interference, 100k beams/{size}"), |b| {
-        let count = || points.par_iter().map_init(|| Beam::on(part), |beam, q| free_of(beam, q)).sum::<usize>();
+        let count =
+            || points.par_iter().map_init(|| BeamInterference::on(part), |beam, q| free_of(beam, q)).sum::<usize>();
         b.iter(count);
     });
     group.bench_function(format!("interference, 100k beams, one thread/{size}"), |b| {
-        let beam = Beam::on(part);
+        let beam = BeamInterference::on(part);
         b.iter(|| points.iter().map(|q| free_of(&beam, q)).sum::<usize>());
     });
 }
@@ -225,8 +226,9 @@ fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) 
         lines.iter().flat_map(|(_, line)| dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg)).collect();
     stands.truncate(SEARCHED);
     group.bench_function(format!("free sets, {} points/{size}", stands.len()), |b| {
-        let set = |beam: &mut Beam<'_>, q: &dense::DensePoint| free_set(beam, &q.p, &q.n, &Z, rules.max_tilt_deg);
-        b.iter(|| stands.par_iter().map_init(|| Beam::on(part), set).collect::<Vec<_>>());
+        let set =
+            |beam: &mut BeamInterference<'_>, q: &dense::DensePoint| free_set(beam, &q.p, &q.n, &Z, rules.max_tilt_deg);
+        b.iter(|| stands.par_iter().map_init(|| BeamInterference::on(part), set).collect::<Vec<_>>());
     });
 }
 
@@ -271,7 +273,7 @@ fn whole_plan(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part)
     let surfaces = segmented(part, &job);
     let Ok(setup) = Setup::shipped() else { return };
     group.bench_function(format!("whole plan/{size}"), |b| {
-        b.iter(|| plan(part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()));
+        b.iter(|| plan(part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()));
     });
 }
 

@@ -42,10 +42,10 @@
 //! ```
 //! use clearbeam::cell::Setup;
 //! use clearbeam::document::{Job, segmented};
-//! use clearbeam::planning::{self, Cache, report::Report};
+//! use clearbeam::planning::{self, PlanCache, report::Report};
 //! use clearbeam::progress::Progress;
 //! use clearbeam::part::{Part, Placement, Units};
-//! use clearbeam::program::{Dialect, Program, dialects::nachi::Slim, lines};
+//! use clearbeam::program::{Dialect, Program, dialects::nachi::NachiDialect, lines};
 //! use clearbeam::sample::{solids, stl_bytes};
 //!
 //! let stl = stl_bytes(&solids::cube(20.0));
@@ -57,13 +57,13 @@
 //! job.settings.choose([upright.number]);
 //! job.layers.spacing_mm = 1.0;
 //! let setup = Setup::shipped()?;
-//! let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default())?;
+//! let plan = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default())?;
 //! assert_eq!(plan.passes.len(), 20);
 //! let report = Report::new(&plan, &surfaces);
 //! assert!((report.work_mm - 20.0 * 20.0).abs() < 1e-9);
 //! let lines = lines(&plan.steps, &setup);
 //! let program = Program { head: Vec::new(), lines, setup: &setup, wording: clearbeam::text::program_comment };
-//! assert!(Slim.write(&program)?[0].text.ends_with("END\n"));
+//! assert!(NachiDialect.write(&program)?[0].text.ends_with("END\n"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -34,10 +34,10 @@ pub enum Activity {
     /// The dose is summed up.
     SummingDose,
     /// What would help is looked for.
-    LookingForHelp,
-    /// Lower speeds are tried, for advice.
+    LookingForSuggestions,
+    /// Lower speeds are tried, for suggestions.
     TryingSpeeds,
-    /// Single changes of the set-up are tried, for advice.
+    /// Single changes of the set-up are tried, for suggestions.
     TryingChanges,
     /// A better set-up is looked for.
     LookingForSetup,

@@ -112,7 +112,7 @@ proptest! {
         let without = planned(0.0, 0.0);
         let targets = |p: &Planned| p.plan.passes.iter().map(|pass| pass.targets.clone()).collect::<Vec<_>>();
         prop_assert!(robot || targets(&without) == targets(&p));
-        let proven = |p: &Planned| p.plan.proof.as_ref().map(|p| p.proven == p.intervals);
+        let proven = |p: &Planned| p.plan.proof.as_ref().map(|p| p.proven == p.lit_moves);
         prop_assert_eq!((proven(&without), proven(&p)), (Some(true), Some(true)));
     }
 }

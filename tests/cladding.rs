@@ -6,7 +6,7 @@ use clearbeam::part::{Part, Placement, SurfaceId, Surfaces, Units, angle};
 use clearbeam::path::AxisSource;
 use clearbeam::planning::proof::prover;
 use clearbeam::planning::report::Report;
-use clearbeam::planning::{self, Cache, Plan, PlanError, export, verify};
+use clearbeam::planning::{self, Plan, PlanCache, PlanError, export, verify};
 use clearbeam::pose::Correction;
 use clearbeam::program::{ProgramLine, lines};
 use clearbeam::progress::Progress;
@@ -38,12 +38,12 @@ impl Case {
         Case { part, surfaces, job, setup: Setup::shipped().expect("a cell") }
     }
 
-    fn plan_with(&self, cache: &Cache) -> Result<Plan, PlanError> {
+    fn plan_with(&self, cache: &PlanCache) -> Result<Plan, PlanError> {
         planning::plan(&self.part, &self.surfaces, &self.job, &self.setup, cache, &Progress::default())
     }
 
     fn plan(&self) -> Plan {
-        self.plan_with(&Cache::default()).expect("plans")
+        self.plan_with(&PlanCache::default()).expect("plans")
     }
 
     /// The program, written and verified by the reader with the second opinion.
@@ -76,14 +76,14 @@ fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
         assert!((m.abs() - 1.0).abs() < 1e-9);
     }
     let proof = plan.proof.as_ref().expect("a proof");
-    assert!(proof.intervals > 10 && proof.proven == proof.intervals, "{proof:?}");
+    assert!(proof.lit_moves > 10 && proof.proven == proof.lit_moves, "{proof:?}");
     let verdict = case.verified(&plan);
     assert_eq!(verdict.findings, []);
     assert_eq!(verdict.proof.proven, verdict.lit_moves);
     let lines = lines(&plan.steps, &case.setup);
     let comments: Vec<String> = lines
         .iter()
-        .filter_map(|l| if let ProgramLine::Say(comment) = l { Some(program_comment(comment)) } else { None })
+        .filter_map(|l| if let ProgramLine::Comment(comment) = l { Some(program_comment(comment)) } else { None })
         .collect();
     let said = |text: &str| comments.iter().any(|c| c.ends_with(text));
     assert!(said("layer 2") && said("layer 3") && !said("layer 1"));
@@ -135,9 +135,9 @@ fn a_bore_that_would_close_is_refused() {
     case.job.settings.change(SurfaceId(flipped[0]), |s| s.flipped = true);
     case.surfaces = segmented(&case.part, &case.job);
     case.job.path.correction = Correction::None;
-    assert!(case.plan_with(&Cache::default()).is_ok(), "2 of 3 mm");
+    assert!(case.plan_with(&PlanCache::default()).is_ok(), "2 of 3 mm");
     case.job.bead.layers = 9;
-    let refused = case.plan_with(&Cache::default()).expect_err("4.5 of 3 mm");
+    let refused = case.plan_with(&PlanCache::default()).expect_err("4.5 of 3 mm");
     let PlanError::Folds { surface, layers } = refused else { panic!("{refused}") };
     assert_eq!((surface, layers), (flipped[0], 6), "3 mm");
 }
@@ -145,7 +145,7 @@ fn a_bore_that_would_close_is_refused() {
 #[test]
 fn another_layer_leaves_those_below_as_they_are() {
     let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2);
-    let cache = Cache::default();
+    let cache = PlanCache::default();
     let two = case.plan_with(&cache).expect("plans");
     case.job.bead.layers = 3;
     let three = case.plan_with(&cache).expect("plans");

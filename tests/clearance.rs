@@ -10,7 +10,7 @@ use clearbeam::path::Order;
 use clearbeam::planning::report::Report;
 use clearbeam::pose::clearance::free_set;
 use clearbeam::pose::tilt::{Pin, Tilt, TiltSide};
-use clearbeam::pose::{Beam, Correction, Target, TargetState};
+use clearbeam::pose::{BeamInterference, Correction, Target, TargetState};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{Planned, block, job, on, part, planned, planned_at, sample, sheet};
@@ -54,7 +54,7 @@ fn between_fins_the_free_directions_are_those_of_the_closed_form() {
     let (wide, high) = (6.0, 8.0);
     let fins = floor(&[([-1.0, -40.0, 0.0], [0.0, 60.0, high]), ([wide, -40.0, 0.0], [wide + 1.0, 60.0, high])]);
     let part = part(&fins);
-    let beam = Beam::on(&part);
+    let beam = BeamInterference::on(&part);
     let mut tried = 0;
     for x in [0.5, 2.0, 3.1, 5.3] {
         let set = free_set(&beam, &Point3::new(x, 10.2, 0.0), &Vector3::z(), &Vector3::y(), 45.0);
@@ -231,7 +231,7 @@ fn compared(what: &str, p: &Planned) -> Report {
 
 /// Looks half a degree by half a degree for what the search may have missed.
 fn nothing_is_free(what: &str, p: &Planned, stride: usize) {
-    let beam = Beam::on(&p.part);
+    let beam = BeamInterference::on(&p.part);
     let blocked: Vec<&Target> = p.targets().filter(|t| t.state == TargetState::Blocked).collect();
     let steps = (2.0 * p.job.path.max_tilt_deg) as i32;
     for t in blocked.iter().step_by(stride) {

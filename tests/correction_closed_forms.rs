@@ -4,11 +4,11 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::document::Offset;
+use clearbeam::document::FirstPlane;
 use clearbeam::path::DensePoint;
 use clearbeam::pose::interference::GRAZE_MM;
 use clearbeam::pose::section_plane::correct;
-use clearbeam::pose::{Beam, Target, TargetState};
+use clearbeam::pose::{BeamInterference, Target, TargetState};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Vector3};
 use parts::{Planned, angle_deg, block, job, near, on, part, planned, planned_at, sample, sheet};
@@ -28,7 +28,7 @@ fn flanks(half_angle: f64, depth: f64, step: f64, y: f64) -> Vec<DensePoint> {
 fn corrected_axes_of_a_groove_point_to_o_on_the_plane_of_symmetry() {
     for half_angle in [20.0, 30.0, 40.0] {
         let part = part(&solids::v_groove(half_angle, 8.0, 6.0, 40.0));
-        let beam = Beam::on(&part);
+        let beam = BeamInterference::on(&part);
         let points = flanks(half_angle, 8.0, 0.1, 20.3);
         let free: Vec<bool> = points.iter().map(|q| beam.is_free(&q.p, &q.n)).collect();
         let axes = correct(&part, &beam, &points, &free, false, Some(Vector3::y()), None);
@@ -116,7 +116,7 @@ fn at_the_foot_of_a_step_the_beam_leans_away_by_a_degree_or_two() {
 #[test]
 fn a_line_along_the_foot_is_blocked_and_says_by_which_wall() {
     let mut job = job("x", 1.0);
-    job.layers.offset_mm = Offset::FromLowest(0.5 * GRAZE_MM);
+    job.layers.offset_mm = FirstPlane::FromLowest(0.5 * GRAZE_MM);
     let p = planned_at(&step(), &[[5.0, 10.0, 0.0]], job);
     let wall = p.surface_at([0.0, 10.0, 5.0]);
     let (along, others) = p.plan.passes.split_first().expect("passes");

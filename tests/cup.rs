@@ -8,7 +8,7 @@ use clearbeam::path::dense::{self, dense};
 use clearbeam::path::{SectionPoint, TransversalLine};
 use clearbeam::planning::report::Report;
 use clearbeam::planning::toolpath::ordered;
-use clearbeam::planning::{self, Cache, Plan};
+use clearbeam::planning::{self, Plan, PlanCache};
 use clearbeam::progress::Progress;
 use nalgebra::{Point3, Vector3};
 use std::path::PathBuf;
@@ -19,7 +19,8 @@ fn planned() -> (Part, document::Job, Plan, Report) {
     let part = files::load_part(&job, Some(&file)).expect("loads");
     let setup = files::load_setup(&job, Some(&file)).expect("a cell");
     let surfaces = segmented(&part, &job);
-    let plan = planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("plans");
+    let plan =
+        planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()).expect("plans");
     let report = Report::new(&plan, &surfaces);
     (part, job, plan, report)
 }

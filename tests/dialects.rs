@@ -7,7 +7,7 @@ mod programs;
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
-use clearbeam::planning::{self, Cache};
+use clearbeam::planning::{self, PlanCache};
 use clearbeam::program;
 use clearbeam::program::dialect::Statement;
 use clearbeam::program::dialects::{DIALECTS, by_name, of_text};
@@ -60,7 +60,7 @@ proptest! {
     }
 
     #[test]
-    fn pages_are_read_where_they_are_called(seeds in prop::collection::vec(seeds(), 6)) {
+    fn subprograms_are_read_where_they_are_called(seeds in prop::collection::vec(seeds(), 6)) {
         let seeds: Vec<Seed> = seeds.concat();
         for dialect in dialects() {
             let mut setup = setup(Some(robot_of(dialect.name())));
@@ -143,8 +143,8 @@ fn a_planned_program_is_read_as_it_was_meant() {
     job.layers.direction = "auto".parse().expect("a direction");
     for robot in [None, Some("mz04")] {
         let setup = setup(robot);
-        let plan =
-            planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
+        let plan = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default())
+            .expect("a plan");
         let lines = program::lines(&plan.steps, &setup);
         let lit = lines.iter().filter(|l| matches!(l, ProgramLine::Move(m) if m.lit)).count();
         let known = lines.iter().filter(|l| matches!(l, ProgramLine::Move(m) if m.joints_deg.is_some())).count();
@@ -163,15 +163,15 @@ fn small() -> Vec<Seed> {
     let go = |joints, linear, timing| Seed::Move { joints, linear, timing, home: false };
     vec![
         Seed::Output(3, false),
-        Seed::Level(1, 500.0, false),
-        Seed::Level(2, 128.0, true),
+        Seed::OutputValue(1, 500.0, false),
+        Seed::OutputValue(2, 128.0, true),
         Seed::Move {
             joints: [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
             linear: false,
             timing: MoveTiming::Percent(10.0),
             home: true,
         },
-        Seed::Say("pass 0, surface 4; a comment that is longer than remarks are".into()),
+        Seed::Comment("pass 0, surface 4; a comment that is longer than remarks are".into()),
         go([0.1, 0.1, -0.1, 0.2, 0.3, 0.0], false, MoveTiming::Percent(10.0)),
         go([0.1, 0.1, -0.1, 0.2, 0.31, 0.0], true, MoveTiming::Seconds(0.3107)),
         Seed::Output(3, true),
@@ -218,7 +218,7 @@ fn a_dialect_knows_its_own_text_and_no_other() {
     assert!(of_text("").is_none() && of_text("hello").is_none());
 }
 
-/// 25 lit pieces of one move: main programs call pages that no piece is cut by.
+/// 25 lit pieces of one move: main programs call subprograms that no piece is cut by.
 #[test]
 fn long_programs_are_paged() {
     let piece = &small()[6..];

@@ -26,7 +26,7 @@ impl Bench {
         // Pages of a few moves: a program of several files.
         let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/cells/mz04.toml");
         let cell = std::fs::read_to_string(shipped).expect("shipped");
-        std::fs::write(folder.path().join("cell.toml"), short_pages(&cell)).expect("writes");
+        std::fs::write(folder.path().join("cell.toml"), short_subprograms(&cell)).expect("writes");
         let out = folder.path().join("out");
         Bench { folder, out }
     }
@@ -72,7 +72,7 @@ impl Bench {
 
 type Files = BTreeMap<String, Vec<u8>>;
 
-fn short_pages(cell: &str) -> String {
+fn short_subprograms(cell: &str) -> String {
     let mut table: toml::Table = toml::from_str(cell).expect("TOML");
     let nachi = table.entry("nachi").or_insert_with(|| toml::Value::Table(toml::Table::new()));
     nachi.as_table_mut().expect("a table").insert("max_moves".into(), toml::Value::Integer(30));

@@ -2,7 +2,7 @@
 //! same after they were saved.
 
 use clearbeam::cell::Spin;
-use clearbeam::document::{Chosen, Job, JobError, Offset, Recipe, StartFrom, files};
+use clearbeam::document::{Chosen, FirstPlane, Job, JobError, Recipe, StartFrom, files};
 use clearbeam::part::{Placement, SurfaceEdit, SurfaceId, Units};
 use clearbeam::path::{Direction, Strategy};
 use clearbeam::pose::tilt::TiltSide;
@@ -37,7 +37,7 @@ fn every_list_of_surfaces_is_read() {
     job.part.placement = Placement { scale: 1.0, rotation_deg: [0.0, 0.0, 90.0], translation_mm: [10.0, 0.0, -2.5] };
     (job.surfaces.angle_deg, job.surfaces.min_area_mm2, job.surfaces.hysteresis_deg) = (25.0, 0.5, 10.0);
     job.layers.direction = Direction::Along([1.0, 0.5, 0.0]);
-    job.layers.offset_mm = Offset::FromLowest(0.25);
+    job.layers.offset_mm = FirstPlane::FromLowest(0.25);
     (job.layers.strategy, job.layers.border) = (Strategy::Offset, Some(2));
     job.path.correction = Correction::Clearance;
     job.settings.choose([4, 1, 7]);

@@ -10,7 +10,7 @@ use clearbeam::document::save::backup_of;
 use clearbeam::document::{Chosen, Document, Edit, IfChanged, Job, files, save, segmented};
 use clearbeam::part::{SurfaceId, digest_of};
 use clearbeam::planning::export::{ExportInput, write as export_into};
-use clearbeam::planning::{self, Cache};
+use clearbeam::planning::{self, PlanCache};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
 use clearbeam::text::program_comment;
@@ -109,7 +109,8 @@ fn export(folder: &Path, document: &Document) {
     let part = files::load_part(job, document.file()).expect("the part is there");
     let setup = files::load_setup(job, document.file()).expect("a shipped cell");
     let surfaces = segmented(&part, job);
-    let plan = planning::plan(&part, &surfaces, job, &setup, &Cache::default(), &Progress::default()).expect("plans");
+    let plan =
+        planning::plan(&part, &surfaces, job, &setup, &PlanCache::default(), &Progress::default()).expect("plans");
     let input = ExportInput {
         job,
         part: &part,

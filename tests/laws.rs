@@ -11,7 +11,7 @@ mod parts;
 use clearbeam::document::{Job, segmented};
 use clearbeam::part::Placement;
 use clearbeam::path::Direction;
-use clearbeam::planning::Cache;
+use clearbeam::planning::PlanCache;
 use clearbeam::pose::{Correction, TargetState};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
@@ -179,7 +179,7 @@ fn a_plan_from_the_cache_is_the_plan() {
     let part = part(&sample("workpiece"));
     let job = on(job("z", 2.6), &[2, 4]);
     let surfaces = segmented(&part, &job);
-    let (cache, progress, setup) = (Cache::default(), Progress::default(), parts::setup());
+    let (cache, progress, setup) = (PlanCache::default(), Progress::default(), parts::setup());
     let plan = |job: &Job| clearbeam::planning::plan(&part, &surfaces, job, &setup, &cache, &progress).expect("a plan");
     let first = plan(&job);
     let mut finer = job.clone();

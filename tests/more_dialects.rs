@@ -7,10 +7,10 @@ mod programs;
 use clearbeam::beam::ProcessSettings;
 use clearbeam::cell::{Mount, Robot, Setup};
 use clearbeam::program::dialect::{Goal, ReadContext, ReadLine, Statement};
-use clearbeam::program::dialects::abb::Rapid;
-use clearbeam::program::dialects::estun::Erp;
-use clearbeam::program::dialects::kuka::Krl;
-use clearbeam::program::dialects::yaskawa::Inform;
+use clearbeam::program::dialects::abb::AbbDialect;
+use clearbeam::program::dialects::estun::EstunDialect;
+use clearbeam::program::dialects::kuka::KukaDialect;
+use clearbeam::program::dialects::yaskawa::YaskawaDialect;
 use clearbeam::program::{
     Dialect, Interpolation, Move, MoveTiming, Program, ProgramFile, ProgramLine, ReadError, WriteError,
 };
@@ -19,7 +19,8 @@ use nalgebra::Isometry3;
 use programs::{comment, damaged, words};
 use proptest::prelude::*;
 
-const DIALECTS: [(&dyn Dialect, &str); 4] = [(&Krl, "kr6-r900"), (&Rapid, "irb120"), (&Inform, "gp7"), (&Erp, "mz04")];
+const DIALECTS: [(&dyn Dialect, &str); 4] =
+    [(&KukaDialect, "kr6-r900"), (&AbbDialect, "irb120"), (&YaskawaDialect, "gp7"), (&EstunDialect, "mz04")];
 
 /// Made up; one axis counts the other way.
 const PULSES: [f64; 6] = [1341.4, 1341.4, -1341.4, 1000.0, 1000.0, 622.0];
@@ -47,9 +48,9 @@ fn setup(robot: &str, with_robot: bool, mount: Mount) -> Setup {
 /// A line before there is a robot.
 #[derive(Clone, Debug)]
 enum Seed {
-    Say(String),
+    Comment(String),
     Output(u32, bool),
-    Level(u32, u32, bool),
+    OutputValue(u32, u32, bool),
     Wait(u32),
     /// How far each joint is from rest, and per cent.
     Joint([f64; 6], u32),
@@ -62,9 +63,9 @@ fn seeds() -> impl Strategy<Value = Vec<Seed>> {
     // The laser is output 3.
     let output = prop_oneof![Just(3u32), 1..9u32];
     let seed = prop_oneof![
-        1 => "[ -~é]{0,120}".prop_map(Seed::Say),
+        1 => "[ -~é]{0,120}".prop_map(Seed::Comment),
         3 => (output, any::<bool>()).prop_map(|(n, on)| Seed::Output(n, on)),
-        1 => (1..9u32, 0..1000u32, any::<bool>()).prop_map(|(n, v, group)| Seed::Level(n, v, group)),
+        1 => (1..9u32, 0..1000u32, any::<bool>()).prop_map(|(n, v, group)| Seed::OutputValue(n, v, group)),
         1 => (0..1000u32).prop_map(Seed::Wait),
         1 => (away(), 1..=100u32).prop_map(|(j, p)| Seed::Joint(j, p)),
         8 => (away(), 0.5..1000.0f64, 1.0..150.0f64).prop_map(|(j, v, w)| Seed::Linear(j, v, w)),
@@ -110,13 +111,13 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
             }))
         };
         out.push(match seed {
-            Seed::Say(text) => ProgramLine::Say(comment(text)),
+            Seed::Comment(text) => ProgramLine::Comment(comment(text)),
             Seed::Output(number, on) => {
                 lit = if *number == 3 { *on } else { lit };
                 ProgramLine::Output { number: *number, on: *on }
             }
-            Seed::Level(number, value, group) => {
-                ProgramLine::Level { number: *number, value: f64::from(*value), group: *group }
+            Seed::OutputValue(number, value, group) => {
+                ProgramLine::OutputValue { number: *number, value: f64::from(*value), group: *group }
             }
             Seed::Wait(hundredths) => ProgramLine::Wait(f64::from(*hundredths) / 100.0),
             Seed::Joint(away, percent) => {
@@ -175,8 +176,8 @@ fn same_goal(dialect: &str, m: &Move, goal: &Goal, setup: &Setup, robot: &str) -
 /// Why what was read is not what was written.
 fn difference(dialect: &str, robot: &str, lines: &[ProgramLine], found: &[ReadLine], setup: &Setup) -> Option<String> {
     let acts: Vec<&Statement> =
-        found.iter().map(|l| &l.what).filter(|r| !matches!(r, Statement::Say(_) | Statement::Other(_))).collect();
-    let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Say(_))).collect();
+        found.iter().map(|l| &l.what).filter(|r| !matches!(r, Statement::Comment(_) | Statement::Other(_))).collect();
+    let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Comment(_))).collect();
     if acts.len() != meant.len() {
         return Some(format!("{} lines of {}", acts.len(), meant.len()));
     }
@@ -184,9 +185,10 @@ fn difference(dialect: &str, robot: &str, lines: &[ProgramLine], found: &[ReadLi
     for (line, read) in meant.into_iter().zip(acts) {
         let same = match (line, read) {
             (ProgramLine::Output { number, on }, Statement::Output { number: n, on: o }) => number == n && on == o,
-            (ProgramLine::Level { number, value, group }, Statement::Level { number: n, value: v, group: g }) => {
-                number == n && value == v && group == g
-            }
+            (
+                ProgramLine::OutputValue { number, value, group },
+                Statement::OutputValue { number: n, value: v, group: g },
+            ) => number == n && value == v && group == g,
             (ProgramLine::Wait(a), Statement::Wait(b)) => (a - b).abs() < 1e-9,
             (ProgramLine::Move(m), Statement::Move(r)) => {
                 let same = match (m.timing, r.timing) {
@@ -246,7 +248,7 @@ proptest! {
     }
 
     #[test]
-    fn pages_are_read_where_they_are_called(seeds in prop::collection::vec(seeds(), 12)) {
+    fn subprograms_are_read_where_they_are_called(seeds in prop::collection::vec(seeds(), 12)) {
         let seeds: Vec<Seed> = seeds.concat();
         for (dialect, robot) in DIALECTS {
             let mut setup = setup(robot, true, Mount::PartInHand);
@@ -322,8 +324,8 @@ proptest! {
 fn small(robot: &str, setup: &Setup) -> Vec<ProgramLine> {
     let go = |j5: f64, seconds| Seed::Linear([0.0, 0.0, 0.0, 0.0, j5, 0.0], seconds, 90.0);
     let seeds = [
-        Seed::Level(1, 500, false),
-        Seed::Say("pass 0, surface 4".into()),
+        Seed::OutputValue(1, 500, false),
+        Seed::Comment("pass 0, surface 4".into()),
         go(5.0, 100.0),
         Seed::Output(3, true),
         Seed::Wait(50),
@@ -393,7 +395,7 @@ fn rapid_targets_are_where_tool_and_work_object_say() {
     for mount in [Mount::PartInHand, Mount::ToolInHand] {
         let setup = setup("irb120", true, mount);
         let lines = small("irb120", &setup);
-        let text = written(&Rapid, &lines, &setup)[0].text.clone();
+        let text = written(&AbbDialect, &lines, &setup)[0].text.clone();
         let find = |word: &str| text.lines().find(|l| l.contains(word)).expect("there");
         let tool = between(find("tooldata"), "E,", "]],[1.000");
         let part = between(find("wobjdata"), "\"\",", "]],[[0,0,0]");
@@ -452,16 +454,16 @@ fn what_a_controller_cannot_take_is_said() {
     let lines = lines(&[], "gp7", &without);
     let program =
         |lines: &[ProgramLine]| Program { head: Vec::new(), lines: lines.to_vec(), setup: &without, wording: words };
-    let said = Inform.write(&program(&lines)).expect_err("home is unknown").sentence();
+    let said = YaskawaDialect.write(&program(&lines)).expect_err("home is unknown").sentence();
     assert!(said.contains("pulses_per_deg") && said.contains("--robot"), "{said}");
     // Straight from home, without knowing where that is.
     let ProgramLine::Move(mut m) = lines[2].clone() else { panic!("the way in") };
     (m.interpolation, m.timing) = (Interpolation::Linear, MoveTiming::Seconds(1.0));
     let straight = [lines[1].clone(), ProgramLine::Move(m)];
-    for dialect in [&Krl as &dyn Dialect, &Erp] {
+    for dialect in [&KukaDialect as &dyn Dialect, &EstunDialect] {
         let said = dialect.write(&program(&straight)).expect_err("no speed");
         assert!(matches!(said, WriteError::FromUnknownPose(name) if name == dialect.name()), "{said}");
         assert!(said.sentence().contains("--robot"), "{}", said.sentence());
     }
-    assert!(Rapid.write(&program(&straight)).is_ok(), "RAPID has times");
+    assert!(AbbDialect.write(&program(&straight)).is_ok(), "RAPID has times");
 }

@@ -9,7 +9,7 @@ mod parts;
 use clearbeam::cell::motion::{Arm, RefusalCause, RefusalReason, SearchHooks, choose};
 use clearbeam::cell::{BodyId, Contact, Link, Mount, Robot, Setup, Spin};
 use clearbeam::part::angle;
-use clearbeam::planning::{Cache, advice};
+use clearbeam::planning::{PlanCache, advice};
 use clearbeam::pose::{Pass, TargetState};
 use clearbeam::program::{Interpolation, Step};
 use clearbeam::progress::Progress;
@@ -137,7 +137,7 @@ fn the_spot_keeps_to_its_line_where_the_flange_goes_straight() {
                 }
                 at = Some(setup.flange_for(&go.to.frame()));
             }
-            Step::Say(_) | Step::Home | Step::Process(_) => {}
+            Step::Comment(_) | Step::Home | Step::Process(_) => {}
         }
     }
     assert!(line.is_some() && between > 0, "{between} targets put in between");
@@ -208,8 +208,8 @@ fn a_better_setup_refuses_as_few_as_it_says() {
     let before = p.plan.refusals.len();
     assert!(before > 10, "{before} refused");
     let progress = Progress::default();
-    assert!(!advice::advice(&p.part, &p.plan, &p.job, &far, &progress).expect("goes on").is_empty());
-    let found = advice::better_setup(&p.part, &p.surfaces, &p.plan, &p.job, &far, &Cache::default(), &progress);
+    assert!(!advice::suggestions(&p.part, &p.plan, &p.job, &far, &progress).expect("goes on").is_empty());
+    let found = advice::better_setup(&p.part, &p.surfaces, &p.plan, &p.job, &far, &PlanCache::default(), &progress);
     let (better, left) = found.expect("goes on").expect("something better");
     assert!(left < before / 10, "{left} of {before}");
     let mut moved = far.clone();

@@ -45,7 +45,7 @@ fn the_text_has_its_form() {
         let is_minus_zero = |n: &str| n.strip_prefix('-').is_some_and(|r| r.bytes().all(|b| b == b'0' || b == b'.'));
         assert!(!text.split([',', '(', ')', '=']).any(is_minus_zero));
         let lines = read(&text);
-        let body: Vec<&Line> = lines.iter().filter(|l| !matches!(l, Line::Say(_))).collect();
+        let body: Vec<&Line> = lines.iter().filter(|l| !matches!(l, Line::Comment(_))).collect();
         assert!(matches!(body[..2], [Line::Laser(false), Line::Home]), "off, then home");
         let end = &body[body.len() - 4..];
         assert!(matches!(end, [Line::Laser(false), Line::Home, Line::Laser(false), Line::End]), "off, home, off");
@@ -63,11 +63,11 @@ fn the_text_has_its_form() {
         }
         let passes: Vec<usize> =
             (0..p.plan.passes.len()).filter(|i| !p.plan.passes[*i].lit_pieces().is_empty()).collect();
-        let said = |l: &Line| matches!(l, Line::Say(s) if s.starts_with("pass "));
+        let said = |l: &Line| matches!(l, Line::Comment(s) if s.starts_with("pass "));
         assert_eq!(lines.iter().filter(|l| said(l)).count(), passes.len());
         for i in passes {
             let comment = format!("pass {i}, surface {}", p.plan.passes[i].surface);
-            assert!(lines.iter().any(|l| matches!(l, Line::Say(s) if *s == comment)), "{comment}");
+            assert!(lines.iter().any(|l| matches!(l, Line::Comment(s) if *s == comment)), "{comment}");
         }
         let seconds: f64 = lines.iter().filter_map(|l| if let Line::Go(_, s) = l { *s } else { None }).sum();
         let moves = lines.iter().filter(|l| matches!(l, Line::Go(..))).count();

@@ -11,7 +11,7 @@ use clearbeam::document::Job;
 use clearbeam::part::Part;
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::interference::GRAZE_MM;
-use clearbeam::pose::{Beam, Correction, Pass, TargetState};
+use clearbeam::pose::{BeamInterference, Correction, Pass, TargetState};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Point3, Unit, Vector3};
 use parts::{Planned, checker, job, on, part, planned, sample, sheet};
@@ -205,7 +205,7 @@ fn a_trough_with_random_posts_is_safe() {
 
 /// Rays from the middle parts of random facets: rows of (free by the planner, hit by the checker).
 fn agree(part: &Part, rays: usize, wide: bool, random: &mut Random) -> [usize; 2] {
-    let (beam, check) = (Beam::on(part), checker(part));
+    let (beam, check) = (BeamInterference::on(part), checker(part));
     let mut seen = [0; 2];
     for _ in 0..rays {
         let own = random.below(part.mesh.facets.len());

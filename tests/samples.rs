@@ -6,7 +6,7 @@
 use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::digest_of;
 use clearbeam::planning::report::Report;
-use clearbeam::planning::{self, Cache};
+use clearbeam::planning::{self, PlanCache};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use std::path::PathBuf;
@@ -78,7 +78,7 @@ fn every_job_plans_and_shows_what_it_is_there_for() {
         let setup = files::load_setup(&job, Some(&file)).expect("a cell");
         let surfaces = segmented(&part, &job);
         let plan =
-            planning::plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect(s.name);
+            planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()).expect(s.name);
         let report = Report::new(&plan, &surfaces);
         assert_eq!(report.blocked, 0, "{}: nothing that the papers clean stays blocked", s.name);
         let corrected = ["workpiece", "worm_gear"].contains(&s.name);

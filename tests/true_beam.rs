@@ -11,7 +11,7 @@ use clearbeam::document::{Job, JobError};
 use clearbeam::part::Part;
 use clearbeam::part::angle::between_deg;
 use clearbeam::pose::checker::{Checker, CutCone};
-use clearbeam::pose::{Beam, Obstruction, Tilt, ToolBody};
+use clearbeam::pose::{BeamInterference, Obstruction, Tilt, ToolBody};
 use clearbeam::pose::{Pose, motion};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
@@ -46,7 +46,7 @@ fn lean(deg: f64) -> Vector3<f64> {
 fn least_lean(part: &Part, body: Option<&ToolGeometry<'_>>) -> f64 {
     // A wide head that leans more comes down on the floor.
     let most = if body.is_some() { 25.0 } else { 60.0 };
-    let beam = Beam::with(part, body);
+    let beam = BeamInterference::with(part, body);
     let free = |deg: f64| beam.is_free(&Point3::origin(), &lean(-deg));
     let (mut low, mut high) = (0.0, most);
     assert!(!free(low) && free(high), "a wall");
@@ -81,9 +81,9 @@ fn a_wall_lower_than_the_head_asks_for_less() {
     let wall = floor_and(&[block([x, -150.0, 0.0], [x + 40.0, 150.0, h])]);
     let tool = cylinder(r);
     let (b, beam_free) = (body(&tool), 40.0 - h > MARGIN_MM);
-    assert!(beam_free && Beam::with(&wall, Some(&b)).is_free(&Point3::origin(), &lean(0.0)));
+    assert!(beam_free && BeamInterference::with(&wall, Some(&b)).is_free(&Point3::origin(), &lean(0.0)));
     // Leaning towards the wall the flat end comes down on its edge: h = t0·cos τ − r·sin τ − margin.
-    let beam = Beam::with(&wall, Some(&b));
+    let beam = BeamInterference::with(&wall, Some(&b));
     let expected = libm::acos((h + MARGIN_MM) / libm::hypot(40.0, r)) - libm::atan2(r, 40.0);
     let towards = |deg: f64| beam.is_free(&Point3::origin(), &lean(deg));
     let deg = expected.to_degrees();
@@ -105,7 +105,7 @@ fn a_wall_beside_the_cone_asks_for_the_tilt_of_the_closed_form() {
     }
     // As a ray: free beside every wall.
     let wall = floor_and(&[block([0.1, -150.0, 0.0], [40.0, 150.0, 12.0])]);
-    assert!(Beam::on(&wall).is_free(&Point3::origin(), &lean(0.0)));
+    assert!(BeamInterference::on(&wall).is_free(&Point3::origin(), &lean(0.0)));
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn a_blind_hole_is_reached_as_deep_as_the_cone_allows() {
             // 512 sides: the flats are 0.00003 mm nearer than the circle.
             let hole = part(&solids::blind_hole(200.0, rho, depth, 512));
             let body = body(&tool);
-            let beam = Beam::with(&hole, Some(&body));
+            let beam = BeamInterference::with(&hole, Some(&body));
             let (lo, hi) = hole.mesh.bounds();
             let middle = nalgebra::center(&lo, &hi);
             let top = Point3::new(middle.x, middle.y, hi.z);
@@ -146,7 +146,7 @@ fn between_fins_the_window_is_as_wide_as_the_closed_form() {
     let p = part(&solids::fin_row(3, 2.0, 4.0, 15.0, 50.0, 7.0));
     let middle = Point3::new(4.0, 25.0, 0.0);
     let half = |body: Option<&ToolGeometry<'_>>| {
-        let beam = Beam::with(&p, body);
+        let beam = BeamInterference::with(&p, body);
         let free = |deg: f64| beam.is_free(&middle, &lean(deg));
         let (mut low, mut high) = (0.0, 45.0);
         assert!(free(low) && !free(high));
@@ -181,7 +181,8 @@ fn between_fins_the_window_is_as_wide_as_the_closed_form() {
 fn what_the_spot_stands_on_does_not_count_and_a_wall_beside_it_does() {
     let tool = needle();
     let b = body(&tool);
-    let free = |p: &Part, at: [f64; 3], a: Vector3<f64>| Beam::with(p, Some(&b)).is_free(&Point3::from(at), &a);
+    let free =
+        |p: &Part, at: [f64; 3], a: Vector3<f64>| BeamInterference::with(p, Some(&b)).is_free(&Point3::from(at), &a);
     // A real wall 0.2 mm away, 1 mm high, on a plate and at a plate's rim.
     let wall = |x: f64, h: f64| floor_and(&[block([x, -150.0, 0.0], [x + 5.0, 150.0, h])]);
     assert!(!free(&wall(0.2, 1.0), [0.0; 3], Vector3::z()));
@@ -192,8 +193,13 @@ fn what_the_spot_stands_on_does_not_count_and_a_wall_beside_it_does() {
     // The root of a groove of 60°: its bisector is free, its walls' normals are not.
     let groove = part(&solids::v_groove(30.0, 20.0, 10.0, 60.0));
     let (lo, hi) = groove.mesh.bounds();
-    let root =
-        |dx: f64| Beam::on(&groove).spot(&Point3::new(0.5 * (lo.x + hi.x) + dx, 30.0, hi.z - 20.0), &Vector3::z(), 3.0);
+    let root = |dx: f64| {
+        BeamInterference::on(&groove).spot(
+            &Point3::new(0.5 * (lo.x + hi.x) + dx, 30.0, hi.z - 20.0),
+            &Vector3::z(),
+            3.0,
+        )
+    };
     assert!(free(&groove, root(0.0).into(), Vector3::z()));
     assert!(free(&groove, root(0.3).into(), Vector3::z()));
     let flank = Vector3::new(-libm::cos(30f64.to_radians()), 0.0, libm::sin(30f64.to_radians()));
@@ -206,12 +212,12 @@ fn what_the_spot_stands_on_does_not_count_and_a_wall_beside_it_does() {
         .filter(|t| t.iter().all(|c| c[2] <= 1e-6))
         .collect();
     let trough = part(&inside);
-    let bottom = Beam::on(&trough).spot(&Point3::new(20.0, 0.0, -radius), &Vector3::z(), 0.1);
+    let bottom = BeamInterference::on(&trough).spot(&Point3::new(20.0, 0.0, -radius), &Vector3::z(), 0.1);
     assert!(free(&trough, bottom.into(), Vector3::z()));
 }
 
 /// Six moves of 5 mm along x with free ends, something thin in the way of the third.
-fn refutes_the_third_move_alone(beam: &Beam<'_>) {
+fn refutes_the_third_move_alone(beam: &BeamInterference<'_>) {
     let pose = |x: f64| Pose { p: Point3::new(x, 0.0, 0.0), a: Vector3::z() };
     for k in 0..6 {
         let (from, to) = (5.0 * f64::from(k), 5.0 * f64::from(k + 1));
@@ -225,7 +231,7 @@ fn a_thin_fin_between_two_free_targets_refutes_that_interval_alone() {
     let tool = needle();
     let b = body(&tool);
     let p = floor_and(&[block([12.4, -4.0, 0.0], [12.6, 4.0, 8.0])]);
-    refutes_the_third_move_alone(&Beam::with(&p, Some(&b)));
+    refutes_the_third_move_alone(&BeamInterference::with(&p, Some(&b)));
 }
 
 #[test]
@@ -235,7 +241,7 @@ fn a_fin_that_only_the_head_touches_refutes_that_interval_alone() {
     // Beside the head's widest place, 0.4 mm from it as it passes; the beam is far away.
     let fin = block([12.4, 15.4, 41.0], [12.6, 30.0, 60.0]);
     let p = floor_and(&[fin]);
-    let beam = Beam::with(&p, Some(&b));
+    let beam = BeamInterference::with(&p, Some(&b));
     refutes_the_third_move_alone(&beam);
     let hit = beam.blocker(&Point3::new(12.5, 0.0, 0.0), &Vector3::z()).expect("in the way");
     assert_eq!(hit.tool_body, ToolBody::Head);
@@ -251,20 +257,23 @@ fn clearance_is_the_distance_to_the_nearest_thing() {
     let b = body(&tool);
     for x in [16.0, 18.5, 40.0] {
         let p = floor_and(&[block([x, -150.0, 0.0], [x + 5.0, 150.0, 90.0])]);
-        let clearance = Beam::with(&p, Some(&b)).clearance_mm(&Point3::origin(), &Vector3::z()).expect("a head");
+        let clearance =
+            BeamInterference::with(&p, Some(&b)).clearance_mm(&Point3::origin(), &Vector3::z()).expect("a head");
         assert!((clearance - (x - 15.0).min(40.0)).abs() < 1e-4, "{x}: {clearance}");
     }
     // Where the beam is nearer than the head: 0.5 − 0.0225·t beside a wall 3 mm high.
     let p = floor_and(&[block([2.0, -150.0, 0.0], [5.0, 150.0, 3.0])]);
-    let clearance = Beam::with(&p, Some(&b)).clearance_mm(&Point3::origin(), &Vector3::z()).expect("a head");
+    let clearance =
+        BeamInterference::with(&p, Some(&b)).clearance_mm(&Point3::origin(), &Vector3::z()).expect("a head");
     // It would touch the wall's edge where the cone of the own neighbourhood reaches it: never.
     assert!(clearance > 30.0, "{clearance}");
     let p = floor_and(&[block([2.0, -150.0, 0.0], [5.0, 150.0, 20.0])]);
-    let clearance = Beam::with(&p, Some(&b)).clearance_mm(&Point3::origin(), &Vector3::z()).expect("a head");
+    let clearance =
+        BeamInterference::with(&p, Some(&b)).clearance_mm(&Point3::origin(), &Vector3::z()).expect("a head");
     // At t = 2/tan 15° the cone is 2 mm wide, and the beam there 0.5 − 0.0225·t.
     let t = 2.0 / libm::tan(15f64.to_radians());
     assert!((clearance - (2.0 - (0.5 - 0.0225 * t))).abs() < 0.01, "{clearance}");
-    assert_eq!(Beam::on(&p).clearance_mm(&Point3::origin(), &Vector3::z()), None);
+    assert_eq!(BeamInterference::on(&p).clearance_mm(&Point3::origin(), &Vector3::z()), None);
 }
 
 #[test]
@@ -280,7 +289,7 @@ fn a_clamp_is_in_the_way_like_the_part() {
     // The ray alone.
     let tool = Tool { head: None, clamps: vec![clamp.clone()] };
     let b = ToolGeometry::new(&tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a clamp");
-    let beam = Beam::with(&plate, Some(&b));
+    let beam = BeamInterference::with(&plate, Some(&b));
     assert_eq!(beam.blocker(&at(30.0).0, &at(30.0).1).map(|h| h.obstruction), Some(Obstruction::Clamp(0)));
     assert!(beam.is_free(&at(31.1).0, &at(31.1).1) && !beam.is_free(&at(30.9).0, &at(30.9).1));
     assert!(!motion::is_free(&beam, &pose(0.0), &pose(60.0), 0.0), "on the way");
@@ -288,7 +297,7 @@ fn a_clamp_is_in_the_way_like_the_part() {
     // And the head.
     let tool = Tool { clamps: vec![clamp], ..cylinder(15.0) };
     let b = body(&tool);
-    let beam = Beam::with(&plate, Some(&b));
+    let beam = BeamInterference::with(&plate, Some(&b));
     assert!(beam.is_free(&at(46.6).0, &at(46.6).1) && !beam.is_free(&at(46.4).0, &at(46.4).1));
     let hit = beam.blocker(&at(46.4).0, &at(46.4).1).expect("in the way");
     assert_eq!((hit.tool_body, hit.obstruction), (ToolBody::Head, Obstruction::Clamp(0)));
@@ -319,7 +328,8 @@ fn what_stands_in_the_cell_is_in_the_way_of_a_carried_head() {
             assert!((c.at().translation.vector - Vector3::new(25.0, -10.0, 30.0)).norm() < 1e-9);
             let body = clearbeam::planning::surface_plan::body(&job, &setup);
             let plate = floor_and(&[]);
-            let hit = Beam::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());
+            let hit =
+                BeamInterference::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());
             assert_eq!(hit.map(|b| b.obstruction), Some(Obstruction::Clamp(0)));
         }
     }
@@ -337,7 +347,7 @@ fn a_head_of_facets_counts_as_what_it_sweeps() {
     let (one, two) = (body(&solid), body(&round));
     for x in [30.0, 35.0, 35.8, 35.9, 36.0, 50.0] {
         let p = floor_and(&[block([x, -150.0, 0.0], [x + 5.0, 150.0, 90.0])]);
-        let free = |b| Beam::with(&p, Some(b)).is_free(&Point3::origin(), &Vector3::z());
+        let free = |b| BeamInterference::with(&p, Some(b)).is_free(&Point3::origin(), &Vector3::z());
         assert_eq!(free(&one), free(&two), "{x}");
     }
 }
@@ -394,7 +404,7 @@ proptest! {
             cones(frusta).iter().map(|c| check.cone_distance(&at, &a, c, NEAR_MM)).fold(NEAR_MM, f64::min)
         };
         let (head, cone) = (least(&b.head), least(&b.beam));
-        let beam = Beam::with(&p, Some(&b));
+        let beam = BeamInterference::with(&p, Some(&b));
         if beam.is_free(&at, &a) {
             prop_assert!(head >= MARGIN_MM - 1e-5, "head {head}");
             prop_assert!(cone > 0.0, "cone {cone}");
@@ -419,7 +429,7 @@ proptest! {
         let b = body(&tool);
         let at = Point3::new(x, y, 0.0);
         let a = Tilt { lead_deg: lead, lean_deg: 5.0 }.axis(&Vector3::z(), &Vector3::x());
-        let (one, two) = (Beam::with(&p, Some(&b)), Beam::with(&q, Some(&b)));
+        let (one, two) = (BeamInterference::with(&p, Some(&b)), BeamInterference::with(&q, Some(&b)));
         let here = one.clearance_mm(&at, &a).expect("a head");
         let there = two.clearance_mm(&(motion * at), &(motion * a)).expect("a head");
         prop_assume!(here > 0.02 && there > 0.02);
@@ -448,7 +458,7 @@ proptest! {
         let from = pose(x0, y0, [tilts[0], tilts[1]]);
         let to = pose(x1, y1, [tilts[0] + (tilts[2] - tilts[0]) * near, tilts[1] + (tilts[3] - tilts[1]) * near]);
         prop_assume!(on_floor(&boxes, x0, y0) && on_floor(&boxes, x1, y1));
-        let beam = Beam::with(&p, Some(&b));
+        let beam = BeamInterference::with(&p, Some(&b));
         prop_assume!(beam.is_free(&from.p, &from.a) && beam.is_free(&to.p, &to.a));
         let proven = motion::is_free(&beam, &from, &to, 0.0);
         let check = Checker::new((0..p.mesh.facets.len()).map(|f| p.mesh.corners(f)));
@@ -541,7 +551,7 @@ fn within_the_standoff_window_the_head_is_drawn_back_over_walls() {
         assert_eq!(line.length_mm(|_, to| !to.laser), 0.0);
     }
     let proof = with.plan.proof.as_ref().expect("swept");
-    assert!(proof.intervals > 0 && proof.refuted.is_empty() && proof.margin_mm > 0.2);
+    assert!(proof.lit_moves > 0 && proof.refuted.is_empty() && proof.margin_mm > 0.2);
     let files = with.files_in(&setup);
     let csv = files.iter().find(|f| f.name == "path.csv").map(|f| String::from_utf8_lossy(&f.bytes).into_owned());
     for row in csv.expect("written").lines().skip(1) {

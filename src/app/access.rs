@@ -6,7 +6,7 @@ use crate::document::Job;
 use crate::part::{Part, SurfaceId};
 use crate::planning::surface_plan::body;
 use crate::pose::access::{AccessMap, AccessStrip, TiltPart};
-use crate::pose::{Beam, Pass, Tilt, TiltRule};
+use crate::pose::{BeamInterference, Pass, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
 
 /// Cells of the map and of the strip, degrees: seven hundred directions are looked at in a few
@@ -67,7 +67,7 @@ impl AccessViews {
             return;
         }
         let body = body(on.job, on.setup);
-        let beam = Beam::with(on.part, body.as_ref());
+        let beam = BeamInterference::with(on.part, body.as_ref());
         let place = &of.0;
         let (rule, most) = (rule_of(on.job, place.surface), on.job.path.max_tilt_deg);
         let map = AccessMap::at(&beam, &place.p, &place.n, &place.tangent, &rule, most, STEP_DEG);
@@ -85,7 +85,7 @@ impl AccessViews {
             return;
         }
         let body = body(on.job, on.setup);
-        let beam = Beam::with(on.part, body.as_ref());
+        let beam = BeamInterference::with(on.part, body.as_ref());
         let (rule, most) = (rule_of(on.job, pass.surface), on.job.path.max_tilt_deg);
         self.strip = Some((of, AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES)));
     }

@@ -27,8 +27,8 @@ enum Action {
     GoToTarget((usize, usize)),
     GoToTime(f64),
     LookAt { in_part: Point3<f64>, reach_mm: f64 },
-    ApplyProposal,
-    DismissProposal,
+    ApplyBetterSetup,
+    DismissBetterSetup,
     Save,
     GoOn,
     Reply(Reply),
@@ -115,14 +115,14 @@ impl Actions {
         self.0.push(Action::LookAt { in_part, reach_mm });
     }
 
-    /// Takes the proposed set-up into the job.
-    pub fn apply_proposal(&mut self) {
-        self.0.push(Action::ApplyProposal);
+    /// Takes the better set-up into the job.
+    pub fn apply_better_setup(&mut self) {
+        self.0.push(Action::ApplyBetterSetup);
     }
 
-    /// Dismisses the proposed set-up.
-    pub fn dismiss_proposal(&mut self) {
-        self.0.push(Action::DismissProposal);
+    /// Forgets the better set-up.
+    pub fn dismiss_better_setup(&mut self) {
+        self.0.push(Action::DismissBetterSetup);
     }
 
     /// Saves the job where it is kept, or asks where.
@@ -167,9 +167,9 @@ impl App {
                 let (at, out) = (self.context().scene_from_part() * in_part, Vector3::repeat(reach_mm));
                 self.viewport.fit(Bounds { min: at - out, max: at + out });
             }
-            Action::ApplyProposal => self.apply_proposal(),
-            Action::DismissProposal => {
-                self.dismiss_proposal();
+            Action::ApplyBetterSetup => self.apply_better_setup(),
+            Action::DismissBetterSetup => {
+                self.dismiss_better_setup();
             }
             Action::Save => self.save_job(),
             Action::GoOn => self.go_on(),

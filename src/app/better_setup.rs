@@ -1,5 +1,5 @@
-//! The commands about a better set-up: look for one, take it into the job, or dismiss it. The searches themselves are
-//! in `remedy`.
+//! What is done about a better set-up: it is looked for, taken into the job, or forgotten. The searches themselves
+//! stand in `suggestion_search`.
 
 use super::App;
 use crate::document::Edit;
@@ -7,24 +7,24 @@ use crate::planning::advice;
 
 impl App {
     /// Looks for a better set-up.
-    pub(super) fn propose(&mut self) {
+    pub(super) fn find_better_setup(&mut self) {
         let Some(planned) = self.context().refusing_plan().cloned() else { return };
         let (cache, executor) = (self.derived.pipeline.cache.clone(), self.derived.pipeline.executor().clone());
-        self.derived.remedy.propose(planned, cache, &*executor);
+        self.derived.suggestions.find_better_setup(planned, cache, &*executor);
     }
 
-    /// Takes the proposed set-up into the job.
-    pub(super) fn apply_proposal(&mut self) {
-        let Some(proposal) = self.context().proposal() else { return };
-        let cell = advice::applied(&self.document.job().cell, proposal.setup.mount, &proposal.found);
-        self.derived.remedy.forget_proposal();
+    /// Takes the better set-up into the job.
+    pub(super) fn apply_better_setup(&mut self) {
+        let Some(better) = self.context().better_setup() else { return };
+        let cell = advice::applied(&self.document.job().cell, better.setup.mount, &better.found);
+        self.derived.suggestions.forget_better_setup();
         self.edit(Edit::Frames(Box::new(cell)));
     }
 
-    /// Dismisses the proposed set-up, or the word that none was found; whether there was anything to dismiss.
-    pub(super) fn dismiss_proposal(&mut self) -> bool {
-        let there = self.context().proposal().is_some() || self.context().has_no_proposal();
-        self.derived.remedy.forget_proposal();
+    /// Forgets the better set-up; whether there was one, or word that there is none.
+    pub(super) fn dismiss_better_setup(&mut self) -> bool {
+        let there = self.context().better_setup().is_some() || self.context().has_no_better_setup();
+        self.derived.suggestions.forget_better_setup();
         there
     }
 }

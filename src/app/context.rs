@@ -24,9 +24,9 @@ use super::dialogs::Answers;
 use super::dose::DoseView;
 use super::questions::Question;
 use super::reading::Reading;
-use super::remedy::Proposal;
 use super::session::Session;
 use super::spacing::{SpacingPicture, SpacingView};
+use super::suggestion_search::BetterSetupPreview;
 use crate::beam::ProcessSettings;
 use crate::document::{Document, Library};
 use crate::planning::export::{ExportError, Exported};
@@ -97,14 +97,14 @@ impl<'a> Context<'a> {
         self.plan().filter(|planned| !planned.plan.refusals.is_empty())
     }
 
-    /// The set-up that is proposed for it.
-    pub fn proposal(self) -> Option<&'a Proposal> {
-        self.derived.remedy.proposal(self.plan()?.key)
+    /// The better set-up that was found for it.
+    pub fn better_setup(self) -> Option<&'a BetterSetupPreview> {
+        self.derived.suggestions.better_setup(self.plan()?.key)
     }
 
     /// Whether a set-up was looked for in vain.
-    pub fn has_no_proposal(self) -> bool {
-        self.plan().is_some_and(|planned| self.derived.remedy.found_no_proposal(planned.key))
+    pub fn has_no_better_setup(self) -> bool {
+        self.plan().is_some_and(|planned| self.derived.suggestions.found_no_better_setup(planned.key))
     }
 
     /// The dose of the plan as it is; `None`: it is being computed, or was cancelled.
@@ -164,7 +164,7 @@ impl<'a> Context<'a> {
     /// What can be cancelled, and its share done: planning, an export, a search for what would help, the dose.
     pub fn progress(self) -> Option<(Activity, f32)> {
         let d = self.derived;
-        let works = [d.pipeline.progress(), self.exporting.progress(), d.remedy.progress(), d.dose.progress()];
+        let works = [d.pipeline.progress(), self.exporting.progress(), d.suggestions.progress(), d.dose.progress()];
         works.into_iter().flatten().find_map(Progress::now)
     }
 

@@ -6,8 +6,8 @@
 use super::clearance::ClearanceSearch;
 use super::dose::Dose;
 use super::motion::Motion;
-use super::remedy::Remedy;
-use crate::document::model::PartFile;
+use super::suggestion_search::SuggestionSearch;
+use crate::document::model::JobPart;
 use crate::document::{Document, Job};
 use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
@@ -25,7 +25,7 @@ pub struct Derived {
     /// The part that is shown.
     pub part: Option<Arc<Part>>,
     /// How it was built from its file.
-    pub part_of: PartFile,
+    pub part_of: JobPart,
     /// Its feature surfaces.
     pub surfaces: Arc<Surfaces>,
     /// Their shapes, as far as known.
@@ -42,9 +42,9 @@ pub struct Derived {
     pub(super) motion: Stage<Motion, Infallible>,
     /// The clearance of arm, head and part over that motion.
     pub(super) clearance: ClearanceSearch,
-    /// Advice and a better set-up for targets that the robot refuses.
-    pub(super) remedy: Remedy,
-    /// The dose.
+    /// What would help with what the robot refuses.
+    pub(super) suggestions: SuggestionSearch,
+    /// What lands.
     pub(super) dose: Dose,
 }
 
@@ -54,7 +54,7 @@ impl Derived {
         Derived {
             pipeline: Pipeline::new(executor, true),
             part: None,
-            part_of: PartFile::default(),
+            part_of: JobPart::default(),
             surfaces: Arc::default(),
             shapes: Stage::default(),
             picture: None,
@@ -63,7 +63,7 @@ impl Derived {
             laid: None,
             motion: Stage::default(),
             clearance: ClearanceSearch::default(),
-            remedy: Remedy::default(),
+            suggestions: SuggestionSearch::default(),
             dose: Dose::default(),
         }
     }
@@ -117,7 +117,7 @@ impl Derived {
     /// Cancels all work.
     pub fn cancel_all(&mut self) {
         self.pipeline.cancel();
-        self.remedy.cancel();
+        self.suggestions.cancel();
         self.dose.cancel();
     }
 
@@ -127,7 +127,7 @@ impl Derived {
             && !self.shapes.is_running()
             && !self.motion.is_running()
             && self.clearance.is_at_rest()
-            && self.remedy.is_at_rest()
+            && self.suggestions.is_at_rest()
             && self.dose.is_at_rest()
     }
 

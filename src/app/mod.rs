@@ -32,7 +32,6 @@ mod quantity;
 mod questions;
 mod reading;
 mod recipe_library;
-mod remedy;
 mod run;
 mod scene;
 mod selection;
@@ -40,6 +39,7 @@ mod session;
 mod shortcuts;
 mod simulation;
 mod spacing;
+mod suggestion_search;
 mod sync;
 mod theme;
 

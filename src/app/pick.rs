@@ -4,7 +4,7 @@ use super::actions::Actions;
 use super::command::Toggle;
 use super::context::Context;
 use super::dose::Clicked;
-use super::session::Tool;
+use super::session::PointerTool;
 use super::{App, at_cursor, panels};
 use crate::document::Edit;
 use crate::part::Shape;
@@ -17,7 +17,7 @@ impl App {
     /// The central panel.
     pub(super) fn view(&mut self, ui: &mut egui::Ui) {
         self.panel(|context, actions| panels::toolbar::ui(ui, context, actions));
-        self.panel(|context, actions| panels::proposal::ui(ui, context, actions));
+        self.panel(|context, actions| panels::better_setup::ui(ui, context, actions));
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
@@ -110,7 +110,7 @@ fn pointer(r: &ViewportResponse, camera: &Camera, context: Context<'_>, actions:
 fn click(place: Option<(u32, Point3<f64>)>, modifiers: egui::Modifiers, context: Context<'_>, actions: &mut Actions) {
     let placement = &context.document.job().part.placement;
     let placed = match (context.session.tool, place, &context.derived.part) {
-        (Tool::Select, ..) => {
+        (PointerTool::Select, ..) => {
             if let Some((facet, point)) = place.filter(|_| context.session.show.is_on(Toggle::Dose))
                 && let Some(clicked) = context.dose_at(facet, point)
             {
@@ -124,16 +124,16 @@ fn click(place: Option<(u32, Point3<f64>)>, modifiers: egui::Modifiers, context:
             return;
         }
         (_, None, _) | (_, _, None) => return,
-        (Tool::LayFlat, Some((facet, point)), Some(part)) => {
+        (PointerTool::LayFlat, Some((facet, point)), Some(part)) => {
             placement.with_face_down(&point, &part.mesh.normals[facet as usize])
         }
-        (Tool::PickOrigin, Some((facet, point)), Some(part)) => {
+        (PointerTool::PickOrigin, Some((facet, point)), Some(part)) => {
             let shape = context.surface_of(facet).and_then(|n| context.derived.shape(n));
             placement.with_origin_at(&origin_for(shape, &part.mesh, facet, &point))
         }
     };
     actions.edit(Edit::Place(placed));
-    actions.session(|s| s.tool = Tool::Select);
+    actions.session(|s| s.tool = PointerTool::Select);
 }
 
 impl Context<'_> {

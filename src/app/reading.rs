@@ -4,7 +4,7 @@
 
 use crate::document::files::{self, JobError};
 use crate::document::journal::Leftover;
-use crate::document::model::PartFile;
+use crate::document::model::JobPart;
 use crate::document::stamps::{Stamp, stamp_of};
 use crate::document::{CarriedOver, Document, Job, JobFile, Remembered, save};
 use crate::part::{Hasher, Part, Source};
@@ -61,9 +61,9 @@ impl Reading {
         self.opening.start(Hasher::default().finish(), Activity::Reading, executor, work);
     }
 
-    /// Begins to find out what becomes of a job on a changed file. What the job's surfaces look like is taken from the
-    /// part that is shown.
-    pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, PartFile)>, executor: &dyn Executor) {
+    /// Begins to look what becomes of a job on a file. What its surfaces look like is known from the part that is
+    /// shown, with the way it was built.
+    pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, JobPart)>, executor: &dyn Executor) {
         self.looking.clear();
         self.looking.start(Hasher::default().finish(), Activity::Reading, executor, move |progress| {
             if let Some((part, built)) = shown {

@@ -4,7 +4,7 @@ use super::App;
 use super::command::{Command, More, Toggle};
 use super::context::Context;
 use super::dialogs::Purpose;
-use super::session::{AfterGuard, Coloring, Tool};
+use super::session::{AfterGuard, Coloring, PointerTool};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::view::{Bounds, Projection};
@@ -27,7 +27,7 @@ impl Context<'_> {
             C::Export => self.plan().is_some(),
             C::Play | C::Go(_) => self.derived.plan().is_some(),
             C::Toggle(what) => self.is_there(what),
-            C::BetterSetup => self.refusing_plan().is_some() && !self.derived.remedy.is_proposing(),
+            C::BetterSetup => self.refusing_plan().is_some() && !self.derived.suggestions.is_better_setup_sought(),
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
             C::Unclean | C::CleanEarlier | C::CleanLater => selected.iter().any(|n| clean().contains(n)),
             // Facets are cut and joined on the part as it is.
@@ -79,8 +79,8 @@ impl App {
             C::Rename => self.begin_renaming(),
             C::FlipSurface => self.flip_surface(),
             C::FlipShell => self.flip_shell(),
-            C::PickOrigin => self.session.tool = Tool::PickOrigin,
-            C::LayFlat => self.session.tool = Tool::LayFlat,
+            C::PickOrigin => self.session.tool = PointerTool::PickOrigin,
+            C::LayFlat => self.session.tool = PointerTool::LayFlat,
             C::QuarterTurn(axis) => self.place(|p| p.quarter_turn(axis as usize)),
             C::Look(view) => self.viewport.look(view),
             C::Fit => self.fit_selection(),
@@ -92,7 +92,7 @@ impl App {
             C::Theme => self.change_theme(),
             C::Plan => self.plan_again(),
             C::Cancel => self.cancel(),
-            C::BetterSetup => self.propose(),
+            C::BetterSetup => self.find_better_setup(),
             C::Play => self.play_or_pause(),
             C::Go(jump) => self.jump(jump),
             C::Help => self.session.help_open = !self.session.help_open,
@@ -180,8 +180,8 @@ impl App {
             self.derived.pipeline.cancel();
         } else if self.exporting.is_running() {
             self.exporting.cancel();
-        } else if self.derived.remedy.progress().is_some() {
-            self.derived.remedy.cancel_shown();
+        } else if self.derived.suggestions.progress().is_some() {
+            self.derived.suggestions.cancel_shown();
         } else {
             self.derived.dose.cancel();
         }
@@ -193,9 +193,9 @@ impl App {
             self.session.help_open = false;
         } else if self.session.renaming.is_some() {
             self.session.renaming = None;
-        } else if self.session.tool != Tool::Select {
-            self.session.tool = Tool::Select;
-        } else if self.dismiss_proposal() {
+        } else if self.session.tool != PointerTool::Select {
+            self.session.tool = PointerTool::Select;
+        } else if self.dismiss_better_setup() {
             // Its preview is gone: one step.
         } else if self.session.show.is_on(Toggle::SectionPlane) {
             self.session.show.set(Toggle::SectionPlane, false);

@@ -57,7 +57,7 @@ impl App {
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
             self.context().add_simulation(&mut scene, place);
             self.context().add_tool(&mut scene, place);
-            self.context().add_proposal(&mut scene, place);
+            self.context().add_better_setup(&mut scene, place);
         }
         let on_part = self.derived.plan_on_part().filter(|_| self.derived.laid.is_none());
         if let (Some(of), Some(t)) = (on_part, self.context().target()) {
@@ -95,11 +95,11 @@ impl<'a> Context<'a> {
         Some(self.dose()?.picture(look))
     }
 
-    /// Targets within reach and out of it, in a proposed set-up.
-    fn add_proposal(self, scene: &mut Scene, place: Isometry3<f64>) {
+    /// Targets within reach and out of it, in a better set-up.
+    fn add_better_setup(self, scene: &mut Scene, place: Isometry3<f64>) {
         // In the cell the part is small: dots must not hide it.
         let share = if self.is_in_cell() { 0.5 } else { 1.0 };
-        scene.points.extend(self.proposal().into_iter().flat_map(|p| p.points_at(place, share)));
+        scene.points.extend(self.better_setup().into_iter().flat_map(|p| p.points_at(place, share)));
     }
 
     /// What is shown of paths.

@@ -80,7 +80,7 @@ pub struct Session {
     /// What lands at the place that was clicked last.
     pub clicked: Option<Clicked>,
     /// What a click in the view does, other than select.
-    pub tool: Tool,
+    pub tool: PointerTool,
     /// Facet and point that were right clicked.
     pub menu_place: Option<(u32, Point3<f64>)>,
     /// Name or note of a recipe that is being typed.
@@ -105,7 +105,7 @@ pub enum Coloring {
 
 /// What a click in the view does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tool {
+pub enum PointerTool {
     /// Select surfaces.
     #[default]
     Select,
@@ -203,7 +203,7 @@ impl Default for Session {
             pin_dragged: None,
             coloring: Coloring::Surface,
             clicked: None,
-            tool: Tool::Select,
+            tool: PointerTool::Select,
             menu_place: None,
             draft: None,
             compare: None,

@@ -4,7 +4,7 @@
 use super::App;
 use super::command::{Jump, Toggle};
 use super::context::Context;
-use super::remedy::Proposal;
+use super::suggestion_search::BetterSetupPreview;
 use crate::cell::motion::Arm;
 use crate::cell::{Joints, Setup};
 use crate::picture::CellPicture;
@@ -109,19 +109,19 @@ impl<'a> Context<'a> {
         self.derived.pipeline.setup()?.ok().map(|setup| &**setup)
     }
 
-    /// Arm and head: as they stand, or as a proposed set-up would have them.
+    /// Arm and head: as they stand, or as a better set-up would have them.
     pub fn cell_picture(self) -> Option<&'a CellPicture> {
-        let proposed = self.proposal().and_then(|p| p.picture.as_ref());
-        proposed.or(self.derived.cell.as_ref())
+        let better = self.better_setup().and_then(|p| p.picture.as_ref());
+        better.or(self.derived.cell.as_ref())
     }
 
     /// Where all stands now, or would in a proposed set-up; at home before there is a plan.
     pub fn placed(self) -> Option<Placed> {
-        let proposal = self.proposal();
-        let setup = proposal.map_or_else(|| self.setup(), |p| Some(&p.setup))?;
+        let better = self.better_setup();
+        let setup = better.map_or_else(|| self.setup(), |p| Some(&p.setup))?;
         let robot = setup.robot.as_ref()?;
-        let moment = self.moment().filter(|_| proposal.is_none());
-        let still = || proposal.map_or(setup.home_joints_deg(), |p| self.proposed_joints_deg(p));
+        let moment = self.moment().filter(|_| better.is_none());
+        let still = || better.map_or(setup.home_joints_deg(), |p| self.better_setup_joints_deg(p));
         let joints_deg = moment.map_or_else(still, |m| m.joints_deg);
         let flange = moment.map_or_else(|| robot.forward(&joints_deg), |m| m.base_from_flange);
         Some(Placed {
@@ -132,14 +132,14 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// The arm in a proposed set-up: at the current target, else at home.
-    fn proposed_joints_deg(self, proposal: &Proposal) -> Joints {
+    /// The arm in a better set-up: at the current target, else at home.
+    fn better_setup_joints_deg(self, better: &BetterSetupPreview) -> Joints {
         let job = self.document.job();
         let frame = self.target().map(|t| t.frame(self.work().defocus_mm));
-        let states = frame.and_then(|f| Arm::new(&proposal.setup, job.cell.spin)?.states(&f).ok());
+        let states = frame.and_then(|f| Arm::new(&better.setup, job.cell.spin)?.states(&f).ok());
         // The one that is furthest from a singular pose.
         let best = states.and_then(|s| s.into_iter().max_by(|a, b| a.singularity.total_cmp(&b.singularity)));
-        best.map_or(proposal.setup.home_joints_deg(), |s| s.joints_deg)
+        best.map_or(better.setup.home_joints_deg(), |s| s.joints_deg)
     }
 
     /// Where the part stands in the view: in its own frame, or in the base.

@@ -34,7 +34,7 @@ impl App {
         self.sync_motion();
         self.sync_dose();
         self.sync_spacing();
-        self.sync_advice();
+        self.sync_suggestions();
         self.sync_clearance();
     }
 
@@ -150,10 +150,10 @@ impl App {
         self.derived.dose.sync(current, self.document.job(), is_wanted, &*executor);
     }
 
-    /// Brings advice and proposal up to date with the plan.
-    fn sync_advice(&mut self) {
+    /// Brings suggestions and a better set-up up to date with the plan.
+    fn sync_suggestions(&mut self) {
         let (refusing, executor) = (self.context().refusing_plan().cloned(), self.derived.pipeline.executor().clone());
-        self.derived.remedy.sync(refusing, &*executor);
+        self.derived.suggestions.sync(refusing, &*executor);
     }
 
     /// Brings the clearance up to date, if the curves are shown.
@@ -196,7 +196,7 @@ impl App {
         self.derived.pipeline.try_again();
         self.derived.shapes.try_again();
         self.derived.motion.try_again();
-        self.derived.remedy.try_again();
+        self.derived.suggestions.try_again();
         self.derived.dose.try_again();
     }
 }

@@ -21,18 +21,18 @@ pub struct Outputs {
     pub cooling: Option<Supply>,
     /// How the laser's power is set, W.
     #[serde(default)]
-    pub power: LevelOutput,
+    pub power: ValueOutput,
     /// How the frequency of its pulses is set, kHz.
     #[serde(default)]
-    pub frequency: LevelOutput,
+    pub frequency: ValueOutput,
 }
 
 impl Default for Outputs {
     /// The laser at the first output, and its power set by hand.
     fn default() -> Self {
         let laser = Switch { number: 1, on_wait_s: 0.0, off_wait_s: 0.0 };
-        let level = LevelOutput::default();
-        Outputs { laser, powder: None, shielding_gas: None, cooling: None, power: level, frequency: level }
+        let by_hand = ValueOutput::default();
+        Outputs { laser, powder: None, shielding_gas: None, cooling: None, power: by_hand, frequency: by_hand }
     }
 }
 
@@ -88,26 +88,26 @@ pub enum During {
 /// How a figure of the laser is set.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct LevelOutput {
+pub struct ValueOutput {
     /// By hand, or by an output.
     #[serde(rename = "as")]
-    pub form: LevelForm,
+    pub form: ValueForm,
     /// Number of the analogue output or of the group.
     pub number: u32,
     /// Units of the output for one watt, or one kilohertz.
     pub scale: f64,
 }
 
-impl Default for LevelOutput {
+impl Default for ValueOutput {
     fn default() -> Self {
-        LevelOutput { form: LevelForm::Comment, number: 1, scale: 1.0 }
+        ValueOutput { form: ValueForm::Comment, number: 1, scale: 1.0 }
     }
 }
 
 /// By hand, or by an output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum LevelForm {
+pub enum ValueForm {
     /// The program's head states it, and it is set at the laser.
     #[default]
     Comment,
@@ -152,12 +152,12 @@ impl Outputs {
             range(name, "on_wait_s", s.on_wait_s, 0.0, 600.0)?;
             range(name, "off_wait_s", s.off_wait_s, 0.0, 600.0)?;
         }
-        for (name, level) in [("power", &self.power), ("frequency", &self.frequency)] {
-            range(name, "number", f64::from(level.number), 0.0, MOST_NUMBER)?;
-            range(name, "scale", level.scale, 1e-6, 1e6)?;
+        for (name, output) in [("power", &self.power), ("frequency", &self.frequency)] {
+            range(name, "number", f64::from(output.number), 0.0, MOST_NUMBER)?;
+            range(name, "scale", output.scale, 1e-6, 1e6)?;
         }
         let (power, frequency) = (&self.power, &self.frequency);
-        if power.form != LevelForm::Comment && (power.form, power.number) == (frequency.form, frequency.number) {
+        if power.form != ValueForm::Comment && (power.form, power.number) == (frequency.form, frequency.number) {
             return Err(taken("frequency", frequency.number, "power"));
         }
         Ok(())

@@ -105,7 +105,7 @@ fn advised(of: &ExportInput<'_>, pipeline: &Pipeline) -> String {
     let ExportInput { job, part, surfaces, setup, plan, .. } = *of;
     let progress = Progress::default();
     let mut text = String::new();
-    for advice in advice::advice(part, plan, job, setup, &progress).unwrap_or_default() {
+    for advice in advice::suggestions(part, plan, job, setup, &progress).unwrap_or_default() {
         text.push_str(&format!("{}\n", say!(cli_to_help, advice = advice.sentence())));
     }
     let better = advice::better_setup(part, surfaces, plan, job, setup, &pipeline.cache, &progress);

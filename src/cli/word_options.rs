@@ -2,7 +2,7 @@
 
 use super::number_options::number;
 use crate::cell::{Mount, Robot, Spin};
-use crate::document::{Chosen, Offset};
+use crate::document::{Chosen, FirstPlane};
 use crate::part::Units;
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
@@ -25,7 +25,7 @@ pub(super) struct WordOptions {
         help = say!(option_overlap))]
     pub overlap: Option<f64>,
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = offset, help = say!(option_offset))]
-    pub offset: Option<Offset>,
+    pub offset: Option<FirstPlane>,
     #[arg(long, value_parser = order, help = say!(option_order))]
     pub order: Option<Order>,
     #[arg(long, value_parser = correction, help = say!(option_correction))]
@@ -81,12 +81,12 @@ fn direction(text: &str) -> Result<Direction, String> {
     text.parse().map_err(|_| say!(give_direction))
 }
 
-fn offset(text: &str) -> Result<Offset, String> {
+fn offset(text: &str) -> Result<FirstPlane, String> {
     if text == "centred" {
-        return Ok(Offset::Centred);
+        return Ok(FirstPlane::Centred);
     }
     let number = text.parse().ok().filter(|x: &f64| x.is_finite());
-    number.map(Offset::FromLowest).ok_or_else(|| say!(give_offset))
+    number.map(FirstPlane::FromLowest).ok_or_else(|| say!(give_offset))
 }
 
 fn surfaces(text: &str) -> Result<Chosen, String> {

@@ -3,7 +3,7 @@
 
 use super::files::build_part;
 use super::landmarks::{loaded_as, surfaces_named_in};
-use super::model::{Job, PartFile};
+use super::model::{Job, JobPart};
 use super::remembered::Remembered;
 use super::renumber::Renumbering;
 use crate::part::identity::{LostReason, find};
@@ -131,8 +131,8 @@ impl LostSurface {
 }
 
 /// How a changed file is read: which of its shells are those that were turned is not known yet.
-fn without_turned_shells(part: &PartFile) -> PartFile {
-    PartFile { flipped_shells: Vec::new(), ..part.clone() }
+fn without_turned_shells(part: &JobPart) -> JobPart {
+    JobPart { flipped_shells: Vec::new(), ..part.clone() }
 }
 
 #[cfg(test)]

@@ -29,14 +29,14 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{BeadError, Offset};
+    use crate::document::{BeadError, FirstPlane};
     use crate::program::UnknownDialect;
 
     #[test]
     fn the_first_value_that_cannot_be_is_told() {
         let mut job = Job::default();
         assert_eq!(job.check(), Ok(()));
-        job.layers.offset_mm = Offset::FromLowest(0.6);
+        job.layers.offset_mm = FirstPlane::FromLowest(0.6);
         assert_eq!(job.check(), Err(ValueError::OffsetOutside { offset_mm: 0.6, spacing_mm: 0.5 }));
         job.cell.dialect = "klingon".into();
         assert_eq!(job.check(), Err(UnknownDialect("klingon".into()).into()));

@@ -1,7 +1,7 @@
 //! Every change of a job is an [`Edit`]; buttons, keys, menus, drag and drop and tests send the same.
 
 use super::chosen::Chosen;
-use super::model::{BeadParameters, CellFile, Job, Offset};
+use super::model::{BeadParameters, FirstPlane, Job, JobCell};
 use super::parameter::Parameter;
 use super::recipe::Recipe;
 use super::renumber::LostSettings;
@@ -25,7 +25,7 @@ pub enum Edit {
     /// Direction of the section planes.
     Direction(Direction),
     /// First plane.
-    Offset(Offset),
+    Offset(FirstPlane),
     /// Sense and order of lines.
     Order(Order),
     /// How lines are laid.
@@ -118,7 +118,7 @@ pub enum Edit {
     /// What the robot carries.
     Mount(Mount),
     /// Where part and laser stand for this job.
-    Frames(Box<CellFile>),
+    Frames(Box<JobCell>),
     /// Dialect of the program.
     Dialect(String),
     /// The bead that is laid, or that none is.

@@ -1,6 +1,6 @@
 //! What a job has to remember of its part's surfaces: landmarks of those that it says anything of.
 
-use super::model::{Job, PartFile, segmented};
+use super::model::{Job, JobPart, segmented};
 use super::remembered::Remembered;
 use crate::part::Part;
 use crate::part::identity::{Landmarks, LoadedAs};
@@ -12,7 +12,7 @@ const MOST: usize = 2000;
 impl Remembered {
     /// What is to be remembered of a part for a job; nothing where the job says nothing of single surfaces or
     /// shells. `loaded` is how the part was read.
-    pub fn of(job: &Job, part: &Part, loaded: &PartFile) -> Remembered {
+    pub fn of(job: &Job, part: &Part, loaded: &JobPart) -> Remembered {
         let mut needed = surfaces_named_in(job);
         if job.settings.cleans_all() {
             let all = segmented(part, job);
@@ -35,6 +35,6 @@ pub(super) fn surfaces_named_in(job: &Job) -> BTreeSet<u32> {
 }
 
 /// How a part is read for a job.
-pub(super) fn loaded_as(of: &PartFile) -> LoadedAs<'_> {
+pub(super) fn loaded_as(of: &JobPart) -> LoadedAs<'_> {
     LoadedAs { units: of.units, placement: &of.placement, flipped_shells: &of.flipped_shells }
 }

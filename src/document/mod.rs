@@ -41,7 +41,7 @@ pub use files::{JobError, stamps};
 pub use job_file::JobFileError;
 pub use journal::Journal;
 pub use library::{Forgotten, Library};
-pub use model::{Job, Offset, segmented};
+pub use model::{FirstPlane, Job, segmented};
 pub use parameter::{PARAMETERS, Parameter, ParameterError};
 pub use recipe::Recipe;
 pub use recut::RecutAnchor;

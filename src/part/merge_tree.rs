@@ -11,12 +11,12 @@ use rayon::prelude::*;
 
 /// Disjoint sets with path halving.
 #[derive(Clone, Debug)]
-pub struct Sets(Vec<u32>);
+pub struct UnionFind(Vec<u32>);
 
-impl Sets {
+impl UnionFind {
     /// `count` sets of one member.
-    pub fn new(count: usize) -> Sets {
-        Sets((0..count as u32).collect())
+    pub fn new(count: usize) -> UnionFind {
+        UnionFind((0..count as u32).collect())
     }
 
     /// The representative of a member's set: its lowest member.
@@ -102,7 +102,7 @@ impl MergeTree {
         });
         let mut parent: Vec<u32> = (0..count as u32).collect();
         let mut height_deg = vec![0.0; count];
-        let mut sets = Sets::new(count);
+        let mut sets = UnionFind::new(count);
         // Topmost join of each set, kept at its representative.
         let mut top: Vec<u32> = (0..count as u32).collect();
         for e in order {

@@ -1,7 +1,7 @@
 //! Numbers facets by their surfaces: the cut of the merge tree at α, hysteresis, islands absorbed, and the
 //! operator's own merges, splits and cuts.
 
-use super::merge_tree::{MergeTree, Sets, below};
+use super::merge_tree::{MergeTree, UnionFind, below};
 use super::surface::listed;
 use super::surface_rule::{SurfaceEdit, SurfaceRule};
 use super::topology::{Mesh, NO_EDGE};
@@ -17,7 +17,7 @@ pub(super) struct Numbering {
 }
 
 /// Numbers sets of facets from 1 in the order of their lowest facet.
-fn numbered(sets: &mut Sets, count: usize) -> Vec<u32> {
+fn numbered(sets: &mut UnionFind, count: usize) -> Vec<u32> {
     let mut numbers = vec![0u32; count];
     let mut next = 0;
     (0..count as u32)
@@ -36,7 +36,7 @@ fn numbered(sets: &mut Sets, count: usize) -> Vec<u32> {
 fn with_hysteresis(mesh: &Mesh, dihedral_deg: &[f64], rule: &SurfaceRule) -> Vec<u32> {
     let (weak, strong) = (below(rule.hysteresis_deg), below(rule.angle_deg));
     // Creases hang together at vertices; a chain counts if it holds a strong one.
-    let mut chains = Sets::new(mesh.vertices.len());
+    let mut chains = UnionFind::new(mesh.vertices.len());
     for (e, _) in dihedral_deg.iter().enumerate().filter(|(_, d)| **d >= weak) {
         chains.join(mesh.edges[e][0], mesh.edges[e][1]);
     }
@@ -44,7 +44,7 @@ fn with_hysteresis(mesh: &Mesh, dihedral_deg: &[f64], rule: &SurfaceRule) -> Vec
     for (e, _) in dihedral_deg.iter().enumerate().filter(|(_, d)| **d >= strong) {
         is_strong[chains.root(mesh.edges[e][0]) as usize] = true;
     }
-    let mut sets = Sets::new(mesh.facets.len());
+    let mut sets = UnionFind::new(mesh.facets.len());
     for (e, d) in dihedral_deg.iter().enumerate() {
         let crease = *d >= weak && is_strong[chains.root(mesh.edges[e][0]) as usize];
         if let (false, true, Some([f, g])) = (crease, d.is_finite(), mesh.two_facets(e as u32)) {
@@ -58,7 +58,7 @@ fn with_hysteresis(mesh: &Mesh, dihedral_deg: &[f64], rule: &SurfaceRule) -> Vec
 /// has the smallest mean dihedral angle, weighed by length. An island without neighbours stays.
 fn absorb_islands(mesh: &Mesh, dihedral_deg: &[f64], min_area_mm2: f64, of_facet: &mut Vec<u32>) {
     let mut islands = listed(mesh, of_facet);
-    let mut sets = Sets::new(islands.len() + 1);
+    let mut sets = UnionFind::new(islands.len() + 1);
     let mut area: Vec<f64> = std::iter::once(0.0).chain(islands.iter().map(|s| s.area_mm2)).collect();
     let mut members: Vec<Vec<u32>> =
         std::iter::once(Vec::new()).chain(islands.iter_mut().map(|s| std::mem::take(&mut s.facets))).collect();
@@ -94,7 +94,7 @@ fn absorb_islands(mesh: &Mesh, dihedral_deg: &[f64], min_area_mm2: f64, of_facet
             members[keep].extend(moved);
         }
     }
-    let mut facet_sets = Sets::new(of_facet.len());
+    let mut facet_sets = UnionFind::new(of_facet.len());
     for facets in &members {
         for pair in facets.windows(2) {
             facet_sets.join(pair[0], pair[1]);
@@ -133,7 +133,7 @@ fn apply(mesh: &Mesh, dihedral_deg: &[f64], edit: &SurfaceEdit, of_facet: &mut [
             }
         }
         SurfaceEdit::Split { split, angle_deg } => {
-            let mut sets = Sets::new(of_facet.len());
+            let mut sets = UnionFind::new(of_facet.len());
             for (e, &d) in dihedral_deg.iter().enumerate() {
                 if let (true, Some([f, g])) = (d < below(*angle_deg), mesh.two_facets(e as u32))
                     && of_facet[f as usize] == *split

@@ -175,7 +175,7 @@ fn crosses([a, b, c]: [Point3<f64>; 3], point: &Point3<f64>, ray: &Vector3<f64>)
 
 /// Shells by union over shared edges.
 fn shells(mesh: &Mesh) -> (Vec<u32>, usize) {
-    let mut sets = super::merge_tree::Sets::new(mesh.facets.len());
+    let mut sets = super::merge_tree::UnionFind::new(mesh.facets.len());
     for e in 0..mesh.edges.len() as u32 {
         for pair in mesh.edge_facets(e).windows(2) {
             sets.join(pair[0], pair[1]);

@@ -4,12 +4,12 @@
 use super::PlanError;
 use super::driving::drive;
 use super::plan::Plan;
-use super::surface_plan::Cache;
+use super::surface_plan::PlanCache;
 use crate::beam::ProcessSettings;
-use crate::cell::motion::advice::{self, Advice, BetterSetup, SAMPLE, sampled};
+use crate::cell::motion::advice::{self, BetterSetup, SAMPLE, SuggestedChange, sampled};
 use crate::cell::motion::{Arm, Refusal, RefusalCause, SearchHooks, choose};
 use crate::cell::{Mount, Setup};
-use crate::document::model::{CellFile, Job};
+use crate::document::model::{Job, JobCell};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, TargetState};
 use crate::progress::{Activity, Cancelled, Progress};
@@ -44,9 +44,9 @@ fn frames(plan: &Plan) -> [Vec<Isometry3<f64>>; 2] {
 
 /// Something that would help, or how far that was looked into.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Help {
+pub enum Suggestion {
     /// A change of the set-up.
-    SetupChange(Advice),
+    SetupChange(SuggestedChange),
     /// A slower spot, with which no joint is too fast.
     Slower {
         /// Its speed on the part.
@@ -65,14 +65,20 @@ pub enum Help {
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.
-pub fn advice(part: &Part, plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<Vec<Help>, Cancelled> {
+pub fn suggestions(
+    part: &Part,
+    plan: &Plan,
+    job: &Job,
+    setup: &Setup,
+    progress: &Progress,
+) -> Result<Vec<Suggestion>, Cancelled> {
     let [done, refused] = frames(plan);
     let samples = [&done, &refused].map(|all| sampled(all, SAMPLE));
     let found = advice::changes(setup, part, job.cell.spin, &samples[0], &samples[1], progress)?;
-    let on_some = Help::Sampled { tried: SAMPLE, of: refused.len() };
+    let on_some = Suggestion::Sampled { tried: SAMPLE, of: refused.len() };
     let is_sampled = refused.len() > SAMPLE && !found.is_empty();
-    let mut out: Vec<Help> = found.into_iter().map(Help::SetupChange).collect();
-    out.extend(slower(plan, job, setup, progress)?.map(|speed_mm_s| Help::Slower { speed_mm_s }));
+    let mut out: Vec<Suggestion> = found.into_iter().map(Suggestion::SetupChange).collect();
+    out.extend(slower(plan, job, setup, progress)?.map(|speed_mm_s| Suggestion::Slower { speed_mm_s }));
     out.extend(is_sampled.then_some(on_some));
     Ok(out)
 }
@@ -131,7 +137,7 @@ pub fn better_setup(
     plan: &Plan,
     job: &Job,
     setup: &Setup,
-    cache: &Cache,
+    cache: &PlanCache,
     progress: &Progress,
 ) -> Result<Option<(BetterSetup, usize)>, Cancelled> {
     if refusals(plan).is_empty() {
@@ -177,7 +183,7 @@ pub fn better_setup(
 }
 
 /// The job's cell with the frames of a better set-up.
-pub fn applied(cell: &CellFile, mount: Mount, better: &BetterSetup) -> CellFile {
+pub fn applied(cell: &JobCell, mount: Mount, better: &BetterSetup) -> JobCell {
     let mut cell = cell.clone();
     match mount {
         Mount::PartInHand => {

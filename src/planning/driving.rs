@@ -5,11 +5,11 @@ use super::error::PlanError;
 use super::plan::Plan;
 use super::proof::straight;
 use crate::cell::collision::Collision;
-use crate::cell::motion::{Arm, Refusal, SearchHooks, SearchMemory, choose_again};
+use crate::cell::motion::{Arm, Refusal, SearchHooks, TargetStateCache, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{Drive, DriveMemo, Steps, Timeline};
+use crate::program::{Drive, DriveCache, Steps, Timeline};
 use crate::progress::{Activity, Progress};
 use std::collections::BTreeSet;
 
@@ -47,7 +47,7 @@ pub(super) fn drive(
         straight: straight(part, &grown, setup, job),
         collision: collision.as_ref(),
         go_on: &go_on,
-        known: DriveMemo::default(),
+        cache: DriveCache::default(),
     };
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
@@ -73,7 +73,7 @@ pub(super) fn drive(
 /// What was found out in the rounds before.
 #[derive(Default)]
 struct EarlierRounds {
-    memory: SearchMemory,
+    target_states: TargetStateCache,
     /// What driving refused stays refused, whatever branch is chosen then.
     refused: Vec<Refusal>,
 }
@@ -89,7 +89,7 @@ fn choose_and_drive(
 ) -> Result<Vec<(usize, u8)>, PlanError> {
     (plan.choice, plan.refusals) = (None, Vec::new());
     plan.refuse(&known.refused);
-    let choice = choose_again(arm, &plan.passes, watch, &mut known.memory).ok_or(PlanError::Cancelled)?;
+    let choice = choose_again(arm, &plan.passes, watch, &mut known.target_states).ok_or(PlanError::Cancelled)?;
     plan.refuse(&choice.refusals);
     plan.choice = Some(choice);
     let mut shut = Vec::new();

@@ -3,7 +3,7 @@
 //! A job is taken apart field by field, so that a new one does not compile until it is said here which
 //! stages it makes stale. Names, notes and places of files are in no key; what the files hold is.
 
-use crate::document::model::{PartFile, SurfaceParameters};
+use crate::document::model::{JobPart, SurfaceParameters};
 use crate::document::{Job, Settings};
 use crate::part::{Digest, Hasher, Source};
 use std::path::Path;
@@ -48,10 +48,10 @@ impl Keys {
 }
 
 /// The key of a part.
-pub(super) fn part_key(source: &Source, part: &PartFile) -> Digest {
+pub(super) fn part_key(source: &Source, part: &JobPart) -> Digest {
     // The digest that the job was made for counts only by whether it is the digest of this file.
     let is_other = part.is_of_another_file(&source.sha256);
-    let PartFile { file: _, sha256: _, units, placement, flipped_shells, landmarks: _ } = part;
+    let JobPart { file: _, sha256: _, units, placement, flipped_shells, landmarks: _ } = part;
     Hasher::default().of(&source.sha256).of(&is_other).of(units).of(placement).of(flipped_shells).finish()
 }
 

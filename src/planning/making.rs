@@ -7,7 +7,7 @@ use super::plan::Plan;
 use super::plan::build_up::{LayerInput, grown_parts, layer_count, plan_layer};
 use super::plan::cell_report::CellReport;
 use super::plan::prepared::prepare;
-use super::plan::surface_plan::{Cache, Kept};
+use super::plan::surface_plan::{PlanCache, PlanCacheContents};
 use super::proof::as_written::{Refuted, proven_as_written};
 use super::proof::{prover, straight};
 use crate::cell::Setup;
@@ -34,26 +34,26 @@ pub fn plan(
     surfaces: &Surfaces,
     job: &Job,
     setup: &Setup,
-    cache: &Cache,
+    cache: &PlanCache,
     progress: &Progress,
 ) -> Result<Plan, PlanError> {
     let (list, own) = prepare(part, surfaces, job)?;
     dialects::check(&job.cell.dialect, setup)?;
     let grown = grown_parts(part, surfaces, &own)?;
-    let mut kept = Kept::default();
+    let mut used = PlanCacheContents::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
     for number in 0..layer_count(&own) {
         let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
         let (part, surfaces) = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
         let of = LayerInput { part, surfaces, list: &list, jobs: &own, layer: number };
-        let made = plan_layer(&of, &setup.tool, cache, &mut kept, progress)?;
+        let made = plan_layer(&of, &setup.tool, cache, &mut used, progress)?;
         passes.extend(made.iter().flat_map(|s| {
             let times = own.get(&s.toolpath.surface).map_or(1, |j| j.layers.passes as usize);
             (0..times).flat_map(|_| s.passes.iter().cloned())
         }));
         surface_plans.extend(made);
     }
-    cache.keep(kept);
+    cache.keep(used);
     let cell = setup.robot.is_some().then(|| CellReport::new(setup, &job.cell.robot));
     let mut plan = Plan { surfaces: surface_plans, passes, grown, cell, ..Plan::default() };
     for round in 0.. {

@@ -31,7 +31,7 @@ pub use failure::Failure;
 pub use making::plan;
 pub use pipeline::Pipeline;
 pub use plan::preview::preview;
-pub use plan::surface_plan::Cache;
+pub use plan::surface_plan::PlanCache;
 pub use plan::{Plan, cell_report, remark, surface_plan, toolpath};
 pub use planned::PlannedJob;
 pub use pool::{AtOnce, Pool};

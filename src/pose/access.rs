@@ -3,7 +3,7 @@
 //!
 //! For display only: the search for clearance asks the interference queries directly.
 
-use super::interference::{Beam, Blocker};
+use super::interference::{BeamInterference, Blocker};
 use super::target::{Pass, TargetState};
 use super::tilt::{Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
@@ -34,7 +34,7 @@ pub struct AccessMap {
 impl AccessMap {
     /// The map at one place of a line. `tangent`: the travel direction.
     pub fn at(
-        beam: &Beam<'_>,
+        beam: &BeamInterference<'_>,
         p: &Point3<f64>,
         n: &Vector3<f64>,
         tangent: &Vector3<f64>,
@@ -80,7 +80,7 @@ impl AccessMap {
 }
 
 fn access(
-    beam: &Beam<'_>,
+    beam: &BeamInterference<'_>,
     p: &Point3<f64>,
     n: &Vector3<f64>,
     tangent: &Vector3<f64>,
@@ -160,7 +160,7 @@ impl AccessStrip {
 
     /// The strip of a pass, at no more than `most` of its targets.
     pub fn along(
-        beam: &Beam<'_>,
+        beam: &BeamInterference<'_>,
         pass: &Pass,
         rule: &TiltRule,
         over: TiltPart,

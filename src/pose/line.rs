@@ -4,7 +4,7 @@
 mod planned;
 
 use super::correction::Correction;
-use super::interference::Beam;
+use super::interference::BeamInterference;
 use super::line_rules::LineRules;
 use super::motion;
 use super::target::{Pass, Split};
@@ -142,7 +142,7 @@ fn planned_piece(
     correction: Correction,
     limit_deg: Option<f64>,
 ) -> Pass {
-    let beam = Beam::with(part, configuration.geometry.as_ref());
+    let beam = BeamInterference::with(part, configuration.geometry.as_ref());
     let dense = dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg);
     let dense_points = dense.len();
     let (points, free) = detected(&beam, dense);
@@ -177,7 +177,7 @@ fn planned_piece(
 }
 
 /// Finds which points are free, and adds points where a run of interference begins or ends.
-fn detected(beam: &Beam<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<bool>) {
+fn detected(beam: &BeamInterference<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<bool>) {
     let is_free = |q: &DensePoint| beam.is_free(&q.p, &q.n);
     let (mut out, mut free): (Vec<DensePoint>, Vec<bool>) = (Vec::with_capacity(points.len()), Vec::new());
     for q in points {

@@ -18,7 +18,7 @@ pub mod tilt;
 
 pub use beam_pose::Pose;
 pub use correction::Correction;
-pub use interference::{Beam, Blocker, Obstruction, ToolBody};
+pub use interference::{BeamInterference, Blocker, Obstruction, ToolBody};
 pub use line::{LineOnSurface, plan_line, plan_line_by_section_plane};
 pub use line_rules::LineRules;
 pub use target::{Pass, Split, Target, TargetState};

@@ -6,7 +6,7 @@
 //! beam or only the head hits it.
 
 use super::Pose;
-use super::interference::{Beam, Blocker, Conflict};
+use super::interference::{BeamInterference, Blocker, Conflict};
 use crate::part::angle;
 
 /// Length of a piece, mm, from which on its middle decides: no point of the beam moves further on it, so the
@@ -26,7 +26,7 @@ pub trait Motion {
     fn stray_mm(&self, share: f64, reach_mm: f64) -> f64;
 
     /// What is in the way in the middle of a short piece.
-    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker>;
+    fn blocker(&self, beam: &BeamInterference<'_>, middle: &Pose) -> Option<Blocker>;
 }
 
 /// The spot goes straight, and the axis turns at constant rate.
@@ -47,7 +47,7 @@ impl Motion for Straight {
         0.0
     }
 
-    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
+    fn blocker(&self, beam: &BeamInterference<'_>, middle: &Pose) -> Option<Blocker> {
         let sag_mm = self.sag_mm;
         let spot = if sag_mm > 1e-9 { beam.spot(&middle.p, &middle.a, 2.0 * sag_mm + 1e-3) } else { middle.p };
         if beam.is_free(&spot, &middle.a) { None } else { beam.blocker(&spot, &middle.a) }
@@ -56,12 +56,12 @@ impl Motion for Straight {
 
 /// Whether the beam meets nothing between two targets. `sag_mm`: how far the part may lie from the
 /// chord between them.
-pub fn is_free(beam: &Beam<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> bool {
+pub fn is_free(beam: &BeamInterference<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> bool {
     hit(beam, from, to, sag_mm).is_none()
 }
 
 /// A share of the way at which the beam hits something, if it does.
-pub fn hit(beam: &Beam<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> Option<f64> {
+pub fn hit(beam: &BeamInterference<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> Option<f64> {
     swept(beam, &Straight { sag_mm }, (from, 0.0), (to, 1.0)).map(|h| h.t)
 }
 
@@ -78,7 +78,7 @@ pub struct Swept {
 
 /// Sweeps a motion between two poses at their shares of the way: `None` is a proof that beam and head
 /// keep clear of everything, but for what `ToolGeometry::short_mm` allows of the margin.
-pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Swept> {
+pub fn swept(beam: &BeamInterference<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Swept> {
     let middle = motion.between(from, to);
     let share = to.1 - from.1;
     let stray = |reach_mm: f64| motion.stray_mm(share, reach_mm);
@@ -100,7 +100,12 @@ pub fn swept(beam: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Po
 
 /// What the head hits on a motion of the focus. `head` has a geometry without a beam (`ToolGeometry::head_alone`);
 /// `None` is a proof that it keeps its margin.
-pub fn head_hit(head: &Beam<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Blocker> {
+pub fn head_hit(
+    head: &BeamInterference<'_>,
+    motion: &impl Motion,
+    from: (&Pose, f64),
+    to: (&Pose, f64),
+) -> Option<Blocker> {
     let (middle, share) = (motion.between(from, to), to.1 - from.1);
     match head.body_conflict([from.0, &middle, to.0], 0.0, |reach_mm| motion.stray_mm(share, reach_mm)) {
         Conflict::None => None,

@@ -1,7 +1,7 @@
 //! P1's correction in the section plane (3.2, Algorithm 3), with the cases that the paper leaves
 //! open decided: no common point O, runs at a line's end, closed lines, and the test of the result.
 
-use super::interference::{Beam, Obstruction};
+use super::interference::{BeamInterference, Obstruction};
 use super::{Pose, motion};
 use crate::part::{Part, angle};
 use crate::path::DensePoint;
@@ -29,7 +29,7 @@ const MAX_GROWTH: usize = 24;
 /// tilt of all, in place of this method's own two.
 pub fn correct(
     part: &Part,
-    beam: &Beam<'_>,
+    beam: &BeamInterference<'_>,
     points: &[DensePoint],
     free: &[bool],
     closed: bool,
@@ -86,7 +86,7 @@ fn in_plane(v: &Vector3<f64>, m: &Vector3<f64>) -> Vector3<f64> {
 #[derive(Clone, Copy)]
 struct LineCorrection<'a> {
     part: &'a Part,
-    beam: &'a Beam<'a>,
+    beam: &'a BeamInterference<'a>,
     points: &'a [DensePoint],
     free: &'a [bool],
     /// Normal of the plane of the run that is worked on.

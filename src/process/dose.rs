@@ -7,9 +7,9 @@
 use super::dose_map::DoseMap;
 use super::landed::{DoseSum, J_CM2, landed};
 use super::light::Light;
+use super::lit_facets::{NearPiece, lit_facets};
 use super::parameters::Thresholds;
-use super::reach::{NearPiece, lit_facets};
-use super::samples::{DoseSample, MOST_SAMPLES, Plot, cut_plot, split_plot};
+use super::samples::{DoseSample, FacetPiece, MOST_SAMPLES, cut_facet_piece, split_facet_piece};
 use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::FacetDefect};
@@ -21,8 +21,8 @@ use std::collections::BTreeMap;
 const SAMPLE_SPOTS: f64 = 0.25;
 /// Greatest width of a sample on chosen surfaces where no light comes, in spots.
 const DARK_SPOTS: f64 = 1.0;
-/// Width of the plots that large facets are divided into, in samples.
-const PLOT_SIDES: f64 = 32.0;
+/// Width of the pieces that large facets are divided into, in samples.
+const FACET_PIECE_SIDES: f64 = 32.0;
 /// Plots per parallel job.
 const CHUNK: usize = 64;
 
@@ -48,10 +48,10 @@ pub struct DoseInput<'a> {
 pub fn dose(input: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
     let shade = Shade::new(input.part, input.clamps);
     let near = near_facets(input, &light, &shade, step)?;
-    let (pitch_mm, coarsened, plots) = plots(input, &light, near, step)?;
-    let chunks: Vec<(Vec<DoseSample>, Vec<[f32; 3]>)> = plots
+    let (pitch_mm, coarsened, facet_pieces) = facet_pieces(input, &light, near, step)?;
+    let chunks: Vec<(Vec<DoseSample>, Vec<[f32; 3]>)> = facet_pieces
         .par_chunks(CHUNK)
-        .map(|plots| step().then(|| samples_of(input, &light, &shade, pitch_mm, plots)))
+        .map(|facet_pieces| step().then(|| samples_of(input, &light, &shade, pitch_mm, facet_pieces)))
         .collect::<Option<_>>()?;
     let mut samples: Vec<DoseSample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
     let mut corners: Vec<[f32; 3]> = Vec::with_capacity(chunks.iter().map(|c| c.1.len()).sum());
@@ -116,84 +116,88 @@ fn lit_of_run(input: &DoseInput<'_>, light: &Light, shade: &Shade<'_>, index: us
     lit_facets(input.part, input.surfaces, shade, light.spot(piece), run)
 }
 
-/// The pitch at which the facets can be sampled, whether it is coarser than wanted, and all live facets as plots,
+/// The pitch at which the facets can be sampled, whether it is coarser than wanted, and all live facets as pieces,
 /// large ones divided.
-fn plots(
+fn facet_pieces(
     input: &DoseInput<'_>,
     light: &Light,
     near: Vec<Vec<NearPiece>>,
     step: &(dyn Fn() -> bool + Sync),
-) -> Option<(f64, bool, Vec<Plot>)> {
+) -> Option<(f64, bool, Vec<FacetPiece>)> {
     let spot_mm = light.least_spot_mm();
     let mut pitch_mm = SAMPLE_SPOTS * spot_mm / 2f64.sqrt();
     let mesh = &input.part.mesh;
     let size_mm = input.part.bvh.diagonal_mm();
     // Not below this share of the part, however small the spot, so that there are not too many.
     let dark_mm = (DARK_SPOTS * spot_mm).max(size_mm / 500.0);
-    let plot_mm = (PLOT_SIDES * pitch_mm).max(size_mm / 500.0);
-    let whole: Vec<Plot> = near
+    let facet_piece_mm = (FACET_PIECE_SIDES * pitch_mm).max(size_mm / 500.0);
+    let whole: Vec<FacetPiece> = near
         .into_iter()
         .enumerate()
         .filter(|(f, _)| mesh.defects[*f] == FacetDefect::None)
         .map(|(f, near)| {
             let is_chosen = input.surfaces.of_facet.get(f).is_some_and(|n| input.chosen.contains(n));
-            Plot::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
+            FacetPiece::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
         })
         .collect();
-    let plots: Vec<Plot> = whole.into_par_iter().flat_map_iter(|plot| split_plot(light, plot_mm, plot)).collect();
+    let facet_pieces: Vec<FacetPiece> = whole
+        .into_par_iter()
+        .flat_map_iter(|facet_piece| split_facet_piece(light, facet_piece_mm, facet_piece))
+        .collect();
     let mut coarsened = false;
     loop {
-        let count: Option<usize> = plots
+        let count: Option<usize> = facet_pieces
             .par_chunks(CHUNK)
-            .map(|plots| step().then(|| plots.iter().map(|p| count(light, pitch_mm, p)).sum::<usize>()))
+            .map(|facet_pieces| step().then(|| facet_pieces.iter().map(|p| count(light, pitch_mm, p)).sum::<usize>()))
             .sum();
         let count = count?;
         // The facets alone may be more: then each is one sample.
         if count <= MOST_SAMPLES || pitch_mm > size_mm {
-            return Some((pitch_mm, coarsened, plots));
+            return Some((pitch_mm, coarsened, facet_pieces));
         }
         coarsened = true;
         pitch_mm *= (1.02 * (count as f64 / MOST_SAMPLES as f64).sqrt()).max(1.1);
     }
 }
 
-/// How many samples a plot gives.
-fn count(light: &Light, pitch_mm: f64, plot: &Plot) -> usize {
+/// How many samples a piece of a facet gives.
+fn count(light: &Light, pitch_mm: f64, facet_piece: &FacetPiece) -> usize {
     let mut n = 0;
-    cut_plot(light, pitch_mm, plot, |_, _| n += 1);
+    cut_facet_piece(light, pitch_mm, facet_piece, |_, _| n += 1);
     n
 }
 
-/// The samples of some plots, and their corners.
+/// The samples of some pieces, and their corners.
 fn samples_of(
     input: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
     pitch_mm: f64,
-    plots: &[Plot],
+    facet_pieces: &[FacetPiece],
 ) -> (Vec<DoseSample>, Vec<[f32; 3]>) {
     let (mut out, mut all_corners) = (Vec::new(), Vec::new());
     let mut last = LastShade::default();
     let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
-    for plot in plots {
-        let normal = input.surfaces.normals[plot.facet as usize];
-        let flips = input.part.mesh.normals[plot.facet as usize].dot(&normal) < 0.0;
-        cut_plot(light, pitch_mm, plot, |cell, near| {
+    for facet_piece in facet_pieces {
+        let normal = input.surfaces.normals[facet_piece.facet as usize];
+        let flips = input.part.mesh.normals[facet_piece.facet as usize].dot(&normal) < 0.0;
+        cut_facet_piece(light, pitch_mm, facet_piece, |cell, near| {
             let (area_mm2, middle) = cell.area();
             if area_mm2 <= 1e-9 * pitch_mm * pitch_mm {
                 return; // a corner that a line of the grid has just touched
             }
-            let q = plot.plane.place(middle);
+            let q = facet_piece.plane.place(middle);
             let mut sum = DoseSum::default();
             last.next_point();
             for n in near {
-                if let Some(l) = landed(light, shade, n, &SurfacePoint { p: q, facet: plot.facet }, &normal, &mut last)
+                if let Some(l) =
+                    landed(light, shade, n, &SurfacePoint { p: q, facet: facet_piece.facet }, &normal, &mut last)
                 {
                     sum.add(&l);
                 }
             }
             let first_corner = all_corners.len() as u32;
-            let corners = cell.corners().iter().map(|c| stored(plot.plane.place(*c)));
+            let corners = cell.corners().iter().map(|c| stored(facet_piece.plane.place(*c)));
             if flips {
                 all_corners.extend(corners.rev())
             } else {
@@ -202,7 +206,7 @@ fn samples_of(
             out.push(DoseSample {
                 centre: stored(q),
                 area_mm2: area_mm2 as f32,
-                facet: plot.facet,
+                facet: facet_piece.facet,
                 first_corner,
                 corner_count: cell.corners().len() as u8,
                 passes: sum.passes,

@@ -2,8 +2,8 @@
 
 use super::landed::{J_CM2, landed};
 use super::light::Light;
+use super::lit_facets::NearPiece;
 use super::parameters::Thresholds;
-use super::reach::NearPiece;
 use super::samples::DoseSample;
 use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::beam::Obstacle;

@@ -1,7 +1,7 @@
 //! The energy that lands at a point: of one piece of the light, and summed over pieces.
 
 use super::light::Light;
-use super::reach::NearPiece;
+use super::lit_facets::NearPiece;
 use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::pose::Obstruction;
 use nalgebra::Vector3;

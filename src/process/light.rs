@@ -47,12 +47,12 @@ pub struct Light {
     /// Pieces that follow one another and lie near together: where each such run ends in `pieces`.
     pub runs: Vec<u32>,
     /// Spots and powers of the passes.
-    pub lamps: Vec<Lamp>,
+    pub spots: Vec<SpotAndPower>,
 }
 
 /// A spot and its power.
 #[derive(Clone, Debug)]
-pub struct Lamp {
+pub struct SpotAndPower {
     settings: ProcessSettings,
     /// The spot.
     pub spot: Spot,
@@ -60,10 +60,10 @@ pub struct Lamp {
     negligible_j_mm2: f64,
 }
 
-impl Lamp {
-    fn new(settings: ProcessSettings, spot: &Spot) -> Lamp {
+impl SpotAndPower {
+    fn new(settings: ProcessSettings, spot: &Spot) -> SpotAndPower {
         let spot = Spot { spot_mm: settings.spot_mm, defocus_mm: settings.defocus_mm, ..*spot };
-        Lamp {
+        SpotAndPower {
             settings,
             negligible_j_mm2: NEGLIGIBLE * settings.power_w / (settings.speed_mm_s * settings.spot_mm),
             spot,
@@ -76,14 +76,14 @@ impl Light {
     /// `ends_s` when the move to a target (pass, point) ends.
     pub fn new(passes: &[Pass], spot: &Spot, ends_s: impl Fn(usize, usize) -> f64) -> Light {
         let mut pieces = Vec::new();
-        let mut lamps: Vec<Lamp> = Vec::new();
+        let mut spots: Vec<SpotAndPower> = Vec::new();
         let longest = |spot: &Spot| (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
         for (number, pass) in passes.iter().enumerate() {
-            let lamp = lamps.iter().position(|l| l.settings == pass.settings).unwrap_or_else(|| {
-                lamps.push(Lamp::new(pass.settings, spot));
-                lamps.len() - 1
+            let spot_and_power = spots.iter().position(|l| l.settings == pass.settings).unwrap_or_else(|| {
+                spots.push(SpotAndPower::new(pass.settings, spot));
+                spots.len() - 1
             });
-            let (spot, speed_mm_s) = (&lamps[lamp].spot, pass.settings.speed_mm_s);
+            let (spot, speed_mm_s) = (&spots[spot_and_power].spot, pass.settings.speed_mm_s);
             let longest_mm = longest(spot);
             for (start, end) in pass.lit_pieces() {
                 let Some(lit) = pass.targets.get(start..=end) else { continue };
@@ -105,7 +105,7 @@ impl Light {
                         };
                         pieces.push(LightPiece {
                             pass: number as u32,
-                            lamp: lamp as u32,
+                            spot_and_power: spot_and_power as u32,
                             from,
                             to,
                             seconds: whole_s / f64::from(count),
@@ -117,31 +117,32 @@ impl Light {
                 }
             }
         }
-        let runs =
-            ends_of_runs(&pieces, |piece| lamps.get(piece.lamp as usize).map_or(LENGTH_MM, |l| longest(&l.spot)));
-        Light { pieces, runs, lamps }
+        let runs = ends_of_runs(&pieces, |piece| {
+            spots.get(piece.spot_and_power as usize).map_or(LENGTH_MM, |l| longest(&l.spot))
+        });
+        Light { pieces, runs, spots }
     }
 
-    /// The lamp of a piece.
+    /// Spot and power of a piece.
     #[inline]
-    pub fn lamp(&self, piece: &LightPiece) -> &Lamp {
-        &self.lamps[piece.lamp as usize]
+    pub fn spot_and_power(&self, piece: &LightPiece) -> &SpotAndPower {
+        &self.spots[piece.spot_and_power as usize]
     }
 
     /// Its spot.
     #[inline]
     pub fn spot(&self, piece: &LightPiece) -> &Spot {
-        &self.lamp(piece).spot
+        &self.spot_and_power(piece).spot
     }
 
     /// The least spot of all passes, mm; 1 where there are none.
     pub fn least_spot_mm(&self) -> f64 {
-        self.lamps.iter().map(|l| l.spot.spot_mm).reduce(f64::min).unwrap_or(1.0)
+        self.spots.iter().map(|l| l.spot.spot_mm).reduce(f64::min).unwrap_or(1.0)
     }
 
     /// About what the middle of a line gets, J/mm².
     pub fn line_j_mm2(&self, piece: &LightPiece) -> f64 {
-        self.lamp(piece).negligible_j_mm2 / NEGLIGIBLE
+        self.spot_and_power(piece).negligible_j_mm2 / NEGLIGIBLE
     }
 
     /// The pieces of a run: number of the first, and all of them.
@@ -166,20 +167,22 @@ impl Light {
     /// The energy that a piece brings to a point; `None` where it is negligible.
     #[inline]
     pub fn passing(&self, piece: &LightPiece, q: &Point3<f64>) -> Option<Passing> {
-        let lamp = self.lamp(piece);
-        let seen = piece.sees(q, lamp.spot.defocus_mm);
-        if seen.z_mm + lamp.spot.optics.lens_to_focus_mm <= 0.0 {
+        let spot_and_power = self.spot_and_power(piece);
+        let seen = piece.sees(q, spot_and_power.spot.defocus_mm);
+        if seen.z_mm + spot_and_power.spot.optics.lens_to_focus_mm <= 0.0 {
             return None; // behind the lens
         }
-        let window = lamp.spot.window(seen.from, seen.to, seen.z_mm)?;
+        let window = spot_and_power.spot.window(seen.from, seen.to, seen.z_mm)?;
         let j_mm2 = self.energy(piece, &seen, window);
-        (j_mm2 > lamp.negligible_j_mm2).then_some(Passing { seen, window, j_mm2 })
+        (j_mm2 > spot_and_power.negligible_j_mm2).then_some(Passing { seen, window, j_mm2 })
     }
 
     /// Energy per area square to the beam within a window, J/mm².
     pub fn energy(&self, piece: &LightPiece, seen: &SeenPoint, window: [f64; 2]) -> f64 {
-        let lamp = self.lamp(piece);
-        lamp.settings.power_w * piece.seconds * lamp.spot.density_integral(seen.from, seen.to, seen.z_mm, window)
+        let spot_and_power = self.spot_and_power(piece);
+        spot_and_power.settings.power_w
+            * piece.seconds
+            * spot_and_power.spot.density_integral(seen.from, seen.to, seen.z_mm, window)
     }
 }
 

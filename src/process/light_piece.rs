@@ -36,8 +36,8 @@ impl BeamFrame {
 pub struct LightPiece {
     /// Number of its pass.
     pub pass: u32,
-    /// Its lamp, an index into [`Light::lamps`](super::light::Light::lamps).
-    pub lamp: u32,
+    /// Its spot and power, an index into [`Light::spots`](super::light::Light::spots).
+    pub spot_and_power: u32,
     /// Where it begins.
     pub from: BeamFrame,
     /// Where it ends.

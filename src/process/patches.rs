@@ -2,7 +2,7 @@
 
 use super::dose_map::DoseMap;
 use super::statistics::DoseVerdict;
-use crate::part::{Mesh, Surfaces, merge_tree::Sets};
+use crate::part::{Mesh, Surfaces, merge_tree::UnionFind};
 use crate::pose::{Blocker, Obstruction, Pass, TargetState};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
@@ -112,7 +112,7 @@ impl DoseMap {
         for (k, (i, surface)) in low.iter().enumerate() {
             grid.entry((*surface, place(*i))).or_default().push(k as u32);
         }
-        let mut sets = Sets::new(low.len());
+        let mut sets = UnionFind::new(low.len());
         for ((surface, [x, y, z]), members) in &grid {
             for step in 0..27 {
                 let next = [x + step % 3 - 1, y + step / 3 % 3 - 1, z + step / 9 - 1];

@@ -3,7 +3,7 @@
 
 use super::facet_polygon::{FacetPolygon, Plane};
 use super::light::Light;
-use super::reach::NearPiece;
+use super::lit_facets::NearPiece;
 use crate::pose::Obstruction;
 use nalgebra::Point3;
 use std::ops::Range;
@@ -37,7 +37,7 @@ pub struct DoseSample {
 }
 
 /// A piece of a facet that is to be cut, and the light that comes near it.
-pub struct Plot {
+pub struct FacetPiece {
     /// Its facet.
     pub facet: u32,
     /// The facet's plane.
@@ -50,27 +50,32 @@ pub struct Plot {
     pub dark_mm: f64,
 }
 
-impl Plot {
+impl FacetPiece {
     /// A whole facet.
-    pub fn of(facet: u32, corners: &[Point3<f64>; 3], near: Vec<NearPiece>, dark_mm: f64) -> Plot {
+    pub fn of(facet: u32, corners: &[Point3<f64>; 3], near: Vec<NearPiece>, dark_mm: f64) -> FacetPiece {
         let (plane, cell) = Plane::of(corners);
-        Plot { facet, plane, cell, near, dark_mm }
+        FacetPiece { facet, plane, cell, near, dark_mm }
     }
 }
 
-/// Cuts a plot until its pieces are no wider than a square of `pitch_mm`, or no light comes near, and
+/// Cuts a piece of a facet until what it falls into is no wider than a square of `pitch_mm`, or no light comes near, and
 /// hands every piece on with the light that does.
-pub fn cut_plot(light: &Light, pitch_mm: f64, plot: &Plot, mut leaf: impl FnMut(&FacetPolygon, &[NearPiece])) {
-    let mut lists = plot.near.clone();
+pub fn cut_facet_piece(
+    light: &Light,
+    pitch_mm: f64,
+    facet_piece: &FacetPiece,
+    mut leaf: impl FnMut(&FacetPolygon, &[NearPiece]),
+) {
+    let mut lists = facet_piece.near.clone();
     let whole = lists.len();
-    Cutter { light, pitch_mm, plot }.halve(&plot.cell, &mut lists, 0..whole, &mut leaf);
+    Cutter { light, pitch_mm, facet_piece }.halve(&facet_piece.cell, &mut lists, 0..whole, &mut leaf);
 }
 
-/// A plot that is being cut.
+/// A piece of a facet that is being cut.
 struct Cutter<'a> {
     light: &'a Light,
     pitch_mm: f64,
-    plot: &'a Plot,
+    facet_piece: &'a FacetPiece,
 }
 
 impl Cutter<'_> {
@@ -84,7 +89,7 @@ impl Cutter<'_> {
         leaf: &mut impl FnMut(&FacetPolygon, &[NearPiece]),
     ) {
         let (middle, radius) = cell.disc();
-        let centre = self.plot.plane.place(middle);
+        let centre = self.facet_piece.plane.place(middle);
         let end = of.end;
         for i in of {
             let near = lists[i];
@@ -93,7 +98,7 @@ impl Cutter<'_> {
             }
         }
         let all = lists.len();
-        let is_dark = all == end && cell.size_mm() <= self.plot.dark_mm;
+        let is_dark = all == end && cell.size_mm() <= self.facet_piece.dark_mm;
         match cell.halves(self.pitch_mm).filter(|_| !is_dark) {
             None => leaf(cell, &lists[end..]),
             Some(halves) => {
@@ -106,14 +111,14 @@ impl Cutter<'_> {
     }
 }
 
-/// Divides a plot into smaller ones for parallel work.
-pub fn split_plot(light: &Light, pitch_mm: f64, plot: Plot) -> Vec<Plot> {
-    if plot.cell.size_mm() <= pitch_mm {
-        return vec![plot];
+/// Divides a piece of a facet into smaller ones for parallel work.
+pub fn split_facet_piece(light: &Light, pitch_mm: f64, facet_piece: FacetPiece) -> Vec<FacetPiece> {
+    if facet_piece.cell.size_mm() <= pitch_mm {
+        return vec![facet_piece];
     }
     let mut out = Vec::new();
-    cut_plot(light, pitch_mm, &plot, |cell, near| {
-        out.push(Plot { cell: *cell, near: near.to_vec(), ..plot });
+    cut_facet_piece(light, pitch_mm, &facet_piece, |cell, near| {
+        out.push(FacetPiece { cell: *cell, near: near.to_vec(), ..facet_piece });
     });
     out
 }

@@ -70,7 +70,7 @@ pub enum Statement {
         on: bool,
     },
     /// An analogue output, or a group of digital ones, is set.
-    Level {
+    OutputValue {
         /// Its number.
         number: u32,
         /// In its own units.
@@ -81,7 +81,7 @@ pub enum Statement {
     /// A dwell, s.
     Wait(f64),
     /// A comment.
-    Say(String),
+    Comment(String),
     /// A setting, declaration or any other statement that acts: it has to be as it was written.
     Other(String),
 }
@@ -119,7 +119,7 @@ pub trait Dialect: Sync {
     /// Whether a text is of this dialect.
     fn claims(&self, text: &str) -> bool;
 
-    /// Reads a program from its first file; sub-programs stand where they are called.
+    /// Reads a program from its first file; subprograms stand where they are called.
     ///
     /// # Errors
     /// The first line that cannot be understood: what a reader guesses is no check.

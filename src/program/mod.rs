@@ -18,7 +18,7 @@ mod write_error;
 
 pub use connecting::without_robot::steps;
 pub use dialect::{Dialect, Program, ProgramFile};
-pub use driving::{Drive, DriveMemo, Undriven};
+pub use driving::{Drive, DriveCache, Undriven};
 pub use motion::series::{Clearance, CurveSample, clearances, series};
 pub use motion::timeline::{Breakdown, Moment, Timeline, TimelineStop};
 pub use motion::{lit, spot, sweep};

@@ -17,7 +17,7 @@ pub enum ReadError {
         /// What is wrong with it.
         fault: LineFault,
     },
-    /// A sub-program that is not there.
+    /// A subprogram that is not there.
     #[error("{file}:{line}: {called} is not there")]
     Gone {
         /// The calling file.
@@ -99,7 +99,7 @@ pub enum LineFault {
         /// The one that is called.
         called: String,
     },
-    /// A sub-program that calls another, which none that was written does.
+    /// A subprogram that calls another, which none that was written does.
     NestedCall,
     /// A call of something that is no number of a program.
     BadCall {

@@ -60,12 +60,12 @@ pub enum WriteError {
         most: usize,
     },
     /// Sub-programs would be numbered beyond 999.
-    #[error("nachi: {pages} sub-programs from {number} on, up to {last}")]
+    #[error("nachi: {subprograms} sub-programs from {number} on, up to {last}")]
     ProgramNumbers {
         /// `nachi.number`.
         number: u32,
         /// How many there would be.
-        pages: usize,
+        subprograms: usize,
         /// Number of the last.
         last: u32,
     },

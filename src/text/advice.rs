@@ -2,22 +2,22 @@
 
 use super::{Sentence, fixed, say};
 use crate::cell::Mount;
-use crate::cell::motion::advice::{Advice, FrameAxis, SetupChange};
-use crate::planning::advice::Help;
+use crate::cell::motion::advice::{FrameAxis, SetupChange, SuggestedChange};
+use crate::planning::advice::Suggestion;
 
-impl Sentence for Help {
+impl Sentence for Suggestion {
     fn sentence(&self) -> String {
         match self {
-            Help::SetupChange(advice) => advice.sentence(),
-            Help::Slower { speed_mm_s } => say!(advice_slower, speed = fixed(*speed_mm_s, 2)),
-            Help::Sampled { tried, of } => say!(advice_sampled, tried = *tried, of = *of),
+            Suggestion::SetupChange(suggested) => suggested.sentence(),
+            Suggestion::Slower { speed_mm_s } => say!(advice_slower, speed = fixed(*speed_mm_s, 2)),
+            Suggestion::Sampled { tried, of } => say!(advice_sampled, tried = *tried, of = *of),
         }
     }
 }
 
-impl Sentence for Advice {
+impl Sentence for SuggestedChange {
     fn sentence(&self) -> String {
-        let Advice { change, gained, of, lost } = self;
+        let SuggestedChange { change, gained, of, lost } = self;
         let (change, gained, of, lost) = (change.sentence(), *gained, *of, *lost);
         match lost {
             0 => say!(advice_gains, change, gained, of),
@@ -71,12 +71,12 @@ mod tests {
     #[test]
     fn a_change_is_told_with_what_it_brings() {
         let change = SetupChange::Move { mount: Mount::PartInHand, axis: FrameAxis::Z, mm: -150.0 };
-        let advice = Advice { change, gained: 40, of: 60, lost: 0 };
-        assert_eq!(advice.sentence(), "put the laser 150 mm lower: 40 of 60 refused targets become possible");
+        let suggested = SuggestedChange { change, gained: 40, of: 60, lost: 0 };
+        assert_eq!(suggested.sentence(), "put the laser 150 mm lower: 40 of 60 refused targets become possible");
         let change = SetupChange::TurnPart { mount: Mount::ToolInHand, axis: FrameAxis::X, deg: -10.0 };
-        let advice = Advice { change, gained: 2, of: 9, lost: 1 };
+        let suggested = SuggestedChange { change, gained: 2, of: 9, lost: 1 };
         let told = "turn the part on the table about its x by -10°: 2 of 9 refused targets become possible, \
                     1 other is lost";
-        assert_eq!(advice.sentence(), told);
+        assert_eq!(suggested.sentence(), told);
     }
 }

@@ -6,8 +6,8 @@ use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::document::{Chosen, Job, segmented};
 use crate::part::{Part, PartFinding, Placement, SurfaceId, Units};
 use crate::planning::remark::{Remark, ToolpathRemark};
-use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, first_things_first};
-use crate::planning::{Cache, plan};
+use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, notices_worst_first};
+use crate::planning::{PlanCache, plan};
 use crate::pose::{Correction, ToolBody};
 use crate::progress::Progress;
 use crate::sample::{solids, stl_bytes};
@@ -22,7 +22,7 @@ fn cube() -> (Report, Job) {
     job.path.correction = Correction::SectionPlane;
     job.settings.change(SurfaceId(3), |s| s.name = "Rim".into());
     let (surfaces, setup) = (segmented(&part, &job), Setup::shipped().expect("shipped"));
-    let plan = plan(&part, &surfaces, &job, &setup, &Cache::default(), &Progress::default()).expect("a plan");
+    let plan = plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()).expect("a plan");
     (Report::new(&plan, &surfaces), job)
 }
 
@@ -45,7 +45,7 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
         blocked(1, RefusalCause::Beam, Some(5)),
         blocked(2, RefusalCause::Reach, None),
     ]);
-    let notices = first_things_first(&report, &job, &[PartFinding::OpenEdges { count: 7 }]);
+    let notices = notices_worst_first(&report, &job, &[PartFinding::OpenEdges { count: 7 }]);
     assert!(notices.is_sorted_by_key(Notice::severity));
     let naming = Naming::of(&job);
     let lines: Vec<String> = notices.iter().map(|n| notice_line(n, &naming)).collect();

@@ -30,8 +30,8 @@ impl Sentence for WriteError {
             WriteError::FromUnknownPose(dialect) => say!(write_from_unknown_pose, dialect = *dialect),
             WriteError::HomeNeedsPulses => say!(write_home_needs_pulses),
             WriteError::PieceTooLong { lines, most } => say!(write_piece_too_long, lines = *lines, most = id(most)),
-            WriteError::ProgramNumbers { number, pages, last } => {
-                say!(write_program_numbers, number = id(number), pages = *pages, last = id(last))
+            WriteError::ProgramNumbers { number, subprograms, last } => {
+                say!(write_program_numbers, number = id(number), pages = *subprograms, last = id(last))
             }
             WriteError::TooManyPositions => say!(write_too_many_positions),
         }

@@ -19,7 +19,7 @@ impl Sentence for Activity {
             Activity::WritingProgram => say!(activity_writing_program),
             Activity::WritingFiles => say!(activity_writing_files),
             Activity::SummingDose => say!(activity_summing_dose),
-            Activity::LookingForHelp => say!(activity_looking_for_help),
+            Activity::LookingForSuggestions => say!(activity_looking_for_help),
             Activity::TryingSpeeds => say!(activity_trying_speeds),
             Activity::TryingChanges => say!(activity_trying_changes),
             Activity::LookingForSetup => say!(activity_looking_for_setup),

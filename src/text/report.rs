@@ -5,14 +5,14 @@ use super::notice::notice_line;
 use super::{Naming, Sentence, clock, fixed, say};
 use crate::document::Job;
 use crate::part::SurfaceId;
-use crate::planning::report::{Report, first_things_first};
+use crate::planning::report::{Report, notices_worst_first};
 
 /// The state of a plan, its findings with what helps, then figures; without what was found in the part's file. `job`:
 /// what was planned. Every line ends with a line break.
 pub fn report_lines(report: &Report, job: &Job) -> String {
     let naming = Naming::of(job);
     let mut lines: Vec<String> = report.standing().iter().map(Sentence::sentence).collect();
-    lines.extend(first_things_first(report, job, &[]).iter().map(|notice| notice_line(notice, &naming)));
+    lines.extend(notices_worst_first(report, job, &[]).iter().map(|notice| notice_line(notice, &naming)));
     lines.extend(figures(report));
     if let Some(dose) = &report.dose {
         lines.extend(dose_lines(dose, &naming));

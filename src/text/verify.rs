@@ -95,14 +95,14 @@ fn line(what: &Statement) -> String {
         Statement::Move(m) => say!(line_move, way = way(m.interpolation), goal = goal(&m.goal)),
         Statement::Output { number, on: true } => say!(line_output_on, number = id(number)),
         Statement::Output { number, on: false } => say!(line_output_off, number = id(number)),
-        Statement::Level { number, value, group: true } => {
+        Statement::OutputValue { number, value, group: true } => {
             say!(line_group, number = id(number), value = value.to_string())
         }
-        Statement::Level { number, value, group: false } => {
+        Statement::OutputValue { number, value, group: false } => {
             say!(line_analogue, number = id(number), value = value.to_string())
         }
         Statement::Wait(s) => say!(line_wait, seconds = s.to_string()),
-        Statement::Say(text) | Statement::Other(text) => text.clone(),
+        Statement::Comment(text) | Statement::Other(text) => text.clone(),
     }
 }
 

@@ -10,7 +10,7 @@ use nalgebra::{Isometry3, Rotation3, Translation3, UnitQuaternion, Vector3};
 /// A line of the program that does something.
 #[derive(Clone, Debug)]
 pub enum Line {
-    Say(String),
+    Comment(String),
     Laser(bool),
     Home,
     /// Pose of the flange in the base, and `T=` (none: `R=`, per cent).
@@ -54,7 +54,7 @@ pub fn read(text: &str) -> Vec<Line> {
             } else if line == "END" {
                 return Line::End;
             } else if let Some(said) = line.strip_prefix("REM ") {
-                return Line::Say(said.trim_matches('"').into());
+                return Line::Comment(said.trim_matches('"').into());
             }
             let rest = line.strip_prefix("MOVEX A=1,AC=0,SM=0,").unwrap_or_else(|| panic!("not a line: {line}"));
             let (head, rest) = rest.split_once(",(").expect("a bracket");

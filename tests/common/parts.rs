@@ -11,7 +11,7 @@ use clearbeam::path::section::sections;
 use clearbeam::path::{SurfacePlanes, TransversalLine, planes};
 use clearbeam::planning::export::{self, ExportInput, ExportOf, OutputFile};
 use clearbeam::planning::report::Report;
-use clearbeam::planning::{self, Cache, Plan};
+use clearbeam::planning::{self, Plan, PlanCache};
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::{Pass, Target};
 use clearbeam::progress::Progress;
@@ -65,7 +65,8 @@ pub fn planned(part: Part, job: Job) -> Planned {
 /// Plans a job in a cell.
 pub fn planned_in(part: Part, job: Job, setup: &Setup) -> Planned {
     let surfaces = segmented(&part, &job);
-    let plan = planning::plan(&part, &surfaces, &job, setup, &Cache::default(), &Progress::default()).expect("a plan");
+    let plan =
+        planning::plan(&part, &surfaces, &job, setup, &PlanCache::default(), &Progress::default()).expect("a plan");
     Planned { part, surfaces, job, plan }
 }
 

@@ -23,9 +23,9 @@ pub fn setup(robot: Option<&str>) -> Setup {
 /// What a line is made of, before a robot makes poses of it.
 #[derive(Clone, Debug)]
 pub enum Seed {
-    Say(String),
+    Comment(String),
     Output(u32, bool),
-    Level(u32, f64, bool),
+    OutputValue(u32, f64, bool),
     Wait(f64),
     Move { joints: [f64; 6], linear: bool, timing: MoveTiming, home: bool },
 }
@@ -38,9 +38,9 @@ fn seed() -> impl Strategy<Value = Seed> {
         (1..100u32).prop_map(|p| MoveTiming::Percent(p.into()))
     ];
     prop_oneof![
-        1 => "[ -!#-:<-~é]{0,50}".prop_map(Seed::Say),
+        1 => "[ -!#-:<-~é]{0,50}".prop_map(Seed::Comment),
         2 => (1..9u32, any::<bool>()).prop_map(|(n, on)| Seed::Output(n, on)),
-        1 => (1..9u32, 0..1000u32, any::<bool>()).prop_map(|(n, v, group)| Seed::Level(n, f64::from(v), group)),
+        1 => (1..9u32, 0..1000u32, any::<bool>()).prop_map(|(n, v, group)| Seed::OutputValue(n, f64::from(v), group)),
         1 => (1..1000u32).prop_map(|hundredths| Seed::Wait(f64::from(hundredths) / 100.0)),
         8 => (joints, any::<bool>(), timing, prop::bool::weighted(0.1)).prop_map(|(joints, linear, timing, home)| {
             let linear = linear && !home && matches!(timing, MoveTiming::Seconds(_));
@@ -60,12 +60,14 @@ pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<ProgramLine> {
     let arm = setup.robot.clone().unwrap_or_else(|| Robot::load("mz04", None).expect("shipped"));
     let mut lit = false;
     let line = |s: &Seed| match s {
-        Seed::Say(text) => ProgramLine::Say(comment(text)),
+        Seed::Comment(text) => ProgramLine::Comment(comment(text)),
         Seed::Output(number, on) => {
             lit = if *number == setup.cell.outputs.laser.number { *on } else { lit };
             ProgramLine::Output { number: *number, on: *on }
         }
-        Seed::Level(number, value, group) => ProgramLine::Level { number: *number, value: *value, group: *group },
+        Seed::OutputValue(number, value, group) => {
+            ProgramLine::OutputValue { number: *number, value: *value, group: *group }
+        }
         Seed::Wait(s) => ProgramLine::Wait(*s),
         Seed::Move { joints, linear, timing, home } => {
             let joints: [f64; 6] = std::array::from_fn(|i| {
@@ -100,7 +102,7 @@ pub fn words(comment: &Comment) -> String {
 
 /// The text of a line that is such a comment.
 pub fn text_of(line: &ProgramLine) -> Option<&str> {
-    if let ProgramLine::Say(Comment::Part(text)) = line { Some(text) } else { None }
+    if let ProgramLine::Comment(Comment::Part(text)) = line { Some(text) } else { None }
 }
 
 /// Writes.
@@ -151,16 +153,17 @@ pub fn rounding(dialect: &str) -> Rounding {
 pub fn difference(dialect: &str, lines: &[ProgramLine], found: &[ReadLine], setup: &Setup) -> Option<String> {
     let r = rounding(dialect);
     let acts: Vec<&Statement> =
-        found.iter().map(|l| &l.what).filter(|w| !matches!(w, Statement::Say(_) | Statement::Other(_))).collect();
-    let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Say(_))).collect();
+        found.iter().map(|l| &l.what).filter(|w| !matches!(w, Statement::Comment(_) | Statement::Other(_))).collect();
+    let meant: Vec<&ProgramLine> = lines.iter().filter(|l| !matches!(l, ProgramLine::Comment(_))).collect();
     if acts.len() != meant.len() {
         return Some(format!("{} lines of {}", acts.len(), meant.len()));
     }
     let wrong = |(line, read): &(&ProgramLine, &Statement)| match (line, read) {
         (ProgramLine::Output { number, on }, Statement::Output { number: n, on: o }) => number != n || on != o,
-        (ProgramLine::Level { number, value, group }, Statement::Level { number: n, value: v, group: g }) => {
-            number != n || (value - v).abs() > 1e-3 || group != g
-        }
+        (
+            ProgramLine::OutputValue { number, value, group },
+            Statement::OutputValue { number: n, value: v, group: g },
+        ) => number != n || (value - v).abs() > 1e-3 || group != g,
         (ProgramLine::Wait(s), Statement::Wait(found)) => (s - found).abs() > 1e-9,
         (ProgramLine::Move(m), Statement::Move(found)) => {
             let off = match (m.timing, found.timing) {
@@ -195,7 +198,7 @@ fn is_elsewhere(m: &Move, goal: &Goal, r: &Rounding, setup: &Setup) -> bool {
 
 /// All comments, without blanks.
 pub fn said(found: &[ReadLine]) -> String {
-    let texts = found.iter().filter_map(|l| if let Statement::Say(t) = &l.what { Some(t.as_str()) } else { None });
+    let texts = found.iter().filter_map(|l| if let Statement::Comment(t) = &l.what { Some(t.as_str()) } else { None });
     texts.flat_map(|t| t.chars()).filter(|c| !c.is_whitespace()).collect()
 }
 

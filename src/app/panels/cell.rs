@@ -118,8 +118,8 @@ fn better_setup(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) 
     let button = egui::Button::new(Command::BetterSetup.name());
     let response = ui.add_enabled(context.is_enabled(Command::BetterSetup), button);
     let response = response.on_hover_text(say!(cell_panel_better_tip));
-    let is_proposing = context.derived.remedy.is_proposing();
-    let why = if is_proposing { say!(cell_panel_better_running) } else { say!(cell_panel_nothing_refused) };
+    let is_better_setup_sought = context.derived.suggestions.is_better_setup_sought();
+    let why = if is_better_setup_sought { say!(cell_panel_better_running) } else { say!(cell_panel_nothing_refused) };
     if response.on_disabled_hover_text(why).clicked() {
         actions.command(Command::BetterSetup);
     }

@@ -7,7 +7,7 @@ use super::super::{quantity, theme};
 use crate::cell::calibration::CalibrationNote;
 use crate::cell::{Frame, Mount};
 use crate::document::Edit;
-use crate::document::model::CellFile;
+use crate::document::model::JobCell;
 use crate::text::{fixed, id, say, short};
 use eframe::egui::{self, DragValue, RichText};
 
@@ -23,7 +23,7 @@ struct Row {
 
 /// A frame that a job can set.
 struct Own {
-    frame: fn(&mut CellFile) -> &mut Option<Frame>,
+    frame: fn(&mut JobCell) -> &mut Option<Frame>,
     /// Accessible name of the way back to the cell file's.
     reset: fn() -> String,
 }

@@ -6,7 +6,7 @@ use super::super::{quantity, theme};
 use super::fields::{self, Change, NAMES, Owner};
 use super::{bead, laying, numbers, own};
 use crate::document::parameter::Group;
-use crate::document::{Edit, Offset};
+use crate::document::{Edit, FirstPlane};
 use crate::path::Strategy;
 use crate::text::say;
 use eframe::egui::{self, DragValue, Role, WidgetInfo};
@@ -67,11 +67,15 @@ fn offset(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let (now, spacing_mm) = (layers.offset_mm, layers.spacing_mm);
     ui.horizontal(|ui| {
         theme::name(ui, &say!(laying_first_plane), NAMES);
-        let mut centred = now == Offset::Centred;
+        let mut centred = now == FirstPlane::Centred;
         if ui.checkbox(&mut centred, say!(laying_first_plane_centred)).changed() {
-            actions.edit(Edit::Offset(if centred { Offset::Centred } else { Offset::FromLowest(0.5 * spacing_mm) }));
+            actions.edit(Edit::Offset(if centred {
+                FirstPlane::Centred
+            } else {
+                FirstPlane::FromLowest(0.5 * spacing_mm)
+            }));
         }
-        if let Offset::FromLowest(mut mm) = now {
+        if let FirstPlane::FromLowest(mut mm) = now {
             let field = DragValue::new(&mut mm)
                 .speed(0.01)
                 .range(0.0..=spacing_mm)
@@ -80,7 +84,7 @@ fn offset(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
             let response = ui.add(field).on_hover_text(say!(laying_first_plane_tip));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, say!(laying_first_plane_name)));
             if response.changed() {
-                actions.drag(Edit::Offset(Offset::FromLowest(mm)), "offset");
+                actions.drag(Edit::Offset(FirstPlane::FromLowest(mm)), "offset");
             }
         }
     });

@@ -3,6 +3,7 @@
 pub(super) mod access;
 mod bead;
 mod beam;
+pub(super) mod better_setup;
 mod cell;
 pub(super) mod compare;
 pub(super) mod dialogs;
@@ -23,7 +24,6 @@ mod placement;
 pub(super) mod plots;
 mod problems;
 pub(super) mod program_text;
-pub(super) mod proposal;
 pub(super) mod questions;
 pub(super) mod recipe;
 mod scrub;

@@ -3,7 +3,7 @@
 use super::super::actions::Actions;
 use super::super::command::{Command, Toggle};
 use super::super::context::Context;
-use super::super::session::Tool;
+use super::super::session::PointerTool;
 use super::super::theme;
 use crate::text::say;
 use eframe::egui::{self, RichText};
@@ -34,9 +34,9 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
                 toggles(ui, context, actions);
             }
             let what = match context.session.tool {
-                Tool::Select => return,
-                Tool::PickOrigin => say!(toolbar_pick_origin),
-                Tool::LayFlat => say!(toolbar_lay_flat),
+                PointerTool::Select => return,
+                PointerTool::PickOrigin => say!(toolbar_pick_origin),
+                PointerTool::LayFlat => say!(toolbar_lay_flat),
             };
             ui.label(RichText::new(what).color(theme::ATTENTION));
         });

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Fanuc {
-    /// Name of the program and its file; sub-programs add a number.
+    /// Name of the program and its file; subprograms add a number.
     pub program: String,
     /// User frame, `UF`: its origin in the robot's foot, as the poses are.
     pub user_frame: u32,
@@ -17,7 +17,7 @@ pub struct Fanuc {
     pub termination: String,
     /// Configuration of targets that are poses; joints need none.
     pub configuration: String,
-    /// Lines in one program; longer programs call sub-programs.
+    /// Lines in one program; longer programs call subprograms.
     pub max_lines: u32,
     /// Instruction that switches output `{n}` on.
     pub output_on: String,

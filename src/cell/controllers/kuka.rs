@@ -16,7 +16,7 @@ pub struct Kuka {
     pub start: Vec<String>,
     /// Declarations in the data list.
     pub data: Vec<String>,
-    /// Lines of a file, about, before it is split into sub-programs.
+    /// Lines of a file, about, before it is split into subprograms.
     pub max_lines: usize,
     /// `$APO.CDIS`: how far from a point the corner may be rounded, mm.
     pub blend_mm: f64,
@@ -77,7 +77,7 @@ impl Kuka {
     /// # Errors
     /// The first that it cannot.
     pub fn check(&self) -> Result<(), FigureError> {
-        // 24 letters, and sub-programs add up to four.
+        // 24 letters, and subprograms add up to four.
         name("kuka.name", &self.name, Letters::Identifier, 20)?;
         plain_lines("kuka.attributes", &self.attributes)?;
         plain_lines("kuka.start", &self.start)?;

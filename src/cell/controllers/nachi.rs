@@ -17,7 +17,7 @@ pub struct Nachi {
     pub accuracy: u32,
     /// What targets are given as; without a robot they are poses.
     pub form: NachiForm,
-    /// Moves in one program; longer programs call sub-programs, numbered on from this one.
+    /// Moves in one program; longer programs call subprograms, numbered on from this one.
     pub max_moves: u32,
     /// Line that switches output `{n}` on.
     pub output_on: String,

@@ -1,11 +1,11 @@
 //! What would help where the arm cannot do a target: small changes of the set-up (another spin, the part turned, the
-//! laser or the part moved), tried one by one. Whole set-ups are looked for in `set_ups`.
+//! laser or the part moved), tried one by one. Whole set-ups are looked for in `better_setups`.
 //!
 //! Reach, limits and singularities of single targets are looked at; the chain between them is the planner's.
 
-mod set_ups;
+mod better_setups;
 
-pub use set_ups::{BetterSetup, better_setups};
+pub use better_setups::{BetterSetup, better_setups};
 
 use super::states::Arm;
 use crate::cell::collision::Collision;
@@ -89,7 +89,7 @@ impl SetupChange {
 
 /// A change that helps.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Advice {
+pub struct SuggestedChange {
     /// What to do.
     pub change: SetupChange,
     /// Refused targets of the sample that become possible.
@@ -144,7 +144,7 @@ pub fn changes(
     done: &[Isometry3<f64>],
     refused: &[Isometry3<f64>],
     progress: &Progress,
-) -> Result<Vec<Advice>, Cancelled> {
+) -> Result<Vec<SuggestedChange>, Cancelled> {
     if refused.is_empty() {
         return Ok(Vec::new());
     }
@@ -174,18 +174,18 @@ pub fn changes(
                 lost = before.iter().zip(&after).filter(|(b, a)| **b && !**a).count();
             }
             progress.step()?;
-            Ok((rank, Advice { change, gained, of: refused.len(), lost }))
+            Ok((rank, SuggestedChange { change, gained, of: refused.len(), lost }))
         })
-        .collect::<Result<Vec<(usize, Advice)>, Cancelled>>();
+        .collect::<Result<Vec<(usize, SuggestedChange)>, Cancelled>>();
     let mut found = found?;
-    let worth = |a: &Advice| a.gained as i64 - 2 * a.lost as i64;
+    let worth = |a: &SuggestedChange| a.gained as i64 - 2 * a.lost as i64;
     found.retain(|(_, a)| worth(a) > 0);
     found.sort_by(|(i, a), (j, b)| worth(b).cmp(&worth(a)).then(i.cmp(j)));
-    let mut offered: Vec<Advice> = Vec::new();
-    for (_, advice) in found {
+    let mut offered: Vec<SuggestedChange> = Vec::new();
+    for (_, suggested) in found {
         // Another amount of what is offered already says nothing new.
-        if offered.len() < OFFERED && !offered.iter().any(|o| o.change.is_like(&advice.change)) {
-            offered.push(advice);
+        if offered.len() < OFFERED && !offered.iter().any(|o| o.change.is_like(&suggested.change)) {
+            offered.push(suggested);
         }
     }
     Ok(offered)

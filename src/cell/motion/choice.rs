@@ -2,10 +2,10 @@
 //! nothing, and what is left out of it.
 
 use super::chain::{ChainTarget, Unreachable, chain};
-use super::memory::SearchMemory;
 use super::reason;
 use super::refusal::{Refusal, RefusalCause, RefusalReason};
 use super::states::{Arm, ArmState};
+use super::target_state_cache::TargetStateCache;
 use crate::cell::{Contact, Joints};
 use crate::pose::{self, Pass};
 use rayon::prelude::*;
@@ -56,7 +56,7 @@ impl Default for SearchHooks<'_> {
 /// What is touched is asked for the chosen states first, and for all states of a pass where one of
 /// them does. `None`: the search was stopped.
 pub fn choose(arm: &Arm<'_>, passes: &[Pass], watch: &SearchHooks<'_>) -> Option<Choice> {
-    choose_again(arm, passes, watch, &mut SearchMemory::default())
+    choose_again(arm, passes, watch, &mut TargetStateCache::default())
 }
 
 /// Chooses spin and branch for every target that is not blocked, with what is known of targets that were looked at
@@ -65,12 +65,12 @@ pub fn choose_again(
     arm: &Arm<'_>,
     passes: &[Pass],
     watch: &SearchHooks<'_>,
-    memory: &mut SearchMemory,
+    cache: &mut TargetStateCache,
 ) -> Option<Choice> {
     let SearchHooks { touches, go_on, is_open } = watch;
     let targets = chain_targets(passes);
     loop {
-        let known = &*memory;
+        let known = &*cache;
         let chain = chain(arm, &targets, go_on, |target: &ChainTarget| {
             let mut states = known
                 .states((target.pass, target.point), || arm.states(&target.part_from_focus))
@@ -102,11 +102,11 @@ pub fn choose_again(
         }
         if touching.is_empty() {
             let choice = choice(arm, passes, &targets, chain);
-            memory.keep(passes);
+            cache.keep(passes);
             return Some(choice);
         }
-        memory.check_all_of(&touching, passes, arm.spins());
-        memory.keep(passes);
+        cache.check_all_of(&touching, passes, arm.spins());
+        cache.keep(passes);
     }
 }
 

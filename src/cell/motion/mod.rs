@@ -9,12 +9,12 @@ pub mod advice;
 pub mod chain;
 pub mod choice;
 mod clusters;
-pub mod memory;
 mod reason;
 pub mod refusal;
 pub mod states;
+pub mod target_state_cache;
 
 pub use choice::{Choice, ChosenPose, SearchHooks, choose, choose_again};
-pub use memory::SearchMemory;
 pub use refusal::{Refusal, RefusalCause, RefusalReason};
 pub use states::{Arm, ArmState};
+pub use target_state_cache::TargetStateCache;

@@ -3,7 +3,7 @@
 
 use super::error::JobError;
 use super::paths::resolved;
-use crate::document::model::{Job, PartFile};
+use crate::document::model::{Job, JobPart};
 use crate::part::{LoadError, Part, Source};
 use crate::progress::Progress;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ pub fn load_part(job: &Job, job_file: Option<&Path>) -> Result<Part, JobError> {
 /// No facet has any area.
 pub fn build_part(
     source: &Source,
-    part: &PartFile,
+    part: &JobPart,
     file: &Path,
     progress: &Progress,
 ) -> Result<Option<Part>, LoadError> {

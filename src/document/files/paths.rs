@@ -93,7 +93,7 @@ mod tests {
     #[test]
     fn paths_follow_the_job() {
         let job = Job {
-            part: crate::document::model::PartFile { file: "../parts/a.stl".into(), ..Default::default() },
+            part: crate::document::model::JobPart { file: "../parts/a.stl".into(), ..Default::default() },
             ..Job::default()
         };
         let moved = rebased(&job, Some(Path::new("/x/jobs/a.toml")), Path::new("/x/out/b/job.toml")).expect("rebases");

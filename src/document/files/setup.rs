@@ -7,7 +7,7 @@ use crate::cell::robot::RobotFigureError;
 use crate::cell::{Cell, Mount, Robot, RobotError, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::pose::{Beam, Blocker, Obstruction};
+use crate::pose::{BeamInterference, Blocker, Obstruction};
 use crate::program::dialects;
 use nalgebra::{Point3, Vector3};
 use std::path::Path;
@@ -93,7 +93,7 @@ fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let laser = setup.cell.base_from_laser.isometry();
     let a = laser.rotation * Vector3::z();
     let spot = Point3::from(laser.translation.vector) - a * b.defocus_mm;
-    let blocker = Beam::with(&nothing, body.as_ref()).blocker(&spot, &a);
+    let blocker = BeamInterference::with(&nothing, body.as_ref()).blocker(&spot, &a);
     let Some(Blocker { tool_body, obstruction: Obstruction::Clamp(i), .. }) = blocker else { return Ok(()) };
     let obstacle = obstacles.get(i as usize).map_or(String::new(), |o| o.file.clone());
     Err(JobError::LaserBlocked { cell: setup.cell.name.clone(), obstacle, by: tool_body })

@@ -11,7 +11,9 @@ pub use error::JobFileError;
 pub use version::WRITTEN;
 
 use super::chosen::Chosen;
-use super::model::{BeadParameters, BeamParameters, CellFile, Job, Layers, PartFile, PathParameters, SurfaceTable};
+use super::model::{
+    BeadParameters, BeamParameters, Job, JobCell, JobPart, LineParameters, PathParameters, SurfaceTable,
+};
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use crate::beam::{Obstacle, Optics};
@@ -28,16 +30,16 @@ use tables::{CleanTable, PinRow, StartRow, TiltRow};
 #[serde(default, deny_unknown_fields)]
 struct JobTables {
     version: i64,
-    part: PartFile,
+    part: JobPart,
     surfaces: SurfaceTable,
     clean: CleanTable,
-    layers: Layers,
+    layers: LineParameters,
     beam: BeamParameters,
     optics: Optics,
     path: PathParameters,
     bead: BeadParameters,
     dose: DoseParameters,
-    cell: CellFile,
+    cell: JobCell,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     clamps: Vec<Obstacle>,
     #[serde(skip_serializing_if = "Vec::is_empty")]

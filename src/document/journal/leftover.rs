@@ -5,7 +5,7 @@ use super::recording::Journal;
 use super::slot::JournalSlot;
 use super::state::JournalState;
 use crate::document::files;
-use crate::document::model::{Job, PartFile};
+use crate::document::model::{Job, JobPart};
 use crate::document::undo::Document;
 use std::path::Path;
 
@@ -87,8 +87,8 @@ impl Leftover {
     /// more, or there never was one, the changes stand over an empty job on the part.
     pub fn restored(&self) -> Document {
         let empty = || {
-            let PartFile { file, sha256, .. } = self.state.job.part.clone();
-            Job { part: PartFile { file, sha256, ..PartFile::default() }, ..Job::default() }
+            let JobPart { file, sha256, .. } = self.state.job.part.clone();
+            Job { part: JobPart { file, sha256, ..JobPart::default() }, ..Job::default() }
         };
         let saved = self.job_file().and_then(|f| files::read(f).ok()).unwrap_or_else(empty);
         Document::restored(saved, self.state.about.job_file.clone(), self.state.job.clone())

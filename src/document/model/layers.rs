@@ -6,10 +6,10 @@ use crate::path::{Direction, Order, Strategy};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 parameters! {
-    /// How lines are laid on surfaces.
+    /// How lines are laid on surfaces, and in which order they are done.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     #[serde(default, deny_unknown_fields)]
-    pub struct Layers in "layers" {
+    pub struct LineParameters in "layers" {
         /// Planes, lines that follow the surface, or a spiral.
         pub strategy: Strategy = Strategy::Planes,
         /// Normal of the planes: `x`, `y`, `z`, `auto` or `DX,DY,DZ`.
@@ -17,7 +17,7 @@ parameters! {
         /// Distance of the planes, or of the lines on the surface, mm.
         pub spacing_mm: f64,
         /// Where the first plane lies.
-        pub offset_mm: Offset = Offset::Centred,
+        pub offset_mm: FirstPlane = FirstPlane::Centred,
         /// Sense and order of the lines.
         pub order: Order = Order::Zigzag,
         /// How often the surface is gone over.
@@ -49,7 +49,7 @@ parameters! {
 
 /// Where the first plane of a family lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Offset {
+pub enum FirstPlane {
     /// The family is centred on the extent.
     #[default]
     Centred,
@@ -57,46 +57,46 @@ pub enum Offset {
     FromLowest(f64),
 }
 
-impl Offset {
+impl FirstPlane {
     /// The number, where there is one.
     pub fn mm(self) -> Option<f64> {
         match self {
-            Offset::Centred => None,
-            Offset::FromLowest(mm) => Some(mm),
+            FirstPlane::Centred => None,
+            FirstPlane::FromLowest(mm) => Some(mm),
         }
     }
 }
 
-impl Serialize for Offset {
+impl Serialize for FirstPlane {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         match self {
-            Offset::Centred => s.serialize_str("centred"),
-            Offset::FromLowest(mm) => s.serialize_f64(*mm),
+            FirstPlane::Centred => s.serialize_str("centred"),
+            FirstPlane::FromLowest(mm) => s.serialize_f64(*mm),
         }
     }
 }
 
-impl<'de> Deserialize<'de> for Offset {
+impl<'de> Deserialize<'de> for FirstPlane {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
         #[serde(untagged, expecting = "give \"centred\" or a number of mm")]
-        enum RawOffset {
+        enum RawFirstPlane {
             Number(f64),
             Word(String),
         }
-        match RawOffset::deserialize(d)? {
-            RawOffset::Number(mm) => Ok(Offset::FromLowest(mm)),
-            RawOffset::Word(w) if w == "centred" => Ok(Offset::Centred),
-            RawOffset::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"centred\" or a number of mm"))),
+        match RawFirstPlane::deserialize(d)? {
+            RawFirstPlane::Number(mm) => Ok(FirstPlane::FromLowest(mm)),
+            RawFirstPlane::Word(w) if w == "centred" => Ok(FirstPlane::Centred),
+            RawFirstPlane::Word(w) => Err(D::Error::custom(format!("{w:?}: give \"centred\" or a number of mm"))),
         }
     }
 }
 
-impl Keyed for Offset {
+impl Keyed for FirstPlane {
     fn feed(&self, into: &mut Hasher) {
         match self {
-            Offset::Centred => "centred".feed(into),
-            Offset::FromLowest(mm) => mm.feed(into),
+            FirstPlane::Centred => "centred".feed(into),
+            FirstPlane::FromLowest(mm) => mm.feed(into),
         }
     }
 }

@@ -4,18 +4,18 @@
 mod bead;
 mod beam;
 mod by_key;
-mod cell;
 mod declare;
+mod job_cell;
+mod job_part;
 mod layers;
-mod part_file;
 mod path;
 mod surfaces;
 
 pub use bead::BeadParameters;
 pub use beam::BeamParameters;
-pub use cell::CellFile;
-pub use layers::{Layers, Offset};
-pub use part_file::PartFile;
+pub use job_cell::JobCell;
+pub use job_part::JobPart;
+pub use layers::{FirstPlane, LineParameters};
 pub use path::PathParameters;
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
@@ -30,13 +30,13 @@ use crate::process::DoseParameters;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Job {
     /// The part's file and how it stands.
-    pub part: PartFile,
+    pub part: JobPart,
     /// How facets become feature surfaces.
     pub surfaces: SurfaceParameters,
     /// What is said of single surfaces: whether they are cleaned and in which order, names, sides, recipes, tilts.
     pub settings: Settings,
     /// The section planes.
-    pub layers: Layers,
+    pub layers: LineParameters,
     /// The beam, its speeds and its head.
     pub beam: BeamParameters,
     /// How wide the beam is.
@@ -48,7 +48,7 @@ pub struct Job {
     /// Energy on the surface.
     pub dose: DoseParameters,
     /// The robot cell.
-    pub cell: CellFile,
+    pub cell: JobCell,
     /// What stands on the part, in the part frame.
     pub clamps: Vec<Obstacle>,
     /// What surfaces can be worked with in place of the job's own values.

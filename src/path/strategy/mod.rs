@@ -6,13 +6,13 @@
 
 pub mod adaptive;
 mod finding;
-mod march;
-mod net;
+mod geodesic_distance;
 pub mod offset;
 mod radial;
 mod refine;
 pub mod spacing;
 mod spiral;
+mod surface_mesh;
 mod winding;
 
 use super::normals::VertexNormals;

@@ -1,7 +1,7 @@
 //! Lines at equal distance from the border, measured over the surface.
 //!
 //! The first lies half a spacing from the border, the others one spacing apart. Where fronts from two
-//! sides meet, the net is cut along their ridge, so that lines turn there as sharply as they do.
+//! sides meet, the surface mesh is cut along their ridge, so that lines turn there as sharply as they do.
 //! What is left around a greatest distance, and is wider than half a spacing from the last line, gets
 //! one more at two thirds of the way: two of them facing each other lie as far apart as from the last. But no
 //! more than half a spacing on: where a ridge slopes, lines on either side of what it leaves out below stand no
@@ -9,10 +9,10 @@
 
 use super::super::normals::VertexNormals;
 use super::super::section::{SectionPoint, TransversalLine, chained, merged};
-use super::march::{Along, Field};
-use super::net::Net;
+use super::geodesic_distance::{Along, DistanceField};
+use super::surface_mesh::SurfaceMesh;
 use super::{Layout, LinesFinding, SurfaceLines, none, spacing};
-use crate::part::merge_tree::Sets;
+use crate::part::merge_tree::UnionFind;
 use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -29,10 +29,10 @@ pub struct Border {
 /// The loops of a surface's outline, the longest first: what [`Layout::border`] chooses from. Loops
 /// that touch are one.
 pub fn borders(mesh: &Mesh, surface: &Surface) -> Vec<Border> {
-    let net = Net::new(mesh, surface, &VertexNormals::default());
-    let edge = |e: &u32| net.mesh.edges[*e as usize].map(|v| net.mesh.vertices[v as usize]);
+    let surface_mesh = SurfaceMesh::new(mesh, surface, &VertexNormals::default());
+    let edge = |e: &u32| surface_mesh.mesh.edges[*e as usize].map(|v| surface_mesh.mesh.vertices[v as usize]);
     let border = |(length_mm, edges): (f64, Vec<u32>)| Border { length_mm, edges: edges.iter().map(edge).collect() };
-    net.loops().into_iter().map(border).collect()
+    surface_mesh.loops().into_iter().map(border).collect()
 }
 
 /// A facet is cut to pieces no longer than this share of a spacing, while there are not too many.
@@ -45,8 +45,8 @@ pub(super) fn lines(
     rule: &Layout,
     merge_mm: f64,
 ) -> SurfaceLines {
-    let net = Net::new(mesh, surface, normals);
-    let count = net.loops().len();
+    let surface_mesh = SurfaceMesh::new(mesh, surface, normals);
+    let count = surface_mesh.loops().len();
     if count == 0 {
         return none(LinesFinding::NoBorder { surface: surface.number });
     }
@@ -54,17 +54,17 @@ pub(super) fn lines(
         return none(LinesFinding::NoSuchBorder { surface: surface.number, border, borders: count });
     }
     let size_mm = (PIECE * rule.spacing_mm).min(0.15 * surface.area_mm2.sqrt());
-    let net = net.refined(true, |_| size_mm);
+    let surface_mesh = surface_mesh.refined(true, |_| size_mm);
     let from = match rule.border {
-        Some(chosen) => net.loops().into_iter().nth(chosen).map(|l| l.1).unwrap_or_default(),
-        None => net.rim(),
+        Some(chosen) => surface_mesh.loops().into_iter().nth(chosen).map(|l| l.1).unwrap_or_default(),
+        None => surface_mesh.rim(),
     };
-    let field = Field::new(&net, &from, 1e-6 * rule.spacing_mm);
-    let levels = Levels::new(&net, &field);
+    let field = DistanceField::new(&surface_mesh, &from, 1e-6 * rule.spacing_mm);
+    let levels = Levels::new(&surface_mesh, &field);
     let lines = levels.lines(rule.spacing_mm, merge_mm);
-    let unreached: f64 = (0..net.mesh.facets.len())
-        .filter(|&f| net.mesh.facets[f].iter().any(|&v| !field.mm[v as usize].is_finite()))
-        .map(|f| net.mesh.areas[f])
+    let unreached: f64 = (0..surface_mesh.mesh.facets.len())
+        .filter(|&f| surface_mesh.mesh.facets[f].iter().any(|&v| !field.mm[v as usize].is_finite()))
+        .map(|f| surface_mesh.mesh.areas[f])
         .sum();
     let finding = if lines.is_empty() {
         Some(LinesFinding::NoLineFits { surface: surface.number })
@@ -79,23 +79,23 @@ pub(super) fn lines(
 /// Rank, distance and facets of one level.
 type LevelJob = (usize, f64, Vec<u32>);
 
-/// A net that follows the ridges, with the distance at its vertices.
+/// A surface mesh that follows the ridges, with the distance at its vertices.
 struct Levels {
-    net: Net,
+    surface_mesh: SurfaceMesh,
     mm: Vec<f64>,
     /// For edges that no ridge has touched the distance along them, from the lower vertex.
     along: Vec<Option<Along>>,
 }
 
 impl Levels {
-    fn new(net: &Net, field: &Field) -> Levels {
-        let along: Vec<Option<Along>> = (0..net.mesh.edges.len() as u32)
+    fn new(surface_mesh: &SurfaceMesh, field: &DistanceField) -> Levels {
+        let along: Vec<Option<Along>> = (0..surface_mesh.mesh.edges.len() as u32)
             .into_par_iter()
             .map(|e| {
-                let [a, b] = net.mesh.edges[e as usize];
+                let [a, b] = surface_mesh.mesh.edges[e as usize];
                 let known = field.mm[a as usize].is_finite() && field.mm[b as usize].is_finite();
-                let facet = *net.mesh.edge_facets(e).first()?;
-                known.then(|| field.along(net, facet, e, a, b))
+                let facet = *surface_mesh.mesh.edge_facets(e).first()?;
+                known.then(|| field.along(surface_mesh, facet, e, a, b))
             })
             .collect();
         let mut mm = field.mm.clone();
@@ -106,10 +106,10 @@ impl Levels {
                 mm.push(peak);
             }
         }
-        let (mut cut, first) = net.cut(&cuts);
-        summits(net, field, &mut cut, first, &mut mm);
+        let (mut cut, first) = surface_mesh.cut(&cuts);
+        summits(surface_mesh, field, &mut cut, first, &mut mm);
         // Both lists of edges are sorted by their vertices, and old vertices keep their numbers.
-        let mut old = net.mesh.edges.iter().zip(along).peekable();
+        let mut old = surface_mesh.mesh.edges.iter().zip(along).peekable();
         let along = cut
             .mesh
             .edges
@@ -119,11 +119,11 @@ impl Levels {
                 old.next_if(|(o, _)| *o == edge).and_then(|(_, along)| along)
             })
             .collect();
-        Levels { net: cut, mm, along }
+        Levels { surface_mesh: cut, mm, along }
     }
 
     fn lines(&self, spacing_mm: f64, merge_mm: f64) -> Vec<TransversalLine> {
-        let facets = &self.net.mesh.facets;
+        let facets = &self.surface_mesh.mesh.facets;
         let band = |mm: f64| (mm / spacing_mm - 0.5).floor();
         let most = self.mm.iter().copied().filter(|d| d.is_finite()).fold(0.0, f64::max);
         let mut jobs: Vec<LevelJob> = (0..=band(most).max(-1.0) as i64)
@@ -159,16 +159,16 @@ impl Levels {
     /// Rank, distance and facets of the lines around greatest distances that would be left too wide.
     fn leftovers(&self, spacing_mm: f64, band: impl Fn(f64) -> f64) -> Vec<LevelJob> {
         let bands: Vec<f64> = self.mm.iter().map(|&d| band(d)).collect();
-        let mut sets = Sets::new(bands.len());
+        let mut sets = UnionFind::new(bands.len());
         let equal = |[a, b]: [u32; 2]| bands[a as usize] == bands[b as usize];
-        self.net.mesh.edges.iter().filter(|e| equal(**e)).for_each(|e| sets.join(e[0], e[1]));
+        self.surface_mesh.mesh.edges.iter().filter(|e| equal(**e)).for_each(|e| sets.join(e[0], e[1]));
         let roots: Vec<u32> = (0..bands.len() as u32).map(|v| sets.root(v)).collect();
         let mut most = vec![0.0f64; bands.len()];
         let mut is_top = vec![true; bands.len()];
         for (v, &root) in roots.iter().enumerate() {
             most[root as usize] = most[root as usize].max(self.mm[v]);
         }
-        for &[a, b] in &self.net.mesh.edges {
+        for &[a, b] in &self.surface_mesh.mesh.edges {
             let lower = if bands[a as usize] < bands[b as usize] { a } else { b };
             if !equal([a, b]) {
                 is_top[roots[lower as usize] as usize] = false;
@@ -184,7 +184,7 @@ impl Levels {
                 found.push((root as u32, ((bands[root] + 1.0) as usize, level, Vec::new())));
             }
         }
-        for (f, corners) in self.net.mesh.facets.iter().enumerate() {
+        for (f, corners) in self.surface_mesh.mesh.facets.iter().enumerate() {
             let highest = corners.iter().copied().max_by(|&a, &b| self.mm[a as usize].total_cmp(&self.mm[b as usize]));
             let root = highest.map_or(0, |v| roots[v as usize]);
             if let Ok(i) = found.binary_search_by_key(&root, |x| x.0) {
@@ -195,28 +195,28 @@ impl Levels {
     }
 
     fn gates(&self, facet: u32, level: f64) -> Option<(u32, u32)> {
-        let above = self.net.mesh.facets[facet as usize].map(|v| self.mm[v as usize] >= level);
+        let above = self.surface_mesh.mesh.facets[facet as usize].map(|v| self.mm[v as usize] >= level);
         let edge = |from: bool| {
             (0..3)
                 .find(|&k| above[k] == from && above[(k + 1) % 3] != from)
-                .map(|k| self.net.mesh.facet_edges[facet as usize][k])
+                .map(|k| self.surface_mesh.mesh.facet_edges[facet as usize][k])
         };
         Some((edge(false)?, edge(true)?))
     }
 
     fn point(&self, edge: u32, level: f64) -> SectionPoint {
-        let [a, b] = self.net.mesh.edges[edge as usize].map(|v| self.mm[v as usize]);
+        let [a, b] = self.surface_mesh.mesh.edges[edge as usize].map(|v| self.mm[v as usize]);
         let share = match self.along[edge as usize] {
             Some(along) => along.place(level) / along.length,
             None => (level - a) / (b - a),
         };
-        self.net.on_edge(edge, share.clamp(0.0, 1.0))
+        self.surface_mesh.on_edge(edge, share.clamp(0.0, 1.0))
     }
 }
 
 /// Facets in which three fronts meet are left with a piece between three ridges: the place of its
 /// greatest distance becomes a vertex.
-fn summits(net: &Net, field: &Field, cut: &mut Net, first: u32, mm: &mut Vec<f64>) {
+fn summits(surface_mesh: &SurfaceMesh, field: &DistanceField, cut: &mut SurfaceMesh, first: u32, mm: &mut Vec<f64>) {
     let between: Vec<usize> =
         (0..cut.mesh.facets.len()).filter(|&f| cut.mesh.facets[f].iter().all(|&v| v >= first)).collect();
     if between.is_empty() {
@@ -224,12 +224,13 @@ fn summits(net: &Net, field: &Field, cut: &mut Net, first: u32, mm: &mut Vec<f64
     }
     // The facets that were cut at all three edges, in the same order.
     let ridge = |e: u32, f: usize| {
-        let [a, b] = net.mesh.edges[e as usize];
+        let [a, b] = surface_mesh.mesh.edges[e as usize];
         let known = field.mm[a as usize].is_finite() && field.mm[b as usize].is_finite();
-        let seen_in = net.mesh.edge_facets(e).first().copied().unwrap_or(f as u32);
-        known && field.along(net, seen_in, e, a, b).ridge().is_some()
+        let seen_in = surface_mesh.mesh.edge_facets(e).first().copied().unwrap_or(f as u32);
+        known && field.along(surface_mesh, seen_in, e, a, b).ridge().is_some()
     };
-    let parents = (0..net.mesh.facets.len()).filter(|&f| net.mesh.facet_edges[f].iter().all(|&e| ridge(e, f)));
+    let parents =
+        (0..surface_mesh.mesh.facets.len()).filter(|&f| surface_mesh.mesh.facet_edges[f].iter().all(|&e| ridge(e, f)));
     let mut facets = cut.mesh.facets.clone();
     let mut vertices = cut.mesh.vertices.clone();
     for (f, parent) in between.into_iter().zip(parents) {
@@ -237,7 +238,7 @@ fn summits(net: &Net, field: &Field, cut: &mut Net, first: u32, mm: &mut Vec<f64
         // Uphill from the middle of the three, in steps that halve.
         let mut at = (1.0 / 3.0, 1.0 / 3.0);
         let place = |(u, v): (f64, f64)| a + (b - a) * u + (c - a) * v;
-        let mut best = field.inside(net, parent as u32, &place(at));
+        let mut best = field.inside(surface_mesh, parent as u32, &place(at));
         let mut step = 0.25;
         for _ in 0..24 {
             let tries = [(step, 0.0), (-step, 0.0), (0.0, step), (0.0, -step), (step, -step), (-step, step)];
@@ -245,7 +246,7 @@ fn summits(net: &Net, field: &Field, cut: &mut Net, first: u32, mm: &mut Vec<f64
                 .iter()
                 .map(|t| (at.0 + t.0, at.1 + t.1))
                 .filter(|t| t.0 > 0.0 && t.1 > 0.0 && t.0 + t.1 < 1.0)
-                .map(|t| (field.inside(net, parent as u32, &place(t)), t))
+                .map(|t| (field.inside(surface_mesh, parent as u32, &place(t)), t))
                 .max_by(|x, y| x.0.total_cmp(&y.0))
                 .filter(|x| x.0 > best);
             match higher {

@@ -1,11 +1,11 @@
-//! Arc length from the centre of a spiral to every vertex of a net, along radial curves: the surface cut
+//! Arc length from the centre of a spiral to every vertex of a surface mesh, along radial curves: the surface cut
 //! by half-planes through the centre's axis (P4 5).
 //!
 //! A curve is walked inwards from facet to facet. Across a hole, or from island to island, it goes on
 //! in a straight line to the next rim in its half-plane, so that turns keep their place behind it. It ends at
 //! the centre, or at the innermost rim where the centre is a hole.
 
-use super::net::Net;
+use super::surface_mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector2, Vector3};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -52,8 +52,8 @@ const GROUPS: usize = 16;
 /// tells it: on the axis, but for the centre.
 ///
 /// `polar`: distance from the axis and angle of every vertex.
-pub(super) fn excess(net: &Net, axis: &SpiralAxis, polar: &[(f64, f64)]) -> Vec<f64> {
-    let walk = Walk { net, axis, polar, rims: rims(net, polar) };
+pub(super) fn excess(surface_mesh: &SurfaceMesh, axis: &SpiralAxis, polar: &[(f64, f64)]) -> Vec<f64> {
+    let walk = Walk { surface_mesh, axis, polar, rims: rims(surface_mesh, polar) };
     let count = polar.len();
     let mut order: Vec<u32> = (0..count as u32).collect();
     order.par_sort_by(|&a, &b| polar[a as usize].0.total_cmp(&polar[b as usize].0).then(a.cmp(&b)));
@@ -70,11 +70,11 @@ pub(super) fn excess(net: &Net, axis: &SpiralAxis, polar: &[(f64, f64)]) -> Vec<
 }
 
 /// Rim edges by the sectors that they pass.
-fn rims(net: &Net, polar: &[(f64, f64)]) -> Vec<Vec<u32>> {
+fn rims(surface_mesh: &SurfaceMesh, polar: &[(f64, f64)]) -> Vec<Vec<u32>> {
     let mut rims = vec![Vec::new(); SECTORS];
     let sector = |angle: f64| ((angle / TAU * SECTORS as f64).floor() as i64).rem_euclid(SECTORS as i64) as usize;
-    for e in net.rim() {
-        let [a, b] = net.mesh.edges[e as usize].map(|v| polar[v as usize].1);
+    for e in surface_mesh.rim() {
+        let [a, b] = surface_mesh.mesh.edges[e as usize].map(|v| polar[v as usize].1);
         let turn = wrapped(b - a);
         let (from, width) = if turn < 0.0 { (b, -turn) } else { (a, turn) };
         let count = (width / TAU * SECTORS as f64).ceil() as usize + 1;
@@ -100,7 +100,7 @@ pub(super) fn wrapped(angle: f64) -> f64 {
 type RimEntry = (u32, u32, Point3<f64>);
 
 struct Walk<'a> {
-    net: &'a Net,
+    surface_mesh: &'a SurfaceMesh,
     axis: &'a SpiralAxis,
     polar: &'a [(f64, f64)],
     rims: Vec<Vec<u32>>,
@@ -108,7 +108,7 @@ struct Walk<'a> {
 
 /// The half-plane of one radial curve, from the axis outwards.
 struct HalfPlane<'a> {
-    net: &'a Net,
+    surface_mesh: &'a SurfaceMesh,
     axis: &'a SpiralAxis,
     /// The vertex that the curve begins at.
     start: u32,
@@ -123,14 +123,14 @@ impl HalfPlane<'_> {
     /// do.
     fn height(&self, v: u32) -> f64 {
         let exact = v == self.start || self.axis.vertex == Some(v);
-        if exact { 0.0 } else { (self.net.mesh.vertices[v as usize] - self.axis.at).dot(&self.side) }
+        if exact { 0.0 } else { (self.surface_mesh.mesh.vertices[v as usize] - self.axis.at).dot(&self.side) }
     }
 
     /// Where it crosses an edge, and at which share of the edge.
     fn crossing(&self, a: u32, b: u32) -> (Point3<f64>, f64) {
         let (ha, hb) = (self.height(a), self.height(b));
         let t = if ha == hb { 0.5 } else { (ha / (ha - hb)).clamp(0.0, 1.0) };
-        let (p, q) = (self.net.mesh.vertices[a as usize], self.net.mesh.vertices[b as usize]);
+        let (p, q) = (self.surface_mesh.mesh.vertices[a as usize], self.surface_mesh.mesh.vertices[b as usize]);
         (p + (q - p) * t, t)
     }
 }
@@ -138,7 +138,13 @@ impl HalfPlane<'_> {
 impl Walk<'_> {
     fn half_plane(&self, start: u32, angle: f64) -> HalfPlane<'_> {
         let outward = self.axis.u * libm::cos(angle) + self.axis.v * libm::sin(angle);
-        HalfPlane { net: self.net, axis: self.axis, start, angle, side: self.axis.along.cross(&outward) }
+        HalfPlane {
+            surface_mesh: self.surface_mesh,
+            axis: self.axis,
+            start,
+            angle,
+            side: self.axis.along.cross(&outward),
+        }
     }
 
     /// Length of the radial curve of a vertex less its distance from the axis, mm; NaN where there is none.
@@ -146,7 +152,7 @@ impl Walk<'_> {
         if self.axis.vertex == Some(vertex) {
             return 0.0;
         }
-        let mesh = &self.net.mesh;
+        let mesh = &self.surface_mesh.mesh;
         let (off, angle) = self.polar[vertex as usize];
         if off < 1e-9 {
             return f64::NAN;
@@ -199,7 +205,7 @@ impl Walk<'_> {
 
     /// The facet that a curve enters from its first vertex, and the edge by which it leaves that facet.
     fn first_exit(&self, plane: &HalfPlane<'_>) -> Option<(u32, usize)> {
-        let mesh = &self.net.mesh;
+        let mesh = &self.surface_mesh.mesh;
         mesh.vertex_facets(plane.start).iter().find_map(|&f| {
             let k = mesh.facets[f as usize].iter().position(|&v| v == plane.start)?;
             let (p, q) = (mesh.facets[f as usize][(k + 1) % 3], mesh.facets[f as usize][(k + 2) % 3]);
@@ -209,21 +215,23 @@ impl Walk<'_> {
 
     /// Whether the centre of the spiral is a corner of a facet.
     fn has_centre(&self, facet: u32) -> bool {
-        self.axis.vertex.is_some_and(|c| self.net.mesh.facets[facet as usize].contains(&c))
+        self.axis.vertex.is_some_and(|c| self.surface_mesh.mesh.facets[facet as usize].contains(&c))
     }
 
     /// The edge by which a curve leaves a facet that it has entered by another.
     fn exit(&self, facet: u32, entered: u32, plane: &HalfPlane<'_>) -> Option<(u32, usize)> {
-        let corners = self.net.mesh.facets[facet as usize];
+        let corners = self.surface_mesh.mesh.facets[facet as usize];
         let before = corners.map(|v| plane.height(v) >= 0.0);
         (0..3)
-            .find(|&k| before[k] && !before[(k + 1) % 3] && self.net.mesh.facet_edges[facet as usize][k] != entered)
+            .find(|&k| {
+                before[k] && !before[(k + 1) % 3] && self.surface_mesh.mesh.facet_edges[facet as usize][k] != entered
+            })
             .map(|k| (facet, k))
     }
 
     /// The nearest rim further inwards in the half-plane: facet, edge and place.
     fn over_gap(&self, here: &Point3<f64>, plane: &HalfPlane<'_>) -> Option<RimEntry> {
-        let mesh = &self.net.mesh;
+        let mesh = &self.surface_mesh.mesh;
         let from = self.axis.radius_mm(here) * (1.0 - 1e-9);
         let sector = ((plane.angle / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
         let mut best: Option<(f64, RimEntry)> = None;

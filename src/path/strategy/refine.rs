@@ -1,7 +1,7 @@
-//! A net cut finer, until its edges are no longer than asked, or as fine as the limit of pieces allows.
+//! A surface mesh cut finer, until its edges are no longer than asked, or as fine as the limit of pieces allows.
 
 use super::super::normals::between;
-use super::net::{Net, split};
+use super::surface_mesh::{SurfaceMesh, split};
 use crate::part::Mesh;
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -11,11 +11,11 @@ const MOST_PIECES: f64 = 150_000.0;
 /// Every pass halves what is too long: these are more than any f64 length needs.
 const PASSES: usize = 40;
 
-impl Net {
+impl SurfaceMesh {
     /// Cuts facets until no edge is longer than `size_mm` at its middle. Where that takes more pieces
     /// than there is time for, all sizes grow alike. `even`: slivers in one plane are turned into better
     /// facets on the way.
-    pub fn refined(self, even: bool, size_mm: impl Fn(&Point3<f64>) -> f64 + Sync) -> Net {
+    pub fn refined(self, even: bool, size_mm: impl Fn(&Point3<f64>) -> f64 + Sync) -> SurfaceMesh {
         let most = MOST_PIECES.max(1.2 * self.mesh.facets.len() as f64);
         let mut scale = 1.0;
         while self.pieces(&size_mm, scale) > most {
@@ -24,29 +24,29 @@ impl Net {
         if !even {
             return self.halved(most, |p| scale * size_mm(p));
         }
-        let mut net = self;
+        let mut surface_mesh = self;
         // Slivers between coplanar facets first: what they are cut into would be slivers too.
         for _ in 0..60 {
-            let Some(turned) = net.flipped() else { break };
-            net = turned;
+            let Some(turned) = surface_mesh.flipped() else { break };
+            surface_mesh = turned;
         }
         for _ in 0..PASSES {
-            let long: Vec<u32> = (0..net.mesh.edges.len() as u32)
-                .filter(|&e| net.length_mm(e) > scale * size_mm(&net.on_edge(e, 0.5).p))
+            let long: Vec<u32> = (0..surface_mesh.mesh.edges.len() as u32)
+                .filter(|&e| surface_mesh.length_mm(e) > scale * size_mm(&surface_mesh.on_edge(e, 0.5).p))
                 .collect();
-            if long.is_empty() || net.mesh.facets.len() as f64 > 4.0 * most {
+            if long.is_empty() || surface_mesh.mesh.facets.len() as f64 > 4.0 * most {
                 break;
             }
-            net = net.cut(&long.iter().map(|&e| (e, 0.5)).collect::<Vec<_>>()).0;
-            net = net.flipped().unwrap_or(net);
+            surface_mesh = surface_mesh.cut(&long.iter().map(|&e| (e, 0.5)).collect::<Vec<_>>()).0;
+            surface_mesh = surface_mesh.flipped().unwrap_or(surface_mesh);
         }
-        net
+        surface_mesh
     }
 
     /// Halves edges that are longer than a size at their middle, and cuts the facets beside them, until none is
     /// left. The topology is built once, behind the last pass.
-    fn halved(self, most: f64, size_mm: impl Fn(&Point3<f64>) -> f64 + Sync) -> Net {
-        let Net { mesh, mut normals } = self;
+    fn halved(self, most: f64, size_mm: impl Fn(&Point3<f64>) -> f64 + Sync) -> SurfaceMesh {
+        let SurfaceMesh { mesh, mut normals } = self;
         let Mesh { mut vertices, mut facets, .. } = mesh;
         // A facet that was not cut has no long edge: only the pieces of the last pass are looked at.
         let mut fresh: Vec<u32> = (0..facets.len() as u32).collect();
@@ -90,12 +90,12 @@ impl Net {
                 fresh.extend(from..facets.len() as u32);
             }
         }
-        Net { mesh: Mesh::from_indexed(vertices, facets), normals }
+        SurfaceMesh { mesh: Mesh::from_indexed(vertices, facets), normals }
     }
 
     /// The other diagonal for pairs of facets in one plane, where it makes their angles wider (Delaunay);
     /// no facet twice. `None` where there is nothing to turn.
-    fn flipped(&self) -> Option<Net> {
+    fn flipped(&self) -> Option<SurfaceMesh> {
         let mesh = &self.mesh;
         let mut facets = mesh.facets.clone();
         let mut touched = vec![false; facets.len()];
@@ -125,7 +125,10 @@ impl Net {
                 any = true;
             }
         }
-        any.then(|| Net { mesh: Mesh::from_indexed(mesh.vertices.clone(), facets), normals: self.normals.clone() })
+        any.then(|| SurfaceMesh {
+            mesh: Mesh::from_indexed(mesh.vertices.clone(), facets),
+            normals: self.normals.clone(),
+        })
     }
 
     /// About how many pieces that takes.

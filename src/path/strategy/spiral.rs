@@ -5,8 +5,8 @@
 //! every chord in a facet. Rims and holes cut it into pieces, in the order of the spiral.
 
 use super::super::normals::VertexNormals;
-use super::net::Net;
 use super::radial::SpiralAxis;
+use super::surface_mesh::SurfaceMesh;
 use super::winding::Winding;
 use super::{Layout, LinesFinding, SurfaceLines, mean_normal, spacing};
 use crate::part::{Mesh, angle, surfaces::Surface};
@@ -23,10 +23,10 @@ pub(super) fn lines(
     rule: &Layout,
     merge_mm: f64,
 ) -> SurfaceLines {
-    let (net, axis) = centred(mesh, surface, Net::new(mesh, surface, normals), rule);
+    let (surface_mesh, axis) = centred(mesh, surface, SurfaceMesh::new(mesh, surface, normals), rule);
     let finest = rule.spacing_mm / 24.0;
-    let net = net.refined(false, |p| libm::sqrt(8.0 * CHORD_MM * axis.radius_mm(p)).max(finest));
-    let winding = Winding::new(&net, &axis, rule.spacing_mm);
+    let surface_mesh = surface_mesh.refined(false, |p| libm::sqrt(8.0 * CHORD_MM * axis.radius_mm(p)).max(finest));
+    let winding = Winding::new(&surface_mesh, &axis, rule.spacing_mm);
     let (mut lines, mut turns) = winding.lines(merge_mm);
     // Near the axis a spiral leads outwards more than around, and turns lie nearer.
     let around = |p: &Point3<f64>| axis.radius_mm(p) >= 2.5 * rule.spacing_mm;
@@ -36,7 +36,8 @@ pub(super) fn lines(
         turns.reverse();
         lines.iter_mut().for_each(|l| l.points.reverse());
     }
-    let missed: f64 = (0..net.mesh.facets.len()).filter(|&f| !winding.reaches(f)).map(|f| net.mesh.areas[f]).sum();
+    let missed: f64 =
+        (0..surface_mesh.mesh.facets.len()).filter(|&f| !winding.reaches(f)).map(|f| surface_mesh.mesh.areas[f]).sum();
     let finding = if lines.is_empty() {
         Some(LinesFinding::NoTurnFits { surface: surface.number, spacing_mm: rule.spacing_mm })
     } else if missed > rule.spacing_mm * rule.spacing_mm {
@@ -47,19 +48,19 @@ pub(super) fn lines(
     SurfaceLines { lines, achieved, planes: Vec::new(), finding }
 }
 
-/// Where the spiral turns about, its centre a vertex of the net.
+/// Where the spiral turns about, its centre a vertex of the surface mesh.
 ///
 /// The middle is the centroid of the area, or the given point; its normal line meets the surface in the
 /// centre. Where it meets nothing, the centre is a hole. A closed surface has no mean normal; then it is z.
-fn centred(mesh: &Mesh, surface: &Surface, net: Net, rule: &Layout) -> (Net, SpiralAxis) {
+fn centred(mesh: &Mesh, surface: &Surface, surface_mesh: SurfaceMesh, rule: &Layout) -> (SurfaceMesh, SpiralAxis) {
     let (sum, area) = live(mesh, surface)
         .fold((Vector3::zeros(), 0.0), |(s, a), f| (s + mesh.centroid(f).coords * mesh.areas[f], a + mesh.areas[f]));
     let middle = rule.centre.unwrap_or(Point3::from(sum / f64::max(area, 1e-300)));
     let mean = mean_normal(mesh, surface);
     let along = mean.unwrap_or_else(Vector3::z);
     // On a closed surface the far end of the line; else the nearest place.
-    let hits = (0..net.mesh.facets.len() as u32).filter_map(|f| {
-        let (weights, height) = pierced(&net.mesh.corners(f as usize), &middle, &along)?;
+    let hits = (0..surface_mesh.mesh.facets.len() as u32).filter_map(|f| {
+        let (weights, height) = pierced(&surface_mesh.mesh.corners(f as usize), &middle, &along)?;
         Some((if mean.is_some() || rule.centre.is_some() { height.abs() } else { -height }, f, weights))
     });
     let hit = hits.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -67,14 +68,14 @@ fn centred(mesh: &Mesh, surface: &Surface, net: Net, rule: &Layout) -> (Net, Spi
         let u = angle::any_square_to(&along);
         SpiralAxis { at, along, u, v: along.cross(&u), vertex }
     };
-    let Some((_, facet, weights)) = hit else { return (net, axis(middle, along, None)) };
-    let own = net.mesh.normals[facet as usize];
-    let (net, vertex) = net.with_vertex(facet, weights);
+    let Some((_, facet, weights)) = hit else { return (surface_mesh, axis(middle, along, None)) };
+    let own = surface_mesh.mesh.normals[facet as usize];
+    let (surface_mesh, vertex) = surface_mesh.with_vertex(facet, weights);
     // Vertex normals look to the side that is worked on; the curves need that of the facets.
-    let there = net.normals[vertex as usize];
+    let there = surface_mesh.normals[vertex as usize];
     let there = if there.dot(&own) < 0.0 { -there } else { there };
-    let at = net.mesh.vertices[vertex as usize];
-    (net, axis(at, angle::unit(there).unwrap_or(own), Some(vertex)))
+    let at = surface_mesh.mesh.vertices[vertex as usize];
+    (surface_mesh, axis(at, angle::unit(there).unwrap_or(own), Some(vertex)))
 }
 
 /// Where a line meets a facet: weights of its corners, and height along the line.

@@ -1,16 +1,16 @@
-//! The turns of a spiral on a net: where they cross edges, and the chords in facets chained to lines.
+//! The turns of a spiral on a surface mesh: where they cross edges, and the chords in facets chained to lines.
 //!
 //! Every edge and every facet is looked at by itself; only the chaining goes along the spiral.
 
 use super::super::section::{SectionPoint, TransversalLine, chained, merged};
-use super::net::Net;
 use super::radial::{SpiralAxis, excess, wrapped};
+use super::surface_mesh::SurfaceMesh;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// The number of turns from the centre, less the angle, at the vertices of a net.
+/// The number of turns from the centre, less the angle, at the vertices of a surface mesh.
 pub(super) struct Winding<'a> {
-    net: &'a Net,
+    surface_mesh: &'a SurfaceMesh,
     axis: &'a SpiralAxis,
     spacing_mm: f64,
     polar: Vec<(f64, f64)>,
@@ -26,17 +26,17 @@ pub(super) struct Winding<'a> {
 type Corner = (i64, Option<u32>, i64);
 
 impl Winding<'_> {
-    pub fn new<'a>(net: &'a Net, axis: &'a SpiralAxis, spacing_mm: f64) -> Winding<'a> {
-        let polar: Vec<(f64, f64)> = net.mesh.vertices.par_iter().map(|p| axis.polar(p)).collect();
-        let excess = excess(net, axis, &polar);
+    pub fn new<'a>(surface_mesh: &'a SurfaceMesh, axis: &'a SpiralAxis, spacing_mm: f64) -> Winding<'a> {
+        let polar: Vec<(f64, f64)> = surface_mesh.mesh.vertices.par_iter().map(|p| axis.polar(p)).collect();
+        let excess = excess(surface_mesh, axis, &polar);
         let value: Vec<f64> =
             (0..polar.len()).map(|v| (polar[v].0 + excess[v]) / spacing_mm - polar[v].1 / TAU).collect();
-        let mut winding = Winding { net, axis, spacing_mm, polar, excess, value, first: Vec::new() };
+        let mut winding = Winding { surface_mesh, axis, spacing_mm, polar, excess, value, first: Vec::new() };
         let crossings = |e: u32| {
             let [a, b] = winding.floors(e);
             (a - b).unsigned_abs().min(u64::from(u32::MAX)) as u32
         };
-        let mut first: Vec<u32> = (0..net.mesh.edges.len() as u32).into_par_iter().map(crossings).collect();
+        let mut first: Vec<u32> = (0..surface_mesh.mesh.edges.len() as u32).into_par_iter().map(crossings).collect();
         let mut before = 0u32;
         for count in &mut first {
             before = before.saturating_add(std::mem::replace(count, before));
@@ -60,7 +60,7 @@ impl Winding<'_> {
     /// Whole parts of the values at the lower and the higher end of an edge, in the count of its lower end
     /// (of the other where that is the centre); equal where the value is not known.
     fn floors(&self, edge: u32) -> [i64; 2] {
-        let [a, b] = self.net.mesh.edges[edge as usize];
+        let [a, b] = self.surface_mesh.mesh.edges[edge as usize];
         let whole = |v: u32| self.value[v as usize].floor() as i64;
         if !self.value[a as usize].is_finite() || !self.value[b as usize].is_finite() {
             return [0, 0];
@@ -79,13 +79,14 @@ impl Winding<'_> {
 
     /// Whether turns are known in a facet, as far as it has any.
     pub fn reaches(&self, facet: usize) -> bool {
-        self.net.mesh.areas[facet] == 0.0 || self.corners(facet).is_some()
+        self.surface_mesh.mesh.areas[facet] == 0.0 || self.corners(facet).is_some()
     }
 
     /// The corners of a facet in the count of its first; the centre twice, as it has two angles. `None`
     /// where the value is not known or the facet goes around the axis.
     fn corners(&self, facet: usize) -> Option<Vec<Corner>> {
-        let (mut corners, mut edges) = (self.net.mesh.facets[facet], self.net.mesh.facet_edges[facet]);
+        let (mut corners, mut edges) =
+            (self.surface_mesh.mesh.facets[facet], self.surface_mesh.mesh.facet_edges[facet]);
         if corners.iter().any(|&v| !self.value[v as usize].is_finite()) {
             return None;
         }
@@ -97,7 +98,7 @@ impl Winding<'_> {
         let [a, b, c] = corners;
         let added = |v: u32| if v == a { 0 } else { self.turns_between(a, v) };
         let whole = |v: u32| self.value[v as usize].floor() as i64 + added(v);
-        let lower = |e: u32| self.net.mesh.edges[e as usize][0];
+        let lower = |e: u32| self.surface_mesh.mesh.edges[e as usize][0];
         if self.is_centre(c) {
             return Some(vec![
                 (whole(a), Some(edges[0]), added(lower(edges[0]))),
@@ -115,7 +116,7 @@ impl Winding<'_> {
 
     /// The pieces in the order of the spiral, with the turns at their points.
     pub fn lines(&self, merge_mm: f64) -> (Vec<TransversalLine>, Vec<Vec<f64>>) {
-        let places: Vec<(SectionPoint, f64)> = (0..self.net.mesh.edges.len() as u32)
+        let places: Vec<(SectionPoint, f64)> = (0..self.surface_mesh.mesh.edges.len() as u32)
             .into_par_iter()
             .flat_map_iter(|e| {
                 let [a, b] = self.floors(e);
@@ -125,10 +126,10 @@ impl Winding<'_> {
         // One more than the last crossing: the centre, where the spiral begins.
         let centre = places.len() as u32;
         let gates: Vec<(u32, u32)> =
-            (0..self.net.mesh.facets.len()).into_par_iter().flat_map_iter(|f| self.gates(f, centre)).collect();
+            (0..self.surface_mesh.mesh.facets.len()).into_par_iter().flat_map_iter(|f| self.gates(f, centre)).collect();
         let start = SectionPoint {
             p: self.axis.at,
-            n: self.axis.vertex.map_or(self.axis.along, |v| self.net.normals[v as usize]),
+            n: self.axis.vertex.map_or(self.axis.along, |v| self.surface_mesh.normals[v as usize]),
         };
         let place = |id: &u32| places.get(*id as usize).copied().unwrap_or((start, 0.0));
         let mut found: Vec<(TransversalLine, Vec<f64>)> = chained(&gates)
@@ -169,7 +170,7 @@ impl Winding<'_> {
 
     /// Where the spiral crosses an edge, and how many turns from the centre.
     fn place(&self, edge: u32, level: i64) -> (SectionPoint, f64) {
-        let [a, b] = self.net.mesh.edges[edge as usize];
+        let [a, b] = self.surface_mesh.mesh.edges[edge as usize];
         let (from, to) = (self.excess[a as usize], self.excess[b as usize]);
         let ((near, angle), (far, other)) = (self.polar[a as usize], self.polar[b as usize]);
         let mm = |t: f64, off: f64| off + from + (to - from) * t;
@@ -178,9 +179,9 @@ impl Winding<'_> {
             // Straight outwards, where the angle does not change.
             let whole = level + if self.is_centre(a) { other } else { angle } / TAU;
             let t = (whole * self.spacing_mm - near - from) / (far + to - near - from);
-            return (self.net.on_edge(edge, t.clamp(0.0, 1.0)), whole);
+            return (self.surface_mesh.on_edge(edge, t.clamp(0.0, 1.0)), whole);
         }
-        let [p, q] = [a, b].map(|v| self.axis.across(&self.net.mesh.vertices[v as usize]));
+        let [p, q] = [a, b].map(|v| self.axis.across(&self.surface_mesh.mesh.vertices[v as usize]));
         let way = q - p;
         // Value less level at a share of the way, its rise there, and the turns.
         let at = |t: f64| {
@@ -211,6 +212,6 @@ impl Winding<'_> {
             let to = t - wrong / rise;
             t = if to > low && to < high { to } else { 0.5 * (low + high) };
         }
-        (self.net.on_edge(edge, t), turns)
+        (self.surface_mesh.on_edge(edge, t), turns)
     }
 }

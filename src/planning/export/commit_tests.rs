@@ -54,7 +54,7 @@ fn cases() -> Vec<(Option<Vec<OutputFile>>, Vec<OutputFile>)> {
         (old(1..4), new(0..0)),
         (old(0..0), new(1..4)),
         (old(1..2), new(1..2)),
-        // The old main program has the name of a new sub-program.
+        // The old main program has the name of a new subprogram.
         (old(2..6), new(1..5)),
         (old(5..8), new(1..3)),
         // Main programs that are the same, letter by letter, and call others.

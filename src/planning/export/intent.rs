@@ -84,7 +84,7 @@ impl ExportIntent {
         staged.chain([CommitStep::Sync, CommitStep::Declare, CommitStep::Sync]).collect()
     }
 
-    /// What is done behind it. A program to be started is never there with sub-programs that are not its own: the old
+    /// What is done behind it. A program to be started is never there with subprograms that are not its own: the old
     /// one goes first, and the new one comes last.
     pub(super) fn steps(&self) -> Vec<CommitStep> {
         let is_last = |f: &&FileDigest| f.name == REPORT || Some(&f.name) == self.main.as_ref();

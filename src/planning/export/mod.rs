@@ -48,7 +48,7 @@ pub struct Exported {
 }
 
 /// What would stand in the way of exporting a job into a folder, as far as it can be told before anything is
-/// planned: sub-programs are not known by then. What a crash left there is brought to its end first.
+/// planned: subprograms are not known by then. What a crash left there is brought to its end first.
 ///
 /// The command line asks this before it plans, so that nobody waits for a plan that cannot be written. The window
 /// exports plans that are finished, and learns of conflicts from [`write()`], which always compares all files.

@@ -14,13 +14,13 @@ use super::key::{Keys, part_key};
 use super::planned::PlannedJob;
 use super::pool::AtOnce;
 use super::stage::Stage;
-use super::surface_plan::Cache;
+use super::surface_plan::PlanCache;
 use super::toolpath::Toolpath;
 use crate::beam::Tool;
 use crate::cell::{Cell, Setup};
 use crate::document::Job;
 use crate::document::files::JobError;
-use crate::document::model::PartFile;
+use crate::document::model::JobPart;
 use crate::document::stamps::Stamps;
 use crate::part::{Part, Source, Surfaces};
 use std::convert::Infallible;
@@ -53,7 +53,7 @@ pub struct Pipeline {
     /// Time and size of those files when they were read.
     stamps: Stamps,
     /// Surface plans and lines that other plans of this part can use again.
-    pub cache: Arc<Cache>,
+    pub cache: Arc<PlanCache>,
     part: Stage<Part, PartError>,
     surfaces: Stage<Surfaces, Infallible>,
     tool: Stage<Tool, Arc<JobError>>,
@@ -87,7 +87,7 @@ impl Pipeline {
     }
 
     /// Takes another file, and the part of a job that was built from it if there is one; all else goes.
-    pub fn open(&mut self, source: Arc<Source>, built: Option<(&PartFile, Part)>) {
+    pub fn open(&mut self, source: Arc<Source>, built: Option<(&JobPart, Part)>) {
         self.cancel();
         let reading = self.reading + 1;
         let fresh = Pipeline::new(self.executor.clone(), self.with_lines);

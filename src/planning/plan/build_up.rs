@@ -4,7 +4,8 @@
 //! layer is not checked.
 
 use super::surface_plan::{
-    Cache, Kept, SurfacePlan, plan_surface, poses_key, raster, rules_of, with_process_settings, with_ways,
+    PlanCache, PlanCacheContents, SurfacePlan, plan_surface, poses_key, raster, rules_of, with_process_settings,
+    with_ways,
 };
 use super::toolpath::{self, Toolpath};
 use crate::beam::Tool;
@@ -69,7 +70,7 @@ pub(in super::super) struct LayerInput<'a> {
 /// The toolpaths of one layer, each with the digest of all that it depends on.
 pub(in super::super) fn layer_toolpaths(
     of: &LayerInput<'_>,
-    cache: &Cache,
+    cache: &PlanCache,
     progress: &Progress,
 ) -> Result<Vec<(Digest, Arc<Toolpath>)>, Cancelled> {
     let LayerInput { part, surfaces, list, jobs, layer } = *of;
@@ -86,12 +87,12 @@ pub(in super::super) fn layer_toolpaths(
     Ok(toolpaths.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
 }
 
-/// Plans one layer, its surfaces in the order of work. The pieces that it is made of go into `kept`.
+/// Plans one layer, its surfaces in the order of work. The pieces that it is made of go into `used`.
 pub(in super::super) fn plan_layer(
     of: &LayerInput<'_>,
     tool: &Tool,
-    cache: &Cache,
-    kept: &mut Kept,
+    cache: &PlanCache,
+    used: &mut PlanCacheContents,
     progress: &Progress,
 ) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
     let (part, jobs) = (of.part, of.jobs);
@@ -123,7 +124,7 @@ pub(in super::super) fn plan_layer(
         })
         .collect::<Result<_, PlanError>>()?;
     let surface_plans = planned.iter().map(|(_, p)| p.clone()).collect();
-    kept.plans.extend(planned);
-    kept.toolpaths.extend(toolpaths);
+    used.plans.extend(planned);
+    used.toolpaths.extend(toolpaths);
     Ok(surface_plans)
 }

@@ -2,7 +2,7 @@
 
 use super::build_up::{LayerInput, layer_toolpaths};
 use super::prepared::prepare;
-use super::surface_plan::Cache;
+use super::surface_plan::PlanCache;
 use super::toolpath::Toolpath;
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
@@ -18,7 +18,7 @@ pub fn preview(
     part: &Part,
     surfaces: &Surfaces,
     job: &Job,
-    cache: &Cache,
+    cache: &PlanCache,
     progress: &Progress,
 ) -> Result<Vec<Arc<Toolpath>>, PlanError> {
     let (list, own) = prepare(part, surfaces, job)?;
@@ -47,7 +47,8 @@ mod tests {
         let strategy = Some(crate::path::Strategy::Offset);
         job.recipes.push(Recipe { name: "Around".into(), strategy, ..Recipe::default() });
         job.settings.change(SurfaceId(2), |s| s.recipe = Some("Around".into()));
-        let (surfaces, setup, cache) = (segmented(&part, &job), Setup::shipped().expect("shipped"), Cache::default());
+        let (surfaces, setup, cache) =
+            (segmented(&part, &job), Setup::shipped().expect("shipped"), PlanCache::default());
         let shown = preview(&part, &surfaces, &job, &cache, &Progress::default()).expect("lines");
         assert_eq!(shown.iter().map(|l| l.surface).collect::<Vec<_>>(), [5, 2]);
         assert!(shown.iter().all(|l| !l.lines.is_empty()) && shown[1].planes.is_empty());

@@ -37,16 +37,16 @@ pub struct SurfacePlan {
 
 /// Surface plans and toolpaths by the digest of all that they depend on.
 #[derive(Debug, Default)]
-pub struct Cache(Mutex<Kept>);
+pub struct PlanCache(Mutex<PlanCacheContents>);
 
 /// What one plan was made of.
 #[derive(Debug, Default)]
-pub(in super::super) struct Kept {
+pub(in super::super) struct PlanCacheContents {
     pub(in super::super) plans: BTreeMap<Digest, Arc<SurfacePlan>>,
     pub(in super::super) toolpaths: BTreeMap<Digest, Arc<Toolpath>>,
 }
 
-impl Cache {
+impl PlanCache {
     pub(in super::super) fn get(&self, key: &Digest) -> Option<Arc<SurfacePlan>> {
         self.0.lock().ok()?.plans.get(key).cloned()
     }
@@ -76,7 +76,7 @@ impl Cache {
     }
 
     /// Keeps what the newest plan uses, and nothing else.
-    pub(in super::super) fn keep(&self, used: Kept) {
+    pub(in super::super) fn keep(&self, used: PlanCacheContents) {
         if let Ok(mut kept) = self.0.lock() {
             *kept = used;
         }

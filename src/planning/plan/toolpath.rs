@@ -3,7 +3,7 @@
 //! Geometry alone: whether a beam gets there is asked afterwards.
 
 use super::remark::ToolpathRemark;
-use crate::document::model::{Job, Layers};
+use crate::document::model::{Job, LineParameters};
 use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
 use crate::path::coverage::{Coverage, coverage};
@@ -41,7 +41,7 @@ pub struct Toolpath {
 /// All that the lines of a surface depend on, beside the part and its planes.
 pub struct ToolpathRules<'a> {
     /// Strategy, spacing, rim.
-    pub layers: &'a Layers,
+    pub layers: &'a LineParameters,
     /// The axis that the beam follows.
     pub axis: AxisSource,
     /// Every second layer runs across the others.
@@ -206,7 +206,7 @@ pub struct Ordered {
 }
 
 /// Puts lines in order; `spot`: where the surface before ends.
-pub fn ordered(toolpath: &Toolpath, layers: &Layers, spot: Option<&Point3<f64>>) -> Ordered {
+pub fn ordered(toolpath: &Toolpath, layers: &LineParameters, spot: Option<&Point3<f64>>) -> Ordered {
     // The pieces of a spiral come in order, and run as it does.
     let is_spiral = layers.strategy == Strategy::Spiral;
     let by = |order| match is_spiral {

@@ -1,5 +1,5 @@
 //! `report.json`: what was planned, in numbers that scripts rely on; and what people are to know of it first
-//! (`first_things_first`). Sentences of it stand in `text`.
+//! (`notices_worst_first`). Sentences of it stand in `text`.
 
 mod lengths;
 mod nothing;
@@ -13,7 +13,7 @@ mod unproven;
 mod written_files;
 
 pub use nothing::{BlockedBy, NothingReason, is_dark};
-pub use notice::{Notice, Severity, first_things_first};
+pub use notice::{Notice, Severity, notices_worst_first};
 pub use outcome::CorrectionOutcome;
 pub use plan_finding::PlanFinding;
 pub use problem::{NotDone, Problem, problems};
@@ -149,7 +149,7 @@ impl Report {
             splits: splits(all, surfaces),
             corrections: corrections(plan),
             surfaces: rows,
-            proven: plan.proof.as_ref().is_some_and(|p| p.intervals > 0 && p.refuted.is_empty()),
+            proven: plan.proof.as_ref().is_some_and(|p| p.lit_moves > 0 && p.refuted.is_empty()),
             unproven: plan.proof.as_ref().map_or_else(Vec::new, |p| unproven(p, surfaces)),
             proof: plan.proof.clone(),
             min_clearance_mm: clearance.reduce(f64::min),

@@ -111,7 +111,7 @@ impl Notice {
 
 /// All findings of a job's plan, the worst first; of one severity in the order of work. `in_file`: what was found in
 /// the part's file.
-pub fn first_things_first(report: &Report, job: &Job, in_file: &[PartFinding]) -> Vec<Notice> {
+pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) -> Vec<Notice> {
     let mut out: Vec<Notice> = report.unproven.iter().cloned().map(Notice::NotProven).collect();
     out.extend(report.findings.iter().map(of_finding));
     for problem in &report.problems {

@@ -50,6 +50,6 @@ impl Report {
     pub fn standing(&self) -> Option<Standing> {
         let proof = self.proof.as_ref()?;
         let unproven = proof.refuted.len();
-        Some(Standing { targets: self.points, left_out: self.blocked, lit_moves: proof.intervals, unproven })
+        Some(Standing { targets: self.points, left_out: self.blocked, lit_moves: proof.lit_moves, unproven })
     }
 }

@@ -5,14 +5,18 @@ use super::CorrectedPoint;
 use super::site_tilts::SiteTilts;
 use super::track::{Site, TiltVector, Track};
 use crate::path::DensePoint;
-use crate::pose::{Beam, motion};
+use crate::pose::{BeamInterference, motion};
 use nalgebra::Vector3;
 
 /// Precision of the ends of a blocked stretch, mm.
 const END_MM: f64 = 0.05;
 
 /// The corrected points of a line.
-pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTilts]) -> Vec<CorrectedPoint> {
+pub fn corrected_points(
+    beam: &BeamInterference<'_>,
+    track: &Track<'_>,
+    site_tilts: &[SiteTilts],
+) -> Vec<CorrectedPoint> {
     // Tested once more, whatever step a tilt came from.
     let is_free = |q: &DensePoint, a: &Vector3<f64>| beam.is_free(&q.p, a);
     let row = |site: &Site, tilt: Option<TiltVector>, is_split: bool| CorrectedPoint {
@@ -59,7 +63,14 @@ pub fn corrected_points(beam: &Beam<'_>, track: &Track<'_>, site_tilts: &[SiteTi
 }
 
 /// The last site, going from one end of a gap, at which a constant tilt is free.
-fn last_free_site(beam: &Beam<'_>, track: &Track<'_>, site: &Site, next: &Site, tilt: TiltVector, from: f64) -> Site {
+fn last_free_site(
+    beam: &BeamInterference<'_>,
+    track: &Track<'_>,
+    site: &Site,
+    next: &Site,
+    tilt: TiltVector,
+    from: f64,
+) -> Site {
     let start = site.midway(next, from);
     let good = |t: f64| {
         let there = site.midway(next, t);

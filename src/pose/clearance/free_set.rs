@@ -4,7 +4,7 @@
 use super::grid;
 use super::track::{Site, TiltVector, Track};
 use crate::part::{Part, bvh};
-use crate::pose::Beam;
+use crate::pose::BeamInterference;
 use crate::pose::tilt::Tilt;
 use nalgebra::{Point3, Vector3};
 
@@ -33,7 +33,7 @@ pub struct TestedDirection {
 /// The free set at a point `p` with the unit normal `n`, travelling along `tangent`: all cells of the
 /// coarse grid up to the greatest tilt.
 pub fn free_set(
-    beam: &Beam<'_>,
+    beam: &BeamInterference<'_>,
     p: &Point3<f64>,
     n: &Vector3<f64>,
     tangent: &Vector3<f64>,
@@ -50,7 +50,7 @@ pub fn free_set(
 
 /// Free tilts at a point, on a grid of half a degree; empty only if none of that grid is free. Squares that lie
 /// behind a single facet are skipped as a whole.
-pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) -> Vec<TiltVector> {
+pub fn openings(part: &Part, beam: &BeamInterference<'_>, track: &Track<'_>, site: &Site) -> Vec<TiltVector> {
     let mut out = Vec::new();
     let search = Openings { part, beam, track, site };
     let count = (track.max_tilt_deg / (2.0 * HALF_SQUARE_DEG)).ceil() as i32;
@@ -67,7 +67,7 @@ pub fn openings(part: &Part, beam: &Beam<'_>, track: &Track<'_>, site: &Site) ->
 
 struct Openings<'a> {
     part: &'a Part,
-    beam: &'a Beam<'a>,
+    beam: &'a BeamInterference<'a>,
     track: &'a Track<'a>,
     site: &'a Site,
 }

@@ -20,7 +20,7 @@ mod windows;
 
 pub use free_set::{TestedDirection, free_set};
 
-use super::interference::Beam;
+use super::interference::BeamInterference;
 use super::line_rules::LineRules;
 use super::tilt::Pin;
 use crate::part::Part;
@@ -46,7 +46,7 @@ pub struct CorrectedPoint {
 /// this is. `closed`: the last point is the first again, and gets the same beam.
 pub fn correct(
     part: &Part,
-    beam: &Beam<'_>,
+    beam: &BeamInterference<'_>,
     points: &[DensePoint],
     free: &[bool],
     closed: bool,

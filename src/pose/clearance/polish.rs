@@ -3,7 +3,7 @@
 use super::freedom::NEARNESS_DEG2;
 use super::site_tilts::SiteTilts;
 use super::track::{TiltVector, Track};
-use crate::pose::{Beam, motion};
+use crate::pose::{BeamInterference, motion};
 
 /// Steps in which a tilt is drawn towards its aim, degrees.
 const STEP_DEG: f64 = 1.0;
@@ -20,7 +20,7 @@ const FARTHER_DEG: f64 = 1.0;
 const SWEEPS: usize = 6;
 
 /// Draws the tilts of points `first` to `last` to their aims.
-pub fn polish(beam: &Beam<'_>, track: &Track<'_>, first: usize, last: usize, site_tilts: &mut [SiteTilts]) {
+pub fn polish(beam: &BeamInterference<'_>, track: &Track<'_>, first: usize, last: usize, site_tilts: &mut [SiteTilts]) {
     let mut at = first;
     while at < last {
         // A piece: lit from point to point, without a split inside.
@@ -55,7 +55,7 @@ pub fn polish(beam: &Beam<'_>, track: &Track<'_>, first: usize, last: usize, sit
 }
 
 struct LitRun<'a> {
-    beam: &'a Beam<'a>,
+    beam: &'a BeamInterference<'a>,
     track: &'a Track<'a>,
     from: usize,
 }

@@ -8,7 +8,7 @@
 
 use super::bins::Bins;
 use super::track::{TiltVector, Track};
-use crate::pose::Beam;
+use crate::pose::BeamInterference;
 use std::collections::BTreeMap;
 
 /// Each degree that the tilt turns costs as much as a degree of tilt over this length, mm: of equal
@@ -60,7 +60,7 @@ pub struct Chain {
 }
 
 /// The best chain through the layers, none of which is empty.
-pub fn best_chain(beam: &Beam<'_>, track: &Track<'_>, layers: &[TiltLayer]) -> Chain {
+pub fn best_chain(beam: &BeamInterference<'_>, track: &Track<'_>, layers: &[TiltLayer]) -> Chain {
     let mut dp =
         ChainSearch { beam, track, layers, layer_costs: Vec::new(), known: BTreeMap::new(), only_known: false };
     dp.layer_costs = (0..layers.len()).map(|k| dp.costs_of(k)).collect();
@@ -100,7 +100,7 @@ pub(super) struct LayerCosts {
 }
 
 pub(super) struct ChainSearch<'a> {
-    pub(super) beam: &'a Beam<'a>,
+    pub(super) beam: &'a BeamInterference<'a>,
     pub(super) track: &'a Track<'a>,
     pub(super) layers: &'a [TiltLayer],
     pub(super) layer_costs: Vec<LayerCosts>,

@@ -6,7 +6,7 @@ use super::site_tilts::SiteTilts;
 use super::track::{TiltVector, Track};
 use super::{grid, polish};
 use crate::part::Part;
-use crate::pose::Beam;
+use crate::pose::BeamInterference;
 use std::collections::BTreeSet;
 
 /// Spacing of the finest grid, degrees.
@@ -22,7 +22,7 @@ const LOOK_MM: f64 = 1.0;
 /// A stretch of a line that is searched.
 pub(super) struct Window<'a> {
     pub(super) part: &'a Part,
-    pub(super) beam: &'a Beam<'a>,
+    pub(super) beam: &'a BeamInterference<'a>,
     pub(super) track: &'a Track<'a>,
     /// Its first point.
     pub(super) first: usize,

@@ -4,13 +4,13 @@ use super::site_tilts::SiteTilts;
 use super::track::{TiltVector, Track};
 use super::window::Window;
 use crate::part::Part;
-use crate::pose::{Beam, motion};
+use crate::pose::{BeamInterference, motion};
 use nalgebra::Vector3;
 
 /// A line, and the points at which its aim is free.
 pub struct Windows<'a> {
     part: &'a Part,
-    beam: &'a Beam<'a>,
+    beam: &'a BeamInterference<'a>,
     track: &'a Track<'a>,
     /// Whether the beam may have its aim.
     pub ok: Vec<bool>,
@@ -18,7 +18,7 @@ pub struct Windows<'a> {
 
 impl<'a> Windows<'a> {
     /// Looks at the aims. `free[i]`: the beam along the normal is free.
-    pub fn new(part: &'a Part, beam: &'a Beam<'a>, track: &'a Track<'a>, free: &[bool]) -> Windows<'a> {
+    pub fn new(part: &'a Part, beam: &'a BeamInterference<'a>, track: &'a Track<'a>, free: &[bool]) -> Windows<'a> {
         let sites = &track.sites;
         let plain = |i: usize| sites[i].aim == TiltVector::zeros();
         let mut ok: Vec<bool> = (0..sites.len())

@@ -3,12 +3,12 @@
 //!
 //! These questions serve detection, correction and verification alike; `checker` shares no code with them.
 
-mod beam;
+mod beam_interference;
 mod blocker;
 mod ray;
 mod tool_body;
 
-pub use beam::Beam;
+pub use beam_interference::BeamInterference;
 pub use blocker::{Blocker, Obstruction, ToolBody};
 pub use ray::GRAZE_MM;
 pub(super) use tool_body::Conflict;
@@ -16,7 +16,7 @@ pub use tool_body::FAR_MM;
 
 use nalgebra::{Point3, Vector3};
 
-impl Beam<'_> {
+impl BeamInterference<'_> {
     /// Whether beam and head meet nothing, the spot in the point `p` of the surface, along the unit axis `a`.
     pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         self.is_ray_free(p, a) && self.is_body_free(p, a)

@@ -1,7 +1,7 @@
 //! The beam as a ray (P1 3.1) against all facets, with what P1 leaves open: a beam that grazes a facet, and one
 //! that starts in it.
 
-use super::beam::{Beam, RISE_MM, into_frame};
+use super::beam_interference::{BeamInterference, RISE_MM, into_frame};
 use super::blocker::{Blocker, Obstruction, ToolBody};
 use crate::part::{Bvh, angle, distance};
 use crate::pose::Pose;
@@ -32,7 +32,7 @@ const STANDS_SINE: f64 = 0.087;
 /// Length of the first stretch of a moving beam that is looked at by itself, mm.
 const FIRST_STRETCH_MM: f64 = 1.0;
 
-impl Beam<'_> {
+impl BeamInterference<'_> {
     /// Whether the ray meets nothing.
     pub(super) fn is_ray_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         let ray = distance::WideRay::new(p, a, GRAZE_MM);

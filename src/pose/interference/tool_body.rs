@@ -4,7 +4,7 @@
 //! anything. The margin is kept from everything; what the spot stands on is told from a wall by direction (see
 //! [`crate::beam::tool_geometry`]).
 
-use super::beam::{Beam, RISE_MM, into_frame};
+use super::beam_interference::{BeamInterference, RISE_MM, into_frame};
 use super::blocker::{Blocker, Obstruction, ToolBody};
 use crate::beam::frustum::PlacedFrustum;
 use crate::beam::tool_geometry::OWN_SINE;
@@ -37,7 +37,7 @@ struct ToolShape<'f> {
     keeps_mm: f64,
 }
 
-impl<'a> Beam<'a> {
+impl<'a> BeamInterference<'a> {
     /// The tool's bodies, the head's first.
     fn shapes<'f>(body: &'f ToolGeometry<'a>) -> impl Iterator<Item = ToolShape<'f>> {
         let head =
@@ -184,7 +184,7 @@ impl<'a> Beam<'a> {
     }
 
     /// Whether cone or head may touch anything on the motion between two poses; see
-    /// [`Beam::ray_conflict`]. `stray_mm`: how far a point of the tool at this distance from the spot may stray from
+    /// [`BeamInterference::ray_conflict`]. `stray_mm`: how far a point of the tool at this distance from the spot may stray from
     /// the motion with a straight spot and a constant turn.
     pub(in crate::pose) fn body_conflict(
         &self,

@@ -2,7 +2,7 @@
 //! and made into the targets of a pass.
 
 use super::super::clearance;
-use super::super::interference::{Beam, Blocker};
+use super::super::interference::{BeamInterference, Blocker};
 use super::super::target::{Pass, Split, Target, TargetState, against_normal_deg, travel};
 use super::super::{Pose, motion};
 use crate::part::angle;
@@ -70,7 +70,7 @@ impl Planned {
 
     /// Inserts a blocked point where the beam hits something between two free neighbours, and points in between where
     /// it turns more than a move may.
-    pub(super) fn test_motion(&mut self, beam: &Beam<'_>, max_turn_deg: f64) {
+    pub(super) fn test_motion(&mut self, beam: &BeamInterference<'_>, max_turn_deg: f64) {
         let max_turn_deg = max_turn_deg.min(CORRECTED_TURN_DEG);
         let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new()));
         self.rate_deg_mm = old.rate_deg_mm;
@@ -103,7 +103,7 @@ impl Planned {
     }
 
     /// The places that become targets.
-    pub(super) fn reduce(&self, beam: &Beam<'_>, limits: &ChordLimits) -> Vec<LinePlace> {
+    pub(super) fn reduce(&self, beam: &BeamInterference<'_>, limits: &ChordLimits) -> Vec<LinePlace> {
         let last = self.points.len() - 1;
         // Points at which the state changes stay, on both sides; and those of a split.
         let fixed: Vec<bool> = (0..=last)
@@ -129,7 +129,7 @@ impl Planned {
     }
 
     /// Whether the straight motion between two places can stand for the points between.
-    fn may_span(&self, beam: &Beam<'_>, i: LinePlace, j: LinePlace, max_turn_deg: f64) -> bool {
+    fn may_span(&self, beam: &BeamInterference<'_>, i: LinePlace, j: LinePlace, max_turn_deg: f64) -> bool {
         let pose = |place: LinePlace| self.axis(place).map(|a| Pose { p: place.point_on(&self.points).p, a });
         let (Some(from), Some(to)) = (pose(i), pose(j)) else {
             // Blocked points only mark the place; nothing moves along them with the laser on.
@@ -157,7 +157,7 @@ impl Planned {
     }
 
     /// Fills a pass with targets at the places that were kept.
-    pub(super) fn fill(&self, beam: &Beam<'_>, pass: Pass, kept: &[LinePlace]) -> Pass {
+    pub(super) fn fill(&self, beam: &BeamInterference<'_>, pass: Pass, kept: &[LinePlace]) -> Pass {
         let tangents = dense::tangents(&self.points, pass.closed);
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
         let mut splits = Vec::new();
@@ -196,7 +196,7 @@ impl Planned {
 
     /// What keeps the beam from turning at the split `i`: something on the turn from one beam to the other, or ahead
     /// on the line if the beam kept the tilt it has before the split.
-    fn wall(&self, beam: &Beam<'_>, i: usize) -> Option<Blocker> {
+    fn wall(&self, beam: &BeamInterference<'_>, i: usize) -> Option<Blocker> {
         let (q, from, to) = (self.points[i], self.axes[i.checked_sub(1)?]?, self.axes[i]?);
         let arc = angle::GreatCircle::new(&from, &to);
         let steps = angle::between_deg(&from, &to).ceil().max(2.0);

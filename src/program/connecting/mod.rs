@@ -2,8 +2,8 @@
 //! lead-outs, and the moves themselves: those of the focus without a robot, those that an arm can make with one.
 
 pub mod lead;
-pub mod memo;
 pub mod pieces;
+pub mod pose_cache;
 pub mod space;
 pub mod with_robot;
 pub mod without_robot;

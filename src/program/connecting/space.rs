@@ -11,7 +11,7 @@ use crate::cell::{Air, Setup};
 use crate::part::{Part, angle, distance};
 use crate::pose::Pose;
 use crate::pose::motion::{Motion, head_hit, is_free};
-use crate::pose::{Beam, Blocker, Pass};
+use crate::pose::{BeamInterference, Blocker, Pass};
 use crate::program::motion::lit::StraightFlange;
 use crate::program::motion::spot::FROM_MM;
 use crate::program::motion::sweep::stray_mm;
@@ -80,7 +80,7 @@ impl<'a> Space<'a> {
 
     /// What the head hits on a straight move of the flange, if anything.
     pub fn head_hit(&self, from: &Station, to: &Station) -> Option<Blocker> {
-        let head = Beam::with(self.part, Some(self.head.as_ref()?));
+        let head = BeamInterference::with(self.part, Some(self.head.as_ref()?));
         let carried = CarriedFocus::new(&self.mounted, from, to);
         head_hit(&head, &carried, (&carried.at(0.0), 0.0), (&carried.at(1.0), 1.0))
     }
@@ -91,7 +91,7 @@ impl<'a> Space<'a> {
         // From the surface on the beam would lie in it wherever it is bent.
         let up_mm = (FROM_MM - defocus_mm).max(0.0);
         let pose = |s: &Station| Pose { p: s.x + s.a * up_mm, a: s.a };
-        is_free(&Beam::on(self.part), &pose(from), &pose(to), 0.0) && self.head_hit(from, to).is_none()
+        is_free(&BeamInterference::on(self.part), &pose(from), &pose(to), 0.0) && self.head_hit(from, to).is_none()
     }
 
     /// Whether the way from the end of one piece to the start of the next may go straight.
@@ -241,7 +241,7 @@ impl Motion for CarriedFocus<'_> {
         stray_mm(self.turn * share, self.lever_mm + reach_mm)
     }
 
-    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
+    fn blocker(&self, beam: &BeamInterference<'_>, middle: &Pose) -> Option<Blocker> {
         beam.body_blocker(&middle.p, &middle.a)
     }
 }

@@ -107,7 +107,7 @@ pub struct Speeds {
 /// Whether the move at `index` is followed by another straight one, so that the controller need not
 /// stop at its end. Where an output changes it has to.
 pub fn flows_on(lines: &[ProgramLine], index: usize) -> bool {
-    let next = lines.iter().skip(index + 1).find(|l| !matches!(l, ProgramLine::Say(_)));
+    let next = lines.iter().skip(index + 1).find(|l| !matches!(l, ProgramLine::Comment(_)));
     matches!(next, Some(ProgramLine::Move(m)) if m.interpolation == Interpolation::Linear)
 }
 

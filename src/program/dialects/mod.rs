@@ -11,8 +11,8 @@ pub mod fanuc;
 mod flange;
 pub mod kuka;
 pub mod nachi;
-mod pages;
 mod reading;
+mod subprograms;
 mod templates;
 pub mod ur;
 pub mod yaskawa;
@@ -26,8 +26,16 @@ use crate::beam::ProcessSettings;
 use crate::cell::Setup;
 
 /// Every dialect that is written and read, the default first.
-pub const DIALECTS: &[&dyn Dialect] =
-    &[&nachi::Slim, &kuka::Krl, &abb::Rapid, &fanuc::Tp, &ur::UrScript, &yaskawa::Inform, &estun::Erp, &csv::Table];
+pub const DIALECTS: &[&dyn Dialect] = &[
+    &nachi::NachiDialect,
+    &kuka::KukaDialect,
+    &abb::AbbDialect,
+    &fanuc::FanucDialect,
+    &ur::UrDialect,
+    &yaskawa::YaskawaDialect,
+    &estun::EstunDialect,
+    &csv::CsvDialect,
+];
 
 /// The dialect of that name.
 pub fn by_name(name: &str) -> Option<&'static dyn Dialect> {
@@ -68,7 +76,7 @@ pub fn check(name: &str, setup: &Setup) -> Result<(), DialectError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::outputs::LevelForm;
+    use crate::cell::outputs::ValueForm;
     use crate::program::{SignalKind, WriteError};
 
     #[test]
@@ -85,7 +93,7 @@ mod tests {
         }
         assert_eq!(check("karel", &setup), Err(UnknownDialect("karel".into()).into()));
         assert_eq!((names().next(), names().last()), (Some("nachi"), Some("csv")));
-        setup.cell.outputs.power.form = LevelForm::Analogue;
+        setup.cell.outputs.power.form = ValueForm::Analogue;
         let missing = WriteError::NoTemplate { dialect: "nachi", kind: SignalKind::Analogue };
         assert_eq!(check("nachi", &setup), Err(missing.into()), "no source for it");
         setup.cell.nachi.analogue = "AOUT {n},{v}".into();

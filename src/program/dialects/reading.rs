@@ -1,4 +1,4 @@
-//! What the readers share: where something is wrong, and sub-programs that call each other.
+//! What the readers share: where something is wrong, and subprograms that call each other.
 
 use crate::program::dialect::{ProgramFile, ReadContext, ReadLine, Statement};
 use crate::program::read_error::{LineFault, ReadError};

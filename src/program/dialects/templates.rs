@@ -1,4 +1,4 @@
-//! Outputs, levels, dwells and comments by the templates of a controller's table, both ways. Moves are each dialect's
+//! Outputs, their values, dwells and comments by the templates of a controller's table, both ways. Moves are each dialect's
 //! own.
 
 use crate::cell::controllers::templates::{check_template, cut, filled, fixed, matched, matched_key, number, plain};
@@ -63,12 +63,12 @@ impl SignalTemplates<'_> {
     /// There is no template for it.
     pub fn write(&self, line: &ProgramLine, wording: Wording) -> Result<Vec<String>, WriteError> {
         Ok(match line {
-            ProgramLine::Say(comment) => self.comments(&wording(comment)),
+            ProgramLine::Comment(comment) => self.comments(&wording(comment)),
             ProgramLine::Output { number, on } => {
                 let template = if *on { self.output_on } else { self.output_off };
                 vec![filled(template, &[("n", &number.to_string())])]
             }
-            ProgramLine::Level { number, value, group } => {
+            ProgramLine::OutputValue { number, value, group } => {
                 let (kind, template, decimals) = match group {
                     true => (SignalKind::Group, self.group, 0),
                     false => (SignalKind::Analogue, self.analogue, self.analogue_decimals),
@@ -101,7 +101,7 @@ impl SignalTemplates<'_> {
 
     /// What a line does, if it is one of these.
     pub fn read(&self, line: &str) -> Option<Statement> {
-        let output = self.read_output(line).or_else(|| self.read_level(line));
+        let output = self.read_output(line).or_else(|| self.read_output_value(line));
         output.or_else(|| self.read_wait(line)).or_else(|| self.read_comment(line))
     }
 
@@ -111,13 +111,17 @@ impl SignalTemplates<'_> {
         on.or_else(|| number(self.output_off).map(|number| Statement::Output { number, on: false }))
     }
 
-    fn read_level(&self, line: &str) -> Option<Statement> {
-        let level = |template, group| {
+    fn read_output_value(&self, line: &str) -> Option<Statement> {
+        let output_value = |template, group| {
             let keys = matched(template, line)?;
             let value = |key: &str| keys.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
-            Some(Statement::Level { number: value("n")?.trim().parse().ok()?, value: number(value("v")?)?, group })
+            Some(Statement::OutputValue {
+                number: value("n")?.trim().parse().ok()?,
+                value: number(value("v")?)?,
+                group,
+            })
         };
-        level(self.group, true).or_else(|| level(self.analogue, false))
+        output_value(self.group, true).or_else(|| output_value(self.analogue, false))
     }
 
     fn read_wait(&self, line: &str) -> Option<Statement> {
@@ -127,6 +131,6 @@ impl SignalTemplates<'_> {
 
     fn read_comment(&self, line: &str) -> Option<Statement> {
         let text = matched_key(self.comment, "text", line).or((self.comment("") == line).then_some(""))?;
-        Some(Statement::Say(text.trim().into()))
+        Some(Statement::Comment(text.trim().into()))
     }
 }

@@ -6,8 +6,8 @@ use crate::beam::ProcessSettings;
 use crate::cell::motion::{Choice, Refusal, RefusalCause, RefusalReason};
 use crate::pose::Pass;
 use crate::program::connecting::lead::{self, Lead, Leads};
-use crate::program::connecting::memo::ArmStand;
 use crate::program::connecting::pieces::LitRange;
+use crate::program::connecting::pose_cache::ArmStand;
 use crate::program::connecting::space::Space;
 use crate::program::neutral::steps::Station;
 

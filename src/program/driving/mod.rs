@@ -8,10 +8,10 @@
 mod lit_pieces;
 mod sequence;
 
-use super::connecting::memo::{JointBits, Memo, bits};
 use super::connecting::pieces::LitRange;
+use super::connecting::pose_cache::{JointBits, PoseCache, bits};
 use super::connecting::space::Space;
-use super::connecting::with_robot::{KnownMoves, MovingArm};
+use super::connecting::with_robot::{ConnectingMoveCache, MovingArm};
 use super::motion::lit::StraightFlange;
 use super::neutral::steps::Go;
 use crate::cell::collision::Collision;
@@ -38,15 +38,15 @@ pub struct Drive<'a> {
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
     /// What was found out so far.
-    pub known: DriveMemo,
+    pub cache: DriveCache,
 }
 
 /// Moves and pieces that were worked out.
 #[derive(Default)]
-pub struct DriveMemo {
-    moves: KnownMoves,
-    ways: Memo<Ends, Option<Vec<Go>>>,
-    pieces: Memo<(LitRange, Vec<JointBits>), Result<DrivenPiece, Refusal>>,
+pub struct DriveCache {
+    moves: ConnectingMoveCache,
+    ways: PoseCache<Ends, Option<Vec<Go>>>,
+    pieces: PoseCache<(LitRange, Vec<JointBits>), Result<DrivenPiece, Refusal>>,
 }
 
 /// The end of a piece (or home) and the start of the next (or home).
@@ -71,7 +71,7 @@ impl<'a> Drive<'a> {
             air_mm_s: self.air_mm_s,
             collision: self.collision,
             space,
-            known: &self.known.moves,
+            cache: &self.cache.moves,
         }
     }
 
@@ -83,6 +83,6 @@ impl<'a> Drive<'a> {
         of: LitRange,
     ) -> Result<DrivenPiece, Refusal> {
         let chosen = choice.rows[of.pass][of.first..=of.last].iter().flatten().map(|c| bits(&c.joints_deg)).collect();
-        self.known.pieces.get((of, chosen), || self.drive_piece(space, passes, choice, of))
+        self.cache.pieces.get((of, chosen), || self.drive_piece(space, passes, choice, of))
     }
 }

@@ -4,8 +4,8 @@ use super::lit_pieces::DrivenPiece;
 use super::{Drive, Undriven};
 use crate::cell::motion::{Choice, Refusal, RefusalCause, RefusalReason};
 use crate::pose::Pass;
-use crate::program::connecting::memo::{ArmStand, bits};
 use crate::program::connecting::pieces::{LitRange, lit_ranges};
+use crate::program::connecting::pose_cache::{ArmStand, bits};
 use crate::program::connecting::space::Space;
 use crate::program::connecting::with_robot;
 use crate::program::neutral::shortfall::shortfalls;
@@ -113,7 +113,7 @@ impl Drive<'_> {
 
     fn known_way(&self, space: &Space<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
         let ends = [from, to].map(|s| s.map(|s| bits(&s.joints_deg)));
-        self.known.ways.get(ends, || with_robot::connecting_moves(&self.arm(space), from, to))
+        self.cache.ways.get(ends, || with_robot::connecting_moves(&self.arm(space), from, to))
     }
 
     /// Pieces that nothing leads to, or from.

@@ -1,6 +1,6 @@
 //! Where the spot of a path frame should be, and where its beam meets the part. Planner and verification ask both.
 
-use crate::pose::Beam;
+use crate::pose::BeamInterference;
 use nalgebra::{Isometry3, Point3, Vector3};
 
 /// The beam is looked at from here on, mm above the spot: nearer, the facets that the spot stands on
@@ -16,7 +16,7 @@ pub fn planned_spot(part_from_focus: &Isometry3<f64>, defocus_mm: f64) -> Point3
 /// Where the beam of a path frame stands on the part, and its axis. The part is looked for no farther than
 /// `window_mm` from where the spot should be: past a rim the axis meets what lies beneath.
 pub fn on_part(
-    beam: &Beam<'_>,
+    beam: &BeamInterference<'_>,
     part_from_focus: &Isometry3<f64>,
     defocus_mm: f64,
     window_mm: f64,

@@ -12,7 +12,7 @@ use crate::cell::mounting::Mounted;
 use crate::part::{GrownPart, Part, angle};
 use crate::pose::Pose;
 use crate::pose::motion::{Motion, Swept, swept};
-use crate::pose::{Beam, Blocker, Obstruction, ToolBody};
+use crate::pose::{BeamInterference, Blocker, Obstruction, ToolBody};
 use crate::program::neutral::steps::{Step, Steps};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
@@ -46,7 +46,7 @@ impl Steps {
                     out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false, work }));
                     at = Some(to);
                 }
-                Step::Say(_) | Step::Home => {}
+                Step::Comment(_) | Step::Home => {}
             }
         }
         out
@@ -57,7 +57,8 @@ impl Steps {
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
     /// Lit moves.
-    pub intervals: usize,
+    #[serde(rename = "intervals")]
+    pub lit_moves: usize,
     /// How many moves cannot touch anything.
     pub proven: usize,
     /// Moves that touch something: their index in the list, and what they touch.
@@ -140,7 +141,7 @@ impl<'a> Prover<'a> {
     /// than it may deviate, and than the part may lie from a chord.
     pub fn spot(
         &self,
-        beam: &Beam<'_>,
+        beam: &BeamInterference<'_>,
         part_from_focus: &Isometry3<f64>,
         work: &ProcessSettings,
     ) -> (Point3<f64>, Vector3<f64>) {
@@ -160,7 +161,7 @@ impl<'a> Prover<'a> {
 
     /// What is in the way of a move, if anything is.
     pub fn hit(&self, m: &LitMove) -> Option<Swept> {
-        let beam = Beam::with(self.part_of(m.work.layer), self.body(&m.work));
+        let beam = BeamInterference::with(self.part_of(m.work.layer), self.body(&m.work));
         let lever_mm = |pose: &Isometry3<f64>| {
             if m.by_focus {
                 return m.work.defocus_mm.abs();
@@ -183,7 +184,7 @@ impl<'a> Prover<'a> {
         let found: Vec<Option<Blocker>> = moves.par_iter().map(|m| self.hit(m).map(|h| h.blocker)).collect();
         let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
         let margin_mm = self.margin_mm();
-        Proof { intervals: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm }
+        Proof { lit_moves: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm }
     }
 
     /// What cone and head are proven to keep from everything, mm; 0 for a ray.
@@ -204,7 +205,7 @@ pub fn stray_mm(turn: f64, radius_mm: f64) -> f64 {
 /// A lit move on its way.
 struct Going<'a> {
     prover: &'a Prover<'a>,
-    beam: &'a Beam<'a>,
+    beam: &'a BeamInterference<'a>,
     m: &'a LitMove,
     /// Angle that it turns by, radians.
     turn: f64,
@@ -237,7 +238,7 @@ impl Motion for Going<'_> {
 
     /// Beside its planned point the ray may start a little inside a rounding: it is looked at from
     /// [`FROM_MM`] on.
-    fn blocker(&self, beam: &Beam<'_>, middle: &Pose) -> Option<Blocker> {
+    fn blocker(&self, beam: &BeamInterference<'_>, middle: &Pose) -> Option<Blocker> {
         if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
             return Some(Blocker { tool_body: ToolBody::Beam, obstruction: Obstruction::Facet(facet), t_mm: FROM_MM });
         }

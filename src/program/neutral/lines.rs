@@ -6,7 +6,7 @@ use super::shortfall::ByHand;
 use super::steps::{Go, Interpolation, MoveTiming, Step, Steps};
 use crate::beam::ProcessSettings;
 use crate::cell::Setup;
-use crate::cell::outputs::{During, LevelForm, LevelOutput, Outputs, Switch};
+use crate::cell::outputs::{During, Outputs, Switch, ValueForm, ValueOutput};
 use nalgebra::Isometry3;
 
 /// A move.
@@ -34,7 +34,7 @@ pub struct Move {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ProgramLine {
     /// A comment.
-    Say(Comment),
+    Comment(Comment),
     /// An output goes on or off.
     Output {
         /// Its number.
@@ -43,7 +43,7 @@ pub enum ProgramLine {
         on: bool,
     },
     /// An analogue output, or a group of digital ones, is set.
-    Level {
+    OutputValue {
         /// Its number.
         number: u32,
         /// In its own units.
@@ -67,16 +67,16 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     let mut work = first.unwrap_or_default();
     let mut lit = false;
     let mut out = vec![off.clone()];
-    out.extend(first.iter().flat_map(|first| levels(outputs, None, first)));
+    out.extend(first.iter().flat_map(|first| output_values(outputs, None, first)));
     for switch in &whole {
         turn(&mut out, switch, true);
     }
     let begun = out.len();
     for step in &steps.list {
         match step {
-            Step::Say(comment) => out.push(ProgramLine::Say(comment.clone())),
+            Step::Comment(comment) => out.push(ProgramLine::Comment(comment.clone())),
             Step::Process(with) => {
-                out.extend(levels(outputs, Some(&work), with));
+                out.extend(output_values(outputs, Some(&work), with));
                 work = *with;
             }
             Step::Laser(on) => {
@@ -155,20 +155,24 @@ fn turn(out: &mut Vec<ProgramLine>, switch: &Switch, on: bool) {
 
 /// Power and frequency, where they change: by their outputs, or said where they are set by hand. What the first
 /// piece is worked with stands in the program's head.
-fn levels(outputs: &Outputs, before: Option<&ProcessSettings>, with: &ProcessSettings) -> Vec<ProgramLine> {
-    let level = |output: &LevelOutput, by_hand: fn(f64) -> ByHand, value: f64, before: Option<f64>| {
+fn output_values(outputs: &Outputs, before: Option<&ProcessSettings>, with: &ProcessSettings) -> Vec<ProgramLine> {
+    let output_value = |output: &ValueOutput, by_hand: fn(f64) -> ByHand, value: f64, before: Option<f64>| {
         let scaled = value * output.scale;
         match output.form {
             _ if before.is_some_and(|b| b == value) => None,
-            LevelForm::Comment => before.map(|_| ProgramLine::Say(Comment::Set(by_hand(value)))),
-            LevelForm::Analogue => Some(ProgramLine::Level { number: output.number, value: scaled, group: false }),
-            LevelForm::Group => Some(ProgramLine::Level { number: output.number, value: scaled.round(), group: true }),
+            ValueForm::Comment => before.map(|_| ProgramLine::Comment(Comment::Set(by_hand(value)))),
+            ValueForm::Analogue => {
+                Some(ProgramLine::OutputValue { number: output.number, value: scaled, group: false })
+            }
+            ValueForm::Group => {
+                Some(ProgramLine::OutputValue { number: output.number, value: scaled.round(), group: true })
+            }
         }
     };
-    let power = level(&outputs.power, ByHand::PowerW, with.power_w, before.map(|b| b.power_w));
+    let power = output_value(&outputs.power, ByHand::PowerW, with.power_w, before.map(|b| b.power_w));
     // Nobody asks for the frequency of a laser without pulses.
     let khz = before.map(|b| b.frequency_khz).or((with.frequency_khz == 0.0).then_some(0.0));
-    let frequency = level(&outputs.frequency, ByHand::FrequencyKhz, with.frequency_khz, khz);
+    let frequency = output_value(&outputs.frequency, ByHand::FrequencyKhz, with.frequency_khz, khz);
     power.into_iter().chain(frequency).collect()
 }
 
@@ -196,7 +200,7 @@ mod tests {
             .iter()
             .map(|l| match l {
                 ProgramLine::Output { number, on } => format!("{number}{}", if *on { "+" } else { "-" }),
-                ProgramLine::Level { number, value, group: true } => format!("{number}={value}"),
+                ProgramLine::OutputValue { number, value, group: true } => format!("{number}={value}"),
                 ProgramLine::Wait(s) => format!("{s}s"),
                 ProgramLine::Move(_) => "home".into(),
                 other => format!("{other:?}"),
@@ -206,10 +210,10 @@ mod tests {
         assert_eq!(words.join(" "), expected);
         let said = |outputs: &Outputs, before, with| {
             let of = |l: &ProgramLine| match l {
-                ProgramLine::Level { number, value, .. } => format!("{number}={value}"),
+                ProgramLine::OutputValue { number, value, .. } => format!("{number}={value}"),
                 other => format!("{other:?}"),
             };
-            levels(outputs, before, with).iter().map(of).collect::<Vec<_>>().join(" ")
+            output_values(outputs, before, with).iter().map(of).collect::<Vec<_>>().join(" ")
         };
         let outputs = &setup.cell.outputs;
         assert_eq!(said(outputs, None, &pulsed), "2=128 8=20");
@@ -217,7 +221,7 @@ mod tests {
         assert_eq!(said(outputs, Some(&pulsed), &work), "8=0");
         let by_hand = Outputs::default();
         assert_eq!(said(&by_hand, None, &pulsed), "");
-        assert_eq!(said(&by_hand, Some(&work), &pulsed), "Say(Set(FrequencyKhz(20.0)))");
+        assert_eq!(said(&by_hand, Some(&work), &pulsed), "Comment(Set(FrequencyKhz(20.0)))");
         assert_eq!(said(&by_hand, Some(&pulsed), &pulsed), "");
     }
 }

@@ -1,7 +1,7 @@
 //! What of a program is not as it was wanted, by surface: leads that are not free, and figures that the cell cannot
 //! set though they change.
 
-use crate::cell::outputs::{LevelForm, Outputs};
+use crate::cell::outputs::{Outputs, ValueForm};
 use crate::pose::Pass;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -35,8 +35,8 @@ pub fn shortfalls<'a>(
     outputs: &Outputs,
 ) -> Vec<(u32, Shortfall)> {
     let mut out = left_out(pieces.clone());
-    let mut hand = |form: LevelForm, set: fn(f64) -> ByHand, figure: fn(&Pass) -> f64| {
-        if form == LevelForm::Comment {
+    let mut hand = |form: ValueForm, set: fn(f64) -> ByHand, figure: fn(&Pass) -> f64| {
+        if form == ValueForm::Comment {
             out.extend(by_hand(pieces.clone().map(|p| (p.0.surface, figure(p.0))), set));
         }
     };

@@ -60,8 +60,8 @@ impl Station {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// A comment.
-    Say(Comment),
-    /// Process settings of the pieces that follow.
+    Comment(Comment),
+    /// What follows is worked with this.
     Process(ProcessSettings),
     /// The laser is switched.
     Laser(bool),
@@ -129,6 +129,6 @@ impl Steps {
     /// Adds the comment that says which pass begins.
     pub fn say_pass(&mut self, number: usize, pass: &Pass) {
         let (surface, layer) = (pass.surface, pass.settings.layer);
-        self.list.push(Step::Say(Comment::Pass { number, surface, layer }));
+        self.list.push(Step::Comment(Comment::Pass { number, surface, layer }));
     }
 }

@@ -1,6 +1,6 @@
 //! What people are to know of the plan, the worst first, and what would help; a click goes there.
 
-mod help;
+mod suggestions;
 mod why;
 
 pub(super) use why::why_left_out;
@@ -11,7 +11,7 @@ use super::super::context::Context;
 use super::super::theme;
 use crate::part::PartFinding;
 use crate::planning::PlannedJob;
-use crate::planning::report::{NothingReason, Notice, Severity, first_things_first};
+use crate::planning::report::{NothingReason, Notice, Severity, notices_worst_first};
 use crate::text::{NamedSentence as _, Naming, example, remedy, say};
 use eframe::egui::{self, Color32, RichText};
 
@@ -22,7 +22,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         return;
     }
     let Some(of) = context.derived.plan() else { return };
-    let mut notices = first_things_first(&of.report, &of.job, &PartFinding::of(&of.part));
+    let mut notices = notices_worst_first(&of.report, &of.job, &PartFinding::of(&of.part));
     // That all is left out is told by the rows of what is left out.
     notices.retain(|n| !matches!(n, Notice::NothingPlanned(NothingReason::AllBlocked { .. })));
     let (found, wrong): (Vec<_>, Vec<_>) = notices.into_iter().partition(|n| n.severity() == Severity::Found);
@@ -34,7 +34,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     };
     theme::heading(ui, &title);
     wrong.iter().for_each(|notice| row(ui, notice, of, actions));
-    help::ui(ui, context);
+    suggestions::ui(ui, context);
     if !found.is_empty() {
         theme::heading(ui, &say!(problems_found));
         found.iter().for_each(|notice| row(ui, notice, of, actions));

@@ -64,7 +64,7 @@ pub(super) fn compare<'a>(
 
 impl<'a, 'r> ComparedLines<'a, 'r> {
     fn new(expected: &'r Expected<'a>, poses: &'r Poses<'r>, read: &'r [ReadLine]) -> ComparedLines<'a, 'r> {
-        let acts = |l: &&ReadLine| !matches!(l.what, Statement::Say(_));
+        let acts = |l: &&ReadLine| !matches!(l.what, Statement::Comment(_));
         let want: Vec<&ReadLine> = expected.written.iter().filter(acts).collect();
         let mut planned = expected.moves.iter();
         let plans = want

@@ -4,7 +4,7 @@ use super::expected::{Expected, Poses};
 use super::verdict::{Difference, Finding, Verdict};
 use crate::beam::ProcessSettings;
 use crate::cell::{Joints, Robot};
-use crate::pose::Beam;
+use crate::pose::BeamInterference;
 use crate::pose::checker::Checker;
 use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::sweep::LitMove;
@@ -149,7 +149,7 @@ pub(super) fn interference(
         .filter_map(|d| {
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
             let layer = d.lit.work.layer;
-            let (p, a) = expected.prover.spot(&Beam::on(expected.prover.part_of(layer)), &end, &d.lit.work);
+            let (p, a) = expected.prover.spot(&BeamInterference::on(expected.prover.part_of(layer)), &end, &d.lit.work);
             let facet = checkers.get(layer as usize)?.hit(&p, &a, spot::FROM_MM)?;
             Some(Difference::HitsFacet { spot: p, facet }.at(d.at))
         })

@@ -3,7 +3,7 @@
 use super::MovingArm;
 use crate::cell::collision::Collision;
 use crate::cell::{Joints, Mount};
-use crate::program::connecting::memo::ArmStand;
+use crate::program::connecting::pose_cache::ArmStand;
 use crate::program::neutral::steps::Station;
 
 /// On a move by joints no joint turns further than this between two looks, degrees.

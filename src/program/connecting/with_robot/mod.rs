@@ -7,7 +7,7 @@
 mod clear;
 mod way_in;
 
-use super::memo::{ArmStand, JointBits, Memo};
+use super::pose_cache::{ArmStand, JointBits, PoseCache};
 use super::space::Space;
 use crate::cell::collision::Collision;
 use crate::cell::mounting::Mounted;
@@ -29,7 +29,7 @@ pub struct MovingArm<'a> {
     /// The space around the part.
     pub space: &'a Space<'a>,
     /// What was found out so far.
-    pub known: &'a KnownMoves,
+    pub cache: &'a ConnectingMoveCache,
 }
 
 /// Stands on the way to straight above a piece's end, and that one.
@@ -37,11 +37,11 @@ type WayIn = (Vec<ArmStand>, ArmStand);
 
 /// Moves that were looked at.
 #[derive(Default)]
-pub struct KnownMoves {
+pub struct ConnectingMoveCache {
     /// Ways in from home or a gate.
-    ways_in: Memo<[JointBits; 2], Option<WayIn>>,
+    ways_in: PoseCache<[JointBits; 2], Option<WayIn>>,
     /// Whether a move by joints is clear.
-    clear: Memo<[JointBits; 2], bool>,
+    clear: PoseCache<[JointBits; 2], bool>,
 }
 
 /// The way from one lit piece (or home) to the next (or home), its last move included; `None`: there

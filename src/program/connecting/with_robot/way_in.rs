@@ -5,7 +5,7 @@ use super::{MovingArm, WayIn};
 use crate::cell::Joints;
 use crate::cell::motion::{Arm, ArmState};
 use crate::part::angle;
-use crate::program::connecting::memo::{ArmStand, bits};
+use crate::program::connecting::pose_cache::{ArmStand, bits};
 use crate::program::neutral::steps::Station;
 use nalgebra::Vector3;
 
@@ -43,7 +43,7 @@ impl MovingArm<'_> {
     /// Stands from home (or a gate) to straight above a piece's end, that one included and given once
     /// more: at once, or by stands around the part from which a way leads over it.
     pub(super) fn way_in(&self, from: &ArmStand, to: &ArmStand) -> Option<WayIn> {
-        self.known.ways_in.get([from, to].map(|s| bits(&s.joints_deg)), || self.new_way_in(from, to))
+        self.cache.ways_in.get([from, to].map(|s| bits(&s.joints_deg)), || self.new_way_in(from, to))
     }
 
     fn new_way_in(&self, from: &ArmStand, to: &ArmStand) -> Option<WayIn> {
@@ -67,7 +67,7 @@ impl MovingArm<'_> {
         gates.sort_by(|a, b| a.0.total_cmp(&b.0));
         // All pieces share the gates.
         let is_open =
-            |gate: &Joints| self.known.clear.get([&home, gate].map(bits), || self.is_joint_move_clear(&home, gate));
+            |gate: &Joints| self.cache.clear.get([&home, gate].map(bits), || self.is_joint_move_clear(&home, gate));
         let open = gates.iter().filter(|g| is_open(&g.1.joints_deg)).take(MOST_TRIED);
         open.into_iter().find_map(|(_, gate)| {
             let mut stands = vec![*gate];

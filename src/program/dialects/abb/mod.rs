@@ -24,12 +24,12 @@ use crate::program::write_error::WriteError;
 use nalgebra::Isometry3;
 
 /// The dialect.
-pub struct Rapid;
+pub struct AbbDialect;
 
 /// Speed of turning that 100 per cent stand for, degrees per second.
 const FULL_DEG_S: f64 = 500.0;
 
-impl Dialect for Rapid {
+impl Dialect for AbbDialect {
     fn name(&self) -> &'static str {
         "abb"
     }

@@ -100,8 +100,8 @@ impl<'t> Module<'t> {
 
 /// What a line outside procedures says.
 fn declaration(setup: &Setup, text: &str) -> Result<Statement, LineFault> {
-    if let Some(Statement::Say(comment)) = templates(&setup.cell.abb).read(text) {
-        return Ok(Statement::Say(comment));
+    if let Some(Statement::Comment(comment)) = templates(&setup.cell.abb).read(text) {
+        return Ok(Statement::Comment(comment));
     }
     let data = data(setup);
     if data.iter().any(|d| d == text) {

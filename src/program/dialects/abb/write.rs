@@ -6,7 +6,7 @@ use crate::cell::{Joints, Setup};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::arm_shape::ArmShape;
 use crate::program::dialects::flange::{SHORTEST_S, flows_on, printed_joints};
-use crate::program::dialects::pages::{moves, pages};
+use crate::program::dialects::subprograms::{moves, subprograms};
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
@@ -32,23 +32,23 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     Ok(vec![ProgramFile { name: format!("{}.mod", abb.module), text: text(&out, abb.crlf) }])
 }
 
-/// Names and statements of the procedures, the main one first: each page of a long program is one.
+/// Names and statements of the procedures, the main one first: each subprogram of a long program is one.
 fn procedures(program: &Program<'_>) -> Result<Vec<(String, Vec<String>)>, WriteError> {
     let (setup, abb) = (program.setup, &program.setup.cell.abb);
-    let pages = pages(&program.lines, setup.cell.outputs.laser.number, abb.max_moves, moves);
+    let subprograms = subprograms(&program.lines, setup.cell.outputs.laser.number, abb.max_moves, moves);
     let mut main = abb.start.clone();
     let mut out = Vec::new();
     let mut index = 0;
-    for (number, page) in pages.iter().enumerate() {
+    for (number, subprogram) in subprograms.iter().enumerate() {
         let mut body = Vec::new();
-        for line in *page {
+        for line in *subprogram {
             match line {
                 ProgramLine::Move(m) => body.push(statement(setup, m, flows_on(&program.lines, index))?),
                 _ => body.extend(templates(abb).write(line, program.wording)?),
             }
             index += 1;
         }
-        if pages.len() == 1 {
+        if subprograms.len() == 1 {
             main.append(&mut body);
         } else {
             let name = format!("{}_{}", abb.procedure, number + 1);

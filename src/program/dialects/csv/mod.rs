@@ -9,7 +9,7 @@ use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
 /// The dialect.
-pub struct Table;
+pub struct CsvDialect;
 
 /// What the numbers mean; a reader that finds other words here must not take the numbers.
 const CONVENTIONS: [&str; 10] = [
@@ -32,7 +32,7 @@ const COUNT: usize = 29;
 /// What the last line begins with; the number of rows follows.
 const END: &str = "# end of rows: ";
 
-impl Dialect for Table {
+impl Dialect for CsvDialect {
     fn name(&self) -> &'static str {
         "csv"
     }

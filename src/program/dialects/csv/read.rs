@@ -38,7 +38,7 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
                 continue;
             }
             TablePlace::Head => match text.strip_prefix("# ") {
-                Some(said) => Statement::Say(said.into()),
+                Some(said) => Statement::Comment(said.into()),
                 None => return fail(RowFault::OtherColumns.into()),
             },
             TablePlace::Rows => match text.strip_prefix(END) {
@@ -82,7 +82,7 @@ fn row(text: &str, index: usize, setup: &Setup) -> Result<Statement, LineFault> 
         return Err(RowFault::UnusedCells { what: (*what).into() }.into());
     }
     let plain_number = || output.parse::<u32>().map_err(|_| LineFault::numbers(1, output));
-    let level = || number(value).ok_or_else(|| LineFault::numbers(1, value));
+    let plain_value = || number(value).ok_or_else(|| LineFault::numbers(1, value));
     match *what {
         "move" => read_move(way, figures, setup).map(Statement::Move),
         "output" => match *value {
@@ -90,12 +90,12 @@ fn row(text: &str, index: usize, setup: &Setup) -> Result<Statement, LineFault> 
             other => Err(LineFault::expected(["1", "0"], other)),
         },
         "analogue" | "group" => {
-            Ok(Statement::Level { number: plain_number()?, value: level()?, group: *what == "group" })
+            Ok(Statement::OutputValue { number: plain_number()?, value: plain_value()?, group: *what == "group" })
         }
-        "wait" => level().map(Statement::Wait),
+        "wait" => plain_value().map(Statement::Wait),
         "say" => {
             let inner = said.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
-            inner.map(|t| Statement::Say(t.into())).ok_or_else(|| LineFault::expected(["\"…\""], said))
+            inner.map(|t| Statement::Comment(t.into())).ok_or_else(|| LineFault::expected(["\"…\""], said))
         }
         other => Err(LineFault::expected(["move", "output", "analogue", "group", "wait", "say"], other)),
     }

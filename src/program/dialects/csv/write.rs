@@ -34,9 +34,11 @@ fn row(line: &ProgramLine, wording: Wording) -> Vec<String> {
     let number = |n: &u32| n.to_string();
     let none = String::new;
     match line {
-        ProgramLine::Say(comment) => bare("say", none(), none(), format!("\"{}\"", plain(&wording(comment), &['"']))),
+        ProgramLine::Comment(comment) => {
+            bare("say", none(), none(), format!("\"{}\"", plain(&wording(comment), &['"'])))
+        }
         ProgramLine::Output { number: n, on } => bare("output", number(n), u8::from(*on).to_string(), none()),
-        ProgramLine::Level { number: n, value, group } => {
+        ProgramLine::OutputValue { number: n, value, group } => {
             bare(if *group { "group" } else { "analogue" }, number(n), fixed(*value, DECIMALS), none())
         }
         ProgramLine::Wait(seconds) => bare("wait", none(), fixed(*seconds, DECIMALS), none()),

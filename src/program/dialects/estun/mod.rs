@@ -16,9 +16,9 @@ use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
 /// The dialect.
-pub struct Erp;
+pub struct EstunDialect;
 
-impl Dialect for Erp {
+impl Dialect for EstunDialect {
     fn name(&self) -> &'static str {
         "estun"
     }

@@ -16,9 +16,9 @@ use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
 /// The dialect.
-pub struct Tp;
+pub struct FanucDialect;
 
-impl Dialect for Tp {
+impl Dialect for FanucDialect {
     fn name(&self) -> &'static str {
         "fanuc"
     }

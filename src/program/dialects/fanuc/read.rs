@@ -56,7 +56,7 @@ fn one_file(file: &ProgramFile, reading: &ReadContext<'_>, found: &mut Found) ->
     let Some((line, group)) = listing.group else {
         return Err(LineFault::NoMotionGroup.at(&file.name, 1));
     };
-    // How many pages a program has depends on its comments: what they all say alike counts once.
+    // How many subprograms a program has depends on its comments: what they all say alike counts once.
     if !found.lines.iter().any(|l| matches!(&l.what, Statement::Other(said) if said == group)) {
         found.lines.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(group.into()) });
     }

@@ -6,7 +6,7 @@ use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::printed;
-use crate::program::dialects::pages::pages;
+use crate::program::dialects::subprograms::subprograms;
 use crate::program::neutral::comment::Wording;
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
@@ -15,7 +15,7 @@ use crate::program::write_error::WriteError;
 /// Longest time in `msec`; above it is `sec` with one decimal.
 const MOST_MSEC: f64 = 32000.0;
 
-/// The listing, or a main one that calls pages of it.
+/// The listing, or a main one that calls subprograms.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     let cell = &program.setup.cell;
     let fanuc = &cell.fanuc;
@@ -26,23 +26,23 @@ pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     head.push(format!("  UFRAME_NUM={} ;", fanuc.user_frame));
     head.push(format!("  UTOOL_NUM={} ;", fanuc.user_tool));
     let count = |line: &ProgramLine| match line {
-        ProgramLine::Say(comment) => templates.comments(&(program.wording)(comment)).len(),
+        ProgramLine::Comment(comment) => templates.comments(&(program.wording)(comment)).len(),
         _ => 1,
     };
     let listing = |name: &str, head, lines: &[ProgramLine]| listing(program.setup, name, head, lines, program.wording);
     if head.len() + program.lines.iter().map(count).sum::<usize>() <= most {
         return Ok(vec![listing(&fanuc.program, head, &program.lines)?]);
     }
-    let pages = pages(&program.lines, cell.outputs.laser.number, most, count);
-    let names: Vec<String> = (1..=pages.len()).map(|i| format!("{}{i}", fanuc.program)).collect();
+    let subprograms = subprograms(&program.lines, cell.outputs.laser.number, most, count);
+    let names: Vec<String> = (1..=subprograms.len()).map(|i| format!("{}{i}", fanuc.program)).collect();
     head.extend(names.iter().map(|name| format!("  CALL {name} ;")));
     let mut files = vec![listing(&fanuc.program, head, &[])?];
-    for (name, page) in names.iter().zip(pages) {
-        let lines = page.iter().map(count).sum::<usize>();
+    for (name, subprogram) in names.iter().zip(subprograms) {
+        let lines = subprogram.iter().map(count).sum::<usize>();
         if lines > most {
             return Err(WriteError::PieceTooLong { lines, most });
         }
-        files.push(listing(name, Vec::new(), page)?);
+        files.push(listing(name, Vec::new(), subprogram)?);
     }
     Ok(files)
 }

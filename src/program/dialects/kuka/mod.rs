@@ -4,7 +4,7 @@
 //! KRL knows no duration of a move. The speed before a `LIN` gives it: `$VEL.CP` is the flange's
 //! way over the time, and where the flange turns on the spot `$VEL.ORI1` and `$VEL.ORI2` are its
 //! angle over the time. Without a position before it a straight move has neither, and is refused.
-//! Long programs call sub-programs with files of their own; the split is where the laser is off.
+//! Long programs call subprograms with files of their own; the split is where the laser is off.
 
 mod read;
 mod write;
@@ -17,9 +17,9 @@ use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
 /// The dialect.
-pub struct Krl;
+pub struct KukaDialect;
 
-impl Dialect for Krl {
+impl Dialect for KukaDialect {
     fn name(&self) -> &'static str {
         "kuka"
     }

@@ -11,7 +11,7 @@ use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
 
-/// The lines of a program and its sub-programs.
+/// The lines of a program and its subprograms.
 pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let kuka = &reading.setup.cell.kuka;
     let mut reader = KrlReader {
@@ -28,7 +28,7 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
     Ok(reader.out)
 }
 
-/// What the controller keeps from line to line, over sub-programs too.
+/// What the controller keeps from line to line, over subprograms too.
 struct KrlReader<'a> {
     setup: &'a Setup,
     kuka: &'a Kuka,

@@ -6,36 +6,36 @@ use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{filled, fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_flange_at, printed_joints};
-use crate::program::dialects::pages::pages;
+use crate::program::dialects::subprograms::subprograms;
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::write_error::WriteError;
 use nalgebra::Isometry3;
 
-/// Both files of the program, and of each page of a long one.
+/// Both files of the program, and of each subprogram of a long one.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     let kuka = &program.setup.cell.kuka;
     templates(kuka).check()?;
     let mut writer =
         KrlWriter { kuka, setup: program.setup, at: None, cp: String::new(), ori: String::new(), percent: None };
     let laser = program.setup.cell.outputs.laser.number;
-    let pages = pages(&program.lines, laser, kuka.max_lines, text_line_count);
+    let subprograms = subprograms(&program.lines, laser, kuka.max_lines, text_line_count);
     let mut main = templates(kuka).head(&[Comment::Caveat(Caveat::Krl)], program.wording);
     main.extend(templates(kuka).head(&program.head, program.wording));
     main.extend(settings(kuka));
     let mut files = Vec::new();
     let mut index = 0;
-    for (number, page) in pages.iter().enumerate() {
+    for (number, subprogram) in subprograms.iter().enumerate() {
         let mut body = Vec::new();
-        for line in *page {
+        for line in *subprogram {
             match line {
                 ProgramLine::Move(m) => writer.write_move(&mut body, m, flows_on(&program.lines, index))?,
                 _ => body.extend(templates(kuka).write(line, program.wording)?),
             }
             index += 1;
         }
-        if pages.len() == 1 {
+        if subprograms.len() == 1 {
             main.append(&mut body);
         } else {
             let name = format!("{}_{}", kuka.name, number + 1);

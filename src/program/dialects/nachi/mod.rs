@@ -17,9 +17,9 @@ use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
 /// The dialect.
-pub struct Slim;
+pub struct NachiDialect;
 
-impl Dialect for Slim {
+impl Dialect for NachiDialect {
     fn name(&self) -> &'static str {
         "nachi"
     }

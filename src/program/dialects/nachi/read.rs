@@ -38,7 +38,7 @@ fn one_file(file: &ProgramFile, reading: &ReadContext<'_>, found: &mut Found) ->
     if ended { Ok(()) } else { Err(ReadError::CutOff { file: file.name.clone(), expected: "END".into() }) }
 }
 
-/// The file of a sub-program stands beside its caller, under its own number.
+/// The file of a subprogram stands beside its caller, under its own number.
 fn sub_program(caller: &str, n: &str) -> Option<String> {
     let number: u32 = n.trim().parse().ok()?;
     let unit = caller.rsplit_once('.').map_or(caller, |(unit, _)| unit);
@@ -52,7 +52,7 @@ fn statement(nachi: &Nachi, text: &str) -> Result<Statement, LineFault> {
     // Comments of a hand, whatever the template.
     let comment = || text.strip_prefix("REM ").map(|t| t.trim().trim_matches('"'));
     let comment = || comment().or_else(|| text.strip_prefix('\'').map(str::trim));
-    let read = templates(nachi).read(text).or_else(|| Some(Statement::Say(comment()?.into())));
+    let read = templates(nachi).read(text).or_else(|| Some(Statement::Comment(comment()?.into())));
     read.ok_or_else(|| {
         let known = [&nachi.output_on, &nachi.output_off, &nachi.wait, &nachi.call, &nachi.comment];
         let known = known.into_iter().map(String::as_str);

@@ -5,41 +5,41 @@ use crate::cell::controllers::templates::{check_template, filled, fixed, text};
 use crate::cell::controllers::{Nachi, NachiForm};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::{SHORTEST_S, printed};
-use crate::program::dialects::pages::{moves, pages};
+use crate::program::dialects::subprograms::{moves, subprograms};
 use crate::program::neutral::comment::Wording;
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::write_error::WriteError;
 
-/// The program, or a main program that calls pages of it.
+/// The program, or a main program that calls subprograms.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     let cell = &program.setup.cell;
     let nachi = &cell.nachi;
     templates(nachi).check()?;
     check_template("nachi.call", &nachi.call, &["n"])?;
     let mut main = templates(nachi).head(&program.head, program.wording);
-    let pages = pages(&program.lines, cell.outputs.laser.number, nachi.max_moves as usize, moves);
+    let subprograms = subprograms(&program.lines, cell.outputs.laser.number, nachi.max_moves as usize, moves);
     let file = |number: u32, mut lines: Vec<String>| {
         lines.push("END".into());
         ProgramFile { name: numbered(nachi, number), text: text(&lines, nachi.crlf) }
     };
-    if let [only] = pages[..] {
-        main.extend(page_text(nachi, only, program.wording)?);
+    if let [only] = subprograms[..] {
+        main.extend(subprogram_text(nachi, only, program.wording)?);
         return Ok(vec![file(nachi.number, main)]);
     }
-    let numbers: Vec<u32> = (nachi.number + 1..).take(pages.len()).collect();
+    let numbers: Vec<u32> = (nachi.number + 1..).take(subprograms.len()).collect();
     if let Some(&last) = numbers.last().filter(|n| **n > 999) {
-        return Err(WriteError::ProgramNumbers { number: nachi.number, pages: pages.len(), last });
+        return Err(WriteError::ProgramNumbers { number: nachi.number, subprograms: subprograms.len(), last });
     }
     main.extend(numbers.iter().map(|n| filled(&nachi.call, &[("n", &n.to_string())])));
     let mut files = vec![file(nachi.number, main)];
-    for (number, page) in numbers.iter().zip(pages) {
-        files.push(file(*number, page_text(nachi, page, program.wording)?));
+    for (number, subprogram) in numbers.iter().zip(subprograms) {
+        files.push(file(*number, subprogram_text(nachi, subprogram, program.wording)?));
     }
     Ok(files)
 }
 
-fn page_text(nachi: &Nachi, lines: &[ProgramLine], wording: Wording) -> Result<Vec<String>, WriteError> {
+fn subprogram_text(nachi: &Nachi, lines: &[ProgramLine], wording: Wording) -> Result<Vec<String>, WriteError> {
     let mut out = Vec::new();
     for line in lines {
         match line {

@@ -15,9 +15,9 @@ use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
 /// The dialect.
-pub struct UrScript;
+pub struct UrDialect;
 
-impl Dialect for UrScript {
+impl Dialect for UrDialect {
     fn name(&self) -> &'static str {
         "ur"
     }

@@ -70,7 +70,7 @@ impl Script {
             let what = statement(ur, text)?;
             let into = match (self.open.last_mut(), &what) {
                 (Some(function), _) => &mut function.lines,
-                (None, Statement::Say(_)) => &mut self.head,
+                (None, Statement::Comment(_)) => &mut self.head,
                 (None, _) => return Err(LineFault::OutsideFunction),
             };
             into.push(ReadLine { file: file.name.clone(), line, what });
@@ -93,7 +93,7 @@ fn bare_templates(ur: &Ur) -> Ur {
 /// What a statement does. `ur`: with bare templates.
 fn statement(ur: &Ur, text: &str) -> Result<Statement, LineFault> {
     if let Some(comment) = text.strip_prefix('#') {
-        return Ok(Statement::Say(comment.trim().into()));
+        return Ok(Statement::Comment(comment.trim().into()));
     }
     let line = bare(text);
     if line.starts_with("movej(") || line.starts_with("movel(") {

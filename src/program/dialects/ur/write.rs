@@ -5,7 +5,7 @@ use crate::cell::controllers::Ur;
 use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::flange::SHORTEST_S;
-use crate::program::dialects::pages::{moves, pages};
+use crate::program::dialects::subprograms::{moves, subprograms};
 use crate::program::neutral::comment::Wording;
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
@@ -18,24 +18,24 @@ const TCP: &str = "set_tcp(p[0,0,0,0,0,0])";
 /// targets whose roundings meet.
 const BLEND_SHARE: f64 = 0.4;
 
-/// The program, with a function for each page of a long one.
+/// The program, with a function for each subprogram of a long one.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     let cell = &program.setup.cell;
     let ur = &cell.ur;
     templates(ur).check()?;
     let mut out = templates(ur).head(&program.head, program.wording);
     out.extend([format!("def {}():", ur.program), format!("  {TCP}")]);
-    let pages = pages(&program.lines, cell.outputs.laser.number, ur.max_moves as usize, moves);
-    if let [only] = pages[..] {
+    let subprograms = subprograms(&program.lines, cell.outputs.laser.number, ur.max_moves as usize, moves);
+    if let [only] = subprograms[..] {
         out.extend(body(ur, only, program.wording)?.iter().map(|l| format!("  {l}")));
     } else {
         let name = |i: usize| format!("{}{}", ur.program, i + 1);
-        for (i, page) in pages.iter().enumerate() {
+        for (i, subprogram) in subprograms.iter().enumerate() {
             out.push(format!("  def {}():", name(i)));
-            out.extend(body(ur, page, program.wording)?.iter().map(|l| format!("    {l}")));
+            out.extend(body(ur, subprogram, program.wording)?.iter().map(|l| format!("    {l}")));
             out.push("  end".into());
         }
-        out.extend((0..pages.len()).map(|i| format!("  {}()", name(i))));
+        out.extend((0..subprograms.len()).map(|i| format!("  {}()", name(i))));
     }
     out.extend(["end".into(), format!("{}()", ur.program)]);
     Ok(vec![ProgramFile { name: format!("{}.script", ur.program), text: text(&out, ur.crlf) }])

@@ -24,9 +24,9 @@ use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
 /// The dialect.
-pub struct Inform;
+pub struct YaskawaDialect;
 
-impl Dialect for Inform {
+impl Dialect for YaskawaDialect {
     fn name(&self) -> &'static str {
         "yaskawa"
     }

@@ -6,35 +6,35 @@ use crate::cell::{Joints, Setup};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::arm_shape::ArmShape;
 use crate::program::dialects::flange::{SHORTEST_S, Travel, as_read, coupled, flows_on, printed};
-use crate::program::dialects::pages::pages;
+use crate::program::dialects::subprograms::subprograms;
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::write_error::WriteError;
 use nalgebra::{Isometry3, Translation3};
 
-/// The job, and a job for each page of a long one.
+/// The job, and a job for each subprogram of a long one.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
     let yaskawa = &program.setup.cell.yaskawa;
     templates(yaskawa).check()?;
     let laser = program.setup.cell.outputs.laser.number;
-    let pages = pages(&program.lines, laser, yaskawa.max_lines, |_| 1);
+    let subprograms = subprograms(&program.lines, laser, yaskawa.max_lines, |_| 1);
     let mut main = JobText::new(program.setup);
     main.instructions.extend(templates(yaskawa).head(&[Comment::Caveat(Caveat::Inform)], program.wording));
     main.instructions.extend(templates(yaskawa).head(&program.head, program.wording));
     let mut files = Vec::new();
     let (mut at, mut index) = (None, 0);
-    for (number, page) in pages.iter().enumerate() {
+    for (number, subprogram) in subprograms.iter().enumerate() {
         let mut part = JobText::new(program.setup);
-        let job = if pages.len() == 1 { &mut main } else { &mut part };
-        for line in *page {
+        let job = if subprograms.len() == 1 { &mut main } else { &mut part };
+        for line in *subprogram {
             match line {
                 ProgramLine::Move(m) => at = job.write_move(at, m, flows_on(&program.lines, index))?,
                 _ => job.instructions.extend(templates(yaskawa).write(line, program.wording)?),
             }
             index += 1;
         }
-        if pages.len() > 1 {
+        if subprograms.len() > 1 {
             let name = format!("{}{}", yaskawa.name, number + 1);
             main.instructions.push(format!("CALL JOB:{name}"));
             files.push(part.file(&name));

@@ -5,10 +5,10 @@ use crate::cell::{Cell, Frame, Mount, Spin};
 use serde::{Deserialize, Serialize};
 
 parameters! {
-    /// The robot cell.
+    /// The robot cell of a job: its files, and what stands otherwise than they say.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     #[serde(default, deny_unknown_fields)]
-    pub struct CellFile in "cell" {
+    pub struct JobCell in "cell" {
         /// Cell file, relative to the job file; empty: the shipped cell of the robot.
         pub file: String = String::new(),
         /// Key of a shipped robot, or a robot file relative to the job file; empty: poses only.
@@ -34,9 +34,9 @@ parameters! {
     }
 }
 
-impl CellFile {
+impl JobCell {
     /// Takes over where part and laser stand in another.
-    pub(in crate::document) fn take_frames(&mut self, other: &CellFile) {
+    pub(in crate::document) fn take_frames(&mut self, other: &JobCell) {
         self.flange_from_part.clone_from(&other.flange_from_part);
         self.base_from_laser.clone_from(&other.base_from_laser);
         self.base_from_part.clone_from(&other.base_from_part);

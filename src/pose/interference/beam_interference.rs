@@ -1,4 +1,4 @@
-//! The beam on a part: its ray, its geometry, and the facets that they may meet. The queries stand in `ray` and
+//! What the interference queries of beam and head against a part are asked of. The queries stand in `ray` and
 //! `tool_body`.
 
 use crate::beam::ToolGeometry;
@@ -10,9 +10,10 @@ use std::cell::Cell;
 /// ray's test, `STRETCHES_MM`. The moving cone is held to it as well.
 pub(super) const RISE_MM: f64 = 0.01;
 
-/// The beam on a part: a ray without end, with cone and head where the job has a head, and the clamps it must miss.
+/// Interference of the beam with a part: of a ray without end, and of cone and head with part and clamps where the tool
+/// is known.
 #[derive(Clone, Debug)]
-pub struct Beam<'a> {
+pub struct BeamInterference<'a> {
     pub(super) bvh: &'a Bvh,
     /// Diagonal of the part: nothing lies further along a beam.
     pub(super) size_mm: f64,
@@ -24,15 +25,15 @@ pub struct Beam<'a> {
     pub(super) last_ray_facet: Cell<Option<[Point3<f64>; 3]>>,
 }
 
-impl<'a> Beam<'a> {
+impl<'a> BeamInterference<'a> {
     /// A beam without width on this part.
-    pub fn on(part: &'a Part) -> Beam<'a> {
-        Beam::with(part, None)
+    pub fn on(part: &'a Part) -> BeamInterference<'a> {
+        BeamInterference::with(part, None)
     }
 
-    /// A beam with this geometry (cone, head, clamps) on this part; without one a ray.
-    pub fn with(part: &'a Part, geometry: Option<&'a ToolGeometry<'a>>) -> Beam<'a> {
-        Beam {
+    /// A beam with cone, head and clamps on this part; without them a ray.
+    pub fn with(part: &'a Part, geometry: Option<&'a ToolGeometry<'a>>) -> BeamInterference<'a> {
+        BeamInterference {
             bvh: &part.bvh,
             size_mm: part.bvh.diagonal_mm(),
             geometry,

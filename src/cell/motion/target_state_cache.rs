@@ -15,7 +15,7 @@ type SolvedStates = Result<Vec<ArmState>, NoState>;
 
 /// What is known of the targets of some passes.
 #[derive(Default)]
-pub struct SearchMemory {
+pub struct TargetStateCache {
     /// By pass and point; empty until a second search begins.
     states: Vec<Vec<OnceLock<SolvedStates>>>,
     kept: AtomicUsize,
@@ -27,7 +27,7 @@ pub struct SearchMemory {
 /// are one pose.
 pub(super) struct ContactChecks(Vec<AtomicU8>);
 
-impl SearchMemory {
+impl TargetStateCache {
     /// Keeps the states of these passes from now on.
     pub(super) fn keep(&mut self, passes: &[Pass]) {
         if self.states.is_empty() {

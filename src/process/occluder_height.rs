@@ -1,4 +1,4 @@
-//! The floor of the light of a run: the height at which facets stop all of it.
+//! The occluder height of a run of light: the height at which facets stop all of it.
 
 use nalgebra::Point3;
 
@@ -8,7 +8,7 @@ const PLACES: [usize; 2] = [32, 24];
 
 /// The lowest height at which light is stopped within a rectangle about the axis, if all of it is:
 /// `corners` are those of facets, as (along, across, height).
-pub fn floor_mm<'a>(half: [f64; 2], facets: impl Iterator<Item = &'a [[f64; 3]; 3]>) -> Option<f64> {
+pub fn occluder_height_mm<'a>(half: [f64; 2], facets: impl Iterator<Item = &'a [[f64; 3]; 3]>) -> Option<f64> {
     let mut lids = [f64::NEG_INFINITY; PLACES[0] * PLACES[1]];
     let step = [0, 1].map(|k| 2.0 * half[k] / PLACES[k] as f64);
     for [a, b, c] in facets {
@@ -55,11 +55,11 @@ mod tests {
         };
         let low = square([-5.0, 5.0], -7.0);
         let (left, right) = (square([-5.0, -0.2], 1.0), square([0.2, 5.0], 2.0));
-        let floor = |list: &[[[f64; 3]; 3]]| floor_mm([2.0, 1.0], list.iter());
-        assert_eq!(floor(&low), Some(-7.0));
-        assert_eq!(floor(&[left[0], left[1], right[0], right[1]]), None, "a slot");
-        assert_eq!(floor(&[&low[..], &left, &right].concat()), Some(-7.0));
+        let height_mm = |list: &[[[f64; 3]; 3]]| occluder_height_mm([2.0, 1.0], list.iter());
+        assert_eq!(height_mm(&low), Some(-7.0));
+        assert_eq!(height_mm(&[left[0], left[1], right[0], right[1]]), None, "a slot");
+        assert_eq!(height_mm(&[&low[..], &left, &right].concat()), Some(-7.0));
         let closed = square([-0.2, 0.2], 0.5);
-        assert_eq!(floor(&[&low[..], &left, &right, &closed].concat()), Some(0.5));
+        assert_eq!(height_mm(&[&low[..], &left, &right, &closed].concat()), Some(0.5));
     }
 }

@@ -1,25 +1,25 @@
 //! A surface's facets by themselves, cut where asked. Every piece lies in the facet it was cut
-//! from, so what is found on the net is on the part, with the normals of the whole surface.
+//! from, so what is found on the surface mesh is on the part, with the normals of the whole surface.
 
 use super::super::normals::{VertexNormals, between};
 use super::super::planes::live;
 use super::super::section::SectionPoint;
 use crate::part::angle::unit;
-use crate::part::merge_tree::Sets;
+use crate::part::merge_tree::UnionFind;
 use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::{Point3, Vector3};
 
 /// A copy of one surface.
-pub(super) struct Net {
+pub(super) struct SurfaceMesh {
     /// Its proper facets and what they were cut into.
     pub mesh: Mesh,
     /// Unit normals at the vertices.
     pub normals: Vec<Vector3<f64>>,
 }
 
-impl Net {
+impl SurfaceMesh {
     /// The surface as it is.
-    pub fn new(mesh: &Mesh, surface: &Surface, normals: &VertexNormals) -> Net {
+    pub fn new(mesh: &Mesh, surface: &Surface, normals: &VertexNormals) -> SurfaceMesh {
         let mut vertices: Vec<u32> = live(mesh, surface).flat_map(|f| mesh.facets[f]).collect();
         vertices.sort_unstable();
         vertices.dedup();
@@ -29,12 +29,15 @@ impl Net {
         }
         let facets = live(mesh, surface).map(|f| mesh.facets[f].map(|v| local[v as usize])).collect();
         let points = vertices.iter().map(|&v| mesh.vertices[v as usize]).collect();
-        Net { mesh: Mesh::from_indexed(points, facets), normals: vertices.iter().map(|&v| normals.at(v)).collect() }
+        SurfaceMesh {
+            mesh: Mesh::from_indexed(points, facets),
+            normals: vertices.iter().map(|&v| normals.at(v)).collect(),
+        }
     }
 
     /// Cuts edges, each at a share of the way from its lower vertex, and the facets beside them. Also
     /// the number of the first new vertex: they follow in the order of `cuts` (ascending by edge).
-    pub fn cut(&self, cuts: &[(u32, f64)]) -> (Net, u32) {
+    pub fn cut(&self, cuts: &[(u32, f64)]) -> (SurfaceMesh, u32) {
         let first = self.mesh.vertices.len() as u32;
         let mut middle = vec![u32::MAX; self.mesh.edges.len()];
         let (mut vertices, mut normals) = (self.mesh.vertices.clone(), self.normals.clone());
@@ -49,11 +52,11 @@ impl Net {
             let cut = edges.map(|e| middle.get(e as usize).copied().filter(|&v| v != u32::MAX));
             split(corners, cut, &vertices, &mut facets);
         }
-        (Net { mesh: Mesh::from_indexed(vertices, facets), normals }, first)
+        (SurfaceMesh { mesh: Mesh::from_indexed(vertices, facets), normals }, first)
     }
 
     /// Makes a point of a facet, told by its three weights, a vertex, unless it is one; and its number.
-    pub fn with_vertex(self, facet: u32, weights: [f64; 3]) -> (Net, u32) {
+    pub fn with_vertex(self, facet: u32, weights: [f64; 3]) -> (SurfaceMesh, u32) {
         let corners = self.mesh.facets[facet as usize];
         let near = 1e-6;
         if let Some(k) = (0..3).find(|&k| weights[k] > 1.0 - near) {
@@ -65,7 +68,7 @@ impl Net {
             let forward = self.mesh.edges[edge as usize][0] == corners[k];
             return self.cut(&[(edge, if forward { share } else { 1.0 - share })]);
         }
-        let Net { mesh, mut normals } = self;
+        let SurfaceMesh { mesh, mut normals } = self;
         let mut p = Vector3::zeros();
         let mut n = Vector3::zeros();
         for k in 0..3 {
@@ -79,7 +82,7 @@ impl Net {
         let [a, b, c] = corners;
         facets[facet as usize] = [a, b, new];
         facets.extend([[b, c, new], [c, a, new]]);
-        (Net { mesh: Mesh::from_indexed(vertices, facets), normals }, new)
+        (SurfaceMesh { mesh: Mesh::from_indexed(vertices, facets), normals }, new)
     }
 
     /// Length of an edge, mm.
@@ -103,7 +106,7 @@ impl Net {
     /// The outline's loops as sets of edges, the longest first. Loops that touch are one.
     pub fn loops(&self) -> Vec<(f64, Vec<u32>)> {
         let rim = self.rim();
-        let mut sets = Sets::new(self.mesh.vertices.len());
+        let mut sets = UnionFind::new(self.mesh.vertices.len());
         for &e in &rim {
             let [a, b] = self.mesh.edges[e as usize];
             sets.join(a, b);

@@ -3,8 +3,8 @@
 //! Most of a part is lit without anything in between, and a ray for each sample would cost more than
 //! all the rest: so facets that no other facet near the beam can shade are found here, once for a run.
 
-use super::floor::{floor_mm, in_frame};
 use super::light_piece::LightPiece;
+use super::occluder_height::{in_frame, occluder_height_mm};
 use super::shade::Shade;
 use super::spot::Spot;
 use crate::part::{Part, Surfaces, angle, topology::FacetDefect};
@@ -53,9 +53,9 @@ pub fn lit_facets(
     run: &[LightPiece],
 ) -> Vec<(u32, bool)> {
     let Some(frame) = RunFrame::of(run) else { return Vec::new() };
-    let (seen, floor) = seen(part, surfaces, spot, run, &frame);
+    let (seen, occluder_mm) = seen(part, surfaces, spot, run, &frame);
     let slope = spot.greatest_slope() + frame.turn;
-    let lit = seen.iter().filter(|f| f.lit && f.high[2] >= floor - PLANE_MM);
+    let lit = seen.iter().filter(|f| f.lit && f.high[2] >= occluder_mm - PLANE_MM);
     // What shaded the last facet is likely to shade the next one too.
     let mut last: Option<&SeenFacet> = None;
     lit.map(|f| {
@@ -157,12 +157,12 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[LightPiece], frame
         far *= 3.0;
     }
     far = FIRST_STRETCH_MM;
-    let mut floor = f64::NEG_INFINITY;
+    let mut occluder_mm = f64::NEG_INFINITY;
     while far < -bottom {
         // Searched as wide as the light is at the end of the stretch.
         let half = frame.reach(spot, -far, far);
-        floor = floor_mm(half, found.iter().map(|f| &f.1)).filter(|f| *f > -far).unwrap_or(floor);
-        if floor > -far {
+        occluder_mm = occluder_height_mm(half, found.iter().map(|f| &f.1)).filter(|f| *f > -far).unwrap_or(occluder_mm);
+        if occluder_mm > -far {
             break;
         }
         visit(-3.0 * far, -far, &mut found);
@@ -187,5 +187,5 @@ fn seen(part: &Part, surfaces: &Surfaces, spot: &Spot, run: &[LightPiece], frame
         Some(SeenFacet { facet, corners, vertices, rise: up.dot(a), up, lit, low, high })
     });
     // Light is meant for the spot, whatever stands above it: that is shade.
-    (seen.collect(), floor.min(-frame.half[2] - spot.spot_mm))
+    (seen.collect(), occluder_mm.min(-frame.half[2] - spot.spot_mm))
 }

@@ -1,11 +1,11 @@
-//! A long program in pages, each a sub-program: cut only where the laser is off, because a call
+//! A long program in subprograms: cut only where the laser is off, because a call
 //! takes the controller a moment that the spot must not spend burning.
 
 use crate::program::neutral::lines::ProgramLine;
 
-/// Cuts lines into pages of at most `most` by `count`. A lit piece that is longer stays whole, and
-/// so does the page that holds it.
-pub fn pages(
+/// Cuts lines into subprograms of at most `most` by `count`. A lit piece that is longer stays whole, and
+/// so does the subprogram that holds it.
+pub fn subprograms(
     lines: &[ProgramLine],
     laser: u32,
     most: usize,
@@ -47,12 +47,12 @@ mod tests {
     use proptest::prelude::*;
 
     fn count(line: &ProgramLine) -> usize {
-        usize::from(matches!(line, ProgramLine::Say(_)))
+        usize::from(matches!(line, ProgramLine::Comment(_)))
     }
 
     proptest! {
         #[test]
-        fn pages_hold_everything_and_never_cut_a_lit_piece(
+        fn subprograms_hold_everything_and_never_cut_a_lit_piece(
             kinds in prop::collection::vec(0..5u32, 0..60), most in 1..9usize
         ) {
             let lines: Vec<ProgramLine> = kinds
@@ -61,24 +61,24 @@ mod tests {
                     0 => ProgramLine::Output { number: 3, on: true },
                     1 => ProgramLine::Output { number: 3, on: false },
                     2 => ProgramLine::Output { number: 4, on: true },
-                    _ => ProgramLine::Say(Comment::Part(String::new())),
+                    _ => ProgramLine::Comment(Comment::Part(String::new())),
                 })
                 .collect();
-            let pages = pages(&lines, 3, most, count);
-            prop_assert_eq!(&pages.concat(), &lines);
+            let subprograms = subprograms(&lines, 3, most, count);
+            prop_assert_eq!(&subprograms.concat(), &lines);
             let mut lit = false;
-            for page in &pages {
-                prop_assert!(!lit, "a page begins dark");
-                for line in *page {
+            for subprogram in &subprograms {
+                prop_assert!(!lit, "a subprogram begins dark");
+                for line in *subprogram {
                     if let ProgramLine::Output { number: 3, on } = line {
                         lit = *on;
                     }
                 }
                 let is_on = |l: &ProgramLine| matches!(l, ProgramLine::Output { number: 3, on: true });
-                if page.iter().map(count).sum::<usize>() > most {
-                    prop_assert!(is_on(&page[0]), "only a lit piece makes a page too long");
-                    let off = page.iter().position(|l| matches!(l, ProgramLine::Output { number: 3, on: false }));
-                    prop_assert!(off.is_none_or(|i| i + 1 == page.len()), "and then stands alone in it");
+                if subprogram.iter().map(count).sum::<usize>() > most {
+                    prop_assert!(is_on(&subprogram[0]), "only a lit piece makes a subprogram too long");
+                    let off = subprogram.iter().position(|l| matches!(l, ProgramLine::Output { number: 3, on: false }));
+                    prop_assert!(off.is_none_or(|i| i + 1 == subprogram.len()), "and then stands alone in it");
                 }
             }
         }

@@ -1,14 +1,14 @@
-//! What would help with the targets that the robot refuses: advice, and a better set-up
-//! with its picture. Both are searched on a thread, with progress and cancel, and belong to one plan: they are dropped
-//! with it.
+//! What would help with the targets that the robot refuses: suggestions, and a better set-up
+//! with its picture. Both are looked for on a thread, with progress and cancel, and belong to one plan:
+//! with that they go.
 
 use crate::cell::Setup;
 use crate::cell::motion::advice::BetterSetup;
 use crate::part::{Digest, Hasher};
 use crate::picture::CellPicture;
 use crate::picture::palette::state;
-use crate::planning::advice::Help;
-use crate::planning::{Cache, Executor, Failure, PlannedJob, Stage, advice};
+use crate::planning::advice::Suggestion;
+use crate::planning::{Executor, Failure, PlanCache, PlannedJob, Stage, advice};
 use crate::progress::{Activity, Cancelled, Progress};
 use crate::view::{Depth, PointItem};
 use nalgebra::{Isometry3, Point3};
@@ -21,8 +21,8 @@ pub(super) const WITHIN: [u8; 3] = [64, 178, 255];
 pub(super) const OUT_OF_REACH: [u8; 3] = state::BLOCKED;
 
 /// A set-up that was found, ready to be looked at.
-pub struct Proposal {
-    /// Its frames, and how many targets they make possible.
+pub struct BetterSetupPreview {
+    /// Its frames and what they are worth.
     pub found: BetterSetup,
     /// Targets that are refused with it, and without.
     pub refused: [usize; 2],
@@ -34,8 +34,8 @@ pub struct Proposal {
     points: [PointItem; 2],
 }
 
-impl Proposal {
-    fn new(of: &PlannedJob, cache: &Cache, progress: &Progress) -> Result<Option<Proposal>, Cancelled> {
+impl BetterSetupPreview {
+    fn new(of: &PlannedJob, cache: &PlanCache, progress: &Progress) -> Result<Option<BetterSetupPreview>, Cancelled> {
         let better = advice::better_setup(&of.part, &of.surfaces, &of.plan, &of.job, &of.setup, cache, progress)?;
         let Some((found, left)) = better else { return Ok(None) };
         let cell = advice::applied(&of.job.cell, of.setup.mount, &found);
@@ -45,7 +45,7 @@ impl Proposal {
         let points = [(true, WITHIN, 6.0), (false, OUT_OF_REACH, 9.0)]
             .map(|(kind, color, size_px)| points(spots.iter().filter(|s| s.1 == kind).map(|s| s.0), color, size_px));
         let refused = [left, of.plan.refusals.len()];
-        Ok(Some(Proposal { picture: CellPicture::new(&setup), found, refused, setup, points }))
+        Ok(Some(BetterSetupPreview { picture: CellPicture::new(&setup), found, refused, setup, points }))
     }
 
     /// The dots of the preview where the part stands, at a share of their size.
@@ -66,94 +66,94 @@ fn points(spots: impl Iterator<Item = Point3<f64>>, [r, g, b]: [u8; 3], size_px:
 
 /// The two searches.
 #[derive(Default)]
-pub struct Remedy {
+pub struct SuggestionSearch {
     /// What would help with what is refused.
-    advice: Stage<Vec<Help>, Infallible>,
+    suggestions: Stage<Vec<Suggestion>, Infallible>,
     /// A better set-up, if there is any.
-    proposal: Stage<Option<Proposal>, Infallible>,
+    better_setup: Stage<Option<BetterSetupPreview>, Infallible>,
 }
 
-impl Remedy {
-    /// Takes what has arrived, starts to look for advice where the robot refuses targets of the plan, and cancels
-    /// searches for earlier plans.
+impl SuggestionSearch {
+    /// Takes what has arrived, looks for suggestions on a plan of which the robot refuses something, and ends searches
+    /// for plans that are no more.
     pub fn sync(&mut self, refusing: Option<Arc<PlannedJob>>, executor: &dyn Executor) {
-        self.advice.poll();
-        self.proposal.poll();
+        self.suggestions.poll();
+        self.better_setup.poll();
         let Some(planned) = refusing else {
-            self.advice.clear();
-            self.proposal.clear();
+            self.suggestions.clear();
+            self.better_setup.clear();
             return;
         };
-        self.proposal.only(planned.key);
-        if self.advice.lacks(planned.key) {
-            self.advice.start(planned.key, Activity::LookingForHelp, executor, move |progress| {
+        self.better_setup.only(planned.key);
+        if self.suggestions.lacks(planned.key) {
+            self.suggestions.start(planned.key, Activity::LookingForSuggestions, executor, move |progress| {
                 let PlannedJob { part, plan, job, setup, .. } = &*planned;
-                Ok(advice::advice(part, plan, job, setup, progress)?)
+                Ok(advice::suggestions(part, plan, job, setup, progress)?)
             });
         }
     }
 
     /// Looks for a better set-up.
-    pub fn propose(&mut self, planned: Arc<PlannedJob>, cache: Arc<Cache>, executor: &dyn Executor) {
-        self.proposal.clear();
-        self.proposal.start(planned.key, Activity::LookingForSetup, executor, move |progress| {
-            Ok(Proposal::new(&planned, &cache, progress)?)
+    pub fn find_better_setup(&mut self, planned: Arc<PlannedJob>, cache: Arc<PlanCache>, executor: &dyn Executor) {
+        self.better_setup.clear();
+        self.better_setup.start(planned.key, Activity::LookingForSetup, executor, move |progress| {
+            Ok(BetterSetupPreview::new(&planned, &cache, progress)?)
         });
     }
 
     /// What would help with a plan; `None`: that is being looked for.
-    pub fn advice(&self, plan: Digest) -> Option<Result<&[Help], &Failure<Infallible>>> {
-        let known = self.advice.of(plan).map(|told| Ok(told.as_slice()));
-        known.or_else(|| self.advice.failure(plan).map(Err))
+    pub fn suggestions(&self, plan: Digest) -> Option<Result<&[Suggestion], &Failure<Infallible>>> {
+        let known = self.suggestions.of(plan).map(|told| Ok(told.as_slice()));
+        known.or_else(|| self.suggestions.failure(plan).map(Err))
     }
 
-    /// The set-up that is proposed for a plan.
-    pub fn proposal(&self, plan: Digest) -> Option<&Proposal> {
-        Option::as_ref(self.proposal.of(plan)?)
+    /// The better set-up that was found for a plan.
+    pub fn better_setup(&self, plan: Digest) -> Option<&BetterSetupPreview> {
+        Option::as_ref(self.better_setup.of(plan)?)
     }
 
     /// Whether a set-up for a plan was looked for in vain.
-    pub fn found_no_proposal(&self, plan: Digest) -> bool {
-        self.proposal.of(plan).is_some_and(|found| found.is_none())
+    pub fn found_no_better_setup(&self, plan: Digest) -> bool {
+        self.better_setup.of(plan).is_some_and(|found| found.is_none())
     }
 
     /// Whether a better set-up is being looked for.
-    pub fn is_proposing(&self) -> bool {
-        self.proposal.is_running()
+    pub fn is_better_setup_sought(&self) -> bool {
+        self.better_setup.is_running()
     }
 
     /// Whether nothing is being looked for.
     pub fn is_at_rest(&self) -> bool {
-        !self.advice.is_running() && !self.proposal.is_running()
+        !self.suggestions.is_running() && !self.better_setup.is_running()
     }
 
     /// Progress of the search that is shown: of a better set-up, which the operator asked for, before that of advice.
     pub fn progress(&self) -> Option<&Progress> {
-        self.proposal.progress().or(self.advice.progress())
+        self.better_setup.progress().or(self.suggestions.progress())
     }
 
     /// Cancels that search.
     pub fn cancel_shown(&mut self) {
-        if self.proposal.is_running() {
-            self.proposal.cancel();
+        if self.better_setup.is_running() {
+            self.better_setup.cancel();
         } else {
-            self.advice.cancel();
+            self.suggestions.cancel();
         }
     }
 
     /// Cancels both searches.
     pub fn cancel(&mut self) {
-        self.advice.cancel();
-        self.proposal.cancel();
+        self.suggestions.cancel();
+        self.better_setup.cancel();
     }
 
-    /// Looks again for advice that was cancelled.
+    /// Looks again for suggestions that was cancelled.
     pub fn try_again(&mut self) {
-        self.advice.try_again();
+        self.suggestions.try_again();
     }
 
-    /// Forgets the proposed set-up.
-    pub fn forget_proposal(&mut self) {
-        self.proposal.clear();
+    /// Forgets the better set-up.
+    pub fn forget_better_setup(&mut self) {
+        self.better_setup.clear();
     }
 }

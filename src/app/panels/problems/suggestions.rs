@@ -1,9 +1,9 @@
-//! Changes of the set-up that were tried out, and make refused targets possible.
+//! Suggestions: changes that were tried, and make targets possible that the robot refuses.
 
 use super::super::super::command::Command;
 use super::super::super::context::Context;
 use super::super::super::theme;
-use crate::planning::advice::Help;
+use crate::planning::advice::Suggestion;
 use crate::text::{Sentence as _, say};
 use eframe::egui::{self, RichText};
 
@@ -11,7 +11,7 @@ use eframe::egui::{self, RichText};
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>) {
     let Some(planned) = context.refusing_plan() else { return };
     theme::heading(ui, &say!(problems_help));
-    match context.derived.remedy.advice(planned.key) {
+    match context.derived.suggestions.suggestions(planned.key) {
         None => {
             ui.label(RichText::new(say!(problems_help_looking)).weak());
         }
@@ -22,14 +22,14 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>) {
         Some(Ok([])) => {
             ui.label(RichText::new(say!(problems_help_none)).weak());
         }
-        Some(Ok(list)) => list.iter().for_each(|help| row(ui, help)),
+        Some(Ok(list)) => list.iter().for_each(|suggestion| row(ui, suggestion)),
     }
 }
 
-fn row(ui: &mut egui::Ui, help: &Help) {
-    let text = match help {
-        Help::Sampled { .. } => RichText::new(help.sentence()).small().weak(),
-        _ => RichText::new(say!(problems_help_row, advice = capital(&help.sentence()))),
+fn row(ui: &mut egui::Ui, suggestion: &Suggestion) {
+    let text = match suggestion {
+        Suggestion::Sampled { .. } => RichText::new(suggestion.sentence()).small().weak(),
+        _ => RichText::new(say!(problems_help_row, advice = capital(&suggestion.sentence()))),
     };
     ui.add(egui::Label::new(text).wrap());
 }

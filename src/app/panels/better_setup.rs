@@ -2,7 +2,7 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
-use super::super::remedy::{OUT_OF_REACH, Proposal, WITHIN};
+use super::super::suggestion_search::{BetterSetupPreview, OUT_OF_REACH, WITHIN};
 use super::super::theme;
 use super::frames;
 use crate::cell::Mount;
@@ -15,14 +15,14 @@ fn percent(share: f64) -> String {
 }
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let is_proposing = context.derived.remedy.is_proposing();
-    let (proposal, none_found) = (context.proposal(), context.has_no_proposal());
-    if !is_proposing && proposal.is_none() && !none_found {
+    let is_better_setup_sought = context.derived.suggestions.is_better_setup_sought();
+    let (better, none_found) = (context.better_setup(), context.has_no_better_setup());
+    if !is_better_setup_sought && better.is_none() && !none_found {
         return;
     }
     egui::Frame::new().inner_margin(6).fill(ui.visuals().extreme_bg_color).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
-        if is_proposing {
+        if is_better_setup_sought {
             ui.horizontal(|ui| {
                 ui.spinner();
                 ui.label(say!(proposal_looking)).on_hover_text(say!(proposal_cancel_tip));
@@ -32,17 +32,17 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         if none_found {
             ui.label(RichText::new(say!(proposal_none)).strong());
         }
-        if let Some(proposal) = proposal {
-            proposed_frames(ui, proposal);
+        if let Some(better) = better {
+            frames_of_better_setup(ui, better);
             if context.is_in_cell() {
                 ui.label(RichText::new(say!(proposal_shown)).weak());
             }
         }
-        answer(ui, proposal.is_some(), actions);
+        answer(ui, better.is_some(), actions);
     });
 }
 
-fn proposed_frames(ui: &mut egui::Ui, p: &Proposal) {
+fn frames_of_better_setup(ui: &mut egui::Ui, p: &BetterSetupPreview) {
     let (before, after) = (percent(p.found.share_before), percent(p.found.share_after));
     let [left, refused] = p.refused;
     let text = say!(proposal_worth, left, refused, after, before);
@@ -70,11 +70,11 @@ fn answer(ui: &mut egui::Ui, there: bool, actions: &mut Actions) {
             let apply = egui::Button::new(RichText::new(say!(proposal_apply)).strong());
             let apply = apply.fill(theme::ACCENT.gamma_multiply(0.6));
             if ui.add(apply).on_hover_text(say!(proposal_apply_tip)).clicked() {
-                actions.apply_proposal();
+                actions.apply_better_setup();
             }
         }
         if ui.button(say!(proposal_dismiss)).on_hover_text(say!(proposal_dismiss_tip)).clicked() {
-            actions.dismiss_proposal();
+            actions.dismiss_better_setup();
         }
         // What the dots of the preview mean.
         let legend = [(say!(proposal_within_reach), WITHIN), (say!(proposal_out_of_reach), OUT_OF_REACH)];

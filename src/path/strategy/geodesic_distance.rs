@@ -1,4 +1,4 @@
-//! Distance over the surface from a border, at every vertex of a net.
+//! Distance over the surface from a border, at every vertex of a surface mesh.
 //!
 //! From facet to facet: the nearest way to a corner crosses the opposite edge. Along that edge the
 //! distance is known at both ends with its slope, so between them by a cubic; the slope comes with the
@@ -7,13 +7,13 @@
 //! exists, so a vertex that is reached in a better way later is simply taken up again; that replaces
 //! the unfolding of obtuse facets.
 
-use super::net::Net;
+use super::surface_mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Distances on a net.
-pub(super) struct Field {
+/// Distances on a surface mesh.
+pub(super) struct DistanceField {
     /// At the vertices, mm; infinite where no way leads from the border.
     pub mm: Vec<f64>,
     /// Unit direction of the way that arrives at a vertex, and the facet in whose plane it lies.
@@ -34,21 +34,21 @@ const RIDGE: f64 = 0.3;
 /// corners of a sliver could improve each other for ever by the error of the cubic.
 const MOST_TURNS: u8 = 4;
 
-impl Field {
-    /// Distances from these edges of the net. Ways shorter by less than `grain_mm` are not followed.
-    pub fn new(net: &Net, from: &[u32], grain_mm: f64) -> Field {
-        let count = net.mesh.vertices.len();
-        let mut field = Field {
+impl DistanceField {
+    /// Distances from these edges of the surface mesh. Ways shorter by less than `grain_mm` are not followed.
+    pub fn new(surface_mesh: &SurfaceMesh, from: &[u32], grain_mm: f64) -> DistanceField {
+        let count = surface_mesh.mesh.vertices.len();
+        let mut field = DistanceField {
             mm: vec![f64::INFINITY; count],
             arrives: vec![(Vector3::zeros(), 0); count],
-            border: vec![[1.0; 2]; net.mesh.edges.len()],
+            border: vec![[1.0; 2]; surface_mesh.mesh.edges.len()],
             is_border: vec![false; count],
             is_settled: vec![false; count],
         };
         let mut heap = BinaryHeap::new();
         for &e in from {
-            for v in net.mesh.edges[e as usize] {
-                field.set_border_slopes(net, e, v);
+            for v in surface_mesh.mesh.edges[e as usize] {
+                field.set_border_slopes(surface_mesh, e, v);
                 field.is_border[v as usize] = true;
                 field.mm[v as usize] = 0.0;
                 heap.push(Reverse((0u64, v)));
@@ -62,12 +62,12 @@ impl Field {
             }
             field.is_settled[v as usize] = true;
             turns[v as usize] = turns[v as usize].saturating_add(1);
-            for &f in net.mesh.vertex_facets(v) {
-                let corners = net.mesh.facets[f as usize];
+            for &f in surface_mesh.mesh.vertex_facets(v) {
+                let corners = surface_mesh.mesh.facets[f as usize];
                 for k in (0..3).filter(|&k| corners[k] != v) {
                     // Over the edge from v to the third corner.
                     let across = (k + 1) % 3;
-                    if let Some((mm, direction)) = field.nearest_way(net, f, across)
+                    if let Some((mm, direction)) = field.nearest_way(surface_mesh, f, across)
                         && mm < field.mm[corners[k] as usize] - grain_mm
                         && turns[corners[k] as usize] < MOST_TURNS
                     {
@@ -84,64 +84,73 @@ impl Field {
     }
 
     /// Slopes along the edges that leave a border vertex, by their angle to one border edge there.
-    fn set_border_slopes(&mut self, net: &Net, edge: u32, vertex: u32) {
-        let end = |e: u32| usize::from(net.mesh.edges[e as usize][1] == vertex);
+    fn set_border_slopes(&mut self, surface_mesh: &SurfaceMesh, edge: u32, vertex: u32) {
+        let end = |e: u32| usize::from(surface_mesh.mesh.edges[e as usize][1] == vertex);
         self.border[edge as usize][end(edge)] = 0.0;
         let (mut e, mut angle) = (edge, 0.0);
-        let mut facet = net.mesh.edge_facets(edge).first().copied();
+        let mut facet = surface_mesh.mesh.edge_facets(edge).first().copied();
         // No fan has more facets than the vertex.
-        for _ in net.mesh.vertex_facets(vertex) {
+        for _ in surface_mesh.mesh.vertex_facets(vertex) {
             let Some(f) = facet.map(|f| f as usize) else { return };
-            let Some(k) = net.mesh.facets[f].iter().position(|&v| v == vertex) else { return };
-            let corners = net.mesh.corners(f);
+            let Some(k) = surface_mesh.mesh.facets[f].iter().position(|&v| v == vertex) else { return };
+            let corners = surface_mesh.mesh.corners(f);
             let (u, v) = (corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]);
             angle += libm::atan2(u.cross(&v).norm(), u.dot(&v));
             if angle >= std::f64::consts::FRAC_PI_2 {
                 return;
             }
-            let edges = net.mesh.facet_edges[f];
+            let edges = surface_mesh.mesh.facet_edges[f];
             e = if edges[k] == e { edges[(k + 2) % 3] } else { edges[k] };
             let slope = &mut self.border[e as usize][end(e)];
             *slope = slope.min(libm::sin(angle));
-            facet = net.mesh.two_facets(e).map(|[a, b]| if a as usize == f { b } else { a });
+            facet = surface_mesh.mesh.two_facets(e).map(|[a, b]| if a as usize == f { b } else { a });
         }
     }
 
     /// Slope of the distance at a vertex along one of its edges, seen in a facet beside it.
-    fn slope(&self, net: &Net, facet: u32, edge: u32, vertex: u32, along: &Vector3<f64>) -> f64 {
+    fn slope(&self, surface_mesh: &SurfaceMesh, facet: u32, edge: u32, vertex: u32, along: &Vector3<f64>) -> f64 {
         if self.is_border[vertex as usize] {
-            return self.border[edge as usize][usize::from(net.mesh.edges[edge as usize][1] == vertex)];
+            return self.border[edge as usize][usize::from(surface_mesh.mesh.edges[edge as usize][1] == vertex)];
         }
         let (direction, from) = self.arrives[vertex as usize];
-        let (n, m) = (net.mesh.normals[from as usize], net.mesh.normals[facet as usize]);
+        let (n, m) = (surface_mesh.mesh.normals[from as usize], surface_mesh.mesh.normals[facet as usize]);
         // Turned with the facets' planes, about the line in which they meet.
         let turned = direction - (n + m) * (direction.dot(&m) / (1.0 + n.dot(&m)).max(0.1));
         turned.dot(along).clamp(-1.0, 1.0)
     }
 
     /// The distance along an edge from `from` to `to`, seen in a facet beside it.
-    pub fn along(&self, net: &Net, facet: u32, edge: u32, from: u32, to: u32) -> Along {
-        let way = net.mesh.vertices[to as usize] - net.mesh.vertices[from as usize];
+    pub fn along(&self, surface_mesh: &SurfaceMesh, facet: u32, edge: u32, from: u32, to: u32) -> Along {
+        let way = surface_mesh.mesh.vertices[to as usize] - surface_mesh.mesh.vertices[from as usize];
         let length = way.norm();
         let unit = way / length.max(1e-300);
         Along {
             length,
             ends: [self.mm[from as usize], self.mm[to as usize]],
-            slopes: [self.slope(net, facet, edge, from, &unit), -self.slope(net, facet, edge, to, &-unit)],
+            slopes: [
+                self.slope(surface_mesh, facet, edge, from, &unit),
+                -self.slope(surface_mesh, facet, edge, to, &-unit),
+            ],
         }
     }
 
     /// The nearest way to the corner of a facet opposite to its edge `k`.
-    fn nearest_way(&self, net: &Net, facet: u32, k: usize) -> Option<(f64, Vector3<f64>)> {
+    fn nearest_way(&self, surface_mesh: &SurfaceMesh, facet: u32, k: usize) -> Option<(f64, Vector3<f64>)> {
         let f = facet as usize;
-        let corners = net.mesh.facets[f];
-        let at = |i: usize| net.mesh.vertices[corners[i % 3] as usize];
+        let corners = surface_mesh.mesh.facets[f];
+        let at = |i: usize| surface_mesh.mesh.vertices[corners[i % 3] as usize];
         let (a, c) = (at(k), at(k + 2));
         let known = |i: usize| self.is_settled[corners[i % 3] as usize];
         let direct = |i: usize| (self.mm[corners[i % 3] as usize] + (c - at(i)).norm(), c - at(i));
         let (mm, way) = match (known(k), known(k + 1)) {
             (true, true) => {
-                let along = self.along(net, facet, net.mesh.facet_edges[f][k], corners[k], corners[(k + 1) % 3]);
+                let along = self.along(
+                    surface_mesh,
+                    facet,
+                    surface_mesh.mesh.facet_edges[f][k],
+                    corners[k],
+                    corners[(k + 1) % 3],
+                );
                 let unit = (at(k + 1) - a) / along.length.max(1e-300);
                 let x = (c - a).dot(&unit);
                 let y = (c - a - unit * x).norm();
@@ -157,14 +166,14 @@ impl Field {
     }
 
     /// The distance inside a facet: the least over its three edges.
-    pub fn inside(&self, net: &Net, facet: u32, p: &Point3<f64>) -> f64 {
-        let corners = net.mesh.facets[facet as usize];
+    pub fn inside(&self, surface_mesh: &SurfaceMesh, facet: u32, p: &Point3<f64>) -> f64 {
+        let corners = surface_mesh.mesh.facets[facet as usize];
         (0..3)
             .map(|k| {
                 let (from, to) = (corners[k], corners[(k + 1) % 3]);
-                let along = self.along(net, facet, net.mesh.facet_edges[facet as usize][k], from, to);
-                let a = net.mesh.vertices[from as usize];
-                let unit = (net.mesh.vertices[to as usize] - a) / along.length.max(1e-300);
+                let along = self.along(surface_mesh, facet, surface_mesh.mesh.facet_edges[facet as usize][k], from, to);
+                let a = surface_mesh.mesh.vertices[from as usize];
+                let unit = (surface_mesh.mesh.vertices[to as usize] - a) / along.length.max(1e-300);
                 let x = (p - a).dot(&unit);
                 along.nearest(x, (p - a - unit * x).norm()).1
             })

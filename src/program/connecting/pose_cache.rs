@@ -1,4 +1,4 @@
-//! Poses of the arm, and a memo of what was worked out from them: when targets are refused or others are chosen, most
+//! Poses of the arm, and a cache of what was worked out from them: when targets are refused or others are chosen, most
 //! results stay valid. A pose is told by its joints, to the last bit.
 
 use crate::cell::Joints;
@@ -24,15 +24,15 @@ pub fn bits(joints_deg: &Joints) -> JointBits {
 }
 
 /// Values that were worked out, by what they follow from.
-pub struct Memo<K, V>(Mutex<BTreeMap<K, V>>);
+pub struct PoseCache<K, V>(Mutex<BTreeMap<K, V>>);
 
-impl<K, V> Default for Memo<K, V> {
+impl<K, V> Default for PoseCache<K, V> {
     fn default() -> Self {
-        Memo(Mutex::default())
+        PoseCache(Mutex::default())
     }
 }
 
-impl<K: Ord, V: Clone> Memo<K, V> {
+impl<K: Ord, V: Clone> PoseCache<K, V> {
     /// The value that was worked out before, or is now.
     pub fn get(&self, key: K, make: impl FnOnce() -> V) -> V {
         if let Some(value) = self.0.lock().ok().and_then(|all| all.get(&key).cloned()) {

@@ -4,10 +4,10 @@ use crate::document::remembered::Remembered;
 use crate::part::{Placement, Units};
 use serde::{Deserialize, Serialize};
 
-/// The part's file.
+/// The part of a job: its file, and how it stands.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct PartFile {
+pub struct JobPart {
     /// Path, relative to the job file.
     pub file: String,
     /// SHA-256 of its bytes when the job was saved; empty: any.
@@ -23,7 +23,7 @@ pub struct PartFile {
     pub landmarks: Remembered,
 }
 
-impl PartFile {
+impl JobPart {
     /// Whether the job was made for other bytes than those of this SHA-256.
     pub fn is_of_another_file(&self, sha256: &str) -> bool {
         !self.sha256.is_empty() && self.sha256 != sha256
