@@ -2,10 +2,10 @@
 //! along a line with what is blocked, to be bent by hand.
 
 mod draw_strip;
-mod frame;
 mod map;
 mod palette;
 mod strip;
+mod strip_scale;
 
 use super::super::actions::Actions;
 use super::super::context::Context;
