@@ -7,7 +7,7 @@ use clearbeam::cell::Setup;
 use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::planning::proof::prover;
-use clearbeam::planning::surface_plan::body;
+use clearbeam::planning::surface_plan::tool_geometry;
 use clearbeam::planning::{self, PlanCache};
 use clearbeam::pose::access::AccessMap;
 use clearbeam::pose::{BeamInterference, Correction, Tilt, TiltRule};
@@ -64,7 +64,7 @@ fn proven(c: &mut Criterion) {
     let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()) else {
         return;
     };
-    let body = body(&job, &setup);
+    let body = tool_geometry(&job, &setup);
     let beam = || BeamInterference::with(&part, body.as_ref());
     type Place = (Point3<f64>, Vector3<f64>, Vector3<f64>);
     let all: Vec<Place> = plan.passes.iter().flat_map(|p| &p.targets).map(|t| (t.p, t.n, t.tangent())).collect();

@@ -66,8 +66,8 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
 }
 
 fn light(passes: &[Pass], spot: Spot) -> Light {
-    let work = |p: &Pass| ProcessSettings { defocus_mm: spot.defocus_mm, spot_mm: spot.spot_mm, ..p.settings };
-    let passes: Vec<Pass> = passes.iter().map(|p| Pass { settings: work(p), ..p.clone() }).collect();
+    let settings = |p: &Pass| ProcessSettings { defocus_mm: spot.defocus_mm, spot_mm: spot.spot_mm, ..p.settings };
+    let passes: Vec<Pass> = passes.iter().map(|p| Pass { settings: settings(p), ..p.clone() }).collect();
     Light::new(&passes, &spot, |_, _| 0.0)
 }
 

@@ -89,7 +89,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
         timing: MoveTiming::Percent(10.0),
         lit: false,
         target: None,
-        work: ProcessSettings::default(),
+        settings: ProcessSettings::default(),
     })));
     let way_in = Seed::Joint([1.0, -2.0, 3.0, -4.0, 5.0, -6.0], 10);
     for seed in std::iter::once(&way_in).chain(seeds) {
@@ -107,7 +107,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
                 timing: timing(mm, deg),
                 lit,
                 target: None,
-                work: ProcessSettings::default(),
+                settings: ProcessSettings::default(),
             }))
         };
         out.push(match seed {

@@ -326,7 +326,7 @@ fn what_stands_in_the_cell_is_in_the_way_of_a_carried_head() {
         // In the part's frame: (10, 25, 30) in the base, turned back by a quarter.
         for c in &setup.tool.clamps {
             assert!((c.at().translation.vector - Vector3::new(25.0, -10.0, 30.0)).norm() < 1e-9);
-            let body = clearbeam::planning::surface_plan::body(&job, &setup);
+            let body = clearbeam::planning::surface_plan::tool_geometry(&job, &setup);
             let plate = floor_and(&[]);
             let hit =
                 BeamInterference::with(&plate, body.as_ref()).blocker(&Point3::new(25.0, -10.0, 0.0), &Vector3::z());

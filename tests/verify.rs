@@ -4,7 +4,7 @@
 mod parts;
 
 use clearbeam::cell::{Mount, Robot, Setup};
-use clearbeam::planning::verify::{Kind, MOST_OFF_MM, Verdict, VerifyError, check};
+use clearbeam::planning::verify::{DifferenceKind, MOST_OFF_MM, Verdict, VerifyError, check};
 use clearbeam::program::{Comment, Program, ProgramFile, dialects, lines};
 use clearbeam::text::{Sentence as _, program_comment};
 use parts::{Planned, job, on, part, planned_in, sample};
@@ -91,7 +91,7 @@ fn line_with(text: &str, start: &str, skip: usize) -> usize {
 fn each_kind_of_change_is_named() {
     let text = &NACHI.files[0].text;
     let lit = line_with(text, "SET O3", 0) + 1;
-    let kinds = |changed: String| -> Vec<Kind> {
+    let kinds = |changed: String| -> Vec<DifferenceKind> {
         let verdict = NACHI.verdict(&NACHI.changed(0, changed)).expect("reads");
         verdict.findings.iter().map(|f| f.kind).collect()
     };
@@ -101,44 +101,44 @@ fn each_kind_of_change_is_named() {
         let (first, rest) = rest.split_once(',').expect("joints");
         format!("{head},({:.4},{rest}", first.parse::<f64>().expect("a number") + 1.0)
     }));
-    assert!(bent.contains(&Kind::Deviation), "{bent:?}");
+    assert!(bent.contains(&DifferenceKind::Deviation), "{bent:?}");
     // Twice as slow.
     let slow = kinds(edited(text, lit, |l| {
         let (head, rest) = l.split_once(",T=").expect("a time");
         let (time, rest) = rest.split_once(',').expect("more");
         format!("{head},T={:.4},{rest}", 2.0 * time.parse::<f64>().expect("a number"))
     }));
-    assert_eq!(slow, [Kind::Time]);
+    assert_eq!(slow, [DifferenceKind::Time]);
     // So fast that no joint can follow.
     let fast = kinds(edited(text, lit, |l| {
         let (head, rest) = l.split_once(",T=").expect("a time");
         let (_, rest) = rest.split_once(',').expect("more");
         format!("{head},T=0.0010,{rest}")
     }));
-    assert!(fast.contains(&Kind::Time) && fast.contains(&Kind::Speed), "{fast:?}");
+    assert!(fast.contains(&DifferenceKind::Time) && fast.contains(&DifferenceKind::Speed), "{fast:?}");
     // The laser on where it must not be.
     let off = line_with(text, "RESET O3", 1);
-    assert!(kinds(edited(text, off, |_| "SET O3".into())).contains(&Kind::Setting));
+    assert!(kinds(edited(text, off, |_| "SET O3".into())).contains(&DifferenceKind::Setting));
     let home = line_with(text, "MOVEX", 0);
     let on = kinds(edited(text, home, |l| format!("SET O3\n{l}\nRESET O3")));
-    assert!(on.contains(&Kind::Extra) && on.contains(&Kind::Interference), "{on:?}");
+    assert!(on.contains(&DifferenceKind::Extra) && on.contains(&DifferenceKind::Interference), "{on:?}");
     // A line gone, a line twice, the end gone.
     let mut lines: Vec<&str> = text.lines().collect();
     lines.remove(lit);
-    assert_eq!(kinds(lines.join("\n") + "\n"), [Kind::Missing]);
+    assert_eq!(kinds(lines.join("\n") + "\n"), [DifferenceKind::Missing]);
     let mut lines: Vec<&str> = text.lines().collect();
     lines.insert(lit, lines[lit]);
-    assert!(kinds(lines.join("\n") + "\n").contains(&Kind::Extra));
-    assert_eq!(kinds(text[..text.len() / 2].to_owned()), [Kind::Unreadable]);
+    assert!(kinds(lines.join("\n") + "\n").contains(&DifferenceKind::Extra));
+    assert_eq!(kinds(text[..text.len() / 2].to_owned()), [DifferenceKind::Unreadable]);
     // Another tool.
-    assert_eq!(kinds(edited(text, lit, |l| l.replace(",H=1,", ",H=2,"))), [Kind::Setting]);
+    assert_eq!(kinds(edited(text, lit, |l| l.replace(",H=1,", ",H=2,"))), [DifferenceKind::Setting]);
     // A joint beyond its range.
     let beyond = kinds(edited(text, lit, |l| {
         let (head, rest) = l.split_once(",(").expect("joints");
         let (_, rest) = rest.split_once(',').expect("joints");
         format!("{head},(175.0000,{rest}")
     }));
-    assert!(beyond.contains(&Kind::Limit), "{beyond:?}");
+    assert!(beyond.contains(&DifferenceKind::Limit), "{beyond:?}");
 }
 
 /// Largest difference of a number in two lines that have the same words.

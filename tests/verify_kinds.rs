@@ -8,7 +8,7 @@ mod retarget;
 
 use clearbeam::cell::controllers::NachiForm;
 use clearbeam::cell::{Robot, Setup};
-use clearbeam::planning::verify::{Finding, Kind, check};
+use clearbeam::planning::verify::{DifferenceKind, Finding, check};
 use clearbeam::program::dialect::{Goal, ReadContext, ReadLine, ReadMove, Statement};
 use clearbeam::program::{Dialect, Interpolation, Program, ProgramFile, dialects, lines};
 use clearbeam::text::{Sentence as _, program_comment};
@@ -126,11 +126,11 @@ fn a_target_of_another_kind_is_found_where_it_stands() {
             let what = format!("{}, move {i}: {:?} to {other:?}", case.name(), place.to);
             let found = found.unwrap_or_else(|| panic!("{what}: {findings:?}"));
             let said = found.sentence();
-            if found.kind == Kind::Setting {
+            if found.kind == DifferenceKind::Setting {
                 assert!(said.contains("joint angles") && said.contains(" pose "), "{what}: {said}");
                 assert!(said.contains(" where the plan has "), "{what}: {said}");
             } else {
-                assert_eq!(found.kind, Kind::Unreadable, "{what}: {said}");
+                assert_eq!(found.kind, DifferenceKind::Unreadable, "{what}: {said}");
                 assert!(said.contains("expected") || said.contains("robot"), "{what}: {said}");
             }
         }

@@ -4,7 +4,7 @@
 use crate::cell::Setup;
 use crate::document::Job;
 use crate::part::{Part, SurfaceId};
-use crate::planning::surface_plan::body;
+use crate::planning::surface_plan::tool_geometry;
 use crate::pose::access::{AccessMap, AccessStrip, TiltPart};
 use crate::pose::{BeamInterference, Pass, Tilt, TiltRule};
 use nalgebra::{Point3, Vector3};
@@ -66,7 +66,7 @@ impl AccessViews {
         if self.map.as_ref().is_some_and(|m| m.0 == of) {
             return;
         }
-        let body = body(on.job, on.setup);
+        let body = tool_geometry(on.job, on.setup);
         let beam = BeamInterference::with(on.part, body.as_ref());
         let place = &of.0;
         let (rule, most) = (rule_of(on.job, place.surface), on.job.path.max_tilt_deg);
@@ -84,7 +84,7 @@ impl AccessViews {
         if self.strip.as_ref().is_some_and(|s| s.0 == of) {
             return;
         }
-        let body = body(on.job, on.setup);
+        let body = tool_geometry(on.job, on.setup);
         let beam = BeamInterference::with(on.part, body.as_ref());
         let (rule, most) = (rule_of(on.job, pass.surface), on.job.path.max_tilt_deg);
         self.strip = Some((of, AccessStrip::along(&beam, pass, &rule, over, most, STEP_DEG, PLACES)));

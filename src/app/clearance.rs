@@ -1,7 +1,7 @@
 //! The clearance of arm, head and part over a program: measured on a thread once the curves are shown, and kept for
 //! one plan.
 
-use super::motion::Motion;
+use super::playback_data::PlaybackData;
 use crate::cell::Collision;
 use crate::part::Digest;
 use crate::planning::{Executor, PlannedJob, Stage};
@@ -25,14 +25,14 @@ pub struct ClearanceSearch(Stage<ClearanceCurve, Infallible>);
 
 impl ClearanceSearch {
     /// Takes what has arrived, and starts to measure a plan in motion unless that is known.
-    pub fn sync(&mut self, current: Option<(Arc<PlannedJob>, Arc<Motion>)>, executor: &dyn Executor) {
+    pub fn sync(&mut self, current: Option<(Arc<PlannedJob>, Arc<PlaybackData>)>, executor: &dyn Executor) {
         self.0.poll();
-        let Some((planned, motion)) = current.filter(|(planned, _)| !self.0.is_running() && self.0.lacks(planned.key))
+        let Some((planned, data)) = current.filter(|(planned, _)| !self.0.is_running() && self.0.lacks(planned.key))
         else {
             return;
         };
         self.0.start(planned.key, Activity::MeasuringClearances, executor, move |_| {
-            Ok(ClearanceCurve::new(&planned, &motion).unwrap_or_default())
+            Ok(ClearanceCurve::new(&planned, &data).unwrap_or_default())
         });
     }
 
@@ -48,10 +48,10 @@ impl ClearanceSearch {
 }
 
 impl ClearanceCurve {
-    fn new(planned: &PlannedJob, motion: &Motion) -> Option<ClearanceCurve> {
+    fn new(planned: &PlannedJob, data: &PlaybackData) -> Option<ClearanceCurve> {
         // As the plan asks for arm and head: with all that will be laid, from the first layer on.
         let whole = planned.plan.grown.last().map_or(&*planned.part, |g| &g.part);
-        let collision = Collision::new(motion.timeline.as_ref()?.setup(), whole)?;
-        Some(ClearanceCurve { samples: clearances(&motion.curves, &collision), margin_mm: collision.margin_mm() })
+        let collision = Collision::new(data.timeline.as_ref()?.setup(), whole)?;
+        Some(ClearanceCurve { samples: clearances(&data.curves, &collision), margin_mm: collision.margin_mm() })
     }
 }

@@ -125,7 +125,7 @@ impl<'a> Context<'a> {
 
     /// The program over time, with a robot.
     pub fn timeline(self) -> Option<&'a Timeline> {
-        self.derived.motion()?.timeline.as_ref()
+        self.derived.playback_data()?.timeline.as_ref()
     }
 
     /// Where arm, part and focus stand now.
@@ -140,7 +140,7 @@ impl<'a> Context<'a> {
     }
 
     /// The process settings of the current pass.
-    pub fn work(self) -> ProcessSettings {
+    pub fn process_settings(self) -> ProcessSettings {
         let pass = self.derived.plan().and_then(|of| of.plan.passes.get(self.session.playback.at.0));
         pass.map_or_else(ProcessSettings::default, |p| p.settings)
     }

@@ -5,7 +5,7 @@
 
 use super::clearance::ClearanceSearch;
 use super::dose::Dose;
-use super::motion::Motion;
+use super::playback_data::PlaybackData;
 use super::suggestion_search::SuggestionSearch;
 use crate::document::model::JobPart;
 use crate::document::{Document, Job};
@@ -38,9 +38,9 @@ pub struct Derived {
     pub cell: Option<CellPicture>,
     /// The lines of the job whose plan is being made.
     pub(super) laid: Option<(Digest, LineItem)>,
-    /// The plan in motion.
-    pub(super) motion: Stage<Motion, Infallible>,
-    /// The clearance of arm, head and part over that motion.
+    /// What is played back of the plan.
+    pub(super) playback_data: Stage<PlaybackData, Infallible>,
+    /// How far everything keeps from everything over it.
     pub(super) clearance: ClearanceSearch,
     /// What would help with what the robot refuses.
     pub(super) suggestions: SuggestionSearch,
@@ -61,7 +61,7 @@ impl Derived {
             tool_picture: None,
             cell: None,
             laid: None,
-            motion: Stage::default(),
+            playback_data: Stage::default(),
             clearance: ClearanceSearch::default(),
             suggestions: SuggestionSearch::default(),
             dose: Dose::default(),
@@ -109,9 +109,9 @@ impl Derived {
         self.pipeline.is_synced(document.job(), document.file())
     }
 
-    /// The motion of the plan that is shown.
-    pub fn motion(&self) -> Option<&Arc<Motion>> {
-        self.motion.of(self.plan()?.key)
+    /// What is played back of the plan that is shown.
+    pub fn playback_data(&self) -> Option<&Arc<PlaybackData>> {
+        self.playback_data.of(self.plan()?.key)
     }
 
     /// Cancels all work.
@@ -125,7 +125,7 @@ impl Derived {
     pub fn is_at_rest(&self) -> bool {
         self.pipeline.is_at_rest()
             && !self.shapes.is_running()
-            && !self.motion.is_running()
+            && !self.playback_data.is_running()
             && self.clearance.is_at_rest()
             && self.suggestions.is_at_rest()
             && self.dose.is_at_rest()

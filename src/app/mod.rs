@@ -21,12 +21,12 @@ mod edits;
 mod files;
 mod journal;
 mod menu_place;
-mod motion;
 mod opening;
 mod outside;
 mod panels;
 mod pick;
 mod playback;
+mod playback_data;
 mod program_view;
 mod quantity;
 mod questions;
@@ -180,7 +180,7 @@ impl eframe::App for App {
             panel.show(ui, |ui| self.panel(|context, actions| panels::parameters::ui(ui, context, actions)));
             let panel = egui::Panel::bottom("timeline");
             panel.show(ui, |ui| self.panel(|context, actions| panels::timeline::ui(ui, context, actions)));
-            if self.session.show.is_on(Toggle::ProgramText) && self.derived.motion().is_some() {
+            if self.session.show.is_on(Toggle::ProgramText) && self.derived.playback_data().is_some() {
                 let panel = egui::Panel::right("text").default_size(330.0).min_size(180.0);
                 panel.show(ui, |ui| self.panel(|context, actions| panels::program_text::ui(ui, context, actions)));
             }

@@ -2,7 +2,7 @@
 //! set, and the other follows; without one there is no time, and the target advances at the speed of the spot.
 
 use super::command::Jump;
-use super::motion::Motion;
+use super::playback_data::PlaybackData;
 use crate::planning::Plan;
 use crate::program::Timeline;
 
@@ -39,9 +39,9 @@ impl Playback {
     }
 
     /// Goes to a target; the time follows.
-    pub fn go_to_target(&mut self, at: (usize, usize), motion: Option<&Motion>) {
+    pub fn go_to_target(&mut self, at: (usize, usize), data: Option<&PlaybackData>) {
         self.at = at;
-        self.time_s = motion.map_or(0.0, |m| m.time_of(at));
+        self.time_s = data.map_or(0.0, |m| m.time_of(at));
     }
 
     /// Goes to a time; the target follows: the one that was reached last.
@@ -52,8 +52,8 @@ impl Playback {
     }
 
     /// Goes to another target of the plan.
-    pub fn jump(&mut self, jump: Jump, plan: &Plan, motion: Option<&Motion>) {
-        self.go_to_target(after(self.at, jump, plan), motion);
+    pub fn jump(&mut self, jump: Jump, plan: &Plan, data: Option<&PlaybackData>) {
+        self.go_to_target(after(self.at, jump, plan), data);
     }
 
     /// Starts or stops; at the end of the program it starts over.
@@ -65,10 +65,10 @@ impl Playback {
         }
     }
 
-    /// Advances by a time, s, of the real clock.
-    pub fn advance(&mut self, real_s: f64, plan: &Plan, motion: Option<&Motion>) {
+    /// Goes on by a time, s, of the real clock.
+    pub fn advance(&mut self, real_s: f64, plan: &Plan, data: Option<&PlaybackData>) {
         let passed_s = real_s * f64::from(self.speed);
-        match motion.and_then(|m| m.timeline.as_ref()) {
+        match data.and_then(|m| m.timeline.as_ref()) {
             Some(timeline) => self.advance_time(passed_s, timeline),
             None => self.advance_targets(passed_s, plan),
         }

@@ -49,7 +49,7 @@ impl Context<'_> {
             T::SectionPlane | T::AccessMap | T::Dose | T::Spacing => self.derived.plan().is_some(),
             T::Cell => self.derived.cell.is_some(),
             T::Plots => self.timeline().is_some(),
-            T::ProgramText => self.derived.motion().is_some(),
+            T::ProgramText => self.derived.playback_data().is_some(),
         }
     }
 }

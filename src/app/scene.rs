@@ -61,7 +61,7 @@ impl App {
         }
         let on_part = self.derived.plan_on_part().filter(|_| self.derived.laid.is_none());
         if let (Some(of), Some(t)) = (on_part, self.context().target()) {
-            let (line, point) = paths::marked(t, self.context().work().defocus_mm, &look, of.picture_key());
+            let (line, point) = paths::marked(t, self.context().process_settings().defocus_mm, &look, of.picture_key());
             let scene_from_item = self.context().scene_from_part();
             scene.lines.push(LineItem { scene_from_item, ..line });
             scene.points.push(PointItem { scene_from_item, ..point });
@@ -119,7 +119,7 @@ impl<'a> Context<'a> {
 
     /// The trail of the spot, and in the robot cell the arm.
     fn add_simulation(self, scene: &mut Scene, place: Isometry3<f64>) {
-        let trail = self.derived.motion().and_then(|m| m.trail.as_ref());
+        let trail = self.derived.playback_data().and_then(|m| m.trail.as_ref());
         if let (Some(moment), Some(trail), Some(_)) = (self.moment(), trail, self.derived.plan_on_part()) {
             scene.lines.extend(trail.until(&moment, place));
         }
@@ -144,7 +144,7 @@ impl<'a> Context<'a> {
         if self.is_in_cell() {
             scene.meshes.extend(self.placed().map_or_else(Vec::new, |p| tool.at(&p.base_from_focus, p.lit)));
         } else if let Some(t) = self.target() {
-            let focus = place * t.frame(self.work().defocus_mm);
+            let focus = place * t.frame(self.process_settings().defocus_mm);
             scene.meshes.extend(tool.at(&focus, t.state != TargetState::Blocked));
         }
     }

@@ -30,12 +30,12 @@ pub(super) struct Placed {
 impl App {
     /// Steps to a target; the time follows.
     pub(super) fn go_to_target(&mut self, at: (usize, usize)) {
-        self.session.playback.go_to_target(at, self.derived.motion().map(|m| &**m));
+        self.session.playback.go_to_target(at, self.derived.playback_data().map(|m| &**m));
     }
 
     /// Goes to a time; the target follows.
     pub(super) fn go_to_time(&mut self, time_s: f64) {
-        if let Some(timeline) = self.derived.motion().and_then(|m| m.timeline.as_ref()) {
+        if let Some(timeline) = self.derived.playback_data().and_then(|m| m.timeline.as_ref()) {
             self.session.playback.go_to_time(time_s, timeline);
         }
     }
@@ -43,13 +43,13 @@ impl App {
     /// Goes to another target.
     pub(super) fn jump(&mut self, jump: Jump) {
         if let Some(of) = self.derived.plan() {
-            self.session.playback.jump(jump, &of.plan, self.derived.motion().map(|m| &**m));
+            self.session.playback.jump(jump, &of.plan, self.derived.playback_data().map(|m| &**m));
         }
     }
 
     /// Starts or stops the simulation.
     pub(super) fn play_or_pause(&mut self) {
-        let timeline = self.derived.motion().and_then(|m| m.timeline.as_ref());
+        let timeline = self.derived.playback_data().and_then(|m| m.timeline.as_ref());
         self.session.playback.play_or_pause(timeline);
     }
 
@@ -58,7 +58,7 @@ impl App {
         let Some(of) = self.derived.plan().filter(|_| self.session.playback.is_playing) else { return };
         ctx.request_repaint();
         let real_s = f64::from(ctx.input(|i| i.stable_dt).min(LONGEST_FRAME_S));
-        self.session.playback.advance(real_s, &of.plan, self.derived.motion().map(|m| &**m));
+        self.session.playback.advance(real_s, &of.plan, self.derived.playback_data().map(|m| &**m));
     }
 
     /// The whole cell, seen from its front left.
@@ -135,7 +135,7 @@ impl<'a> Context<'a> {
     /// The arm in a better set-up: at the current target, else at home.
     fn better_setup_joints_deg(self, better: &BetterSetupPreview) -> Joints {
         let job = self.document.job();
-        let frame = self.target().map(|t| t.frame(self.work().defocus_mm));
+        let frame = self.target().map(|t| t.frame(self.process_settings().defocus_mm));
         let states = frame.and_then(|f| Arm::new(&better.setup, job.cell.spin)?.states(&f).ok());
         // The one that is furthest from a singular pose.
         let best = states.and_then(|s| s.into_iter().max_by(|a, b| a.singularity.total_cmp(&b.singularity)));

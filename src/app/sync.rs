@@ -5,10 +5,10 @@ use super::App;
 use super::access::Ground;
 use super::command::Toggle;
 use super::context::Context;
-use super::motion::Motion;
+use super::playback_data::PlaybackData;
 use crate::part::{Shape, SurfaceId};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
-use crate::planning::surface_plan::body;
+use crate::planning::surface_plan::tool_geometry;
 use crate::planning::{Failure, PartError, PlanningError};
 use crate::progress::Activity;
 use crate::text::{Sentence as _, say};
@@ -99,7 +99,7 @@ impl App {
         let d = &mut self.derived;
         let (Some(key), Some(Ok(setup))) = (d.pipeline.setup_key(), d.pipeline.setup()) else { return };
         if d.tool_picture.as_ref().is_none_or(|(known, _)| *known != key) {
-            let body = body(self.document.job(), setup);
+            let body = tool_geometry(self.document.job(), setup);
             d.tool_picture = Some((key, ToolPicture::new(&setup.tool, body.as_ref())));
         }
     }
@@ -124,17 +124,19 @@ impl App {
         let part_name = self.context().part_file_name();
         let d = &mut self.derived;
         let Some(planned) = d.pipeline.newest_plan().cloned() else {
-            d.motion.clear();
+            d.playback_data.clear();
             return;
         };
-        let mut arrived = d.motion.poll();
-        if d.motion.lacks(planned.key) {
+        let mut arrived = d.playback_data.poll();
+        if d.playback_data.lacks(planned.key) {
             let executor = d.pipeline.executor().clone();
             let key = planned.key;
-            d.motion.start(key, Activity::WorkingOutMotion, &*executor, move |_| Ok(Motion::new(&planned, &part_name)));
-            arrived |= d.motion.of(key).is_some();
+            d.playback_data.start(key, Activity::WorkingOutMotion, &*executor, move |_| {
+                Ok(PlaybackData::new(&planned, &part_name))
+            });
+            arrived |= d.playback_data.of(key).is_some();
         }
-        if arrived && self.derived.motion().is_some() {
+        if arrived && self.derived.playback_data().is_some() {
             self.session.plot_span = None;
             self.session.program_view.line = None;
             self.go_to_target(self.session.playback.at);
@@ -159,7 +161,7 @@ impl App {
     /// Brings the clearance up to date, if the curves are shown.
     fn sync_clearance(&mut self) {
         let planned = self.context().plan().filter(|_| self.session.show.is_on(Toggle::Plots)).cloned();
-        let current = planned.and_then(|p| Some((p.clone(), self.derived.motion.of(p.key)?.clone())));
+        let current = planned.and_then(|p| Some((p.clone(), self.derived.playback_data.of(p.key)?.clone())));
         let executor = self.derived.pipeline.executor().clone();
         self.derived.clearance.sync(current, &*executor);
     }
@@ -195,7 +197,7 @@ impl App {
         self.look_for_changes();
         self.derived.pipeline.try_again();
         self.derived.shapes.try_again();
-        self.derived.motion.try_again();
+        self.derived.playback_data.try_again();
         self.derived.suggestions.try_again();
         self.derived.dose.try_again();
     }

@@ -2,7 +2,7 @@
 
 use super::{CommandFailure, CommandOutcome, print, print_json};
 use crate::document::files;
-use crate::planning::verify::{self, Finding, Kind, Verdict};
+use crate::planning::verify::{self, DifferenceKind, Finding, Verdict};
 use crate::planning::{Pipeline, PlannedJob};
 use crate::program::ProgramFile;
 use crate::program::sweep::Proof;
@@ -42,7 +42,7 @@ struct VerdictRecord<'a> {
 struct FindingRecord<'a> {
     file: &'a str,
     line: usize,
-    kind: Kind,
+    kind: DifferenceKind,
     text: String,
 }
 
@@ -91,7 +91,7 @@ fn text(dialect: &str, v: &Verdict) -> String {
     use std::fmt::Write as _;
     let mut out = String::new();
     // Of what cannot be read there are no figures.
-    if v.findings.iter().any(|f| f.kind == Kind::Unreadable) {
+    if v.findings.iter().any(|f| f.kind == DifferenceKind::Unreadable) {
         let _ = writeln!(out, "{}", say!(verify_unreadable, dialect));
     } else {
         let _ = writeln!(out, "{}", say!(verify_moves, dialect, moves = v.moves, lit = v.lit_moves));
@@ -101,7 +101,7 @@ fn text(dialect: &str, v: &Verdict) -> String {
     for f in v.findings.iter().take(SHOWN) {
         // What cannot be read names its place itself.
         let _ = match f.kind {
-            Kind::Unreadable => writeln!(out, "{}", f.sentence()),
+            DifferenceKind::Unreadable => writeln!(out, "{}", f.sentence()),
             _ => writeln!(out, "{}", say!(verify_finding, file = &f.file, line = id(f.line), what = f.sentence())),
         };
     }

@@ -12,14 +12,14 @@ use std::collections::BTreeMap;
 /// What becomes of surfaces: old number → new ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Renumbering {
-    heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>>,
+    heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Inherits)>>,
     /// Whether surfaces that are not named stay what they are; else they are gone.
     others_stay: bool,
 }
 
 /// What a new surface takes over from an old one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Takes {
+enum Inherits {
     /// All: it has the same facets.
     All,
     /// As much as this share of its area was the old one's, 0 to 1; never pins and border, which mean nothing on
@@ -46,10 +46,11 @@ pub struct LostSettings {
 impl Renumbering {
     /// Surfaces become one under the lowest of their numbers; all of them exist. One alone stays what it is.
     pub fn merged(surfaces: &[SurfaceId]) -> Renumbering {
-        let takes = |id: &SurfaceId, keep: &SurfaceId| if id == keep { Takes::Share(1.0) } else { Takes::Joined };
+        let inherits =
+            |id: &SurfaceId, keep: &SurfaceId| if id == keep { Inherits::Share(1.0) } else { Inherits::Joined };
         let heirs = match surfaces.iter().min() {
             Some(keep) if surfaces.iter().any(|id| id != keep) => {
-                surfaces.iter().map(|id| (*id, vec![(*keep, takes(id, keep))])).collect()
+                surfaces.iter().map(|id| (*id, vec![(*keep, inherits(id, keep))])).collect()
             }
             _ => BTreeMap::new(),
         };
@@ -58,9 +59,9 @@ impl Renumbering {
 
     /// Pieces are cut off surfaces, which keep their numbers: surface and piece.
     pub fn cut_off(pieces: impl IntoIterator<Item = (SurfaceId, SurfaceId)>) -> Renumbering {
-        let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>> = BTreeMap::new();
+        let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Inherits)>> = BTreeMap::new();
         for (of, piece) in pieces {
-            heirs.entry(of).or_insert_with(|| vec![(of, Takes::Share(1.0))]).push((piece, Takes::Cut));
+            heirs.entry(of).or_insert_with(|| vec![(of, Inherits::Share(1.0))]).push((piece, Inherits::Cut));
         }
         Renumbering { heirs, others_stay: true }
     }
@@ -68,7 +69,8 @@ impl Renumbering {
     /// The facets of a part are cut into other surfaces: each takes over what most of its area was. Numbers that were no
     /// surface's are gone. `areas_mm2` are those of the facets.
     pub fn by_area(areas_mm2: &[f64], before: &Surfaces, after: &Surfaces) -> Renumbering {
-        let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Takes)>> = before.ids().map(|id| (id, Vec::new())).collect();
+        let mut heirs: BTreeMap<SurfaceId, Vec<(SurfaceId, Inherits)>> =
+            before.ids().map(|id| (id, Vec::new())).collect();
         for surface in &after.list {
             let mut was_mm2: BTreeMap<u32, f64> = BTreeMap::new();
             for facet in surface.facets.iter().map(|f| *f as usize) {
@@ -78,8 +80,8 @@ impl Renumbering {
             }
             for (old, mm2) in was_mm2 {
                 let is_same = before.get(old).is_some_and(|b| b.facets == surface.facets);
-                let takes = if is_same { Takes::All } else { Takes::Share(mm2 / surface.area_mm2) };
-                heirs.entry(SurfaceId(old)).or_default().push((SurfaceId(surface.number), takes));
+                let inherits = if is_same { Inherits::All } else { Inherits::Share(mm2 / surface.area_mm2) };
+                heirs.entry(SurfaceId(old)).or_default().push((SurfaceId(surface.number), inherits));
             }
         }
         Renumbering { heirs, others_stay: false }
@@ -87,16 +89,16 @@ impl Renumbering {
 
     /// Surfaces of a part whose file has changed: old number → new one. Those that are not named are gone.
     pub fn found(numbers: &BTreeMap<SurfaceId, SurfaceId>) -> Renumbering {
-        let heirs = numbers.iter().map(|(old, new)| (*old, vec![(*new, Takes::All)])).collect();
+        let heirs = numbers.iter().map(|(old, new)| (*old, vec![(*new, Inherits::All)])).collect();
         Renumbering { heirs, others_stay: false }
     }
 
     /// The settings under the new numbers, and what was lost.
     fn carry_over(&self, settings: &Settings) -> (Settings, Vec<LostSettings>) {
-        let mut parents: BTreeMap<SurfaceId, Vec<(&SurfaceSettings, Takes)>> = BTreeMap::new();
+        let mut parents: BTreeMap<SurfaceId, Vec<(&SurfaceSettings, Inherits)>> = BTreeMap::new();
         for (old, heirs) in &self.heirs {
-            for (new, takes) in heirs {
-                parents.entry(*new).or_default().push((settings.of(*old), *takes));
+            for (new, inherits) in heirs {
+                parents.entry(*new).or_default().push((settings.of(*old), *inherits));
             }
         }
         let mut lost = Vec::new();
@@ -104,10 +106,10 @@ impl Renumbering {
             match self.heirs.get(&old) {
                 // A number that was no surface's does not go before the piece that gets it.
                 None if self.others_stay && !parents.contains_key(&old) => {
-                    parents.entry(old).or_default().push((before, Takes::All))
+                    parents.entry(old).or_default().push((before, Inherits::All))
                 }
                 heirs => {
-                    let stays = heirs.is_some_and(|h| h.iter().any(|(_, takes)| *takes == Takes::All));
+                    let stays = heirs.is_some_and(|h| h.iter().any(|(_, inherits)| *inherits == Inherits::All));
                     if !stays && (before.border.is_some() || !before.pins.is_empty()) {
                         lost.push(LostSettings {
                             surface: old,
@@ -133,16 +135,16 @@ impl Job {
 }
 
 /// What a surface has from those that went into it, in the order of their numbers.
-fn merged_settings(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
-    if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::All) {
+fn merged_settings(parents: &[(&SurfaceSettings, Inherits)]) -> SurfaceSettings {
+    if let Some((parent, _)) = parents.iter().find(|(_, inherits)| *inherits == Inherits::All) {
         return (*parent).clone();
     }
-    if let Some((parent, _)) = parents.iter().find(|(_, takes)| *takes == Takes::Cut) {
+    if let Some((parent, _)) = parents.iter().find(|(_, inherits)| *inherits == Inherits::Cut) {
         let (recipe, tilt) = (parent.recipe.clone(), parent.tilt.clone());
         return SurfaceSettings { recipe, tilt, flipped: parent.flipped, ..SurfaceSettings::default() };
     }
     let mut merged = by_majority(parents);
-    for (joined, _) in parents.iter().filter(|(_, takes)| *takes == Takes::Joined) {
+    for (joined, _) in parents.iter().filter(|(_, inherits)| *inherits == Inherits::Joined) {
         if merged.name.is_empty() {
             merged.name.clone_from(&joined.name);
         }
@@ -156,21 +158,21 @@ fn merged_settings(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
 }
 
 /// What surfaces of more than half the area had, property by property; else the default.
-fn by_majority(parents: &[(&SurfaceSettings, Takes)]) -> SurfaceSettings {
+fn by_majority(parents: &[(&SurfaceSettings, Inherits)]) -> SurfaceSettings {
     fn most<T: PartialEq + Clone + Default>(
-        parents: &[(&SurfaceSettings, Takes)],
+        parents: &[(&SurfaceSettings, Inherits)],
         get: impl Fn(&SurfaceSettings) -> T,
     ) -> T {
         let share_of = |value: &T| -> f64 {
-            let share = |(s, takes): &(&SurfaceSettings, Takes)| match takes {
-                Takes::Share(share) if get(s) == *value => *share,
+            let share = |(s, inherits): &(&SurfaceSettings, Inherits)| match inherits {
+                Inherits::Share(share) if get(s) == *value => *share,
                 _ => 0.0,
             };
             parents.iter().map(share).sum()
         };
         parents.iter().map(|(s, _)| get(s)).find(|value| share_of(value) > 0.5).unwrap_or_default()
     }
-    let shares = parents.iter().filter(|(_, takes)| matches!(takes, Takes::Share(_)));
+    let shares = parents.iter().filter(|(_, inherits)| matches!(inherits, Inherits::Share(_)));
     let first = shares.filter_map(|(s, _)| s.work).min();
     SurfaceSettings {
         name: most(parents, |s| s.name.clone()),

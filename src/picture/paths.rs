@@ -50,11 +50,11 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     }
     if look.beams {
         let targets = thinned(shown(), count, MOST_BEAMS, look.before);
-        items.push(item(2, targets.map(|(t, work)| beam(t, work.defocus_mm, look.before)).collect(), 1.2));
+        items.push(item(2, targets.map(|(t, settings)| beam(t, settings.defocus_mm, look.before)).collect(), 1.2));
     }
     if look.frames {
         let targets = thinned(shown(), count, MOST_FRAMES, look.before);
-        items.push(item(3, targets.flat_map(|(t, work)| frame(t, work.defocus_mm, look)).collect(), 1.6));
+        items.push(item(3, targets.flat_map(|(t, settings)| frame(t, settings.defocus_mm, look)).collect(), 1.6));
     }
     if look.air && look.only_pass.is_none() {
         items.push(item(4, air(plan), 1.0));

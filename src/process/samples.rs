@@ -58,8 +58,8 @@ impl FacetPiece {
     }
 }
 
-/// Cuts a piece of a facet until what it falls into is no wider than a square of `pitch_mm`, or no light comes near, and
-/// hands every piece on with the light that does.
+/// Cuts a piece of a facet until what it falls into is no wider than a square of `pitch_mm`, or no light comes near,
+/// and hands every piece on with the light that does.
 pub fn cut_facet_piece(
     light: &Light,
     pitch_mm: f64,

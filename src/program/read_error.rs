@@ -180,10 +180,10 @@ pub enum RowFault {
     NoGoal,
     /// A move has both a duration and a share of speed, or neither.
     NoTiming,
-    /// Two accounts of one pose differ.
+    /// Two figures that give one pose differ.
     Disagree {
         /// Which two.
-        accounts: [Account; 2],
+        given_by: [MoveGivenBy; 2],
         /// Distance, mm.
         off_mm: f64,
         /// Turn, degrees.
@@ -199,7 +199,7 @@ impl From<RowFault> for LineFault {
 
 /// How a table says where a move leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Account {
+pub enum MoveGivenBy {
     /// By the arm's joints.
     Joints,
     /// By the flange in the base.
@@ -208,13 +208,13 @@ pub enum Account {
     Focus,
 }
 
-impl Account {
+impl MoveGivenBy {
     /// The word that stands for it in tables.
     pub fn word(self) -> &'static str {
         match self {
-            Account::Joints => "joints",
-            Account::Flange => "flange",
-            Account::Focus => "focus",
+            MoveGivenBy::Joints => "joints",
+            MoveGivenBy::Flange => "flange",
+            MoveGivenBy::Focus => "focus",
         }
     }
 }

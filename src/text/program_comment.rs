@@ -2,7 +2,7 @@
 
 use super::list::joined;
 use super::{Arg, Message, exact, id, messages};
-use crate::program::{ByHand, Caveat, Comment, WorkFigures};
+use crate::program::{ByHand, Caveat, Comment, ProcessFigures};
 
 /// The words of a message in English.
 macro_rules! english {
@@ -16,7 +16,7 @@ pub fn program_comment(comment: &Comment) -> String {
     match comment {
         Comment::Part(part) => english!(comment_part, version = env!("CARGO_PKG_VERSION"), part = part),
         Comment::Surfaces { shown, more } => surfaces(shown, *more),
-        Comment::WorkedWith(figures) => work_figures(figures),
+        Comment::WorkedWith(figures) => process_figures(figures),
         Comment::LineLayout { direction, spacing_mm, order } => english!(
             comment_laid,
             direction = direction.to_string(),
@@ -56,7 +56,7 @@ fn surfaces(shown: &[u32], more: usize) -> String {
     }
 }
 
-fn work_figures(w: &WorkFigures) -> String {
+fn process_figures(w: &ProcessFigures) -> String {
     let [power, spot, defocus, speed] = [w.power_w, w.spot_mm, w.defocus_mm, w.speed_mm_s].map(exact);
     if w.frequency_khz > 0.0 {
         let frequency = exact(w.frequency_khz);

@@ -66,7 +66,7 @@ impl Sentence for RowFault {
             RowFault::NoRobotToCompare => say!(read_no_robot_to_compare),
             RowFault::NoGoal => say!(read_no_goal),
             RowFault::NoTiming => say!(read_no_timing),
-            RowFault::Disagree { accounts: [first, second], off_mm, off_deg } => {
+            RowFault::Disagree { given_by: [first, second], off_mm, off_deg } => {
                 let (mm, deg) = (fixed(*off_mm, 4), fixed(*off_deg, 4));
                 say!(read_disagree, first = first.word(), second = second.word(), mm, deg)
             }

@@ -11,7 +11,7 @@ use crate::planning::report::{Report, notices_worst_first};
 /// what was planned. Every line ends with a line break.
 pub fn report_lines(report: &Report, job: &Job) -> String {
     let naming = Naming::of(job);
-    let mut lines: Vec<String> = report.standing().iter().map(Sentence::sentence).collect();
+    let mut lines: Vec<String> = report.status().iter().map(Sentence::sentence).collect();
     lines.extend(notices_worst_first(report, job, &[]).iter().map(|notice| notice_line(notice, &naming)));
     lines.extend(figures(report));
     if let Some(dose) = &report.dose {

@@ -83,7 +83,7 @@ pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<ProgramLine> {
                 timing: *timing,
                 lit,
                 target: None,
-                work: ProcessSettings::default(),
+                settings: ProcessSettings::default(),
             }))
         }
     };

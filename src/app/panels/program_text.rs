@@ -2,32 +2,32 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
-use super::super::motion::{Motion, TextFile};
+use super::super::playback_data::{PlaybackData, TextFile};
 use super::super::program_view::ProgramView;
 use super::super::theme;
 use crate::text::say;
 use eframe::egui::{self, RichText, ScrollArea, Sense, TextStyle};
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let Some(motion) = context.derived.motion() else { return };
+    let Some(data) = context.derived.playback_data() else { return };
     let playback = &context.session.playback;
-    let current = motion.current_line(playback.time_s, playback.at);
+    let current = data.current_line(playback.time_s, playback.at);
     let mut view = context.session.program_view.clone();
-    let moved = view.follow(current, motion.text.len());
+    let moved = view.follow(current, data.text.len());
     let is_current = context.plan().is_some();
     theme::heading(ui, &if is_current { say!(program_panel_heading) } else { say!(program_panel_out_of_date) });
-    file_choice(ui, &motion.text, &mut view.file);
-    if let Some(file) = motion.text.get(view.file) {
+    file_choice(ui, &data.text, &mut view.file);
+    if let Some(file) = data.text.get(view.file) {
         let lit = current.filter(|c| c.0 == view.file).map(|c| c.1);
         let wanted = lit.filter(|_| moved);
         if let Some(row) = lines(ui, file, lit, wanted, &mut view) {
-            go_to_line(motion, (view.file, row), actions);
+            go_to_line(data, (view.file, row), actions);
         }
         if wanted.is_some() {
             view.line = current;
         }
     } else {
-        let why = motion.why_none.clone().unwrap_or_else(|| say!(program_panel_none));
+        let why = data.why_none.clone().unwrap_or_else(|| say!(program_panel_none));
         ui.label(RichText::new(why).color(theme::WRONG));
     }
     if view != context.session.program_view {
@@ -88,12 +88,12 @@ fn lines(
 }
 
 /// Goes to the move that a line is, or the next one after it.
-fn go_to_line(motion: &Motion, place: (usize, usize), actions: &mut Actions) {
-    let Some(number) = motion.move_of_line(place) else { return };
-    match &motion.timeline {
+fn go_to_line(data: &PlaybackData, place: (usize, usize), actions: &mut Actions) {
+    let Some(number) = data.move_of_line(place) else { return };
+    match &data.timeline {
         Some(t) => actions.go_to_time(t.stops().get(number).map_or(0.0, |s| s.at_s)),
         None => {
-            let target = motion.move_to.iter().find(|(_, n)| **n >= number).map(|(target, _)| *target);
+            let target = data.move_to.iter().find(|(_, n)| **n >= number).map(|(target, _)| *target);
             target.into_iter().for_each(|t| actions.go_to_target(t));
         }
     }

@@ -2,7 +2,7 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
-use super::super::motion::Mark;
+use super::super::playback_data::Mark;
 use super::super::theme;
 use super::problems::why_left_out;
 use crate::program::Timeline;
@@ -47,9 +47,9 @@ pub(super) fn ui(ui: &mut egui::Ui, width: f32, context: Context<'_>, actions: &
 
 /// The marks with their places; of those that share a point, the first.
 fn mark_places(context: Context<'_>, x_of: impl Fn(f64) -> f32) -> Vec<(f32, Mark)> {
-    let (Some(motion), Some(timeline)) = (context.derived.motion(), context.timeline()) else { return Vec::new() };
+    let (Some(data), Some(timeline)) = (context.derived.playback_data(), context.timeline()) else { return Vec::new() };
     let mut out: Vec<(f32, Mark)> = Vec::new();
-    for mark in &motion.marks {
+    for mark in &data.marks {
         let at_s = mark.after.and_then(|n| timeline.stops().get(n)).map_or(0.0, |s| s.at_s);
         let x = x_of(at_s);
         match out.last_mut() {

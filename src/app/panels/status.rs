@@ -41,7 +41,7 @@ fn progress(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
 /// The newest plan in figures; it may be out of date, and says so.
 fn plan(ui: &mut egui::Ui, context: Context<'_>) {
     let Some(report) = context.derived.plan().map(|of| &of.report) else { return };
-    standing(ui, context);
+    plan_status(ui, context);
     ui.label(say!(status_size, passes = report.passes, targets = report.points));
     if report.corrected > 0 {
         let text = say!(status_corrected, count = report.corrected);
@@ -55,17 +55,17 @@ fn plan(ui: &mut egui::Ui, context: Context<'_>) {
     }
 }
 
-/// What is not proven and what is left out, then what is proven, and the worst findings on hover. Nothing that is out of
-/// date is called proven.
-fn standing(ui: &mut egui::Ui, context: Context<'_>) {
+/// What is not proven and what is left out, then what is proven; the worst of it on hover. Of what is out of date
+/// nothing is called proven.
+fn plan_status(ui: &mut egui::Ui, context: Context<'_>) {
     let Some(of) = context.plan() else { return };
-    let Some(standing) = of.report.standing() else { return };
-    let color = match standing.grade() {
+    let Some(status) = of.report.status() else { return };
+    let color = match status.grade() {
         Grade::Unproven | Grade::Nothing => theme::WRONG,
         Grade::LeftOut => theme::ATTENTION,
         Grade::Free => theme::ACCENT,
     };
-    ui.label(RichText::new(standing.sentence()).color(color)).on_hover_ui(|ui| {
+    ui.label(RichText::new(status.sentence()).color(color)).on_hover_ui(|ui| {
         ui.label(worst(of).join("\n"));
     });
 }

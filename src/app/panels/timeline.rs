@@ -47,7 +47,7 @@ fn time_row(ui: &mut egui::Ui, timeline: &Timeline, context: Context<'_>, action
         ui.monospace(RichText::new(text).strong()).on_hover_text(say!(timeline_times_tip));
         play_speed(ui, context, actions);
     });
-    let left_out = context.derived.motion().into_iter().flat_map(|m| &m.marks).map(|m| m.count).sum();
+    let left_out = context.derived.playback_data().into_iter().flat_map(|m| &m.marks).map(|m| m.count).sum();
     ui.horizontal(|ui| time_shares(ui, &timeline.breakdown(), left_out));
 }
 
@@ -142,8 +142,9 @@ fn target_numbers(ui: &mut egui::Ui, context: Context<'_>) {
 /// Where the flange is; without a robot, where it would have to be.
 fn flange(ui: &mut egui::Ui, t: &Target, context: Context<'_>) {
     let Some(Ok(setup)) = context.derived.pipeline.setup() else { return };
-    let flange =
-        context.moment().map_or_else(|| setup.flange_for(&t.frame(context.work().defocus_mm)), |m| m.base_from_flange);
+    let flange = context
+        .moment()
+        .map_or_else(|| setup.flange_for(&t.frame(context.process_settings().defocus_mm)), |m| m.base_from_flange);
     let angles_deg = rpy::from_rotation(&flange.rotation.to_rotation_matrix());
     let [rz, ry, rx] = angles_deg.map(|a| fixed(a, 2));
     let [x, y, z] = <[f64; 3]>::from(flange.translation.vector).map(|c| fixed(c, 1));

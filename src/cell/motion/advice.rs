@@ -151,7 +151,7 @@ pub fn changes(
     let now_deg = if spin == Spin::Travel { 180.0 } else { SPINS_DEG };
     let before = possible(setup, part, done, now_deg, progress)?;
     // What is possible by itself was refused for the way to it: no change of place is known to help.
-    let stuck: Vec<Isometry3<f64>> = refused
+    let impossible: Vec<Isometry3<f64>> = refused
         .iter()
         .zip(possible(setup, part, refused, now_deg, progress)?)
         .filter(|(_, possible)| !possible)
@@ -167,7 +167,7 @@ pub fn changes(
         .into_par_iter()
         .enumerate()
         .map(|(rank, (change, changed, step_deg))| {
-            let gained = count(&possible(&changed, part, &stuck, step_deg, progress)?);
+            let gained = count(&possible(&changed, part, &impossible, step_deg, progress)?);
             let mut lost = 0;
             if gained > 0 {
                 let after = possible(&changed, part, done, step_deg, progress)?;

@@ -47,10 +47,10 @@ pub(super) struct ChainTarget {
 }
 
 /// The states of a target, or why it has none.
-pub(super) type SolvedTarget = Result<Vec<ArmState>, Unreachable>;
+pub(super) type SolvedTarget = Result<Vec<ArmState>, NoPoseReason>;
 
 /// Why a target has no state.
-pub(super) enum Unreachable {
+pub(super) enum NoPoseReason {
     /// The arm cannot stand there.
     NoState(NoState),
     /// All its states touch something; the contact of the first.
@@ -77,7 +77,7 @@ pub(super) fn chain(
     targets: &[ChainTarget],
     go_on: &(dyn Fn() -> bool + Sync),
     solve: impl Fn(&ChainTarget) -> SolvedTarget + Sync,
-) -> Option<Vec<Result<ArmState, Option<Unreachable>>>> {
+) -> Option<Vec<Result<ArmState, Option<NoPoseReason>>>> {
     let rules = Rules::new(arm);
     let mut trace: Vec<Trace> = Vec::with_capacity(targets.len());
     let mut before = TargetStates::start();
@@ -85,14 +85,14 @@ pub(super) fn chain(
         if !go_on() {
             return None;
         }
-        let made: Vec<(TargetStates, Option<Unreachable>)> = chunk
+        let made: Vec<(TargetStates, Option<NoPoseReason>)> = chunk
             .par_iter()
             .map(|target| match solve(target) {
                 Ok(states) => (TargetStates::new(states, &rules), None),
-                Err(lack) => (TargetStates::new(Vec::new(), &rules), Some(lack)),
+                Err(reason) => (TargetStates::new(Vec::new(), &rules), Some(reason)),
             })
             .collect();
-        for (target, (mut current, lack)) in chunk.iter().zip(made) {
+        for (target, (mut current, reason)) in chunk.iter().zip(made) {
             let from = match target.lit_s {
                 Some(seconds) => rules.after_lit_move(&before, &mut current, seconds),
                 None => rules.after_connecting_move(&before, &mut current),
@@ -100,7 +100,7 @@ pub(super) fn chain(
             let (left_out_from, cheapest) = before.cheapest();
             current.left_out = cheapest + LEFT_OUT;
             let keys = current.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
-            trace.push(Trace { from, left_out_from, keys, lack });
+            trace.push(Trace { from, left_out_from, keys, reason });
             before = current;
         }
     }
@@ -112,7 +112,7 @@ pub(super) fn chain(
     }
     let state = |(target, t, pick): (&ChainTarget, Trace, u32)| {
         let key = t.keys.get(pick as usize);
-        key.and_then(|[spin, branch, turn]| arm.state(&target.part_from_focus, *spin, *branch, *turn)).ok_or(t.lack)
+        key.and_then(|[spin, branch, turn]| arm.state(&target.part_from_focus, *spin, *branch, *turn)).ok_or(t.reason)
     };
     Some(targets.iter().zip(trace).zip(picked).map(|((target, t), pick)| state((target, t, pick))).collect())
 }
@@ -125,7 +125,7 @@ struct Trace {
     from: Vec<u32>,
     left_out_from: u32,
     keys: Vec<[u8; 3]>,
-    lack: Option<Unreachable>,
+    reason: Option<NoPoseReason>,
 }
 
 /// The states of one target, each with the cost of the cheapest chain that ends in it.

@@ -1,7 +1,7 @@
 //! Spin and branch of every target, chosen together: the cheapest chain of states ([`super::chain`]) that touches
 //! nothing, and what is left out of it.
 
-use super::chain::{ChainTarget, Unreachable, chain};
+use super::chain::{ChainTarget, NoPoseReason, chain};
 use super::reason;
 use super::refusal::{Refusal, RefusalCause, RefusalReason};
 use super::states::{Arm, ArmState};
@@ -74,16 +74,16 @@ pub fn choose_again(
         let chain = chain(arm, &targets, go_on, |target: &ChainTarget| {
             let mut states = known
                 .states((target.pass, target.point), || arm.states(&target.part_from_focus))
-                .map_err(Unreachable::NoState)?;
+                .map_err(NoPoseReason::NoState)?;
             states.retain(|s| is_open(target.pass, s.branch));
             if states.is_empty() {
-                return Err(Unreachable::NoWay);
+                return Err(NoPoseReason::NoWay);
             }
             let Some(checks) = known.checks((target.pass, target.point)) else { return Ok(states) };
             let first = states[0].joints_deg;
             states.retain(|s| checks.is_free(s, arm.spins(), || touches(&s.joints_deg).is_none()));
             match states.is_empty() {
-                true => Err(touches(&first).map_or(Unreachable::NoWay, Unreachable::Contact)),
+                true => Err(touches(&first).map_or(NoPoseReason::NoWay, NoPoseReason::Contact)),
                 false => Ok(states),
             }
         })?;
@@ -126,7 +126,7 @@ fn choice(
     arm: &Arm<'_>,
     passes: &[Pass],
     targets: &[ChainTarget],
-    chain: Vec<Result<ArmState, Option<Unreachable>>>,
+    chain: Vec<Result<ArmState, Option<NoPoseReason>>>,
 ) -> Choice {
     let mut rows: Vec<Vec<Option<ChosenPose>>> = passes.iter().map(|p| vec![None; p.targets.len()]).collect();
     let mut refusals = Vec::new();
@@ -146,9 +146,9 @@ fn choice(
             Err(refused) => {
                 let neighbour = last.filter(|(s, _)| s.pass == target.pass).map(|(_, state)| state);
                 let (cause, why) = match refused {
-                    Some(Unreachable::NoState(lack)) => reason::of_no_state(arm, &lack),
-                    Some(Unreachable::Contact(contact)) => RefusalReason::contact(contact),
-                    Some(Unreachable::NoWay) => (RefusalCause::Robot, RefusalReason::NoWay),
+                    Some(NoPoseReason::NoState(reason)) => reason::of_no_state(arm, &reason),
+                    Some(NoPoseReason::Contact(contact)) => RefusalReason::contact(contact),
+                    Some(NoPoseReason::NoWay) => (RefusalCause::Robot, RefusalReason::NoWay),
                     None => reason::of_move(arm, &target.part_from_focus, neighbour.as_ref(), target.lit_s),
                 };
                 refusals.push(Refusal { pass: target.pass, point: target.point, cause, why });

@@ -7,8 +7,8 @@ use crate::cell::Joints;
 use nalgebra::Isometry3;
 
 /// Why a target has no state.
-pub(super) fn of_no_state(arm: &Arm<'_>, lack: &NoState) -> (RefusalCause, RefusalReason) {
-    match *lack {
+pub(super) fn of_no_state(arm: &Arm<'_>, reason: &NoState) -> (RefusalCause, RefusalReason) {
+    match *reason {
         NoState::Reach => (RefusalCause::Reach, RefusalReason::OutOfReach { robot: arm.robot.name.clone() }),
         NoState::Limit { joint, needs_deg } => (RefusalCause::Limit, beyond(arm, joint, needs_deg)),
         NoState::Singularity => (RefusalCause::Singularity, RefusalReason::Singular),

@@ -1,8 +1,8 @@
 //! Finds what [`Landmarks`] remember: in place, else after one common shift, else after one turn.
 
 use super::file_frame::{FileFrame, LoadedAs};
+use super::file_motion::{Surround, shifts, turns};
 use super::landmarks::Landmarks;
-use super::motion::{Surround, shifts, turns};
 use super::pairing::{Lineup, LostReason, Paired};
 use super::segmentation::Segmentation;
 use super::shells::shells;

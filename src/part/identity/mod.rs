@@ -14,10 +14,10 @@
 mod alike;
 mod cut_facets;
 mod file_frame;
+mod file_motion;
 mod find;
 mod fingerprint;
 mod landmarks;
-mod motion;
 mod pairing;
 mod segmentation;
 mod shells;

@@ -9,7 +9,7 @@ use crate::planning::plan::Plan;
 use crate::planning::report::{Report, is_dark};
 use crate::planning::verify;
 use crate::program::{
-    Comment, DialectError, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording, WorkFigures, dialects, lines,
+    Comment, DialectError, ProcessFigures, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording, dialects, lines,
 };
 
 /// The program's files as they would be written, the one to start first; none of a plan that never lights. `wording`:
@@ -89,8 +89,8 @@ fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Re
 fn process_comments(steps: &Steps) -> Vec<Comment> {
     let mut out: Vec<Comment> = Vec::new();
     for step in &steps.list {
-        let Step::Process(work) = step else { continue };
-        let comment = Comment::WorkedWith(WorkFigures::of(work));
+        let Step::Process(settings) = step else { continue };
+        let comment = Comment::WorkedWith(ProcessFigures::of(settings));
         if !out.contains(&comment) {
             out.push(comment);
         }

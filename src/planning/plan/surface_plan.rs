@@ -134,7 +134,7 @@ pub(in super::super) fn rules(job: &Job) -> LineRules {
 /// A surface's plan with the process settings of its job. They are not in the key of its poses: power changes no pose,
 /// speed only through the tilt rate of [`rules`], which is in the key, and without a head neither does the defocus.
 pub(in super::super) fn with_process_settings(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
-    let wanted = work(job);
+    let wanted = process_settings(job);
     let own = |w: &ProcessSettings| match tool.head {
         None => ProcessSettings { layer: w.layer, ..wanted },
         Some(_) => ProcessSettings { defocus_mm: w.defocus_mm, spot_mm: w.spot_mm, layer: w.layer, ..wanted },
@@ -155,22 +155,22 @@ pub(in super::super) fn with_ways(mut made: Arc<SurfacePlan>, ways_mm: (f64, f64
     made
 }
 
-/// The body of the tool around the beam; `None`: the beam is a ray.
-pub fn body<'a>(job: &Job, setup: &'a Setup) -> Option<ToolGeometry<'a>> {
+/// The tool geometry of a job; `None`: the beam is a ray.
+pub fn tool_geometry<'a>(job: &Job, setup: &'a Setup) -> Option<ToolGeometry<'a>> {
     configurations(job, &setup.tool).swap_remove(0).geometry
 }
 
 /// The tool configurations that may be tried over lines, the wanted one first, then drawn back and pushed forward by half
 /// of the standoff window and by all of it.
 pub(in super::super) fn configurations<'a>(job: &Job, tool: &'a Tool) -> Vec<ToolConfiguration<'a>> {
-    let wanted = work(job);
+    let wanted = process_settings(job);
     let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
     let lifted = |share: &f64| wanted.lifted(&job.optics, share * job.path.standoff_mm);
     lifts.iter().map(|s| ToolConfiguration::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
 }
 
 /// The process settings of a job.
-fn work(job: &Job) -> ProcessSettings {
+fn process_settings(job: &Job) -> ProcessSettings {
     let b = &job.beam;
     ProcessSettings {
         defocus_mm: b.defocus_mm,

@@ -6,9 +6,9 @@ mod nothing;
 mod notice;
 mod outcome;
 mod plan_finding;
+mod plan_status;
 mod problem;
 mod rows;
-mod standing;
 mod unproven;
 mod written_files;
 
@@ -16,9 +16,9 @@ pub use nothing::{BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, notices_worst_first};
 pub use outcome::CorrectionOutcome;
 pub use plan_finding::PlanFinding;
+pub use plan_status::{Grade, PlanStatus};
 pub use problem::{NotDone, Problem, problems};
 pub use rows::{OrderReport, SplitReport, SurfaceReport};
-pub use standing::{Grade, Standing};
 pub use unproven::Unproven;
 pub use written_files::{FileDigest, WrittenFiles};
 

@@ -184,8 +184,8 @@ impl<'a> BeamInterference<'a> {
     }
 
     /// Whether cone or head may touch anything on the motion between two poses; see
-    /// [`BeamInterference::ray_conflict`]. `stray_mm`: how far a point of the tool at this distance from the spot may stray from
-    /// the motion with a straight spot and a constant turn.
+    /// [`BeamInterference::ray_conflict`]. `stray_mm`: how far a point of the tool at this distance from the spot may
+    /// stray from the motion with a straight spot and a constant turn.
     pub(in crate::pose) fn body_conflict(
         &self,
         [from, middle, to]: [&Pose; 3],

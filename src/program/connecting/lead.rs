@@ -3,7 +3,7 @@
 //!
 //! The beam keeps its direction. A lead on which beam or head would touch something is left out, and counted.
 
-use super::space::Space;
+use super::transfer_space::TransferSpace;
 use crate::pose::Pass;
 use crate::program::neutral::steps::Station;
 
@@ -28,7 +28,12 @@ pub struct Leads {
 }
 
 /// The leads of the lit piece of a pass from target `first` to `last`, which the beam stands at as given.
-pub fn leads(space: &Space<'_>, pass: &Pass, (first, last): (usize, usize), [start, end]: [&Station; 2]) -> Leads {
+pub fn leads(
+    space: &TransferSpace<'_>,
+    pass: &Pass,
+    (first, last): (usize, usize),
+    [start, end]: [&Station; 2],
+) -> Leads {
     let before = lead(space, pass, (first, first + 1), start, pass.settings.lead_in_mm);
     let behind = lead(space, pass, (last, last.saturating_sub(1)), end, pass.settings.lead_out_mm);
     let left_out = [&before, &behind].iter().filter(|l| matches!(l, Some(Err(())))).count();
@@ -38,7 +43,7 @@ pub fn leads(space: &Space<'_>, pass: &Pass, (first, last): (usize, usize), [sta
 /// The lead that goes straight on beyond target `at`, away from target `inner`.
 /// `None`: none is wanted; an error: it is not free.
 fn lead(
-    space: &Space<'_>,
+    space: &TransferSpace<'_>,
     pass: &Pass,
     (at, inner): (usize, usize),
     station: &Station,

@@ -4,6 +4,6 @@
 pub mod lead;
 pub mod pieces;
 pub mod pose_cache;
-pub mod space;
+pub mod transfer_space;
 pub mod with_robot;
 pub mod without_robot;

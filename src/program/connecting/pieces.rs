@@ -2,7 +2,7 @@
 //! be drawn back from them; without a robot.
 
 use super::lead::{Leads, leads};
-use super::space::Space;
+use super::transfer_space::TransferSpace;
 use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
 use crate::pose::{Blocker, Pass};
 use crate::program::motion::sweep::Prover;
@@ -42,23 +42,23 @@ pub fn lit_ranges(passes: &[Pass]) -> Vec<LitRange> {
 }
 
 /// The space around a part at every time: by layer, with the beads of that one.
-pub struct Spaces<'a>(Vec<Space<'a>>);
+pub struct TransferSpaces<'a>(Vec<TransferSpace<'a>>);
 
-impl<'a> Spaces<'a> {
+impl<'a> TransferSpaces<'a> {
     /// `whole`: the space around the part with all its layers.
-    pub fn new(whole: &Space<'a>, prover: &Prover<'a>, passes: &[Pass]) -> Spaces<'a> {
+    pub fn new(whole: &TransferSpace<'a>, prover: &Prover<'a>, passes: &[Pass]) -> TransferSpaces<'a> {
         let last = passes.iter().map(|p| p.settings.layer).max().unwrap_or(0);
-        Spaces((0..=last).map(|layer| whole.with_part(prover.part_of(layer + 1))).collect())
+        TransferSpaces((0..=last).map(|layer| whole.with_part(prover.part_of(layer + 1))).collect())
     }
 
-    fn of_pass(&self, pass: &Pass) -> &Space<'a> {
+    fn of_pass(&self, pass: &Pass) -> &TransferSpace<'a> {
         let layer = (pass.settings.layer as usize).min(self.0.len() - 1);
         &self.0[layer]
     }
 }
 
 /// The lit pieces, in the order of work.
-pub fn pieces(spaces: &Spaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
+pub fn pieces(spaces: &TransferSpaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
     let piece = |of: LitRange| {
         let (pass, first, last) = (&passes[of.pass], of.first, of.last);
         let at = |point: usize| Station::of(&pass.targets[point], &pass.settings);
@@ -71,21 +71,27 @@ pub fn pieces(spaces: &Spaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
 }
 
 /// Whether the way from one piece to the next may go straight: it depends on their two ends alone.
-pub fn hops(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece]) -> Vec<bool> {
-    let is_hop = |w: &[LitPiece]| spaces.of_pass(&passes[w[1].of.pass]).is_hop(&w[0].exit, &w[1].entry);
-    pieces.par_windows(2).map(is_hop).collect()
+pub fn can_go_straight(spaces: &TransferSpaces<'_>, passes: &[Pass], pieces: &[LitPiece]) -> Vec<bool> {
+    let straight = |w: &[LitPiece]| spaces.of_pass(&passes[w[1].of.pass]).can_go_straight(&w[0].exit, &w[1].entry);
+    pieces.par_windows(2).map(straight).collect()
 }
 
 /// Targets of pieces that the head would have to be drawn back from, out to the sphere, and cannot.
-pub fn blocked_retreats(spaces: &Spaces<'_>, passes: &[Pass], pieces: &[LitPiece], hops: &[bool]) -> Vec<Refusal> {
-    let drawn_back = |space: &Space<'_>, at: &Station, is_hop: Option<&bool>| match is_hop {
+pub fn blocked_retreats(
+    spaces: &TransferSpaces<'_>,
+    passes: &[Pass],
+    pieces: &[LitPiece],
+    can_go_straight: &[bool],
+) -> Vec<Refusal> {
+    let drawn_back = |space: &TransferSpace<'_>, at: &Station, can_go_straight: Option<&bool>| match can_go_straight {
         Some(true) => None,
         _ => space.head_hit(at, &space.on_sphere(at)),
     };
     let refusals = |(i, piece): (usize, &LitPiece)| {
-        let before = i.checked_sub(1).and_then(|i| hops.get(i));
+        let before = i.checked_sub(1).and_then(|i| can_go_straight.get(i));
         let space = spaces.of_pass(&passes[piece.of.pass]);
-        let hit = drawn_back(space, &piece.entry, before).or_else(|| drawn_back(space, &piece.exit, hops.get(i)));
+        let hit =
+            drawn_back(space, &piece.entry, before).or_else(|| drawn_back(space, &piece.exit, can_go_straight.get(i)));
         hit.map_or_else(Vec::new, |b| refusals_of_hit(piece, &b))
     };
     pieces.par_iter().enumerate().flat_map_iter(refusals).collect()

@@ -2,8 +2,8 @@
 //! arm could make them is not asked.
 
 use super::lead::Lead;
-use super::pieces::{self, LitPiece, Spaces};
-use super::space::Space;
+use super::pieces::{self, LitPiece, TransferSpaces};
+use super::transfer_space::TransferSpace;
 use crate::cell::Setup;
 use crate::cell::motion::Refusal;
 use crate::pose::Pass;
@@ -22,11 +22,11 @@ pub fn steps(
     passes: &[Pass],
     air_mm_s: f64,
 ) -> Result<Steps, Vec<Refusal>> {
-    let space = Space::of(straight, setup, passes);
-    let spaces = Spaces::new(&space, &straight.prover, passes);
+    let space = TransferSpace::of(straight, setup, passes);
+    let spaces = TransferSpaces::new(&space, &straight.prover, passes);
     let pieces = pieces::pieces(&spaces, passes);
-    let hops = pieces::hops(&spaces, passes, &pieces);
-    let refused = pieces::blocked_retreats(&spaces, passes, &pieces, &hops);
+    let can_go_straight = pieces::can_go_straight(&spaces, passes, &pieces);
+    let refused = pieces::blocked_retreats(&spaces, passes, &pieces, &can_go_straight);
     let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
     walk.out.list.push(Step::Home);
     let mut at: Option<Station> = None;
@@ -35,7 +35,7 @@ pub fn steps(
         let pass = &passes[piece.of.pass];
         let here = match at {
             None => walk.push_way_from_home(piece),
-            Some(from) => walk.push_way_to(from, piece, hops[index - 1]),
+            Some(from) => walk.push_way_to(from, piece, can_go_straight[index - 1]),
         };
         if announced_pass != Some(piece.of.pass) {
             walk.out.say_pass(piece.of.pass, pass);
@@ -58,7 +58,7 @@ pub fn steps(
 struct FocusWalk<'a> {
     straight: &'a StraightFlange<'a>,
     setup: &'a Setup,
-    space: &'a Space<'a>,
+    space: &'a TransferSpace<'a>,
     air_mm_s: f64,
     out: Steps,
     refused: Vec<Refusal>,
@@ -75,10 +75,10 @@ impl FocusWalk<'_> {
     }
 
     /// Adds the way over the part to a piece, straight if it is a hop.
-    fn push_way_to(&mut self, from: Station, piece: &LitPiece, is_hop: bool) -> Station {
+    fn push_way_to(&mut self, from: Station, piece: &LitPiece, can_go_straight: bool) -> Station {
         let to = piece.entry.nearest_to(&from);
         let mut before = from;
-        for via in self.space.between(&from, &to, is_hop) {
+        for via in self.space.between(&from, &to, can_go_straight) {
             let via = via.nearest_to(&before);
             self.push_connecting_move(before, via, None);
             before = via;

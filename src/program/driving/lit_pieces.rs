@@ -8,7 +8,7 @@ use crate::pose::Pass;
 use crate::program::connecting::lead::{self, Lead, Leads};
 use crate::program::connecting::pieces::LitRange;
 use crate::program::connecting::pose_cache::ArmStand;
-use crate::program::connecting::space::Space;
+use crate::program::connecting::transfer_space::TransferSpace;
 use crate::program::neutral::steps::Station;
 
 /// A lit piece as the arm makes it.
@@ -64,7 +64,7 @@ pub(super) struct WorkMove {
 impl Drive<'_> {
     pub(super) fn drive_piece(
         &self,
-        space: &Space<'_>,
+        space: &TransferSpace<'_>,
         passes: &[Pass],
         choice: &Choice,
         of: LitRange,
@@ -120,11 +120,11 @@ impl Drive<'_> {
         &self,
         from: &ArmStand,
         to: &ArmStand,
-        (work, seconds): (&ProcessSettings, f64),
+        (settings, seconds): (&ProcessSettings, f64),
         out: &mut Vec<WorkMove>,
     ) -> Result<(), (RefusalCause, RefusalReason)> {
         let (mut here, mut done) = (*from, 0.0);
-        for (share, at) in self.straight.stations_between(&from.at, &to.at, work)? {
+        for (share, at) in self.straight.stations_between(&from.at, &to.at, settings)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
             let Some(joints_deg) = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), &guess) else {
                 return Err((RefusalCause::Limit, RefusalReason::LimitBetween));

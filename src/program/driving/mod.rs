@@ -10,7 +10,7 @@ mod sequence;
 
 use super::connecting::pieces::LitRange;
 use super::connecting::pose_cache::{JointBits, PoseCache, bits};
-use super::connecting::space::Space;
+use super::connecting::transfer_space::TransferSpace;
 use super::connecting::with_robot::{ConnectingMoveCache, MovingArm};
 use super::motion::lit::StraightFlange;
 use super::neutral::steps::Go;
@@ -63,7 +63,7 @@ pub struct Undriven {
 
 impl<'a> Drive<'a> {
     /// The arm that makes the connecting moves.
-    fn arm(&'a self, space: &'a Space<'a>) -> MovingArm<'a> {
+    fn arm(&'a self, space: &'a TransferSpace<'a>) -> MovingArm<'a> {
         MovingArm {
             setup: self.setup,
             mounted: &self.mounted,
@@ -77,7 +77,7 @@ impl<'a> Drive<'a> {
 
     fn driven_piece(
         &self,
-        space: &Space<'_>,
+        space: &TransferSpace<'_>,
         passes: &[Pass],
         choice: &Choice,
         of: LitRange,

@@ -6,7 +6,7 @@ use crate::cell::motion::{Choice, Refusal, RefusalCause, RefusalReason};
 use crate::pose::Pass;
 use crate::program::connecting::pieces::{LitRange, lit_ranges};
 use crate::program::connecting::pose_cache::{ArmStand, bits};
-use crate::program::connecting::space::Space;
+use crate::program::connecting::transfer_space::TransferSpace;
 use crate::program::connecting::with_robot;
 use crate::program::neutral::shortfall::shortfalls;
 use crate::program::neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};
@@ -23,11 +23,11 @@ impl Drive<'_> {
     /// What cannot be driven after all; the rest has to be tried again without it.
     pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
         let ranges = lit_ranges(passes);
-        if let Some(refused) = self.stuck_at_home(&ranges) {
+        if let Some(refused) = self.refused_by_contact_at_home(&ranges) {
             let is_empty = refused.is_empty();
             return if is_empty { Ok(Steps::default()) } else { Err(Undriven { refused, ..Undriven::default() }) };
         }
-        let space = Space::of(&self.straight, self.setup, passes);
+        let space = TransferSpace::of(&self.straight, self.setup, passes);
         let mut whole = self.pieces(&space, passes, choice, &ranges)?;
         let ways = self.ways_without_leads(&space, &mut whole);
         if !(self.go_on)() {
@@ -50,7 +50,7 @@ impl Drive<'_> {
     }
 
     /// All targets, where something is touched at home.
-    fn stuck_at_home(&self, ranges: &[LitRange]) -> Option<Vec<Refusal>> {
+    fn refused_by_contact_at_home(&self, ranges: &[LitRange]) -> Option<Vec<Refusal>> {
         let contact = self.collision.and_then(|c| c.first_contact(&self.setup.home_joints_deg()))?;
         let why = RefusalReason::ContactAtHome(contact);
         let refuse = |(pass, point)| Refusal { pass, point, cause: RefusalCause::Robot, why: why.clone() };
@@ -61,7 +61,7 @@ impl Drive<'_> {
     /// The lit pieces as the arm makes them.
     fn pieces(
         &self,
-        space: &Space<'_>,
+        space: &TransferSpace<'_>,
         passes: &[Pass],
         choice: &Choice,
         ranges: &[LitRange],
@@ -85,7 +85,7 @@ impl Drive<'_> {
     }
 
     /// The ways between the pieces. Where none leads to the far end of a lead, the lead is left out.
-    fn ways_without_leads(&self, space: &Space<'_>, whole: &mut [DrivenPiece]) -> WaysBetween {
+    fn ways_without_leads(&self, space: &TransferSpace<'_>, whole: &mut [DrivenPiece]) -> WaysBetween {
         loop {
             let ways = self.ways(space, whole);
             let closed = (0..ways.len()).filter(|&i| ways[i].is_none());
@@ -97,7 +97,7 @@ impl Drive<'_> {
         }
     }
 
-    fn ways(&self, space: &Space<'_>, whole: &[DrivenPiece]) -> WaysBetween {
+    fn ways(&self, space: &TransferSpace<'_>, whole: &[DrivenPiece]) -> WaysBetween {
         (0..=whole.len())
             .into_par_iter()
             .map(|i| {
@@ -111,7 +111,7 @@ impl Drive<'_> {
             .collect()
     }
 
-    fn known_way(&self, space: &Space<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
+    fn known_way(&self, space: &TransferSpace<'_>, from: Option<&ArmStand>, to: Option<&ArmStand>) -> Option<Vec<Go>> {
         let ends = [from, to].map(|s| s.map(|s| bits(&s.joints_deg)));
         self.cache.ways.get(ends, || with_robot::connecting_moves(&self.arm(space), from, to))
     }
@@ -119,7 +119,7 @@ impl Drive<'_> {
     /// Pieces that nothing leads to, or from.
     fn unreachable_pieces(
         &self,
-        space: &Space<'_>,
+        space: &TransferSpace<'_>,
         ranges: &[LitRange],
         whole: &[DrivenPiece],
         ways: &WaysBetween,
@@ -127,8 +127,8 @@ impl Drive<'_> {
         let mut out = Vec::new();
         for (i, _) in ways.iter().enumerate().take(ranges.len()).filter(|(_, way)| way.is_none()) {
             // Home is on every way that is tried last: the piece that has none to it is in a pocket.
-            let stuck = i > 0 && self.known_way(space, Some(&whole[i - 1].exit()), None).is_none();
-            out.push(if stuck { ranges[i - 1] } else { ranges[i] });
+            let cannot_retract = i > 0 && self.known_way(space, Some(&whole[i - 1].exit()), None).is_none();
+            out.push(if cannot_retract { ranges[i - 1] } else { ranges[i] });
         }
         if let (Some(None), Some(last)) = (ways.last(), ranges.last()) {
             out.push(*last);

@@ -31,10 +31,10 @@ impl StraightFlange<'_> {
         &self,
         from: &Station,
         to: &Station,
-        work: &ProcessSettings,
+        settings: &ProcessSettings,
     ) -> Result<Vec<(f64, Station)>, (RefusalCause, RefusalReason)> {
         let mut out = Vec::new();
-        self.push_stations((from, 0.0), (to, 1.0), (work, MOST_HALVINGS), &mut out)?;
+        self.push_stations((from, 0.0), (to, 1.0), (settings, MOST_HALVINGS), &mut out)?;
         Ok(out)
     }
 
@@ -42,12 +42,12 @@ impl StraightFlange<'_> {
         &self,
         from: (&Station, f64),
         to: (&Station, f64),
-        (work, halvings): (&ProcessSettings, usize),
+        (settings, halvings): (&ProcessSettings, usize),
         out: &mut Vec<(f64, Station)>,
     ) -> Result<(), (RefusalCause, RefusalReason)> {
-        let off_mm = self.deviation(from.0, to.0, work);
+        let off_mm = self.deviation(from.0, to.0, settings);
         let keeps = off_mm <= self.deviation_mm;
-        let met = if keeps { self.beam_hits(from.0, to.0, work) } else { None };
+        let met = if keeps { self.beam_hits(from.0, to.0, settings) } else { None };
         if keeps && met.is_none() {
             return Ok(());
         }
@@ -59,37 +59,38 @@ impl StraightFlange<'_> {
                 None => (RefusalCause::Singularity, RefusalReason::OffLine { off_mm }),
             });
         }
-        let (middle, t) = (self.midway(from.0, to.0, work), 0.5 * (from.1 + to.1));
-        self.push_stations(from, (&middle, t), (work, halvings - 1), out)?;
+        let (middle, t) = (self.midway(from.0, to.0, settings), 0.5 * (from.1 + to.1));
+        self.push_stations(from, (&middle, t), (settings, halvings - 1), out)?;
         out.push((t, middle));
-        self.push_stations((&middle, t), to, (work, halvings - 1), out)
+        self.push_stations((&middle, t), to, (settings, halvings - 1), out)
     }
 
     /// What beam or head hits on a lit move, as the flange goes.
-    fn beam_hits(&self, from: &Station, to: &Station, work: &ProcessSettings) -> Option<Swept> {
+    fn beam_hits(&self, from: &Station, to: &Station, settings: &ProcessSettings) -> Option<Swept> {
         let [from, to] = [from, to].map(|s| self.prover.mounted.flange_for(&s.frame()));
-        self.prover.hit(&LitMove { from, to, by_focus: false, work: *work })
+        self.prover.hit(&LitMove { from, to, by_focus: false, settings: *settings })
     }
 
     /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
-    fn midway(&self, from: &Station, to: &Station, work: &ProcessSettings) -> Station {
+    fn midway(&self, from: &Station, to: &Station, settings: &ProcessSettings) -> Station {
         let (a, b) = (from.frame(), to.frame());
-        let spot = nalgebra::center(&planned_spot(&a, work.defocus_mm), &planned_spot(&b, work.defocus_mm));
+        let spot = nalgebra::center(&planned_spot(&a, settings.defocus_mm), &planned_spot(&b, settings.defocus_mm));
         let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
-        middle.x = spot + middle.a * work.defocus_mm;
+        middle.x = spot + middle.a * settings.defocus_mm;
         middle
     }
 
     /// How far the spot leaves the straight line where the flange goes straight, mm.
-    fn deviation(&self, from: &Station, to: &Station, work: &ProcessSettings) -> f64 {
+    fn deviation(&self, from: &Station, to: &Station, settings: &ProcessSettings) -> f64 {
         let (a, b) = (self.prover.mounted.flange_for(&from.frame()), self.prover.mounted.flange_for(&to.frame()));
-        let (start, end) = (planned_spot(&from.frame(), work.defocus_mm), planned_spot(&to.frame(), work.defocus_mm));
+        let (start, end) =
+            (planned_spot(&from.frame(), settings.defocus_mm), planned_spot(&to.frame(), settings.defocus_mm));
         let line = end - start;
         let length2 = line.norm_squared();
         [0.25, 0.5, 0.75]
             .into_iter()
             .map(|t| {
-                let spot = planned_spot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)), work.defocus_mm);
+                let spot = planned_spot(&self.prover.mounted.focus_for(&a.lerp_slerp(&b, t)), settings.defocus_mm);
                 let along = if length2 > 0.0 { ((spot - start).dot(&line) / length2).clamp(0.0, 1.0) } else { 0.0 };
                 (spot - (start + line * along)).norm()
             })

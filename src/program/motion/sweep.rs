@@ -29,21 +29,21 @@ pub struct LitMove {
     /// Whether it is the path frame that goes straight.
     pub by_focus: bool,
     /// What it is worked with.
-    pub work: ProcessSettings,
+    pub settings: ProcessSettings,
 }
 
 impl Steps {
     /// The moves with the laser on, as the flange makes them.
     pub fn lit_moves(&self, mounted: &Mounted) -> Vec<LitMove> {
-        let (mut lit, mut at, mut work) = (false, None, ProcessSettings::default());
+        let (mut lit, mut at, mut settings) = (false, None, ProcessSettings::default());
         let mut out = Vec::new();
         for step in &self.list {
             match step {
                 Step::Laser(on) => lit = *on,
-                Step::Process(with) => work = *with,
+                Step::Process(with) => settings = *with,
                 Step::Go(go) => {
                     let to = mounted.flange_for(&go.to.frame());
-                    out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false, work }));
+                    out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false, settings }));
                     at = Some(to);
                 }
                 Step::Comment(_) | Step::Home => {}
@@ -143,9 +143,9 @@ impl<'a> Prover<'a> {
         &self,
         beam: &BeamInterference<'_>,
         part_from_focus: &Isometry3<f64>,
-        work: &ProcessSettings,
+        settings: &ProcessSettings,
     ) -> (Point3<f64>, Vector3<f64>) {
-        spot::on_part(beam, part_from_focus, work.defocus_mm, self.window_mm)
+        spot::on_part(beam, part_from_focus, settings.defocus_mm, self.window_mm)
     }
 
     /// A prover with a little more margin, for plans.
@@ -153,20 +153,22 @@ impl<'a> Prover<'a> {
         Prover { bodies: self.spare.clone(), ray_share: 0.5, ..self.clone() }
     }
 
-    /// The tool body of a move. Falls back to the nearest work that a plan has used.
-    fn body(&self, work: &ProcessSettings) -> Option<&ToolGeometry<'a>> {
-        let off = |w: &ProcessSettings| (w.defocus_mm - work.defocus_mm).abs() + (w.spot_mm - work.spot_mm).abs();
+    /// The tool geometry of a move. Falls back to the nearest settings that a plan has used.
+    fn tool_geometry(&self, settings: &ProcessSettings) -> Option<&ToolGeometry<'a>> {
+        let off =
+            |w: &ProcessSettings| (w.defocus_mm - settings.defocus_mm).abs() + (w.spot_mm - settings.spot_mm).abs();
         self.bodies.iter().min_by(|a, b| off(&a.0).total_cmp(&off(&b.0)))?.1.as_ref()
     }
 
     /// What is in the way of a move, if anything is.
     pub fn hit(&self, m: &LitMove) -> Option<Swept> {
-        let beam = BeamInterference::with(self.part_of(m.work.layer), self.body(&m.work));
+        let beam = BeamInterference::with(self.part_of(m.settings.layer), self.tool_geometry(&m.settings));
         let lever_mm = |pose: &Isometry3<f64>| {
             if m.by_focus {
-                return m.work.defocus_mm.abs();
+                return m.settings.defocus_mm.abs();
             }
-            (self.mounted.focus_at(pose).translation.vector - pose.translation.vector).norm() + m.work.defocus_mm.abs()
+            (self.mounted.focus_at(pose).translation.vector - pose.translation.vector).norm()
+                + m.settings.defocus_mm.abs()
         };
         let turn_deg = angle::turned_deg(&m.from.rotation.rotation_to(&m.to.rotation).to_rotation_matrix());
         let going = Going {
@@ -218,7 +220,7 @@ impl Going<'_> {
     fn at(&self, t: f64) -> Pose {
         let pose = self.m.from.lerp_slerp(&self.m.to, t);
         let focus = if self.m.by_focus { pose } else { self.prover.mounted.focus_for(&pose) };
-        let (p, a) = self.prover.spot(self.beam, &focus, &self.m.work);
+        let (p, a) = self.prover.spot(self.beam, &focus, &self.m.settings);
         Pose { p, a }
     }
 }

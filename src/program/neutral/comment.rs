@@ -25,7 +25,7 @@ pub enum Comment {
         more: usize,
     },
     /// What some of its lit pieces are worked with.
-    WorkedWith(WorkFigures),
+    WorkedWith(ProcessFigures),
     /// How the lines are laid on the surfaces.
     LineLayout {
         /// Direction of the planes.
@@ -90,7 +90,7 @@ pub enum Caveat {
 
 /// What a lit piece is worked with, as far as programs say it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WorkFigures {
+pub struct ProcessFigures {
     /// Power, W.
     pub power_w: f64,
     /// Frequency of pulses, kHz; 0 for a laser without.
@@ -103,17 +103,17 @@ pub struct WorkFigures {
     pub speed_mm_s: f64,
 }
 
-impl WorkFigures {
-    /// The figures of a work. A head that is drawn back widens the spot by any number of digits: lengths are given to
-    /// a ten-thousandth of a millimetre.
-    pub fn of(work: &ProcessSettings) -> WorkFigures {
+impl ProcessFigures {
+    /// The figures of process settings. A head that is drawn back widens the spot by any number of digits: lengths
+    /// are given to a ten-thousandth of a millimetre.
+    pub fn of(settings: &ProcessSettings) -> ProcessFigures {
         let short = |mm: f64| (mm * 1e4).round() / 1e4;
-        WorkFigures {
-            power_w: work.power_w,
-            frequency_khz: work.frequency_khz,
-            spot_mm: short(work.spot_mm),
-            defocus_mm: short(work.defocus_mm),
-            speed_mm_s: work.speed_mm_s,
+        ProcessFigures {
+            power_w: settings.power_w,
+            frequency_khz: settings.frequency_khz,
+            spot_mm: short(settings.spot_mm),
+            defocus_mm: short(settings.defocus_mm),
+            speed_mm_s: settings.speed_mm_s,
         }
     }
 }

@@ -26,8 +26,8 @@ pub struct Move {
     pub lit: bool,
     /// Pass and point, for a target.
     pub target: Option<(usize, usize)>,
-    /// What it is worked with, or the work before it.
-    pub work: ProcessSettings,
+    /// What it is worked with, or what was before it.
+    pub settings: ProcessSettings,
 }
 
 /// A line of a program.
@@ -63,8 +63,8 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     let outputs = &setup.cell.outputs;
     let off = ProgramLine::Output { number: outputs.laser.number, on: false };
     let (whole, piece) = supplies(outputs);
-    let first = steps.list.iter().find_map(|s| if let Step::Process(work) = s { Some(*work) } else { None });
-    let mut work = first.unwrap_or_default();
+    let first = steps.list.iter().find_map(|s| if let Step::Process(settings) = s { Some(*settings) } else { None });
+    let mut settings = first.unwrap_or_default();
     let mut lit = false;
     let mut out = vec![off.clone()];
     out.extend(first.iter().flat_map(|first| output_values(outputs, None, first)));
@@ -76,8 +76,8 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
         match step {
             Step::Comment(comment) => out.push(ProgramLine::Comment(comment.clone())),
             Step::Process(with) => {
-                out.extend(output_values(outputs, Some(&work), with));
-                work = *with;
+                out.extend(output_values(outputs, Some(&settings), with));
+                settings = *with;
             }
             Step::Laser(on) => {
                 lit = *on;
@@ -91,9 +91,9 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
                 if out.len() > begun {
                     out.push(off.clone());
                 }
-                out.push(home(setup, work));
+                out.push(home(setup, settings));
             }
-            Step::Go(go) => out.push(ProgramLine::Move(Box::new(move_to(setup, go, lit, work)))),
+            Step::Go(go) => out.push(ProgramLine::Move(Box::new(move_to(setup, go, lit, settings)))),
         }
     }
     out.push(off);
@@ -103,7 +103,7 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     out
 }
 
-fn home(setup: &Setup, work: ProcessSettings) -> ProgramLine {
+fn home(setup: &Setup, settings: ProcessSettings) -> ProgramLine {
     let air = &setup.cell.air;
     ProgramLine::Move(Box::new(Move {
         interpolation: Interpolation::Joint,
@@ -113,11 +113,11 @@ fn home(setup: &Setup, work: ProcessSettings) -> ProgramLine {
         timing: MoveTiming::Percent(air.home_percent),
         lit: false,
         target: None,
-        work,
+        settings,
     }))
 }
 
-fn move_to(setup: &Setup, go: &Go, lit: bool, work: ProcessSettings) -> Move {
+fn move_to(setup: &Setup, go: &Go, lit: bool, settings: ProcessSettings) -> Move {
     let part_from_focus = go.to.frame();
     Move {
         interpolation: go.interpolation,
@@ -127,7 +127,7 @@ fn move_to(setup: &Setup, go: &Go, lit: bool, work: ProcessSettings) -> Move {
         timing: go.timing,
         lit,
         target: go.target,
-        work,
+        settings,
     }
 }
 
@@ -192,9 +192,9 @@ mod tests {
              frequency = { as = \"group\", number = 8 }",
         )
         .expect("outputs");
-        let work = ProcessSettings { power_w: 500.0, ..ProcessSettings::default() };
-        let pulsed = ProcessSettings { frequency_khz: 20.0, ..work };
-        let list = vec![Step::Home, Step::Process(work), Step::Laser(true), Step::Laser(false), Step::Home];
+        let settings = ProcessSettings { power_w: 500.0, ..ProcessSettings::default() };
+        let pulsed = ProcessSettings { frequency_khz: 20.0, ..settings };
+        let list = vec![Step::Home, Step::Process(settings), Step::Laser(true), Step::Laser(false), Step::Home];
         let lines = lines(&Steps { list, ..Steps::default() }, &setup);
         let words: Vec<String> = lines
             .iter()
@@ -217,11 +217,11 @@ mod tests {
         };
         let outputs = &setup.cell.outputs;
         assert_eq!(said(outputs, None, &pulsed), "2=128 8=20");
-        assert_eq!(said(outputs, Some(&work), &pulsed), "8=20");
-        assert_eq!(said(outputs, Some(&pulsed), &work), "8=0");
+        assert_eq!(said(outputs, Some(&settings), &pulsed), "8=20");
+        assert_eq!(said(outputs, Some(&pulsed), &settings), "8=0");
         let by_hand = Outputs::default();
         assert_eq!(said(&by_hand, None, &pulsed), "");
-        assert_eq!(said(&by_hand, Some(&work), &pulsed), "Comment(Set(FrequencyKhz(20.0)))");
+        assert_eq!(said(&by_hand, Some(&settings), &pulsed), "Comment(Set(FrequencyKhz(20.0)))");
         assert_eq!(said(&by_hand, Some(&pulsed), &pulsed), "");
     }
 }

@@ -22,13 +22,13 @@ pub struct Station {
 
 impl Station {
     /// The station of a target.
-    pub fn of(t: &Target, work: &ProcessSettings) -> Station {
-        Station { x: t.focus(work.defocus_mm), a: t.a, o: t.o }
+    pub fn of(t: &Target, settings: &ProcessSettings) -> Station {
+        Station { x: t.focus(settings.defocus_mm), a: t.a, o: t.o }
     }
 
     /// The station of a target, turned about the beam by a spin.
-    pub fn spun(t: &Target, work: &ProcessSettings, spin_deg: f64) -> Station {
-        Station { x: t.focus(work.defocus_mm), a: t.a, o: angle::turned(&t.o, &t.a, spin_deg) }
+    pub fn spun(t: &Target, settings: &ProcessSettings, spin_deg: f64) -> Station {
+        Station { x: t.focus(settings.defocus_mm), a: t.a, o: angle::turned(&t.o, &t.a, spin_deg) }
     }
 
     /// The station of a path frame.
@@ -118,11 +118,12 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// Adds the process settings of the next piece, where they change.
-    pub fn set_process(&mut self, work: &ProcessSettings) {
-        let before = self.list.iter().rev().find_map(|s| if let Step::Process(work) = s { Some(work) } else { None });
-        if before != Some(work) {
-            self.list.push(Step::Process(*work));
+    /// Says what the next piece is worked with, where that changes.
+    pub fn set_process(&mut self, settings: &ProcessSettings) {
+        let before =
+            self.list.iter().rev().find_map(|s| if let Step::Process(settings) = s { Some(settings) } else { None });
+        if before != Some(settings) {
+            self.list.push(Step::Process(*settings));
         }
     }
 

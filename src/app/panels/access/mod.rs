@@ -2,10 +2,10 @@
 //! tilt along a line with what is blocked, which pins bend by hand.
 
 mod draw_strip;
-mod frame;
 mod map;
 mod palette;
 mod strip;
+mod strip_scale;
 
 use super::super::actions::Actions;
 use super::super::context::Context;

@@ -3,7 +3,7 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::draw_strip::draw_strip;
-use super::frame::Frame;
+use super::strip_scale::StripScale;
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::pose::access::{AccessColumn, AccessStrip, TiltPart};
@@ -21,8 +21,8 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     let size = vec2(ui.available_width(), (ui.available_height() - 4.0).max(60.0));
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, say!(access_strip_image)));
-    let frame = Frame::new(rect, strip);
-    draw_strip(ui, &frame, strip, &pins, context.session.playback.at.1);
+    let scale = StripScale::new(rect, strip);
+    draw_strip(ui, &scale, strip, &pins, context.session.playback.at.1);
     let Some(pointer) = response.interact_pointer_pos() else {
         if context.session.pin_dragged.is_some() {
             actions.session(|s| s.pin_dragged = None);
@@ -30,11 +30,11 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         return;
     };
     if response.clicked() {
-        if let Some(point) = nearest(strip, &frame, pointer) {
+        if let Some(point) = nearest(strip, &scale, pointer) {
             actions.go_to_target((context.session.playback.at.0, point));
         }
     } else if context.document.job().path.correction == Correction::Clearance {
-        bend(&response, &frame, pointer, pins, context, actions);
+        bend(&response, &scale, pointer, pins, context, actions);
     }
 }
 
@@ -56,15 +56,15 @@ fn head(ui: &mut egui::Ui, no_pins: bool, context: Context<'_>, actions: &mut Ac
 }
 
 /// The target of the column under the pointer.
-fn nearest(strip: &AccessStrip, frame: &Frame, pointer: Pos2) -> Option<usize> {
-    let off = |c: &&AccessColumn| (frame.x(c.at_mm) - pointer.x).abs();
+fn nearest(strip: &AccessStrip, scale: &StripScale, pointer: Pos2) -> Option<usize> {
+    let off = |c: &&AccessColumn| (scale.x(c.at_mm) - pointer.x).abs();
     strip.columns.iter().min_by(|x, y| off(x).total_cmp(&off(y))).map(|c| c.point)
 }
 
 /// Makes or moves the pin under the pointer.
 fn bend(
     response: &egui::Response,
-    frame: &Frame,
+    scale: &StripScale,
     pointer: Pos2,
     mut pins: Vec<Pin>,
     context: Context<'_>,
@@ -72,10 +72,10 @@ fn bend(
 ) {
     let over = context.session.strip_over;
     let (Some((_, line)), Some(strip)) = (context.current_line(), context.access.strip()) else { return };
-    let (at_mm, deg) = frame.place(pointer);
+    let (at_mm, deg) = scale.place(pointer);
     let mut taken = context.session.pin_dragged;
     if response.drag_started() {
-        let near = |p: &Pin| frame.at(p.at_mm, over.of(p.tilt)).distance(pointer) <= GRAB;
+        let near = |p: &Pin| scale.at(p.at_mm, over.of(p.tilt)).distance(pointer) <= GRAB;
         taken = Some(pins.iter().position(near).unwrap_or_else(|| {
             pins.push(Pin { line, at_mm, tilt: strip.chosen_at(at_mm).unwrap_or_default() });
             pins.len() - 1

@@ -14,17 +14,17 @@ use eframe::egui::{self, vec2};
 use scale::{InSight, SHORTEST_S};
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let Some(motion) = context.derived.motion() else { return };
-    let Some(timeline) = &motion.timeline else { return };
+    let Some(data) = context.derived.playback_data() else { return };
+    let Some(timeline) = &data.timeline else { return };
     let sight = in_sight(timeline.total_s(), context, actions);
-    let list = diagrams(timeline, &motion.curves);
+    let list = diagrams(timeline, &data.curves);
     let clearance = context.clearance();
     let last = clearance_diagram(clearance.map(|c| &**c));
     let whole = ui.available_width() - list.len() as f32 * ui.spacing().item_spacing.x;
     let width = whole / (list.iter().map(Diagram::share).sum::<f32>() + last.share());
     ui.horizontal_top(|ui| {
         for d in &list {
-            beside(ui, width * d.share(), |ui| d.ui(ui, &motion.curves, sight, actions));
+            beside(ui, width * d.share(), |ui| d.ui(ui, &data.curves, sight, actions));
         }
         let looked_at = clearance.map_or(&[][..], |c| &c.samples);
         beside(ui, width * last.share(), |ui| last.ui(ui, looked_at, sight, actions));

@@ -65,10 +65,12 @@ fn row(ui: &mut egui::Ui, notice: &Notice, of: &PlannedJob, actions: &mut Action
 
 /// `None`: as other text.
 fn color(notice: &Notice) -> Option<Color32> {
-    match notice {
-        Notice::NotProven(_) | Notice::NothingPlanned(_) | Notice::LeftOut { .. } => Some(theme::WRONG),
-        Notice::Missed { .. } | Notice::Remark { .. } => Some(theme::ATTENTION),
-        Notice::PartChanged { .. } | Notice::InFile(_) => None,
+    match notice.severity() {
+        // What a line misses may be next to nothing.
+        Severity::NotDone if matches!(notice, Notice::Missed { .. }) => Some(theme::ATTENTION),
+        Severity::Unsafe | Severity::NotDone => Some(theme::WRONG),
+        Severity::NotAsWanted => Some(theme::ATTENTION),
+        Severity::Found => None,
     }
 }
 

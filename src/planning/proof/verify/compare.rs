@@ -136,7 +136,7 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
             _ => plan.part_from_focus.or(plan.base_from_flange.map(|flange| poses.setup.focus_for(&flange))),
         };
         if let (Some(planned), Some(focus)) = (planned, poses.focus(&have.goal)) {
-            let defocus_mm = plan.work.defocus_mm;
+            let defocus_mm = plan.settings.defocus_mm;
             let mm = (spot::planned_spot(&planned, defocus_mm) - spot::planned_spot(&focus, defocus_mm)).norm();
             let deg = turn_deg(&planned, &focus);
             (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));

@@ -34,10 +34,10 @@ pub(in super::super) fn drive_program<'a>(
 ) -> Vec<Driven<'a>> {
     let laser = poses.setup.cell.outputs.laser.number;
     let (mut lit, mut joints, mut at) = (false, None::<Joints>, None::<Isometry3<f64>>);
-    let mut work = planned.iter().flatten().next().map_or_else(ProcessSettings::default, |m| m.work);
+    let mut settings = planned.iter().flatten().next().map_or_else(ProcessSettings::default, |m| m.settings);
     let mut out = Vec::new();
     for (place, (line, planned)) in read.iter().zip(planned).enumerate() {
-        work = planned.map_or(work, |m| m.work);
+        settings = planned.map_or(settings, |m| m.settings);
         let planned = planned.and_then(|m| m.joints_deg);
         let m = match &line.what {
             Statement::Output { number, on } if *number == laser => {
@@ -68,7 +68,7 @@ pub(in super::super) fn drive_program<'a>(
             match (m.interpolation, at, here) {
                 (Interpolation::Linear, Some(from), Some(to)) => {
                     let by_focus = matches!(m.goal, Goal::Focus(_));
-                    out.push(Driven { at: line, place, lit: LitMove { from, to, by_focus, work } });
+                    out.push(Driven { at: line, place, lit: LitMove { from, to, by_focus, settings } });
                 }
                 (way, ..) => {
                     let difference = match way {
@@ -136,7 +136,7 @@ pub(super) fn interference(
         return;
     }
     let facets = expected.part.mesh.facets.len().max(1);
-    let layers = driven.iter().map(|d| d.lit.work.layer).max().unwrap_or(0);
+    let layers = driven.iter().map(|d| d.lit.settings.layer).max().unwrap_or(0);
     let on = |layer: u32| {
         let mesh = &expected.prover.part_of(layer).mesh;
         Checker::new((0..mesh.facets.len()).map(|f| mesh.corners(f)))
@@ -148,8 +148,9 @@ pub(super) fn interference(
         .step_by(every)
         .filter_map(|d| {
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
-            let layer = d.lit.work.layer;
-            let (p, a) = expected.prover.spot(&BeamInterference::on(expected.prover.part_of(layer)), &end, &d.lit.work);
+            let layer = d.lit.settings.layer;
+            let (p, a) =
+                expected.prover.spot(&BeamInterference::on(expected.prover.part_of(layer)), &end, &d.lit.settings);
             let facet = checkers.get(layer as usize)?.hit(&p, &a, spot::FROM_MM)?;
             Some(Difference::HitsFacet { spot: p, facet }.at(d.at))
         })

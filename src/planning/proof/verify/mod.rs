@@ -18,7 +18,7 @@ pub use error::VerifyError;
 pub use expected::Expected;
 pub(super) use expected::{Poses, moves};
 pub use likeness::{MOST_OFF_MM, MOST_TURNED_DEG};
-pub use verdict::{Difference, Finding, JointOff, Kind, SpotOff, Verdict};
+pub use verdict::{Difference, DifferenceKind, Finding, JointOff, SpotOff, Verdict};
 
 use super::prover;
 use crate::cell::Setup;
@@ -67,7 +67,7 @@ fn unreadable(e: ReadError) -> Finding {
         ReadError::Line { file, line, .. } | ReadError::Gone { file, line, .. } => (file.clone(), *line),
         ReadError::CutOff { file, .. } => (file.clone(), 0),
     };
-    Finding { file, line, kind: Kind::Unreadable, what: Difference::Unreadable(Arc::new(e)) }
+    Finding { file, line, kind: DifferenceKind::Unreadable, what: Difference::Unreadable(Arc::new(e)) }
 }
 
 /// Reads a program that was just written, its first file first, and compares it with the plan: its words

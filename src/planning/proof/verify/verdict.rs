@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// What is wrong with a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum DifferenceKind {
     /// The text cannot be read on from here.
     Unreadable,
     /// A line of the plan is not there.
@@ -42,7 +42,7 @@ pub struct Finding {
     /// Its line, from 1.
     pub line: usize,
     /// What kind it is of.
-    pub kind: Kind,
+    pub kind: DifferenceKind,
     /// What, with figures.
     pub what: Difference,
 }
@@ -184,23 +184,23 @@ impl JointOff {
 
 impl Difference {
     /// What kind of thing is wrong.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> DifferenceKind {
         match self {
-            Difference::Unreadable(_) => Kind::Unreadable,
-            Difference::Missing { .. } | Difference::EndMissing { .. } => Kind::Missing,
-            Difference::Extra { .. } | Difference::BehindEnd { .. } => Kind::Extra,
-            Difference::Elsewhere { .. } => Kind::Deviation,
-            Difference::OtherPace { .. } | Difference::OtherTime { .. } => Kind::Time,
+            Difference::Unreadable(_) => DifferenceKind::Unreadable,
+            Difference::Missing { .. } | Difference::EndMissing { .. } => DifferenceKind::Missing,
+            Difference::Extra { .. } | Difference::BehindEnd { .. } => DifferenceKind::Extra,
+            Difference::Elsewhere { .. } => DifferenceKind::Deviation,
+            Difference::OtherPace { .. } | Difference::OtherTime { .. } => DifferenceKind::Time,
             Difference::OtherLine { .. }
             | Difference::OtherWay { .. }
             | Difference::OtherWords { .. }
-            | Difference::EndsLit => Kind::Setting,
-            Difference::OutOfReach { .. } | Difference::BeyondRange { .. } => Kind::Limit,
-            Difference::TooFast { .. } => Kind::Speed,
+            | Difference::EndsLit => DifferenceKind::Setting,
+            Difference::OutOfReach { .. } | Difference::BeyondRange { .. } => DifferenceKind::Limit,
+            Difference::TooFast { .. } => DifferenceKind::Speed,
             Difference::LitByJoints
             | Difference::LitToUnknown
             | Difference::Touches(_)
-            | Difference::HitsFacet { .. } => Kind::Interference,
+            | Difference::HitsFacet { .. } => DifferenceKind::Interference,
         }
     }
 

@@ -8,7 +8,7 @@ mod clear;
 mod way_in;
 
 use super::pose_cache::{ArmStand, JointBits, PoseCache};
-use super::space::Space;
+use super::transfer_space::TransferSpace;
 use crate::cell::collision::Collision;
 use crate::cell::mounting::Mounted;
 use crate::cell::{Joints, Mount, Robot, Setup};
@@ -27,7 +27,7 @@ pub struct MovingArm<'a> {
     /// What the arm and all it carries may touch; `None`: nothing.
     pub collision: Option<&'a Collision<'a>>,
     /// The space around the part.
-    pub space: &'a Space<'a>,
+    pub space: &'a TransferSpace<'a>,
     /// What was found out so far.
     pub cache: &'a ConnectingMoveCache,
 }
@@ -79,7 +79,7 @@ pub fn connecting_moves(arm: &MovingArm<'_>, from: Option<&ArmStand>, to: Option
 impl MovingArm<'_> {
     /// A hop: straight up, straight over, straight down.
     fn hop(&self, from: &ArmStand, to: &ArmStand) -> Option<Vec<Go>> {
-        if !self.space.is_hop(&from.at, &to.at) {
+        if !self.space.can_go_straight(&from.at, &to.at) {
             return None;
         }
         let up = self.along_beam(from, &self.space.drawn_back(&from.at), 1.0)?;

@@ -5,10 +5,10 @@ use crate::cell::Setup;
 use crate::cell::controllers::templates::number;
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
-use crate::program::read_error::{Account, LineFault, ReadError, RowFault};
+use crate::program::read_error::{LineFault, MoveGivenBy, ReadError, RowFault};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
-/// How far two accounts of one pose may differ, mm and degrees.
+/// How far two figures that give one pose may differ, mm and degrees.
 const SAME: f64 = 1e-3;
 
 /// Where in a table a line stands.
@@ -124,12 +124,15 @@ fn read_move(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, Lin
     }
     if let Some(focus) = &focus {
         let flange = flange.as_ref().ok_or(RowFault::FocusWithoutFlange)?;
-        agree([Account::Flange, Account::Focus], &setup.flange_for(focus), flange)?;
+        agree([MoveGivenBy::Flange, MoveGivenBy::Focus], &setup.flange_for(focus), flange)?;
     }
     let goal = goal(joints, flange, setup)?;
     // Whoever takes the table may look at any of the three.
-    let given =
-        [(flange.is_some(), Account::Flange), (focus.is_some(), Account::Focus), (joints.is_some(), Account::Joints)];
+    let given = [
+        (flange.is_some(), MoveGivenBy::Flange),
+        (focus.is_some(), MoveGivenBy::Focus),
+        (joints.is_some(), MoveGivenBy::Joints),
+    ];
     let given: Vec<&str> = given.into_iter().filter(|g| g.0).map(|g| g.1.word()).collect();
     Ok(ReadMove { interpolation, goal, timing, rest: format!("laser={laser}, given as {}", given.join(" and ")) })
 }
@@ -137,7 +140,7 @@ fn read_move(way: &str, figures: &[&str], setup: &Setup) -> Result<ReadMove, Lin
 fn goal(joints: Option<[f64; 6]>, flange: Option<Isometry3<f64>>, setup: &Setup) -> Result<Goal, LineFault> {
     match (joints, flange, &setup.robot) {
         (Some(joints), Some(flange), Some(robot)) => {
-            agree([Account::Joints, Account::Flange], &robot.forward(&joints), &flange)?;
+            agree([MoveGivenBy::Joints, MoveGivenBy::Flange], &robot.forward(&joints), &flange)?;
             Ok(Goal::Joints(joints))
         }
         (Some(_), Some(_), None) => Err(RowFault::NoRobotToCompare.into()),
@@ -165,9 +168,9 @@ fn pose(cells: &[&str]) -> Result<Option<Isometry3<f64>>, LineFault> {
     Ok(Some(Isometry3::from_parts(Translation3::new(x, y, z), UnitQuaternion::from_quaternion(q))))
 }
 
-fn agree(accounts: [Account; 2], a: &Isometry3<f64>, b: &Isometry3<f64>) -> Result<(), RowFault> {
+fn agree(given_by: [MoveGivenBy; 2], a: &Isometry3<f64>, b: &Isometry3<f64>) -> Result<(), RowFault> {
     let off_mm = (a.translation.vector - b.translation.vector).norm();
     let off_deg = a.rotation.angle_to(&b.rotation).to_degrees();
     // Also false for what is no number.
-    if off_mm <= SAME && off_deg <= SAME { Ok(()) } else { Err(RowFault::Disagree { accounts, off_mm, off_deg }) }
+    if off_mm <= SAME && off_deg <= SAME { Ok(()) } else { Err(RowFault::Disagree { given_by, off_mm, off_deg }) }
 }

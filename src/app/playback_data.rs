@@ -10,9 +10,9 @@ use crate::program::{CurveSample, ProgramFile, ProgramLine, Timeline, dialects, 
 use crate::text::{Sentence as _, program_comment};
 use std::collections::BTreeMap;
 
-/// A plan in motion.
-pub struct Motion {
-    /// The program over time; `None` without a robot.
+/// What the window plays back of a plan.
+pub struct PlaybackData {
+    /// Without a robot nothing is known of times.
     pub timeline: Option<Timeline>,
     /// Curves over the timeline.
     pub curves: Vec<CurveSample>,
@@ -69,9 +69,9 @@ impl TextFile {
     }
 }
 
-impl Motion {
-    /// Makes all of it from a plan.
-    pub fn new(of: &PlannedJob, part_name: &str) -> Motion {
+impl PlaybackData {
+    /// Everything of a plan.
+    pub fn new(of: &PlannedJob, part_name: &str) -> PlaybackData {
         let PlannedJob { job, setup, plan, report, .. } = of;
         let timeline = plan.timeline.clone();
         let moves = lines(&plan.steps, setup).into_iter().filter_map(|l| match l {
@@ -91,7 +91,7 @@ impl Motion {
         };
         let line_of_move = lines_of_moves(&files, setup, &job.cell.dialect);
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();
-        Motion {
+        PlaybackData {
             curves: timeline.as_ref().map(series).unwrap_or_default(),
             trail: timeline.as_ref().map(|t| Trail::new(t, &plan.passes, of.picture_key())),
             timeline,

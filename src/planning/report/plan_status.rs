@@ -17,7 +17,7 @@ pub enum Grade {
 
 /// How a plan stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Standing {
+pub struct PlanStatus {
     /// Its targets.
     pub targets: usize,
     /// Targets that are left out.
@@ -28,7 +28,7 @@ pub struct Standing {
     pub unproven: usize,
 }
 
-impl Standing {
+impl PlanStatus {
     /// What matters most.
     pub fn grade(&self) -> Grade {
         match (self.lit_moves, self.unproven, self.left_out) {
@@ -47,9 +47,9 @@ impl Standing {
 
 impl Report {
     /// How the plan stands; `None` before its moves are looked at.
-    pub fn standing(&self) -> Option<Standing> {
+    pub fn status(&self) -> Option<PlanStatus> {
         let proof = self.proof.as_ref()?;
         let unproven = proof.refuted.len();
-        Some(Standing { targets: self.points, left_out: self.blocked, lit_moves: proof.lit_moves, unproven })
+        Some(PlanStatus { targets: self.points, left_out: self.blocked, lit_moves: proof.lit_moves, unproven })
     }
 }

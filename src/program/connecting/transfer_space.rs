@@ -28,7 +28,7 @@ const ARC_DEG: f64 = 30.0;
 
 /// The space around a part.
 #[derive(Clone, Debug)]
-pub struct Space<'a> {
+pub struct TransferSpace<'a> {
     part: &'a Part,
     /// The head alone, where it is known.
     head: Option<ToolGeometry<'a>>,
@@ -40,12 +40,12 @@ pub struct Space<'a> {
     radius_mm: f64,
 }
 
-impl<'a> Space<'a> {
+impl<'a> TransferSpace<'a> {
     /// The space for what is carried in the air between passes: `straight` knows part and margin.
-    pub fn of(straight: &StraightFlange<'a>, setup: &'a Setup, passes: &[Pass]) -> Space<'a> {
+    pub fn of(straight: &StraightFlange<'a>, setup: &'a Setup, passes: &[Pass]) -> TransferSpace<'a> {
         let head = ToolGeometry::head_alone(&setup.tool, straight.prover.margin_mm());
         let farthest_focus_mm = passes.iter().map(|p| p.settings.defocus_mm).fold(0.0, f64::max);
-        Space::new(straight.prover.whole(), (head, straight.prover.mounted), &setup.cell.air, farthest_focus_mm)
+        TransferSpace::new(straight.prover.whole(), (head, straight.prover.mounted), &setup.cell.air, farthest_focus_mm)
     }
 
     /// The sphere lies `air.clearance_mm` outside everything that the focus reaches, and the head beside it.
@@ -55,7 +55,7 @@ impl<'a> Space<'a> {
         (head, mounted): (Option<ToolGeometry<'a>>, Mounted),
         air: &'a Air,
         defocus_mm: f64,
-    ) -> Space<'a> {
+    ) -> TransferSpace<'a> {
         let (mut lo, mut hi) = part.mesh.bounds();
         for clamp in head.iter().flat_map(|h| h.clamps) {
             for p in &clamp.solid().mesh.vertices {
@@ -65,12 +65,12 @@ impl<'a> Space<'a> {
         }
         let head_mm = head.iter().flat_map(|h| &h.head).map(|f| f.r0_mm.max(f.r1_mm)).fold(0.0, f64::max);
         let radius_mm = 0.5 * (hi - lo).norm() + defocus_mm.max(0.0) + air.retreat_mm + air.clearance_mm + head_mm;
-        Space { part, head, mounted, air, defocus_mm, centre: lo + (hi - lo) * 0.5, radius_mm }
+        TransferSpace { part, head, mounted, air, defocus_mm, centre: lo + (hi - lo) * 0.5, radius_mm }
     }
 
     /// The space around the part as it was at another time.
-    pub fn with_part(&self, part: &'a Part) -> Space<'a> {
-        Space { part, ..self.clone() }
+    pub fn with_part(&self, part: &'a Part) -> TransferSpace<'a> {
+        TransferSpace { part, ..self.clone() }
     }
 
     /// Whether the head is known.
@@ -95,7 +95,7 @@ impl<'a> Space<'a> {
     }
 
     /// Whether the way from the end of one piece to the start of the next may go straight.
-    pub fn is_hop(&self, from: &Station, to: &Station) -> bool {
+    pub fn can_go_straight(&self, from: &Station, to: &Station) -> bool {
         let (up, down) = (self.drawn_back(from), self.drawn_back(to));
         (up.x - down.x).norm() <= HOP_MM
             && self.is_clear(&up, &down)

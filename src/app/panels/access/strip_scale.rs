@@ -4,7 +4,7 @@ use crate::pose::access::AccessStrip;
 use eframe::egui::{Pos2, Rect, pos2};
 
 /// Length along, degrees up.
-pub(super) struct Frame {
+pub(super) struct StripScale {
     /// The strip on the screen, points.
     pub rect: Rect,
     /// Length of the line, mm.
@@ -13,11 +13,11 @@ pub(super) struct Frame {
     pub most_deg: f64,
 }
 
-impl Frame {
-    /// The frame of a strip that is drawn in a rectangle.
-    pub fn new(rect: Rect, strip: &AccessStrip) -> Frame {
+impl StripScale {
+    /// The scale of a strip that is drawn in a rectangle.
+    pub fn new(rect: Rect, strip: &AccessStrip) -> StripScale {
         let length_mm = strip.columns.last().map_or(1.0, |c| c.at_mm).max(1e-6);
-        Frame { rect, length_mm, most_deg: (strip.half as f64 + 0.5) * strip.step_deg }
+        StripScale { rect, length_mm, most_deg: (strip.half as f64 + 0.5) * strip.step_deg }
     }
 
     /// Where a length stands.

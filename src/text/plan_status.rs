@@ -1,9 +1,9 @@
 //! The state of a plan in one line: first what is not proven, then what is left out, then what is done.
 
 use super::{Sentence, say};
-use crate::planning::report::Standing;
+use crate::planning::report::PlanStatus;
 
-impl Sentence for Standing {
+impl Sentence for PlanStatus {
     fn sentence(&self) -> String {
         if self.lit_moves == 0 {
             return nothing(self);
@@ -23,8 +23,8 @@ impl Sentence for Standing {
 }
 
 /// Why no move has the laser on.
-fn nothing(standing: &Standing) -> String {
-    match (standing.targets, standing.left_out) {
+fn nothing(status: &PlanStatus) -> String {
+    match (status.targets, status.left_out) {
         (0, _) => say!(standing_no_lines),
         (_, 0) => say!(standing_no_light),
         (targets, left_out) if targets == left_out => say!(standing_all_left_out, targets = left_out),
@@ -37,27 +37,27 @@ mod tests {
     use super::*;
     use crate::planning::report::Grade;
 
-    fn standing_of(targets: usize, left_out: usize, lit_moves: usize, unproven: usize) -> Standing {
-        Standing { targets, left_out, lit_moves, unproven }
+    fn status_of(targets: usize, left_out: usize, lit_moves: usize, unproven: usize) -> PlanStatus {
+        PlanStatus { targets, left_out, lit_moves, unproven }
     }
 
     #[test]
     fn what_is_not_done_comes_first() {
         let cases = [
-            (standing_of(1700, 0, 1426, 0), Grade::Free, "proven free: 1 426 lit moves"),
-            (standing_of(2, 0, 1, 0), Grade::Free, "proven free: 1 lit move"),
-            (standing_of(1700, 232, 1426, 0), Grade::LeftOut, "232 targets left out · proven free: 1 426 lit moves"),
-            (standing_of(9, 1, 1, 0), Grade::LeftOut, "1 target left out · proven free: 1 lit move"),
-            (standing_of(1700, 0, 1426, 3), Grade::Unproven, "3 lit moves not proven · proven free: 1 423 lit moves"),
+            (status_of(1700, 0, 1426, 0), Grade::Free, "proven free: 1 426 lit moves"),
+            (status_of(2, 0, 1, 0), Grade::Free, "proven free: 1 lit move"),
+            (status_of(1700, 232, 1426, 0), Grade::LeftOut, "232 targets left out · proven free: 1 426 lit moves"),
+            (status_of(9, 1, 1, 0), Grade::LeftOut, "1 target left out · proven free: 1 lit move"),
+            (status_of(1700, 0, 1426, 3), Grade::Unproven, "3 lit moves not proven · proven free: 1 423 lit moves"),
             (
-                standing_of(1_000_700, 232, 1_000_426, 1),
+                status_of(1_000_700, 232, 1_000_426, 1),
                 Grade::Unproven,
                 "1 lit move not proven · 232 targets left out · proven free: 1 000 425 lit moves",
             ),
-            (standing_of(9, 0, 4, 4), Grade::Unproven, "4 lit moves not proven"),
+            (status_of(9, 0, 4, 4), Grade::Unproven, "4 lit moves not proven"),
         ];
-        for (standing, grade, text) in cases {
-            assert_eq!((standing.grade(), standing.sentence().as_str()), (grade, text));
+        for (status, grade, text) in cases {
+            assert_eq!((status.grade(), status.sentence().as_str()), (grade, text));
         }
     }
 
@@ -71,8 +71,8 @@ mod tests {
             (1232, 1230, "nothing to do: 1 230 targets left out"),
         ];
         for (targets, left_out, text) in cases {
-            let standing = standing_of(targets, left_out, 0, 0);
-            assert_eq!((standing.grade(), standing.sentence().as_str()), (Grade::Nothing, text));
+            let status = status_of(targets, left_out, 0, 0);
+            assert_eq!((status.grade(), status.sentence().as_str()), (Grade::Nothing, text));
         }
     }
 }
