@@ -8,7 +8,7 @@ use clearbeam::document::{Document, Edit, Journal, files, save};
 use clearbeam::part::SurfaceId;
 use clearbeam::sample::{Triangles, solids, stl_bytes};
 use common::glow_renderer::GlowTestRenderer;
-use common::window::{Answers, click, press, says, settle, window};
+use common::window::{Answers, click, press, settle, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -246,7 +246,11 @@ fn a_plan_with_nothing_to_do_is_called_that() {
     h.state_mut().set("layers.shortest_mm", 1000.0);
     settle(&mut h);
     assert!(!shows(&h, "proven free"));
-    assert!(says(&h, "nothing to do").contains("nothing to do"));
+    assert!(shows(&h, "nothing to do: no line lies on the chosen surfaces"), "in the status line");
+    assert!(
+        shows(&h, "nothing to do, so there is no program: no line lies on the chosen surfaces"),
+        "among the problems"
+    );
     press(&mut h, Modifiers::COMMAND, Key::E);
     assert!(!out.path().join("MZ04-01-A.001").exists(), "the program of yesterday is gone");
     assert!(std::fs::read_to_string(out.path().join("report.json")).expect("there").contains("nothing_planned"));

@@ -1,8 +1,9 @@
-//! What is wrong with a head's file.
+//! What is wrong with a head's file, and what beam or head hits.
 
 use super::file::one_line;
 use super::{Sentence, exact, id, say};
 use crate::beam::{HeadError, StackError};
+use crate::pose::{Blocker, Obstruction, ToolBody};
 
 impl Sentence for HeadError {
     fn sentence(&self) -> String {
@@ -25,6 +26,17 @@ impl Sentence for StackError {
             StackError::Radii { part, r0_mm, r1_mm } => {
                 say!(stack_radii, part = id(part), r0 = exact(*r0_mm), r1 = exact(*r1_mm))
             }
+        }
+    }
+}
+
+impl Sentence for Blocker {
+    fn sentence(&self) -> String {
+        match (self.tool_body, self.obstruction) {
+            (ToolBody::Beam, Obstruction::Facet(facet)) => say!(beam_hits_facet, facet = id(facet)),
+            (ToolBody::Head, Obstruction::Facet(facet)) => say!(head_hits_facet, facet = id(facet)),
+            (ToolBody::Beam, Obstruction::Clamp(clamp)) => say!(beam_hits_clamp, clamp = id(clamp + 1)),
+            (ToolBody::Head, Obstruction::Clamp(clamp)) => say!(head_hits_clamp, clamp = id(clamp + 1)),
         }
     }
 }

@@ -35,7 +35,6 @@ mod path;
 mod picture;
 mod plan_status;
 mod planning;
-mod pose;
 mod program;
 mod program_comment;
 mod progress;

@@ -3,8 +3,7 @@
 
 use super::conflict::ExportOf;
 use super::error::ExportError;
-use super::names::{JOB, REPORT, is_plain};
-use super::output_file::OutputFile;
+use super::output_file::{JOB, OutputFile, REPORT, is_plain};
 use super::program::{self, program, read_back};
 use super::tables::{joints_csv, path_csv};
 use crate::cell::Setup;

@@ -2,8 +2,7 @@
 
 use super::conflict::ExportOf;
 use super::folder::{ExportFolder, INTENT};
-use super::names::{REPORT, is_plain, is_program};
-use super::output_file::OutputFile;
+use super::output_file::{OutputFile, REPORT, is_plain, is_program};
 use crate::document::files::JobError;
 use crate::planning::report::FileDigest;
 use serde::{Deserialize, Serialize};

@@ -12,7 +12,6 @@ mod contents;
 mod error;
 mod folder;
 mod intent;
-mod names;
 mod output_file;
 mod ownership;
 mod program;
@@ -89,7 +88,7 @@ pub fn write(
     progress: &Progress,
 ) -> Result<Exported, ExportError> {
     let of = ExportOf::new(input.job, job_file);
-    let job = rebased(input.job, job_file, &dir.join(names::JOB))?;
+    let job = rebased(input.job, job_file, &dir.join(output_file::JOB))?;
     let (files, report) = contents::files(&ExportInput { job: &job, ..*input }, &of, progress)?;
     let may = MayReplace { reads_job: ownership::reads_job_of(dir, job_file), overwrite };
     let removed = commit::put_in_place(dir, &files, &of, may, progress)?;

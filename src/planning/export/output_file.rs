@@ -1,7 +1,24 @@
-//! A file of an export, whole in memory.
+//! A file of an export, whole in memory, and what its files may be called.
 
 use crate::part::digest_of;
 use crate::planning::report::FileDigest;
+
+/// The job as it was exported.
+pub(super) const JOB: &str = "job.toml";
+/// The report, which lists all other files.
+pub(super) const REPORT: &str = "report.json";
+/// What is no program.
+const TABLES: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", "dose.ply", "report.html"];
+
+/// Whether a file that an export wrote belongs to its program.
+pub(super) fn is_program(name: &str) -> bool {
+    !TABLES.contains(&name)
+}
+
+/// Whether a name is that of a file of an export: within the folder, and none that it needs for itself.
+pub(super) fn is_plain(name: &str) -> bool {
+    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
+}
 
 /// What a file of a plan is called, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]

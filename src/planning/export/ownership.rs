@@ -5,7 +5,7 @@ use super::conflict::{ConflictReason, ExportOf, FileConflict};
 use super::error::ExportError;
 use super::folder::{ExportFolder, FolderEntry};
 use super::intent::ExportIntent;
-use super::names::{JOB, REPORT, is_plain};
+use super::output_file::{JOB, REPORT, is_plain};
 use crate::document::files::JobError;
 use crate::document::model::Job;
 use crate::planning::report::FileDigest;

@@ -5,7 +5,7 @@ use super::conflict::{ConflictReason, FileConflict, MayReplace};
 use super::error::ExportError;
 use super::folder::{ExportFolder, FolderEntry, INTENT};
 use super::intent::{CommitStep, ExportIntent};
-use super::names::{JOB, REPORT, is_program};
+use super::output_file::{JOB, REPORT, is_program};
 use super::ownership::allowed;
 use crate::document::files::JobError;
 use crate::planning::report::FileDigest;
