@@ -48,15 +48,10 @@ impl Job {
         self.settings.having(|s| s.recipe.as_deref() == Some(name))
     }
 
-    /// A new recipe without values: `Recipe 1`, or the first number that is free.
-    pub fn new_recipe(&self) -> Recipe {
-        let mut name = String::from("Recipe 1");
-        for k in 2.. {
-            if !self.recipes.iter().any(|r| r.name == name) {
-                break;
-            }
-            name = format!("Recipe {k}");
-        }
+    /// A new recipe without values, under the first of the numbered names that is free.
+    pub fn new_recipe(&self, numbered: impl Fn(u32) -> String) -> Recipe {
+        let is_free = |name: &String| !self.recipes.iter().any(|r| r.name == *name);
+        let name = (1..).map(numbered).find(is_free).unwrap_or_default();
         Recipe { name, ..Recipe::default() }
     }
 
@@ -155,7 +150,7 @@ mod tests {
         job.put_recipe(&named("A 2", 3.0), &[]);
         assert_eq!(job.under_free_name(&named("A", 2.0)).name, "A 3");
         job.put_recipe(&named("Recipe 1", 1.0), &[]);
-        assert_eq!(job.new_recipe().name, "Recipe 2");
+        assert_eq!(job.new_recipe(|k| format!("Recipe {k}")).name, "Recipe 2");
     }
 
     #[test]

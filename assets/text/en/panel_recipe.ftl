@@ -16,6 +16,7 @@ recipe_panel_recipe = Recipe
 recipe_panel_recipe_name = recipe
 recipe_panel_jobs = none: the job's values
 recipe_panel_new = a new one
+recipe_panel_new_name = Recipe { $number }
 recipe_panel_copy = Copy from surface…
 recipe_panel_copy_row = surface { $surface }: { $recipe }
 recipe_panel_others = { $count ->

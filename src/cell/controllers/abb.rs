@@ -1,6 +1,6 @@
 //! The `[abb]` table of a cell file.
 
-use super::templates::check_template;
+use super::templates::check_signals;
 use crate::cell::check::{FigureError, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -83,12 +83,8 @@ impl Abb {
             ("abb.full_mm_s", self.full_mm_s, 100.0, 20_000.0),
             ("abb.max_moves", self.max_moves as f64, 100.0, 100_000.0),
         ])?;
-        check_template("abb.output_on", &self.output_on, &["n"])?;
-        check_template("abb.output_off", &self.output_off, &["n"])?;
-        check_template("abb.analogue", &self.analogue, &["n", "v"])?;
-        check_template("abb.group", &self.group, &["n", "v"])?;
-        check_template("abb.wait", &self.wait, &["s"])?;
-        check_template("abb.comment", &self.comment, &["text"])?;
+        let all = [&self.output_on, &self.output_off, &self.analogue, &self.group, &self.wait, &self.comment];
+        check_signals("abb", all.map(|t| Some(t.as_str())))?;
         Ok(())
     }
 }

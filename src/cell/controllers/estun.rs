@@ -1,6 +1,6 @@
 //! The `[estun]` table of a cell file.
 
-use super::templates::check_template;
+use super::templates::check_signals;
 use crate::cell::check::{FigureError, Letters, WordForm, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -73,12 +73,8 @@ impl Estun {
             ("estun.max_mm_s", self.max_mm_s, 10.0, 10_000.0),
             ("estun.max_turn_deg_s", self.max_turn_deg_s, 1.0, 1000.0),
         ])?;
-        check_template("estun.output_on", &self.output_on, &["n"])?;
-        check_template("estun.output_off", &self.output_off, &["n"])?;
-        check_template("estun.analogue", &self.analogue, &["n", "v"])?;
-        check_template("estun.group", &self.group, &["n", "v"])?;
-        check_template("estun.wait", &self.wait, &["s"])?;
-        check_template("estun.comment", &self.comment, &["text"])?;
+        let all = [&self.output_on, &self.output_off, &self.analogue, &self.group, &self.wait, &self.comment];
+        check_signals("estun", all.map(|t| Some(t.as_str())))?;
         Ok(())
     }
 }

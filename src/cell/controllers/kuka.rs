@@ -1,6 +1,6 @@
 //! The `[kuka]` table of a cell file.
 
-use super::templates::check_template;
+use super::templates::{check_signals, check_template};
 use crate::cell::check::{FigureError, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -89,12 +89,8 @@ impl Kuka {
             ("kuka.max_turn_deg_s", self.max_turn_deg_s, 1.0, 1000.0),
         ])?;
         check_template("kuka.joint_speed", &self.joint_speed, &["percent"])?;
-        check_template("kuka.output_on", &self.output_on, &["n"])?;
-        check_template("kuka.output_off", &self.output_off, &["n"])?;
-        check_template("kuka.analogue", &self.analogue, &["n", "v"])?;
-        check_template("kuka.group", &self.group, &["n", "v"])?;
-        check_template("kuka.wait", &self.wait, &["s"])?;
-        check_template("kuka.comment", &self.comment, &["text"])?;
+        let all = [&self.output_on, &self.output_off, &self.analogue, &self.group, &self.wait, &self.comment];
+        check_signals("kuka", all.map(|t| Some(t.as_str())))?;
         Ok(())
     }
 }

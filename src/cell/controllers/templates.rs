@@ -133,6 +133,27 @@ pub enum TemplateFault {
     NotPlain,
 }
 
+/// Keys of the templates of signals in a controller's table, and what each of them has to hold.
+const SIGNALS: [(&str, &[&str]); 6] = [
+    ("output_on", &["n"]),
+    ("output_off", &["n"]),
+    ("analogue", &["n", "v"]),
+    ("group", &["n", "v"]),
+    ("wait", &["s"]),
+    ("comment", &["text"]),
+];
+
+/// Checks a controller's templates of outputs on and off, analogue outputs, groups, dwells and comments, in that order.
+/// `None`: the controller can do without it.
+///
+/// # Errors
+/// The first that cannot be filled, or not be read back.
+pub fn check_signals(table: &str, templates: [Option<&str>; 6]) -> Result<(), TemplateError> {
+    let all = SIGNALS.iter().zip(templates);
+    all.filter_map(|((key, names), template)| Some((key, names, template?)))
+        .try_for_each(|(key, names, template)| check_template(&format!("{table}.{key}"), template, names))
+}
+
 /// Checks that a template has all values of `names`, and can be read back.
 ///
 /// # Errors

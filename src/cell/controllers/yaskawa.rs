@@ -1,6 +1,6 @@
 //! The `[yaskawa]` table of a cell file.
 
-use super::templates::check_template;
+use super::templates::check_signals;
 use crate::cell::check::{FigureError, Letters, WordForm, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -92,12 +92,8 @@ impl Yaskawa {
                 return Err(wrong("yaskawa.pulses_per_deg", pulses.to_string(), WordForm::Pulses));
             }
         }
-        check_template("yaskawa.output_on", &self.output_on, &["n"])?;
-        check_template("yaskawa.output_off", &self.output_off, &["n"])?;
-        check_template("yaskawa.analogue", &self.analogue, &["n", "v"])?;
-        check_template("yaskawa.group", &self.group, &["n", "v"])?;
-        check_template("yaskawa.wait", &self.wait, &["s"])?;
-        check_template("yaskawa.comment", &self.comment, &["text"])?;
+        let all = [&self.output_on, &self.output_off, &self.analogue, &self.group, &self.wait, &self.comment];
+        check_signals("yaskawa", all.map(|t| Some(t.as_str())))?;
         Ok(())
     }
 }

@@ -1,7 +1,7 @@
 //! Outputs, their values, dwells and comments by the templates of a controller's table, both ways. Moves are each dialect's
 //! own.
 
-use crate::cell::controllers::templates::{check_template, cut, filled, fixed, matched, matched_key, number, plain};
+use crate::cell::controllers::templates::{check_signals, cut, filled, fixed, matched, matched_key, number, plain};
 use crate::program::dialect::Statement;
 use crate::program::neutral::comment::{Comment, Wording};
 use crate::program::neutral::lines::ProgramLine;
@@ -42,18 +42,11 @@ impl SignalTemplates<'_> {
     /// # Errors
     /// The first that cannot.
     pub fn check(&self) -> Result<(), WriteError> {
-        let list: [(&str, &str, &'static [&'static str]); 6] = [
-            ("output_on", self.output_on, &["n"]),
-            ("output_off", self.output_off, &["n"]),
-            (SignalKind::Analogue.key(), self.analogue, &["n", "v"]),
-            (SignalKind::Group.key(), self.group, &["n", "v"]),
-            ("wait", self.wait, &["s"]),
-            ("comment", self.comment, &["text"]),
-        ];
-        let may_lack = |key: &str| key == SignalKind::Analogue.key() || key == SignalKind::Group.key();
-        for (key, template, keys) in list.into_iter().filter(|(key, t, _)| !t.is_empty() || !may_lack(key)) {
-            check_template(&format!("{}.{key}", self.dialect), template, keys)?;
-        }
+        // Not every controller has values of its own.
+        let value = |template| Some(template).filter(|t: &&str| !t.is_empty());
+        let (analogue, group) = (value(self.analogue), value(self.group));
+        let (on, off, wait, comment) = (self.output_on, self.output_off, self.wait, self.comment);
+        check_signals(self.dialect, [Some(on), Some(off), analogue, group, Some(wait), Some(comment)])?;
         if self.output_on == self.output_off { Err(WriteError::OffIsOn(self.dialect)) } else { Ok(()) }
     }
 

@@ -36,7 +36,7 @@ pub(super) fn ui(
                 }
             }
             if ui.selectable_label(false, say!(recipe_panel_new)).clicked() {
-                give(Some(job.new_recipe()));
+                give(Some(job.new_recipe(numbered_name)));
             }
         });
         combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, say!(recipe_panel_recipe_name)));
@@ -53,4 +53,9 @@ pub(super) fn ui(
             }
         });
     }
+}
+
+/// Name of a new recipe, before the operator gives it another.
+pub(super) fn numbered_name(number: u32) -> String {
+    say!(recipe_panel_new_name, number = id(number))
 }

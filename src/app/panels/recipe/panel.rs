@@ -51,7 +51,7 @@ fn recipe(ui: &mut egui::Ui, selected: &[SurfaceId], name: Option<&str>, context
     if let Some(known) = known {
         others(ui, selected, known, context);
     }
-    let mut recipe = known.cloned().unwrap_or_else(|| job.new_recipe());
+    let mut recipe = known.cloned().unwrap_or_else(|| job.new_recipe(choice::numbered_name));
     if let Some(what) = values(ui, job, &mut recipe) {
         actions.drag(Edit::Recipe(Box::new(recipe), selected.to_vec()), what);
     }
