@@ -5,6 +5,7 @@
 //! - [`part`]: the workpiece. An STL file becomes a [`part::Part`]: welded topology, outward
 //!   winding, the merge tree that gives *feature surfaces* at any crease angle, named shapes, and
 //!   rays against all facets.
+//! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`path`]: where the spot travels. Families of section planes, transversal lines walked along
 //!   the topology, normals, the dense line, chord error, order, and what no line reaches.
 //! - [`beam`]: the tool. Optics, the head, the space they take up at a pose, and clamps, which stand in their way.
@@ -25,7 +26,6 @@
 //!   from being lost ([`document::Journal`]).
 //! - [`planning`]: what is computed from it by one [`planning::Pipeline`]: planned ([`planning::plan()`]), written
 //!   ([`planning::export`]) and compared with what was read ([`planning::verify`]).
-//! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`view`] draws scenes with OpenGL, with or without a screen; [`picture`] says what is in them.
 //! - [`text`] makes sentences of what the rooms above find and refuse, in the user's language; the rooms themselves
 //!   know no words.

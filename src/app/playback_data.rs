@@ -6,7 +6,7 @@ use crate::picture::Trail;
 use crate::planning::{Plan, PlannedJob, export};
 use crate::pose::TargetState;
 use crate::program::dialect::{ReadContext, Statement};
-use crate::program::{CurveSample, ProgramFile, ProgramLine, Timeline, dialects, lines, series};
+use crate::program::{CurveSample, ProgramFile, ProgramLine, Timeline, curves, dialects, lines};
 use crate::text::{Sentence as _, program_comment};
 use std::collections::BTreeMap;
 
@@ -92,7 +92,7 @@ impl PlaybackData {
         let line_of_move = lines_of_moves(&files, setup, &job.cell.dialect);
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();
         PlaybackData {
-            curves: timeline.as_ref().map(series).unwrap_or_default(),
+            curves: timeline.as_ref().map(curves).unwrap_or_default(),
             trail: timeline.as_ref().map(|t| Trail::new(t, &plan.passes, of.picture_key())),
             timeline,
             move_to,

@@ -15,7 +15,7 @@ use crate::file;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// Moves with the laser off.
+/// Connecting moves: how far they keep away, how fast they turn, and home.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Air {

@@ -29,7 +29,7 @@ pub mod outputs;
 pub mod robot;
 pub mod setup;
 pub mod timing;
-pub mod ur;
+pub mod ur_kinematics;
 
 pub use cell_error::{CellError, PlaceError};
 pub use cell_file::{Air, Cell};

@@ -7,7 +7,7 @@ mod file;
 mod links;
 
 use super::opw::Opw;
-use super::ur::UrKinematics;
+use super::ur_kinematics::UrKinematics;
 use nalgebra::Isometry3;
 use serde::Deserialize;
 use std::collections::BTreeMap;

@@ -1,9 +1,9 @@
 //! What is shown of a part and its plan, as plain [`Scene`](crate::view::Scene) data: the part in
 //! surface colours, path lines, frames, beams, air moves, the robot cell. The window and `render` share it.
 
-pub mod arm;
 pub mod beads;
 pub mod border;
+pub mod cell;
 mod colormap;
 pub mod dose;
 pub mod palette;
@@ -15,7 +15,7 @@ pub mod spacing;
 mod tool;
 pub mod trail;
 
-pub use arm::CellPicture;
+pub use cell::CellPicture;
 pub use colormap::viridis;
 pub use dose::{DoseLook, dose_item};
 pub use palette::Palette;

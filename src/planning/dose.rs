@@ -206,7 +206,7 @@ fn closer_than_mm(job: &Job, gap_mm: f64) -> Option<f64> {
         let asked_mm = spacing_mm * planned_mm / apart_mm;
         100.0 * power_w / speed_mm_s * least >= job.dose.thresholds(power_w, speed_mm_s, asked_mm).low_j_cm2
     };
-    spot(job).closer_than(apart_mm, &enough).map(|mm| mm * planned_mm / apart_mm)
+    spot(job).sufficient_spacing_mm(apart_mm, &enough).map(|mm| mm * planned_mm / apart_mm)
 }
 
 /// `dose.ply`: the samples as polygons, binary little endian; the values stand at their corners.

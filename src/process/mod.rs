@@ -5,9 +5,9 @@
 //! pulses, heat and reflected light are not modelled.
 
 pub mod bead;
-pub mod closeness;
 pub mod dose;
 pub mod dose_map;
+pub mod dose_spacing;
 mod facet_polygon;
 mod landed;
 pub mod light;

@@ -19,7 +19,7 @@ mod write_error;
 pub use connecting::without_robot::steps;
 pub use dialect::{Dialect, Program, ProgramFile};
 pub use driving::{Drive, DriveCache, Undriven};
-pub use motion::series::{Clearance, CurveSample, clearances, series};
+pub use motion::curves::{Clearance, CurveSample, clearances, curves};
 pub use motion::timeline::{Breakdown, Moment, Timeline, TimelineStop};
 pub use motion::{lit, spot, sweep};
 pub use neutral::comment::{Caveat, Comment, ProcessFigures, WITHOUT_WORDS, Wording};

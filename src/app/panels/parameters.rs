@@ -4,7 +4,7 @@ use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
-use super::{beam, cell, export, layers, library, numbers, placement, recipe};
+use super::{beam, cell, export, library, lines, numbers, placement, recipe};
 use crate::document::Edit;
 use crate::document::parameter::Group;
 use crate::pose::Correction;
@@ -15,7 +15,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     // Always in sight: what is wrong, and what all the rest is for.
     egui::Panel::bottom("export").show(ui, |ui| export::ui(ui, context, actions));
     egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-        layers::ui(ui, context, actions);
+        lines::ui(ui, context, actions);
         theme::heading(ui, &say!(parameters_beam));
         numbers::of_job(ui, Group::Beam, context, actions);
         correction(ui, context, actions);

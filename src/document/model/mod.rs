@@ -7,7 +7,7 @@ mod by_key;
 mod declare;
 mod job_cell;
 mod job_part;
-mod layers;
+mod lines;
 mod path;
 mod surfaces;
 
@@ -15,7 +15,7 @@ pub use bead::BeadParameters;
 pub use beam::BeamParameters;
 pub use job_cell::JobCell;
 pub use job_part::JobPart;
-pub use layers::{FirstPlane, LineParameters};
+pub use lines::{FirstPlane, LineParameters};
 pub use path::PathParameters;
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;

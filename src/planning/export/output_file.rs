@@ -7,12 +7,12 @@ use crate::planning::report::FileDigest;
 pub(super) const JOB: &str = "job.toml";
 /// The report, which lists all other files.
 pub(super) const REPORT: &str = "report.json";
-/// What is no program.
-const TABLES: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", "dose.ply", "report.html"];
+/// Every file of an export that is no program, those of other versions included: all else is taken for one.
+const NOT_PROGRAMS: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", "dose.ply", "report.html"];
 
 /// Whether a file that an export wrote belongs to its program.
 pub(super) fn is_program(name: &str) -> bool {
-    !TABLES.contains(&name)
+    !NOT_PROGRAMS.contains(&name)
 }
 
 /// Whether a name is that of a file of an export: within the folder, and none that it needs for itself.

@@ -1,10 +1,10 @@
 //! `report.json`: what was planned, in numbers that scripts rely on; and what people are to know of it first
 //! (`notices_worst_first`). Sentences of it stand in `text`.
 
+mod corrections;
 mod lengths;
 mod nothing;
 mod notice;
-mod outcome;
 mod plan_finding;
 mod plan_status;
 mod problem;
@@ -12,9 +12,9 @@ mod rows;
 mod unproven;
 mod written_files;
 
+pub use corrections::CorrectionOutcome;
 pub use nothing::{BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, notices_worst_first};
-pub use outcome::CorrectionOutcome;
 pub use plan_finding::PlanFinding;
 pub use plan_status::{Grade, PlanStatus};
 pub use problem::{NotDone, Problem, problems};
@@ -29,9 +29,9 @@ use crate::part::Surfaces;
 use crate::pose::{Pass, Target, TargetState};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
+use corrections::corrections;
 use lengths::{is_blocked, is_corrected, length};
 use nothing::nothing_planned;
-use outcome::corrections;
 use rows::{splits, surface_rows};
 use serde::Serialize;
 use unproven::unproven;

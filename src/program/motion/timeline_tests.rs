@@ -4,7 +4,7 @@ use super::*;
 use crate::cell::{Collision, Timing};
 use crate::part::{Part, Placement, Units};
 use crate::program::neutral::steps::{Go, Station, Step};
-use crate::program::{clearances, series};
+use crate::program::{clearances, curves};
 use crate::sample::{solids, stl_bytes};
 use nalgebra::{Point3, Vector3};
 
@@ -128,7 +128,7 @@ fn straight_moves_carry_the_spot_evenly_and_joint_moves_the_joints() {
 fn clearance_is_looked_at_from_the_first_moment_to_the_last() {
     let setup = setup();
     let t = Timeline::new(&program(), &setup).expect("reachable");
-    let curve = series(&t);
+    let curve = curves(&t);
     let ball = Part::from_bytes(&stl_bytes(&solids::sphere(10.0, 12, 6)), Units::Mm, &Placement::default(), &[]);
     let ball = ball.expect("a part");
     let collision = Collision::new(&setup, &ball).expect("a robot");
@@ -147,7 +147,7 @@ fn clearance_is_looked_at_from_the_first_moment_to_the_last() {
 #[test]
 fn curves_pass_through_every_stop_and_keep_to_full_speed() {
     let t = Timeline::new(&program(), &setup()).expect("reachable");
-    let curve = series(&t);
+    let curve = curves(&t);
     assert!(curve.windows(2).all(|w| w[0].time_s <= w[1].time_s));
     for stop in t.stops() {
         assert!(curve.iter().any(|s| s.time_s == stop.at_s && s.joints_deg == stop.joints_deg));

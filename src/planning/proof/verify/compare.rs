@@ -8,8 +8,8 @@ use crate::program::{Move, spot};
 
 /// Lines looked ahead to find where two programs meet again.
 const LOOK_AHEAD: usize = 40;
-/// Joint angles may be written so coarsely, degrees: pulses of an axis may be ten to the degree.
-const COARSEST_DEG: f64 = 0.06;
+/// The joints of home may be written so coarsely, degrees: pulses of an axis may be ten to the degree.
+const HOME_JOINTS_COARSEST_DEG: f64 = 0.06;
 
 /// The lines that do something, of both sides.
 struct ComparedLines<'a, 'r> {
@@ -127,7 +127,7 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
         let home = plan.part_from_focus.is_none().then_some(plan.joints_deg).flatten();
         let planned = match (&have.goal, home) {
             (Goal::Joints(joints), Some(home)) => {
-                if let Some(j) = off_joint(&Goal::Joints(home), &have.goal, COARSEST_DEG) {
+                if let Some(j) = off_joint(&Goal::Joints(home), &have.goal, HOME_JOINTS_COARSEST_DEG) {
                     let joint = Some(JointOff::new(j, &home, joints));
                     verdict.findings.push(Difference::Elsewhere { spot: None, joint }.at(at));
                 }

@@ -14,7 +14,7 @@ use std::mem::discriminant;
 
 /// The spot may stand so far from where it was planned, mm.
 pub const MOST_OFF_MM: f64 = 0.01;
-/// The beam with its spin may be turned by so much, degrees.
+/// The beam with its spin, and every joint, may be turned by so much, degrees.
 pub const MOST_TURNED_DEG: f64 = 0.01;
 /// Share by which a time may differ: speeds are written with few digits.
 const MOST_SLOWER: f64 = 0.02;

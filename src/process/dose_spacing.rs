@@ -31,7 +31,7 @@ impl Spot {
     /// The greatest spacing below `from_mm`, to a hundredth of it, at which what lands between lines is enough;
     /// `is_enough` gets a spacing and the least that lands at it. `None` if `from_mm` is close enough already, or if no
     /// practicable spacing is.
-    pub fn closer_than(&self, from_mm: f64, is_enough: &dyn Fn(f64, f64) -> bool) -> Option<f64> {
+    pub fn sufficient_spacing_mm(&self, from_mm: f64, is_enough: &dyn Fn(f64, f64) -> bool) -> Option<f64> {
         let enough = |mm: f64| is_enough(mm, self.least_between(mm));
         let closest = CLOSEST_SHARE * self.spot_mm;
         if !(closest > 0.0 && from_mm.is_finite()) || enough(from_mm) {
@@ -73,9 +73,9 @@ mod tests {
 
     #[test]
     fn the_spacing_of_even_power_is_the_width_of_its_line() {
-        let found = spot(Profile::Line, 1.0).closer_than(5.0, &half).expect("a spacing");
+        let found = spot(Profile::Line, 1.0).sufficient_spacing_mm(5.0, &half).expect("a spacing");
         assert!(found <= 3.0 && found > 0.98 * 3.0, "{found}");
-        assert_eq!(spot(Profile::Line, 1.0).closer_than(2.9, &half), None, "close enough");
+        assert_eq!(spot(Profile::Line, 1.0).sufficient_spacing_mm(2.9, &half), None, "close enough");
     }
 
     proptest! {
@@ -83,11 +83,11 @@ mod tests {
         #[test]
         fn it_is_the_greatest(spot_mm in 0.2..4.0f64, wide in 1.5..6.0f64) {
             let s = spot(Profile::Gaussian, spot_mm);
-            let found = s.closer_than(wide * spot_mm, &half).expect("too wide");
+            let found = s.sufficient_spacing_mm(wide * spot_mm, &half).expect("too wide");
             prop_assert!(half(found, s.least_between(found)));
             prop_assert!(half(0.5 * found, s.least_between(0.5 * found)));
             prop_assert!(!half(found / STEP, s.least_between(found / STEP)));
-            let double = spot(Profile::Gaussian, 2.0 * spot_mm).closer_than(2.0 * wide * spot_mm, &half);
+            let double = spot(Profile::Gaussian, 2.0 * spot_mm).sufficient_spacing_mm(2.0 * wide * spot_mm, &half);
             prop_assert!((double.expect("too wide") / found - 2.0).abs() < 1e-9);
         }
 
@@ -95,7 +95,7 @@ mod tests {
         #[test]
         fn too_little_power_is_no_matter_of_spacing(spot_mm in 0.2..4.0f64) {
             let s = spot(Profile::Gaussian, spot_mm);
-            prop_assert_eq!(s.closer_than(2.0 * spot_mm, &|_, least| least > 100.0 / spot_mm), None);
+            prop_assert_eq!(s.sufficient_spacing_mm(2.0 * spot_mm, &|_, least| least > 100.0 / spot_mm), None);
         }
     }
 }

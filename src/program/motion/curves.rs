@@ -40,7 +40,7 @@ const MOST_CLEARANCES: usize = 2000;
 const EVEN_SAMPLES: f64 = 2000.0;
 
 /// The curves of a program: every stop, and long moves between.
-pub fn series(timeline: &Timeline) -> Vec<CurveSample> {
+pub fn curves(timeline: &Timeline) -> Vec<CurveSample> {
     let step_s = timeline.total_s() / EVEN_SAMPLES;
     let mut out: Vec<CurveSample> = Vec::with_capacity(timeline.stops().len() + EVEN_SAMPLES as usize);
     for stop in timeline.stops() {
