@@ -16,11 +16,16 @@ use clearbeam::program::{
 };
 use clearbeam::text::Sentence;
 use nalgebra::Isometry3;
-use programs::{comment, damaged, words};
+use programs::{IN_MORE, comment, damaged, words};
 use proptest::prelude::*;
 
 const DIALECTS: [(&dyn Dialect, &str); 4] =
     [(&KukaDialect, "kr6-r900"), (&AbbDialect, "irb120"), (&YaskawaDialect, "gp7"), (&EstunDialect, "mz04")];
+
+#[test]
+fn these_are_the_dialects_that_the_other_tests_leave_to_this_file() {
+    assert_eq!(DIALECTS.map(|(d, _)| d.name()), IN_MORE);
+}
 
 /// Made up; one axis counts the other way.
 const PULSES: [f64; 6] = [1341.4, 1341.4, -1341.4, 1000.0, 1000.0, 622.0];

@@ -1,5 +1,6 @@
 //! The command line with a robot: options, files, statuses, messages.
 
+use clearbeam::program::dialects;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -75,7 +76,7 @@ fn joints_csv_follows_path_csv_and_the_report_names_the_cell() {
 #[test]
 fn every_dialect_is_written_and_verified() {
     let folder = tempfile::tempdir().expect("a folder");
-    for dialect in ["nachi", "kuka", "abb", "fanuc", "ur", "yaskawa", "estun", "csv"] {
+    for dialect in dialects::names() {
         let out = path(folder.path(), dialect);
         let output = plan(&out, &["--dialect", dialect]);
         assert!(matches!(output.status.code(), Some(0 | 3)), "{dialect}: {}", said(&output));

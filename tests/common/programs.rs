@@ -11,6 +11,9 @@ use clearbeam::text::program_comment;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
+/// Dialects with tests of their own, in `more_dialects.rs`; `dialects.rs` has all others, whichever there are.
+pub const IN_MORE: [&str; 4] = ["kuka", "abb", "yaskawa", "estun"];
+
 /// The shipped cell with that robot.
 pub fn setup(robot: Option<&str>) -> Setup {
     let mut setup = Setup::shipped().expect("the shipped cell");
