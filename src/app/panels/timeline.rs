@@ -38,9 +38,10 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
 
 /// Play, time, speed, and what takes how much of the time.
 fn time_row(ui: &mut egui::Ui, timeline: &Timeline, context: Context<'_>, actions: &mut Actions) {
-    ui.horizontal(|ui| {
+    // In a narrow window what does not fit goes into another row.
+    ui.horizontal_wrapped(|ui| {
         play_button(ui, context, actions);
-        let width = (ui.available_width() - 330.0).max(80.0);
+        let width = (ui.available_size_before_wrap().x - 330.0).max(80.0);
         scrub::ui(ui, width, context, actions);
         let (now_s, total_s) = (context.session.playback.time_s, timeline.total_s());
         let text = say!(timeline_times, now = clock(now_s), total = clock(total_s));
@@ -48,7 +49,7 @@ fn time_row(ui: &mut egui::Ui, timeline: &Timeline, context: Context<'_>, action
         play_speed(ui, context, actions);
     });
     let left_out = context.derived.playback_data().into_iter().flat_map(|m| &m.marks).map(|m| m.count).sum();
-    ui.horizontal(|ui| time_shares(ui, &timeline.breakdown(), left_out));
+    ui.horizontal_wrapped(|ui| time_shares(ui, &timeline.breakdown(), left_out));
 }
 
 fn time_shares(ui: &mut egui::Ui, b: &Breakdown, left_out: usize) {
@@ -99,11 +100,11 @@ fn pass_row(ui: &mut egui::Ui, plan: &Plan, context: Context<'_>, actions: &mut 
     let last_point = plan.passes.get(pass).map_or(0, |p| p.targets.len().saturating_sub(1));
     let mut point = at.1.min(last_point);
     let shown = (pass, point);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         play_button(ui, context, actions);
         ui.label(say!(timeline_pass));
         // What is left beside the numbers, for two sliders.
-        ui.spacing_mut().slider_width = ((ui.available_width() - 330.0) * 0.5).max(40.0);
+        ui.spacing_mut().slider_width = ((ui.available_size_before_wrap().x - 330.0) * 0.5).max(40.0);
         let slider = Slider::new(&mut pass, 0..=last_pass);
         ui.add(slider).widget_info(|| egui::WidgetInfo::labeled(egui::Role::Slider, true, say!(timeline_pass_name)));
         ui.label(say!(timeline_point));
