@@ -1,7 +1,7 @@
 //! A plan with all that it was made of.
 
 use super::plan::Plan;
-use super::report::Report;
+use super::report::{Notice, Report};
 use crate::cell::Setup;
 use crate::document::Job;
 use crate::part::{Digest, Part, Surfaces};
@@ -24,6 +24,8 @@ pub struct PlannedJob {
     pub plan: Plan,
     /// What it comes to.
     pub report: Report,
+    /// What people are to know of it, the worst first, and of the part's file.
+    pub notices: Vec<Notice>,
 }
 
 impl PlannedJob {

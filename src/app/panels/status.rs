@@ -5,7 +5,7 @@ use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
 use crate::planning::PlannedJob;
-use crate::planning::report::{Grade, Severity, notices_worst_first};
+use crate::planning::report::{Grade, Severity};
 use crate::program::Timeline;
 use crate::text::{Naming, Sentence as _, clock, fixed, notice_line, say};
 use eframe::egui::{self, ProgressBar, RichText};
@@ -73,7 +73,8 @@ fn plan_status(ui: &mut egui::Ui, context: Context<'_>) {
 /// The worst findings with what helps, then what the moves with the laser on keep clear.
 fn worst(of: &PlannedJob) -> Vec<String> {
     let (report, naming) = (&of.report, Naming::of(&of.job));
-    let mut lines: Vec<String> = notices_worst_first(report, &of.job, &[])
+    let mut lines: Vec<String> = of
+        .notices
         .iter()
         .filter(|notice| notice.severity() <= Severity::NotDone)
         .take(WORST)

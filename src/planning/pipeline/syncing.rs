@@ -6,13 +6,13 @@ use super::super::key::Keys;
 use super::super::making::plan;
 use super::super::planned::PlannedJob;
 use super::super::preview;
-use super::super::report::Report;
+use super::super::report::{Report, notices_worst_first};
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
 use crate::document::files::{self, JobError};
 use crate::document::stamps::Stamps;
 use crate::document::{Job, segmented};
-use crate::part::{Digest, Source};
+use crate::part::{Digest, PartFinding, Source};
 use crate::progress::Activity;
 use std::path::Path;
 use std::sync::Arc;
@@ -112,7 +112,8 @@ impl Pipeline {
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let report = Report::new(&plan, &surfaces);
-                Ok(PlannedJob { key, job, part, surfaces, setup, plan, report })
+                let notices = notices_worst_first(&report, &job, &PartFinding::of(&part));
+                Ok(PlannedJob { key, job, part, surfaces, setup, plan, report, notices })
             });
         }
     }

@@ -11,6 +11,7 @@ use crate::part::{PartFinding, SurfaceId};
 use crate::path::Strategy;
 use crate::planning::remark::Remark;
 use crate::pose::Correction;
+use std::collections::BTreeMap;
 
 /// How bad a finding is; the worst comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -114,9 +115,10 @@ impl Notice {
 pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) -> Vec<Notice> {
     let mut out: Vec<Notice> = report.unproven.iter().cloned().map(Notice::NotProven).collect();
     out.extend(report.findings.iter().map(of_finding));
+    let mut groups = BTreeMap::new();
     for problem in &report.problems {
         match problem.cause {
-            NotDone::Blocked(cause) => left_out(&mut out, problem, cause, job),
+            NotDone::Blocked(cause) => left_out(&mut out, &mut groups, problem, cause, job),
             NotDone::Missed => out.extend(missed(report, SurfaceId(problem.surface), job)),
         }
     }
@@ -141,18 +143,19 @@ fn of_finding(finding: &PlanFinding) -> Notice {
     }
 }
 
+/// Surface, cause and surface in the way of targets that are left out, and where in the list they are counted.
+type Groups = BTreeMap<(SurfaceId, RefusalCause, Option<SurfaceId>), usize>;
+
 /// Counts a target that is left out, with those of its surface that have the same cause.
-fn left_out(out: &mut Vec<Notice>, problem: &Problem, cause: RefusalCause, job: &Job) {
+fn left_out(out: &mut Vec<Notice>, groups: &mut Groups, problem: &Problem, cause: RefusalCause, job: &Job) {
     let (surface, by_surface) = (SurfaceId(problem.surface), problem.by_surface.map(SurfaceId));
-    let is_same = |n: &&mut Notice| {
-        matches!(n, Notice::LeftOut { surface: s, cause: c, by_surface: b, .. }
-            if (*s, *c, *b) == (surface, cause, by_surface))
-    };
-    if let Some(Notice::LeftOut { targets, .. }) = out.iter_mut().find(is_same) {
+    let group = (surface, cause, by_surface);
+    if let Some(Notice::LeftOut { targets, .. }) = groups.get(&group).and_then(|at| out.get_mut(*at)) {
         *targets += 1;
         return;
     }
     let (Some(pass), Some(point)) = (problem.pass, problem.point) else { return };
+    groups.insert(group, out.len());
     let correction = job.of_surface(surface).path.correction;
     let why = problem.why.clone();
     out.push(Notice::LeftOut { surface, cause, by_surface, correction, targets: 1, first: (pass, point), why });

@@ -9,9 +9,8 @@ use super::super::actions::Actions;
 use super::super::command::Toggle;
 use super::super::context::Context;
 use super::super::theme;
-use crate::part::PartFinding;
 use crate::planning::PlannedJob;
-use crate::planning::report::{NothingReason, Notice, Severity, notices_worst_first};
+use crate::planning::report::{NothingReason, Notice, Severity};
 use crate::text::{NamedSentence as _, Naming, example, remedy, say};
 use eframe::egui::{self, Color32, RichText};
 
@@ -22,10 +21,10 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         return;
     }
     let Some(of) = context.derived.plan() else { return };
-    let mut notices = notices_worst_first(&of.report, &of.job, &PartFinding::of(&of.part));
     // That all is left out is told by the rows of what is left out.
-    notices.retain(|n| !matches!(n, Notice::NothingPlanned(NothingReason::AllBlocked { .. })));
-    let (found, wrong): (Vec<_>, Vec<_>) = notices.into_iter().partition(|n| n.severity() == Severity::Found);
+    let is_row = |n: &&Notice| !matches!(n, Notice::NothingPlanned(NothingReason::AllBlocked { .. }));
+    let rows = of.notices.iter().filter(is_row);
+    let (found, wrong): (Vec<_>, Vec<_>) = rows.partition(|n| n.severity() == Severity::Found);
     let title = match wrong.len() {
         // Those of a plan that is out of date say nothing of the one to come.
         _ if context.plan().is_none() => say!(problems_out_of_date),
