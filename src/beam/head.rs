@@ -6,7 +6,7 @@
 use super::HeadPart;
 use super::envelope::envelope;
 use super::obstacle::Obstacle;
-use crate::file::{self, FileError};
+use crate::file::{self, FileError, Step, TomlError, line_of};
 use crate::part::{Hasher, Keyed, LoadError, Part};
 use serde::Deserialize;
 use std::path::Path;
@@ -64,13 +64,15 @@ pub enum HeadError {
 pub enum StackError {
     /// It is not TOML, or a key or value is unknown or missing.
     #[error("not parsed")]
-    Toml(#[source] Box<toml::de::Error>),
+    Toml(#[source] Box<TomlError>),
     /// It has no pieces.
     #[error("no part")]
     Empty,
     /// A piece ends before it begins, or lies implausibly far away.
     #[error("part {part} from {from_mm} to {to_mm}")]
     Span {
+        /// Line of the file, from 1.
+        line: usize,
         /// The piece, from 1.
         part: usize,
         /// Where it begins.
@@ -81,6 +83,8 @@ pub enum StackError {
     /// The radii of a piece are out of range, or both 0.
     #[error("part {part}, radii {r0_mm} and {r1_mm}")]
     Radii {
+        /// Line of the file, from 1.
+        line: usize,
         /// The piece, from 1.
         part: usize,
         /// Radius where it begins.
@@ -112,19 +116,20 @@ impl Head {
     /// # Errors
     /// Something is missing or implausible.
     pub fn from_toml(text: &str) -> Result<Head, StackError> {
-        let file: StackFile = toml::from_str(text).map_err(|e| StackError::Toml(Box::new(e)))?;
+        let file: StackFile = file::read_toml(text).map_err(|e| StackError::Toml(Box::new(e)))?;
         if file.part.is_empty() {
             return Err(StackError::Empty);
         }
         for (i, p) in file.part.iter().enumerate() {
             let HeadPart { from_mm, to_mm, r0_mm, r1_mm } = *p;
             let part = i + 1;
+            let line = line_of(text, &[Step::Key("part"), Step::Entry(i)]).unwrap_or(1);
             if !(from_mm < to_mm && from_mm >= -1000.0 && to_mm <= 10_000.0) {
-                return Err(StackError::Span { part, from_mm, to_mm });
+                return Err(StackError::Span { line, part, from_mm, to_mm });
             }
             let good = |r: f64| (0.0..=2000.0).contains(&r);
             if !(good(r0_mm) && good(r1_mm) && r0_mm + r1_mm > 0.0) {
-                return Err(StackError::Radii { part, r0_mm, r1_mm });
+                return Err(StackError::Radii { line, part, r0_mm, r1_mm });
             }
         }
         Ok(Head::Stack(file.part))
@@ -158,11 +163,11 @@ mod tests {
         let refused = |text: &str| Head::from_toml(text).expect_err(text);
         assert_eq!(refused("part = []"), StackError::Empty);
         let back = refused("[[part]]\nfrom_mm = 10\nto_mm = 5\nr0_mm = 4\nr1_mm = 20\n");
-        assert_eq!(back, StackError::Span { part: 1, from_mm: 10.0, to_mm: 5.0 });
+        assert_eq!(back, StackError::Span { line: 1, part: 1, from_mm: 10.0, to_mm: 5.0 });
         let nan = refused("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = nan\nr1_mm = 20\n");
-        assert!(matches!(nan, StackError::Radii { part: 1, r0_mm, .. } if r0_mm.is_nan()), "{nan}");
+        assert!(matches!(&nan, StackError::Toml(e) if (e.line, e.key.as_str()) == (4, "part.r0_mm")), "{nan}");
         let thin = refused("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = 0\nr1_mm = 0\n");
-        assert_eq!(thin, StackError::Radii { part: 1, r0_mm: 0.0, r1_mm: 0.0 });
+        assert_eq!(thin, StackError::Radii { line: 1, part: 1, r0_mm: 0.0, r1_mm: 0.0 });
         for (bad, why) in
             [("", "part"), ("[[part]]\nfrom_mm = 0\nto_mm = 5\nr0_mm = 1\n", "r1_mm"), ("[[part]]\nfrom = 0\n", "from")]
         {

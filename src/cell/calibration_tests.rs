@@ -145,7 +145,7 @@ fn cell_with(frame: &str, text: &str) -> Result<Cell, CellError> {
 
 /// What is wrong with a figure of a cell file called `cell.toml`.
 fn refused(cell: Result<Cell, CellError>) -> FigureError {
-    let CellError::Figure { file, what } = cell.expect_err("refused") else { panic!("no figure") };
+    let CellError::Figure { file, what, .. } = cell.expect_err("refused") else { panic!("no figure") };
     assert!(file.ends_with("cell.toml"), "{file}");
     *what
 }

@@ -25,6 +25,8 @@ pub enum CellError {
     Figure {
         /// The file.
         file: String,
+        /// Its line, from 1; that of the table, where the key is not there.
+        line: Option<usize>,
         /// The figure, and what is wrong with it.
         what: Box<FigureError>,
     },

@@ -11,7 +11,7 @@ use super::frame::{self, Frame};
 use super::mount::Mount;
 use super::outputs::Outputs;
 use super::timing::Timing;
-use crate::file;
+use crate::file::{self, line_of, way_of};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -134,7 +134,10 @@ impl Cell {
     }
 
     fn parse(text: &str, file: &str) -> Result<Cell, CellError> {
-        let refused = |what| CellError::Figure { file: file.into(), what: Box::new(what) };
+        let refused = |what: FigureError| {
+            let line = line_of(text, &way_of(what.key()));
+            CellError::Figure { file: file.into(), line, what: Box::new(what) }
+        };
         // What is wrong with a frame is told by its type; the reader of the whole would make words of it.
         let table: toml::Table = file::toml(text, file)?;
         frame::check(&table).map_err(|e| refused(e.into()))?;
@@ -202,7 +205,7 @@ mod tests {
     fn bad_figures_are_named() {
         let bad = SHIPPED[0].1.replace("clearance_mm = 20.0", "clearance_mm = -3.0");
         let refused = |text: &str| match Cell::parse(text, "cell.toml").expect_err("refused") {
-            CellError::Figure { file, what } if file == "cell.toml" => *what,
+            CellError::Figure { file, what, .. } if file == "cell.toml" => *what,
             other => panic!("{other}"),
         };
         let range = |key: &str, value, low, high| FigureError::Range { key: key.into(), value, low, high };

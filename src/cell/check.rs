@@ -106,6 +106,22 @@ pub enum FigureError {
     Frame(#[from] FrameError),
 }
 
+impl FigureError {
+    /// The key that it is about, with its table's; a frame by its own.
+    pub fn key(&self) -> &str {
+        match self {
+            FigureError::Range { key, .. } | FigureError::Taken { key, .. } => key,
+            FigureError::NotPositive { key, .. } | FigureError::NotFinite { key, .. } => key,
+            FigureError::Name { key, .. } | FigureError::Line { key, .. } | FigureError::WordForm { key, .. } => key,
+            FigureError::HeadPiece { .. } => "bodies.head",
+            FigureError::Obstacle { .. } => "bodies.obstacles",
+            FigureError::Template(e) => &e.key,
+            FigureError::TipPoses { frame } => frame,
+            FigureError::Frame(e) => e.frame,
+        }
+    }
+}
+
 /// Letters of a program's names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Letters {

@@ -193,7 +193,7 @@ fn fixtures_are_read_beside_the_cell_file_and_are_solid() {
         "{gone:?}"
     );
     let figure = |bodies: &str| match refused(bodies) {
-        CellError::Figure { file, what } if file.ends_with("cell.toml") => *what,
+        CellError::Figure { file, what, .. } if file.ends_with("cell.toml") => *what,
         other => panic!("{other}"),
     };
     let range = FigureError::Range { key: "bodies.margin_mm".into(), value: 0.0, low: 0.5, high: 200.0 };

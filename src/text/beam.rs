@@ -1,6 +1,5 @@
 //! What is wrong with a head's file, and what beam or head hits.
 
-use super::file::one_line;
 use super::{Sentence, exact, id, say};
 use crate::beam::{HeadError, StackError};
 use crate::pose::{Blocker, Obstruction, ToolBody};
@@ -18,13 +17,13 @@ impl Sentence for HeadError {
 impl Sentence for StackError {
     fn sentence(&self) -> String {
         match self {
-            StackError::Toml(e) => one_line(e),
+            StackError::Toml(e) => e.sentence(),
             StackError::Empty => say!(stack_empty),
-            StackError::Span { part, from_mm, to_mm } => {
-                say!(stack_span, part = id(part), from = exact(*from_mm), to = exact(*to_mm))
+            StackError::Span { line, part, from_mm, to_mm } => {
+                say!(stack_span, line = id(line), part = id(part), from = exact(*from_mm), to = exact(*to_mm))
             }
-            StackError::Radii { part, r0_mm, r1_mm } => {
-                say!(stack_radii, part = id(part), r0 = exact(*r0_mm), r1 = exact(*r1_mm))
+            StackError::Radii { line, part, r0_mm, r1_mm } => {
+                say!(stack_radii, line = id(line), part = id(part), r0 = exact(*r0_mm), r1 = exact(*r1_mm))
             }
         }
     }

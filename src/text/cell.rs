@@ -1,5 +1,6 @@
 //! What is wrong with a cell file, and why a robot cannot stand in a cell.
 
+use super::file::in_line_of;
 use super::{Sentence, exact, id, listed, quoted, say};
 use crate::cell::check::{FigureError, Letters, WordForm};
 use crate::cell::controllers::templates::{TemplateError, TemplateFault};
@@ -11,7 +12,7 @@ impl Sentence for CellError {
             CellError::NoneFor { robot } => say!(cell_none_for, robot = quoted(robot)),
             CellError::File(e) => e.sentence(),
             CellError::Obstacle(e) => say!(cell_obstacle, what = e.sentence()),
-            CellError::Figure { file, what } => say!(in_file, file, what = what.sentence()),
+            CellError::Figure { file, line, what } => in_line_of(file, *line, what.sentence()),
             CellError::Place { cell, what } => say!(in_file, file = cell, what = what.sentence()),
         }
     }

@@ -1,7 +1,7 @@
 //! Why a job cannot be read or saved, and what its surfaces start from or lose.
 
 use super::file::one_line;
-use super::{Sentence, id, say};
+use super::{Sentence, exact, id, say};
 use crate::document::job_file::{JobFileError, WRITTEN};
 use crate::document::{JobError, LostSettings, StartFrom};
 use crate::pose::ToolBody;
@@ -35,8 +35,15 @@ impl Sentence for JobError {
 impl Sentence for JobFileError {
     fn sentence(&self) -> String {
         match self {
-            JobFileError::NoText(source) => say!(job_file_no_text, reason = source.to_string()),
-            JobFileError::Toml(source) => one_line(source),
+            JobFileError::NoText(e) => e.sentence(),
+            JobFileError::Toml(e) => e.sentence(),
+            JobFileError::Table(source) => one_line(source.message()),
+            JobFileError::Parameter(e) => e.sentence(),
+            JobFileError::Recipe(e) => e.sentence(),
+            JobFileError::Range { key, value, low, high } => {
+                say!(figure_range, key = *key, value = exact(*value), low = exact(*low), high = exact(*high))
+            }
+            JobFileError::InLine { line, what } => say!(in_line, line = id(line), what = what.sentence()),
             JobFileError::Frame(e) => e.sentence(),
             JobFileError::Later(version) => say!(job_file_later, version = id(version), known = id(WRITTEN)),
             JobFileError::NoVersion(version) => say!(job_file_no_version, version, known = id(WRITTEN)),

@@ -26,7 +26,7 @@ impl Sentence for StateError {
     fn sentence(&self) -> String {
         match self {
             StateError::Read(source) => source.to_string(),
-            StateError::NoText(source) => say!(job_file_no_text, reason = source.to_string()),
+            StateError::NoText(source) => say!(not_utf8, reason = source.to_string()),
             StateError::NoOwner => say!(journal_no_owner),
             StateError::Owner(source) => say!(journal_bad_owner, reason = source.to_string()),
             StateError::Damaged => say!(journal_damaged),

@@ -1,7 +1,6 @@
 //! Why the library of recipes cannot be changed, and why a file of it is no recipe.
 
 use super::document::path;
-use super::file::one_line;
 use super::{Sentence, say};
 use crate::document::library::{BrokenRecipe, LibraryError, RecipeFileError};
 
@@ -37,7 +36,8 @@ impl Sentence for RecipeFileError {
         match self {
             RecipeFileError::Read(source) => say!(recipe_not_read, reason = source.to_string()),
             RecipeFileError::TooLong { bytes } => say!(recipe_too_long, bytes = *bytes),
-            RecipeFileError::Toml(source) => one_line(source),
+            RecipeFileError::NoText(e) => e.sentence(),
+            RecipeFileError::Toml(e) => e.sentence(),
             RecipeFileError::NoName => say!(recipe_no_name),
             RecipeFileError::NameTaken { name, other } => say!(recipe_name_taken, name, other = path(other)),
             RecipeFileError::Value(e) => e.sentence(),

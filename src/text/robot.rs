@@ -1,5 +1,6 @@
 //! What is wrong with a robot file.
 
+use super::file::in_line_of;
 use super::{Sentence, exact, id, listed, quoted, say};
 use crate::cell::RobotError;
 use crate::cell::robot::RobotFigureError;
@@ -11,7 +12,7 @@ impl Sentence for RobotError {
                 say!(robot_unknown, name = quoted(name), shipped = shipped.join(" "))
             }
             RobotError::File(e) => e.sentence(),
-            RobotError::Figure { file, what } => say!(in_file, file, what = what.sentence()),
+            RobotError::Figure { file, line, what } => in_line_of(file, *line, what.sentence()),
         }
     }
 }

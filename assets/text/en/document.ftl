@@ -13,7 +13,7 @@ job_not_removed = { $file }: cannot be removed: { $reason }; choose another fold
 
 ## Text of a job file
 
-job_file_no_text = is not UTF-8 text: { $reason }
+not_utf8 = is not UTF-8 text: { $reason }
 job_file_later = version = { $version }: the job was made by a later clearbeam, and this one knows jobs up to version { $known }; open it with a newer clearbeam
 job_file_no_version = version = { $version }: give { $known }, or leave the line out for a job of version 1
 job_file_twice = { $key }: surface { $surface } is listed twice; name it once

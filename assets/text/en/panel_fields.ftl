@@ -5,6 +5,7 @@
 field_of_recipe = recipe { $what }
 field_of_surface = surface { $what }
 field_reset = reset { $what }
+field_not_taken = “{ $text }” was not taken: give { $least } to { $greatest }
 field_back = Back to { $to }
 field_back_to_job = Back to the job's { $to }
 field_back_to_recipe_or_job = Back to the value of the recipe or the job

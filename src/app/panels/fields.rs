@@ -1,12 +1,13 @@
 //! Fields that the job's panel and that of a recipe share: what they show, and what the operator wants.
 
-use super::super::{quantity, theme};
+use super::super::theme;
+use super::entry::{Entry, refused};
 use crate::document::job_recipes::OVERLAP_PERCENT;
 use crate::document::parameter::Limits;
 use crate::document::{Job, Parameter};
 use crate::text::parameter::{hint, label, with_unit};
 use crate::text::{Sentence as _, say};
-use eframe::egui::{self, DragValue, RichText, Role, WidgetInfo, vec2};
+use eframe::egui::{self, RichText, Role, WidgetInfo, vec2};
 
 /// What the operator did to a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +71,9 @@ pub(super) fn back(ui: &mut egui::Ui, owner: Owner, what: &str, to: &str) -> boo
     reset.clicked()
 }
 
+/// Size of a number's field.
+const FIELD: [f32; 2] = [96.0, 20.0];
+
 /// A number of the table; `to`: what it can go back to.
 pub(super) fn number(
     ui: &mut egui::Ui,
@@ -92,7 +96,7 @@ pub(super) fn number_from(
     now: f64,
     to: Option<f64>,
 ) -> Option<Change<f64>> {
-    let (mut value, mut wanted) = (now, None);
+    let (mut value, mut wanted, mut drawn) = (now, None, None);
     let (title, unit) = (label(p), p.kind.unit());
     let far = |to: f64| (now - to).abs() > 1e-12;
     ui.horizontal(|ui| {
@@ -101,15 +105,16 @@ pub(super) fn number_from(
             "°" | "" => unit.into(),
             unit => format!(" {unit}"),
         };
-        let field = DragValue::new(&mut value)
-            .speed(p.kind.drag_step(now))
-            .range(low..=p.limits.greatest)
-            .max_decimals(p.kind.decimals())
-            .suffix(suffix)
-            .update_while_editing(false)
-            .custom_parser(quantity::read);
+        let field = Entry {
+            speed: p.kind.drag_step(now),
+            decimals: p.kind.decimals(),
+            size: Some(FIELD),
+            ..Entry::new(low..=p.limits.greatest, suffix)
+        };
         let tip = hint(p, low);
-        let response = ui.add_sized([96.0, 20.0], field).on_hover_text(&tip);
+        let shown = field.show(ui, &mut value);
+        let response = shown.response.clone().on_hover_text(&tip);
+        drawn = Some(shown);
         if owner == Owner::Job {
             response.clone().labelled_by(label.id);
         } else {
@@ -119,7 +124,7 @@ pub(super) fn number_from(
         if p.kind.is_whole() {
             value = value.round();
         }
-        if response.changed() && value != now && value.is_finite() {
+        if response.changed() && value != now {
             wanted = Some(Change::To(value));
         }
         if let Some(to) = to
@@ -128,6 +133,7 @@ pub(super) fn number_from(
             wanted = Some(Change::Back);
         }
     });
+    refused(ui, &drawn);
     if let Err(why) = p.check(now) {
         ui.label(RichText::new(why.sentence()).small().color(theme::WRONG));
     }
@@ -138,30 +144,25 @@ pub(super) fn number_from(
 pub(super) fn overlap(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<f64> {
     let now = job.overlap_percent();
     let mut percent = now;
-    let response = ui.horizontal(|ui| {
+    let row = ui.horizontal(|ui| {
         let tip = match job.section_of_bead() {
             Some(_) => say!(laying_overlap_beads),
             None => say!(laying_overlap_spots),
         };
         let label = name(ui, &say!(laying_overlap), false).on_hover_text(&tip);
-        let field = DragValue::new(&mut percent)
-            .speed(0.5)
-            .range(OVERLAP_PERCENT)
-            .clamp_existing_to_range(false)
-            .max_decimals(1)
-            .suffix(say!(unit_percent))
-            .update_while_editing(false)
-            .custom_parser(quantity::read);
-        let response = ui.add_sized([96.0, 20.0], field).on_hover_text(tip);
+        let field = Entry { decimals: 1, size: Some(FIELD), ..Entry::new(OVERLAP_PERCENT, say!(unit_percent)) };
+        let drawn = field.show(ui, &mut percent);
+        let response = drawn.response.clone().on_hover_text(tip);
         if owner == Owner::Job {
             response.clone().labelled_by(label.id);
         } else {
             let told = || owner.told(say!(laying_overlap));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
         }
-        response
+        drawn
     });
-    let changed = response.inner.changed() && percent != now;
+    refused(ui, [&row.inner]);
+    let changed = row.inner.response.changed() && percent != now;
     // Six digits: what is typed as 30 % is 0.7 mm, not 0.7 and a bit.
     let rounded = |mm: f64| (mm * 1e6).round() * 1e-6;
     if changed { job.spacing_of_overlap(percent).ok().map(rounded) } else { None }

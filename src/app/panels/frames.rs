@@ -3,13 +3,14 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
-use super::super::{quantity, theme};
+use super::super::theme;
+use super::entry::{Entry, refused};
 use crate::cell::calibration::CalibrationNote;
 use crate::cell::{Frame, Mount};
 use crate::document::Edit;
 use crate::document::model::JobCell;
 use crate::text::{fixed, id, say, short};
-use eframe::egui::{self, DragValue, RichText};
+use eframe::egui::{self, RichText};
 
 /// A frame of the panel.
 struct Row {
@@ -152,22 +153,22 @@ fn figures(ui: &mut egui::Ui, row: &Row, frame: &mut Frame) -> bool {
         (["RZ", "RY", "RX"], say!(unit_deg), 360.0, 0.2, &mut frame.rz_ry_rx_deg),
     ];
     for (axes, unit, most, speed, values) in lines {
+        let mut drawn = Vec::new();
         ui.horizontal(|ui| {
             for (axis, value) in axes.into_iter().zip(values) {
-                let field = DragValue::new(value)
-                    .speed(speed)
-                    .range(-most..=most)
-                    .custom_formatter(|v, _| short(v))
-                    .prefix(format!("{axis} "))
-                    .suffix(&unit)
-                    .update_while_editing(false)
-                    .custom_parser(quantity::read);
-                let response = ui.add_sized([82.0, 20.0], field).on_hover_text(&tip);
+                let prefix = format!("{axis} ");
+                let size = Some([82.0, 20.0]);
+                let field =
+                    Entry { speed, prefix, size, written: Some(short), ..Entry::new(-most..=most, unit.clone()) };
+                let shown = field.show(ui, value);
+                let response = shown.response.clone().on_hover_text(&tip);
                 let told = || say!(frames_field, frame = &name, axis);
                 response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
                 changed |= response.changed();
+                drawn.push(shown);
             }
         });
+        refused(ui, &drawn);
     }
     changed
 }

@@ -1,11 +1,12 @@
 //! Fields that say how lines are laid, for the job and for recipes: the strategy and its settings.
 
 use super::super::theme;
+use super::entry::{Entry, refused};
 use super::fields::{Change, NAMES, Owner, back, name};
 use crate::document::StartFrom;
 use crate::path::{Direction, Order, Strategy};
 use crate::text::{Sentence as _, choices, say};
-use eframe::egui::{self, ComboBox, DragValue, RichText, Role, WidgetInfo};
+use eframe::egui::{self, ComboBox, RichText, Role, WidgetInfo};
 
 /// How lines are laid.
 pub(super) fn strategy(
@@ -65,18 +66,20 @@ pub(super) fn direction(
         }
     });
     let Direction::Along(mut v) = now else { return wanted };
+    let mut drawn = Vec::new();
     ui.horizontal(|ui| {
         theme::name(ui, &say!(laying_vector), NAMES);
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            let field = DragValue::new(&mut v[k]).speed(0.01).range(-1.0..=1.0).max_decimals(3);
-            let response = ui.add(field);
+            let shown = Entry { speed: 0.01, ..Entry::new(-1.0..=1.0, String::new()) }.show(ui, &mut v[k]);
             let told = || owner.told(say!(laying_vector_name, axis));
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
-            if response.changed() && v.iter().any(|c| c.abs() > 1e-6) {
+            shown.response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
+            if shown.response.changed() && v.iter().any(|c| c.abs() > 1e-6) {
                 wanted = Some(Change::To(Direction::Along(v)));
             }
+            drawn.push(shown);
         }
     });
+    refused(ui, &drawn);
     wanted
 }
 
@@ -126,7 +129,7 @@ pub(super) fn border(
     now: StartFrom,
     to: Option<StartFrom>,
 ) -> Option<Change<StartFrom>> {
-    let mut wanted = None;
+    let (mut wanted, mut drawn) = (None, None);
     ui.horizontal(|ui| {
         let label = name(ui, &say!(laying_start_from), to.is_some_and(|to| to != now));
         label.on_hover_text(say!(laying_start_from_tip));
@@ -138,14 +141,16 @@ pub(super) fn border(
             wanted = Some(Change::To(if whole { StartFrom::Whole } else { StartFrom::Border(0) }));
         }
         if let StartFrom::Border(index) = now {
-            let mut number = index.saturating_add(1);
-            let response =
-                ui.add(DragValue::new(&mut number).speed(0.05).range(1..=1000).prefix(say!(laying_border_prefix)));
+            let mut number = f64::from(index.saturating_add(1));
+            let prefix = say!(laying_border_prefix);
+            let field = Entry { speed: 0.05, decimals: 0, prefix, ..Entry::new(1.0..=1000.0, String::new()) };
+            let shown = field.show(ui, &mut number);
             let told = || owner.told(say!(laying_border_name));
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
-            if response.changed() {
-                wanted = Some(Change::To(StartFrom::Border(number.saturating_sub(1))));
+            shown.response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
+            if shown.response.changed() {
+                wanted = Some(Change::To(StartFrom::Border((number.round() as u32).saturating_sub(1))));
             }
+            drawn = Some(shown);
         }
         if let Some(to) = to
             && back(ui, owner, &say!(laying_border_name), &to.sentence())
@@ -153,6 +158,7 @@ pub(super) fn border(
             wanted = Some(Change::Back);
         }
     });
+    refused(ui, &drawn);
     wanted
 }
 

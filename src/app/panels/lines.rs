@@ -2,14 +2,15 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
-use super::super::{quantity, theme};
+use super::super::theme;
+use super::entry::{Entry, refused};
 use super::fields::{self, Change, NAMES, Owner};
 use super::{bead, laying, numbers, own};
 use crate::document::parameter::Group;
 use crate::document::{Edit, FirstPlane};
 use crate::path::Strategy;
 use crate::text::say;
-use eframe::egui::{self, DragValue, Role, WidgetInfo};
+use eframe::egui::{self, Role, WidgetInfo};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     theme::heading(ui, &say!(laying_heading));
@@ -65,6 +66,7 @@ fn strategy(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
 fn offset(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let layers = &context.document.job().layers;
     let (now, spacing_mm) = (layers.offset_mm, layers.spacing_mm);
+    let mut drawn = None;
     ui.horizontal(|ui| {
         theme::name(ui, &say!(laying_first_plane), NAMES);
         let mut centred = now == FirstPlane::Centred;
@@ -76,16 +78,14 @@ fn offset(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
             }));
         }
         if let FirstPlane::FromLowest(mut mm) = now {
-            let field = DragValue::new(&mut mm)
-                .speed(0.01)
-                .range(0.0..=spacing_mm)
-                .suffix(say!(unit_mm))
-                .custom_parser(quantity::read);
-            let response = ui.add(field).on_hover_text(say!(laying_first_plane_tip));
+            let shown = Entry { speed: 0.01, ..Entry::new(0.0..=spacing_mm, say!(unit_mm)) }.show(ui, &mut mm);
+            let response = shown.response.clone().on_hover_text(say!(laying_first_plane_tip));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, say!(laying_first_plane_name)));
             if response.changed() {
                 actions.drag(Edit::Offset(FirstPlane::FromLowest(mm)), "offset");
             }
+            drawn = Some(shown);
         }
     });
+    refused(ui, &drawn);
 }

@@ -8,6 +8,7 @@ mod cell;
 pub(super) mod compare;
 pub(super) mod dialogs;
 pub(super) mod dose;
+mod entry;
 mod export;
 mod fields;
 mod frames;

@@ -4,12 +4,13 @@ use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
+use super::entry::{Entry, refused};
 use super::{beam, cell, export, library, lines, numbers, placement, recipe};
 use crate::document::Edit;
 use crate::document::parameter::Group;
 use crate::pose::Correction;
 use crate::text::{choices, say};
-use eframe::egui::{self, DragValue};
+use eframe::egui;
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     // Always in sight: what is wrong, and what all the rest is for.
@@ -57,17 +58,19 @@ fn correction(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
 
 /// Splits the selected surface at an angle.
 fn split(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    ui.horizontal(|ui| {
+    let row = ui.horizontal(|ui| {
         let button = egui::Button::new(say!(parameters_split));
         if ui.add_enabled(context.is_enabled(Command::Split), button).clicked() {
             actions.command(Command::Split);
         }
         let mut angle_deg = context.session.split_angle_deg;
-        let field = ui.add(DragValue::new(&mut angle_deg).range(0.1..=180.0).suffix(say!(unit_deg)));
+        let drawn = Entry::new(0.1..=180.0, say!(unit_deg)).show(ui, &mut angle_deg);
         let told = || say!(parameters_split_angle);
-        field.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
-        if field.changed() {
+        drawn.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
+        if drawn.response.changed() {
             actions.session(move |s| s.split_angle_deg = angle_deg);
         }
+        drawn
     });
+    refused(ui, [&row.inner]);
 }

@@ -3,13 +3,15 @@
 use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
-use super::super::{quantity, theme};
+use super::super::theme;
+use super::entry::{Entry, refused};
 use super::numbers;
 use crate::document::Edit;
+use crate::document::job_file::{FARTHEST_MM, MOST_TURNS_DEG};
 use crate::document::parameter::Group;
 use crate::part::{PartFinding, Units};
 use crate::text::{Sentence as _, choices, say};
-use eframe::egui::{self, DragValue, RichText};
+use eframe::egui::{self, RichText};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     units(ui, context, actions);
@@ -49,20 +51,22 @@ fn turn_and_move(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     let mut placement = context.document.job().part.placement;
     let mut changed = false;
     let rows = [
-        (say!(parameters_turn), say!(unit_deg), &mut placement.rotation_deg),
-        (say!(parameters_move), say!(unit_mm), &mut placement.translation_mm),
+        (say!(parameters_turn), say!(unit_deg), MOST_TURNS_DEG, &mut placement.rotation_deg),
+        (say!(parameters_move), say!(unit_mm), FARTHEST_MM, &mut placement.translation_mm),
     ];
-    for (name, unit, values) in rows {
+    for (name, unit, most, values) in rows {
+        let mut drawn = Vec::new();
         ui.horizontal(|ui| {
             theme::name(ui, &name, 50.0);
             for (value, axis) in values.iter_mut().zip(["x", "y", "z"]) {
-                let field = DragValue::new(value).speed(0.5).max_decimals(3).suffix(&unit);
-                let response = ui.add(field.custom_parser(quantity::read));
+                let shown = Entry::new(-most..=most, unit.clone()).show(ui, value);
                 let told = || say!(parameters_place_field, name = &name, axis);
-                response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
-                changed |= response.changed();
+                shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
+                changed |= shown.response.changed();
+                drawn.push(shown);
             }
         });
+        refused(ui, &drawn);
     }
     if changed {
         actions.drag(Edit::Place(placement), "place");

@@ -2,7 +2,7 @@
 
 use super::{Robot, SHIPPED};
 use crate::cell::check::{FigureError, ranges};
-use crate::file::{self, FileError};
+use crate::file::{self, FileError, Step, line_of, way_of};
 use std::path::Path;
 use thiserror::Error;
 
@@ -25,6 +25,8 @@ pub enum RobotError {
     Figure {
         /// The file.
         file: String,
+        /// Its line, from 1; that of the table, where the key is not there.
+        line: Option<usize>,
         /// The figure, and what is wrong with it.
         what: Box<RobotFigureError>,
     },
@@ -85,6 +87,21 @@ pub enum RobotFigureError {
     },
 }
 
+impl RobotFigureError {
+    /// The key that it is about; that of the arm's lengths without its table.
+    fn key(&self) -> &str {
+        match self {
+            RobotFigureError::Figure(e) => e.key(),
+            RobotFigureError::Kinematics => "opw",
+            RobotFigureError::Short { key, .. } => key,
+            RobotFigureError::Sign { .. } => "signs",
+            RobotFigureError::Limits { .. } => "limits_deg",
+            RobotFigureError::Speed { .. } => "speeds_deg_s",
+            RobotFigureError::Dialect { .. } => "dialect",
+        }
+    }
+}
+
 /// Lengths are within so many mm, to either side.
 const MOST_MM: f64 = 5000.0;
 
@@ -117,7 +134,12 @@ impl Robot {
 
     fn parse(text: &str, file: &str) -> Result<Robot, RobotError> {
         let robot: Robot = file::toml(text, file)?;
-        robot.check().map_err(|what| RobotError::Figure { file: file.into(), what: Box::new(what) })?;
+        robot.check().map_err(|what| {
+            let (table, key) = (if robot.opw.is_some() { "opw" } else { "ur" }, what.key());
+            // Keys of the arm are told without their table, which is the only one of its kind.
+            let found = line_of(text, &way_of(key)).or_else(|| line_of(text, &[Step::Key(table), Step::Key(key)]));
+            RobotError::Figure { file: file.into(), line: found, what: Box::new(what) }
+        })?;
         Ok(robot)
     }
 
@@ -192,7 +214,7 @@ mod tests {
         let (_, text) = SHIPPED[0];
         let refused = |from: &str, to: &str| Robot::parse(&text.replace(from, to), "my.toml").expect_err("refused");
         let figure = |from: &str, to: &str| match refused(from, to) {
-            RobotError::Figure { file, what } if file == "my.toml" => *what,
+            RobotError::Figure { file, what, .. } if file == "my.toml" => *what,
             other => panic!("{other}"),
         };
         let RobotError::File(FileError::Toml { source, .. }) = refused("c2_mm = 260.0\n", "") else { panic!("read") };

@@ -33,7 +33,7 @@ pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, J
             if dialects::by_name(&robot.dialect).is_none() {
                 let known = dialects::names().collect();
                 let what = RobotFigureError::Dialect { dialect: robot.dialect, known };
-                return Err(RobotError::Figure { file: name.into(), what: Box::new(what) }.into());
+                return Err(RobotError::Figure { file: name.into(), line: None, what: Box::new(what) }.into());
             }
             Some(robot)
         }

@@ -4,10 +4,12 @@
 //! What a file of an older version means is told in `version`.
 
 mod error;
+mod limits;
 mod tables;
 mod version;
 
 pub use error::JobFileError;
+pub use limits::{FARTHEST_MM, MOST_TURNS_DEG};
 pub use version::WRITTEN;
 
 use super::chosen::Chosen;
@@ -18,6 +20,7 @@ use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
 use crate::beam::{Obstacle, Optics};
 use crate::cell::frame;
+use crate::file;
 use crate::part::SurfaceId;
 use crate::pose::{Pin, TiltRule};
 use crate::process::DoseParameters;
@@ -59,20 +62,24 @@ struct JobTables {
 /// # Errors
 /// They are no job (with line and column).
 pub fn from_bytes(bytes: &[u8]) -> Result<Job, JobFileError> {
-    parse(std::str::from_utf8(bytes)?)
+    parse(file::decode(bytes)?)
 }
 
 /// The job that a text holds.
 ///
 /// # Errors
-/// Where in the text what is wrong.
+/// Where in the text what is wrong; a number that is out of its range as well. What numbers must be together is looked
+/// at when the job is planned: a job may be saved before it is whole.
 pub fn parse(text: &str) -> Result<Job, JobFileError> {
-    let table: toml::Table = toml::from_str(text)?;
-    version::of(&table)?;
-    table.get("cell").and_then(toml::Value::as_table).map_or(Ok(()), frame::check)?;
+    let table: toml::Table = file::read_toml(text)?;
+    let in_line = |e: JobFileError| limits::in_line(text, e);
+    version::of(&table).map_err(in_line)?;
+    table.get("cell").and_then(toml::Value::as_table).map_or(Ok(()), frame::check).map_err(|e| in_line(e.into()))?;
     // The text knows its lines, which the table does not.
-    toml::from_str::<JobTables>(text)?;
-    Job::try_from(table)
+    file::read_toml::<JobTables>(text)?;
+    let job = Job::try_from(table).map_err(in_line)?;
+    limits::check(&job, text)?;
+    Ok(job)
 }
 
 impl TryFrom<toml::Table> for Job {

@@ -2,6 +2,7 @@
 
 use crate::document::RecipeError;
 use crate::document::files::JobError;
+use crate::file::{NoText, TomlError};
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -76,9 +77,12 @@ pub enum RecipeFileError {
         /// Its length.
         bytes: u64,
     },
+    /// It is no text.
+    #[error(transparent)]
+    NoText(#[from] NoText),
     /// It is no TOML, or has a key that no recipe has.
     #[error(transparent)]
-    Toml(#[from] toml::de::Error),
+    Toml(#[from] TomlError),
     /// The recipe has no name.
     #[error("no name")]
     NoName,

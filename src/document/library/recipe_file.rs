@@ -2,6 +2,7 @@
 
 use super::error::RecipeFileError;
 use crate::document::recipe::Recipe;
+use crate::file;
 use std::path::{Path, PathBuf};
 
 /// Files longer than this are no recipes, bytes.
@@ -11,12 +12,13 @@ const LONGEST: u64 = 100_000;
 ///
 /// # Errors
 /// The file cannot be read, or is no sound recipe.
-pub(super) fn read(file: &Path) -> Result<Recipe, RecipeFileError> {
-    let bytes = std::fs::metadata(file)?.len();
+pub(super) fn read(path: &Path) -> Result<Recipe, RecipeFileError> {
+    let bytes = std::fs::metadata(path)?.len();
     if bytes > LONGEST {
         return Err(RecipeFileError::TooLong { bytes });
     }
-    let recipe: Recipe = toml::from_str(&std::fs::read_to_string(file)?)?;
+    let bytes = std::fs::read(path)?;
+    let recipe: Recipe = file::read_toml(file::decode(&bytes)?)?;
     checked(&recipe)?;
     Ok(recipe)
 }

@@ -3,11 +3,13 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::dialogs::Purpose;
-use super::super::super::{quantity, theme};
+use super::super::super::theme;
+use super::super::entry::{Entry, refused};
 use crate::beam::Obstacle;
 use crate::document::Edit;
+use crate::document::job_file::{FARTHEST_MM, MOST_TURNS_DEG};
 use crate::text::{id, say};
-use eframe::egui::{self, DragValue};
+use eframe::egui;
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let mut clamps = context.document.job().clamps.clone();
@@ -36,20 +38,22 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 fn placed(ui: &mut egui::Ui, c: &mut Obstacle, number: usize) -> bool {
     let mut changed = false;
     let rows = [
-        (say!(tool_clamp_at), say!(unit_mm), ["x", "y", "z"], &mut c.position_mm),
-        (say!(tool_clamp_turned), say!(unit_deg), ["RZ", "RY", "RX"], &mut c.rz_ry_rx_deg),
+        (say!(tool_clamp_at), say!(unit_mm), FARTHEST_MM, ["x", "y", "z"], &mut c.position_mm),
+        (say!(tool_clamp_turned), say!(unit_deg), MOST_TURNS_DEG, ["RZ", "RY", "RX"], &mut c.rz_ry_rx_deg),
     ];
-    for (name, unit, axes, values) in rows {
+    for (name, unit, most, axes, values) in rows {
+        let mut drawn = Vec::new();
         ui.horizontal(|ui| {
             theme::name(ui, &name, 50.0);
             for (value, axis) in values.iter_mut().zip(axes) {
-                let field = DragValue::new(value).speed(0.5).max_decimals(3).suffix(&unit);
-                let response = ui.add(field.custom_parser(quantity::read));
+                let shown = Entry::new(-most..=most, unit.clone()).show(ui, value);
                 let told = || say!(tool_clamp_field, number = id(number + 1), axis);
-                response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
-                changed |= response.changed();
+                shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
+                changed |= shown.response.changed();
+                drawn.push(shown);
             }
         });
+        refused(ui, &drawn);
     }
     changed
 }

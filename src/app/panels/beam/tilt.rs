@@ -2,12 +2,13 @@
 
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
-use super::super::super::{quantity, theme};
+use super::super::super::theme;
+use super::super::entry::{Entry, refused};
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::pose::tilt::{TiltRule, TiltSide};
 use crate::text::{id, say};
-use eframe::egui::{self, DragValue, RichText};
+use eframe::egui::{self, RichText};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let selected = &context.session.selected;
@@ -32,11 +33,13 @@ fn angles(ui: &mut egui::Ui, rule: &mut TiltRule) {
         (say!(tool_least_tilt), say!(tool_least_tilt_tip), 0.0, &mut rule.least_deg),
     ];
     for (name, tip, least, value) in numbers {
-        ui.horizontal(|ui| {
+        let row = ui.horizontal(|ui| {
             let label = theme::name(ui, &name, 130.0).on_hover_text(tip);
-            let field = DragValue::new(value).speed(0.5).range(least..=75.0).max_decimals(1).suffix(say!(unit_deg));
-            ui.add(field.custom_parser(quantity::read)).labelled_by(label.id);
+            let drawn = Entry { decimals: 1, ..Entry::new(least..=75.0, say!(unit_deg)) }.show(ui, value);
+            drawn.response.clone().labelled_by(label.id);
+            drawn
         });
+        refused(ui, [&row.inner]);
     }
 }
 

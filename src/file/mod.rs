@@ -1,10 +1,18 @@
-//! Files that people write, TOML above all: read whole, or refused with the file's name.
+//! Files that people write, TOML above all: read whole, or refused with the file's name and the line.
 //!
-//! What the figures in them may be is for the room to check that knows what they mean.
+//! What the figures in them may be is for the room to check that knows what they mean; that they are figures, and
+//! not infinite, is checked here for all.
+
+mod encoding;
+mod key_lines;
+mod toml_text;
+
+pub use encoding::NoText;
+pub use key_lines::{Step, line_of, way_of};
+pub use toml_text::{TomlError, TomlFault, read as read_toml};
 
 use serde::de::DeserializeOwned;
 use std::path::Path;
-use std::str::Utf8Error;
 use thiserror::Error;
 
 /// Why a file cannot be read.
@@ -19,20 +27,20 @@ pub enum FileError {
         source: std::io::Error,
     },
     /// Its bytes are no text.
-    #[error("{file}: not UTF-8")]
+    #[error("{file}: {source}")]
     NoText {
         /// The file.
         file: String,
-        /// The first byte that is none.
-        source: Utf8Error,
+        /// What they are, as far as can be told.
+        source: NoText,
     },
     /// It is no TOML, or has a key or a value that does not belong there, or lacks one.
-    #[error("{file}: not parsed")]
+    #[error("{file}: {source}")]
     Toml {
         /// The file.
         file: String,
         /// Where and what.
-        source: Box<::toml::de::Error>,
+        source: Box<TomlError>,
     },
 }
 
@@ -49,7 +57,15 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
 /// # Errors
 /// [`FileError::NoText`].
 pub fn text<'b>(bytes: &'b [u8], file: &str) -> Result<&'b str, FileError> {
-    std::str::from_utf8(bytes).map_err(|source| FileError::NoText { file: file.to_owned(), source })
+    encoding::decode(bytes).map_err(|source| FileError::NoText { file: file.to_owned(), source })
+}
+
+/// The text of bytes that may have no file.
+///
+/// # Errors
+/// They are no UTF-8.
+pub fn decode(bytes: &[u8]) -> Result<&str, NoText> {
+    encoding::decode(bytes)
 }
 
 /// What the text of a TOML file says; `file` is what its file is called.
@@ -57,7 +73,7 @@ pub fn text<'b>(bytes: &'b [u8], file: &str) -> Result<&'b str, FileError> {
 /// # Errors
 /// [`FileError::Toml`].
 pub fn toml<T: DeserializeOwned>(text: &str, file: &str) -> Result<T, FileError> {
-    ::toml::from_str(text).map_err(|e| FileError::Toml { file: file.to_owned(), source: Box::new(e) })
+    read_toml(text).map_err(|e| FileError::Toml { file: file.to_owned(), source: Box::new(e) })
 }
 
 #[cfg(test)]
@@ -69,7 +85,7 @@ mod tests {
         let gone = bytes(Path::new("/none/cell.toml")).expect_err("there is none");
         assert!(matches!(&gone, FileError::Read { file, .. } if file == "/none/cell.toml"), "{gone}");
         let binary = text(b"name = \"\xff\"", "cell.toml").expect_err("no text");
-        assert!(matches!(binary, FileError::NoText { source, .. } if source.valid_up_to() == 8));
+        assert!(matches!(binary, FileError::NoText { source: NoText::Byte { line: 1, byte: 0xff }, .. }), "{binary}");
         let torn = toml::<::toml::Table>("name = ", "cell.toml").expect_err("no TOML");
         assert!(matches!(torn, FileError::Toml { file, .. } if file == "cell.toml"));
     }

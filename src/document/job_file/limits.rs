@@ -1,0 +1,171 @@
+//! Whether the numbers of a job file can be, each by itself, and the line of what cannot.
+
+use super::error::JobFileError;
+use crate::document::PARAMETERS;
+use crate::document::model::Job;
+use crate::document::value_error::RecipeError;
+use crate::file::{Step, line_of, way_of};
+use Step::{Entry, Key};
+
+/// So far a part, a clamp or a place may lie from the origin, mm: 10 000 km, which is what coordinates of a survey come
+/// to. Beyond, a double has steps of thousandths, and no robot has any business.
+pub const FARTHEST_MM: f64 = 1e10;
+
+/// So far a part or a clamp may be turned, degrees: ten times round, to either side.
+pub const MOST_TURNS_DEG: f64 = 3600.0;
+
+/// Nothing leans farther from the normal than this, degrees.
+const MOST_TILT_DEG: f64 = 90.0;
+
+/// Checks each number by itself.
+///
+/// # Errors
+/// The first that cannot be, with its line.
+pub(super) fn check(job: &Job, text: &str) -> Result<(), JobFileError> {
+    PARAMETERS.iter().try_for_each(|p| p.check(job.number(p))).map_err(|e| in_line(text, e.into()))?;
+    for (i, recipe) in job.recipes.iter().enumerate() {
+        recipe.check().map_err(|e| {
+            let key = match &e {
+                RecipeError::Number { source, .. } => source.parameter.key,
+                RecipeError::NotForRecipes { key, .. } => key,
+                _ => "",
+            };
+            at(line_of(text, &[Key("recipes"), Entry(i), Key("values"), Key(key)]), e.clone().into())
+        })?;
+    }
+    let listed = [
+        place(job),
+        tilts(job),
+        clamps(job),
+        job.layers.centre_mm.map_or_else(Vec::new, |c| far("layers.centre_mm", &way_of("layers.centre_mm"), c)),
+    ];
+    let bad = listed.into_iter().flatten().find(|n| !(n.low..=n.high).contains(&n.value));
+    bad.map_or(Ok(()), |Numbered { key, way, value, low, high }| {
+        Err(at(line_of(text, &way), JobFileError::Range { key, value, low, high }))
+    })
+}
+
+/// A number with its key and the way to it.
+struct Numbered<'k> {
+    key: &'static str,
+    way: Vec<Step<'k>>,
+    value: f64,
+    low: f64,
+    high: f64,
+}
+
+fn within<'k>(key: &'static str, way: &[Step<'k>], values: &[f64], low: f64, high: f64) -> Vec<Numbered<'k>> {
+    values.iter().map(|&value| Numbered { key, way: way.to_vec(), value, low, high }).collect()
+}
+
+fn far<'k>(key: &'static str, way: &[Step<'k>], point: [f64; 3]) -> Vec<Numbered<'k>> {
+    within(key, way, &point, -FARTHEST_MM, FARTHEST_MM)
+}
+
+fn place(job: &Job) -> Vec<Numbered<'static>> {
+    let (turn, shift) = ("part.placement.rotation_deg", "part.placement.translation_mm");
+    let placement = &job.part.placement;
+    let mut out = within(turn, &way_of(turn), &placement.rotation_deg, -MOST_TURNS_DEG, MOST_TURNS_DEG);
+    out.extend(far(shift, &way_of(shift), placement.translation_mm));
+    out
+}
+
+/// Rules, pins and centres of single surfaces. The lists of the file may be in another order than surfaces are, so the
+/// line is that of the list.
+fn tilts(job: &Job) -> Vec<Numbered<'static>> {
+    let mut out = Vec::new();
+    for (_, settings) in job.settings.iter() {
+        let rule = &settings.tilt;
+        let preferred = [rule.preferred.lead_deg, rule.preferred.lean_deg];
+        out.extend(within("tilts.preferred", &[Key("tilts")], &preferred, -MOST_TILT_DEG, MOST_TILT_DEG));
+        out.extend(within("tilts.least_deg", &[Key("tilts")], &[rule.least_deg], 0.0, MOST_TILT_DEG));
+        for pin in &settings.pins {
+            let tilt = [pin.tilt.lead_deg, pin.tilt.lean_deg];
+            out.extend(within("pins.tilt", &[Key("pins")], &tilt, -MOST_TILT_DEG, MOST_TILT_DEG));
+            out.extend(within("pins.at_mm", &[Key("pins")], &[pin.at_mm], 0.0, FARTHEST_MM));
+        }
+        out.extend(settings.centre_mm.map_or_else(Vec::new, |c| far("starts.centre_mm", &[Key("starts")], c)));
+    }
+    out
+}
+
+fn clamps(job: &Job) -> Vec<Numbered<'static>> {
+    let (place, turn) = ("position_mm", "rz_ry_rx_deg");
+    let one = |(i, clamp): (usize, &crate::beam::Obstacle)| {
+        let way = |key| [Key("clamps"), Entry(i), Key(key)];
+        let mut out = far("clamps.position_mm", &way(place), clamp.position_mm);
+        let most = MOST_TURNS_DEG;
+        out.extend(within("clamps.rz_ry_rx_deg", &way(turn), &clamp.rz_ry_rx_deg, -most, most));
+        out
+    };
+    job.clamps.iter().enumerate().flat_map(one).collect()
+}
+
+/// What is wrong, with the line of the key that it names.
+pub(super) fn in_line(text: &str, what: JobFileError) -> JobFileError {
+    let key = match &what {
+        JobFileError::Parameter(e) => e.parameter.key,
+        JobFileError::Later(_) | JobFileError::NoVersion(_) => "version",
+        JobFileError::Twice { key, .. } | JobFileError::NoNumber { key, .. } | JobFileError::Range { key, .. } => key,
+        JobFileError::Frame(e) => return at(line_of(text, &[Key("cell"), Key(e.frame)]), what),
+        JobFileError::NoText(_) | JobFileError::Toml(_) | JobFileError::Table(_) => return what,
+        JobFileError::Recipe(_) | JobFileError::InLine { .. } => return what,
+    };
+    let line = line_of(text, &way_of(key));
+    at(line, what)
+}
+
+fn at(line: Option<usize>, what: JobFileError) -> JobFileError {
+    match line {
+        Some(line) => JobFileError::InLine { line, what: Box::new(what) },
+        None => what,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::parse;
+    use super::*;
+
+    fn line_and_key(text: &str) -> (usize, &'static str) {
+        match parse(text).expect_err(text) {
+            JobFileError::InLine { line, what } => match *what {
+                JobFileError::Range { key, .. } => (line, key),
+                JobFileError::Parameter(e) => (line, e.parameter.key),
+                other => panic!("{text}: {other}"),
+            },
+            other => panic!("{text}: {other}"),
+        }
+    }
+
+    #[test]
+    fn numbers_of_no_row_have_their_range_as_well() {
+        for (text, line, key) in [
+            ("[part.placement]\ntranslation_mm = [0.0, 1e12, 0.0]", 2, "part.placement.translation_mm"),
+            ("[part]\n[part.placement]\n\nrotation_deg = [1e9, 0, 0]", 4, "part.placement.rotation_deg"),
+            ("[[tilts]]\nsurface = 3\nleast_deg = -1", 1, "tilts.least_deg"),
+            ("[[pins]]\nsurface = 3\nline = 1\nat_mm = 5\ntilt = { lead_deg = 91 }", 1, "pins.tilt"),
+            ("[[starts]]\nsurface = 3\ncentre_mm = [0, 0, -1e11]", 1, "starts.centre_mm"),
+            (
+                "[[clamps]]\nfile = \"a.stl\"\n[[clamps]]\nfile = \"b.stl\"\nposition_mm = [1e11, 0, 0]",
+                5,
+                "clamps.position_mm",
+            ),
+            ("[layers]\nspacing_mm = 0", 2, "layers.spacing_mm"),
+            ("[layers]\ncentre_mm = [1e11, 0, 0]", 2, "layers.centre_mm"),
+        ] {
+            assert_eq!(line_and_key(text), (line, key), "{text}");
+        }
+        parse("[part.placement]\ntranslation_mm = [-512345.0, -5412345000.0, 0.0]").expect("coordinates of a survey");
+    }
+
+    #[test]
+    fn a_value_of_a_recipe_is_found_in_its_line() {
+        let text = "[[recipes]]\nname = \"A\"\n[[recipes]]\nname = \"B\"\n[recipes.values]\n\"layers.spacing_mm\" = -2";
+        let e = parse(text).expect_err("refused");
+        assert!(
+            matches!(&e, JobFileError::InLine { line: 6, what } if matches!(**what, JobFileError::Recipe(_))),
+            "{e}"
+        );
+    }
+}
