@@ -99,9 +99,9 @@ mod tests {
             assert!(said.contains(&format!("version = {none}: give 2")), "{said}");
         }
         let said = refusal("[clean]\nsurfaces = [1204, 1, 1204]");
-        assert_eq!(said, "clean.surfaces: surface 1204 is listed twice; name it once");
+        assert_eq!(said, "line 2: clean.surfaces: surface 1204 is listed twice; name it once");
         let said = refusal("[surfaces.names]\nfour = \"Rim\"");
-        assert_eq!(said, "surfaces.names: \"four\" is not a surface number; give a number like 4");
+        assert_eq!(said, "line 2: surfaces.names: \"four\" is not a surface number; give a number like 4");
         let said = refusal("[layers]\nspaceing_mm = 2");
         assert!(said.contains("line 2") && said.contains("spaceing_mm") && said.lines().count() == 1, "{said}");
         let write = JobError::write(Path::new("/none/x"), std::io::Error::other("read-only"));

@@ -60,7 +60,7 @@ mod tests {
         write("d.toml", "note = \"nameless\"\n");
         write("e.toml", &"#".repeat(100_001));
         let library = Library::open(Some(folder.path().to_path_buf()));
-        let said = ["b.toml: TOML parse error at line 1", "is also that of ", "has no name", "100 001 bytes are more"];
+        let said = ["b.toml: line 1: name: ", "is also that of ", "has no name", "100 001 bytes are more"];
         assert_eq!(library.broken.len(), said.len());
         for (broken, part) in library.broken.iter().zip(said) {
             let line = broken.sentence();

@@ -106,7 +106,11 @@ pub(super) fn in_line(text: &str, what: JobFileError) -> JobFileError {
     let key = match &what {
         JobFileError::Parameter(e) => e.parameter.key,
         JobFileError::Later(_) | JobFileError::NoVersion(_) => "version",
-        JobFileError::Twice { key, .. } | JobFileError::NoNumber { key, .. } | JobFileError::Range { key, .. } => key,
+        JobFileError::NoNumber { key, text: number } => {
+            let way = [way_of(key), vec![Key(number)]].concat();
+            return at(line_of(text, &way), what);
+        }
+        JobFileError::Twice { key, .. } | JobFileError::Range { key, .. } => key,
         JobFileError::Frame(e) => return at(line_of(text, &[Key("cell"), Key(e.frame)]), what),
         JobFileError::NoText(_) | JobFileError::Toml(_) | JobFileError::Table(_) => return what,
         JobFileError::Recipe(_) | JobFileError::InLine { .. } => return what,
