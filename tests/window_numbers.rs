@@ -4,8 +4,8 @@
 mod common;
 
 use clearbeam::app::App;
-use common::window::{Answers, click, job_on, reveal, says, type_into, window};
-use eframe::egui::{Key, Modifiers};
+use common::window::{Answers, job_on, says, settle, type_into, window};
+use eframe::egui::{Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
@@ -19,8 +19,11 @@ const ODD: &str = "[part.placement]\nrotation_deg = [0.0, 0.0, 725.123456]\n\
 
 fn open_all(h: &mut Harness<'_, App>) {
     for header in ["Targets, leads", "More on surfaces", "Part", "Optics", "Clamps", "Rim, joins, passes"] {
-        reveal(h, header);
-        click(h, header);
+        // *Part* is a menu as well.
+        h.get_by_role_and_label(Role::DisclosureTriangle, header).scroll_to_me();
+        settle(h);
+        h.get_by_role_and_label(Role::DisclosureTriangle, header).click();
+        settle(h);
     }
 }
 
