@@ -1,10 +1,11 @@
-//! A robot: kinematics, limits, speeds and the thickness of its links. Its file is read in `file`.
+//! A robot: kinematics, limits, speeds and its links. Its file is read in `file`.
 //!
 //! Joint angles are those of the file everywhere but in programs: where a controller couples joints
 //! 2 and 3, its dialect adds and takes away. Limits are on absolute angles, over 360° too.
 
 mod file;
 mod links;
+mod meshes;
 
 use super::opw::Opw;
 use super::ur_kinematics::UrKinematics;
@@ -14,6 +15,7 @@ use std::collections::BTreeMap;
 
 pub use file::{RobotError, RobotFigureError};
 pub use links::{Link, LinkCapsule, Links};
+pub use meshes::{LinkMesh, LinkMeshes, MOST_MESH_FACETS};
 
 /// Keys of the shipped robots, and their files.
 const SHIPPED: &[(&str, &str)] = super::shipped_files!("robots");
@@ -43,7 +45,7 @@ pub struct Robot {
     pub sources: BTreeMap<String, String>,
     opw: Option<Opw>,
     ur: Option<UrKinematics>,
-    /// Radii of the capsules that stand for the arm.
+    /// The shape of the arm.
     pub links: Links,
 }
 
@@ -54,6 +56,16 @@ impl Robot {
             (Some(opw), _) => opw.forward(joints_deg),
             (None, Some(ur)) => ur.forward(joints_deg),
             (None, None) => Isometry3::identity(),
+        }
+    }
+
+    /// Frames that stand with the base and that move with each joint, in the base, mm; each joint's axis goes through
+    /// the origin of its own.
+    pub fn frames(&self, joints_deg: &Joints) -> [Isometry3<f64>; 7] {
+        match (&self.opw, &self.ur) {
+            (Some(opw), _) => opw.frames(joints_deg),
+            (None, Some(ur)) => ur.frames(joints_deg),
+            (None, None) => [Isometry3::identity(); 7],
         }
     }
 

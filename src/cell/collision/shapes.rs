@@ -1,7 +1,7 @@
 //! Shapes that may touch: capsules, facets with a place, and all that lies below a height. Whether two
 //! are near each other, and how far apart they are.
 
-use super::BodyId;
+use super::contact::BodyId;
 use crate::cell::bodies::HeadCapsule;
 use crate::cell::robot::LinkCapsule;
 use crate::part::distance::{point_segment, segments};
