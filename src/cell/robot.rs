@@ -15,6 +15,8 @@ use std::collections::BTreeMap;
 
 pub use file::{RobotError, RobotFigureError};
 pub use links::{Link, LinkCapsule, Links};
+#[cfg(test)]
+pub(crate) use meshes::tests::meshed;
 pub use meshes::{LinkMesh, LinkMeshes, MOST_MESH_FACETS};
 
 /// Keys of the shipped robots, and their files.
@@ -219,6 +221,16 @@ mod tests {
             });
             let mut turned = joints;
             turned[joint] += turn;
+            // What moves with a joint, and nothing before it; its axis stays.
+            let (still, moved) = (robot.frames(&joints), robot.frames(&turned));
+            for k in 0..=joint {
+                prop_assert!((still[k].to_homogeneous() - moved[k].to_homogeneous()).norm() < 1e-9, "joint {joint}, frame {k}");
+            }
+            let axis = (moved[joint + 1].translation.vector - still[joint + 1].translation.vector).norm();
+            prop_assert!(axis < 1e-9, "the axis of joint {joint} moves {axis} mm");
+            let held = |frames: &[Isometry3<f64>; 7], joints: &Joints| frames[6].inv_mul(&robot.forward(joints));
+            let slip = held(&still, &joints).to_homogeneous() - held(&moved, &turned).to_homogeneous();
+            prop_assert!(slip.norm() < 1e-9, "the flange leaves what carries it");
             let reach = robot.levers_mm()[joint] * turn.to_radians();
             for (before, after) in robot.capsules(&joints).iter().zip(&robot.capsules(&turned)) {
                 let moved = (after.from - before.from).norm().max((after.to - before.to).norm());

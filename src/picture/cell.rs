@@ -235,4 +235,25 @@ mod tests {
         }
         assert!(CellPicture::new(&Setup::shipped().expect("valid")).is_none());
     }
+    /// Bodies that have files are drawn in place of rods and balls, and move with their joints.
+    #[test]
+    fn bodies_of_the_arm_take_the_place_of_its_rods() {
+        let mut setup = Setup::shipped().expect("valid");
+        let focus = setup.cell.base_from_laser.isometry();
+        let home = setup.home_joints_deg();
+        let mut drawn = |robot: Robot| {
+            setup.robot = Some(robot);
+            CellPicture::new(&setup).expect("a robot").solids(&home, focus)
+        };
+        let rods = drawn(Robot::load("mz04", None).expect("shipped"));
+        let bodies = drawn(crate::cell::robot::meshed("mz04", [10.0; 6]));
+        // Plate, five links, three joints and the flange make way for seven bodies.
+        assert_eq!(bodies.len(), rods.len() - 10 + 7);
+        let places =
+            |items: &[MeshItem]| items.iter().map(|i| i.scene_from_item.translation.vector).collect::<Vec<_>>();
+        let still = places(&bodies);
+        let moved = places(&drawn(crate::cell::robot::meshed("mz04", home)));
+        // As they were drawn they stand where they were drawn.
+        assert!(moved[..7].iter().all(|p| p.norm() < 1e-9) && still[1..7].iter().all(|p| p.norm() > 1.0));
+    }
 }

@@ -34,7 +34,9 @@ impl Sentence for RobotFigureError {
             RobotFigureError::Speed { joint, value, low, high } => {
                 say!(robot_speed, joint = id(joint), value = exact(*value), low = exact(*low), high = exact(*high))
             }
-            RobotFigureError::MeshesAt { value } => say!(figure_not_finite, key = "links.meshes.at_deg", value = exact(*value)),
+            RobotFigureError::MeshesAt { value } => {
+                say!(figure_not_finite, key = "links.meshes.at_deg", value = exact(*value))
+            }
             RobotFigureError::MeshFacets { facets, most } => say!(robot_mesh_facets, facets = *facets, most = *most),
             RobotFigureError::MeshOff { key, file, off_mm } => {
                 say!(robot_mesh_off, key = *key, file, off = fixed(*off_mm, 0))
@@ -58,6 +60,11 @@ mod tests {
         let error = RobotError::Mesh { file: "arm/my.toml".into(), key: "links.meshes.j3", what };
         let told = error.sentence();
         assert!(told.starts_with("arm/my.toml: links.meshes.j3: arm/j3.stl"), "{told}");
-        assert!(told.ends_with("name an STL file beside the robot file, or leave the key out: then a capsule stands for the link"), "{told}");
+        assert!(
+            told.ends_with(
+                "name an STL file beside the robot file, or leave the key out: then a capsule stands for the link"
+            ),
+            "{told}"
+        );
     }
 }

@@ -118,3 +118,7 @@ fn pose(limits_deg: &[[f64; 2]; 6], i: u32) -> Joints {
         low + (high - low) * share
     })
 }
+
+#[cfg(test)]
+#[path = "arm_tests.rs"]
+mod tests;

@@ -227,7 +227,8 @@ mod tests {
     #[test]
     fn absurd_and_missing_figures_are_named() {
         let (_, text) = SHIPPED[0];
-        let refused = |from: &str, to: &str| Robot::parse(&text.replace(from, to), "my.toml", None).expect_err("refused");
+        let refused =
+            |from: &str, to: &str| Robot::parse(&text.replace(from, to), "my.toml", None).expect_err("refused");
         let figure = |from: &str, to: &str| match refused(from, to) {
             RobotError::Figure { file, what } if file == "my.toml" => *what,
             other => panic!("{other}"),

@@ -101,8 +101,11 @@ impl LinkMeshes {
             [&mut self.base, &mut self.j1, &mut self.j2, &mut self.j3, &mut self.j4, &mut self.j5, &mut self.j6];
         for (key, mesh) in KEYS.into_iter().zip(slots).filter_map(|(key, mesh)| Some((key, mesh.as_mut()?))) {
             let file = folder.map_or_else(|| mesh.file.clone().into(), |f| f.join(&mesh.file));
-            let solid = part::load(&file, mesh.unit, &Placement::default(), &[])
-                .map_err(|what| RobotError::Mesh { file: robot_file.into(), key, what })?;
+            let solid = part::load(&file, mesh.unit, &Placement::default(), &[]).map_err(|what| RobotError::Mesh {
+                file: robot_file.into(),
+                key,
+                what,
+            })?;
             mesh.solid = Arc::new(solid);
         }
         Ok(())
@@ -155,3 +158,7 @@ impl Robot {
 fn apart_mm(a: &Isometry3<f64>, b: &Isometry3<f64>) -> f64 {
     (a.translation.vector - b.translation.vector).norm()
 }
+
+#[cfg(test)]
+#[path = "meshes_tests.rs"]
+pub(super) mod tests;

@@ -64,4 +64,20 @@ mod tests {
         assert!(there.have_changed());
         assert!(!Stamps::of(&Job::default(), Some(&file), None, None).have_changed(), "a shipped cell is no file");
     }
+
+    /// The files stand beside the robot's, not beside the job's.
+    #[test]
+    fn a_body_of_the_robot_that_is_gone_is_noticed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut job = Job::default();
+        job.cell.robot = "arms/my.toml".into();
+        let robot = crate::cell::robot::meshed("mz04", [0.0; 6]);
+        let body = folder.path().join("arms/3.stl");
+        std::fs::create_dir(folder.path().join("arms")).expect("a folder");
+        std::fs::write(&body, "solid").expect("writes");
+        let there = Stamps::of(&job, Some(&folder.path().join("job.toml")), None, Some(&robot));
+        assert!(!there.have_changed());
+        std::fs::remove_file(&body).expect("goes");
+        assert!(there.have_changed());
+    }
 }
