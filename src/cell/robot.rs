@@ -4,6 +4,7 @@
 //! 2 and 3, its dialect adds and takes away. Limits are on absolute angles, over 360° too.
 
 mod file;
+mod link;
 mod links;
 mod meshes;
 
@@ -14,7 +15,8 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 
 pub use file::{RobotError, RobotFigureError};
-pub use links::{Link, LinkCapsule, Links};
+pub use link::Link;
+pub use links::{LinkCapsule, Links};
 #[cfg(test)]
 pub(crate) use meshes::tests::meshed;
 pub use meshes::{LinkMesh, LinkMeshes, MOST_MESH_FACETS};

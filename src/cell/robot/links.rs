@@ -1,36 +1,10 @@
 //! The links of an arm: how thick their capsules are, where those are at some joints, and the files of their shapes.
 
-use super::{Joints, LinkMeshes, Robot};
+use super::link::Link;
+use super::meshes::LinkMeshes;
+use super::{Joints, Robot};
 use nalgebra::{Isometry3, Point3};
 use serde::Deserialize;
-
-/// A link of the arm, from the base to the flange.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Link {
-    /// Base to axis 2.
-    Base,
-    /// Around axis 2.
-    Shoulder,
-    /// Axis 2 to axis 3.
-    UpperArm,
-    /// Axis 3 to the wrist.
-    Forearm,
-    /// Wrist to flange.
-    Wrist,
-}
-
-impl Link {
-    /// The word in `report.json`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Link::Base => "base",
-            Link::Shoulder => "shoulder",
-            Link::UpperArm => "upper_arm",
-            Link::Forearm => "forearm",
-            Link::Wrist => "wrist",
-        }
-    }
-}
 
 /// Radii of the capsules that stand for the arm, mm, and what stands for it in their place.
 #[derive(Clone, Debug, PartialEq, Deserialize)]

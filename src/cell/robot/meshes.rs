@@ -4,7 +4,8 @@
 //! A file has the coordinates of the robot's base, as the arm stands at `at_deg`: so CAD writes an arm that was put
 //! together there. Each body then moves as its joint does.
 
-use super::{Joints, Link, Robot, RobotError, RobotFigureError};
+use super::link::Link;
+use super::{Joints, Robot, RobotError, RobotFigureError};
 use crate::part::{self, Part, Placement, Units};
 use nalgebra::Isometry3;
 use serde::Deserialize;
