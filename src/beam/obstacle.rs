@@ -23,6 +23,9 @@ pub struct Obstacle {
     /// Unit of the file.
     #[serde(default)]
     pub units: Units,
+    /// Whether it is one of the cell that is seen in the part's frame.
+    #[serde(skip)]
+    is_of_cell: bool,
     /// What the file held.
     #[serde(skip)]
     solid: Arc<Part>,
@@ -30,14 +33,14 @@ pub struct Obstacle {
 
 impl PartialEq for Obstacle {
     fn eq(&self, other: &Obstacle) -> bool {
-        let told = |o: &Obstacle| (o.position_mm, o.rz_ry_rx_deg, o.units, o.solid.digest);
+        let told = |o: &Obstacle| (o.position_mm, o.rz_ry_rx_deg, o.units, o.is_of_cell, o.solid.digest);
         self.file == other.file && told(self) == told(other)
     }
 }
 
 impl Keyed for Obstacle {
     fn feed(&self, into: &mut Hasher) {
-        let Obstacle { file, position_mm, rz_ry_rx_deg, units, solid } = self;
+        let Obstacle { file, position_mm, rz_ry_rx_deg, units, is_of_cell: _, solid } = self;
         file.feed(into);
         position_mm.feed(into);
         rz_ry_rx_deg.feed(into);
@@ -49,7 +52,14 @@ impl Keyed for Obstacle {
 impl Obstacle {
     /// An obstacle at the origin whose file is still to be read.
     pub fn named(file: String) -> Obstacle {
-        Obstacle { file, position_mm: [0.0; 3], rz_ry_rx_deg: [0.0; 3], units: Units::default(), solid: Arc::default() }
+        Obstacle {
+            file,
+            position_mm: [0.0; 3],
+            rz_ry_rx_deg: [0.0; 3],
+            units: Units::default(),
+            is_of_cell: false,
+            solid: Arc::default(),
+        }
     }
 
     /// Its facets in the frame of its file, mm; none until they are read.
@@ -63,11 +73,16 @@ impl Obstacle {
         Isometry3::from_parts(Translation3::from(self.position_mm), turn)
     }
 
-    /// The obstacle expressed in another frame; `frame_from_its` maps its present frame to that one.
+    /// Whether it is an obstacle of the cell that stands among a job's clamps: see [`Self::seen_in`].
+    pub fn is_of_cell(&self) -> bool {
+        self.is_of_cell
+    }
+
+    /// An obstacle of the cell expressed in another frame; `frame_from_its` maps its present frame to that one.
     pub fn seen_in(&self, frame_from_its: &Isometry3<f64>) -> Obstacle {
         let at = frame_from_its * self.at();
         let rz_ry_rx_deg = rpy::from_rotation(&at.rotation.to_rotation_matrix());
-        Obstacle { position_mm: at.translation.vector.into(), rz_ry_rx_deg, ..self.clone() }
+        Obstacle { position_mm: at.translation.vector.into(), rz_ry_rx_deg, is_of_cell: true, ..self.clone() }
     }
 
     /// Reads its file, which is named relative to `folder`.

@@ -4,7 +4,7 @@
 //! of Industrial Serial Manipulators with an Ortho-parallel Basis and a Spherical Wrist" (2014).
 //! Turns beyond ±180° and limits are not its business.
 
-use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion};
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -76,14 +76,37 @@ impl Opw {
 
     /// Flange in the base, mm.
     pub fn forward(&self, joints_deg: &[f64; 6]) -> Isometry3<f64> {
-        let (points, r) = self.chain(joints_deg);
-        let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(r));
-        Isometry3::from_parts(Translation3::from(points[3].coords), rotation)
+        self.stand(joints_deg).1
     }
 
-    /// Shoulder, elbow, wrist and flange in the base, mm.
-    pub fn points(&self, joints_deg: &[f64; 6]) -> [Point3<f64>; 4] {
-        self.chain(joints_deg).0
+    /// Shoulder, elbow, wrist and flange in the base, mm, and the flange's pose.
+    pub fn stand(&self, joints_deg: &[f64; 6]) -> ([Point3<f64>; 4], Isometry3<f64>) {
+        let (points, r) = self.chain(joints_deg);
+        let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(r));
+        (points, Isometry3::from_parts(Translation3::from(points[3].coords), rotation))
+    }
+
+    /// Frames that stand with the base and that move with each joint, in the base, mm; each joint's axis goes through
+    /// the origin of its own.
+    pub fn frames(&self, joints_deg: &[f64; 6]) -> [Isometry3<f64>; 7] {
+        let q = self.model(joints_deg);
+        let [shoulder, elbow, wrist, _] = self.chain(joints_deg).0;
+        let about = |axis, angle: f64| UnitQuaternion::from_axis_angle(&axis, angle);
+        let (y, z) = (Vector3::y_axis(), Vector3::z_axis());
+        let one = about(z, q[0]);
+        let (two, three) = (one * about(y, q[1]), one * about(y, q[1] + q[2]));
+        let four = three * about(z, q[3]);
+        let five = four * about(y, q[4]);
+        let frame = |at: Point3<f64>, turn| Isometry3::from_parts(Translation3::from(at.coords), turn);
+        [
+            Isometry3::identity(),
+            frame(Point3::new(0.0, 0.0, self.c1_mm), one),
+            frame(shoulder, two),
+            frame(elbow, three),
+            frame(wrist, four),
+            frame(wrist, five),
+            frame(wrist, five * about(z, q[5])),
+        ]
     }
 
     /// The joints that bring the flange to a pose, degrees in ±180. The index names the branch:

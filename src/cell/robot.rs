@@ -1,10 +1,12 @@
-//! A robot: kinematics, limits, speeds and the thickness of its links. Its file is read in `file`.
+//! A robot: kinematics, limits, speeds and its links. Its file is read in `file`.
 //!
 //! Joint angles are those of the file everywhere but in programs: where a controller couples joints
 //! 2 and 3, its dialect adds and takes away. Limits are on absolute angles, over 360° too.
 
 mod file;
+mod link;
 mod links;
+mod meshes;
 
 use super::opw::Opw;
 use super::ur_kinematics::UrKinematics;
@@ -13,7 +15,11 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 
 pub use file::{RobotError, RobotFigureError};
-pub use links::{Link, LinkCapsule, Links};
+pub use link::Link;
+pub use links::{LinkCapsule, Links};
+#[cfg(test)]
+pub(crate) use meshes::tests::meshed;
+pub use meshes::{LinkMesh, LinkMeshes, MOST_MESH_FACETS};
 
 /// Keys of the shipped robots, and their files.
 const SHIPPED: &[(&str, &str)] = super::shipped_files!("robots");
@@ -43,7 +49,7 @@ pub struct Robot {
     pub sources: BTreeMap<String, String>,
     opw: Option<Opw>,
     ur: Option<UrKinematics>,
-    /// Radii of the capsules that stand for the arm.
+    /// The shape of the arm.
     pub links: Links,
 }
 
@@ -54,6 +60,16 @@ impl Robot {
             (Some(opw), _) => opw.forward(joints_deg),
             (None, Some(ur)) => ur.forward(joints_deg),
             (None, None) => Isometry3::identity(),
+        }
+    }
+
+    /// Frames that stand with the base and that move with each joint, in the base, mm; each joint's axis goes through
+    /// the origin of its own.
+    pub fn frames(&self, joints_deg: &Joints) -> [Isometry3<f64>; 7] {
+        match (&self.opw, &self.ur) {
+            (Some(opw), _) => opw.frames(joints_deg),
+            (None, Some(ur)) => ur.frames(joints_deg),
+            (None, None) => [Isometry3::identity(); 7],
         }
     }
 
@@ -207,6 +223,16 @@ mod tests {
             });
             let mut turned = joints;
             turned[joint] += turn;
+            // What moves with a joint, and nothing before it; its axis stays.
+            let (still, moved) = (robot.frames(&joints), robot.frames(&turned));
+            for k in 0..=joint {
+                prop_assert!((still[k].to_homogeneous() - moved[k].to_homogeneous()).norm() < 1e-9, "joint {joint}, frame {k}");
+            }
+            let axis = (moved[joint + 1].translation.vector - still[joint + 1].translation.vector).norm();
+            prop_assert!(axis < 1e-9, "the axis of joint {joint} moves {axis} mm");
+            let held = |frames: &[Isometry3<f64>; 7], joints: &Joints| frames[6].inv_mul(&robot.forward(joints));
+            let slip = held(&still, &joints).to_homogeneous() - held(&moved, &turned).to_homogeneous();
+            prop_assert!(slip.norm() < 1e-9, "the flange leaves what carries it");
             let reach = robot.levers_mm()[joint] * turn.to_radians();
             for (before, after) in robot.capsules(&joints).iter().zip(&robot.capsules(&turned)) {
                 let moved = (after.from - before.from).norm().max((after.to - before.to).norm());

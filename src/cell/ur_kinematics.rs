@@ -53,6 +53,12 @@ fn step(theta: f64, d: f64, a: f64, quarter: f64) -> Matrix4<f64> {
     )
 }
 
+fn isometry(m: &Matrix4<f64>) -> Isometry3<f64> {
+    let r = Rotation3::from_matrix_unchecked(m.fixed_view::<3, 3>(0, 0).into());
+    let at = m.fixed_view::<3, 1>(0, 3).into_owned();
+    Isometry3::from_parts(Translation3::from(at), UnitQuaternion::from_rotation_matrix(&r))
+}
+
 /// Inverse of a rigid transformation.
 fn inverse(m: &Matrix4<f64>) -> Matrix4<f64> {
     let r = m.fixed_view::<3, 3>(0, 0).transpose();
@@ -77,21 +83,33 @@ impl UrKinematics {
 
     /// Flange in the base, mm.
     pub fn forward(&self, joints_deg: &[f64; 6]) -> Isometry3<f64> {
-        let m = self.steps(&joints_deg.map(f64::to_radians)).iter().fold(Matrix4::identity(), |m, s| m * s);
-        let r = Rotation3::from_matrix_unchecked(m.fixed_view::<3, 3>(0, 0).into());
-        let at = m.fixed_view::<3, 1>(0, 3).into_owned();
-        Isometry3::from_parts(Translation3::from(at), UnitQuaternion::from_rotation_matrix(&r))
+        self.stand(joints_deg).1
     }
 
-    /// Shoulder, elbow, wrist and flange in the base, mm; the arm's own sideways offset is spread
-    /// as the maker builds it: upper arm and forearm beside each other.
-    pub fn points(&self, joints_deg: &[f64; 6]) -> [Point3<f64>; 4] {
+    /// Shoulder, elbow, wrist and flange in the base, mm, and the flange's pose; the arm's own sideways offset is
+    /// spread as the maker builds it: upper arm and forearm beside each other.
+    pub fn stand(&self, joints_deg: &[f64; 6]) -> ([Point3<f64>; 4], Isometry3<f64>) {
         let s = self.steps(&joints_deg.map(f64::to_radians));
         let aside = self.d4_mm;
         let at = |m: &Matrix4<f64>, z: f64| Point3::from((m * nalgebra::Vector4::new(0.0, 0.0, z, 1.0)).xyz());
         let (shoulder, elbow) = (s[0], s[0] * s[1]);
         let wrist = elbow * s[2] * s[3] * s[4];
-        [at(&shoulder, aside), at(&elbow, aside), at(&wrist, 0.0), at(&(wrist * s[5]), 0.0)]
+        let flange = wrist * s[5];
+        ([at(&shoulder, aside), at(&elbow, aside), at(&wrist, 0.0), at(&flange, 0.0)], isometry(&flange))
+    }
+
+    /// Frames that stand with the base and that move with each joint, in the base, mm; each joint's axis goes through
+    /// the origin of its own.
+    pub fn frames(&self, joints_deg: &[f64; 6]) -> [Isometry3<f64>; 7] {
+        let mut frames = [Isometry3::identity(); 7];
+        let mut before = Matrix4::identity();
+        for (frame, step) in frames[1..].iter_mut().zip(self.steps(&joints_deg.map(f64::to_radians))) {
+            // A DH frame lies on the axis of the joint that follows it.
+            let after = before * step;
+            *frame = Isometry3::from_parts(isometry(&before).translation, isometry(&after).rotation);
+            before = after;
+        }
+        frames
     }
 
     /// How far any point of the arm, up to the middle of the flange, is from each axis that moves

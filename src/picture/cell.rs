@@ -1,6 +1,7 @@
-//! The robot cell: arm from the robot's own figures (no maker's CAD), laser head, beam, floor. All
-//! in the base. Solids are made once for a setup; a moment only says where they stand.
+//! The robot cell: arm, laser head, beam, floor. All in the base. Solids are made once for a setup; a moment only says
+//! where they stand.
 
+use super::arm::ArmPicture;
 use super::palette::Rgb;
 use super::solid::{ColoredSolid, along};
 use crate::cell::bodies::HeadCapsule;
@@ -10,26 +11,20 @@ use crate::view::{Bounds, Depth, LineItem, LineSegment, MeshItem, PointItem};
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::sync::Arc;
 
-const LINK: Rgb = [206, 212, 220];
-const JOINT: Rgb = [70, 80, 96];
 const METAL: Rgb = [134, 142, 154];
 const HEAD: Rgb = [52, 58, 70];
 const LIGHT: Rgb = [255, 92, 20];
 
 /// Length of a fixed head: the head of an installation is not known here.
 const FIXED_HEAD_MM: f64 = 220.0;
-/// Links shorter than this are balls.
-const LEAST_LINK_MM: f64 = 1.0;
+/// What is held nearer to the flange than this has no holder.
+const LEAST_HOLDER_MM: f64 = 1.0;
 
 /// What stands in the cell.
 #[derive(Clone, Debug)]
 pub struct CellPicture {
     robot: Robot,
-    plate: ColoredSolid,
-    links: [ColoredSolid; 5],
-    /// Shoulder, elbow, wrist.
-    joints: [ColoredSolid; 3],
-    flange: ColoredSolid,
+    arm: ArmPicture,
     /// From the flange to the part or the head.
     holder: Option<(ColoredSolid, Isometry3<f64>)>,
     /// In the focus frame.
@@ -50,18 +45,7 @@ impl CellPicture {
     pub fn new(setup: &Setup) -> Option<CellPicture> {
         let robot = setup.robot.clone()?;
         let capsules = robot.capsules(&setup.home_joints_deg());
-        let length = |i: usize| (capsules[i].to - capsules[i].from).norm();
-        // The column stands on the floor, and the flange is flat.
-        let links = std::array::from_fn(|i| {
-            ColoredSolid::rod(capsules[i].radius_mm, length(i), [i > 0, i < 4 || length(4) < LEAST_LINK_MM], LINK)
-        });
-        let ball = |i: usize| {
-            let radius_mm = 1.03 * capsules[i].radius_mm.max(capsules[i + 1].radius_mm);
-            ColoredSolid::rod(radius_mm, 0.0, [true, true], JOINT)
-        };
-        let (base_mm, wrist_mm) = (capsules[0].radius_mm, capsules[4].radius_mm);
-        let plate = ColoredSolid::rod(1.35 * base_mm, 14.0, [false, false], JOINT);
-        let flange = ColoredSolid::rod(0.85 * wrist_mm, 5.0, [false, false], JOINT);
+        let wrist_mm = capsules[4].radius_mm;
         let hand = match setup.mount {
             Mount::PartInHand => setup.cell.flange_from_part.isometry(),
             Mount::ToolInHand => setup.cell.flange_from_tool.isometry(),
@@ -74,7 +58,7 @@ impl CellPicture {
                 (head_mm, hand * Point3::new(0.0, 0.0, -head_mm))
             }
         };
-        let holder = (held.coords.norm() > LEAST_LINK_MM).then(|| {
+        let holder = (held.coords.norm() > LEAST_HOLDER_MM).then(|| {
             let rod = ColoredSolid::rod(0.3 * wrist_mm.max(10.0), held.coords.norm(), [false, false], METAL);
             (rod, along(&Point3::origin(), &held))
         });
@@ -89,12 +73,9 @@ impl CellPicture {
             [0.12 * head_mm, head_mm],
             [0.0, head_mm],
         ];
-        let reach_mm = (0..5).map(length).sum::<f64>() + wrist_mm;
+        let reach_mm = capsules.iter().map(|c| (c.to - c.from).norm()).sum::<f64>() + wrist_mm;
         Some(CellPicture {
-            plate,
-            links,
-            joints: [ball(1), ball(2), ball(3)],
-            flange,
+            arm: ArmPicture::new(&robot, &capsules),
             holder,
             head: head(bodies, &profile),
             obstacles: setup.cell.bodies.obstacles.iter().map(super::tool::obstacle).collect(),
@@ -110,13 +91,8 @@ impl CellPicture {
 
     /// Arm and head at these joints.
     pub fn solids(&self, joints_deg: &Joints, base_from_focus: Isometry3<f64>) -> Vec<MeshItem> {
-        let capsules = self.robot.capsules(joints_deg);
         let base_from_flange = self.robot.forward(joints_deg);
-        let mut items = vec![self.plate.at(Isometry3::identity())];
-        items.extend(self.links.iter().zip(&capsules).map(|(link, c)| link.at(along(&c.from, &c.to))));
-        let places = capsules[1..4].iter().map(|c| Isometry3::translation(c.to.x, c.to.y, c.to.z));
-        items.extend(self.joints.iter().zip(places).map(|(ball, place)| ball.at(place)));
-        items.push(self.flange.at(base_from_flange));
+        let mut items = self.arm.solids(&self.robot, joints_deg);
         items.extend(self.holder.iter().map(|(rod, place)| rod.at(base_from_flange * place)));
         items.extend(self.head.iter().map(|(body, place)| body.at(base_from_focus * place)));
         items.extend(self.obstacles.iter().cloned());
@@ -258,5 +234,27 @@ mod tests {
             }
         }
         assert!(CellPicture::new(&Setup::shipped().expect("valid")).is_none());
+    }
+    /// Bodies that have files are drawn in place of rods and balls, and move with their joints.
+    #[test]
+    fn bodies_of_the_arm_take_the_place_of_its_rods() {
+        let mut setup = Setup::shipped().expect("valid");
+        let focus = setup.cell.base_from_laser.isometry();
+        let home = setup.home_joints_deg();
+        let mut drawn = |robot: Robot| {
+            setup.robot = Some(robot);
+            CellPicture::new(&setup).expect("a robot").solids(&home, focus)
+        };
+        let rods = drawn(Robot::load("mz04", None).expect("shipped"));
+        let bodies = drawn(crate::cell::robot::meshed("mz04", [10.0; 6]));
+        // Plate, five links, three joints and the flange make way for seven bodies.
+        assert_eq!(bodies.len(), rods.len() - 10 + 7);
+        let places =
+            |items: &[MeshItem]| items.iter().map(|i| i.scene_from_item.translation.vector).collect::<Vec<_>>();
+        let still = places(&bodies);
+        let moved = places(&drawn(crate::cell::robot::meshed("mz04", home)));
+        // As they were drawn they stand where they were drawn.
+        // What moves with joint 1 turns about the base's own axis.
+        assert!(moved[..7].iter().all(|p| p.norm() < 1e-9) && still[2..7].iter().all(|p| p.norm() > 1.0));
     }
 }

@@ -1,6 +1,7 @@
 //! What is shown of a part and its plan, as plain [`Scene`](crate::view::Scene) data: the part in
 //! surface colours, path lines, frames, beams, air moves, the robot cell. The window and `render` share it.
 
+mod arm;
 pub mod beads;
 pub mod border;
 pub mod cell;

@@ -71,7 +71,8 @@ pub(super) fn obstacle(o: &Obstacle) -> MeshItem {
     MeshItem { scene_from_item: o.at(), ..facets(o.solid(), CLAMP, 255) }
 }
 
-fn facets(part: &Part, [r, g, b]: Rgb, alpha: u8) -> MeshItem {
+/// The facets of a file in its own frame, in one colour.
+pub(super) fn facets(part: &Part, [r, g, b]: Rgb, alpha: u8) -> MeshItem {
     let mesh = &part.mesh;
     let corners = (0..mesh.facets.len()).flat_map(|f| mesh.corners(f));
     MeshItem {

@@ -10,6 +10,7 @@ impl Sentence for BodyId {
             BodyId::Head => say!(body_head),
             BodyId::Part => say!(body_part),
             BodyId::Table => say!(body_table),
+            BodyId::Clamp { file, .. } => say!(body_clamp, file = &**file),
             BodyId::Obstacle { file, .. } => say!(body_obstacle, file = &**file),
             BodyId::Link(Link::Base) => say!(body_base),
             BodyId::Link(Link::Shoulder) => say!(body_shoulder),

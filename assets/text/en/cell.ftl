@@ -11,6 +11,9 @@ robot_sign = signs has { $value }: give 1 or -1
 robot_limits = limits_deg of J{ $joint }: { $low } to { $high } is no range of degrees
 robot_speed = speeds_deg_s of J{ $joint } = { $value }: give { $low } to { $high }
 robot_dialect = dialect = { $dialect }: no controller is known by that name; give one of { $known }
+robot_mesh = { $key }: { $what }; name an STL file beside the robot file, or leave the key out: then a capsule stands for the link
+robot_mesh_facets = the files of links.meshes have { $facets } facets together, and { $most } can be looked at: export the arm more coarsely, without bolts and insides
+robot_mesh_off = { $key }: { $file } is { $off } mm off its joint: export it in the coordinates of the robot's base, with the joints at links.meshes.at_deg, and check its unit
 
 ## Where the robot stands
 

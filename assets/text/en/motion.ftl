@@ -6,6 +6,7 @@ contact_pair = { $a } against { $b }
 body_head = head
 body_part = part
 body_table = table
+body_clamp = clamp { $file }
 body_obstacle = obstacle { $file }
 body_base = base
 body_shoulder = shoulder

@@ -15,6 +15,13 @@ pub enum BodyId {
     Part,
     /// A link of the arm.
     Link(Link),
+    /// A clamp of the job.
+    Clamp {
+        /// Its place in the job's list, from 0.
+        index: usize,
+        /// Its file, as the job names it.
+        file: Arc<str>,
+    },
     /// An obstacle of the cell.
     Obstacle {
         /// Its place in the cell file's list, from 0.
@@ -33,18 +40,19 @@ impl BodyId {
             BodyId::Head => "head",
             BodyId::Part => "part",
             BodyId::Link(link) => link.word(),
+            BodyId::Clamp { .. } => "clamp",
             BodyId::Obstacle { .. } => "obstacle",
             BodyId::Table => "table",
         }
     }
 }
 
-/// The word, and place and file of an obstacle.
+/// The word, and place and file of a clamp or an obstacle.
 impl Serialize for BodyId {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("body", self.word())?;
-        if let BodyId::Obstacle { index, file } = self {
+        if let BodyId::Clamp { index, file } | BodyId::Obstacle { index, file } = self {
             map.serialize_entry("index", index)?;
             map.serialize_entry("file", &**file)?;
         }
@@ -103,6 +111,8 @@ mod tests {
             contact(BodyId::Part, BodyId::Head),
             contact(forearm(), BodyId::Head),
             contact(BodyId::Part, BodyId::Table),
+            contact(forearm(), BodyId::Link(Link::Base)),
+            contact(forearm(), BodyId::Clamp { index: 0, file: "z.stl".into() }),
             contact(forearm(), obstacle(0, "z.stl")),
             contact(forearm(), obstacle(1, "a.stl")),
             contact(forearm(), BodyId::Table),

@@ -1,7 +1,7 @@
 //! Shapes that may touch: capsules, facets with a place, and all that lies below a height. Whether two
 //! are near each other, and how far apart they are.
 
-use super::BodyId;
+use super::contact::BodyId;
 use crate::cell::bodies::HeadCapsule;
 use crate::cell::robot::LinkCapsule;
 use crate::part::distance::{point_segment, segments};
@@ -116,7 +116,7 @@ impl<'a> CollisionSolid<'a> {
             return false;
         }
         let [from, to] = [c.from, c.to].map(|p| self.at.inverse_transform_point(&p));
-        self.bvh.near_segment(&from, &to, c.radius_mm + margin_mm) || self.closed && self.bvh.holds(&from)
+        self.bvh.near_segment(&from, &to, c.radius_mm + margin_mm) || self.holds(&c.from)
     }
 
     /// Below 0 where they touch.
@@ -124,10 +124,10 @@ impl<'a> CollisionSolid<'a> {
         if self.is_clear_of(c, within_mm) {
             return None;
         }
-        let [from, to] = [c.from, c.to].map(|p| self.at.inverse_transform_point(&p));
-        if self.closed && self.bvh.holds(&from) {
+        if self.holds(&c.from) {
             return Some(0.0);
         }
+        let [from, to] = [c.from, c.to].map(|p| self.at.inverse_transform_point(&p));
         Some(self.bvh.distance_to_segment(&from, &to, within_mm + c.radius_mm)? - c.radius_mm)
     }
 
@@ -136,27 +136,33 @@ impl<'a> CollisionSolid<'a> {
             return false;
         }
         let self_from_other = self.at.inv_mul(&o.at);
-        self.bvh.near_mesh(o.bvh, &self_from_other, margin_mm) || self.is_around_or_in(o, &self_from_other)
+        self.bvh.near_mesh(o.bvh, &self_from_other, margin_mm) || self.is_around_or_in(o)
     }
 
     fn distance_of_solid_mm(&self, o: &CollisionSolid<'_>, within_mm: f64) -> Option<f64> {
         if (self.centre - o.centre).norm() > self.radius_mm + o.radius_mm + within_mm {
             return None;
         }
-        let self_from_other = self.at.inv_mul(&o.at);
-        if self.is_around_or_in(o, &self_from_other) {
+        if self.is_around_or_in(o) {
             return Some(0.0);
         }
-        self.bvh.distance_to_mesh(o.bvh, &self_from_other, within_mm)
+        self.bvh.distance_to_mesh(o.bvh, &self.at.inv_mul(&o.at), within_mm)
     }
 
     /// Whether one of two solids whose facets do not meet is inside the other.
-    fn is_around_or_in(&self, o: &CollisionSolid<'_>, self_from_other: &Isometry3<f64>) -> bool {
-        self.holds_corner_of(o, self_from_other) || o.holds_corner_of(self, &self_from_other.inverse())
+    fn is_around_or_in(&self, o: &CollisionSolid<'_>) -> bool {
+        self.holds_corner_of(o) || o.holds_corner_of(self)
     }
 
-    fn holds_corner_of(&self, o: &CollisionSolid<'_>, self_from_other: &Isometry3<f64>) -> bool {
-        self.closed && o.bvh.corner().is_some_and(|p| self.bvh.holds(&(self_from_other * p)))
+    fn holds_corner_of(&self, o: &CollisionSolid<'_>) -> bool {
+        self.closed && o.bvh.corner().is_some_and(|p| self.holds(&(o.at * p)))
+    }
+
+    /// Whether a point in the base is inside. Rays are dear, and most points are outside the sphere.
+    fn holds(&self, p: &Point3<f64>) -> bool {
+        self.closed
+            && (p - self.centre).norm() <= self.radius_mm
+            && self.bvh.holds(&self.at.inverse_transform_point(p))
     }
 
     /// The base's upward direction in the solid's own frame.

@@ -10,7 +10,7 @@ use serde::ser::{SerializeMap as _, Serializer};
 pub enum RefusalCause {
     /// The beam hits the part.
     Beam,
-    /// The arm touches the part, or no connecting move leads there.
+    /// The arm touches the part or itself, or no connecting move leads there.
     Robot,
     /// The head touches something, or is touched.
     Head,
@@ -54,7 +54,7 @@ impl RefusalCause {
     pub fn of_contact(contact: &Contact) -> RefusalCause {
         if contact.any(|b| matches!(b, BodyId::Head)) {
             RefusalCause::Head
-        } else if contact.any(|b| matches!(b, BodyId::Table | BodyId::Obstacle { .. })) {
+        } else if contact.any(|b| matches!(b, BodyId::Table | BodyId::Clamp { .. } | BodyId::Obstacle { .. })) {
             RefusalCause::Obstacle
         } else {
             RefusalCause::Robot
@@ -197,6 +197,8 @@ mod tests {
         assert_eq!(cause(arm(), BodyId::Head), RefusalCause::Head);
         assert_eq!(cause(BodyId::Part, BodyId::Table), RefusalCause::Obstacle);
         assert_eq!(cause(arm(), BodyId::Part), RefusalCause::Robot);
+        assert_eq!(cause(BodyId::Link(Link::Wrist), arm()), RefusalCause::Robot);
+        assert_eq!(cause(arm(), BodyId::Clamp { index: 0, file: "vice.stl".into() }), RefusalCause::Obstacle);
     }
 
     #[test]

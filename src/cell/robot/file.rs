@@ -3,6 +3,7 @@
 use super::{Robot, SHIPPED};
 use crate::cell::check::{FigureError, ranges};
 use crate::file::{self, FileError, Step, line_of, way_of};
+use crate::part::LoadError;
 use std::path::Path;
 use thiserror::Error;
 
@@ -20,6 +21,16 @@ pub enum RobotError {
     /// It cannot be read, is no robot file, or a figure is missing.
     #[error(transparent)]
     File(#[from] FileError),
+    /// The file of one of the arm's bodies cannot be read, or is no STL.
+    #[error("{file}: {key}: {what}")]
+    Mesh {
+        /// The robot file.
+        file: String,
+        /// The key that names the body's file.
+        key: &'static str,
+        /// Which file, and why not.
+        what: LoadError,
+    },
     /// A figure makes no sense.
     #[error("{file}: {what}")]
     Figure {
@@ -77,6 +88,30 @@ pub enum RobotFigureError {
         /// The most that may.
         high: f64,
     },
+    /// A joint that the arm stands at in the files of its bodies is infinite, or no number.
+    #[error("links.meshes.at_deg has {value}")]
+    MeshesAt {
+        /// What stands there.
+        value: f64,
+    },
+    /// The files of the arm's bodies have more facets than can be looked at.
+    #[error("links.meshes: {facets} facets, at most {most}")]
+    MeshFacets {
+        /// How many they have together.
+        facets: usize,
+        /// How many they may have.
+        most: usize,
+    },
+    /// The body in a file lies far from the joint that moves it.
+    #[error("{key}: {file} is {off_mm} mm off its joint")]
+    MeshOff {
+        /// The key that names the file.
+        key: &'static str,
+        /// The file.
+        file: String,
+        /// How far the sphere around it is from the joint, mm.
+        off_mm: f64,
+    },
     /// There is no dialect of that name.
     #[error("dialect {dialect:?} unknown")]
     Dialect {
@@ -97,6 +132,9 @@ impl RobotFigureError {
             RobotFigureError::Sign { .. } => "signs",
             RobotFigureError::Limits { .. } => "limits_deg",
             RobotFigureError::Speed { .. } => "speeds_deg_s",
+            RobotFigureError::MeshesAt { .. } => "links.meshes.at_deg",
+            RobotFigureError::MeshFacets { .. } => "links.meshes",
+            RobotFigureError::MeshOff { key, .. } => key,
             RobotFigureError::Dialect { .. } => "dialect",
         }
     }
@@ -116,24 +154,26 @@ impl Robot {
         Robot::shipped().any(|key| key == name)
     }
 
-    /// A shipped robot by its key, or a robot file by its path.
+    /// A shipped robot by its key, or a robot file by its path, with the files of its bodies.
     ///
     /// # Errors
-    /// It is neither, or has missing or absurd figures.
+    /// It is neither, or has missing or absurd figures, or one of its files cannot be read.
     pub fn load(name: &str, beside: Option<&Path>) -> Result<Robot, RobotError> {
         if let Some((key, text)) = SHIPPED.iter().find(|(key, _)| *key == name) {
-            return Robot::parse(text, &format!("assets/robots/{key}.toml"));
+            return Robot::parse(text, &format!("assets/robots/{key}.toml"), None);
         }
         let path = beside.map_or_else(|| name.into(), |folder| folder.join(name));
         if !path.is_file() {
             return Err(RobotError::Unknown { name: name.into(), shipped: Robot::shipped().collect() });
         }
         let (file, bytes) = (path.display().to_string(), file::bytes(&path)?);
-        Robot::parse(file::text(&bytes, &file)?, &file)
+        Robot::parse(file::text(&bytes, &file)?, &file, path.parent())
     }
 
-    fn parse(text: &str, file: &str) -> Result<Robot, RobotError> {
-        let robot: Robot = file::toml(text, file)?;
+    /// Reads a robot file's text, and the files of its bodies, which are named relative to `folder`.
+    fn parse(text: &str, file: &str, folder: Option<&Path>) -> Result<Robot, RobotError> {
+        let mut robot: Robot = file::toml(text, file)?;
+        robot.links.meshes.load(folder, file)?;
         robot.check().map_err(|what| {
             let (table, key) = (if robot.opw.is_some() { "opw" } else { "ur" }, what.key());
             // Keys of the arm are told without their table, which is the only one of its kind.
@@ -155,7 +195,7 @@ impl Robot {
             ("links.forearm_mm", l.forearm_mm, 0.0, 1000.0),
             ("links.wrist_mm", l.wrist_mm, 0.0, 1000.0),
         ])?;
-        Ok(())
+        self.check_meshes()
     }
 
     /// The lengths, and how the joints of a model are counted.
@@ -212,7 +252,8 @@ mod tests {
     #[test]
     fn absurd_and_missing_figures_are_named() {
         let (_, text) = SHIPPED[0];
-        let refused = |from: &str, to: &str| Robot::parse(&text.replace(from, to), "my.toml").expect_err("refused");
+        let refused =
+            |from: &str, to: &str| Robot::parse(&text.replace(from, to), "my.toml", None).expect_err("refused");
         let figure = |from: &str, to: &str| match refused(from, to) {
             RobotError::Figure { file, what, .. } if file == "my.toml" => *what,
             other => panic!("{other}"),

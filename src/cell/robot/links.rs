@@ -1,39 +1,13 @@
-//! The links of an arm as capsules: how thick they are, and where they are at some joints.
+//! The links of an arm: how thick their capsules are, where those are at some joints, and the files of their shapes.
 
+use super::link::Link;
+use super::meshes::LinkMeshes;
 use super::{Joints, Robot};
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3};
 use serde::Deserialize;
 
-/// A link of the arm, from the base to the flange.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Link {
-    /// Base to axis 2.
-    Base,
-    /// Around axis 2.
-    Shoulder,
-    /// Axis 2 to axis 3.
-    UpperArm,
-    /// Axis 3 to the wrist.
-    Forearm,
-    /// Wrist to flange.
-    Wrist,
-}
-
-impl Link {
-    /// The word in `report.json`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Link::Base => "base",
-            Link::Shoulder => "shoulder",
-            Link::UpperArm => "upper_arm",
-            Link::Forearm => "forearm",
-            Link::Wrist => "wrist",
-        }
-    }
-}
-
-/// Radii of the capsules that stand for the arm, mm.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+/// Radii of the capsules that stand for the arm, mm, and what stands for it in their place.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Links {
     /// Base to axis 2.
@@ -46,6 +20,9 @@ pub struct Links {
     pub forearm_mm: f64,
     /// Wrist to flange.
     pub wrist_mm: f64,
+    /// STL files of its bodies.
+    #[serde(default)]
+    pub meshes: LinkMeshes,
 }
 
 /// A link as a capsule in the base.
@@ -64,20 +41,26 @@ pub struct LinkCapsule {
 impl Robot {
     /// The arm as capsules in the base, from the base to the flange.
     pub fn capsules(&self, joints_deg: &Joints) -> [LinkCapsule; 5] {
-        let [shoulder, elbow, wrist, flange] = match (&self.opw, &self.ur) {
-            (Some(opw), _) => opw.points(joints_deg),
-            (None, Some(ur)) => ur.points(joints_deg),
-            (None, None) => [Point3::origin(); 4],
+        self.stand(joints_deg).0
+    }
+
+    /// The arm as capsules in the base, from the base to the flange, and the pose of the flange.
+    pub fn stand(&self, joints_deg: &Joints) -> ([LinkCapsule; 5], Isometry3<f64>) {
+        let ([shoulder, elbow, wrist, flange], base_from_flange) = match (&self.opw, &self.ur) {
+            (Some(opw), _) => opw.stand(joints_deg),
+            (None, Some(ur)) => ur.stand(joints_deg),
+            (None, None) => ([Point3::origin(); 4], Isometry3::identity()),
         };
         let column = Point3::new(0.0, 0.0, shoulder.z);
         let l = &self.links;
         let link = |link, from, to, radius_mm| LinkCapsule { link, from, to, radius_mm };
-        [
+        let capsules = [
             link(Link::Base, Point3::origin(), column, l.base_mm),
             link(Link::Shoulder, column, shoulder, l.shoulder_mm),
             link(Link::UpperArm, shoulder, elbow, l.upper_arm_mm),
             link(Link::Forearm, elbow, wrist, l.forearm_mm),
             link(Link::Wrist, wrist, flange, l.wrist_mm),
-        ]
+        ];
+        (capsules, base_from_flange)
     }
 }

@@ -1,5 +1,5 @@
-//! Whether files have changed since they were read, told by their time and size: the part's, and those of cell, robot,
-//! head and obstacles that a job names.
+//! Whether files have changed since they were read, told by their time and size: the part's, and those of cell, robot
+//! with its bodies, head and obstacles that a job names.
 
 use super::paths::resolved;
 use crate::cell::{Cell, Robot};
@@ -22,9 +22,9 @@ pub fn stamp_of(file: &Path) -> Stamp {
 pub struct Stamps(Vec<(PathBuf, Stamp)>);
 
 impl Stamps {
-    /// Stamps of all files that a job in `job_file` names, but for the part's; `cell` is the one that it names, if that can
-    /// be read.
-    pub fn of(job: &Job, job_file: Option<&Path>, cell: Option<&Cell>) -> Stamps {
+    /// Stamps of all files that a job in `job_file` names, but for the part's; `cell` and `robot` are those that it names,
+    /// if they can be read.
+    pub fn of(job: &Job, job_file: Option<&Path>, cell: Option<&Cell>, robot: Option<&Robot>) -> Stamps {
         let robot_file = Some(&job.cell.robot).filter(|r| !Robot::is_shipped(r));
         let named = [Some(&job.cell.file), Some(&job.beam.head), robot_file];
         let named = named.into_iter().flatten().chain(job.clamps.iter().map(|c| &c.file));
@@ -32,6 +32,9 @@ impl Stamps {
         let cell_file = resolved(job_file, &job.cell.file);
         let obstacles = cell.into_iter().flat_map(|c| &c.bodies.obstacles);
         files.extend(obstacles.map(|o| resolved(Some(&cell_file), &o.file)));
+        let robot_file = resolved(job_file, &job.cell.robot);
+        let bodies = robot.into_iter().flat_map(|r| r.links.meshes.bodies());
+        files.extend(bodies.map(|(_, _, body)| resolved(Some(&robot_file), &body.file)));
         Stamps(files.into_iter().map(|file| (file.clone(), stamp_of(&file))).collect())
     }
 
@@ -51,14 +54,30 @@ mod tests {
         let (file, head) = (folder.path().join("job.toml"), folder.path().join("head.toml"));
         let mut job = Job::default();
         job.beam.head = "head.toml".into();
-        let missing = Stamps::of(&job, Some(&file), None);
+        let missing = Stamps::of(&job, Some(&file), None, None);
         assert!(!missing.have_changed());
         std::fs::write(&head, "a").expect("writes");
         assert!(missing.have_changed());
-        let there = Stamps::of(&job, Some(&file), None);
+        let there = Stamps::of(&job, Some(&file), None, None);
         assert!(!there.have_changed());
         std::fs::write(&head, "longer").expect("writes");
         assert!(there.have_changed());
-        assert!(!Stamps::of(&Job::default(), Some(&file), None).have_changed(), "a shipped cell is no file");
+        assert!(!Stamps::of(&Job::default(), Some(&file), None, None).have_changed(), "a shipped cell is no file");
+    }
+
+    /// The files stand beside the robot's, not beside the job's.
+    #[test]
+    fn a_body_of_the_robot_that_is_gone_is_noticed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut job = Job::default();
+        job.cell.robot = "arms/my.toml".into();
+        let robot = crate::cell::robot::meshed("mz04", [0.0; 6]);
+        let body = folder.path().join("arms/3.stl");
+        std::fs::create_dir(folder.path().join("arms")).expect("a folder");
+        std::fs::write(&body, "solid").expect("writes");
+        let there = Stamps::of(&job, Some(&folder.path().join("job.toml")), None, Some(&robot));
+        assert!(!there.have_changed());
+        std::fs::remove_file(&body).expect("goes");
+        assert!(there.have_changed());
     }
 }

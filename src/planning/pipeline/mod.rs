@@ -17,7 +17,7 @@ use super::stage::Stage;
 use super::surface_plan::PlanCache;
 use super::toolpath::Toolpath;
 use crate::beam::Tool;
-use crate::cell::{Cell, Setup};
+use crate::cell::{Cell, Robot, Setup};
 use crate::document::Job;
 use crate::document::files::JobError;
 use crate::document::model::JobPart;
@@ -58,6 +58,8 @@ pub struct Pipeline {
     surfaces: Stage<Surfaces, Infallible>,
     tool: Stage<Tool, Arc<JobError>>,
     cell: Stage<Cell, Arc<JobError>>,
+    /// By the key of the cell, which is made of the robot's name as well.
+    robot: Stage<Option<Robot>, Arc<JobError>>,
     setup: Stage<Setup, Arc<JobError>>,
     lines: Stage<Vec<Arc<Toolpath>>, PlanError>,
     /// Whether lines are wanted ahead of the plan.
@@ -79,6 +81,7 @@ impl Pipeline {
             surfaces: Stage::default(),
             tool: Stage::default(),
             cell: Stage::default(),
+            robot: Stage::default(),
             setup: Stage::default(),
             lines: Stage::default(),
             with_lines,

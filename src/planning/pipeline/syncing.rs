@@ -77,13 +77,17 @@ impl Pipeline {
         if self.cell.lacks(keys.cell) {
             self.cell.fill(keys.cell, || files::load_cell(job, job_file).map_err(refused));
         }
+        if self.robot.lacks(keys.cell) {
+            self.robot.fill(keys.cell, || files::load_robot(job, job_file).map_err(refused));
+        }
         if is_read {
-            self.stamps = Stamps::of(job, job_file, self.cell.of(keys.cell).map(|cell| &**cell));
+            let robot = self.robot.of(keys.cell).and_then(|robot| robot.as_ref().as_ref());
+            self.stamps = Stamps::of(job, job_file, self.cell.of(keys.cell).map(|cell| &**cell), robot);
         }
         let (tool, cell) = (current(&self.tool, keys.tool), current(&self.cell, keys.cell));
+        let robot = current(&self.robot, keys.cell);
         self.setup.fill(keys.setup, || {
-            let robot = files::load_robot(job, job_file).map_err(refused)?;
-            files::set_up(job, robot, (*cell?).clone(), (*tool?).clone()).map_err(refused)
+            files::set_up(job, (*robot?).clone(), (*cell?).clone(), (*tool?).clone()).map_err(refused)
         });
         changes.setup = true;
     }
