@@ -21,6 +21,12 @@ pub fn point_segment(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     (a + d * t - p).norm()
 }
 
+/// Distance from a point to a ray (unit direction), mm.
+pub fn point_ray(p: &Point3<f64>, origin: &Point3<f64>, dir: &Vector3<f64>) -> f64 {
+    let off = p - origin;
+    (off - dir * off.dot(dir).max(0.0)).norm()
+}
+
 /// Distance from the part `t >= t0` of a ray (unit direction) to a triangle, mm.
 pub fn ray_triangle(origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, corners: &[Point3<f64>; 3]) -> f64 {
     if super::bvh::ray_hit_mm(corners, origin, dir).is_some_and(|t| t >= t0) {

@@ -44,7 +44,7 @@ pub fn plan_line(
     let mut best: Option<(f64, Pass)> = None;
     for configuration in configurations {
         // Without a head the section plane keeps limits of its own.
-        let limit_deg = configuration.geometry.as_ref().map(|_| rules.max_tilt_deg);
+        let limit_deg = configuration.geometry.as_ref().filter(|g| g.has_head).map(|_| rules.max_tilt_deg);
         let pass = planned(part, configuration, line, rules, rules.correction, limit_deg);
         let blocked_mm = pass.length_mm(|from, to| !to.laser && !Pass::is_gap(from, to));
         if best.as_ref().is_none_or(|(least_mm, _)| blocked_mm < least_mm - 1e-6) {

@@ -82,7 +82,7 @@ pub fn swept(beam: &BeamInterference<'_>, motion: &impl Motion, from: (&Pose, f6
     let middle = motion.between(from, to);
     let share = to.1 - from.1;
     let stray = |reach_mm: f64| motion.stray_mm(share, reach_mm);
-    let reach_mm = beam.ray_conflict(from.0, to.0, &middle, motion.sag_mm(), stray);
+    let reach_mm = beam.ray_conflict([from.0, &middle, to.0], motion.sag_mm(), stray);
     let body = beam.body_conflict([from.0, &middle, to.0], motion.sag_mm(), stray);
     if reach_mm.is_none() && body == Conflict::None {
         return None;

@@ -256,14 +256,13 @@ pub(in super::super) fn poses_key(
 ) -> Digest {
     let b = &job.beam;
     let width = BeamWidth { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, margin_mm: b.margin_mm, optics: &job.optics };
-    let has_width = tool.head.is_some() || !tool.clamps.is_empty();
     let by = PosingRules {
         spot,
         spacing_mm: job.layers.spacing_mm,
         rules,
         standoff_mm: job.path.standoff_mm,
         tool,
-        width: has_width.then_some(width),
+        width: tool.head.is_some().then_some(width),
     };
     Hasher::default().of(&toolpath).of(&by).finish()
 }

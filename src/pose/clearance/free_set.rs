@@ -4,7 +4,7 @@
 use super::grid;
 use super::track::{Site, TiltVector, Track};
 use crate::part::{Part, bvh};
-use crate::pose::BeamInterference;
+use crate::pose::{BeamInterference, Obstruction};
 use crate::pose::tilt::Tilt;
 use nalgebra::{Point3, Vector3};
 
@@ -88,7 +88,7 @@ impl Openings<'_> {
         let corners = |half: f64| {
             [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| TiltVector::new(x, y))
         };
-        if let Some(facet) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
+        if let Some(Obstruction::Facet(facet)) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
             let facet = self.part.mesh.corners(facet as usize);
             let is_behind =
                 |c: TiltVector| bvh::ray_hit_mm(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);

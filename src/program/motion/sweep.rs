@@ -12,7 +12,7 @@ use crate::cell::mounting::Mounted;
 use crate::part::{GrownPart, Part, angle};
 use crate::pose::Pose;
 use crate::pose::motion::{Motion, Swept, swept};
-use crate::pose::{BeamInterference, Blocker, Obstruction, ToolBody};
+use crate::pose::{BeamInterference, Blocker, ToolBody};
 use crate::program::neutral::steps::{Step, Steps};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
@@ -241,8 +241,8 @@ impl Motion for Going<'_> {
     /// Beside its planned point the ray may start a little inside a rounding: it is looked at from
     /// [`FROM_MM`] on.
     fn blocker(&self, beam: &BeamInterference<'_>, middle: &Pose) -> Option<Blocker> {
-        if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
-            return Some(Blocker { tool_body: ToolBody::Beam, obstruction: Obstruction::Facet(facet), t_mm: FROM_MM });
+        if let Some(obstruction) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
+            return Some(Blocker { tool_body: ToolBody::Beam, obstruction, t_mm: FROM_MM });
         }
         beam.body_blocker(&middle.p, &middle.a)
     }
