@@ -204,11 +204,12 @@ pub(in super::super) fn plan_surface(
             progress.step()?;
             let line =
                 LineOnSurface { line, surface: toolpath.surface, number: number as u32, m: toolpath.plane_of(line) };
-            let mut pass = plan_line(part, &configurations, &line, rules);
+            let mut pass = plan_line(part, &configurations, &line, rules, progress)?;
             pass.settings.layer = toolpath.layer;
             let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != TargetState::Free);
-            let other =
-                (is_searched && interferes).then(|| plan_line_by_section_plane(part, &configurations[0], &line, rules));
+            let other = (is_searched && interferes)
+                .then(|| plan_line_by_section_plane(part, &configurations[0], &line, rules, progress))
+                .transpose()?;
             Ok((pass, other))
         })
         .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;

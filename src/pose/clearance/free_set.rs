@@ -75,7 +75,7 @@ struct Openings<'a> {
 impl Openings<'_> {
     fn within(&self, middle: &TiltVector, half_deg: f64, out: &mut Vec<TiltVector>) {
         let corner_deg = half_deg * std::f64::consts::SQRT_2;
-        if out.len() >= ENOUGH || middle.norm() - corner_deg > self.track.max_tilt_deg {
+        if out.len() >= ENOUGH || self.beam.check().is_err() || middle.norm() - corner_deg > self.track.max_tilt_deg {
             return;
         }
         let p = &self.site.q.p;

@@ -4,6 +4,7 @@
 use crate::beam::ToolGeometry;
 use crate::part::{Bvh, Part};
 use crate::pose::Pose;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::cell::Cell;
 
@@ -22,6 +23,8 @@ pub struct BeamInterference<'a> {
     pub(super) last_body_facet: Cell<Option<[Point3<f64>; 3]>>,
     /// The facet that the ray hit last. It is tested first: the next ray is likely to hit it as well.
     pub(super) last_ray_facet: Cell<Option<[Point3<f64>; 3]>>,
+    /// The work that asks.
+    progress: Option<&'a Progress>,
 }
 
 impl<'a> BeamInterference<'a> {
@@ -37,7 +40,20 @@ impl<'a> BeamInterference<'a> {
             geometry,
             last_ray_facet: Cell::new(None),
             last_body_facet: Cell::new(None),
+            progress: None,
         }
+    }
+
+    /// Asked by work that may be cancelled. From then on no pose is free, so that whatever searches ends soon; who
+    /// takes the result asks [`BeamInterference::check`] first.
+    pub fn under(self, progress: Option<&'a Progress>) -> BeamInterference<'a> {
+        BeamInterference { progress, ..self }
+    }
+
+    /// # Errors
+    /// [`Cancelled`] when the work should end.
+    pub fn check(&self) -> Result<(), Cancelled> {
+        self.progress.map_or(Ok(()), Progress::check)
     }
 
     /// All that can be hit, the part first: the clamp's number, its facets, and where it stands in the part frame.

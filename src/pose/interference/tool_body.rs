@@ -127,6 +127,9 @@ impl<'a> BeamInterference<'a> {
     /// facets are visited.
     pub(in crate::pose) fn clearance_within_mm(&self, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> Option<f64> {
         let body = self.geometry.filter(|b| b.has_head)?;
+        if self.check().is_err() {
+            return Some(0.0);
+        }
         let mut least = most_mm;
         for shape in &body.head {
             for (_, bvh, at) in self.obstacles() {
