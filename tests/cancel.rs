@@ -90,9 +90,5 @@ fn dose_and_export_end_wherever_they_are() {
     );
     let input = ExportInput { job, part, surfaces, setup, plan: &plan, findings: &[], wording: program_comment };
     let of = ExportOf { job: "part".into(), part: "part.stl".into() };
-    at_every_stage(
-        "export",
-        |e| matches!(e, ExportError::Cancelled),
-        |progress| export::files(&input, &of, progress),
-    );
+    at_every_stage("export", |e| matches!(e, ExportError::Cancelled), |progress| export::files(&input, &of, progress));
 }

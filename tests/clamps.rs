@@ -106,10 +106,8 @@ fn pieces(tool: &Tool) -> usize {
 #[test]
 fn a_motion_beside_a_clamp_is_cut_as_its_distance_asks() {
     // A block of 12 facets and a ball of thousands, 10 to 110 mm above the plate, so far from the spot's way.
-    let ball: Triangles = solids::sphere(50.0, 96, 48)
-        .into_iter()
-        .map(|t| t.map(|[x, y, z]| [x + 50.0, y, z + 60.0]))
-        .collect();
+    let ball: Triangles =
+        solids::sphere(50.0, 96, 48).into_iter().map(|t| t.map(|[x, y, z]| [x + 50.0, y, z + 60.0])).collect();
     let bodies = [block([0.0, -50.0, 10.0], [100.0, 50.0, 110.0]), ball];
     // Without a head the ray; with one its cylinder, 15 mm wide from 40 to 140 mm above the spot.
     for (head, radius_mm, reach_mm) in [(None, 0.02, 110.0), (cylinder(15.0).head, 15.5, 141.0)] {

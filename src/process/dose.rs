@@ -148,7 +148,9 @@ fn facet_pieces(
             Ok(FacetPiece::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY }))
         })
         .collect::<Result<_, Cancelled>>()?;
-    let split = |facet_piece: FacetPiece| if progress.goes_on() { split_facet_piece(light, facet_piece_mm, facet_piece) } else { Vec::new() };
+    let split = |facet_piece: FacetPiece| {
+        if progress.goes_on() { split_facet_piece(light, facet_piece_mm, facet_piece) } else { Vec::new() }
+    };
     let facet_pieces: Vec<FacetPiece> = whole.into_par_iter().flat_map_iter(split).collect();
     let mut coarsened = false;
     loop {

@@ -8,10 +8,10 @@ use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::planning::report::{Report, is_dark};
 use crate::planning::verify::{self, VerifyError};
-use crate::progress::Progress;
 use crate::program::{
     Comment, DialectError, ProcessFigures, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording, dialects, lines,
 };
+use crate::progress::Progress;
 
 /// The program's files as they would be written, the one to start first; none of a plan that never lights. `wording`:
 /// the words of its comments.

@@ -10,8 +10,8 @@ use crate::planning::plan::Plan;
 use crate::pose::Blocker;
 use crate::program::dialect::{ReadContext, ReadLine, Statement};
 use crate::program::sweep::{LitMove, Proof};
-use crate::progress::{Cancelled, Progress};
 use crate::program::{DialectError, Move, Program, ReadError, WITHOUT_WORDS, dialects, lines};
+use crate::progress::{Cancelled, Progress};
 use thiserror::Error;
 
 /// A lit move on which beam or head hits something as the program is written.

@@ -4,8 +4,8 @@
 use super::grid;
 use super::track::{Site, TiltVector, Track};
 use crate::part::{Part, bvh};
-use crate::pose::{BeamInterference, Obstruction};
 use crate::pose::tilt::Tilt;
+use crate::pose::{BeamInterference, Obstruction};
 use nalgebra::{Point3, Vector3};
 
 /// Half the side of the first squares of the search, degrees.

@@ -126,12 +126,7 @@ impl BeamInterference<'_> {
 /// Two kinds of facets cannot be touched: those that the beam leaves on their face at both ends
 /// (the points between lie on that side too, and so do the axes between), and those that do not
 /// rise above the spot, such as the rest of a convex surface.
-fn conflict_with(
-    bvh: &Bvh,
-    [from, middle, to]: &[Pose; 3],
-    sag_mm: f64,
-    stray_mm: impl Fn(f64) -> f64,
-) -> Option<f64> {
+fn conflict_with(bvh: &Bvh, [from, middle, to]: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f64) -> f64) -> Option<f64> {
     let half_mm = 0.5 * (to.p - from.p).norm();
     let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
     let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM + stray_mm(t.max(0.0));

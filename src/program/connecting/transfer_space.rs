@@ -49,7 +49,8 @@ impl<'a> TransferSpace<'a> {
         let head = ToolGeometry::head_alone(&setup.tool, straight.prover.margin_mm());
         let farthest_focus_mm = passes.iter().map(|p| p.settings.defocus_mm).fold(0.0, f64::max);
         let (air, progress) = (&setup.cell.air, straight.prover.progress);
-        let space = TransferSpace::new(straight.prover.whole(), (head, straight.prover.mounted), air, farthest_focus_mm);
+        let space =
+            TransferSpace::new(straight.prover.whole(), (head, straight.prover.mounted), air, farthest_focus_mm);
         TransferSpace { progress, ..space }
     }
 

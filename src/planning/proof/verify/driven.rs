@@ -9,8 +9,8 @@ use crate::pose::checker::Checker;
 use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::sweep::LitMove;
 use crate::program::{Interpolation, Move, MoveTiming, spot};
-use nalgebra::Isometry3;
 use crate::progress::Cancelled;
+use nalgebra::Isometry3;
 use rayon::prelude::*;
 
 /// A joint may be faster than its full speed by this share: joints are written with few digits.
