@@ -133,8 +133,8 @@ impl App {
         if d.playback_data.lacks(planned.key) {
             let executor = d.pipeline.executor().clone();
             let key = planned.key;
-            d.playback_data.start(key, Activity::WorkingOutMotion, &*executor, move |_| {
-                Ok(PlaybackData::new(&planned, &part_name))
+            d.playback_data.start(key, Activity::WorkingOutMotion, &*executor, move |progress| {
+                Ok(PlaybackData::new(&planned, &part_name, progress)?)
             });
             arrived |= d.playback_data.of(key).is_some();
         }

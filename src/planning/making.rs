@@ -39,7 +39,7 @@ pub fn plan(
 ) -> Result<Plan, PlanError> {
     let (list, own) = prepare(part, surfaces, job)?;
     dialects::check(&job.cell.dialect, setup)?;
-    let grown = grown_parts(part, surfaces, &own)?;
+    let grown = grown_parts(part, surfaces, &own, progress)?;
     let mut used = PlanCacheContents::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
     for number in 0..layer_count(&own) {
