@@ -195,9 +195,19 @@ pub fn ray_hit_mm([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vect
     let q = s.cross(&e1);
     let v = dir.dot(&q) / det;
     // Slightly beyond the rim: two facets at an edge must not both miss the ray that runs through it.
-    let slack = 1e-9;
-    (u >= -slack && v >= -slack && u + v <= 1.0 + slack).then(|| e2.dot(&q) / det)
+    let inside = |slack: f64| u >= -slack && v >= -slack && u + v <= 1.0 + slack;
+    if !inside(1.0) {
+        return None;
+    }
+    // From far away and almost along the facet u and v are rounded more coarsely; across the ray it is still nothing.
+    let size = |v: &Vector3<f64>| v.x.abs() + v.y.abs() + v.z.abs();
+    let rounding = ROUNDING * size(&s) * (size(&e1) + size(&e2)) / det.abs();
+    inside(1e-9 + rounding).then(|| e2.dot(&q) / det)
 }
+
+/// More than the rounding of a triple product of unit direction, way and side, as a share of the sizes of the last two:
+/// five operations on the way to `u` and `v`, each with a share of half `f64::EPSILON` of sums of absolute values.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 #[cfg(test)]
 mod tests {
