@@ -214,7 +214,8 @@ impl Solid {
                 a + (b - a) * s + (c - a) * t
             }
         };
-        let away = self.size_mm * libm::exp2(8.0 * random.share() - 2.0);
+        // From inside up to a thousand sizes away.
+        let away = self.size_mm * libm::exp2(12.0 * random.share() - 2.0);
         let back = match kind {
             // Along an axis the boxes' sides are met exactly.
             2 | 5 => {
@@ -225,7 +226,9 @@ impl Solid {
             // Almost in the facet's plane, or so that rounding decides.
             4 | 6 | 7 => {
                 let along = (b - a) * (2.0 * random.share() - 1.0) + (c - a) * (2.0 * random.share() - 1.0);
-                let steep = libm::exp2(-50.0 * random.share());
+                // Where rounding loses most: between a thousandth and a billionth.
+                let steep = if kind == 7 { -10.0 - 22.0 * random.share() } else { -50.0 * random.share() };
+                let steep = libm::exp2(steep);
                 let along = along.try_normalize(1e-12).unwrap_or_else(Vector3::x);
                 (along + self.mesh.normals[facet] * steep).normalize()
             }

@@ -196,6 +196,15 @@ mod tests {
         }
 
         #[test]
+        fn a_point_is_as_far_from_a_ray_as_from_a_long_piece_of_it(p in prop::array::uniform3(SIDE), o in prop::array::uniform3(SIDE),
+                                                                   d in prop::array::uniform3(-1.0..1.0f64)) {
+            let (p, o, d) = (point(p), point(o), Vector3::from(d));
+            prop_assume!(d.norm() > 0.1);
+            let d = d.normalize();
+            prop_assert!((point_ray(&p, &o, &d) - point_segment(&p, &o, &(o + d * 100.0))).abs() < 1e-9);
+        }
+
+        #[test]
         fn the_segment_distance_is_the_least(c in prop::array::uniform9(SIDE), d in prop::array::uniform6(SIDE)) {
             let corners = [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
             let (p, q) = (point([d[0], d[1], d[2]]), point([d[3], d[4], d[5]]));

@@ -152,6 +152,7 @@ fn facet_pieces(
         if progress.goes_on() { split_facet_piece(light, facet_piece_mm, facet_piece) } else { Vec::new() }
     };
     let facet_pieces: Vec<FacetPiece> = whole.into_par_iter().flat_map_iter(split).collect();
+    progress.check()?;
     let mut coarsened = false;
     loop {
         let counts: Vec<usize> = facet_pieces
