@@ -9,6 +9,7 @@ mod prepared;
 mod proximity;
 
 use super::topology::{FacetDefect, Mesh};
+use crate::progress::{Cancelled, Progress};
 use aabb::{Aabb, larger, smaller};
 use build::{FacetBox, Node, build_tree};
 use nalgebra::{Point3, Vector3};
@@ -34,14 +35,25 @@ pub struct RayHit {
 impl Bvh {
     /// Builds over all facets with area.
     pub fn new(mesh: &Mesh) -> Bvh {
+        // Nobody else holds this progress, so it is not cancelled.
+        Bvh::built(mesh, &Progress::default()).unwrap_or_default()
+    }
+
+    /// Builds over all facets with area.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(mesh: &Mesh, progress: &Progress) -> Result<Bvh, Cancelled> {
         let facet: Vec<u32> =
             (0..mesh.facets.len() as u32).filter(|&f| mesh.defects[f as usize] == FacetDefect::None).collect();
         let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
         let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
-        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0) };
+        progress.check()?;
+        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0, progress) };
+        progress.check()?;
         let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
-        Bvh { nodes, corners, facet }
+        Ok(Bvh { nodes, corners, facet })
     }
 
     /// Diagonal of the box around all facets, mm.
