@@ -1,8 +1,9 @@
-//! Cone and head on a gear of 100 k facets: detection, free sets, the search, the proof, and what lands.
+//! Cone and head on a gear of 100 k facets: detection, free sets, the search, the proof, and what lands; and a plan
+//! with clamps by how near they are and of how many facets.
 //!
 //! `cargo bench --bench beam`; `cargo bench --bench beam -- dose` one of it.
 
-use clearbeam::beam::{Head, Tool};
+use clearbeam::beam::{Head, Obstacle, Tool};
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, segmented};
 use clearbeam::part::{Part, Placement, Units};
@@ -12,8 +13,8 @@ use clearbeam::planning::{self, PlanCache};
 use clearbeam::pose::access::AccessMap;
 use clearbeam::pose::{BeamInterference, Correction, Tilt, TiltRule};
 use clearbeam::progress::Progress;
-use clearbeam::sample::solids::helical_gear;
-use clearbeam::sample::stl_bytes;
+use clearbeam::sample::solids::{cube, helical_gear, sphere};
+use clearbeam::sample::{Triangles, stl_bytes};
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -97,7 +98,7 @@ fn proven(c: &mut Criterion) {
     moves.truncate(POSES);
     group.bench_function(format!("proof, {} moves/100k", moves.len()), |b| {
         let prover = prover(&part, &setup, &job);
-        b.iter(|| prover.prove(&moves).proven);
+        b.iter(|| prover.prove(&moves).map(|proof| proof.proven));
     });
     let few = |job: &Job| {
         let mut job = job.clone();
@@ -118,5 +119,44 @@ fn proven(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, proven, dose);
+/// A plan without a head and with one: without a clamp, with one far away, and with two at the lines.
+fn clamps(c: &mut Criterion) {
+    let part = Part::from_bytes(&stl_bytes(&sphere(40.0, 96, 48)), Units::Mm, &Placement::default(), &[]);
+    let (Ok(part), Ok(mut setup), Ok(head), Ok(folder)) =
+        (part, Setup::shipped(), Head::from_toml(HEAD), tempfile::tempdir())
+    else {
+        return;
+    };
+    let mut job = Job::default();
+    job.layers.spacing_mm = 4.0;
+    let surfaces = segmented(&part, &job);
+    job.settings.choose(vec![1u32]);
+    let clamp = |facets: &Triangles, x_mm: f64| {
+        let mut clamp = Obstacle::named("clamp.stl".into());
+        clamp.position_mm = [x_mm, 0.0, 0.0];
+        std::fs::write(folder.path().join("clamp.stl"), stl_bytes(facets)).ok()?;
+        clamp.load(Some(folder.path())).ok().map(|()| clamp)
+    };
+    let (coarse, fine) = (cube(20.0), sphere(10.0, 256, 128));
+    let beside = [
+        ("none", vec![]),
+        ("12 facets 300 mm away", vec![clamp(&coarse, 340.0)]),
+        ("12 facets 20 mm away", vec![clamp(&coarse, 60.0)]),
+        ("65 k facets 20 mm away", vec![clamp(&fine, 70.0)]),
+    ];
+    let mut group = c.benchmark_group("beam");
+    group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
+    for head in [None, Some(head)] {
+        for (name, clamps) in &beside {
+            setup.tool = Tool { head: head.clone(), clamps: clamps.iter().flatten().cloned().collect() };
+            let with = if head.is_some() { "a head" } else { "a ray" };
+            group.bench_function(format!("plan of {with}, clamps: {name}"), |b| {
+                b.iter(|| planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()));
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, proven, dose, clamps);
 criterion_main!(benches);

@@ -160,7 +160,8 @@ fn planned(
     line: &TransversalLine,
     rules: &LineRules,
 ) -> Pass {
-    plan_line(part, std::slice::from_ref(configuration), &LineOnSurface { line, surface, number: 0, m: Some(Z) }, rules)
+    let line = LineOnSurface { line, surface, number: 0, m: Some(Z) };
+    plan_line(part, std::slice::from_ref(configuration), &line, rules, &Progress::default()).expect("nobody cancels")
 }
 
 /// Lines over tooth gaps (flank, root, flank). With 40 teeth 228 of the 240 have a run on either

@@ -58,6 +58,8 @@ pub struct Progress {
     done: AtomicUsize,
     whole: AtomicUsize,
     cancelled: Arc<AtomicBool>,
+    /// Of work that ends by itself: at which look, and how often it has looked.
+    ends: Option<(usize, AtomicUsize)>,
 }
 
 /// The work was cancelled.
@@ -65,6 +67,17 @@ pub struct Progress {
 pub struct Cancelled;
 
 impl Progress {
+    /// Of work that is cancelled when it looks for the `looks`th time: at the same place each time, where one thread
+    /// does it. What it does after that can be told by [`Progress::looks`].
+    pub fn ending_after(looks: usize) -> Progress {
+        Progress { ends: Some((looks, AtomicUsize::new(0))), ..Progress::default() }
+    }
+
+    /// How often work that ends by itself has looked whether it should.
+    pub fn looks(&self) -> usize {
+        self.ends.as_ref().map_or(0, |(_, looked)| looked.load(Ordering::Relaxed))
+    }
+
     /// Begins something of so many pieces.
     pub fn begin(&self, activity: Activity, whole: usize) {
         if let Ok(mut now) = self.activity.lock() {
@@ -96,6 +109,11 @@ impl Progress {
 
     /// Whether nobody asked the work to end.
     pub fn goes_on(&self) -> bool {
+        if let Some((last, looked)) = &self.ends
+            && looked.fetch_add(1, Ordering::Relaxed) + 1 >= *last
+        {
+            self.cancel();
+        }
         !self.cancelled.load(Ordering::Relaxed)
     }
 

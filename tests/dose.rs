@@ -75,7 +75,7 @@ fn map_on(part: &Part, passes: &[Pass], spot: Spot, clamps: &[Obstacle]) -> (Dos
     let surfaces = segmented(part, &Job::default());
     let chosen = surfaces.list.iter().map(|s| s.number).collect();
     let task = DoseInput { part, surfaces: &surfaces, clamps, chosen, thresholds: LOW, own: BTreeMap::new() };
-    let map = dose(&task, light(passes, spot), &|| true).expect("nobody cancels");
+    let map = dose(&task, light(passes, spot), &Progress::default()).expect("nobody cancels");
     (map, surfaces)
 }
 
@@ -473,7 +473,7 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
     };
     let ends = [2.5, 10.0, 20.0];
     let light = Light::new(&passes, &spot(Profile::Gaussian), |pass, _| ends[pass]);
-    let map = dose(&task, light, &|| true).expect("a map");
+    let map = dose(&task, light, &Progress::default()).expect("a map");
     let q = Point3::new(1.0, 10.1, 0.0);
     let hits = map.hits_at(&body, &[], 0, &q, &Vector3::z());
     assert_eq!(hits.iter().map(|h| h.pass).collect::<Vec<_>>(), [0, 1]);
@@ -568,7 +568,7 @@ fn what_stays_unclean_has_its_cause() {
         thresholds,
         own: BTreeMap::new(),
     };
-    let map = dose(&task, light(&passes, spot(Profile::Gaussian)), &|| true).expect("a map");
+    let map = dose(&task, light(&passes, spot(Profile::Gaussian)), &Progress::default()).expect("a map");
     let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6)[0];
     assert_eq!(patch.cause, PatchCause::Shaded);
     near("area", patch.area_mm2, 128.0, 0.05);

@@ -8,6 +8,7 @@ use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::ends::joined;
 use clearbeam::path::{TransversalLine, dense};
 use clearbeam::pose::{Correction, LineOnSurface, LineRules, Pass, Pin, Tilt, TiltRule, plan_line};
+use clearbeam::progress::Progress;
 use clearbeam::sample::solids;
 use nalgebra::Vector3;
 use parts::{cut, part};
@@ -37,7 +38,8 @@ fn rules(correction: Correction, pins: Vec<Pin>) -> LineRules {
 fn planned(line: &TransversalLine, rules: &LineRules) -> Pass {
     let plate = part(&solids::blind_hole(40.0, 5.0, 10.0, 48));
     let line = LineOnSurface { line, surface: 1, number: 0, m: Some(Vector3::y()) };
-    plan_line(&plate, &[ToolConfiguration::ray(ProcessSettings::default())], &line, rules)
+    plan_line(&plate, &[ToolConfiguration::ray(ProcessSettings::default())], &line, rules, &Progress::default())
+        .expect("nobody cancels")
 }
 
 #[test]

@@ -4,8 +4,10 @@
 
 mod common;
 
-use clearbeam::app::Purpose;
-use common::window::{Answers, click, drag, job_on, press, reveal, says, snapshot, window};
+use clearbeam::app::{Command, Purpose};
+use clearbeam::beam::Obstacle;
+use clearbeam::document::Edit;
+use common::window::{Answers, click, drag, job_on, press, reveal, says, settle, snapshot, window};
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use std::path::PathBuf;
@@ -87,4 +89,27 @@ fn the_dose_is_shown_and_what_stays_unclean_put_aside() {
     assert!(h.query_by_label("histogram of the dose").is_none());
     press(&mut h, Modifiers::NONE, Key::D);
     assert!(h.query_by_label("colour scale").is_none());
+}
+
+#[test]
+fn after_a_cancel_the_old_plan_is_out_of_date_and_nothing_is_called_proven() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut h = window(Some(job(&folder, "")), &Answers::default());
+    assert!(says(&h, "proven").contains("proven free"));
+    assert!(h.query_by_label("out of date").is_none());
+    let block = clearbeam::sample::stl_bytes(&clearbeam::sample::solids::cube(10.0));
+    std::fs::write(folder.path().join("clamp.stl"), block).expect("writes");
+    let mut clamp = Obstacle::named("clamp.stl".into());
+    clamp.position_mm = [300.0, 0.0, 40.0];
+    h.state_mut().send(Edit::Clamps(vec![clamp]));
+    h.step();
+    h.state_mut().give(Command::Cancel, &[]);
+    settle(&mut h);
+    assert!(h.state().plan().is_none());
+    assert!(h.query_by_label_contains("proven free").is_none());
+    h.get_by_label("out of date");
+    h.state_mut().give(Command::Plan, &[]);
+    settle(&mut h);
+    assert!(says(&h, "proven").contains("proven free"), "a clamp far away");
+    assert!(h.query_by_label("out of date").is_none());
 }

@@ -6,7 +6,7 @@ use crate::cell::Collision;
 use crate::part::Digest;
 use crate::planning::{Executor, PlannedJob, Stage};
 use crate::program::{Clearance, clearances};
-use crate::progress::Activity;
+use crate::progress::{Activity, Cancelled, Progress};
 use std::convert::Infallible;
 use std::sync::Arc;
 
@@ -31,14 +31,24 @@ impl ClearanceSearch {
         else {
             return;
         };
-        self.0.start(planned.key, Activity::MeasuringClearances, executor, move |_| {
-            Ok(ClearanceCurve::new(&planned, &data).unwrap_or_default())
+        self.0.start(planned.key, Activity::MeasuringClearances, executor, move |progress| {
+            Ok(ClearanceCurve::new(&planned, &data, progress)?)
         });
     }
 
     /// The clearance over a plan; `None`: it is not known yet.
     pub fn of(&self, plan: Digest) -> Option<&Arc<ClearanceCurve>> {
         self.0.of(plan)
+    }
+
+    /// Ends the work.
+    pub fn cancel(&mut self) {
+        self.0.cancel();
+    }
+
+    /// Tries again what was cancelled.
+    pub fn try_again(&mut self) {
+        self.0.try_again();
     }
 
     /// Whether nothing is being measured.
@@ -48,10 +58,13 @@ impl ClearanceSearch {
 }
 
 impl ClearanceCurve {
-    fn new(planned: &PlannedJob, data: &PlaybackData) -> Option<ClearanceCurve> {
+    /// Empty without a robot.
+    fn new(planned: &PlannedJob, data: &PlaybackData, progress: &Progress) -> Result<ClearanceCurve, Cancelled> {
         // As the plan asks for arm and head: with all that will be laid, from the first layer on.
         let whole = planned.plan.grown.last().map_or(&*planned.part, |g| &g.part);
-        let collision = Collision::new(data.timeline.as_ref()?.setup(), whole)?;
-        Some(ClearanceCurve { samples: clearances(&data.curves, &collision), margin_mm: collision.margin_mm() })
+        let collision = data.timeline.as_ref().and_then(|timeline| Collision::new(timeline.setup(), whole));
+        let Some(collision) = collision else { return Ok(ClearanceCurve::default()) };
+        let samples = clearances(&data.curves, &collision, progress)?;
+        Ok(ClearanceCurve { samples, margin_mm: collision.margin_mm() })
     }
 }

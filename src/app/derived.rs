@@ -99,6 +99,12 @@ impl Derived {
         self.error(document).is_some() || has_surfaces() && (self.current_plan(document).is_some() || is_empty())
     }
 
+    /// Whether the plan that is shown is none of the document as it is: that one is being made, or was cancelled or
+    /// refused.
+    pub fn is_plan_out_of_date(&self, document: &Document) -> bool {
+        self.plan().is_some() && self.current_plan(document).is_none()
+    }
+
     /// Whether part and surfaces are those of the document as it is: what is cut, merged and split is looked
     /// for on them.
     pub fn has_current_surfaces(&self, document: &Document) -> bool {
@@ -119,6 +125,7 @@ impl Derived {
         self.pipeline.cancel();
         self.suggestions.cancel();
         self.dose.cancel();
+        self.clearance.cancel();
     }
 
     /// Whether no work is going on.

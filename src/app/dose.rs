@@ -94,8 +94,11 @@ impl DoseView {
     fn new(of: &PlannedJob, job: &Job, progress: &Progress) -> Result<DoseView, Failure<PlanError>> {
         let PlannedJob { part, surfaces, plan, setup, .. } = of;
         let map = dose(part, surfaces, plan, job, setup, progress)?;
+        progress.check()?;
         let patches = not_cleanable(part, surfaces, plan, job, &map);
+        progress.check()?;
         let report = DoseReport::new(&map, &patches, surfaces);
+        progress.check()?;
         let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, surfaces, look));
         Ok(DoseView { map, patches, report, surfaces: surfaces.clone(), items })
     }

@@ -7,6 +7,7 @@ use crate::planning::{Plan, PlannedJob, export};
 use crate::pose::TargetState;
 use crate::program::dialect::{ReadContext, Statement};
 use crate::program::{CurveSample, ProgramFile, ProgramLine, Timeline, curves, dialects, lines};
+use crate::progress::{Cancelled, Progress};
 use crate::text::{Sentence as _, program_comment};
 use std::collections::BTreeMap;
 
@@ -71,7 +72,10 @@ impl TextFile {
 
 impl PlaybackData {
     /// Everything of a plan.
-    pub fn new(of: &PlannedJob, part_name: &str) -> PlaybackData {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new(of: &PlannedJob, part_name: &str, progress: &Progress) -> Result<PlaybackData, Cancelled> {
         let PlannedJob { job, setup, plan, report, .. } = of;
         let timeline = plan.timeline.clone();
         let moves = lines(&plan.steps, setup).into_iter().filter_map(|l| match l {
@@ -85,14 +89,19 @@ impl PlaybackData {
             }
         }
         let marks = marks(plan, &move_to);
+        progress.check()?;
         let (files, why_none) = match export::program(job, part_name, setup, plan, report, program_comment) {
             Ok(files) => (files, None),
             Err(why) => (Vec::new(), Some(why.sentence())),
         };
+        progress.check()?;
         let line_of_move = lines_of_moves(&files, setup, &job.cell.dialect);
+        progress.check()?;
         let text = files.into_iter().map(|f| TextFile::new(f.name, f.text)).collect();
-        PlaybackData {
-            curves: timeline.as_ref().map(curves).unwrap_or_default(),
+        let curves = timeline.as_ref().map(curves).unwrap_or_default();
+        progress.check()?;
+        Ok(PlaybackData {
+            curves,
             trail: timeline.as_ref().map(|t| Trail::new(t, &plan.passes, of.picture_key())),
             timeline,
             move_to,
@@ -100,7 +109,7 @@ impl PlaybackData {
             line_of_move,
             text,
             why_none,
-        }
+        })
     }
 
     /// When a target is reached; for one that is left out, when the last before it is.

@@ -6,11 +6,12 @@ use super::access::Ground;
 use super::command::Toggle;
 use super::context::Context;
 use super::playback_data::PlaybackData;
+use crate::part::surfaces::Surface;
 use crate::part::{Shape, SurfaceId};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
 use crate::planning::surface_plan::tool_geometry;
 use crate::planning::{Failure, PartError, PlanningError};
-use crate::progress::Activity;
+use crate::progress::{Activity, Cancelled};
 use crate::text::{Sentence as _, say};
 use std::sync::Arc;
 
@@ -76,9 +77,10 @@ impl App {
         if d.shapes.lacks(key) {
             let (part, surfaces) = (part.clone(), surfaces.clone());
             let executor = d.pipeline.executor().clone();
-            d.shapes.start(key, Activity::NamingShapes, &*executor, move |_| {
+            d.shapes.start(key, Activity::NamingShapes, &*executor, move |progress| {
                 use rayon::prelude::*;
-                Ok(surfaces.list.par_iter().map(|s| (s.number, Shape::of(&part.mesh, s))).collect())
+                let named = |s: &Surface| progress.check().map(|()| (s.number, Shape::of(&part.mesh, s)));
+                Ok(surfaces.list.par_iter().map(named).collect::<Result<_, Cancelled>>()?)
             });
         }
     }
@@ -131,8 +133,8 @@ impl App {
         if d.playback_data.lacks(planned.key) {
             let executor = d.pipeline.executor().clone();
             let key = planned.key;
-            d.playback_data.start(key, Activity::WorkingOutMotion, &*executor, move |_| {
-                Ok(PlaybackData::new(&planned, &part_name))
+            d.playback_data.start(key, Activity::WorkingOutMotion, &*executor, move |progress| {
+                Ok(PlaybackData::new(&planned, &part_name, progress)?)
             });
             arrived |= d.playback_data.of(key).is_some();
         }
@@ -200,6 +202,7 @@ impl App {
         self.derived.playback_data.try_again();
         self.derived.suggestions.try_again();
         self.derived.dose.try_again();
+        self.derived.clearance.try_again();
     }
 }
 

@@ -17,7 +17,7 @@ pub mod tool_geometry;
 pub use frustum::Frustum;
 pub use head::{Head, HeadError, StackError};
 pub use head_part::HeadPart;
-pub use obstacle::Obstacle;
+pub use obstacle::{Obstacle, Standing};
 pub use optics::Optics;
 pub use process_settings::ProcessSettings;
 pub use tool_configuration::ToolConfiguration;

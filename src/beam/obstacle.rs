@@ -8,6 +8,15 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 use std::sync::Arc;
 
+/// The facets of an obstacle where they stand, prepared for queries at many poses.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing<'a> {
+    /// Its facets, in the frame of its file.
+    pub solid: &'a Part,
+    /// Where that frame stands, in the frame of the list that the obstacle is in.
+    pub at: Isometry3<f64>,
+}
+
 /// An STL file and where it stands.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -71,6 +80,11 @@ impl Obstacle {
     pub fn at(&self) -> Isometry3<f64> {
         let turn = UnitQuaternion::from_rotation_matrix(&rpy::to_rotation(self.rz_ry_rx_deg));
         Isometry3::from_parts(Translation3::from(self.position_mm), turn)
+    }
+
+    /// Its facets where they stand.
+    pub fn standing(&self) -> Standing<'_> {
+        Standing { solid: &self.solid, at: self.at() }
     }
 
     /// Whether it is an obstacle of the cell that stands among a job's clamps: see [`Self::seen_in`].

@@ -12,7 +12,7 @@ use super::HeadPart;
 use super::frustum::Frustum;
 use super::head::Head;
 use super::optics::Optics;
-use super::{Obstacle, Tool};
+use super::{Obstacle, Standing, Tool};
 
 /// Half angle of the cone within which beam and margin count, degrees.
 ///
@@ -38,12 +38,13 @@ pub struct ToolGeometry<'a> {
     pub defocus_mm: f64,
     /// Clearance that beam and head keep from everything, mm.
     pub margin_mm: f64,
-    /// The beam, wider by the margin, within the cone of its own neighbourhood.
+    /// The beam, wider by the margin, within the cone of its own neighbourhood; empty without a head, where the ray is
+    /// all there is of it.
     pub beam: Vec<Frustum>,
     /// The head, as it is.
     pub head: Vec<Frustum>,
     /// Clamps on the part, in its frame: they stand in the way, and are no part of the tool.
-    pub clamps: &'a [Obstacle],
+    pub clamps: Vec<Standing<'a>>,
     /// Whether there is a head; without one the beam is a ray, and keeps no margin.
     pub has_head: bool,
     /// The beam's radius along t, mm: the corners of a polyline (t, radius).
@@ -87,7 +88,8 @@ impl<'a> ToolGeometry<'a> {
             r1_mm: p.r1_mm,
         };
         let has_head = tool.head.is_some();
-        let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { vec![(0.0, RAY_MM), (1e4, RAY_MM)] };
+        // A ray asks for itself: as a thin cone without end it would be as wide on a turn as it gets at that end.
+        let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { Vec::new() };
         let margin_mm = if has_head { margin_mm } else { 0.0 };
         Some(ToolGeometry {
             defocus_mm,
@@ -96,7 +98,7 @@ impl<'a> ToolGeometry<'a> {
             own: OwnCone::WHOLE,
             short_mm: (0.1 * margin_mm).max(0.02),
             head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
-            clamps: &tool.clamps,
+            clamps: tool.clamps.iter().map(Obstacle::standing).collect(),
             has_head,
             profile,
         })
@@ -125,9 +127,6 @@ impl<'a> ToolGeometry<'a> {
         widened(&self.profile, margin_mm, self.own)
     }
 }
-
-/// Radius that stands for a ray, mm: the clearance it keeps from clamps and the part.
-const RAY_MM: f64 = 0.02;
 
 /// Spot, waist and aperture joined by straight lines: outside of the beam's own curve, which bends
 /// outwards.

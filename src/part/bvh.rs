@@ -9,6 +9,7 @@ mod prepared;
 mod proximity;
 
 use super::topology::{FacetDefect, Mesh};
+use crate::progress::{Cancelled, Progress};
 use aabb::{Aabb, larger, smaller};
 use build::{FacetBox, Node, build_tree};
 use nalgebra::{Point3, Vector3};
@@ -34,14 +35,25 @@ pub struct RayHit {
 impl Bvh {
     /// Builds over all facets with area.
     pub fn new(mesh: &Mesh) -> Bvh {
+        // Nobody else holds this progress, so it is not cancelled.
+        Bvh::built(mesh, &Progress::default()).unwrap_or_default()
+    }
+
+    /// Builds over all facets with area.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(mesh: &Mesh, progress: &Progress) -> Result<Bvh, Cancelled> {
         let facet: Vec<u32> =
             (0..mesh.facets.len() as u32).filter(|&f| mesh.defects[f as usize] == FacetDefect::None).collect();
         let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
         let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
-        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0) };
+        progress.check()?;
+        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0, progress) };
+        progress.check()?;
         let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
-        Bvh { nodes, corners, facet }
+        Ok(Bvh { nodes, corners, facet })
     }
 
     /// Diagonal of the box around all facets, mm.
@@ -195,9 +207,19 @@ pub fn ray_hit_mm([a, b, c]: &[Point3<f64>; 3], origin: &Point3<f64>, dir: &Vect
     let q = s.cross(&e1);
     let v = dir.dot(&q) / det;
     // Slightly beyond the rim: two facets at an edge must not both miss the ray that runs through it.
-    let slack = 1e-9;
-    (u >= -slack && v >= -slack && u + v <= 1.0 + slack).then(|| e2.dot(&q) / det)
+    let inside = |slack: f64| u >= -slack && v >= -slack && u + v <= 1.0 + slack;
+    if !inside(1.0) {
+        return None;
+    }
+    // From far away and almost along the facet u and v are rounded more coarsely; across the ray it is still nothing.
+    let size = |v: &Vector3<f64>| v.x.abs() + v.y.abs() + v.z.abs();
+    let rounding = ROUNDING * size(&s) * (size(&e1) + size(&e2)) / det.abs();
+    inside(1e-9 + rounding).then(|| e2.dot(&q) / det)
 }
+
+/// More than the rounding of a triple product of unit direction, way and side, as a share of the sizes of the last two:
+/// five operations on the way to `u` and `v`, each with a share of half `f64::EPSILON` of sums of absolute values.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 #[cfg(test)]
 mod tests {

@@ -21,6 +21,12 @@ pub fn point_segment(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     (a + d * t - p).norm()
 }
 
+/// Distance from a point to a ray (unit direction), mm.
+pub fn point_ray(p: &Point3<f64>, origin: &Point3<f64>, dir: &Vector3<f64>) -> f64 {
+    let off = p - origin;
+    (off - dir * off.dot(dir).max(0.0)).norm()
+}
+
 /// Distance from the part `t >= t0` of a ray (unit direction) to a triangle, mm.
 pub fn ray_triangle(origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, corners: &[Point3<f64>; 3]) -> f64 {
     if super::bvh::ray_hit_mm(corners, origin, dir).is_some_and(|t| t >= t0) {
@@ -187,6 +193,15 @@ mod tests {
             let angle = |i: usize| (seen[(i + 1) % 3] - seen[i]).angle(&(seen[(i + 2) % 3] - seen[i])).to_degrees();
             prop_assume!((0..3).all(|i| angle(i) < 174.0));
             prop_assert!(WideRay::new(&o, &d, radius).surely_misses(&corners));
+        }
+
+        #[test]
+        fn a_point_is_as_far_from_a_ray_as_from_a_long_piece_of_it(p in prop::array::uniform3(SIDE), o in prop::array::uniform3(SIDE),
+                                                                   d in prop::array::uniform3(-1.0..1.0f64)) {
+            let (p, o, d) = (point(p), point(o), Vector3::from(d));
+            prop_assume!(d.norm() > 0.1);
+            let d = d.normalize();
+            prop_assert!((point_ray(&p, &o, &d) - point_segment(&p, &o, &(o + d * 100.0))).abs() < 1e-9);
         }
 
         #[test]

@@ -96,11 +96,14 @@ impl Source {
             return Ok(None);
         }
         let dihedral_deg = dihedral_angles(&mesh);
+        if progress.check().is_err() {
+            return Ok(None);
+        }
         let tree = MergeTree::new(&mesh, &dihedral_deg);
         if progress.step().is_err() {
             return Ok(None);
         }
-        let bvh = Bvh::new(&mesh);
+        let Ok(bvh) = Bvh::built(&mesh, progress) else { return Ok(None) };
         let digest = Hasher::default().of(&self.sha256).of(&units).of(placement).of(flipped_shells).finish();
         let sha256 = self.sha256.clone();
         Ok(Some(Part { mesh, orientation, figures, dihedral_deg, tree, bvh, digest, sha256 }))

@@ -12,7 +12,7 @@ use crate::pose::{Obstruction, Pass};
 use crate::process::{DoseInput, DoseMap, Light, Patch, PatchCause, Spot, Thresholds, dose as computed};
 use crate::program::Timeline;
 use crate::program::{MoveTiming, Step};
-use crate::progress::{Activity, Progress};
+use crate::progress::Progress;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
@@ -96,8 +96,7 @@ pub fn dose(
     let times = ends_s(plan);
     let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
     let task = DoseInput { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
-    progress.begin(Activity::SummingDose, 2 * light.runs.len());
-    computed(&task, light, &|| progress.step().is_ok()).ok_or(PlanError::Cancelled)
+    Ok(computed(&task, light, progress)?)
 }
 
 /// What is little and what is much where a job says nothing: against what all its passes together land on a

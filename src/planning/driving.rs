@@ -44,7 +44,7 @@ pub(super) fn drive(
         mounted: setup.mounted(),
         robot,
         air_mm_s: job.beam.air_speed_mm_s,
-        straight: straight(part, &grown, setup, job),
+        straight: straight(part, &grown, setup, job, progress),
         collision: collision.as_ref(),
         go_on: &go_on,
         cache: DriveCache::default(),

@@ -8,7 +8,7 @@ use super::plan::build_up::{LayerInput, grown_parts, layer_count, plan_layer};
 use super::plan::cell_report::CellReport;
 use super::plan::prepared::prepare;
 use super::plan::surface_plan::{PlanCache, PlanCacheContents};
-use super::proof::as_written::{Refuted, proven_as_written};
+use super::proof::as_written::{Refuted, UnprovenProgram, proven_as_written};
 use super::proof::{prover, straight};
 use crate::cell::Setup;
 use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
@@ -39,7 +39,7 @@ pub fn plan(
 ) -> Result<Plan, PlanError> {
     let (list, own) = prepare(part, surfaces, job)?;
     dialects::check(&job.cell.dialect, setup)?;
-    let grown = grown_parts(part, surfaces, &own)?;
+    let grown = grown_parts(part, surfaces, &own, progress)?;
     let mut used = PlanCacheContents::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
     for number in 0..layer_count(&own) {
@@ -60,8 +60,14 @@ pub fn plan(
         connect(&mut plan, part, setup, job, progress)?;
         let lit = || plan.steps.lit_moves(&setup.mounted());
         // What cannot be written is said when it is; the moves themselves can still be proven.
-        let (proof, refuted) = proven_as_written(part, &plan, setup, job)
-            .unwrap_or_else(|_| (prover(part, setup, job).on_layers(&plan.grown).prove(&lit()), Vec::new()));
+        let (proof, refuted) = match proven_as_written(part, &plan, setup, job, progress) {
+            Ok(proven) => proven,
+            Err(UnprovenProgram::Cancelled) => return Err(PlanError::Cancelled),
+            Err(_) => {
+                let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
+                (prover.prove(&lit())?, Vec::new())
+            }
+        };
         plan.proof = Some(proof);
         if refuted.is_empty() || round == MOST_WRITTEN {
             break;
@@ -80,7 +86,7 @@ fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Pr
         None => {
             progress.begin(Activity::ConnectingMoves, 1);
             let grown = plan.grown.clone();
-            let straight = straight(part, &grown, setup, job);
+            let straight = straight(part, &grown, setup, job, progress);
             let air_mm_s = job.beam.air_speed_mm_s;
             settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, air_mm_s))?;
         }

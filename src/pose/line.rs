@@ -14,6 +14,7 @@ use crate::beam::{ProcessSettings, ToolConfiguration};
 use crate::part::Part;
 use crate::path::dense::{self, DensePoint};
 use crate::path::{SectionPoint, TransversalLine};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Vector3;
 use planned::Planned;
 
@@ -35,17 +36,24 @@ pub struct LineOnSurface<'a> {
 
 /// Plans one line of one surface. The first configuration is preferred; a later one is taken if it leaves less of
 /// the line blocked. The laser is off over the line's dark gaps.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
 pub fn plan_line(
     part: &Part,
     configurations: &[ToolConfiguration<'_>],
     line: &LineOnSurface<'_>,
     rules: &LineRules,
-) -> Pass {
+    progress: &Progress,
+) -> Result<Pass, Cancelled> {
+    let on = |configuration: &ToolConfiguration<'_>, correction: Correction, limit_deg: Option<f64>| {
+        planned(part, configuration, line, (rules, correction, limit_deg), progress)
+    };
     let mut best: Option<(f64, Pass)> = None;
     for configuration in configurations {
         // Without a head the section plane keeps limits of its own.
-        let limit_deg = configuration.geometry.as_ref().map(|_| rules.max_tilt_deg);
-        let pass = planned(part, configuration, line, rules, rules.correction, limit_deg);
+        let limit_deg = configuration.geometry.as_ref().filter(|g| g.has_head).map(|_| rules.max_tilt_deg);
+        let pass = on(configuration, rules.correction, limit_deg)?;
         let blocked_mm = pass.length_mm(|from, to| !to.laser && !Pass::is_gap(from, to));
         if best.as_ref().is_none_or(|(least_mm, _)| blocked_mm < least_mm - 1e-6) {
             best = Some((blocked_mm, pass));
@@ -54,32 +62,35 @@ pub fn plan_line(
             break;
         }
     }
-    best.map_or_else(
-        || planned(part, &ToolConfiguration::ray(ProcessSettings::default()), line, rules, Correction::None, None),
-        |b| b.1,
-    )
+    match best {
+        Some((_, pass)) => Ok(pass),
+        None => on(&ToolConfiguration::ray(ProcessSettings::default()), Correction::None, None),
+    }
 }
 
 /// Plans a line by the section plane within the greatest tilt of `rules`, for comparison with the search.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
 pub fn plan_line_by_section_plane(
     part: &Part,
     configuration: &ToolConfiguration<'_>,
     line: &LineOnSurface<'_>,
     rules: &LineRules,
-) -> Pass {
-    planned(part, configuration, line, rules, Correction::SectionPlane, Some(rules.max_tilt_deg))
+    progress: &Progress,
+) -> Result<Pass, Cancelled> {
+    planned(part, configuration, line, (rules, Correction::SectionPlane, Some(rules.max_tilt_deg)), progress)
 }
 
 fn planned(
     part: &Part,
     configuration: &ToolConfiguration<'_>,
     whole_line: &LineOnSurface<'_>,
-    rules: &LineRules,
-    correction: Correction,
-    limit_deg: Option<f64>,
-) -> Pass {
+    (rules, correction, limit_deg): (&LineRules, Correction, Option<f64>),
+    progress: &Progress,
+) -> Result<Pass, Cancelled> {
     if whole_line.line.dark.is_empty() {
-        return planned_piece(part, configuration, whole_line, rules, correction, limit_deg);
+        return planned_piece(part, configuration, whole_line, (rules, correction, limit_deg), progress);
     }
     let LineOnSurface { line, surface, m, .. } = whole_line;
     // Obstacles on one side of a gap do not matter on the other, so each piece is planned by itself; its first
@@ -109,17 +120,16 @@ fn planned(
             part,
             configuration,
             &LineOnSurface { line: &piece, ..*whole_line },
-            &rules,
-            correction,
-            limit_deg,
-        );
+            (&rules, correction, limit_deg),
+            progress,
+        )?;
         let before = whole.targets.len();
         whole.splits.extend(pass.splits.iter().map(|s| Split { point: s.point + before, wall: s.wall }));
         whole.targets.extend(pass.targets);
         whole.dense_points += pass.dense_points;
         whole.chord_error_mm = whole.chord_error_mm.max(pass.chord_error_mm);
     }
-    whole
+    Ok(whole)
 }
 
 /// A line's own plane, or that of travel and normal in its middle.
@@ -138,11 +148,10 @@ fn planned_piece(
     part: &Part,
     configuration: &ToolConfiguration<'_>,
     LineOnSurface { line, surface, number, m }: &LineOnSurface<'_>,
-    rules: &LineRules,
-    correction: Correction,
-    limit_deg: Option<f64>,
-) -> Pass {
-    let beam = BeamInterference::with(part, configuration.geometry.as_ref());
+    (rules, correction, limit_deg): (&LineRules, Correction, Option<f64>),
+    progress: &Progress,
+) -> Result<Pass, Cancelled> {
+    let beam = BeamInterference::with(part, configuration.geometry.as_ref()).under(Some(progress));
     let dense = dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg);
     let dense_points = dense.len();
     let (points, free) = detected(&beam, dense);
@@ -162,6 +171,7 @@ fn planned_piece(
     };
     planned.test_motion(&beam, rules.chord.max_turn_deg);
     let kept = planned.reduce(&beam, &rules.chord);
+    beam.check()?;
     let pass = Pass {
         surface: *surface,
         settings: configuration.settings,
@@ -173,7 +183,9 @@ fn planned_piece(
         chord_error_mm: 0.0,
         splits: Vec::new(),
     };
-    planned.fill(&beam, pass, &kept)
+    let pass = planned.fill(&beam, pass, &kept);
+    // What was asked of a beam that was cancelled meanwhile is not true.
+    beam.check().map(|()| pass)
 }
 
 /// Finds which points are free, and adds points where a run of interference begins or ends.

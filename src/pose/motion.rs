@@ -8,6 +8,7 @@
 use super::Pose;
 use super::interference::{BeamInterference, Blocker, Conflict};
 use crate::part::angle;
+use crate::progress::Cancelled;
 
 /// Length of a piece, mm, from which on its middle decides: no point of the beam moves further on it, so the
 /// beam's own margin (0.02 mm) covers it from end to end.
@@ -62,7 +63,8 @@ pub fn is_free(beam: &BeamInterference<'_>, from: &Pose, to: &Pose, sag_mm: f64)
 
 /// A share of the way at which the beam hits something, if it does.
 pub fn hit(beam: &BeamInterference<'_>, from: &Pose, to: &Pose, sag_mm: f64) -> Option<f64> {
-    swept(beam, &Straight { sag_mm }, (from, 0.0), (to, 1.0)).map(|h| h.t)
+    // Cancelled work proves nothing.
+    swept(beam, &Straight { sag_mm }, (from, 0.0), (to, 1.0)).map_or(Some(0.0), |found| found.map(|h| h.t))
 }
 
 /// Where a motion hits something.
@@ -78,14 +80,23 @@ pub struct Swept {
 
 /// Sweeps a motion between two poses at their shares of the way: `None` is a proof that beam and head
 /// keep clear of everything, but for what `ToolGeometry::short_mm` allows of the margin.
-pub fn swept(beam: &BeamInterference<'_>, motion: &impl Motion, from: (&Pose, f64), to: (&Pose, f64)) -> Option<Swept> {
+///
+/// # Errors
+/// [`Cancelled`] when the work that asks should end.
+pub fn swept(
+    beam: &BeamInterference<'_>,
+    motion: &impl Motion,
+    from: (&Pose, f64),
+    to: (&Pose, f64),
+) -> Result<Option<Swept>, Cancelled> {
+    beam.check()?;
     let middle = motion.between(from, to);
     let share = to.1 - from.1;
     let stray = |reach_mm: f64| motion.stray_mm(share, reach_mm);
-    let reach_mm = beam.ray_conflict(from.0, to.0, &middle, motion.sag_mm(), stray);
+    let reach_mm = beam.ray_conflict([from.0, &middle, to.0], motion.sag_mm(), stray);
     let body = beam.body_conflict([from.0, &middle, to.0], motion.sag_mm(), stray);
     if reach_mm.is_none() && body == Conflict::None {
-        return None;
+        return Ok(None);
     }
     let half_turn = 0.5 * angle::between_deg(&from.0.a, &to.0.a).to_radians();
     let is_short =
@@ -93,9 +104,12 @@ pub fn swept(beam: &BeamInterference<'_>, motion: &impl Motion, from: (&Pose, f6
     let t = 0.5 * (from.1 + to.1);
     // A piece with a jump in it never gets short.
     if is_short && body != Conflict::Wide || share < LEAST_SHARE {
-        return motion.blocker(beam, &middle).map(|blocker| Swept { t, pose: middle, blocker });
+        return Ok(motion.blocker(beam, &middle).map(|blocker| Swept { t, pose: middle, blocker }));
     }
-    swept(beam, motion, from, (&middle, t)).or_else(|| swept(beam, motion, (&middle, t), to))
+    match swept(beam, motion, from, (&middle, t))? {
+        None => swept(beam, motion, (&middle, t), to),
+        found => Ok(found),
+    }
 }
 
 /// What the head hits on a motion of the focus. `head` has a geometry without a beam (`ToolGeometry::head_alone`);

@@ -13,6 +13,7 @@ use super::samples::{DoseSample, FacetPiece, MOST_SAMPLES, cut_facet_piece, spli
 use super::shade::{LastShade, Shade, SurfacePoint};
 use crate::beam::Obstacle;
 use crate::part::{Part, Surfaces, topology::FacetDefect};
+use crate::progress::{Activity, Cancelled, Progress};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -43,16 +44,22 @@ pub struct DoseInput<'a> {
     pub own: BTreeMap<u32, Thresholds>,
 }
 
-/// Computes the dose. `step` is called once for every share of `steps` work done, and ends it by
-/// returning false; then there is no map.
-pub fn dose(input: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync)) -> Option<DoseMap> {
+/// Computes the dose.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn dose(input: &DoseInput<'_>, light: Light, progress: &Progress) -> Result<DoseMap, Cancelled> {
+    progress.begin(Activity::SummingDose, 2 * light.runs.len());
     let shade = Shade::new(input.part, input.clamps);
-    let near = near_facets(input, &light, &shade, step)?;
-    let (pitch_mm, coarsened, facet_pieces) = facet_pieces(input, &light, near, step)?;
+    let near = near_facets(input, &light, &shade, progress)?;
+    let (pitch_mm, coarsened, facet_pieces) = facet_pieces(input, &light, near, progress)?;
     let chunks: Vec<(Vec<DoseSample>, Vec<[f32; 3]>)> = facet_pieces
         .par_chunks(CHUNK)
-        .map(|facet_pieces| step().then(|| samples_of(input, &light, &shade, pitch_mm, facet_pieces)))
-        .collect::<Option<_>>()?;
+        .map(|facet_pieces| {
+            progress.step()?;
+            samples_of(input, &light, &shade, (pitch_mm, facet_pieces), progress)
+        })
+        .collect::<Result<_, Cancelled>>()?;
     let mut samples: Vec<DoseSample> = Vec::with_capacity(chunks.iter().map(|c| c.0.len()).sum());
     let mut corners: Vec<[f32; 3]> = Vec::with_capacity(chunks.iter().map(|c| c.1.len()).sum());
     for (mut some, their) in chunks {
@@ -67,7 +74,7 @@ pub fn dose(input: &DoseInput<'_>, light: Light, step: &(dyn Fn() -> bool + Sync
     for f in 1..starts.len() {
         starts[f] += starts[f - 1];
     }
-    Some(DoseMap {
+    Ok(DoseMap {
         samples,
         corners,
         starts,
@@ -93,12 +100,12 @@ fn near_facets(
     input: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
-    step: &(dyn Fn() -> bool + Sync),
-) -> Option<Vec<Vec<NearPiece>>> {
+    progress: &Progress,
+) -> Result<Vec<Vec<NearPiece>>, Cancelled> {
     let lit: Vec<Vec<(u32, bool)>> = (0..light.runs.len())
         .into_par_iter()
-        .map(|i| step().then(|| lit_of_run(input, light, shade, i)))
-        .collect::<Option<_>>()?;
+        .map(|i| progress.step().map(|()| lit_of_run(input, light, shade, i)))
+        .collect::<Result<_, Cancelled>>()?;
     let mut of_facet: Vec<Vec<NearPiece>> = vec![Vec::new(); input.part.mesh.facets.len()];
     for (i, facets) in lit.into_iter().enumerate() {
         let (first, run) = light.run(i);
@@ -106,7 +113,7 @@ fn near_facets(
             of_facet[facet as usize].extend((first..first + run.len() as u32).map(|piece| NearPiece { piece, clear }));
         }
     }
-    Some(of_facet)
+    Ok(of_facet)
 }
 
 /// The facets that a run lights. All pieces of a run belong to one pass.
@@ -122,8 +129,8 @@ fn facet_pieces(
     input: &DoseInput<'_>,
     light: &Light,
     near: Vec<Vec<NearPiece>>,
-    step: &(dyn Fn() -> bool + Sync),
-) -> Option<(f64, bool, Vec<FacetPiece>)> {
+    progress: &Progress,
+) -> Result<(f64, bool, Vec<FacetPiece>), Cancelled> {
     let spot_mm = light.least_spot_mm();
     let mut pitch_mm = SAMPLE_SPOTS * spot_mm / 2f64.sqrt();
     let mesh = &input.part.mesh;
@@ -137,23 +144,28 @@ fn facet_pieces(
         .filter(|(f, _)| mesh.defects[*f] == FacetDefect::None)
         .map(|(f, near)| {
             let is_chosen = input.surfaces.of_facet.get(f).is_some_and(|n| input.chosen.contains(n));
-            FacetPiece::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY })
+            progress.check()?;
+            Ok(FacetPiece::of(f as u32, &mesh.corners(f), near, if is_chosen { dark_mm } else { f64::INFINITY }))
         })
-        .collect();
-    let facet_pieces: Vec<FacetPiece> = whole
-        .into_par_iter()
-        .flat_map_iter(|facet_piece| split_facet_piece(light, facet_piece_mm, facet_piece))
-        .collect();
+        .collect::<Result<_, Cancelled>>()?;
+    let split = |facet_piece: FacetPiece| {
+        if progress.goes_on() { split_facet_piece(light, facet_piece_mm, facet_piece) } else { Vec::new() }
+    };
+    let facet_pieces: Vec<FacetPiece> = whole.into_par_iter().flat_map_iter(split).collect();
+    progress.check()?;
     let mut coarsened = false;
     loop {
-        let count: Option<usize> = facet_pieces
+        let counts: Vec<usize> = facet_pieces
             .par_chunks(CHUNK)
-            .map(|facet_pieces| step().then(|| facet_pieces.iter().map(|p| count(light, pitch_mm, p)).sum::<usize>()))
-            .sum();
-        let count = count?;
+            .map(|facet_pieces| {
+                progress.step()?;
+                facet_pieces.iter().try_fold(0, |sum, p| progress.check().map(|()| sum + count(light, pitch_mm, p)))
+            })
+            .collect::<Result<_, Cancelled>>()?;
+        let count: usize = counts.into_iter().sum();
         // The facets alone may be more: then each is one sample.
         if count <= MOST_SAMPLES || pitch_mm > size_mm {
-            return Some((pitch_mm, coarsened, facet_pieces));
+            return Ok((pitch_mm, coarsened, facet_pieces));
         }
         coarsened = true;
         pitch_mm *= (1.02 * (count as f64 / MOST_SAMPLES as f64).sqrt()).max(1.1);
@@ -172,13 +184,15 @@ fn samples_of(
     input: &DoseInput<'_>,
     light: &Light,
     shade: &Shade<'_>,
-    pitch_mm: f64,
-    facet_pieces: &[FacetPiece],
-) -> (Vec<DoseSample>, Vec<[f32; 3]>) {
+    (pitch_mm, facet_pieces): (f64, &[FacetPiece]),
+    progress: &Progress,
+) -> Result<(Vec<DoseSample>, Vec<[f32; 3]>), Cancelled> {
     let (mut out, mut all_corners) = (Vec::new(), Vec::new());
     let mut last = LastShade::default();
     let stored = |p: Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     for facet_piece in facet_pieces {
+        // A thousand samples, each with rays of its own.
+        progress.check()?;
         let normal = input.surfaces.normals[facet_piece.facet as usize];
         let flips = input.part.mesh.normals[facet_piece.facet as usize].dot(&normal) < 0.0;
         cut_facet_piece(light, pitch_mm, facet_piece, |cell, near| {
@@ -217,5 +231,5 @@ fn samples_of(
             });
         });
     }
-    (out, all_corners)
+    Ok((out, all_corners))
 }

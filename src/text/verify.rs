@@ -13,6 +13,7 @@ impl Sentence for VerifyError {
             VerifyError::NoDialect { file } => say!(verify_no_dialect, file, known = listed(dialects::names())),
             VerifyError::Unwritable(e) => say!(verify_plan_unwritable, reason = e.sentence()),
             VerifyError::NoProgram => say!(verify_no_program),
+            VerifyError::Cancelled => say!(text_cancelled),
             VerifyError::OwnUnreadable(e) => say!(verify_plan_unreadable, reason = e.sentence()),
         }
     }

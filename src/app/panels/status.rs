@@ -49,7 +49,7 @@ fn plan(ui: &mut egui::Ui, context: Context<'_>) {
     }
     let time_s = context.timeline().map_or(report.time_s, Timeline::total_s);
     ui.label(say!(status_work, length_mm = fixed(report.work_mm, 1), time = clock(time_s)));
-    if !context.derived.is_current(context.document) {
+    if context.derived.is_plan_out_of_date(context.document) {
         let text = RichText::new(say!(status_out_of_date)).color(theme::ATTENTION);
         ui.label(text).on_hover_text(say!(status_out_of_date_tip));
     }

@@ -1,6 +1,7 @@
 //! Builds the hierarchy: nodes are split by the surface area heuristic over 16 bins.
 
 use super::aabb::Aabb;
+use crate::progress::Progress;
 
 /// Most facets of a leaf.
 const LEAF: usize = 4;
@@ -28,34 +29,34 @@ pub(super) struct FacetBox {
 }
 
 /// The nodes over `items`, which are put in the order of the leaves; the root is the first.
-/// `offset`: how many items stand before these.
-pub(super) fn build_tree(items: &mut [FacetBox], offset: u32) -> Vec<Node> {
+/// `offset`: how many items stand before these. Once cancelled it ends soon, and the tree is none.
+pub(super) fn build_tree(items: &mut [FacetBox], offset: u32, progress: &Progress) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
     nodes.push(Node { bounds: Aabb::NONE, at: 0, count: 0 });
-    build(items, offset, &mut nodes, 0);
+    build(items, offset, &mut nodes, 0, progress);
     nodes
 }
 
-fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize) {
+fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize, progress: &Progress) {
     let bounds = items.iter().fold(Aabb::NONE, |b, i| b.with(&i.bounds));
-    if items.len() <= LEAF {
+    let side_by_side = items.len() > SIDE_BY_SIDE;
+    if items.len() <= LEAF || side_by_side && !progress.goes_on() {
         nodes[me] = Node { bounds, at: offset, count: items.len() as u32 };
         return;
     }
     let children = nodes.len();
     nodes[me] = Node { bounds, at: children as u32, count: 0 };
     nodes.extend([nodes[me]; 2]);
-    let side_by_side = items.len() > SIDE_BY_SIDE;
     let middle = split(items);
     let (left, right) = items.split_at_mut(middle);
     let behind = offset + middle as u32;
     if side_by_side {
-        let pair = rayon::join(|| build_tree(left, offset), || build_tree(right, behind));
+        let pair = rayon::join(|| build_tree(left, offset, progress), || build_tree(right, behind, progress));
         graft(nodes, children, &pair.0);
         graft(nodes, children + 1, &pair.1);
     } else {
-        build(left, offset, nodes, children);
-        build(right, behind, nodes, children + 1);
+        build(left, offset, nodes, children, progress);
+        build(right, behind, nodes, children + 1, progress);
     }
 }
 

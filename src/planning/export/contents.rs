@@ -64,7 +64,7 @@ pub fn files(
     progress.begin(Activity::WritingProgram, 2);
     let written = program(job, &of.part, setup, plan, &report, wording)?;
     progress.step()?;
-    read_back(part, job, setup, plan, &written)?;
+    read_back(part, job, setup, plan, &written, progress)?;
     progress.step()?;
     let file = |name: &str, bytes: Vec<u8>| OutputFile { name: name.into(), bytes };
     let mut out = vec![file(JOB, files::to_toml(job)?.into_bytes())];

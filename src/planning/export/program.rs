@@ -7,10 +7,11 @@ use crate::document::model::Job;
 use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::planning::report::{Report, is_dark};
-use crate::planning::verify;
+use crate::planning::verify::{self, VerifyError};
 use crate::program::{
     Comment, DialectError, ProcessFigures, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording, dialects, lines,
 };
+use crate::progress::Progress;
 
 /// The program's files as they would be written, the one to start first; none of a plan that never lights. `wording`:
 /// the words of its comments.
@@ -44,15 +45,18 @@ pub(super) fn names_ahead(job: &Job, setup: &Setup) -> Vec<String> {
 /// Reads the program's own text, and refuses to hand out one that would not do what was planned.
 ///
 /// # Errors
-/// It cannot be read, or it is not the plan.
+/// It cannot be read, or it is not the plan; [`ExportError::Cancelled`] when `progress` says so.
 pub(super) fn read_back(
     part: &Part,
     job: &Job,
     setup: &Setup,
     plan: &Plan,
     written: &[ProgramFile],
+    progress: &Progress,
 ) -> Result<(), ExportError> {
-    let found = verify::check_own(part, plan, setup, job, written)?.findings;
+    let found = verify::check_own(part, plan, setup, job, written, progress)
+        .map_err(|e| if e == VerifyError::Cancelled { ExportError::Cancelled } else { e.into() })?
+        .findings;
     let findings = found.len();
     match found.into_iter().next() {
         None => Ok(()),

@@ -32,16 +32,18 @@ pub(in super::super) fn layer_count(own: &SurfaceJobs<'_>) -> u32 {
 /// far. Empty without a bead.
 ///
 /// # Errors
-/// A surface that is too hollow for its build-up.
+/// A surface that is too hollow for its build-up; [`PlanError::Cancelled`] when `progress` says so.
 pub(in super::super) fn grown_parts(
     part: &Part,
     surfaces: &Surfaces,
     own: &SurfaceJobs<'_>,
+    progress: &Progress,
 ) -> Result<Vec<Arc<GrownPart>>, PlanError> {
     let last = if own.values().any(|j| j.section_of_bead().is_some()) { layer_count(own) } else { 0 };
     let made: Vec<_> = (1..=last)
         .into_par_iter()
         .map(|layer| {
+            progress.check()?;
             let height_mm = |j: &Job| j.bead.height_mm * f64::from(layer.min(j.layer_count()));
             let heights_mm = own.iter().map(|(n, j)| (*n, height_mm(j))).collect();
             let folds = |surface| PlanError::Folds { surface, layers: layer };

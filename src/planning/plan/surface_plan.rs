@@ -204,11 +204,12 @@ pub(in super::super) fn plan_surface(
             progress.step()?;
             let line =
                 LineOnSurface { line, surface: toolpath.surface, number: number as u32, m: toolpath.plane_of(line) };
-            let mut pass = plan_line(part, &configurations, &line, rules);
+            let mut pass = plan_line(part, &configurations, &line, rules, progress)?;
             pass.settings.layer = toolpath.layer;
             let interferes = pass.targets.iter().any(|t| t.normal_hits.is_some() || t.state != TargetState::Free);
-            let other =
-                (is_searched && interferes).then(|| plan_line_by_section_plane(part, &configurations[0], &line, rules));
+            let other = (is_searched && interferes)
+                .then(|| plan_line_by_section_plane(part, &configurations[0], &line, rules, progress))
+                .transpose()?;
             Ok((pass, other))
         })
         .collect::<Result<Vec<(Pass, Option<Pass>)>, Cancelled>>()?;
@@ -256,14 +257,13 @@ pub(in super::super) fn poses_key(
 ) -> Digest {
     let b = &job.beam;
     let width = BeamWidth { defocus_mm: b.defocus_mm, spot_mm: b.spot_mm, margin_mm: b.margin_mm, optics: &job.optics };
-    let has_width = tool.head.is_some() || !tool.clamps.is_empty();
     let by = PosingRules {
         spot,
         spacing_mm: job.layers.spacing_mm,
         rules,
         standoff_mm: job.path.standoff_mm,
         tool,
-        width: has_width.then_some(width),
+        width: tool.head.is_some().then_some(width),
     };
     Hasher::default().of(&toolpath).of(&by).finish()
 }

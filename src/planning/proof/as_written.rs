@@ -11,6 +11,7 @@ use crate::pose::Blocker;
 use crate::program::dialect::{ReadContext, ReadLine, Statement};
 use crate::program::sweep::{LitMove, Proof};
 use crate::program::{DialectError, Move, Program, ReadError, WITHOUT_WORDS, dialects, lines};
+use crate::progress::{Cancelled, Progress};
 use thiserror::Error;
 
 /// A lit move on which beam or head hits something as the program is written.
@@ -33,18 +34,28 @@ pub enum UnprovenProgram {
     /// It cannot be read back.
     #[error(transparent)]
     Unreadable(#[from] ReadError),
+    /// The work was cancelled.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl From<Cancelled> for UnprovenProgram {
+    fn from(_: Cancelled) -> UnprovenProgram {
+        UnprovenProgram::Cancelled
+    }
 }
 
 /// Proves the lit moves of a plan as its program is written: rounded to the program's digits, a move that just
 /// clears a facet may hit it.
 ///
 /// # Errors
-/// The program cannot be written, or read back.
+/// The program cannot be written, or read back; [`UnprovenProgram::Cancelled`] when `progress` says so.
 pub fn proven_as_written(
     part: &Part,
     plan: &Plan,
     setup: &Setup,
     job: &Job,
+    progress: &Progress,
 ) -> Result<(Proof, Vec<Refuted>), UnprovenProgram> {
     let lines = lines(&plan.steps, setup);
     let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
@@ -61,7 +72,7 @@ pub fn proven_as_written(
     let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
     let driven = drive_program(&poses, &read, &of_plan, &mut Verdict::default());
     let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
-    let proof = prover(part, setup, job).on_layers(&plan.grown).prove(&lit);
+    let proof = prover(part, setup, job).on_layers(&plan.grown).under(progress).prove(&lit)?;
     let target = |at: usize| {
         let from = number.get(at).copied().flatten()?;
         // A move between two targets belongs to the one that it leads to.

@@ -10,6 +10,7 @@ use crate::document::model::Job;
 use crate::part::{GrownPart, Part};
 use crate::program::lit::StraightFlange;
 use crate::program::sweep::Prover;
+use crate::progress::Progress;
 use std::sync::Arc;
 
 /// What proves the lit moves of a job.
@@ -35,7 +36,8 @@ pub(super) fn straight<'a>(
     grown: &'a [Arc<GrownPart>],
     setup: &'a Setup,
     job: &Job,
+    progress: &'a Progress,
 ) -> StraightFlange<'a> {
-    let prover = prover(part, setup, job).on_layers(grown);
+    let prover = prover(part, setup, job).on_layers(grown).under(progress);
     StraightFlange { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
 }

@@ -4,8 +4,8 @@
 use super::grid;
 use super::track::{Site, TiltVector, Track};
 use crate::part::{Part, bvh};
-use crate::pose::BeamInterference;
 use crate::pose::tilt::Tilt;
+use crate::pose::{BeamInterference, Obstruction};
 use nalgebra::{Point3, Vector3};
 
 /// Half the side of the first squares of the search, degrees.
@@ -75,7 +75,7 @@ struct Openings<'a> {
 impl Openings<'_> {
     fn within(&self, middle: &TiltVector, half_deg: f64, out: &mut Vec<TiltVector>) {
         let corner_deg = half_deg * std::f64::consts::SQRT_2;
-        if out.len() >= ENOUGH || middle.norm() - corner_deg > self.track.max_tilt_deg {
+        if out.len() >= ENOUGH || self.beam.check().is_err() || middle.norm() - corner_deg > self.track.max_tilt_deg {
             return;
         }
         let p = &self.site.q.p;
@@ -88,7 +88,7 @@ impl Openings<'_> {
         let corners = |half: f64| {
             [(-half, -half), (-half, half), (half, -half), (half, half)].map(|(x, y)| TiltVector::new(x, y))
         };
-        if let Some(facet) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
+        if let Some(Obstruction::Facet(facet)) = self.beam.passes_near(p, &self.site.axis(middle), NEAR_MM, 0.0) {
             let facet = self.part.mesh.corners(facet as usize);
             let is_behind =
                 |c: TiltVector| bvh::ray_hit_mm(&facet, p, &self.site.axis(&(middle + c))).is_some_and(|t| t > NEAR_MM);

@@ -51,6 +51,9 @@ impl ChainSearch<'_> {
         tilt: &TiltVector,
         coarse: &mut BTreeMap<GridCell, Option<bool>>,
     ) -> (Option<bool>, bool) {
+        if self.beam.check().is_err() {
+            return (None, false);
+        }
         let layer = &self.layers[k];
         let site = &self.track.sites[layer.site];
         let Some(spacing_deg) = layer.coarser_deg.filter(|_| !layer.given && self.track.allows(site, tilt)) else {

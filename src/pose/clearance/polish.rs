@@ -124,7 +124,7 @@ impl LitRun<'_> {
                     }
                 }
             }
-            if fits {
+            if fits || self.beam.check().is_err() {
                 break;
             }
         }

@@ -66,6 +66,9 @@ pub fn best_chain(beam: &BeamInterference<'_>, track: &Track<'_>, layers: &[Tilt
     dp.layer_costs = (0..layers.len()).map(|k| dp.costs_of(k)).collect();
     let mut from = 0;
     for _ in 0..MOST_ROUNDS {
+        if beam.check().is_err() {
+            break;
+        }
         dp.forward(from);
         let chain = dp.traced_back();
         match dp.first_failing(&chain) {
@@ -158,6 +161,7 @@ impl ChainSearch<'_> {
 
     /// The best way to a candidate of the layer behind `b`.
     fn best_arrival(&self, b: usize, v: usize) -> Option<(Cost, usize)> {
+        self.beam.check().ok()?;
         let (from, to) = (&self.layer_costs[b], &self.layer_costs[b + 1]);
         let (tilt, weight) = (&self.layers[b + 1].tilts[v], to.weight[v]?);
         let way_mm = self.arc_mm(b + 1) - self.arc_mm(b);

@@ -3,6 +3,8 @@
 
 use crate::beam::ToolGeometry;
 use crate::part::{Bvh, Part};
+use crate::pose::Pose;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::cell::Cell;
 
@@ -15,14 +17,14 @@ pub(super) const RISE_MM: f64 = 0.01;
 #[derive(Clone, Debug)]
 pub struct BeamInterference<'a> {
     pub(super) bvh: &'a Bvh,
-    /// Diagonal of the part: nothing lies further along a beam.
-    pub(super) size_mm: f64,
     /// Cone and head, and the clamps they must miss; `None`: the ray alone.
     pub(super) geometry: Option<&'a ToolGeometry<'a>>,
     /// The facet of the part that cone or head hit last; it is tested first.
     pub(super) last_body_facet: Cell<Option<[Point3<f64>; 3]>>,
     /// The facet that the ray hit last. It is tested first: the next ray is likely to hit it as well.
     pub(super) last_ray_facet: Cell<Option<[Point3<f64>; 3]>>,
+    /// The work that asks.
+    progress: Option<&'a Progress>,
 }
 
 impl<'a> BeamInterference<'a> {
@@ -35,17 +37,29 @@ impl<'a> BeamInterference<'a> {
     pub fn with(part: &'a Part, geometry: Option<&'a ToolGeometry<'a>>) -> BeamInterference<'a> {
         BeamInterference {
             bvh: &part.bvh,
-            size_mm: part.bvh.diagonal_mm(),
             geometry,
             last_ray_facet: Cell::new(None),
             last_body_facet: Cell::new(None),
+            progress: None,
         }
+    }
+
+    /// Asked by work that may be cancelled. From then on no pose is free, so that whatever searches ends soon; who
+    /// takes the result asks [`BeamInterference::check`] first.
+    pub fn under(self, progress: Option<&'a Progress>) -> BeamInterference<'a> {
+        BeamInterference { progress, ..self }
+    }
+
+    /// # Errors
+    /// [`Cancelled`] when the work should end.
+    pub fn check(&self) -> Result<(), Cancelled> {
+        self.progress.map_or(Ok(()), Progress::check)
     }
 
     /// All that can be hit, the part first: the clamp's number, its facets, and where it stands in the part frame.
     pub(super) fn obstacles(&self) -> impl Iterator<Item = (Option<u32>, &'a Bvh, Option<Isometry3<f64>>)> {
-        let clamps = self.geometry.map_or(&[][..], |b| b.clamps);
-        let clamps = clamps.iter().enumerate().map(|(i, c)| (Some(i as u32), &c.solid().bvh, Some(c.at())));
+        let clamps = self.geometry.map_or(&[][..], |b| &b.clamps);
+        let clamps = clamps.iter().enumerate().map(|(i, c)| (Some(i as u32), &c.solid.bvh, Some(c.at)));
         std::iter::once((None, self.bvh, None)).chain(clamps)
     }
 }
@@ -58,4 +72,12 @@ pub(super) fn into_frame(
     a: &Vector3<f64>,
 ) -> (Point3<f64>, Vector3<f64>) {
     at.map_or((*p, *a), |at| (at.inverse_transform_point(p), at.inverse_transform_vector(a)))
+}
+
+/// Beginning, middle and end of a motion in the frame of something that stands at `at`.
+pub(super) fn motion_into_frame(at: Option<&Isometry3<f64>>, motion: [&Pose; 3]) -> [Pose; 3] {
+    motion.map(|q| {
+        let (p, a) = into_frame(at, &q.p, &q.a);
+        Pose { p, a }
+    })
 }

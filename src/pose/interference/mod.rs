@@ -19,11 +19,12 @@ use nalgebra::{Point3, Vector3};
 impl BeamInterference<'_> {
     /// Whether beam and head meet nothing, the spot in the point `p` of the surface, along the unit axis `a`.
     pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
-        self.is_ray_free(p, a) && self.is_body_free(p, a)
+        self.check().is_ok() && self.is_ray_free(p, a) && self.is_body_free(p, a)
     }
 
     /// The nearest thing in the way of the ray, or else what is in the way of cone and head.
     pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
+        self.check().ok()?;
         self.ray_blocker(p, a).or_else(|| self.body_blocker(p, a))
     }
 }

@@ -1,7 +1,7 @@
 //! The beam as a ray (P1 3.1) against all facets, with what P1 leaves open: a beam that grazes a facet, and one
 //! that starts in it.
 
-use super::beam_interference::{BeamInterference, RISE_MM, into_frame};
+use super::beam_interference::{BeamInterference, RISE_MM, into_frame, motion_into_frame};
 use super::blocker::{Blocker, Obstruction, ToolBody};
 use crate::part::{Bvh, angle, distance};
 use crate::pose::Pose;
@@ -64,73 +64,40 @@ impl BeamInterference<'_> {
     }
 
     /// How far along the beam the farthest facet lies that the motion between two poses may touch,
-    /// mm; `None` if it can touch none. `middle` is the pose half way, `sag_mm` how far the part
-    /// may lie from the chord.
-    ///
-    /// Two kinds of facets cannot be touched: those that the beam leaves on their face at both ends
-    /// (the points between lie on that side too, and so do the axes between), and those that do not
-    /// rise above the spot, such as the rest of a convex surface.
+    /// mm; `None` if it can touch none, of part or clamps. `motion`: the poses at its beginning, half way and at its end;
+    /// `sag_mm`: how far the part may lie from the chord.
     pub(in crate::pose) fn ray_conflict(
         &self,
-        from: &Pose,
-        to: &Pose,
-        middle: &Pose,
+        motion: [&Pose; 3],
         sag_mm: f64,
         stray_mm: impl Fn(f64) -> f64,
     ) -> Option<f64> {
-        let half_mm = 0.5 * (to.p - from.p).norm();
-        let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
-        let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM + stray_mm(t.max(0.0));
-        let mut farthest: Option<f64> = None;
-        // A turning beam sweeps wide only far out: each stretch is looked at as wide as it gets, so
-        // that the surface around the spot is not visited for the sake of the far end.
-        let (mut near, mut far) = (0.0, FIRST_STRETCH_MM + 2.0 * half_mm);
-        while near < self.size_mm {
-            let start = middle.p + middle.a * near;
-            let ray = distance::WideRay::new(&start, &middle.a, radius(far));
-            self.bvh.visit_ray(&start, &middle.a, 0.0, far - near, radius(far), |_, corners| {
-                if ray.surely_misses(corners) {
-                    return f64::INFINITY;
-                }
-                let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
-                let length = n.norm();
-                let side = n.dot(&middle.a).signum();
-                let leaves = |q: &Pose| {
-                    side * n.dot(&q.a) > LEAVES_SINE * length && side * n.dot(&(q.p - corners[0])) >= -1e-7 * length
+        self.obstacles()
+            .filter_map(|(_, bvh, at)| conflict_with(bvh, &motion_into_frame(at.as_ref(), motion), sag_mm, &stray_mm))
+            .reduce(f64::max)
+    }
+
+    /// The nearest of what the ray from `from_mm` above `p` on goes through, or comes nearer to than a
+    /// share of what a beam keeps at a target.
+    pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, share: f64) -> Option<Obstruction> {
+        let mut first: Option<(f64, Obstruction)> = None;
+        for (clamp, bvh, at) in self.obstacles() {
+            let (p, a) = &into_frame(at.as_ref(), p, a);
+            bvh.visit_ray(p, a, from_mm, f64::INFINITY, share * GRAZE_MM, |facet, corners| {
+                let through = crate::part::bvh::ray_hit_mm(corners, p, a).filter(|t| *t > from_mm);
+                let beside = || {
+                    let near = share > 0.0 && is_beside(p, a, corners, from_mm, share);
+                    near.then(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(from_mm))
                 };
-                if leaves(from) && leaves(to) {
-                    return f64::INFINITY;
-                }
-                let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
-                let top = rise(from).max(rise(to));
-                let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
-                if top > RISE_MM + 2.0 * sag_mm && touchable() {
-                    farthest = Some(farthest.map_or(top, |f| f.max(top)));
+                let what = clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp);
+                if let Some(t) = through.or_else(beside)
+                    && first.is_none_or(|f| (t, what) < f)
+                {
+                    first = Some((t, what));
                 }
                 f64::INFINITY
             });
-            (near, far) = (far, 6.0 * far);
         }
-        farthest
-    }
-
-    /// The nearest facet that the ray from `from_mm` above `p` on goes through, or comes nearer to than a
-    /// share of what a beam keeps at a target.
-    pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, share: f64) -> Option<u32> {
-        let mut first: Option<(f64, u32)> = None;
-        self.bvh.visit_ray(p, a, from_mm, f64::INFINITY, share * GRAZE_MM, |facet, corners| {
-            let through = crate::part::bvh::ray_hit_mm(corners, p, a).filter(|t| *t > from_mm);
-            let beside = || {
-                let near = share > 0.0 && is_beside(p, a, corners, from_mm, share);
-                near.then(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(from_mm))
-            };
-            if let Some(t) = through.or_else(beside)
-                && first.is_none_or(|f| (t, facet) < f)
-            {
-                first = Some((t, facet));
-            }
-            f64::INFINITY
-        });
         first.map(|f| f.1)
     }
 
@@ -152,6 +119,54 @@ impl BeamInterference<'_> {
         });
         best.map_or(*p, |off| p + a * off)
     }
+}
+
+/// How far along the beam the farthest facet of one body lies that a motion in its frame may touch, mm.
+///
+/// Two kinds of facets cannot be touched: those that the beam leaves on their face at both ends
+/// (the points between lie on that side too, and so do the axes between), and those that do not
+/// rise above the spot, such as the rest of a convex surface.
+fn conflict_with(bvh: &Bvh, [from, middle, to]: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f64) -> f64) -> Option<f64> {
+    let half_mm = 0.5 * (to.p - from.p).norm();
+    let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
+    let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM + stray_mm(t.max(0.0));
+    let (centre, round_mm) = bvh.sphere_of_box()?;
+    // Nothing of the body lies further along the beam, and where even the widest beam passes beside it, nothing is met.
+    let size_mm = (centre - middle.p).norm() + round_mm + half_mm;
+    if distance::point_ray(&centre, &middle.p, &middle.a) > round_mm + radius(size_mm) {
+        return None;
+    }
+    let mut farthest: Option<f64> = None;
+    // A turning beam sweeps wide only far out: each stretch is looked at as wide as it gets, so
+    // that the surface around the spot is not visited for the sake of the far end.
+    let (mut near, mut far) = (0.0, FIRST_STRETCH_MM + 2.0 * half_mm);
+    while near < size_mm {
+        let start = middle.p + middle.a * near;
+        let ray = distance::WideRay::new(&start, &middle.a, radius(far));
+        bvh.visit_ray(&start, &middle.a, 0.0, far - near, radius(far), |_, corners| {
+            if ray.surely_misses(corners) {
+                return f64::INFINITY;
+            }
+            let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+            let length = n.norm();
+            let side = n.dot(&middle.a).signum();
+            let leaves = |q: &Pose| {
+                side * n.dot(&q.a) > LEAVES_SINE * length && side * n.dot(&(q.p - corners[0])) >= -1e-7 * length
+            };
+            if leaves(from) && leaves(to) {
+                return f64::INFINITY;
+            }
+            let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
+            let top = rise(from).max(rise(to));
+            let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
+            if top > RISE_MM + 2.0 * sag_mm && touchable() {
+                farthest = Some(farthest.map_or(top, |f| f.max(top)));
+            }
+            f64::INFINITY
+        });
+        (near, far) = (far, 6.0 * far);
+    }
+    farthest
 }
 
 /// The first facet that the ray interferes with, and where, mm along it; the facets stand at `at`.

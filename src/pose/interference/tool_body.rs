@@ -4,7 +4,7 @@
 //! anything. The margin is kept from everything; what the spot stands on is told from a wall by direction (see
 //! [`crate::beam::tool_geometry`]).
 
-use super::beam_interference::{BeamInterference, RISE_MM, into_frame};
+use super::beam_interference::{BeamInterference, RISE_MM, into_frame, motion_into_frame};
 use super::blocker::{Blocker, Obstruction, ToolBody};
 use crate::beam::frustum::PlacedFrustum;
 use crate::beam::tool_geometry::OWN_SINE;
@@ -127,6 +127,9 @@ impl<'a> BeamInterference<'a> {
     /// facets are visited.
     pub(in crate::pose) fn clearance_within_mm(&self, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> Option<f64> {
         let body = self.geometry.filter(|b| b.has_head)?;
+        if self.check().is_err() {
+            return Some(0.0);
+        }
         let mut least = most_mm;
         for shape in &body.head {
             for (_, bvh, at) in self.obstacles() {
@@ -188,11 +191,12 @@ impl<'a> BeamInterference<'a> {
     /// stray from the motion with a straight spot and a constant turn.
     pub(in crate::pose) fn body_conflict(
         &self,
-        [from, middle, to]: [&Pose; 3],
+        motion: [&Pose; 3],
         sag_mm: f64,
         stray_mm: impl Fn(f64) -> f64,
     ) -> Conflict {
         let Some(body) = self.geometry else { return Conflict::None };
+        let [from, _, to] = motion;
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.25 * angle::between_deg(&from.a, &to.a).to_radians()) * 2.0;
         let mut worst = Conflict::None;
@@ -201,10 +205,7 @@ impl<'a> BeamInterference<'a> {
             let moved_mm = half_mm + half_turn * reach_mm + stray_mm(reach_mm);
             let keeps_mm = shape.keeps_mm + moved_mm;
             let meets = self.obstacles().any(|(clamp, bvh, at)| {
-                let [from, middle, to] = [from, middle, to].map(|q| {
-                    let (p, a) = into_frame(at.as_ref(), &q.p, &q.a);
-                    Pose { p, a }
-                });
+                let [from, middle, to] = motion_into_frame(at.as_ref(), motion);
                 let placed = shape.frustum.placed(&middle.p, &middle.a);
                 let mut met = false;
                 bvh.visit_near_boxes(

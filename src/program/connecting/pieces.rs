@@ -85,6 +85,7 @@ pub fn blocked_retreats(
 ) -> Vec<Refusal> {
     let drawn_back = |space: &TransferSpace<'_>, at: &Station, can_go_straight: Option<&bool>| match can_go_straight {
         Some(true) => None,
+        _ if !space.goes_on() => None,
         _ => space.head_hit(at, &space.on_sphere(at)),
     };
     let refusals = |(i, piece): (usize, &LitPiece)| {

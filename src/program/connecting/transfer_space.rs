@@ -16,6 +16,7 @@ use crate::program::motion::lit::StraightFlange;
 use crate::program::motion::spot::FROM_MM;
 use crate::program::motion::sweep::stray_mm;
 use crate::program::neutral::steps::Station;
+use crate::progress::Progress;
 use nalgebra::{Isometry3, Point3, Vector3};
 
 /// Farther apart than this the way round is taken without looking at the straight one, mm.
@@ -38,6 +39,8 @@ pub struct TransferSpace<'a> {
     defocus_mm: f64,
     centre: Point3<f64>,
     radius_mm: f64,
+    /// The work that it is asked by.
+    progress: Option<&'a Progress>,
 }
 
 impl<'a> TransferSpace<'a> {
@@ -45,7 +48,15 @@ impl<'a> TransferSpace<'a> {
     pub fn of(straight: &StraightFlange<'a>, setup: &'a Setup, passes: &[Pass]) -> TransferSpace<'a> {
         let head = ToolGeometry::head_alone(&setup.tool, straight.prover.margin_mm());
         let farthest_focus_mm = passes.iter().map(|p| p.settings.defocus_mm).fold(0.0, f64::max);
-        TransferSpace::new(straight.prover.whole(), (head, straight.prover.mounted), &setup.cell.air, farthest_focus_mm)
+        let (air, progress) = (&setup.cell.air, straight.prover.progress);
+        let space =
+            TransferSpace::new(straight.prover.whole(), (head, straight.prover.mounted), air, farthest_focus_mm);
+        TransferSpace { progress, ..space }
+    }
+
+    /// Whether the work that it is asked by was not cancelled; else nobody needs an answer.
+    pub fn goes_on(&self) -> bool {
+        self.progress.is_none_or(Progress::goes_on)
     }
 
     /// The sphere lies `air.clearance_mm` outside everything that the focus reaches, and the head beside it.
@@ -57,15 +68,16 @@ impl<'a> TransferSpace<'a> {
         defocus_mm: f64,
     ) -> TransferSpace<'a> {
         let (mut lo, mut hi) = part.mesh.bounds();
-        for clamp in head.iter().flat_map(|h| h.clamps) {
-            for p in &clamp.solid().mesh.vertices {
-                let p = clamp.at() * p;
+        for clamp in head.iter().flat_map(|h| &h.clamps) {
+            for p in &clamp.solid.mesh.vertices {
+                let p = clamp.at * p;
                 (lo, hi) = (lo.inf(&p), hi.sup(&p));
             }
         }
         let head_mm = head.iter().flat_map(|h| &h.head).map(|f| f.r0_mm.max(f.r1_mm)).fold(0.0, f64::max);
         let radius_mm = 0.5 * (hi - lo).norm() + defocus_mm.max(0.0) + air.retreat_mm + air.clearance_mm + head_mm;
-        TransferSpace { part, head, mounted, air, defocus_mm, centre: lo + (hi - lo) * 0.5, radius_mm }
+        let centre = lo + (hi - lo) * 0.5;
+        TransferSpace { part, head, mounted, air, defocus_mm, centre, radius_mm, progress: None }
     }
 
     /// The space around the part as it was at another time.
@@ -97,7 +109,8 @@ impl<'a> TransferSpace<'a> {
     /// Whether the way from the end of one piece to the start of the next may go straight.
     pub fn can_go_straight(&self, from: &Station, to: &Station) -> bool {
         let (up, down) = (self.drawn_back(from), self.drawn_back(to));
-        (up.x - down.x).norm() <= HOP_MM
+        self.goes_on()
+            && (up.x - down.x).norm() <= HOP_MM
             && self.is_clear(&up, &down)
             && [(from, &up), (&up, &down), (&down, to)].iter().all(|(a, b)| self.head_hit(a, b).is_none())
     }

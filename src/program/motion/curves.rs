@@ -4,6 +4,7 @@
 use super::timeline::Timeline;
 use crate::cell::{Collision, Contact, Joints};
 use crate::part::rpy;
+use crate::progress::{Activity, Cancelled, Progress};
 use rayon::prelude::*;
 
 /// One moment of the curves.
@@ -59,12 +60,21 @@ pub fn curves(timeline: &Timeline) -> Vec<CurveSample> {
 }
 
 /// The clearance at evenly chosen moments of the curves, the first and the last among them.
-pub fn clearances(samples: &[CurveSample], collision: &Collision<'_>) -> Vec<Clearance> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn clearances(
+    samples: &[CurveSample],
+    collision: &Collision<'_>,
+    progress: &Progress,
+) -> Result<Vec<Clearance>, Cancelled> {
     let count = samples.len().min(MOST_CLEARANCES);
     let look = |k: usize| {
+        progress.step()?;
         let s = &samples[k * (samples.len() - 1) / (count - 1).max(1)];
-        Clearance { time_s: s.time_s, nearest: collision.clearance(&s.joints_deg) }
+        Ok(Clearance { time_s: s.time_s, nearest: collision.clearance(&s.joints_deg) })
     };
+    progress.begin(Activity::MeasuringClearances, count);
     (0..count).into_par_iter().map(look).collect()
 }
 

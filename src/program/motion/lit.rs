@@ -68,7 +68,8 @@ impl StraightFlange<'_> {
     /// What beam or head hits on a lit move, as the flange goes.
     fn beam_hits(&self, from: &Station, to: &Station, settings: &ProcessSettings) -> Option<Swept> {
         let [from, to] = [from, to].map(|s| self.prover.mounted.flange_for(&s.frame()));
-        self.prover.hit(&LitMove { from, to, by_focus: false, settings: *settings })
+        // Who cancels takes no stations.
+        self.prover.hit(&LitMove { from, to, by_focus: false, settings: *settings }).unwrap_or(None)
     }
 
     /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.

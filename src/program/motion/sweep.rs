@@ -12,8 +12,9 @@ use crate::cell::mounting::Mounted;
 use crate::part::{GrownPart, Part, angle};
 use crate::pose::Pose;
 use crate::pose::motion::{Motion, Swept, swept};
-use crate::pose::{BeamInterference, Blocker, Obstruction, ToolBody};
+use crate::pose::{BeamInterference, Blocker, ToolBody};
 use crate::program::neutral::steps::{Step, Steps};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
@@ -89,6 +90,8 @@ pub struct Prover<'a> {
     spare: Vec<(ProcessSettings, Option<ToolGeometry<'a>>)>,
     /// The share of what a ray keeps at a target that it has to keep here.
     ray_share: f64,
+    /// The work that it is asked by.
+    pub progress: Option<&'a Progress>,
 }
 
 /// A plan keeps this much more clear than is asked of its program, mm: numbers are written with three or four
@@ -117,7 +120,13 @@ impl<'a> Prover<'a> {
             sag_mm,
             window_mm: deviation_mm + 2.0 * sag_mm,
             ray_share: 0.0,
+            progress: None,
         }
+    }
+
+    /// Asked by work that may be cancelled.
+    pub fn under(self, progress: &'a Progress) -> Prover<'a> {
+        Prover { progress: Some(progress), ..self }
     }
 
     /// With the part as it has grown behind each layer: a move is proven on the part for which its own layer
@@ -161,8 +170,12 @@ impl<'a> Prover<'a> {
     }
 
     /// What is in the way of a move, if anything is.
-    pub fn hit(&self, m: &LitMove) -> Option<Swept> {
-        let beam = BeamInterference::with(self.part_of(m.settings.layer), self.tool_geometry(&m.settings));
+    ///
+    /// # Errors
+    /// [`Cancelled`] when the work that it is asked by should end.
+    pub fn hit(&self, m: &LitMove) -> Result<Option<Swept>, Cancelled> {
+        let beam = BeamInterference::with(self.part_of(m.settings.layer), self.tool_geometry(&m.settings))
+            .under(self.progress);
         let lever_mm = |pose: &Isometry3<f64>| {
             if m.by_focus {
                 return m.settings.defocus_mm.abs();
@@ -182,11 +195,15 @@ impl<'a> Prover<'a> {
     }
 
     /// Proves what can be proven.
-    pub fn prove(&self, moves: &[LitMove]) -> Proof {
-        let found: Vec<Option<Blocker>> = moves.par_iter().map(|m| self.hit(m).map(|h| h.blocker)).collect();
+    ///
+    /// # Errors
+    /// [`Cancelled`] when the work that it is asked by should end.
+    pub fn prove(&self, moves: &[LitMove]) -> Result<Proof, Cancelled> {
+        let found: Vec<Option<Blocker>> =
+            moves.par_iter().map(|m| Ok(self.hit(m)?.map(|h| h.blocker))).collect::<Result<_, Cancelled>>()?;
         let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
         let margin_mm = self.margin_mm();
-        Proof { lit_moves: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm }
+        Ok(Proof { lit_moves: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm })
     }
 
     /// What cone and head are proven to keep from everything, mm; 0 for a ray.
@@ -241,8 +258,8 @@ impl Motion for Going<'_> {
     /// Beside its planned point the ray may start a little inside a rounding: it is looked at from
     /// [`FROM_MM`] on.
     fn blocker(&self, beam: &BeamInterference<'_>, middle: &Pose) -> Option<Blocker> {
-        if let Some(facet) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
-            return Some(Blocker { tool_body: ToolBody::Beam, obstruction: Obstruction::Facet(facet), t_mm: FROM_MM });
+        if let Some(obstruction) = beam.passes_near(&middle.p, &middle.a, FROM_MM, self.prover.ray_share) {
+            return Some(Blocker { tool_body: ToolBody::Beam, obstruction, t_mm: FROM_MM });
         }
         beam.body_blocker(&middle.p, &middle.a)
     }

@@ -133,7 +133,7 @@ fn clearance_is_looked_at_from_the_first_moment_to_the_last() {
     let ball = ball.expect("a part");
     let collision = Collision::new(&setup, &ball).expect("a robot");
     for samples in [&curve[..], &curve[..1], &[]] {
-        let looked = clearances(samples, &collision);
+        let looked = clearances(samples, &collision, &crate::progress::Progress::default()).expect("nobody cancels");
         assert!(looked.len() <= 2000 && looked.is_empty() == samples.is_empty());
         let ends = [looked.first(), looked.last()].map(|c| c.map(|c| c.time_s));
         assert_eq!(ends, [samples.first(), samples.last()].map(|s| s.map(|s| s.time_s)));

@@ -9,6 +9,7 @@ use crate::pose::checker::Checker;
 use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::sweep::LitMove;
 use crate::program::{Interpolation, Move, MoveTiming, spot};
+use crate::progress::Cancelled;
 use nalgebra::Isometry3;
 use rayon::prelude::*;
 
@@ -120,20 +121,23 @@ fn check_speeds(robot: &Robot, line: &ReadLine, from: &Joints, to: &Joints, seco
 }
 
 /// Proves the lit moves as the controller makes them; what cannot be proven is a finding.
+///
+/// # Errors
+/// [`Cancelled`] when the work that the prover is asked by should end.
 pub(super) fn interference(
     expected: &Expected<'_>,
     poses: &Poses<'_>,
     driven: &[Driven<'_>],
     with_checker: bool,
     verdict: &mut Verdict,
-) {
+) -> Result<(), Cancelled> {
     let moves: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
-    verdict.proof = expected.prover.prove(&moves);
+    verdict.proof = expected.prover.prove(&moves)?;
     for (n, blocker) in &verdict.proof.refuted {
         verdict.findings.push(Difference::Touches(*blocker).at(driven[*n].at));
     }
     if !with_checker {
-        return;
+        return Ok(());
     }
     let facets = expected.part.mesh.facets.len().max(1);
     let layers = driven.iter().map(|d| d.lit.settings.layer).max().unwrap_or(0);
@@ -160,4 +164,5 @@ pub(super) fn interference(
             verdict.findings.push(hit);
         }
     }
+    Ok(())
 }

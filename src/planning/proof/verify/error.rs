@@ -1,6 +1,7 @@
 //! Why a program cannot be compared with its plan.
 
 use crate::program::{ReadError, WriteError};
+use crate::progress::Cancelled;
 use thiserror::Error;
 
 /// Why a program cannot be compared with its plan.
@@ -21,4 +22,13 @@ pub enum VerifyError {
     /// The plan, written in the program's dialect, cannot be read.
     #[error("own program unreadable: {0}")]
     OwnUnreadable(#[source] ReadError),
+    /// The work was cancelled.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl From<Cancelled> for VerifyError {
+    fn from(_: Cancelled) -> VerifyError {
+        VerifyError::Cancelled
+    }
 }

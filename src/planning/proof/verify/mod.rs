@@ -27,6 +27,7 @@ use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::program::dialect::{ReadContext, ReadLine};
 use crate::program::{Dialect, Program, ProgramFile, ReadError, WITHOUT_WORDS, dialects, lines};
+use crate::progress::{Cancelled, Progress};
 use compare::compare;
 use driven::interference;
 use std::sync::Arc;
@@ -56,7 +57,7 @@ pub fn check(
     let expected =
         Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
     let verdict = match dialect.read(first, &ReadContext { setup, open }) {
-        Ok(read) => verify(&expected, &read, with_checker),
+        Ok(read) => verify(&expected, &read, with_checker)?,
         Err(e) => Verdict { findings: vec![unreadable(e)], ..Verdict::default() },
     };
     Ok((dialect.name(), verdict))
@@ -74,23 +75,24 @@ fn unreadable(e: ReadError) -> Finding {
 /// are the plan's own, so it is written and read once.
 ///
 /// # Errors
-/// It cannot be read back.
+/// It cannot be read back; [`VerifyError::Cancelled`] when `progress` says so.
 pub fn check_own(
     part: &Part,
     plan: &Plan,
     setup: &Setup,
     job: &Job,
     written: &[ProgramFile],
+    progress: &Progress,
 ) -> Result<Verdict, VerifyError> {
     let Some(first) = written.first() else { return Ok(Verdict::default()) };
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let read =
         dialect_of(first)?.read(first, &ReadContext { setup, open: &open }).map_err(VerifyError::OwnUnreadable)?;
     let lines = lines(&plan.steps, setup);
-    let prover = prover(part, setup, job).on_layers(&plan.grown);
+    let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
     let defocus_mm = job.beam.defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };
-    Ok(verify(&expected, &read, false))
+    Ok(verify(&expected, &read, false)?)
 }
 
 fn dialect_of(first: &ProgramFile) -> Result<&'static dyn Dialect, VerifyError> {
@@ -98,14 +100,17 @@ fn dialect_of(first: &ProgramFile) -> Result<&'static dyn Dialect, VerifyError> 
 }
 
 /// Compares a program with the plan.
-pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) -> Verdict {
+///
+/// # Errors
+/// [`Cancelled`] when the work that the prover is asked by should end.
+pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) -> Result<Verdict, Cancelled> {
     let mut verdict = Verdict::default();
     let poses = Poses { setup: expected.setup, defocus_mm: expected.defocus_mm };
     let planned = compare(expected, &poses, read, &mut verdict);
     let driven = drive_program(&poses, read, &planned, &mut verdict);
-    interference(expected, &poses, &driven, with_checker, &mut verdict);
+    interference(expected, &poses, &driven, with_checker, &mut verdict)?;
     verdict.findings.sort_by_key(|f| order_of(read, f));
-    verdict
+    Ok(verdict)
 }
 
 /// Files in the order in which they are run.
