@@ -109,9 +109,10 @@ impl PartPicture {
 /// Edges between surfaces, and open ones.
 fn creases(mesh: &Mesh, surfaces: &Surfaces) -> Vec<[[f32; 3]; 2]> {
     (0..mesh.edges.len())
-        .filter(|&e| match *mesh.edge_facets(e as u32) {
-            [f, g] => surfaces.of_facet[f as usize] != surfaces.of_facet[g as usize],
-            _ => true,
+        .filter(|&e| {
+            let mut pairs = mesh.pairs(e as u32).peekable();
+            let parts = |[f, g]: [u32; 2]| surfaces.of_facet[f as usize] != surfaces.of_facet[g as usize];
+            pairs.peek().is_none() || pairs.any(parts)
         })
         .map(|e| mesh.edges[e].map(|v| f32s(&mesh.vertices[v as usize])))
         .collect()

@@ -6,6 +6,10 @@ use super::error::JobFileError;
 /// The version that is written.
 pub const WRITTEN: i64 = 2;
 
+/// What a job of any version takes for granted where it names no key, and new jobs do not: as TOML, by the keys of the
+/// job file. What was welded by equal coordinates alone stays so, with the numbers of its surfaces.
+const WHERE_SILENT: &str = "[part]\nweld = \"exact\"";
+
 /// What a job of version 1 takes for granted where it names no key and version 2 takes something else: as TOML,
 /// by the keys of the job file.
 const DEFAULTS_OF_1: &str = "";
@@ -25,6 +29,7 @@ pub(super) fn of(table: &toml::Table) -> Result<i64, JobFileError> {
 /// # Errors
 /// Never, for what stands here.
 pub(super) fn fill_defaults(version: i64, table: &mut toml::Table) -> Result<(), toml::de::Error> {
+    fill_gaps(table, toml::from_str(WHERE_SILENT)?);
     if version == 1 {
         fill_gaps(table, toml::from_str(DEFAULTS_OF_1)?);
     }
