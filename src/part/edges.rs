@@ -108,4 +108,3 @@ fn incidence(count: usize, names: &[[u32; 3]]) -> (Vec<u32>, Vec<u32>) {
     }
     (start, list)
 }
-

@@ -20,7 +20,8 @@ impl Part {
         placement: &Placement,
         flipped_shells: &[u32],
     ) -> Result<Part, StlError> {
-        let made = Source::from_bytes(bytes)?.part(units, Weld::default(), placement, flipped_shells, &Progress::default())?;
+        let made =
+            Source::from_bytes(bytes)?.part(units, Weld::default(), placement, flipped_shells, &Progress::default())?;
         // It cannot have been cancelled: nobody else holds this progress.
         Ok(made.unwrap_or_default())
     }

@@ -24,6 +24,8 @@ pub mod part_figures;
 pub mod placement;
 mod raw_part;
 pub mod rpy;
+#[cfg(test)]
+mod scale_tests;
 pub mod shape;
 mod sides;
 pub mod source;

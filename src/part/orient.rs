@@ -204,6 +204,34 @@ mod tests {
     }
 
     #[test]
+    fn voids_of_one_block_are_told_from_the_bodies_in_them_and_beside_it() {
+        let at = |i: u8| [1.0, 11.0, 21.0].map(|x: f32| x)[usize::from(i)];
+        let place = |n: u8, by: f32| [at(n % 3) + by, at(n / 3 % 3) + by, at(n / 9) + by];
+        let moved = |facets: Vec<RawFacet>, to: [f32; 3]| -> Vec<RawFacet> {
+            facets.iter().map(|f| f.map(|p| [0, 1, 2].map(|k| p[k] + to[k]))).collect()
+        };
+        let mut facets = cube(0.0, 32.0);
+        for n in 0..27 {
+            facets.extend(moved(cube(0.0, 8.0), place(n, 0.0)));
+            facets.extend(moved(cube(0.0, 2.0), place(n, 3.0)));
+            facets.extend(moved(cube(0.0, 8.0), [at(n % 3), at(n / 3 % 3), at(n / 9) + 40.0]));
+        }
+        let mut mesh = Mesh::weld(&facets, 1.0);
+        let o = orient(&mut mesh);
+        assert_eq!((o.flipped_facets, o.shells), (27 * 12, 1 + 3 * 27));
+        assert!((volume(&mesh) - (32768.0 + 27.0 * 8.0)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_skin_with_both_sides_keeps_them() {
+        let outside = cube(0.0, 2.0);
+        let both: Vec<RawFacet> = outside.iter().copied().chain(turned(outside.clone(), |_| true)).collect();
+        let mut mesh = Mesh::weld(&both, 1.0);
+        assert_eq!(orient(&mut mesh).flipped_facets, 0);
+        assert!((0..12).all(|f| (mesh.normals[f] + mesh.normals[f + 12]).norm() == 0.0));
+    }
+
+    #[test]
     fn an_open_sheet_keeps_the_side_of_most_of_its_area() {
         let open: Vec<RawFacet> = cube(0.0, 1.0).into_iter().skip(2).collect();
         let mut mesh = Mesh::weld(&turned(open.clone(), |i| i < 3), 1.0);

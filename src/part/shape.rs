@@ -86,13 +86,15 @@ impl Shape {
     }
 
     /// The shape, so many times larger.
-    fn scaled(self, by: f64) -> Shape {
+    pub(super) fn scaled(self, by: f64) -> Shape {
         match self {
             Shape::Cylinder { diameter_mm, centre, axis } => {
                 Shape::Cylinder { diameter_mm: diameter_mm * by, centre: centre * by, axis }
             }
             Shape::Cone { half_angle_deg, apex, axis } => Shape::Cone { half_angle_deg, apex: apex * by, axis },
-            Shape::Sphere { diameter_mm, centre } => Shape::Sphere { diameter_mm: diameter_mm * by, centre: centre * by },
+            Shape::Sphere { diameter_mm, centre } => {
+                Shape::Sphere { diameter_mm: diameter_mm * by, centre: centre * by }
+            }
             Shape::Plane { .. } | Shape::Freeform => self,
         }
     }

@@ -68,11 +68,7 @@ impl Sides {
 
     /// The neighbours over an edge of a sheet, one pair on each side. On one side facets run through their edge in
     /// opposite directions. At the rim, and where more than two sheets meet, there are none.
-    pub fn pairs(
-        &self,
-        at_edge: &[u32],
-        runs_forward: impl Fn(u32) -> Option<bool>,
-    ) -> [Option<[u32; 2]>; 2] {
+    pub fn pairs(&self, at_edge: &[u32], runs_forward: impl Fn(u32) -> Option<bool>) -> [Option<[u32; 2]>; 2] {
         let mut own = at_edge.iter().copied().filter(|&f| self.back_of(f).is_some());
         let four = [own.next(), own.next(), own.next(), own.next()];
         let ([Some(f), Some(a), Some(b), Some(c)], None) = (four, own.next()) else { return [None; 2] };

@@ -75,8 +75,7 @@ impl Mesh {
         let sides = Sides::new(&facets, &edges);
         let Edges { ends, of_facet, facets: at_edge } = edges;
         let (edges, facet_edges) = (ends, of_facet);
-        let mut mesh =
-            Mesh { vertices, facets, edges, facet_edges, at_edge, at_vertex, sides, ..Mesh::default() };
+        let mut mesh = Mesh { vertices, facets, edges, facet_edges, at_edge, at_vertex, sides, ..Mesh::default() };
         mesh.update_geometry();
         mesh
     }
@@ -160,6 +159,12 @@ impl Mesh {
     /// The facet with the same vertices that is the other side of this one, on a sheet that has both sides in the file.
     pub fn back_of(&self, facet: u32) -> Option<u32> {
         self.sides.back_of(facet)
+    }
+
+    /// The side of a sheet that a ray along `dir` comes to: the facet that it meets, or that one's back.
+    pub fn side_towards(&self, facet: u32, dir: &Vector3<f64>) -> u32 {
+        let is_from_behind = self.normals[facet as usize].dot(dir) > 0.0;
+        self.back_of(facet).filter(|_| is_from_behind).unwrap_or(facet)
     }
 
     /// How many facets have the vertices of an earlier one and are its other side.

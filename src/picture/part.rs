@@ -46,7 +46,9 @@ impl PartPicture {
     pub fn new(part: &Part, surfaces: &Surfaces) -> PartPicture {
         let mesh = &part.mesh;
         let key = Hasher::default().digest(part.digest).u32s(&surfaces.of_facet).finish();
-        let positions = (0..mesh.facets.len()).flat_map(|f| mesh.corners(f)).map(|p| f32s(&p)).collect();
+        let apart_mm = SIDES_APART * mesh.diagonal();
+        let shown = |f: usize| shown_corners(mesh, f, apart_mm);
+        let positions = (0..mesh.facets.len()).flat_map(shown).map(|p| f32s(&p)).collect();
         let edges = creases(mesh, surfaces);
         let (min, max) = mesh.bounds();
         PartPicture {
@@ -103,6 +105,18 @@ impl PartPicture {
             color = mixed(color, [255, 255, 255], 0.35);
         }
         [color[0], color[1], color[2], 255]
+    }
+}
+
+/// How far the two sides of a sheet without thickness are drawn apart, share of the part's diagonal: else each would
+/// show through the other. A hundredth of a pixel or so.
+const SIDES_APART: f64 = 1e-5;
+
+fn shown_corners(mesh: &Mesh, facet: usize, apart_mm: f64) -> [Point3<f64>; 3] {
+    let corners = mesh.corners(facet);
+    match mesh.back_of(facet as u32) {
+        Some(_) => corners.map(|p| p + mesh.normals[facet] * apart_mm),
+        None => corners,
     }
 }
 

@@ -76,6 +76,18 @@ mod tests {
     }
 
     #[test]
+    fn what_is_silent_is_welded_as_it_was() {
+        use crate::part::Weld;
+        for silent in ["", "version = 1", "version = 2", "version = 2\n[part]\nunits = \"m\""] {
+            assert_eq!(parse(silent).expect("reads").part.weld, Weld::Exact, "{silent}");
+        }
+        assert_eq!(parse("version = 2\n[part]\nweld = \"auto\"").expect("reads").part.weld, Weld::Auto);
+        assert!(toml::to_string(&Job::default()).expect("writes").contains("weld = \"auto\"\n"));
+        let why = refusal("version = 2\n[part]\nweld = \"close\"").to_string();
+        assert!(why.contains("auto") && why.contains("exact"), "{why}");
+    }
+
+    #[test]
     fn defaults_fill_gaps_alone() {
         let mut table: toml::Table = toml::from_str("[path]\nmax_turn_deg = 3.0").expect("reads");
         let defaults = "[path]\nmax_turn_deg = 8.0\ncorrection = \"none\"\n[bead]\nlayers = 2.0";

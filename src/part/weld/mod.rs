@@ -4,6 +4,8 @@
 mod exact;
 mod joining;
 mod seams;
+#[cfg(test)]
+mod tests;
 
 use super::edges::Edges;
 use super::raw_part::RawFacet;

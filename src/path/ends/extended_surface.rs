@@ -61,7 +61,8 @@ pub fn extended(mesh: &Mesh, surface: &Surface, over_mm: f64) -> ExtendedSurface
         }
         let others = mesh.facet_edges[next as usize].into_iter().filter(|&e| e != NO_EDGE && e != edge);
         // A facet that also meets the surface sharply would lead lines over that edge.
-        let sharp = others.clone().find(|&e| gentle(mesh, e, next).is_none() && mesh.edge_facets(e).iter().any(|&f| own(f)));
+        let sharp =
+            others.clone().find(|&e| gentle(mesh, e, next).is_none() && mesh.edge_facets(e).iter().any(|&f| own(f)));
         if sharp.is_some() {
             stops.insert(edge);
             continue;
