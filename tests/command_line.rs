@@ -76,7 +76,7 @@ fn corners_a_rounding_apart_are_joined_and_said_unless_exact() {
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         let v = json(&output);
         let count = |key: &str| v[key].as_u64().expect("a count");
-        let said = String::from_utf8_lossy(&output.stderr).contains("joined to another");
+        let said = String::from_utf8_lossy(&output.stderr).contains("corners were joined to others");
         (count("vertices"), count("boundary_edges"), count("joined_corners"), v["watertight"] == true, said)
     };
     assert_eq!(figures(&[]), (8, 0, 3, true, true));

@@ -48,9 +48,9 @@ part_two_sided_facets = { $count ->
    *[other] { $count } facets are the other sides of others
 }: a sheet has both its sides in the file, and each is a surface of its own
 part_joined_corners = { $count ->
-    [one] 1 corner was
-   *[other] { $count } corners were
-} joined to another about { $within } mm away or less, to close edges
+    [one] 1 corner was joined to another
+   *[other] { $count } corners were joined to others
+}, at most about { $within } mm away, to close open edges
 part_degenerate_facets = { $count ->
     [one] 1 facet has no area; planning skips it
    *[other] { $count } facets have no area; planning skips them
