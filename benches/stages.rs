@@ -7,6 +7,7 @@
 use clearbeam::beam::{Head, Optics, ProcessSettings, Tool, ToolConfiguration};
 use clearbeam::cell::Setup;
 use clearbeam::document::{Chosen, Job, segmented};
+use clearbeam::part::inspect::InspectReport;
 use clearbeam::part::merge_tree::dihedral_angles;
 use clearbeam::part::orient::orient;
 use clearbeam::part::surfaces::Surface;
@@ -19,7 +20,7 @@ use clearbeam::planning::{PlanCache, plan};
 use clearbeam::pose::clearance::free_set;
 use clearbeam::pose::{BeamInterference, Correction, LineOnSurface, LineRules, Pass, TiltRule, plan_line};
 use clearbeam::progress::Progress;
-use clearbeam::sample::solids::helical_gear;
+use clearbeam::sample::solids::{cube, helical_gear};
 use clearbeam::sample::stl_bytes;
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, criterion_group, criterion_main};
@@ -42,6 +43,7 @@ const PLAN_SPACING_MM: f64 = 4.0;
 const Z: Vector3<f64> = Vector3::new(0.0, 0.0, 1.0);
 
 fn stages(c: &mut Criterion) {
+    many_bodies(c);
     for (size, [teeth, k, layers, rings]) in SIZES {
         let bytes = stl_bytes(&helical_gear(teeth, k, layers, rings));
         let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
@@ -81,6 +83,25 @@ fn preparation(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, bytes: &[u8
     group.bench_function(format!("whole part/{size}"), |b| {
         b.iter(|| Part::from_bytes(black_box(bytes), Units::Mm, &Placement::default(), &[]));
     });
+}
+
+/// From the bytes of a file to what `inspect` says of it: cubes that stand apart.
+fn many_bodies(c: &mut Criterion) {
+    let mut group = c.benchmark_group("stages");
+    group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_millis(1500));
+    for side in [10, 16, 25] {
+        let place = |i: usize| [i % side, i / side % side, i / side / side].map(|k| 2.0 * k as f64);
+        let moved = |by: [f64; 3]| cube(1.0).into_iter().map(move |t| t.map(|p| [0, 1, 2].map(|k| p[k] + by[k])));
+        let count = side * side * side;
+        let bytes = stl_bytes(&(0..count).flat_map(|i| moved(place(i))).collect());
+        group.bench_function(format!("inspect/{count} bodies"), |b| {
+            b.iter(|| {
+                let part = Part::from_bytes(black_box(&bytes), Units::Mm, &Placement::default(), &[]).ok()?;
+                Some(InspectReport::new(&part, &segmented(&part, &Job::default()), 20.0))
+            });
+        });
+    }
+    group.finish();
 }
 
 /// The α slider, dragged: another angle each time.

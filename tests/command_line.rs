@@ -45,7 +45,7 @@ fn inspect_states_every_key() {
     assert_eq!(output.status.code(), Some(0));
     let v = json(&output);
     let keys: Vec<&str> = v.as_object().expect("object").keys().map(String::as_str).collect();
-    let expected = "facets vertices edges boundary_edges non_manifold_edges shells watertight degenerate_facets \
+    let expected = "facets vertices edges boundary_edges non_manifold_edges joined_corners shells watertight degenerate_facets \
                     duplicate_facets flipped_facets invalid_facets area_mm2 volume_mm3 bounds_mm angle_deg surfaces";
     assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
     assert_eq!((v["facets"].as_u64(), v["edges"].as_u64(), v["vertices"].as_u64()), (Some(12), Some(18), Some(8)));
@@ -57,6 +57,47 @@ fn inspect_states_every_key() {
     let side =
         inch["bounds_mm"]["max"][0].as_f64().expect("number") - inch["bounds_mm"]["min"][0].as_f64().expect("number");
     assert!((side - 254.0).abs() < 1e-9);
+}
+
+/// A cube of which one facet lies a rounding off its neighbours, in a folder.
+fn cracked_cube() -> (tempfile::TempDir, String) {
+    let mut cube = solids::cube(10.0);
+    cube[0] = cube[0].map(|p| p.map(|x| f64::from((x as f32).next_up())));
+    let (folder, file) = self::cube();
+    std::fs::write(&file, stl_bytes(&cube)).expect("writes");
+    (folder, file)
+}
+
+#[test]
+fn corners_a_rounding_apart_are_joined_and_said_unless_exact() {
+    let (folder, file) = cracked_cube();
+    let figures = |weld: &[&str]| {
+        let output = run(&[&["inspect", &file, "--json"], weld].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let v = json(&output);
+        let count = |key: &str| v[key].as_u64().expect("a count");
+        let said = String::from_utf8_lossy(&output.stderr).contains("corners were joined to others");
+        (count("vertices"), count("boundary_edges"), count("joined_corners"), v["watertight"] == true, said)
+    };
+    assert_eq!(figures(&[]), (8, 0, 3, true, true));
+    assert_eq!(figures(&["--weld", "auto"]), figures(&[]));
+    assert_eq!(figures(&["--weld", "exact"]), (11, 6, 0, false, false));
+    assert_eq!(code(&["inspect", &file, "--weld", "close"]), 2);
+
+    // A job that says nothing of it is welded as it was, and says so from then on.
+    let old = inside(folder.path(), "old.toml");
+    let text = "[part]\nfile = \"cube.stl\"\n[clean]\nsurfaces = [7]\n[layers]\nspacing_mm = 5.0\ndirection = \"1,0.3,-0.2\"\n";
+    std::fs::write(&old, text).expect("writes");
+    let job_of = |options: &[&str], out: &str| {
+        let out = inside(folder.path(), out);
+        let output = run(&[&["plan", &old, "--out", &out], options].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        std::fs::read_to_string(PathBuf::from(out).join("job.toml")).expect("a job")
+    };
+    let kept = job_of(&[], "kept");
+    assert!(kept.contains("weld = \"exact\"") && kept.contains("surfaces = [7]"), "{kept}");
+    let carried = job_of(&["--weld", "auto"], "carried");
+    assert!(carried.contains("weld = \"auto\"") && carried.contains("surfaces = [6]"), "{carried}");
 }
 
 #[test]

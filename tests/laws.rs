@@ -55,6 +55,27 @@ fn same(
     }
 }
 
+/// A sheet with both its sides in the file: each is planned as if the other were not there.
+#[test]
+fn the_other_side_of_a_sheet_changes_nothing_on_this_one() {
+    let front = step();
+    let back: Triangles = front.iter().map(|&[a, b, c]| [b, a, c]).collect();
+    let both: Triangles = front.iter().chain(&back).copied().collect();
+    let all = segmented(&part(&both), &Job::default());
+    let sizes: Vec<usize> = all.list.iter().map(|s| s.facets.len()).collect();
+    assert_eq!(sizes, [2; 6], "three faces on either side");
+    for correction in [Correction::None, Correction::SectionPlane, Correction::Clearance] {
+        let mut wanted = job("y", 3.1);
+        wanted.path.correction = correction;
+        for (alone, numbers) in [(&front, [1, 2, 3]), (&back, [4, 5, 6])] {
+            let (alone, beside) =
+                (planned(part(alone), wanted.clone()), planned(part(&both), on(wanted.clone(), &numbers)));
+            same(&alone, &beside, |p| *p, |v| *v);
+            assert!(alone.targets().any(|t| t.laser));
+        }
+    }
+}
+
 /// Plans a part as it is and moved, planes moved with it. Moves are proven as their program is written, and what is
 /// rounded there belongs to a frame: here it is written with all its digits.
 fn moved_alike(triangles: &Triangles, on_surfaces: &[[f64; 3]], mut job: Job, rotation_deg: [f64; 3], shift: [f64; 3]) {

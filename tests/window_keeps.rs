@@ -255,3 +255,25 @@ fn a_plan_with_nothing_to_do_is_called_that() {
     assert!(!out.path().join("MZ04-01-A.001").exists(), "the program of yesterday is gone");
     assert!(std::fs::read_to_string(out.path().join("report.json")).expect("there").contains("nothing_planned"));
 }
+
+#[test]
+fn corners_are_joined_otherwise_with_what_is_said_of_surfaces_and_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut cube = solids::cube(10.0);
+    // One facet lies a rounding off its neighbours.
+    cube[0] = cube[0].map(|p| p.map(|x| f64::from((x as f32).next_up())));
+    put(folder.path(), &cube);
+    let file = folder.path().join("job.toml");
+    let text = "[part]\nfile = \"part.stl\"\n[clean]\nsurfaces = [7]\n[surfaces]\nnames = { 7 = \"Lid\" }\n";
+    std::fs::write(&file, text).expect("writes");
+    let mut h = window(Some(file), &Answers::default());
+    assert_eq!(h.state().surfaces().len(), 7, "a job of before welds equal corners alone");
+    click(&mut h, "Part");
+    click(&mut h, "a rounding apart");
+    assert_eq!(h.state().surfaces().len(), 6);
+    let named = |h: &Harness<'_, App>, n: u32| h.state().document().job().settings.of(SurfaceId(n)).name.clone();
+    assert_eq!((named(&h, 6), named(&h, 7)), ("Lid".into(), String::new()));
+    assert!(h.query_by_label_contains("3 corners were joined").is_some());
+    press(&mut h, Modifiers::COMMAND, Key::Z);
+    assert_eq!((h.state().surfaces().len(), named(&h, 7)), (7, "Lid".into()));
+}

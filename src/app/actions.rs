@@ -8,6 +8,7 @@ use super::questions::Reply;
 use super::recipe_library::LibraryChange;
 use super::session::Session;
 use crate::document::{Edit, Parameter};
+use crate::part::Weld;
 use crate::view::Bounds;
 use nalgebra::{Point3, Vector3};
 use std::path::PathBuf;
@@ -17,6 +18,7 @@ enum Action {
     Command(Command),
     Edit { edit: Edit, gesture: Option<String> },
     Number(&'static Parameter, f64),
+    Weld(Weld),
     Robot(String),
     Library(LibraryChange),
     Open(PathBuf),
@@ -57,6 +59,11 @@ impl Actions {
     /// Sets a number of the parameter table, as part of a drag.
     pub fn number(&mut self, parameter: &'static Parameter, value: f64) {
         self.0.push(Action::Number(parameter, value));
+    }
+
+    /// Welds the corners of the part otherwise.
+    pub fn weld(&mut self, weld: Weld) {
+        self.0.push(Action::Weld(weld));
     }
 
     /// Chooses a robot by its key or file, with the dialect of its controller; an empty name stands for no robot.
@@ -154,6 +161,7 @@ impl App {
             Action::Command(command) => self.run(command),
             Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
             Action::Number(parameter, value) => self.set_parameter(parameter, value),
+            Action::Weld(weld) => self.set_weld(weld),
             Action::Robot(name) => self.choose_robot(&name),
             Action::Library(change) => self.change_library(change),
             Action::Open(file) => self.open_guarded(file),

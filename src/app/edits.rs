@@ -3,7 +3,8 @@
 use super::App;
 use crate::cell::Robot;
 use crate::document::{Edit, LostSettings, Parameter, RecutAnchor};
-use crate::part::{Placement, SurfaceId};
+use crate::part::{Placement, SurfaceId, Weld};
+use crate::progress::Progress;
 use crate::text::{Sentence as _, listed_clauses, say};
 use std::path::Path;
 
@@ -71,5 +72,25 @@ impl App {
         };
         self.edit_dragging(&Edit::recut(&part, &anchor, p, value), p.key);
         self.session.recut_anchor = Some((anchor, self.document.job().clone()));
+    }
+
+    /// Welds the corners of the part otherwise; what is said of surfaces is carried over to those that come of it.
+    pub(super) fn set_weld(&mut self, weld: Weld) {
+        let job = self.document.job();
+        let (Some(part), Some(source)) = (self.derived.part.clone(), self.derived.pipeline.source().cloned()) else {
+            return;
+        };
+        if job.part.weld == weld {
+            return;
+        }
+        if !self.derived.has_current_surfaces(&self.document) {
+            self.session.said = say!(window_part_being_built);
+            return;
+        }
+        let anchor = RecutAnchor { job: job.clone(), surfaces: self.derived.surfaces.clone() };
+        match Edit::weld(&source, &part, &anchor, weld, &Progress::default()) {
+            Ok(edit) => edit.into_iter().for_each(|edit| self.edit(edit)),
+            Err(e) => self.session.error = Some(e.sentence()),
+        }
     }
 }

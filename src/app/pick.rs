@@ -150,12 +150,13 @@ impl Context<'_> {
         // A ray that starts far behind everything: parallel cameras may stand inside the part.
         for _ in 0..64 {
             let hit = part.bvh.nearest_hit(&origin, &dir, 0.0, f64::INFINITY)?;
-            let surface = self.surface_of(hit.facet)?;
+            let facet = part.mesh.side_towards(hit.facet, &dir);
+            let surface = self.surface_of(facet)?;
             let is_hidden =
                 self.session.hidden.contains(&surface) || show.is_on(Toggle::HideChosen) && clean.contains(&surface);
             let point = origin + dir * hit.t_mm;
             if !is_hidden {
-                return Some((hit.facet, point));
+                return Some((facet, point));
             }
             origin = point + dir * 1e-6 * part.mesh.diagonal();
         }

@@ -5,7 +5,7 @@ use super::number_options;
 use super::word_options::WordOptions;
 use crate::document::files::build_part;
 use crate::document::{Edit, Job, Parameter, RecutAnchor, segmented};
-use crate::part::Source;
+use crate::part::{Part, Source, Weld};
 use crate::progress::Progress;
 use crate::text::Sentence as _;
 use crate::text::parameter::refused_option;
@@ -22,8 +22,9 @@ pub struct PlanOptions {
 
 /// Word options that the help lists after the number that they belong to; `""`: before all numbers. Others follow at the
 /// end.
-const BEHIND: [(&str, &str); 8] = [
+const BEHIND: [(&str, &str); 9] = [
     ("units", ""),
+    ("weld", ""),
     ("surfaces", "angle"),
     ("direction", "angle"),
     ("strategy", "spacing"),
@@ -73,6 +74,9 @@ impl PlanOptions {
     /// # Errors
     /// A number is out of range, or the part cannot be cut with it.
     pub fn apply(&self, job: &mut Job, source: &Source) -> Result<(), CommandFailure> {
+        if let Some(weld) = self.words.weld.filter(|w| *w != job.part.weld) {
+            reweld(job, source, weld)?;
+        }
         for &(p, value) in &self.numbers {
             p.check(value).map_err(|e| CommandFailure::Usage(refused_option(&e)))?;
             if p.recuts() && job.settings.iter().next().is_some() {
@@ -121,14 +125,38 @@ impl PlanOptions {
 
 /// Cuts the surfaces anew as the window does: their settings are carried over to their new numbers.
 fn recut(job: &mut Job, source: &Source, p: &Parameter, value: f64) -> Result<(), CommandFailure> {
+    let (part, anchor) = anchored(job, source)?;
+    apply_and_tell(&Edit::recut(&part, &anchor, p, value), job);
+    Ok(())
+}
+
+/// Welds otherwise as the window does, with the settings of surfaces carried over.
+fn reweld(job: &mut Job, source: &Source, weld: Weld) -> Result<(), CommandFailure> {
+    if !job.says_of_numbers() {
+        job.part.weld = weld;
+        return Ok(());
+    }
+    let (part, anchor) = anchored(job, source)?;
+    let edit = Edit::weld(source, &part, &anchor, weld, &Progress::default()).map_err(CommandFailure::failed)?;
+    // Nobody can have cancelled it.
+    edit.iter().for_each(|edit| apply_and_tell(edit, job));
+    Ok(())
+}
+
+/// The part of a job, and where an edit that changes its surfaces starts.
+fn anchored(job: &Job, source: &Source) -> Result<(Part, RecutAnchor), CommandFailure> {
     let built = build_part(source, &job.part, Path::new(&job.part.file), &Progress::default());
     // Nobody can have cancelled it.
     let part = built.map_err(CommandFailure::failed)?.unwrap_or_default();
-    let anchor = RecutAnchor { job: job.clone(), surfaces: Arc::new(segmented(&part, job)) };
-    for lost in Edit::recut(&part, &anchor, p, value).apply(job, &[]) {
+    let surfaces = Arc::new(segmented(&part, job));
+    Ok((part, RecutAnchor { job: job.clone(), surfaces }))
+}
+
+/// Makes an edit, and says what surfaces lost by it.
+fn apply_and_tell(edit: &Edit, job: &mut Job) {
+    for lost in edit.apply(job, &[]) {
         eprintln!("{}", lost.sentence());
     }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -150,7 +178,7 @@ mod tests {
         let help = command().render_help().to_string();
         let lines = help.lines().map(str::trim).filter_map(|l| l.strip_prefix("--"));
         let names: Vec<&str> = lines.filter_map(|l| l.split_whitespace().next()).collect();
-        let wanted = "units angle surfaces direction spacing strategy overlap inset passes offset order defocus \
+        let wanted = "units weld angle surfaces direction spacing strategy overlap inset passes offset order defocus \
                       chord-error max-step max-turn correction speed air-speed power spot max-tilt margin head cell \
                       robot mount dialect spin";
         assert_eq!(names, wanted.split_whitespace().collect::<Vec<_>>());

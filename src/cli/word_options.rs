@@ -3,7 +3,7 @@
 use super::number_options::number;
 use crate::cell::{Mount, Robot, Spin};
 use crate::document::{Chosen, FirstPlane};
-use crate::part::Units;
+use crate::part::{Units, Weld};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
 use crate::program::dialects;
@@ -15,6 +15,8 @@ use std::path::PathBuf;
 pub(super) struct WordOptions {
     #[arg(long, value_parser = units, help = say!(option_units))]
     pub units: Option<Units>,
+    #[arg(long, value_parser = weld, help = say!(option_weld))]
+    pub weld: Option<Weld>,
     #[arg(long, value_name = "LIST", value_parser = surfaces, help = say!(option_surfaces))]
     pub surfaces: Option<Chosen>,
     #[arg(long, allow_hyphen_values = true, value_parser = direction, help = say!(option_direction))]
@@ -55,6 +57,11 @@ fn dialects() -> String {
 /// Reads a unit of length.
 pub(super) fn units(text: &str) -> Result<Units, String> {
     Units::from_word(text).ok_or_else(|| say!(give_units))
+}
+
+/// Reads which corners become one vertex.
+pub(super) fn weld(text: &str) -> Result<Weld, String> {
+    Weld::from_word(text).ok_or_else(|| say!(give_weld))
 }
 
 fn order(text: &str) -> Result<Order, String> {

@@ -10,7 +10,7 @@ use super::settings::Settings;
 use super::start_from::StartFrom;
 use crate::beam::Obstacle;
 use crate::cell::{Mount, Spin};
-use crate::part::{Placement, SurfaceEdit, SurfaceId, Units};
+use crate::part::{Placement, SurfaceEdit, SurfaceId, Units, Weld};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::{Correction, Pin, TiltRule};
 use crate::process::Profile;
@@ -108,6 +108,19 @@ pub enum Edit {
     Place(Placement),
     /// The unit of the file.
     Units(Units),
+    /// Which corners of the part become one vertex. See [`Edit::weld`].
+    Weld {
+        /// Which.
+        weld: Weld,
+        /// Shells whose other side is to be worked on, by their new numbers.
+        flipped_shells: Vec<u32>,
+        /// Merges, splits and cuts that are still good.
+        edits: Vec<SurfaceEdit>,
+        /// What is said of the surfaces under their new numbers.
+        settings: Settings,
+        /// What was lost on the way.
+        lost: Vec<LostSettings>,
+    },
     /// The part's file has changed, or another is taken for it: the job for that. See
     /// [`CarriedOver`](super::CarriedOver).
     ChangedPart(Box<Job>),
@@ -191,6 +204,7 @@ impl Edit {
             | Edit::Reorder(_)
             | Edit::Place(_)
             | Edit::Units(_)
+            | Edit::Weld { .. }
             | Edit::ChangedPart(_)
             | Edit::Cell(_)
             | Edit::Robot(..)
@@ -216,6 +230,13 @@ impl Edit {
             Edit::Later { cuts, surfaces } => return job.put_aside(cuts, surfaces),
             Edit::Recut { key, value, edits, settings, lost } => {
                 set(job, key, *value);
+                job.surfaces.edits.clone_from(edits);
+                job.settings.clone_from(settings);
+                return lost.clone();
+            }
+            Edit::Weld { weld, flipped_shells, edits, settings, lost } => {
+                job.part.weld = *weld;
+                job.part.flipped_shells.clone_from(flipped_shells);
                 job.surfaces.edits.clone_from(edits);
                 job.settings.clone_from(settings);
                 return lost.clone();

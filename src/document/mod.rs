@@ -27,6 +27,7 @@ pub mod recut;
 pub mod remembered;
 pub mod renumber;
 mod reshape;
+pub mod reweld;
 pub mod settings;
 pub mod start_from;
 pub mod undo;

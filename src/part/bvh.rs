@@ -191,7 +191,7 @@ impl Slabs {
 
 /// Rounding of the slab distances must not lose a facet that lies in a box's side.
 fn reach(far: f64) -> f64 {
-    far + 1e-9 * (1.0 + smaller(far.abs(), 1e12))
+    far + 1e-9 * (1.0 + smaller(far.abs(), 1e30))
 }
 
 /// Möller–Trumbore: distance along the ray to a facet, any sign.

@@ -41,8 +41,13 @@ pub enum PartFinding {
         /// How many.
         count: usize,
     },
-    /// Facets with the vertices of an earlier one.
+    /// Facets with the vertices of an earlier one, which are passed over.
     DuplicateFacets {
+        /// How many.
+        count: usize,
+    },
+    /// Facets that are the other side of an earlier one, on sheets without thickness.
+    TwoSidedFacets {
         /// How many.
         count: usize,
     },
@@ -50,6 +55,13 @@ pub enum PartFinding {
     DegenerateFacets {
         /// How many.
         count: usize,
+    },
+    /// Corners of open edges that were a rounding apart and became one vertex.
+    JoinedCorners {
+        /// Vertices that vanished.
+        count: usize,
+        /// The farthest way that one of them went, mm.
+        within_mm: f64,
     },
     /// Bytes behind the last facet of a binary file.
     BytesPassedOver {
@@ -78,13 +90,17 @@ impl PartFinding {
             (found.boundary_edges, (|count| PartFinding::OpenEdges { count }) as fn(usize) -> PartFinding),
             (found.non_manifold_edges, |count| PartFinding::NonManifoldEdges { count }),
             (part.orientation.flipped_facets, |count| PartFinding::FlippedFacets { count }),
-            (found.duplicate_facets, |count| PartFinding::DuplicateFacets { count }),
+            (found.duplicate_facets - found.back_facets, |count| PartFinding::DuplicateFacets { count }),
+            (found.back_facets, |count| PartFinding::TwoSidedFacets { count }),
             (found.degenerate_facets, |count| PartFinding::DegenerateFacets { count }),
-            (found.tail_bytes, |count| PartFinding::BytesPassedOver { count }),
         ];
-        let joined = (found.solids > 1).then_some(PartFinding::SolidsJoined { count: found.solids });
         let counted = counted.into_iter().filter(|(count, _)| *count > 0).map(|(count, finding)| finding(count));
-        implausible_size(part).into_iter().chain(dropped).chain(counted).chain(joined).collect()
+        let (count, within_mm) = (found.joined_corners, found.joined_within_mm);
+        let corners = (count > 0).then_some(PartFinding::JoinedCorners { count, within_mm });
+        let tail = (found.tail_bytes > 0).then_some(PartFinding::BytesPassedOver { count: found.tail_bytes });
+        let solids = (found.solids > 1).then_some(PartFinding::SolidsJoined { count: found.solids });
+        let done = [corners, tail, solids].into_iter().flatten();
+        implausible_size(part).into_iter().chain(dropped).chain(counted).chain(done).collect()
     }
 }
 

@@ -19,6 +19,8 @@ pub struct InspectReport {
     pub boundary_edges: usize,
     /// Edges with more than two facets.
     pub non_manifold_edges: usize,
+    /// Vertices that vanished because corners of open edges a rounding apart were joined.
+    pub joined_corners: usize,
     /// Shells: facets connected through edges.
     pub shells: usize,
     /// Whether every edge has exactly two facets.
@@ -81,6 +83,7 @@ impl InspectReport {
             edges: mesh.edges.len(),
             boundary_edges: found.boundary_edges,
             non_manifold_edges: found.non_manifold_edges,
+            joined_corners: found.joined_corners,
             shells: part.orientation.shells,
             watertight: part.orientation.watertight,
             degenerate_facets: found.degenerate_facets,

@@ -1,27 +1,30 @@
 //! From an STL file, or its bytes, straight to a part.
 
 use super::stl::StlError;
-use super::{LoadError, Part, Placement, Source, Units};
+use super::{LoadError, Part, Placement, Source, Units, Weld};
 use crate::progress::Progress;
 use std::path::Path;
 
-/// Reads an STL file.
+/// Reads an STL file, welded by equal coordinates alone: whatever only stands in the way needs no closed edges.
 pub fn load(file: &Path, units: Units, placement: &Placement, flipped_shells: &[u32]) -> Result<Part, LoadError> {
-    let name = || file.display().to_string();
-    let bytes = std::fs::read(file).map_err(|source| LoadError::Io { file: name(), source })?;
-    Part::from_bytes(&bytes, units, placement, flipped_shells).map_err(|source| LoadError::Stl { file: name(), source })
+    let source = Source::read(file)?;
+    let made = source.part(units, Weld::Exact, placement, flipped_shells, &Progress::default());
+    let made = made.map_err(|source| LoadError::Stl { file: file.display().to_string(), source })?;
+    // It cannot have been cancelled: nobody else holds this progress.
+    Ok(made.unwrap_or_default())
 }
 
 impl Part {
-    /// Parses, welds, places and orients a part.
+    /// Parses, welds (as new jobs do), places and orients a part.
     pub fn from_bytes(
         bytes: &[u8],
         units: Units,
         placement: &Placement,
         flipped_shells: &[u32],
     ) -> Result<Part, StlError> {
-        let made = Source::from_bytes(bytes)?.part(units, placement, flipped_shells, &Progress::default())?;
-        // It cannot have been cancelled: nobody else holds this progress.
+        let source = Source::from_bytes(bytes)?;
+        let made = source.part(units, Weld::default(), placement, flipped_shells, &Progress::default())?;
+        // Nor this.
         Ok(made.unwrap_or_default())
     }
 }

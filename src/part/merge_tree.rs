@@ -5,40 +5,14 @@
 //! Dragging the α slider is then one pass over the tree, whatever the part.
 
 use super::angle;
-use super::topology::{FacetDefect, Mesh, NO_EDGE};
+use super::topology::{FacetDefect, Mesh};
+use super::union_find::UnionFind;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-/// Disjoint sets with path halving.
-#[derive(Clone, Debug)]
-pub struct UnionFind(Vec<u32>);
-
-impl UnionFind {
-    /// `count` sets of one member.
-    pub fn new(count: usize) -> UnionFind {
-        UnionFind((0..count as u32).collect())
-    }
-
-    /// The representative of a member's set: its lowest member.
-    pub fn root(&mut self, mut i: u32) -> u32 {
-        while self.0[i as usize] != i {
-            let up = self.0[self.0[i as usize] as usize];
-            self.0[i as usize] = up;
-            i = up;
-        }
-        i
-    }
-
-    /// Joins two sets; the lowest member stays the representative.
-    pub fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.0[a.max(b) as usize] = a.min(b);
-    }
-}
-
 /// Dihedral angle at an edge, degrees: the angle between the normals of its two facets (P1 Eq. 1).
 /// `f64::INFINITY`, a crease at any α, where the edge is open, has more than two facets, or two
-/// that disagree in winding.
+/// that disagree in winding. Of a sheet with both sides in the file the angle is that of either side.
 ///
 /// A facet without area has no normal; it takes that of the facet across its longest edge, whose
 /// sliver it is, so that it neither joins what it lies between nor shatters it.
@@ -46,8 +20,9 @@ pub fn dihedral_angles(mesh: &Mesh) -> Vec<f64> {
     let normals: Vec<Vector3<f64>> = (0..mesh.facets.len()).into_par_iter().map(|f| lent_normal(mesh, f)).collect();
     (0..mesh.edges.len() as u32)
         .into_par_iter()
-        .map(|e| match mesh.two_facets(e) {
-            Some([f, g]) if mesh.smooth_pair(e).is_some() || mesh.is_fold([f, g], e) => {
+        .map(|e| match mesh.pairs(e).next() {
+            // Both sides of a sheet bend by the same angle.
+            Some([f, g]) if mesh.is_smooth([f, g], e) || mesh.is_fold([f, g], e) => {
                 angle::between_deg(&normals[f as usize], &normals[g as usize])
             }
             _ => f64::INFINITY,
@@ -68,15 +43,10 @@ fn lent_normal(mesh: &Mesh, facet: usize) -> Vector3<f64> {
         };
         let across = mesh.facet_edges[f]
             .iter()
-            .filter(|&&e| e != NO_EDGE)
-            .filter_map(|&e| mesh.smooth_pair(e).map(|pair| (e, pair)))
+            .filter_map(|&e| mesh.across(f as u32, e).filter(|&g| mesh.is_smooth([f as u32, g], e)).map(|g| (e, g)))
             .max_by(|a, b| length(a.0).total_cmp(&length(b.0)));
-        let Some((_, [a, b])) = across else { break };
-        let next = if a as usize == f { b as usize } else { a as usize };
-        if next == facet {
-            break;
-        }
-        f = next;
+        let Some((_, next)) = across.filter(|(_, next)| *next as usize != facet) else { break };
+        f = next as usize;
     }
     mesh.normals[f]
 }
@@ -106,18 +76,19 @@ impl MergeTree {
         // Topmost join of each set, kept at its representative.
         let mut top: Vec<u32> = (0..count as u32).collect();
         for e in order {
-            let Some([f, g]) = mesh.two_facets(e) else { continue };
-            let (a, b) = (sets.root(f), sets.root(g));
-            if a == b {
-                continue;
+            for [f, g] in mesh.pairs(e) {
+                let (a, b) = (sets.root(f), sets.root(g));
+                if a == b {
+                    continue;
+                }
+                let join = parent.len() as u32;
+                parent.push(join);
+                height_deg.push(dihedral_deg[e as usize]);
+                parent[top[a as usize] as usize] = join;
+                parent[top[b as usize] as usize] = join;
+                sets.join(a, b);
+                top[a.min(b) as usize] = join;
             }
-            let join = parent.len() as u32;
-            parent.push(join);
-            height_deg.push(dihedral_deg[e as usize]);
-            parent[top[a as usize] as usize] = join;
-            parent[top[b as usize] as usize] = join;
-            sets.join(a, b);
-            top[a.min(b) as usize] = join;
         }
         MergeTree { facets: count, parent, height_deg }
     }

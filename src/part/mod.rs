@@ -5,22 +5,29 @@
 //! their files. Nothing here knows of section planes, beams or robots.
 
 pub mod angle;
+mod bounds;
+mod box_tree;
 pub mod bvh;
 mod digest;
 pub mod distance;
+mod edges;
 pub mod finding;
 pub mod growth;
 pub mod identity;
 pub mod inspect;
 pub mod load;
 pub mod merge_tree;
+mod nesting;
 mod numbering;
 pub mod orient;
 pub mod part_figures;
 pub mod placement;
 mod raw_part;
 pub mod rpy;
+#[cfg(test)]
+mod scale_tests;
 pub mod shape;
+mod sides;
 pub mod source;
 pub mod stl;
 mod stl_text;
@@ -28,8 +35,10 @@ mod surface;
 mod surface_rule;
 pub mod surfaces;
 pub mod topology;
+mod triangle;
+pub mod union_find;
 pub mod units;
-mod weld;
+pub mod weld;
 mod workpiece;
 
 pub use bvh::Bvh;
@@ -46,4 +55,5 @@ pub use surface_rule::{SurfaceEdit, SurfaceRule};
 pub use surfaces::{SurfaceId, Surfaces};
 pub use topology::Mesh;
 pub use units::Units;
+pub use weld::Weld;
 pub use workpiece::Part;

@@ -1,10 +1,11 @@
 //! Numbers facets by their surfaces: the cut of the merge tree at α, hysteresis, islands absorbed, and the
 //! operator's own merges, splits and cuts.
 
-use super::merge_tree::{MergeTree, UnionFind, below};
+use super::merge_tree::{MergeTree, below};
 use super::surface::listed;
 use super::surface_rule::{SurfaceEdit, SurfaceRule};
 use super::topology::{Mesh, NO_EDGE};
+use super::union_find::UnionFind;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Surface number of each facet, as edits go on.
@@ -47,8 +48,8 @@ fn with_hysteresis(mesh: &Mesh, dihedral_deg: &[f64], rule: &SurfaceRule) -> Vec
     let mut sets = UnionFind::new(mesh.facets.len());
     for (e, d) in dihedral_deg.iter().enumerate() {
         let crease = *d >= weak && is_strong[chains.root(mesh.edges[e][0]) as usize];
-        if let (false, true, Some([f, g])) = (crease, d.is_finite(), mesh.two_facets(e as u32)) {
-            sets.join(f, g);
+        if !crease && d.is_finite() {
+            mesh.pairs(e as u32).for_each(|[f, g]| sets.join(f, g));
         }
     }
     numbered(&mut sets, mesh.facets.len())
@@ -74,7 +75,7 @@ fn absorb_islands(mesh: &Mesh, dihedral_deg: &[f64], min_area_mm2: f64, of_facet
             for e in mesh.facet_edges[f as usize].into_iter().filter(|&e| e != NO_EDGE) {
                 let [a, b] = mesh.edges[e as usize];
                 let length = (mesh.vertices[a as usize] - mesh.vertices[b as usize]).norm();
-                for &g in mesh.edge_facets(e) {
+                for g in beside(mesh, f, e) {
                     let other = sets.root(of_facet[g as usize]);
                     if other as usize != root {
                         let border = borders.entry(other).or_default();
@@ -84,7 +85,7 @@ fn absorb_islands(mesh: &Mesh, dihedral_deg: &[f64], min_area_mm2: f64, of_facet
                 }
             }
         }
-        let mean = |(sum, length): &(f64, f64)| sum / length.max(1e-12);
+        let mean = |(sum, length): &(f64, f64)| if *length > 0.0 { sum / length } else { 0.0 };
         let best = borders.iter().min_by(|a, b| mean(a.1).total_cmp(&mean(b.1)));
         if let Some((&other, _)) = best {
             let (keep, gone) = (root.min(other as usize), root.max(other as usize));
@@ -101,6 +102,13 @@ fn absorb_islands(mesh: &Mesh, dihedral_deg: &[f64], min_area_mm2: f64, of_facet
         }
     }
     *of_facet = numbered(&mut facet_sets, of_facet.len());
+}
+
+/// The facets beside one at an edge: on a sheet with both sides in the file only the one on the same side.
+fn beside(mesh: &Mesh, facet: u32, edge: u32) -> impl Iterator<Item = u32> {
+    let on_its_side = mesh.back_of(facet).map(|_| mesh.across(facet, edge));
+    let all = if on_its_side.is_some() { &[][..] } else { mesh.edge_facets(edge) };
+    on_its_side.flatten().into_iter().chain(all.iter().copied())
 }
 
 impl Numbering {
@@ -135,11 +143,9 @@ fn apply(mesh: &Mesh, dihedral_deg: &[f64], edit: &SurfaceEdit, of_facet: &mut [
         SurfaceEdit::Split { split, angle_deg } => {
             let mut sets = UnionFind::new(of_facet.len());
             for (e, &d) in dihedral_deg.iter().enumerate() {
-                if let (true, Some([f, g])) = (d < below(*angle_deg), mesh.two_facets(e as u32))
-                    && of_facet[f as usize] == *split
-                    && of_facet[g as usize] == *split
-                {
-                    sets.join(f, g);
+                if d < below(*angle_deg) {
+                    let own = |pair: &[u32; 2]| pair.iter().all(|&f| of_facet[f as usize] == *split);
+                    mesh.pairs(e as u32).filter(own).for_each(|[f, g]| sets.join(f, g));
                 }
             }
             let mut numbers: BTreeMap<u32, u32> = BTreeMap::new();

@@ -2,11 +2,12 @@
 //! others look towards their void, open sheets to the side that most of their area has in the file.
 //!
 //! A *sheet* here is a set of facets connected through edges of exactly two facets; where it cannot be
-//! oriented (a Möbius strip) its seam stays a place where two facets disagree.
+//! oriented (a Möbius strip) its seam stays a place where two facets disagree. Where a file has both sides of a
+//! sheet without thickness, each is a sheet of its own, and looks as it does in the file.
 
-use super::topology::{Mesh, NO_EDGE, bounds_of};
-use nalgebra::{Point3, Vector3};
-use std::collections::BTreeMap;
+use super::nesting::Nesting;
+use super::topology::Mesh;
+use super::union_find::UnionFind;
 
 /// What was found and turned.
 #[derive(Clone, Debug, Default)]
@@ -32,11 +33,15 @@ pub fn orient(mesh: &mut Mesh) -> Orientation {
         .enumerate()
         .map(|(s, facets)| !torn[s] && facets.iter().all(|&f| is_closed_at(mesh, f)))
         .collect();
+    let closed_ones = sheets.iter().enumerate().filter(|(s, _)| closed[*s]).map(|(s, f)| (s as u32, f.as_slice()));
+    let nesting = Nesting::new(mesh, &sheet_of, closed_ones);
     for (s, facets) in sheets.iter().enumerate() {
-        let wrong = if closed[s] {
+        let wrong = if facets.iter().any(|&f| mesh.back_of(f).is_some()) {
+            false
+        } else if closed[s] {
             // Volume with the turned facets counted as turned.
             let outward = signed_volume(mesh, facets, &flip) > 0.0;
-            outward == (depth(mesh, &sheets, &closed, s) % 2 == 1)
+            outward == (nesting.depth(s as u32, facets) % 2 == 1)
         } else {
             let area = |want: bool| -> f64 {
                 facets.iter().filter(|&&f| flip[f as usize] == want).map(|&f| mesh.areas[f as usize]).sum()
@@ -64,7 +69,7 @@ pub fn orient(mesh: &mut Mesh) -> Orientation {
 }
 
 fn is_closed_at(mesh: &Mesh, f: u32) -> bool {
-    mesh.facet_edges[f as usize].iter().all(|&e| e != NO_EDGE && mesh.two_facets(e).is_some())
+    mesh.facet_edges[f as usize].iter().all(|&e| mesh.across(f, e).is_some())
 }
 
 /// Sheet of each facet, whether it must turn to agree with the sheet's first, and torn sheets.
@@ -82,14 +87,11 @@ fn agree(mesh: &Mesh) -> (Vec<u32>, Vec<bool>, Vec<bool>) {
         stack.push(first);
         while let Some(f) = stack.pop() {
             for e in mesh.facet_edges[f as usize] {
-                if e == NO_EDGE {
+                let Some(g) = mesh.across(f, e) else { continue };
+                if mesh.is_fold([f, g], e) {
+                    torn[sheet as usize] = true;
                     continue;
                 }
-                let Some([a, b]) = mesh.two_facets(e).filter(|&pair| !mesh.is_fold(pair, e)) else {
-                    torn[sheet as usize] |= mesh.two_facets(e).is_some();
-                    continue;
-                };
-                let g = if a == f { b } else { a };
                 let same_way = mesh.runs_forward(f, e) == mesh.runs_forward(g, e);
                 let wanted = turn[f as usize] != same_way;
                 if sheet_of[g as usize] == u32::MAX {
@@ -135,60 +137,26 @@ pub fn volume(mesh: &Mesh) -> f64 {
     signed_volume(mesh, &all, &vec![false; mesh.facets.len()])
 }
 
-/// Number of other closed sheets around sheet `s`.
-fn depth(mesh: &Mesh, sheets: &[Vec<u32>], closed: &[bool], s: usize) -> usize {
-    if closed.iter().filter(|&&c| c).count() < 2 {
-        return 0;
-    }
-    let boxed = |t: usize| bounds_of(sheets[t].iter().flat_map(|&f| mesh.corners(f as usize)));
-    let (lo, hi) = boxed(s);
-    let point = mesh.centroid(sheets[s][0] as usize);
-    (0..sheets.len())
-        .filter(|&t| t != s && closed[t] && sheets[t].len() >= 4)
-        .filter(|&t| {
-            let (outer_lo, outer_hi) = boxed(t);
-            (0..3).all(|k| outer_lo[k] <= lo[k] && hi[k] <= outer_hi[k])
-        })
-        .filter(|&t| is_inside(mesh, &sheets[t], &point))
-        .count()
-}
-
-/// Whether a point is inside a closed sheet: crossings of three rays, two of which decide where
-/// one happens to run through an edge.
-fn is_inside(mesh: &Mesh, facets: &[u32], point: &Point3<f64>) -> bool {
-    let rays = [Vector3::new(0.36, 0.48, 0.8), Vector3::new(-0.6, 0.64, 0.48), Vector3::new(0.28, -0.96, 0.1)];
-    let votes = rays.iter().filter(|ray| {
-        let crossings = facets.iter().filter(|&&f| crosses(mesh.corners(f as usize), point, ray)).count();
-        crossings % 2 == 1
-    });
-    votes.count() >= 2
-}
-
-fn crosses([a, b, c]: [Point3<f64>; 3], point: &Point3<f64>, ray: &Vector3<f64>) -> bool {
-    let (e1, e2, s) = (b - a, c - a, point - a);
-    let p = ray.cross(&e2);
-    let det = e1.dot(&p);
-    let (u, q) = (s.dot(&p) / det, s.cross(&e1));
-    let v = ray.dot(&q) / det;
-    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && e2.dot(&q) / det > 0.0
-}
-
 /// Shells by union over shared edges.
 fn shells(mesh: &Mesh) -> (Vec<u32>, usize) {
-    let mut sets = super::merge_tree::UnionFind::new(mesh.facets.len());
+    let mut sets = UnionFind::new(mesh.facets.len());
     for e in 0..mesh.edges.len() as u32 {
         for pair in mesh.edge_facets(e).windows(2) {
             sets.join(pair[0], pair[1]);
         }
     }
-    let mut numbers = BTreeMap::new();
+    let (mut numbers, mut count) = (vec![0u32; mesh.facets.len()], 0);
     let shell_of: Vec<u32> = (0..mesh.facets.len() as u32)
         .map(|f| {
-            let next = numbers.len() as u32 + 1;
-            *numbers.entry(sets.root(f)).or_insert(next)
+            let number = &mut numbers[sets.root(f) as usize];
+            if *number == 0 {
+                count += 1;
+                *number = count;
+            }
+            *number
         })
         .collect();
-    (shell_of, numbers.len())
+    (shell_of, count as usize)
 }
 
 #[cfg(test)]
@@ -233,6 +201,34 @@ mod tests {
         let o = orient(&mut mesh);
         assert_eq!((o.flipped_facets, o.shells), (12, 3));
         assert!((volume(&mesh) - (1000.0 - 216.0 + 8.0)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn voids_of_one_block_are_told_from_the_bodies_in_them_and_beside_it() {
+        let at = |i: u8| [1.0, 11.0, 21.0].map(|x: f32| x)[usize::from(i)];
+        let place = |n: u8, by: f32| [at(n % 3) + by, at(n / 3 % 3) + by, at(n / 9) + by];
+        let moved = |facets: Vec<RawFacet>, to: [f32; 3]| -> Vec<RawFacet> {
+            facets.iter().map(|f| f.map(|p| [0, 1, 2].map(|k| p[k] + to[k]))).collect()
+        };
+        let mut facets = cube(0.0, 32.0);
+        for n in 0..27 {
+            facets.extend(moved(cube(0.0, 8.0), place(n, 0.0)));
+            facets.extend(moved(cube(0.0, 2.0), place(n, 3.0)));
+            facets.extend(moved(cube(0.0, 8.0), [at(n % 3), at(n / 3 % 3), at(n / 9) + 40.0]));
+        }
+        let mut mesh = Mesh::weld(&facets, 1.0);
+        let o = orient(&mut mesh);
+        assert_eq!((o.flipped_facets, o.shells), (27 * 12, 1 + 3 * 27));
+        assert!((volume(&mesh) - (32768.0 + 27.0 * 8.0)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_skin_with_both_sides_keeps_them() {
+        let outside = cube(0.0, 2.0);
+        let both: Vec<RawFacet> = outside.iter().copied().chain(turned(outside.clone(), |_| true)).collect();
+        let mut mesh = Mesh::weld(&both, 1.0);
+        assert_eq!(orient(&mut mesh).flipped_facets, 0);
+        assert!((0..12).all(|f| (mesh.normals[f] + mesh.normals[f + 12]).norm() == 0.0));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use super::Units;
 use super::orient::{Orientation, volume};
 use super::raw_part::{InvalidFacet, RawPart};
 use super::topology::{FacetDefect, Mesh};
+use super::weld::Joined;
 
 /// Figures of a file that do not depend on the crease angle.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +20,12 @@ pub struct PartFigures {
     pub degenerate_facets: usize,
     /// Facets with the vertices of an earlier one.
     pub duplicate_facets: usize,
+    /// Those of them that are its other side, on sheets without thickness.
+    pub back_facets: usize,
+    /// Vertices that vanished because corners of open edges a rounding apart were joined.
+    pub joined_corners: usize,
+    /// The farthest way that one of them went, mm.
+    pub joined_within_mm: f64,
     /// Enclosed volume, mm³; `None` where the part is not watertight.
     pub volume_mm3: Option<f64>,
     /// The unit that the file was read in.
@@ -32,18 +39,22 @@ pub struct PartFigures {
 }
 
 impl PartFigures {
-    /// Counts them on the oriented mesh.
-    pub fn new(raw: &RawPart, mesh: &Mesh, orientation: &Orientation, units: Units) -> PartFigures {
+    /// Counts them on the oriented mesh. `joined` is in millimetres.
+    pub fn new(raw: &RawPart, joined: Joined, mesh: &Mesh, orientation: &Orientation, units: Units) -> PartFigures {
         let facets_at =
             |test: fn(usize) -> bool| (0..mesh.edges.len() as u32).filter(|&e| test(mesh.edge_facets(e).len())).count();
         let count = |kind| mesh.defects.iter().filter(|&&d| d == kind).count();
+        let back_facets = mesh.back_count();
         let (lo, hi) = mesh.bounds();
         PartFigures {
             invalid: raw.invalid.clone(),
             boundary_edges: facets_at(|n| n == 1),
             non_manifold_edges: facets_at(|n| n > 2),
             degenerate_facets: count(FacetDefect::Degenerate),
-            duplicate_facets: count(FacetDefect::Duplicate),
+            duplicate_facets: count(FacetDefect::Duplicate) + back_facets,
+            back_facets,
+            joined_corners: joined.corners,
+            joined_within_mm: joined.within,
             volume_mm3: orientation.watertight.then(|| volume(mesh)),
             units,
             better_units: units.better_guess((hi - lo).max() / units.mm()),

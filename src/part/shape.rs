@@ -75,19 +75,35 @@ impl Shape {
         let samples = Samples::new(mesh, surface);
         // 1e-4 of the surface's size: a hundred times the grain of f32, a tenth of what an
         // operator would call out of round.
-        let tolerance = 1e-4 * samples.size.max(1e-9);
+        let tolerance = 1e-4 * samples.size;
         samples
             .plane(tolerance)
             .or_else(|| samples.cylinder(tolerance))
             // Before the sphere: the two rings of a cone's side lie on one as well.
             .or_else(|| samples.cone(tolerance))
             .or_else(|| samples.sphere(tolerance))
-            .unwrap_or(Shape::Freeform)
+            .map_or(Shape::Freeform, |shape| shape.scaled(samples.unit_mm))
+    }
+
+    /// The shape, so many times larger.
+    pub(super) fn scaled(self, by: f64) -> Shape {
+        match self {
+            Shape::Cylinder { diameter_mm, centre, axis } => {
+                Shape::Cylinder { diameter_mm: diameter_mm * by, centre: centre * by, axis }
+            }
+            Shape::Cone { half_angle_deg, apex, axis } => Shape::Cone { half_angle_deg, apex: apex * by, axis },
+            Shape::Sphere { diameter_mm, centre } => {
+                Shape::Sphere { diameter_mm: diameter_mm * by, centre: centre * by }
+            }
+            Shape::Plane { .. } | Shape::Freeform => self,
+        }
     }
 }
 
-/// Unique vertices and facet normals of a surface.
+/// Unique vertices and facet normals of a surface, in a unit of its size, so that a fit is the same at every scale.
 struct Samples {
+    /// A power of two, so that nothing is rounded.
+    unit_mm: f64,
     points: Vec<Point3<f64>>,
     normals: Vec<(Vector3<f64>, f64)>,
     planes: Vec<(Vector3<f64>, Point3<f64>, f64)>,
@@ -102,14 +118,19 @@ impl Samples {
         let mut vertices: Vec<u32> = live.iter().flat_map(|&f| mesh.facets[f]).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        let points: Vec<_> = vertices.iter().map(|&v| mesh.vertices[v as usize]).collect();
-        let (lo, hi) = super::topology::bounds_of(points.iter().copied());
+        let at = |v: u32| mesh.vertices[v as usize];
+        let (lo, hi) = super::topology::bounds_of(vertices.iter().map(|&v| at(v)));
+        let size_mm = (hi - lo).norm();
+        let unit_mm = if size_mm > 0.0 { libm::ldexp(1.0, libm::ilogb(size_mm)) } else { 1.0 };
+        let area = |f: usize| mesh.areas[f] / unit_mm / unit_mm;
+        let facet = |&f: &usize| (mesh.normals[f], mesh.corners(f)[0] / unit_mm, area(f));
         Samples {
-            normals: live.iter().map(|&f| (mesh.normals[f], mesh.areas[f])).collect(),
-            planes: live.iter().map(|&f| (mesh.normals[f], mesh.corners(f)[0], mesh.areas[f])).collect(),
-            points,
-            centre: lo + (hi - lo) * 0.5,
-            size: (hi - lo).norm(),
+            unit_mm,
+            points: vertices.iter().map(|&v| at(v) / unit_mm).collect(),
+            normals: live.iter().map(|&f| (mesh.normals[f], area(f))).collect(),
+            planes: live.iter().map(facet).collect(),
+            centre: (lo + (hi - lo) * 0.5) / unit_mm,
+            size: size_mm / unit_mm,
         }
     }
 

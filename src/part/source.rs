@@ -6,6 +6,7 @@ use super::orient::orient;
 use super::part_figures::PartFigures;
 use super::stl::{self, FacetFault, RawPart, StlError};
 use super::topology::FacetDefect;
+use super::weld::{Joined, Weld, Welded};
 use super::{Bvh, Hasher, Mesh, Part, Placement, Units, digest_of};
 use crate::progress::{Activity, Progress};
 use std::path::Path;
@@ -67,12 +68,16 @@ impl Source {
     pub fn part(
         &self,
         units: Units,
+        weld: Weld,
         placement: &Placement,
         flipped_shells: &[u32],
         progress: &Progress,
     ) -> Result<Option<Part>, StlError> {
         progress.begin(Activity::BuildingPart, 5);
-        let mut mesh = Mesh::weld(&self.raw.facets, units.mm());
+        let welded = Welded::new(&self.raw.facets, weld);
+        let within = welded.joined.within * units.mm() * placement.scale;
+        let joined = Joined { within, ..welded.joined };
+        let mut mesh = Mesh::from_welded(welded, units.mm());
         if progress.step().is_err() {
             return Ok(None);
         }
@@ -91,7 +96,7 @@ impl Source {
                 mesh.flip(f);
             }
         }
-        let figures = PartFigures::new(&self.raw, &mesh, &orientation, units);
+        let figures = PartFigures::new(&self.raw, joined, &mesh, &orientation, units);
         if progress.step().is_err() {
             return Ok(None);
         }
@@ -104,7 +109,7 @@ impl Source {
             return Ok(None);
         }
         let Ok(bvh) = Bvh::built(&mesh, progress) else { return Ok(None) };
-        let digest = Hasher::default().of(&self.sha256).of(&units).of(placement).of(flipped_shells).finish();
+        let digest = Hasher::default().of(&self.sha256).of(&units).of(&weld).of(placement).of(flipped_shells).finish();
         let sha256 = self.sha256.clone();
         Ok(Some(Part { mesh, orientation, figures, dihedral_deg, tree, bvh, digest, sha256 }))
     }

@@ -4,13 +4,19 @@
 //! 2. edge → its two vertices and its facets: [`Mesh::edges`], [`Mesh::edge_facets`];
 //! 3. vertex → its facets: [`Mesh::vertex_facets`].
 //!
-//! Corners are welded where their stored f32 coordinates are equal (−0 = 0); no tolerance.
-//! Duplicate and degenerate facets stay, marked, so that numbers agree with the file's.
+//! Corners become vertices in `weld`. Duplicate and degenerate facets stay, marked, so that numbers agree with the
+//! file's. Of a sheet that has both sides in the file each side is a surface of its own: see [`Mesh::pairs`].
 
 use super::angle::between_deg;
-use super::stl::RawFacet;
-use super::weld::weld_corners;
+use super::edges::{Edges, Incidence};
+use super::raw_part::RawFacet;
+use super::sides::Sides;
+use super::triangle::normal_and_area;
+use super::weld::{Weld, Welded};
 use nalgebra::{Point3, Vector3};
+
+pub use super::bounds::bounds_of;
+pub use super::edges::NO_EDGE;
 
 /// A triangle mesh with its topology. Lengths mm, part frame.
 #[derive(Clone, Debug, Default)]
@@ -29,14 +35,10 @@ pub struct Mesh {
     pub areas: Vec<f64>,
     /// Defect of each facet; facets with one are not planned on.
     pub defects: Vec<FacetDefect>,
-    edge_start: Vec<u32>,
-    edge_list: Vec<u32>,
-    vertex_start: Vec<u32>,
-    vertex_list: Vec<u32>,
+    at_edge: Incidence,
+    at_vertex: Incidence,
+    sides: Sides,
 }
-
-/// In [`Mesh::facet_edges`]: the two corners are one vertex.
-pub const NO_EDGE: u32 = u32::MAX;
 
 /// What is wrong with a facet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,37 +48,34 @@ pub enum FacetDefect {
     None,
     /// Two corners are one vertex, or all lie on one line.
     Degenerate,
-    /// An earlier facet has the same vertices.
+    /// An earlier facet has the same vertices, and is not its other side (see [`Mesh::back_of`]).
     Duplicate,
 }
 
 impl Mesh {
-    /// Welds facets in file units and builds the topology; `mm_per_unit` scales afterwards.
+    /// Welds facets in file units by equal coordinates alone, and builds the topology; `mm_per_unit` scales afterwards.
     pub fn weld(raw: &[RawFacet], mm_per_unit: f64) -> Mesh {
-        let (points, facets) = weld_corners(raw);
-        let vertices = points
-            .iter()
-            .map(|p| Point3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])) * mm_per_unit)
-            .collect();
-        Mesh::from_indexed(vertices, facets)
+        Mesh::from_welded(Welded::new(raw, Weld::Exact), mm_per_unit)
+    }
+
+    /// Builds the topology over welded facets.
+    pub fn from_welded(welded: Welded, mm_per_unit: f64) -> Mesh {
+        let at = |p: &[f32; 3]| Point3::from(p.map(f64::from)) * mm_per_unit;
+        Mesh::over(welded.points.iter().map(at).collect(), welded.facets, welded.edges)
     }
 
     /// Builds the topology over vertices and facets that are already unique (indices in range).
     pub fn from_indexed(vertices: Vec<Point3<f64>>, facets: Vec<[u32; 3]>) -> Mesh {
-        let (edges, facet_edges) = unique_edges(vertices.len(), &facets);
-        let (edge_start, edge_list) = incidence(edges.len(), &facet_edges);
-        let (vertex_start, vertex_list) = incidence(vertices.len(), &facets);
-        let mut mesh = Mesh {
-            vertices,
-            facets,
-            edges,
-            facet_edges,
-            edge_start,
-            edge_list,
-            vertex_start,
-            vertex_list,
-            ..Default::default()
-        };
+        let edges = Edges::new(vertices.len(), &facets);
+        Mesh::over(vertices, facets, edges)
+    }
+
+    fn over(vertices: Vec<Point3<f64>>, facets: Vec<[u32; 3]>, edges: Edges) -> Mesh {
+        let at_vertex = Incidence::new(vertices.len(), &facets);
+        let sides = Sides::new(&facets, &edges);
+        let Edges { ends, of_facet, facets: at_edge } = edges;
+        let (edges, facet_edges) = (ends, of_facet);
+        let mut mesh = Mesh { vertices, facets, edges, facet_edges, at_edge, at_vertex, sides, ..Mesh::default() };
         mesh.update_geometry();
         mesh
     }
@@ -86,34 +85,15 @@ impl Mesh {
         let count = self.facets.len();
         (self.normals, self.areas) = (Vec::with_capacity(count), Vec::with_capacity(count));
         self.defects = vec![FacetDefect::None; count];
-        for f in 0..count {
-            let [a, b, c] = self.corners(f);
-            let cross = (b - a).cross(&(c - a));
-            let longest = (b - a).norm_squared().max((c - a).norm_squared()).max((c - b).norm_squared());
-            let twice_area = cross.norm();
-            // Relative height 1e-9: below what f32 coordinates can tell from a line (1e-7), above
-            // the rounding of this product.
-            let flat = twice_area <= 1e-9 * longest || !twice_area.is_normal();
-            self.normals.push(if flat { Vector3::zeros() } else { cross / twice_area });
-            self.areas.push(if flat { 0.0 } else { 0.5 * twice_area });
-            if flat {
-                self.defects[f] = FacetDefect::Degenerate;
-            }
+        for &f in self.sides.repeated() {
+            self.defects[f as usize] = FacetDefect::Duplicate;
         }
-        self.mark_duplicates();
-    }
-
-    fn mark_duplicates(&mut self) {
-        let sorted = |f: u32| {
-            let mut v = self.facets[f as usize];
-            v.sort_unstable();
-            v
-        };
-        for f in 0..self.facets.len() {
-            let key = sorted(f as u32);
-            let earlier = self.vertex_facets(key[0]).iter().any(|&g| (g as usize) < f && sorted(g) == key);
-            if earlier && self.defects[f] == FacetDefect::None {
-                self.defects[f] = FacetDefect::Duplicate;
+        for f in 0..count {
+            let (normal, area) = normal_and_area(&self.corners(f)).unwrap_or_default();
+            self.normals.push(normal);
+            self.areas.push(area);
+            if area == 0.0 {
+                self.defects[f] = FacetDefect::Degenerate;
             }
         }
     }
@@ -131,12 +111,12 @@ impl Mesh {
 
     /// Facets at an edge, each once, in file order.
     pub fn edge_facets(&self, edge: u32) -> &[u32] {
-        range(&self.edge_start, &self.edge_list, edge)
+        self.at_edge.of(edge)
     }
 
     /// Facets at a vertex, each once, in file order.
     pub fn vertex_facets(&self, vertex: u32) -> &[u32] {
-        range(&self.vertex_start, &self.vertex_list, vertex)
+        self.at_vertex.of(vertex)
     }
 
     /// The two facets of an edge that has exactly two.
@@ -144,10 +124,52 @@ impl Mesh {
         self.edge_facets(edge).try_into().ok()
     }
 
-    /// The two facets of an edge that run through it in opposite directions, as neighbours on one
-    /// side of a surface do; `None` for open edges, edges of three facets, and Möbius seams.
+    /// Neighbours over an edge: the two facets of an edge that has exactly two, and of a sheet with both sides in
+    /// the file one pair on either side; none where a side ends there, at open edges, and at edges of more facets.
+    pub fn pairs(&self, edge: u32) -> impl Iterator<Item = [u32; 2]> {
+        let facets = self.edge_facets(edge);
+        let pairs = if facets.iter().any(|&f| self.back_of(f).is_some()) {
+            self.sides.pairs(facets, |f| self.runs_forward(f, edge))
+        } else {
+            [self.two_facets(edge), None]
+        };
+        pairs.into_iter().flatten()
+    }
+
+    /// The neighbour of a facet over one of its edges.
+    pub fn across(&self, facet: u32, edge: u32) -> Option<u32> {
+        if edge == NO_EDGE {
+            return None;
+        }
+        let pair = self.pairs(edge).find(|pair| pair.contains(&facet))?;
+        Some(if pair[0] == facet { pair[1] } else { pair[0] })
+    }
+
+    /// Whether two neighbours run through their edge in opposite directions, as they do on one side of a surface.
+    pub fn is_smooth(&self, [f, g]: [u32; 2], edge: u32) -> bool {
+        self.runs_forward(f, edge) != self.runs_forward(g, edge)
+    }
+
+    /// The two facets of an edge that has exactly two, if they run through it in opposite directions; `None` for
+    /// open edges, edges of three facets, and Möbius seams.
     pub fn smooth_pair(&self, edge: u32) -> Option<[u32; 2]> {
-        self.two_facets(edge).filter(|&[f, g]| self.runs_forward(f, edge) != self.runs_forward(g, edge))
+        self.two_facets(edge).filter(|pair| self.is_smooth(*pair, edge))
+    }
+
+    /// The facet with the same vertices that is the other side of this one, on a sheet that has both sides in the file.
+    pub fn back_of(&self, facet: u32) -> Option<u32> {
+        self.sides.back_of(facet)
+    }
+
+    /// The side of a sheet that a ray along `dir` comes to: the facet that it meets, or that one's back.
+    pub fn side_towards(&self, facet: u32, dir: &Vector3<f64>) -> u32 {
+        let is_from_behind = self.normals[facet as usize].dot(dir) > 0.0;
+        self.back_of(facet).filter(|_| is_from_behind).unwrap_or(facet)
+    }
+
+    /// How many facets have the vertices of an earlier one and are its other side.
+    pub fn back_count(&self) -> usize {
+        (0..self.facets.len() as u32).filter(|&f| self.back_of(f).is_some_and(|g| g < f)).count()
     }
 
     /// Whether the two facets at an edge lie on top of each other, looking the same way: dirty
@@ -183,83 +205,6 @@ impl Mesh {
         let (lo, hi) = self.bounds();
         (hi - lo).norm()
     }
-}
-
-/// The box around points; empty input gives a box of zero size at the origin.
-pub fn bounds_of(points: impl Iterator<Item = Point3<f64>>) -> (Point3<f64>, Point3<f64>) {
-    points
-        .map(|p| (p, p))
-        .reduce(|(lo, hi), (p, _)| (lo.inf(&p), hi.sup(&p)))
-        .unwrap_or((Point3::origin(), Point3::origin()))
-}
-
-fn range<'a>(start: &[u32], list: &'a [u32], i: u32) -> &'a [u32] {
-    &list[start[i as usize] as usize..start[i as usize + 1] as usize]
-}
-
-/// Unique edges by lower and higher vertex, grouped by the lower; and the edges of each facet.
-fn unique_edges(vertex_count: usize, facets: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
-    // All half edges, bucketed by their lower vertex; equal ones are then few steps apart.
-    let ends = |f: &[u32; 3], k: usize| {
-        let (a, b) = (f[k], f[(k + 1) % 3]);
-        (a.min(b), a.max(b))
-    };
-    let mut start = vec![0u32; vertex_count + 1];
-    for f in facets {
-        for k in 0..3 {
-            start[ends(f, k).0 as usize + 1] += 1;
-        }
-    }
-    for i in 0..vertex_count {
-        start[i + 1] += start[i];
-    }
-    let mut fill = start.clone();
-    let mut half = vec![(0u32, 0u32); facets.len() * 3];
-    for (i, f) in facets.iter().enumerate() {
-        for k in 0..3 {
-            let (lo, hi) = ends(f, k);
-            half[fill[lo as usize] as usize] = (hi, (3 * i + k) as u32);
-            fill[lo as usize] += 1;
-        }
-    }
-    let mut edges: Vec<[u32; 2]> = Vec::with_capacity(facets.len() * 3 / 2 + 3);
-    let mut facet_edges = vec![[NO_EDGE; 3]; facets.len()];
-    for lo in 0..vertex_count {
-        let bucket = &mut half[start[lo] as usize..start[lo + 1] as usize];
-        bucket.sort_unstable();
-        let mut last = None;
-        for &(hi, corner) in bucket.iter().filter(|(hi, _)| *hi != lo as u32) {
-            if last != Some(hi) {
-                edges.push([lo as u32, hi]);
-                last = Some(hi);
-            }
-            facet_edges[corner as usize / 3][corner as usize % 3] = edges.len() as u32 - 1;
-        }
-    }
-    (edges, facet_edges)
-}
-
-/// For each of `count` things the facets that name it, each facet once.
-fn incidence(count: usize, names: &[[u32; 3]]) -> (Vec<u32>, Vec<u32>) {
-    let once = |f: &[u32; 3], k: usize| f[k] != NO_EDGE && !f[..k].contains(&f[k]);
-    let mut start = vec![0u32; count + 1];
-    for f in names {
-        for k in (0..3).filter(|&k| once(f, k)) {
-            start[f[k] as usize + 1] += 1;
-        }
-    }
-    for i in 0..count {
-        start[i + 1] += start[i];
-    }
-    let mut fill = start.clone();
-    let mut list = vec![0u32; start[count] as usize];
-    for (i, f) in names.iter().enumerate() {
-        for k in (0..3).filter(|&k| once(f, k)) {
-            list[fill[f[k] as usize] as usize] = i as u32;
-            fill[f[k] as usize] += 1;
-        }
-    }
-    (start, list)
 }
 
 #[cfg(test)]

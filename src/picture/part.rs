@@ -46,7 +46,9 @@ impl PartPicture {
     pub fn new(part: &Part, surfaces: &Surfaces) -> PartPicture {
         let mesh = &part.mesh;
         let key = Hasher::default().digest(part.digest).u32s(&surfaces.of_facet).finish();
-        let positions = (0..mesh.facets.len()).flat_map(|f| mesh.corners(f)).map(|p| f32s(&p)).collect();
+        let apart_mm = SIDES_APART * mesh.diagonal();
+        let shown = |f: usize| shown_corners(mesh, f, apart_mm);
+        let positions = (0..mesh.facets.len()).flat_map(shown).map(|p| f32s(&p)).collect();
         let edges = creases(mesh, surfaces);
         let (min, max) = mesh.bounds();
         PartPicture {
@@ -106,12 +108,25 @@ impl PartPicture {
     }
 }
 
+/// How far the two sides of a sheet without thickness are drawn apart, share of the part's diagonal: else each would
+/// show through the other. A hundredth of a pixel or so.
+const SIDES_APART: f64 = 1e-5;
+
+fn shown_corners(mesh: &Mesh, facet: usize, apart_mm: f64) -> [Point3<f64>; 3] {
+    let corners = mesh.corners(facet);
+    match mesh.back_of(facet as u32) {
+        Some(_) => corners.map(|p| p + mesh.normals[facet] * apart_mm),
+        None => corners,
+    }
+}
+
 /// Edges between surfaces, and open ones.
 fn creases(mesh: &Mesh, surfaces: &Surfaces) -> Vec<[[f32; 3]; 2]> {
     (0..mesh.edges.len())
-        .filter(|&e| match *mesh.edge_facets(e as u32) {
-            [f, g] => surfaces.of_facet[f as usize] != surfaces.of_facet[g as usize],
-            _ => true,
+        .filter(|&e| {
+            let mut pairs = mesh.pairs(e as u32).peekable();
+            let parts = |[f, g]: [u32; 2]| surfaces.of_facet[f as usize] != surfaces.of_facet[g as usize];
+            pairs.peek().is_none() || pairs.any(parts)
         })
         .map(|e| mesh.edges[e].map(|v| f32s(&mesh.vertices[v as usize])))
         .collect()

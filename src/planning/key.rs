@@ -11,7 +11,7 @@ use std::path::Path;
 /// The keys of everything that is computed from one job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keys {
-    /// Key of the part: file, unit, placement, turned shells.
+    /// Key of the part: file, unit, welding, placement, turned shells.
     pub part: Digest,
     /// Key of its feature surfaces: the part, and the rules and edits that make them.
     pub surfaces: Digest,
@@ -51,8 +51,8 @@ impl Keys {
 pub(super) fn part_key(source: &Source, part: &JobPart) -> Digest {
     // The digest that the job was made for counts only by whether it is the digest of this file.
     let is_other = part.is_of_another_file(&source.sha256);
-    let JobPart { file: _, sha256: _, units, placement, flipped_shells, landmarks: _ } = part;
-    Hasher::default().of(&source.sha256).of(&is_other).of(units).of(placement).of(flipped_shells).finish()
+    let JobPart { file: _, sha256: _, units, weld, placement, flipped_shells, landmarks: _ } = part;
+    Hasher::default().of(&source.sha256).of(&is_other).of(units).of(weld).of(placement).of(flipped_shells).finish()
 }
 
 fn surfaces_key(part: Digest, surfaces: &SurfaceParameters, settings: &Settings) -> Digest {

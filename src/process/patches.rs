@@ -2,7 +2,7 @@
 
 use super::dose_map::DoseMap;
 use super::statistics::DoseVerdict;
-use crate::part::{Mesh, Surfaces, merge_tree::UnionFind};
+use crate::part::{Mesh, Surfaces, union_find::UnionFind};
 use crate::pose::{Blocker, Obstruction, Pass, TargetState};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;

@@ -4,7 +4,7 @@
 use super::number::{exact, fixed};
 use super::say;
 use crate::cell::Spin;
-use crate::part::Units;
+use crate::part::{Units, Weld};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
 use crate::process::Profile;
@@ -85,6 +85,22 @@ pub(crate) fn units(units: Units) -> String {
         Units::Mm => say!(choice_mm),
         Units::M => say!(choice_m),
         Units::Inch => say!(choice_inch),
+    }
+}
+
+/// Which corners become one vertex.
+pub(crate) fn weld(weld: Weld) -> String {
+    match weld {
+        Weld::Auto => say!(choice_weld_auto),
+        Weld::Exact => say!(choice_weld_exact),
+    }
+}
+
+/// The same in a sentence.
+pub(crate) fn about_weld(weld: Weld) -> String {
+    match weld {
+        Weld::Auto => say!(choice_weld_auto_about),
+        Weld::Exact => say!(choice_weld_exact_about),
     }
 }
 

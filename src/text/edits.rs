@@ -34,6 +34,7 @@ impl Sentence for Edit {
             Edit::RenameRecipe(name, _) => say!(edit_rename_recipe, name),
             Edit::Place(_) => say!(edit_place),
             Edit::Units(_) => say!(edit_units),
+            Edit::Weld { .. } => say!(edit_weld),
             Edit::ChangedPart(_) => say!(edit_changed_part),
             Edit::Cell(_) => say!(edit_cell),
             Edit::Robot(..) => say!(edit_robot),

@@ -29,6 +29,13 @@ pub(crate) fn short(value: f64) -> String {
     }
 }
 
+/// A number by its first two digits: `0.00013`, `1.2e-17`.
+pub(crate) fn rough(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    let number = text.parse().unwrap_or(value);
+    if number == 0.0 || (1e-6..1e6).contains(&number.abs()) { exact(number) } else { text }
+}
+
 /// A share as per cent, without the sign.
 pub(crate) fn percent(share: f64, decimals: usize) -> String {
     fixed(100.0 * share, decimals)
@@ -68,6 +75,14 @@ mod tests {
         let cases = [(380.0, "380.0"), (-0.0002, "0.0"), (0.14, "0.14"), (-12.3456, "-12.346"), (1.5, "1.5")];
         for (value, text) in cases {
             assert_eq!(short(value), text);
+        }
+    }
+
+    #[test]
+    fn rough_figures_have_two_digits() {
+        let cases = [(0.000_126, "0.00013"), (1.234e-17, "1.2e-17"), (0.0, "0"), (9.96e7, "1.0e8"), (123.0, "120")];
+        for (value, text) in cases {
+            assert_eq!(rough(value), text);
         }
     }
 

@@ -1,6 +1,6 @@
 //! What is wrong with a part's file, and what was found in it.
 
-use super::{Arg, Sentence, fixed, id, listed_clauses, say};
+use super::{Arg, Sentence, fixed, id, listed_clauses, rough, say};
 use crate::part::stl::{FacetFault, InvalidFacet, StlError};
 use crate::part::{LoadError, PartFinding};
 
@@ -63,6 +63,10 @@ impl Sentence for PartFinding {
             PartFinding::NonManifoldEdges { count } => say!(part_non_manifold_edges, count = *count),
             PartFinding::FlippedFacets { count } => say!(part_flipped_facets, count = *count),
             PartFinding::DuplicateFacets { count } => say!(part_duplicate_facets, count = *count),
+            PartFinding::TwoSidedFacets { count } => say!(part_two_sided_facets, count = *count),
+            PartFinding::JoinedCorners { count, within_mm } => {
+                say!(part_joined_corners, count = *count, within = rough(*within_mm))
+            }
             PartFinding::DegenerateFacets { count } => say!(part_degenerate_facets, count = *count),
             PartFinding::BytesPassedOver { count } => say!(part_bytes_passed_over, count = *count),
             PartFinding::SolidsJoined { count } => say!(part_solids_joined, count = *count),

@@ -9,6 +9,7 @@ cli_inspect = Say what a part file holds: topology, faults, feature surfaces
 cli_inspect_part = The part
 cli_inspect_angle = Crease angle, degrees
 cli_inspect_units = Unit of the file: mm, m or inch
+cli_inspect_weld = Corners that become one: auto (equal ones; to close open edges also those a rounding apart) or exact (equal ones alone)
 cli_plan = Plan a job and write job, program, report and path into a folder
 cli_plan_input = Part or job
 cli_plan_out = Folder for the files of the plan

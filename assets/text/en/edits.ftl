@@ -75,6 +75,7 @@ edit_pins = change pinned tilts of surface { $surface }
 edit_flip_shell = flip shell { $shell }
 edit_place = place part
 edit_units = change unit
+edit_weld = join corners otherwise
 edit_changed_part = use the changed part
 edit_cell = change cell
 edit_robot = change robot

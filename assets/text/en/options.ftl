@@ -3,6 +3,7 @@
 ## What they are
 option_number = { $meaning } [default: { $default }]
 option_units = Unit of the file: mm, m or inch [default: mm]
+option_weld = Corners that become one: auto (equal ones; to close open edges also those a rounding apart) or exact (equal ones alone) [default: auto]
 option_surfaces = Surfaces to clean, in the order of work: all, or numbers like 4,1 [default: all]
 option_direction = Normal of the section planes: x, y, z, auto or DX,DY,DZ [default: z]
 option_strategy = Lines: planes, adaptive, offset, spiral or cross [default: planes]
@@ -20,6 +21,7 @@ option_spin = Rotation about the beam: free or travel [default: free]
 ## What can be given
 give_number = give a number
 give_units = give mm, m or inch
+give_weld = give auto or exact
 give_surfaces = give all, or surface numbers like 4,1
 give_surface_once = surface { $surface } stands twice in the list; name it once
 give_direction = give x, y, z, auto or three numbers DX,DY,DZ that are not all 0

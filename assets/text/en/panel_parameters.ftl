@@ -14,6 +14,7 @@ parameters_correction_name = correction { $correction }
 ## Part
 
 parameters_units = Unit of the file
+parameters_weld = Join corners
 parameters_implausible = The size is implausible
 parameters_take_units = Use { $units } instead
 parameters_turn = Turn

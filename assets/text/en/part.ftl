@@ -43,6 +43,14 @@ part_duplicate_facets = { $count ->
     [one] 1 facet is a duplicate; planning skips it
    *[other] { $count } facets are duplicates; planning skips them
 }
+part_two_sided_facets = { $count ->
+    [one] 1 facet is the other side of another
+   *[other] { $count } facets are the other sides of others
+}: a sheet has both its sides in the file, and each is a surface of its own
+part_joined_corners = { $count ->
+    [one] 1 corner was joined to another
+   *[other] { $count } corners were joined to others
+}, at most about { $within } mm away, to close open edges
 part_degenerate_facets = { $count ->
     [one] 1 facet has no area; planning skips it
    *[other] { $count } facets have no area; planning skips them

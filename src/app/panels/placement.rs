@@ -9,12 +9,13 @@ use super::numbers;
 use crate::document::Edit;
 use crate::document::job_file::{FARTHEST_MM, MOST_TURNS_DEG};
 use crate::document::parameter::Group;
-use crate::part::{PartFinding, Units};
+use crate::part::{PartFinding, Units, Weld};
 use crate::text::{Sentence as _, choices, say};
 use eframe::egui::{self, RichText};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     units(ui, context, actions);
+    weld(ui, context, actions);
     numbers::of_job(ui, Group::Part, context, actions);
     turn_and_move(ui, context, actions);
     for command in [Command::PickOrigin, Command::LayFlat] {
@@ -45,6 +46,18 @@ fn units(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
             actions.edit(Edit::Units(better));
         }
     }
+}
+
+fn weld(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    ui.horizontal(|ui| {
+        ui.label(say!(parameters_weld));
+        for w in Weld::ALL {
+            let chosen = context.document.job().part.weld == w;
+            if ui.selectable_label(chosen, choices::weld(w)).on_hover_text(choices::about_weld(w)).clicked() {
+                actions.weld(w);
+            }
+        }
+    });
 }
 
 fn turn_and_move(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {

@@ -59,6 +59,6 @@ pub fn build_part(
     file: &Path,
     progress: &Progress,
 ) -> Result<Option<Part>, LoadError> {
-    let built = source.part(part.units, &part.placement, &part.flipped_shells, progress);
+    let built = source.part(part.units, part.weld, &part.placement, &part.flipped_shells, progress);
     built.map_err(|source| LoadError::Stl { file: file.display().to_string(), source })
 }

@@ -6,6 +6,10 @@ use super::error::JobFileError;
 /// The version that is written.
 pub const WRITTEN: i64 = 2;
 
+/// What a job of any version takes for granted where it names no key, and new jobs do not: as TOML, by the keys of the
+/// job file. What was welded by equal coordinates alone stays so, with the numbers of its surfaces.
+const WHERE_SILENT: &str = "[part]\nweld = \"exact\"";
+
 /// What a job of version 1 takes for granted where it names no key and version 2 takes something else: as TOML,
 /// by the keys of the job file.
 const DEFAULTS_OF_1: &str = "";
@@ -25,6 +29,7 @@ pub(super) fn of(table: &toml::Table) -> Result<i64, JobFileError> {
 /// # Errors
 /// Never, for what stands here.
 pub(super) fn fill_defaults(version: i64, table: &mut toml::Table) -> Result<(), toml::de::Error> {
+    fill_gaps(table, toml::from_str(WHERE_SILENT)?);
     if version == 1 {
         fill_gaps(table, toml::from_str(DEFAULTS_OF_1)?);
     }
@@ -68,6 +73,18 @@ mod tests {
         assert_eq!(job.settings.of(SurfaceId(1)).tilt.least_deg, 5.0);
         let why = refusal(&format!("version = 2\n{two}"));
         assert!(matches!(why, JobFileError::Twice { key: "tilts", surface: SurfaceId(1) }), "{why:?}");
+    }
+
+    #[test]
+    fn what_is_silent_is_welded_as_it_was() {
+        use crate::part::Weld;
+        for silent in ["", "version = 1", "version = 2", "version = 2\n[part]\nunits = \"m\""] {
+            assert_eq!(parse(silent).expect("reads").part.weld, Weld::Exact, "{silent}");
+        }
+        assert_eq!(parse("version = 2\n[part]\nweld = \"auto\"").expect("reads").part.weld, Weld::Auto);
+        assert!(toml::to_string(&Job::default()).expect("writes").contains("weld = \"auto\"\n"));
+        let why = refusal("version = 2\n[part]\nweld = \"close\"").to_string();
+        assert!(why.contains("auto") && why.contains("exact"), "{why}");
     }
 
     #[test]

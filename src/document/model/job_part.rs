@@ -1,7 +1,7 @@
 //! The `[part]` table of a job: the part's file, and how it stands.
 
 use crate::document::remembered::Remembered;
-use crate::part::{Placement, Units};
+use crate::part::{Placement, Units, Weld};
 use serde::{Deserialize, Serialize};
 
 /// The part of a job: its file, and how it stands.
@@ -14,6 +14,8 @@ pub struct JobPart {
     pub sha256: String,
     /// Unit of its coordinates.
     pub units: Units,
+    /// Which of its corners become one vertex.
+    pub weld: Weld,
     /// Shells whose other side is to be worked on.
     pub flipped_shells: Vec<u32>,
     /// Where the part stands.

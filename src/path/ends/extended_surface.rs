@@ -48,17 +48,21 @@ pub fn extended(mesh: &Mesh, surface: &Surface, over_mm: f64) -> ExtendedSurface
     let mut queue: VecDeque<u32> = edges.into_iter().collect();
     while let Some(edge) = queue.pop_front() {
         let is_in = |f: u32| own(f) || beyond.contains(&f);
-        let Some(pair) = gentle(mesh, edge) else {
+        let from = live(mesh, edge).find(|&f| is_in(f));
+        let Some(next) = from.and_then(|f| gentle(mesh, edge, f)) else {
             stops.insert(edge);
             continue;
         };
-        let Some(next) = pair.into_iter().find(|&f| !is_in(f)) else { continue };
+        if is_in(next) {
+            continue;
+        }
         if !near_facet(next) {
             continue;
         }
         let others = mesh.facet_edges[next as usize].into_iter().filter(|&e| e != NO_EDGE && e != edge);
         // A facet that also meets the surface sharply would lead lines over that edge.
-        let sharp = others.clone().find(|&e| gentle(mesh, e).is_none() && mesh.edge_facets(e).iter().any(|&f| own(f)));
+        let sharp =
+            others.clone().find(|&e| gentle(mesh, e, next).is_none() && mesh.edge_facets(e).iter().any(|&f| own(f)));
         if sharp.is_some() {
             stops.insert(edge);
             continue;
@@ -77,11 +81,21 @@ pub fn extended(mesh: &Mesh, surface: &Surface, over_mm: f64) -> ExtendedSurface
     }
 }
 
-/// The two live facets of an edge that meet at less than the limit, wound alike.
-fn gentle(mesh: &Mesh, edge: u32) -> Option<[u32; 2]> {
-    let mut live = mesh.edge_facets(edge).iter().copied().filter(|&f| mesh.defects[f as usize] == FacetDefect::None);
-    let (f, g) = (live.next()?, live.next()?);
-    let only = live.next().is_none() && mesh.runs_forward(f, edge) != mesh.runs_forward(g, edge);
-    let turn_deg = between_deg(&mesh.normals[f as usize], &mesh.normals[g as usize]);
-    (only && turn_deg < SHARP_DEG).then_some([f, g])
+/// The facets of an edge that lines can be laid on.
+fn live(mesh: &Mesh, edge: u32) -> impl Iterator<Item = u32> {
+    mesh.edge_facets(edge).iter().copied().filter(|&f| mesh.defects[f as usize] == FacetDefect::None)
+}
+
+/// The other one of the two live facets of an edge on this side of the part, where they meet at less than the limit,
+/// wound alike.
+fn gentle(mesh: &Mesh, edge: u32, facet: u32) -> Option<u32> {
+    let other = match mesh.back_of(facet) {
+        Some(_) => mesh.across(facet, edge)?,
+        None => {
+            let mut others = live(mesh, edge).filter(|&f| f != facet);
+            others.next().filter(|_| others.next().is_none())?
+        }
+    };
+    let turn_deg = between_deg(&mesh.normals[facet as usize], &mesh.normals[other as usize]);
+    (mesh.is_smooth([facet, other], edge) && turn_deg < SHARP_DEG).then_some(other)
 }

@@ -12,7 +12,7 @@ use super::super::section::{SectionPoint, TransversalLine, chained, merged};
 use super::geodesic_distance::{Along, DistanceField};
 use super::surface_mesh::SurfaceMesh;
 use super::{Layout, LinesFinding, SurfaceLines, none, spacing};
-use crate::part::merge_tree::UnionFind;
+use crate::part::union_find::UnionFind;
 use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::Point3;
 use rayon::prelude::*;

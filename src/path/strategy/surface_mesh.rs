@@ -5,7 +5,7 @@ use super::super::normals::{VertexNormals, between};
 use super::super::planes::live;
 use super::super::section::SectionPoint;
 use crate::part::angle::unit;
-use crate::part::merge_tree::UnionFind;
+use crate::part::union_find::UnionFind;
 use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::{Point3, Vector3};
 

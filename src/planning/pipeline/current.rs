@@ -10,13 +10,18 @@ use super::super::toolpath::Toolpath;
 use super::Pipeline;
 use crate::cell::{Cell, Setup};
 use crate::document::files::JobError;
-use crate::part::{Digest, Part, Surfaces};
+use crate::part::{Digest, Part, Source, Surfaces};
 use crate::progress::Progress;
 use std::sync::Arc;
 
 impl Pipeline {
     fn keys(&self) -> Option<&Keys> {
         self.wanted.as_ref().map(|w| &w.keys)
+    }
+
+    /// The part's file as it was read.
+    pub fn source(&self) -> Option<&Arc<Source>> {
+        self.source.as_ref()
     }
 
     /// The newest plan.

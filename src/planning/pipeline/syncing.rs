@@ -52,7 +52,7 @@ impl Pipeline {
                 if of.is_of_another_file(&source.sha256) {
                     return Err(Failure::Refused(PartError::Changed));
                 }
-                let made = source.part(of.units, &of.placement, &of.flipped_shells, progress);
+                let made = source.part(of.units, of.weld, &of.placement, &of.flipped_shells, progress);
                 made.map_err(|e| Failure::Refused(e.into()))?.ok_or(Failure::Cancelled)
             });
         }
