@@ -1,9 +1,11 @@
 //! `clearbeam inspect`: what a part file holds.
 
 use super::{CommandFailure, CommandOutcome, print, print_json, tell};
+use crate::document::files::build_part;
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
-use crate::part::{PartFinding, Placement, Units, load};
+use crate::part::{PartFinding, Source, Units};
+use crate::progress::Progress;
 use crate::text::parameter::refused_option;
 use crate::text::{Sentence as _, inspected, say};
 use std::path::PathBuf;
@@ -17,8 +19,8 @@ pub struct InspectArguments {
     part: PathBuf,
     #[arg(long, value_name = "DEG", default_value_t = ANGLE.default, allow_negative_numbers = true, help = say!(cli_inspect_angle))]
     angle: f64,
-    #[arg(long, default_value = "mm", value_parser = super::word_options::units, help = say!(cli_inspect_units))]
-    units: Units,
+    #[arg(long, value_parser = super::word_options::units, help = say!(cli_inspect_units))]
+    units: Option<Units>,
     #[arg(long, help = say!(cli_json))]
     json: bool,
 }
@@ -26,8 +28,12 @@ pub struct InspectArguments {
 /// Reads the part and prints what was found.
 pub fn run(a: &InspectArguments) -> Result<CommandOutcome, CommandFailure> {
     ANGLE.check(a.angle).map_err(|e| CommandFailure::Usage(refused_option(&e)))?;
-    let part = load(&a.part, a.units, &Placement::default(), &[]).map_err(CommandFailure::failed)?;
+    let source = Source::read(&a.part).map_err(CommandFailure::failed)?;
     let mut job = Job::default();
+    job.part.units = a.units.unwrap_or_else(|| source.units());
+    let built = build_part(&source, &job.part, &a.part, &Progress::default()).map_err(CommandFailure::failed)?;
+    // Nobody can have cancelled it.
+    let part = built.unwrap_or_default();
     job.surfaces.angle_deg = a.angle;
     let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
     let findings = PartFinding::of(&part);

@@ -1,15 +1,16 @@
-//! From an STL file, or its bytes, straight to a part.
+//! From a part's file, or its bytes, straight to a part.
 
-use super::stl::StlError;
+use super::file::PartFileError;
 use super::{LoadError, Part, Placement, Source, Units};
 use crate::progress::Progress;
 use std::path::Path;
 
-/// Reads an STL file.
+/// Reads a part's file in a unit, whatever unit it states itself.
 pub fn load(file: &Path, units: Units, placement: &Placement, flipped_shells: &[u32]) -> Result<Part, LoadError> {
-    let name = || file.display().to_string();
-    let bytes = std::fs::read(file).map_err(|source| LoadError::Io { file: name(), source })?;
-    Part::from_bytes(&bytes, units, placement, flipped_shells).map_err(|source| LoadError::Stl { file: name(), source })
+    let made = Source::read(file)?.part(units, placement, flipped_shells, &Progress::default());
+    let part = made.map_err(|source| LoadError::Unusable { file: file.display().to_string(), source })?;
+    // It cannot have been cancelled: nobody else holds this progress.
+    Ok(part.unwrap_or_default())
 }
 
 impl Part {
@@ -19,9 +20,8 @@ impl Part {
         units: Units,
         placement: &Placement,
         flipped_shells: &[u32],
-    ) -> Result<Part, StlError> {
+    ) -> Result<Part, PartFileError> {
         let made = Source::from_bytes(bytes)?.part(units, placement, flipped_shells, &Progress::default())?;
-        // It cannot have been cancelled: nobody else holds this progress.
         Ok(made.unwrap_or_default())
     }
 }

@@ -8,7 +8,7 @@
 //! Duplicate and degenerate facets stay, marked, so that numbers agree with the file's.
 
 use super::angle::between_deg;
-use super::stl::RawFacet;
+use super::raw_part::RawFacet;
 use super::weld::weld_corners;
 use nalgebra::{Point3, Vector3};
 

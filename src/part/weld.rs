@@ -1,6 +1,6 @@
 //! Welds the corners of facets: corners with equal coordinates become one vertex.
 
-use super::stl::RawFacet;
+use super::raw_part::RawFacet;
 
 /// Unique corners by equal coordinates, numbered in order of first appearance.
 pub(super) fn weld_corners(raw: &[RawFacet]) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {

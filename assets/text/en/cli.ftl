@@ -1,7 +1,7 @@
 ### The command line.
 
 ## Help. Options of `plan` that set parameters are told in the table of parameters.
-cli_about = Plans robot laser cleaning of chosen surfaces of a part: from an STL file to a robot program
+cli_about = Plans robot laser cleaning of chosen surfaces of a part: from a part file (STL, OBJ, PLY, 3MF) to a robot program
 cli_file = Part or job to open in the window
 cli_lang = Language of messages and help
 cli_json = Print JSON

@@ -1,7 +1,7 @@
 //! The `[part]` table of a job: the part's file, and how it stands.
 
 use crate::document::remembered::Remembered;
-use crate::part::{Placement, Units};
+use crate::part::{Placement, Source, Units};
 use serde::{Deserialize, Serialize};
 
 /// The part of a job: its file, and how it stands.
@@ -24,6 +24,15 @@ pub struct JobPart {
 }
 
 impl JobPart {
+    /// Takes what was read of its file: from now on the job is of this part, and of no other under its name. A job
+    /// that was of none yet takes the unit that the file states.
+    pub fn begin_with(&mut self, source: &Source) {
+        if self.sha256.is_empty() {
+            self.units = source.raw.stated_unit.map_or(self.units, |s| s.taken());
+        }
+        self.sha256.clone_from(&source.sha256);
+    }
+
     /// Whether the job was made for other bytes than those of this SHA-256.
     pub fn is_of_another_file(&self, sha256: &str) -> bool {
         !self.sha256.is_empty() && self.sha256 != sha256
