@@ -176,7 +176,7 @@ fn part_there(job: &mut Job, job_file: Option<&Path>, progress: &Progress) -> Re
     if job.part.is_of_another_file(&source.sha256) {
         return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
     }
-    job.part.begin_with(&source);
+    job.part.begin_with(&source, job_file);
     let built = files::build_part(&source, &job.part, &file, progress).map_err(|e| refused(e.into()))?;
     let part = built.ok_or(Failure::Cancelled)?;
     Ok(PartThere::Same(source, Box::new(part), stamp))

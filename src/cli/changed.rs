@@ -18,7 +18,7 @@ pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source,
     let source = Source::read(&file).map_err(CommandFailure::failed)?;
     if !job.part.is_of_another_file(&source.sha256) {
         let mut job = job;
-        job.part.begin_with(&source);
+        job.part.begin_with(&source, job_file);
         return Ok((job, source, Vec::new()));
     }
     let name = || file.display().to_string();

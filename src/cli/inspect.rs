@@ -4,7 +4,7 @@ use super::{CommandFailure, CommandOutcome, print, print_json, tell};
 use crate::document::files::build_part;
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
-use crate::part::{PartFinding, Source, Units};
+use crate::part::{Source, Units};
 use crate::progress::Progress;
 use crate::text::parameter::refused_option;
 use crate::text::{Sentence as _, inspected, say};
@@ -36,13 +36,12 @@ pub fn run(a: &InspectArguments) -> Result<CommandOutcome, CommandFailure> {
     let part = built.unwrap_or_default();
     job.surfaces.angle_deg = a.angle;
     let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
-    let findings = PartFinding::of(&part);
     if a.json {
         print_json(&report)?;
-        tell(&a.part, &findings);
+        tell(&a.part, &report.findings);
     } else {
         let mut text = inspected(&report);
-        for finding in findings {
+        for finding in &report.findings {
             text.push_str(&format!("! {}\n", finding.sentence()));
         }
         print(&text);

@@ -2,7 +2,7 @@
 
 ## What they are
 option_number = { $meaning } [default: { $default }]
-option_units = Unit of the file: mm, m or inch [default: mm]
+option_units = Unit of the file: mm, m or inch [default: what the file states, else mm]
 option_surfaces = Surfaces to clean, in the order of work: all, or numbers like 4,1 [default: all]
 option_direction = Normal of the section planes: x, y, z, auto or DX,DY,DZ [default: z]
 option_strategy = Lines: planes, adaptive, offset, spiral or cross [default: planes]

@@ -3,6 +3,7 @@
 use crate::document::remembered::Remembered;
 use crate::part::{Placement, Source, Units};
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// The part of a job: its file, and how it stands.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -25,9 +26,9 @@ pub struct JobPart {
 
 impl JobPart {
     /// Takes what was read of its file: from now on the job is of this part, and of no other under its name. A job
-    /// that was of none yet takes the unit that the file states.
-    pub fn begin_with(&mut self, source: &Source) {
-        if self.sha256.is_empty() {
+    /// that was just made, so it is in no file and was of no part yet, takes the unit that the file states.
+    pub fn begin_with(&mut self, source: &Source, job_file: Option<&Path>) {
+        if job_file.is_none() && self.sha256.is_empty() {
             self.units = source.raw.stated_unit.map_or(self.units, |s| s.taken());
         }
         self.sha256.clone_from(&source.sha256);
