@@ -51,8 +51,8 @@ pub fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
 
 /// Parses bytes whose text is of single bytes. `is_text`: they can be nothing else.
 fn read_as_it_is(bytes: &[u8], is_text: bool) -> Result<RawPart, PartFileError> {
-    // A binary STL may begin with any words, those of another kind of file among them: what fits to the byte is one.
-    if !is_text && stl::fits_exactly(bytes) {
+    // A binary STL may begin with any words, those of another kind of file among them: what its counts fit is one.
+    if !is_text && stl::is_binary(bytes) {
         return stl::read(bytes);
     }
     match kind::of(bytes) {

@@ -53,12 +53,16 @@ fn area(points: &[[f64; 2]], [a, b, c]: [usize; 3]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
+/// So small a share of a polygon's area is none: corners on a straight edge are rounded to either side of it.
+const NO_AREA: f64 = 1e-6;
+
 /// Triangles of a polygon that goes round counter-clockwise; `None`: it crosses itself.
 fn ears(points: &[[f64; 2]]) -> Option<Vec<[usize; 3]>> {
+    let least = NO_AREA * (1..points.len() - 1).map(|k| area(points, [0, k, k + 1])).sum::<f64>();
     let mut left: Vec<usize> = (0..points.len()).collect();
     let mut out = Vec::with_capacity(points.len() - 2);
     let (mut at, mut tried) = (1, 0);
-    while left.len() > 3 {
+    while left.len() > 3 && tried < left.len() {
         let m = left.len();
         let ear = [at + m - 1, at, at + 1].map(|k| left[k % m]);
         if is_ear(points, &left, ear) {
@@ -68,12 +72,11 @@ fn ears(points: &[[f64; 2]]) -> Option<Vec<[usize; 3]>> {
         } else {
             (at, tried) = (at + 1, tried + 1);
         }
-        if tried == m {
-            return without_area(points, &left).then(|| fan(out, &left));
-        }
     }
-    out.push([left[0], left[1], left[2]]);
-    Some(out)
+    // What is left is the last triangle, or all lies on one line.
+    let rest = left[1..].windows(2).map(|w| [left[0], w[0], w[1]]);
+    let is_left = |t: [usize; 3]| area(points, t) >= -least && (left.len() == 3 || area(points, t) <= least);
+    rest.clone().all(is_left).then(|| out.into_iter().chain(rest).collect())
 }
 
 /// Whether the triangle of three corners in a row can be cut off: it turns as the polygon does, and no other corner
@@ -83,16 +86,6 @@ fn is_ear(points: &[[f64; 2]], left: &[usize], ear: [usize; 3]) -> bool {
     let lies_in = |p: usize| [[a, b, p], [b, c, p], [c, a, p]].iter().all(|t| area(points, *t) >= 0.0);
     let is_corner = |p: usize| ear.iter().any(|e| points[*e] == points[p]);
     area(points, ear) > 0.0 && !left.iter().any(|&p| !is_corner(p) && lies_in(p))
-}
-
-/// Whether all that is left lies on one line.
-fn without_area(points: &[[f64; 2]], left: &[usize]) -> bool {
-    left.windows(3).all(|w| area(points, [w[0], w[1], w[2]]) == 0.0)
-}
-
-fn fan(mut out: Vec<[usize; 3]>, left: &[usize]) -> Vec<[usize; 3]> {
-    out.extend(left[1..].windows(2).map(|w| [left[0], w[0], w[1]]));
-    out
 }
 
 #[cfg(test)]
@@ -139,7 +132,7 @@ mod tests {
     #[test]
     fn what_cannot_be_cut_is_told() {
         let bow = [[0.0, 0.0, 0.0], [2.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
-        assert!(triangles(&bow).is_err() || total(&bow).is_ok_and(|a| a > 0.0));
+        assert_eq!(triangles(&bow), Err(FacetFault::CrossesItself));
         assert_eq!(triangles(&[[0.0; 3]; 2]), Err(FacetFault::NotThreeVertices));
         assert_eq!(triangles(&vec![[0.0; 3]; 4097]), Err(FacetFault::TooManyCorners));
         assert_eq!(triangles(&[[0.0, f32::NAN, 0.0]; 4]), Err(FacetFault::Nan));

@@ -10,9 +10,9 @@ mod text;
 use super::PartFileError;
 use crate::part::raw_part::RawPart;
 
-/// Whether the bytes are binary solids one behind the other, to the last byte.
-pub(super) fn fits_exactly(bytes: &[u8]) -> bool {
-    binary::solids(bytes, 0).is_some_and(|found| found.end == bytes.len())
+/// Whether the bytes are binary solids by their counts, as far as their end or a text.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
+    binary::solids(bytes, 0).is_some()
 }
 
 /// Parses an STL file.

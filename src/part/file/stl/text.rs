@@ -6,14 +6,17 @@ use super::super::number::has_decimal_comma;
 use super::binary;
 use crate::part::raw_part::{FacetFault, RawFacet, RawPart};
 
-/// Whether the bytes begin like the text form: `solid`, no NUL early on (binary headers are padded
-/// with them), and `facet` or `endsolid` further on.
+/// Whether the bytes begin like the text form: `solid`, further on `facet` or `endsolid`, and before that no NUL, with
+/// which binary headers are padded.
 pub(super) fn begins(bytes: &[u8]) -> bool {
     let mut tokens = Tokens { bytes, at: bom_len(bytes) };
-    let holds = |word: &[u8]| bytes.windows(word.len()).take(1 << 20).any(|w| w.eq_ignore_ascii_case(word));
-    tokens.next().is_some_and(|t| t.word == Word::Solid)
-        && !bytes.iter().take(NAME).any(|&b| b == 0)
-        && (holds(b"facet") || holds(b"endsolid") || holds(b"end solid"))
+    if !tokens.next().is_some_and(|t| t.word == Word::Solid) {
+        return false;
+    }
+    let near = &bytes[..bytes.len().min(1 << 20)];
+    let words = near.split(|b| *b == 0).next().unwrap_or_default();
+    let holds = |word: &[u8]| words.windows(word.len()).any(|w| w.eq_ignore_ascii_case(word));
+    holds(b"facet") || holds(b"endsolid") || holds(b"end solid")
 }
 
 /// No name of a solid is longer.
