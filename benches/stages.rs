@@ -12,7 +12,7 @@ use clearbeam::part::merge_tree::dihedral_angles;
 use clearbeam::part::orient::orient;
 use clearbeam::part::surfaces::Surface;
 use clearbeam::part::topology::FacetDefect;
-use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, SurfaceRule, Surfaces, Units, stl};
+use clearbeam::part::{Bvh, MergeTree, Mesh, Part, Placement, SurfaceEdit, SurfaceRule, Surfaces, Units, file};
 use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::{Direction, TransversalLine, dense, section};
@@ -62,11 +62,11 @@ fn stages(c: &mut Criterion) {
 
 /// From the bytes of a file to a part.
 fn preparation(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, bytes: &[u8], part: &Part) {
-    let Ok(raw) = stl::read(bytes) else { return };
+    let Ok(raw) = file::read(bytes) else { return };
     let welded = Mesh::weld(&raw.facets, 1.0);
-    group.bench_function(format!("read/{size}"), |b| b.iter(|| stl::read(black_box(bytes))));
+    group.bench_function(format!("read/{size}"), |b| b.iter(|| file::read(black_box(bytes))));
     group.bench_function(format!("read, weld, topology/{size}"), |b| {
-        b.iter(|| stl::read(black_box(bytes)).map(|raw| Mesh::weld(&raw.facets, 1.0)));
+        b.iter(|| file::read(black_box(bytes)).map(|raw| Mesh::weld(&raw.facets, 1.0)));
     });
     let indexed = || (welded.vertices.clone(), welded.facets.clone());
     group.bench_function(format!("topology/{size}"), |b| {

@@ -1,8 +1,8 @@
-//! From an STL file to a robot program that cleans the chosen surfaces with a laser.
+//! From the file of a part to a robot program that cleans the chosen surfaces with a laser.
 //!
 //! Data flows one way, and the rooms stand in that order; a room uses only rooms above it.
 //!
-//! - [`part`]: the workpiece. An STL file becomes a [`part::Part`]: welded topology, outward
+//! - [`part`]: the workpiece. Its file (STL, OBJ, PLY, 3MF) becomes a [`part::Part`]: welded topology, outward
 //!   winding, the merge tree that gives *feature surfaces* at any crease angle, named shapes, and
 //!   rays against all facets.
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
@@ -35,7 +35,7 @@
 //! - [`cli`] and [`app`] are the two doors: the command line and the window. Nothing imports them.
 //!
 //! Units: lengths mm, angles degrees, speeds mm/s, times s. Everything up to `program` is in the
-//! *part frame*, the STL's coordinates after scaling and placement, but for `cell`, whose poses are in
+//! *part frame*, the file's coordinates after scaling and placement, but for `cell`, whose poses are in
 //! the robot's *base*. Names say unit and frame.
 //! The same part and job give the same bytes on any number of threads and any machine.
 //!

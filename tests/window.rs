@@ -105,9 +105,9 @@ fn bad_files_are_said_and_the_window_stays() {
     let mut h = window(None, &answers);
     snapshot(&mut h, "start");
     press(&mut h, Modifiers::COMMAND, Key::O);
-    assert!(h.query_by_label_contains("this is not an STL file").is_some());
+    assert!(h.query_by_label_contains("this is a JPEG file, not a part").is_some());
     click(&mut h, "Close");
-    assert!(h.query_by_label_contains("this is not an STL file").is_none());
+    assert!(h.query_by_label_contains("this is a JPEG file, not a part").is_none());
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! File dialogs, off the UI thread and behind a trait, so that tests can give the answer.
 
+use crate::part::file::ENDINGS;
 use crate::text::say;
 use eframe::egui;
 use std::path::PathBuf;
@@ -22,7 +23,7 @@ pub enum Purpose {
     Robot,
     /// A laser head to open.
     Head,
-    /// The STL of a clamp on the part.
+    /// The facets of a clamp on the part.
     Clamp,
 }
 
@@ -74,6 +75,12 @@ impl Answers {
     }
 }
 
+/// Endings of parts in small and large letters, which some systems tell apart, and others.
+fn parts_and(others: &[&str]) -> Vec<String> {
+    let parts = ENDINGS.iter().flat_map(|e| [(*e).to_owned(), e.to_uppercase()]);
+    parts.chain(others.iter().map(|e| (*e).to_owned())).collect()
+}
+
 /// The system's dialogs.
 pub struct NativeDialogs;
 
@@ -84,16 +91,16 @@ impl FileDialogs for NativeDialogs {
             let dialog = rfd::FileDialog::new();
             answer(match purpose {
                 Purpose::Open => {
-                    dialog.add_filter(say!(dialog_part_or_job), &["stl", "STL", "toml", "clearbeam"]).pick_file()
+                    dialog.add_filter(say!(dialog_part_or_job), &parts_and(&["toml", "clearbeam"])).pick_file()
                 }
-                Purpose::Part => dialog.add_filter(say!(dialog_part), &["stl", "STL"]).pick_file(),
+                Purpose::Part => dialog.add_filter(say!(dialog_part), &parts_and(&[])).pick_file(),
                 Purpose::SaveJob => {
                     dialog.add_filter(say!(dialog_job), &["toml", "clearbeam"]).set_file_name(name).save_file()
                 }
                 Purpose::Export => dialog.set_title(say!(dialog_program_folder)).pick_folder(),
                 Purpose::Cell => dialog.add_filter(say!(dialog_cell), &["toml"]).pick_file(),
-                Purpose::Head => dialog.add_filter(say!(dialog_head), &["toml", "stl", "STL"]).pick_file(),
-                Purpose::Clamp => dialog.add_filter(say!(dialog_clamp), &["stl", "STL"]).pick_file(),
+                Purpose::Head => dialog.add_filter(say!(dialog_head), &parts_and(&["toml"])).pick_file(),
+                Purpose::Clamp => dialog.add_filter(say!(dialog_clamp), &parts_and(&[])).pick_file(),
                 Purpose::Robot => dialog.add_filter(say!(dialog_robot), &["toml"]).pick_file(),
             });
         });

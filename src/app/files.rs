@@ -51,7 +51,7 @@ impl App {
             Purpose::Clamp => {
                 let named = files::relative_to(&path, self.document.file());
                 let mut clamps = self.document.job().clamps.clone();
-                clamps.push(Obstacle::named(named));
+                clamps.push(Obstacle::of_file(named, &path));
                 self.edit(Edit::Clamps(clamps));
             }
             Purpose::Robot => {
@@ -135,7 +135,7 @@ impl App {
             Ok(exported) => {
                 let reason = exported.report.findings.iter().find_map(|f| match f {
                     PlanFinding::NothingPlanned { reason } => Some(reason),
-                    PlanFinding::PartChanged { .. } => None,
+                    PlanFinding::PartChanged { .. } | PlanFinding::InFile(_) => None,
                 });
                 let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
                 let naming = Naming::of(self.document.job());

@@ -34,11 +34,7 @@ impl Reading {
     pub fn open(&mut self, path: PathBuf, executor: &dyn Executor) {
         self.start(executor, move |progress| {
             let (mut job, file) = job_of(&path)?;
-            let part = part_there(&job, file.as_ref().map(|f| f.path.as_path()), progress)?;
-            if let PartThere::Same(source, ..) = &part {
-                // From now on the job is of this part, and of no other under its name.
-                job.part.sha256.clone_from(&source.sha256);
-            }
+            let part = part_there(&mut job, file.as_ref().map(|f| f.path.as_path()), progress)?;
             Ok(Opened { part, document: Document::new(job, file), leftover: None })
         });
     }
@@ -47,7 +43,7 @@ impl Reading {
     pub fn restore(&mut self, leftover: Leftover, executor: &dyn Executor) {
         self.start(executor, move |progress| {
             let document = leftover.restored();
-            let part = part_there(document.job(), document.file(), progress)?;
+            let part = part_there(&mut document.job().clone(), document.file(), progress)?;
             Ok(Opened { part, document, leftover: Some(leftover) })
         });
     }
@@ -167,8 +163,8 @@ fn job_of(path: &Path) -> Result<(Job, Option<JobFile>), Refused> {
     Ok((job, None))
 }
 
-/// Reads the part of a job.
-fn part_there(job: &Job, job_file: Option<&Path>, progress: &Progress) -> Result<PartThere, Refused> {
+/// Reads the part of a job, which is of it from now on.
+fn part_there(job: &mut Job, job_file: Option<&Path>, progress: &Progress) -> Result<PartThere, Refused> {
     let file = match files::part_file(job, job_file) {
         Ok(file) => file,
         // A part that was to be opened itself is an error; one that a job names can be looked for.
@@ -180,6 +176,7 @@ fn part_there(job: &Job, job_file: Option<&Path>, progress: &Progress) -> Result
     if job.part.is_of_another_file(&source.sha256) {
         return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
     }
+    job.part.begin_with(&source, job_file);
     let built = files::build_part(&source, &job.part, &file, progress).map_err(|e| refused(e.into()))?;
     let part = built.ok_or(Failure::Cancelled)?;
     Ok(PartThere::Same(source, Box::new(part), stamp))

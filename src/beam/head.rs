@@ -1,12 +1,13 @@
-//! The laser head: a stack of cylinders and cones about the beam's axis, or an STL.
+//! The laser head: a stack of cylinders and cones about the beam's axis, or facets from a file.
 //!
-//! Both are measured from the focus, the stack along a, against the light; an STL stands with its
+//! Both are measured from the focus, the stack along a, against the light; facets stand with their
 //! origin in the focus and its z along a. Cables and nozzles are pieces like any other.
 
 use super::HeadPart;
 use super::envelope::envelope;
 use super::obstacle::Obstacle;
 use crate::file::{self, FileError, Step, TomlError, line_of};
+use crate::part::file::is_named_as_part;
 use crate::part::{Hasher, Keyed, LoadError, Part};
 use serde::Deserialize;
 use std::path::Path;
@@ -54,7 +55,7 @@ pub enum HeadError {
         /// What is wrong with it.
         what: StackError,
     },
-    /// It is not a usable STL.
+    /// Its facets are not usable.
     #[error(transparent)]
     Solid(#[from] LoadError),
 }
@@ -95,14 +96,14 @@ pub enum StackError {
 }
 
 impl Head {
-    /// Reads a head: a `.stl` file as facets, any other as a stack.
+    /// Reads a head: a file with the name of a part as facets, any other as a stack.
     ///
     /// # Errors
     /// It cannot be read, or its dimensions are implausible.
     pub fn load(file: &Path) -> Result<Head, HeadError> {
         let name = file.display().to_string();
-        if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("stl")) {
-            let mut solid = Obstacle::named(name);
+        if is_named_as_part(file) {
+            let mut solid = Obstacle::of_file(name, file);
             solid.load(None)?;
             let stack = envelope(&solid.solid().mesh);
             return Ok(Head::Solid(solid, stack));
@@ -135,7 +136,7 @@ impl Head {
         Ok(Head::Stack(file.part))
     }
 
-    /// Its facets, where it is an STL.
+    /// Its facets, where it has any.
     pub fn solid(&self) -> Option<&Part> {
         match self {
             Head::Stack(_) => None,

@@ -2,7 +2,8 @@
 //!
 //! The frame that its place refers to is that of the list it stands in.
 
-use crate::part::{self, Hasher, Keyed, LoadError, Part, Placement, Units, rpy};
+use crate::part::{Hasher, Keyed, LoadError, Part, Placement, Source, Units, Weld, rpy};
+use crate::progress::Progress;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -17,11 +18,11 @@ pub struct Standing<'a> {
     pub at: Isometry3<f64>,
 }
 
-/// An STL file and where it stands.
+/// A file of facets, as a part's is, and where it stands.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Obstacle {
-    /// STL file, relative to the file that names it.
+    /// The file (STL, OBJ, PLY or 3MF), relative to the file that names it.
     pub file: String,
     /// Origin of the file, mm.
     #[serde(default)]
@@ -71,6 +72,12 @@ impl Obstacle {
         }
     }
 
+    /// An obstacle at the origin, in the unit that its file states; the file is still to be read where it is named.
+    pub fn of_file(named: String, file: &Path) -> Obstacle {
+        let units = Source::read(file).map_or_else(|_| Units::default(), |source| source.units());
+        Obstacle { units, ..Obstacle::named(named) }
+    }
+
     /// Its facets in the frame of its file, mm; none until they are read.
     pub fn solid(&self) -> &Part {
         &self.solid
@@ -102,10 +109,18 @@ impl Obstacle {
     /// Reads its file, which is named relative to `folder`.
     ///
     /// # Errors
-    /// The file cannot be read or is no STL; it is named.
+    /// The file cannot be read, holds no facets, or states another unit; it is named.
     pub fn load(&mut self, folder: Option<&Path>) -> Result<(), LoadError> {
         let file = folder.map_or_else(|| self.file.clone().into(), |f| f.join(&self.file));
-        self.solid = Arc::new(part::load(&file, self.units, &Placement::default(), &[])?);
+        let name = || file.display().to_string();
+        let source = Source::read(&file)?;
+        if let Some(stated) = source.raw.stated_unit.filter(|s| s.taken() != self.units) {
+            return Err(LoadError::OtherUnit { file: name(), stated, units: self.units });
+        }
+        let made = source.part(self.units, Weld::Exact, &Placement::default(), &[], &Progress::default());
+        let part = made.map_err(|source| LoadError::Unusable { file: name(), source })?;
+        // It cannot have been cancelled: nobody else holds this progress.
+        self.solid = Arc::new(part.unwrap_or_default());
         Ok(())
     }
 }

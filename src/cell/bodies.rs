@@ -45,7 +45,7 @@ impl Bodies {
     /// Reads the obstacles' files, which are named relative to `folder`.
     ///
     /// # Errors
-    /// A file cannot be read or is no STL; the file is named.
+    /// A file cannot be read or holds no facets; the file is named.
     pub fn load(&mut self, folder: Option<&Path>) -> Result<(), CellError> {
         self.obstacles.iter_mut().try_for_each(|o| o.load(folder)).map_err(CellError::Obstacle)
     }

@@ -12,13 +12,13 @@ use std::path::Path;
 /// The part's file of a job as it is now, the job carried over to it, and the lines to print about that.
 ///
 /// # Errors
-/// The part is gone, is no usable STL, or has changed so that a surface to clean is not found in its place.
+/// The part is gone, is no usable part, or has changed so that a surface to clean is not found in its place.
 pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), CommandFailure> {
     let file = files::part_file(&job, job_file).map_err(CommandFailure::failed)?;
     let source = Source::read(&file).map_err(CommandFailure::failed)?;
     if !job.part.is_of_another_file(&source.sha256) {
         let mut job = job;
-        job.part.sha256.clone_from(&source.sha256);
+        job.part.begin_with(&source, job_file);
         return Ok((job, source, Vec::new()));
     }
     let name = || file.display().to_string();

@@ -4,7 +4,7 @@ use super::{CommandFailure, CommandOutcome, print, print_json, tell};
 use crate::document::files::build_part;
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
-use crate::part::{PartFinding, Source, Units, Weld};
+use crate::part::{Source, Units, Weld};
 use crate::progress::Progress;
 use crate::text::parameter::refused_option;
 use crate::text::{Sentence as _, inspected, say};
@@ -19,8 +19,8 @@ pub struct InspectArguments {
     part: PathBuf,
     #[arg(long, value_name = "DEG", default_value_t = ANGLE.default, allow_negative_numbers = true, help = say!(cli_inspect_angle))]
     angle: f64,
-    #[arg(long, default_value = "mm", value_parser = super::word_options::units, help = say!(cli_inspect_units))]
-    units: Units,
+    #[arg(long, value_parser = super::word_options::units, help = say!(cli_inspect_units))]
+    units: Option<Units>,
     #[arg(long, default_value = "auto", value_parser = super::word_options::weld, help = say!(cli_inspect_weld))]
     weld: Weld,
     #[arg(long, help = say!(cli_json))]
@@ -30,20 +30,20 @@ pub struct InspectArguments {
 /// Reads the part and prints what was found.
 pub fn run(a: &InspectArguments) -> Result<CommandOutcome, CommandFailure> {
     ANGLE.check(a.angle).map_err(|e| CommandFailure::Usage(refused_option(&e)))?;
-    let mut job = Job::default();
-    (job.part.units, job.part.weld, job.surfaces.angle_deg) = (a.units, a.weld, a.angle);
     let source = Source::read(&a.part).map_err(CommandFailure::failed)?;
+    let mut job = Job::default();
+    (job.part.units, job.part.weld) = (a.units.unwrap_or_else(|| source.units()), a.weld);
+    job.surfaces.angle_deg = a.angle;
     let built = build_part(&source, &job.part, &a.part, &Progress::default()).map_err(CommandFailure::failed)?;
     // Nobody can have cancelled it.
     let part = built.unwrap_or_default();
     let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
-    let findings = PartFinding::of(&part);
     if a.json {
         print_json(&report)?;
-        tell(&a.part, &findings);
+        tell(&a.part, &report.findings);
     } else {
         let mut text = inspected(&report);
-        for finding in findings {
+        for finding in &report.findings {
             text.push_str(&format!("! {}\n", finding.sentence()));
         }
         print(&text);

@@ -55,17 +55,22 @@ fn view(text: &str) -> Result<StandardView, String> {
 
 /// Draws and writes.
 pub fn run(a: &RenderArguments) -> Result<CommandOutcome, CommandFailure> {
-    let (job, job_file) = super::plan::opened(&a.input)?;
+    let (mut job, job_file) = super::plan::opened(&a.input)?;
+    let file = files::part_file(&job, job_file.as_deref()).map_err(CommandFailure::failed)?;
+    let source = files::read_part(&job, job_file.as_deref()).map_err(CommandFailure::failed)?;
+    job.part.begin_with(&source, job_file.as_deref());
     // A part alone is drawn as it is; what lands on it needs a plan.
     let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
     let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
-        let source = files::read_part(&job, job_file.as_deref()).map_err(CommandFailure::failed)?;
         let (_, planned) =
             Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(CommandFailure::failed)?;
         let (scene, legend) = planned_scene(&planned, a.color)?;
         (scene, legend, planned.part.mesh.bounds())
     } else {
-        let part = files::load_part(&job, job_file.as_deref()).map_err(CommandFailure::failed)?;
+        let built =
+            files::build_part(&source, &job.part, &file, &Progress::default()).map_err(CommandFailure::failed)?;
+        // Nobody can have cancelled it.
+        let part = built.unwrap_or_default();
         let surfaces = segmented(&part, &job);
         let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
         (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())

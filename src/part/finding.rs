@@ -1,6 +1,7 @@
 //! What an operator should know of a part's file, as data, the worst first; its sentences stand in `text`.
 
-use super::stl::InvalidFacet;
+use super::raw_part::{InvalidFacet, UnreadKind};
+use super::units::StatedUnit;
 use super::{Part, Units};
 use serde::Serialize;
 
@@ -19,12 +20,40 @@ pub enum PartFinding {
         /// Size in that, mm.
         better_size_mm: [f64; 3],
     },
+    /// The file states a unit, and the part is taken in another.
+    UnitOverridden {
+        /// The unit that the file states.
+        stated: StatedUnit,
+        /// The unit that was taken.
+        units: Units,
+    },
     /// Facets that cannot be used are missing from the part.
     FacetsDropped {
         /// How many.
         count: usize,
         /// The first of them, at most [`NAMED`].
         first: Vec<InvalidFacet>,
+    },
+    /// The file holds other facets than it says.
+    CountDiffers {
+        /// Facets by its header.
+        promised: usize,
+        /// Facets that were read.
+        read: usize,
+    },
+    /// Something that the file holds is not read.
+    NotRead {
+        /// What.
+        what: UnreadKind,
+        /// How many of it.
+        count: usize,
+    },
+    /// Bytes that belong to nothing that is known, behind the last facet or between them.
+    BytesPassedOver {
+        /// How many.
+        count: usize,
+        /// Where the first of them stands in the file.
+        at: usize,
     },
     /// Edges with one facet: the surface is not closed there.
     OpenEdges {
@@ -63,15 +92,15 @@ pub enum PartFinding {
         /// The farthest way that one of them went, mm.
         within_mm: f64,
     },
-    /// Bytes behind the last facet of a binary file.
-    BytesPassedOver {
-        /// How many.
-        count: usize,
-    },
     /// Several solids of one file became one part.
     SolidsJoined {
         /// How many.
         count: usize,
+    },
+    /// The file states a unit other than millimetres, and the part is taken in it.
+    UnitTaken {
+        /// The unit.
+        stated: StatedUnit,
     },
 }
 
@@ -96,12 +125,34 @@ impl PartFinding {
         ];
         let counted = counted.into_iter().filter(|(count, _)| *count > 0).map(|(count, finding)| finding(count));
         let (count, within_mm) = (found.joined_corners, found.joined_within_mm);
-        let corners = (count > 0).then_some(PartFinding::JoinedCorners { count, within_mm });
-        let tail = (found.tail_bytes > 0).then_some(PartFinding::BytesPassedOver { count: found.tail_bytes });
-        let solids = (found.solids > 1).then_some(PartFinding::SolidsJoined { count: found.solids });
-        let done = [corners, tail, solids].into_iter().flatten();
-        implausible_size(part).into_iter().chain(dropped).chain(counted).chain(done).collect()
+        let mut out: Vec<PartFinding> = implausible_size(part).into_iter().collect();
+        out.extend(unit(part, true));
+        out.extend(dropped);
+        out.extend(of_reading(part));
+        out.extend(counted);
+        out.extend((count > 0).then_some(PartFinding::JoinedCorners { count, within_mm }));
+        out.extend((found.solids > 1).then_some(PartFinding::SolidsJoined { count: found.solids }));
+        out.extend(unit(part, false));
+        out
     }
+}
+
+/// What is to be known of the unit that the file states. `overridden`: where it is not the one that was taken.
+fn unit(part: &Part, overridden: bool) -> Option<PartFinding> {
+    let (stated, units) = (part.figures.stated_unit?, part.figures.units);
+    if stated.taken() != units {
+        return overridden.then_some(PartFinding::UnitOverridden { stated, units });
+    }
+    (!overridden && stated != StatedUnit::Millimeter).then_some(PartFinding::UnitTaken { stated })
+}
+
+/// What the reader counted otherwise, left unread or passed over.
+fn of_reading(part: &Part) -> impl Iterator<Item = PartFinding> {
+    let found = &part.figures;
+    let differs = found.count_differs.map(|c| PartFinding::CountDiffers { promised: c.promised, read: c.read });
+    let unread = found.unread.iter().map(|u| PartFinding::NotRead { what: u.what.clone(), count: u.count });
+    let passed_over = found.passed_over.map(|p| PartFinding::BytesPassedOver { count: p.count, at: p.at });
+    differs.into_iter().chain(unread).chain(passed_over)
 }
 
 fn implausible_size(part: &Part) -> Option<PartFinding> {
@@ -137,10 +188,10 @@ mod tests {
         let expected = [
             "implausible_size",
             "facets_dropped",
+            "bytes_passed_over",
             "open_edges",
             "non_manifold_edges",
             "duplicate_facets",
-            "bytes_passed_over",
         ];
         let found = codes(&bytes, Units::M);
         let order: Vec<_> = found.iter().map(|c| expected.iter().position(|e| e == c)).collect();

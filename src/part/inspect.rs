@@ -1,8 +1,8 @@
 //! The report of `inspect`: facets, vertices, edges, shells, what was repaired or dropped, size and surfaces.
 //!
-//! Figures alone: which of them an operator should know about is decided in [`super::finding`].
+//! Which of the figures an operator should know about is decided in [`super::finding`].
 
-use super::{Part, Shape, Surfaces};
+use super::{Part, PartFinding, Shape, Surfaces};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
@@ -43,6 +43,9 @@ pub struct InspectReport {
     pub angle_deg: f64,
     /// The feature surfaces.
     pub surfaces: Vec<SurfaceRow>,
+    /// What is to be known of the file, by the codes of the report; a clean file has no such key.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub findings: Vec<PartFinding>,
 }
 
 /// A box in the part frame, mm.
@@ -104,6 +107,7 @@ impl InspectReport {
                     shape: Shape::of(mesh, s),
                 })
                 .collect(),
+            findings: PartFinding::of(part),
         }
     }
 }

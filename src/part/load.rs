@@ -1,15 +1,16 @@
-//! From an STL file, or its bytes, straight to a part.
+//! From a part's file, or its bytes, straight to a part.
 
-use super::stl::StlError;
+use super::file::PartFileError;
 use super::{LoadError, Part, Placement, Source, Units, Weld};
 use crate::progress::Progress;
 use std::path::Path;
 
-/// Reads an STL file, welded by equal coordinates alone: whatever only stands in the way needs no closed edges.
+/// Reads a file of facets in a unit, whatever unit it states itself, welded by equal coordinates alone: whatever only
+/// stands in the way needs no closed edges.
 pub fn load(file: &Path, units: Units, placement: &Placement, flipped_shells: &[u32]) -> Result<Part, LoadError> {
     let source = Source::read(file)?;
     let made = source.part(units, Weld::Exact, placement, flipped_shells, &Progress::default());
-    let made = made.map_err(|source| LoadError::Stl { file: file.display().to_string(), source })?;
+    let made = made.map_err(|source| LoadError::Unusable { file: file.display().to_string(), source })?;
     // It cannot have been cancelled: nobody else holds this progress.
     Ok(made.unwrap_or_default())
 }
@@ -21,7 +22,7 @@ impl Part {
         units: Units,
         placement: &Placement,
         flipped_shells: &[u32],
-    ) -> Result<Part, StlError> {
+    ) -> Result<Part, PartFileError> {
         let source = Source::from_bytes(bytes)?;
         let made = source.part(units, Weld::default(), placement, flipped_shells, &Progress::default())?;
         // Nor this.

@@ -132,7 +132,7 @@ pub fn below(alpha_deg: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::part::stl::RawFacet;
+    use crate::part::raw_part::RawFacet;
     use proptest::prelude::*;
 
     /// A strip of quads bent by the given angles (degrees) from one to the next.

@@ -1,4 +1,4 @@
-//! The workpiece: reading an STL file, its topology, its feature surfaces and their shapes,
+//! The workpiece: reading its file (STL, OBJ, PLY, 3MF), its topology, its feature surfaces and their shapes,
 //! its place in space, and rays against it.
 //!
 //! Everything here is in the part frame, millimetres; only `identity` compares parts in the coordinates and unit of
@@ -11,6 +11,7 @@ pub mod bvh;
 mod digest;
 pub mod distance;
 mod edges;
+pub mod file;
 pub mod finding;
 pub mod growth;
 pub mod identity;
@@ -22,15 +23,13 @@ mod numbering;
 pub mod orient;
 pub mod part_figures;
 pub mod placement;
-mod raw_part;
+pub mod raw_part;
 pub mod rpy;
 #[cfg(test)]
 mod scale_tests;
 pub mod shape;
 mod sides;
 pub mod source;
-pub mod stl;
-mod stl_text;
 mod surface;
 mod surface_rule;
 pub mod surfaces;

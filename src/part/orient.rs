@@ -162,7 +162,7 @@ fn shells(mesh: &Mesh) -> (Vec<u32>, usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::part::stl::RawFacet;
+    use crate::part::raw_part::RawFacet;
 
     /// A cube's facets, outward, edge `size`, one corner at `at`.
     fn cube(at: f32, size: f32) -> Vec<RawFacet> {

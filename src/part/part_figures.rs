@@ -3,8 +3,9 @@
 
 use super::Units;
 use super::orient::{Orientation, volume};
-use super::raw_part::{InvalidFacet, RawPart};
+use super::raw_part::{CountDiffers, InvalidFacet, PassedOver, RawPart, Unread};
 use super::topology::{FacetDefect, Mesh};
+use super::units::StatedUnit;
 use super::weld::Joined;
 
 /// Figures of a file that do not depend on the crease angle.
@@ -32,10 +33,16 @@ pub struct PartFigures {
     pub units: Units,
     /// A unit that would give a plausible size, where the one above does not.
     pub better_units: Option<Units>,
+    /// The unit that the file states.
+    pub stated_unit: Option<StatedUnit>,
     /// Solids in the file.
     pub solids: usize,
-    /// Bytes behind the last facet of a binary file.
-    pub tail_bytes: usize,
+    /// Bytes that were passed over.
+    pub passed_over: Option<PassedOver>,
+    /// A count of facets that is not true.
+    pub count_differs: Option<CountDiffers>,
+    /// What of the file is not read.
+    pub unread: Vec<Unread>,
 }
 
 impl PartFigures {
@@ -58,8 +65,11 @@ impl PartFigures {
             volume_mm3: orientation.watertight.then(|| volume(mesh)),
             units,
             better_units: units.better_guess((hi - lo).max() / units.mm()),
+            stated_unit: raw.stated_unit,
             solids: raw.solids,
-            tail_bytes: raw.tail_bytes,
+            passed_over: raw.passed_over,
+            count_differs: raw.count_differs,
+            unread: raw.unread.clone(),
         }
     }
 }

@@ -1,11 +1,13 @@
 //! A part's file as it was read: its facets and its digest, before unit and placement. A part is built from it
 //! anew whenever those change, without reading again.
 
+use super::file::{self, PartFileError};
 use super::merge_tree::{MergeTree, dihedral_angles};
 use super::orient::orient;
 use super::part_figures::PartFigures;
-use super::stl::{self, FacetFault, RawPart, StlError};
+use super::raw_part::{FacetFault, RawPart};
 use super::topology::FacetDefect;
+use super::units::StatedUnit;
 use super::weld::{Joined, Weld, Welded};
 use super::{Bvh, Hasher, Mesh, Part, Placement, Units, digest_of};
 use crate::progress::{Activity, Progress};
@@ -23,13 +25,29 @@ pub enum LoadError {
         /// What the system said.
         source: std::io::Error,
     },
-    /// It can, but is no usable STL.
+    /// A folder is no file.
+    #[error("{file}: a folder")]
+    Folder {
+        /// The folder.
+        file: String,
+    },
+    /// It can, but is no usable part.
     #[error("{file}: {source}")]
-    Stl {
+    Unusable {
         /// The file.
         file: String,
         /// What is wrong.
-        source: StlError,
+        source: PartFileError,
+    },
+    /// It states another unit than it was to be read in.
+    #[error("{file}: {stated:?}, not {units:?}")]
+    OtherUnit {
+        /// The file.
+        file: String,
+        /// The unit that it states.
+        stated: StatedUnit,
+        /// The unit that was given.
+        units: Units,
     },
 }
 
@@ -46,19 +64,34 @@ impl Source {
     /// Reads a part's file.
     ///
     /// # Errors
-    /// It cannot be read, or is no usable STL; it is named.
+    /// It cannot be read, or is no usable part; it is named.
     pub fn read(file: &Path) -> Result<Source, LoadError> {
         let name = || file.display().to_string();
+        if file.is_dir() {
+            return Err(LoadError::Folder { file: name() });
+        }
         let bytes = std::fs::read(file).map_err(|source| LoadError::Io { file: name(), source })?;
-        Source::from_bytes(&bytes).map_err(|source| LoadError::Stl { file: name(), source })
+        Source::from_bytes(&bytes).map_err(|source| LoadError::Unusable { file: name(), source })
     }
 
     /// Takes the bytes of a part's file.
     ///
     /// # Errors
-    /// They are no usable STL.
-    pub fn from_bytes(bytes: &[u8]) -> Result<Source, StlError> {
-        Ok(Source { raw: stl::read(bytes)?, sha256: digest_of(bytes) })
+    /// They are no usable part.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Source, PartFileError> {
+        Ok(Source { raw: file::read(bytes)?, sha256: digest_of(bytes) })
+    }
+
+    /// The unit that the file states, as a part can have it; millimetres if it states none.
+    pub fn units(&self) -> Units {
+        self.raw.stated_unit.map_or_else(Units::default, StatedUnit::taken)
+    }
+
+    /// Millimetres in one unit of the coordinates, where they are taken in this unit. A file in centimetres, say, is
+    /// taken in millimetres, which makes ten of each.
+    fn mm_in(&self, units: Units) -> f64 {
+        let stated = self.raw.stated_unit.filter(|s| s.taken() == units);
+        stated.map_or(1.0, StatedUnit::in_taken) * units.mm()
     }
 
     /// Welds, places and orients the part. `None`: the work was cancelled.
@@ -72,12 +105,13 @@ impl Source {
         placement: &Placement,
         flipped_shells: &[u32],
         progress: &Progress,
-    ) -> Result<Option<Part>, StlError> {
+    ) -> Result<Option<Part>, PartFileError> {
         progress.begin(Activity::BuildingPart, 5);
         let welded = Welded::new(&self.raw.facets, weld);
-        let within = welded.joined.within * units.mm() * placement.scale;
+        let mm_per_unit = self.mm_in(units);
+        let within = welded.joined.within * mm_per_unit * placement.scale;
         let joined = Joined { within, ..welded.joined };
-        let mut mesh = Mesh::from_welded(welded, units.mm());
+        let mut mesh = Mesh::from_welded(welded, mm_per_unit);
         if progress.step().is_err() {
             return Ok(None);
         }
@@ -88,7 +122,7 @@ impl Source {
             mesh.update_geometry();
         }
         if mesh.defects.iter().all(|d| *d != FacetDefect::None) {
-            return Err(StlError::NoFacet { dropped: mesh.facets.len(), first: Some(FacetFault::NoArea) });
+            return Err(PartFileError::NoFacet { dropped: mesh.facets.len(), first: Some(FacetFault::NoArea) });
         }
         let orientation = orient(&mut mesh);
         for f in 0..mesh.facets.len() {

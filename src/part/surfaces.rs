@@ -95,7 +95,7 @@ impl Surfaces {
 mod tests {
     use super::super::merge_tree::dihedral_angles;
     use super::*;
-    use crate::part::stl::RawFacet;
+    use crate::part::raw_part::RawFacet;
 
     /// Quads of unit width; each bends by so many degrees and is so long.
     fn strip(quads: &[(f64, f64)]) -> Mesh {

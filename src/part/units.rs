@@ -1,5 +1,5 @@
-//! The unit an STL file was written in. STL itself does not say, so the operator does;
-//! an implausible size is remarked on, never scaled in silence.
+//! The unit that a part's file was written in. STL, OBJ and PLY do not say, so the operator does; 3MF does. An
+//! implausible size is remarked on, never scaled in silence.
 
 use serde::{Deserialize, Serialize};
 
@@ -56,6 +56,72 @@ impl Units {
         // Below one unit metres are the likelier slip (CAD in SI), above it inches.
         let order = if largest < 1.0 { [Units::M, Units::Inch, Units::Mm] } else { [Units::Inch, Units::Mm, Units::M] };
         order.into_iter().find(|&u| u != self && plausible(u))
+    }
+}
+
+/// A unit that a file states itself, as 3MF files do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StatedUnit {
+    /// A thousandth of a millimetre.
+    Micron,
+    /// Millimetres.
+    Millimeter,
+    /// Centimetres.
+    Centimeter,
+    /// Inches.
+    Inch,
+    /// Feet.
+    Foot,
+    /// Metres.
+    Meter,
+}
+
+impl StatedUnit {
+    /// All of them.
+    pub const ALL: [StatedUnit; 6] = [
+        StatedUnit::Micron,
+        StatedUnit::Millimeter,
+        StatedUnit::Centimeter,
+        StatedUnit::Inch,
+        StatedUnit::Foot,
+        StatedUnit::Meter,
+    ];
+
+    /// Its word in 3MF files.
+    pub fn word(self) -> &'static str {
+        match self {
+            StatedUnit::Micron => "micron",
+            StatedUnit::Millimeter => "millimeter",
+            StatedUnit::Centimeter => "centimeter",
+            StatedUnit::Inch => "inch",
+            StatedUnit::Foot => "foot",
+            StatedUnit::Meter => "meter",
+        }
+    }
+
+    /// The unit of that word.
+    pub fn from_word(word: &str) -> Option<StatedUnit> {
+        StatedUnit::ALL.into_iter().find(|u| u.word() == word)
+    }
+
+    /// The unit that a part of such a file has: the same where a part can have it, else millimetres.
+    pub fn taken(self) -> Units {
+        match self {
+            StatedUnit::Inch => Units::Inch,
+            StatedUnit::Meter => Units::M,
+            StatedUnit::Micron | StatedUnit::Millimeter | StatedUnit::Centimeter | StatedUnit::Foot => Units::Mm,
+        }
+    }
+
+    /// One of it in the unit that is taken.
+    pub fn in_taken(self) -> f64 {
+        match self {
+            StatedUnit::Micron => 0.001,
+            StatedUnit::Centimeter => 10.0,
+            StatedUnit::Foot => 304.8,
+            StatedUnit::Millimeter | StatedUnit::Inch | StatedUnit::Meter => 1.0,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use crate::document::{JobError, ValueError};
-use crate::part::stl::StlError;
+use crate::part::file::PartFileError;
 use crate::program::DialectError;
 use crate::progress::Cancelled;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use thiserror::Error;
 pub enum PartError {
     /// No facet of the file has any area.
     #[error(transparent)]
-    Stl(#[from] StlError),
+    File(#[from] PartFileError),
     /// The job speaks of surfaces of another file.
     #[error("part changed")]
     Changed,

@@ -31,6 +31,7 @@ mod notice_tests;
 mod number;
 pub mod parameter;
 mod part;
+mod part_file;
 mod path;
 mod picture;
 mod plan_status;

@@ -1,28 +1,24 @@
-//! What is wrong with a part's file, and what was found in it.
+//! Why a part cannot be loaded, and what was found in its file. What is wrong with a file that is no part stands in
+//! `part_file`.
 
-use super::{Arg, Sentence, fixed, id, listed_clauses, rough, say};
-use crate::part::stl::{FacetFault, InvalidFacet, StlError};
+use super::{Arg, Sentence, fixed, id, listed_clauses, quoted, rough, say};
+use crate::part::raw_part::{FacetFault, InvalidFacet, UnreadKind};
 use crate::part::{LoadError, PartFinding};
 
 impl Sentence for LoadError {
     fn sentence(&self) -> String {
         match self {
             LoadError::Io { file, source } => say!(file_not_read, file, reason = source.to_string()),
-            LoadError::Stl { file, source } => say!(in_file, file, what = source.sentence()),
-        }
-    }
-}
-
-impl Sentence for StlError {
-    fn sentence(&self) -> String {
-        match *self {
-            StlError::Empty => say!(stl_empty),
-            StlError::CutOff { promised, needed, present } => say!(stl_cut_off, promised, needed, present),
-            StlError::TextCutOff { facets, byte } => say!(stl_text_cut_off, facets, byte = id(byte)),
-            StlError::NotStl => say!(stl_not_stl),
-            StlError::NoFacet { first: None, .. } => say!(stl_no_facets),
-            StlError::NoFacet { dropped, first: Some(first) } => {
-                say!(stl_all_dropped, dropped, first = first.sentence())
+            LoadError::Folder { file } => say!(part_file_folder, file),
+            LoadError::Unusable { file, source } => say!(in_file, file, what = source.sentence()),
+            LoadError::OtherUnit { file, stated, units } => {
+                say!(
+                    part_file_other_unit,
+                    file,
+                    stated = stated.word(),
+                    units = units.word(),
+                    key = stated.taken().word()
+                )
             }
         }
     }
@@ -37,6 +33,8 @@ impl Sentence for FacetFault {
             FacetFault::NoEnd => say!(facet_no_end),
             FacetFault::NotThreeVertices => say!(facet_not_three_vertices),
             FacetFault::NoArea => say!(facet_no_area),
+            FacetFault::CrossesItself => say!(facet_crosses_itself),
+            FacetFault::TooManyCorners => say!(facet_too_many_corners),
         }
     }
 }
@@ -52,6 +50,14 @@ impl Sentence for PartFinding {
                     other = size(better_size_mm, 1)
                 )
             }
+            PartFinding::UnitOverridden { stated, units } => {
+                say!(part_unit_overridden, stated = stated.word(), units = units.word())
+            }
+            PartFinding::UnitTaken { stated } => say!(part_unit_taken, stated = stated.word()),
+            PartFinding::CountDiffers { promised, read } => {
+                say!(part_count_differs, promised = *promised, read = *read)
+            }
+            PartFinding::NotRead { what, count } => not_read(what, *count),
             PartFinding::FacetsDropped { count, first } => {
                 let mut list: Vec<String> = first.iter().map(dropped).collect();
                 if *count > first.len() {
@@ -68,9 +74,24 @@ impl Sentence for PartFinding {
                 say!(part_joined_corners, count = *count, within = rough(*within_mm))
             }
             PartFinding::DegenerateFacets { count } => say!(part_degenerate_facets, count = *count),
-            PartFinding::BytesPassedOver { count } => say!(part_bytes_passed_over, count = *count),
+            PartFinding::BytesPassedOver { count, at } => {
+                say!(part_bytes_passed_over, count = *count, at = id(*at))
+            }
             PartFinding::SolidsJoined { count } => say!(part_solids_joined, count = *count),
         }
+    }
+}
+
+fn not_read(what: &UnreadKind, count: usize) -> String {
+    match what {
+        UnreadKind::Lines => say!(part_lines_not_read, count),
+        UnreadKind::Points => say!(part_points_not_read, count),
+        UnreadKind::FreeForm => say!(part_free_form_not_read, count),
+        UnreadKind::UnknownLines => say!(part_unknown_lines, count),
+        UnreadKind::Element(name) => say!(part_element_not_read, count, name = quoted(name)),
+        UnreadKind::ObjectsNotBuilt => say!(part_objects_not_built, count),
+        UnreadKind::Supports => say!(part_supports_not_read, count),
+        UnreadKind::LatticeBeams => say!(part_beams_not_read, count),
     }
 }
 

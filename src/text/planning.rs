@@ -16,7 +16,7 @@ impl<E: Sentence> Sentence for Failure<E> {
 impl Sentence for PartError {
     fn sentence(&self) -> String {
         match self {
-            PartError::Stl(e) => e.sentence(),
+            PartError::File(e) => e.sentence(),
             PartError::Changed => say!(part_changed),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::list::joined;
 use super::{Arg, Message, exact, id, messages};
-use crate::program::{ByHand, Caveat, Comment, ProcessFigures};
+use crate::program::{ByHand, Caveat, Comment, FileNote, ProcessFigures};
 
 /// The words of a message in English.
 macro_rules! english {
@@ -32,6 +32,7 @@ pub fn program_comment(comment: &Comment) -> String {
             comment_unchecked,
             figures = joined(figures, |list, next| english!(list_and_next, list = list, next = next))
         ),
+        Comment::PartFile(note) => file_note(*note),
         Comment::NeverRun { dialect } => english!(comment_never_run, dialect = dialect),
         Comment::Caveat(Caveat::Rapid) => english!(comment_caveat_rapid),
         Comment::Caveat(Caveat::Erp) => english!(comment_caveat_erp),
@@ -45,6 +46,23 @@ pub fn program_comment(comment: &Comment) -> String {
         }
         Comment::Set(ByHand::PowerW(value)) => english!(comment_set_power, value = exact(*value)),
         Comment::Set(ByHand::FrequencyKhz(value)) => english!(comment_set_frequency, value = exact(*value)),
+    }
+}
+
+fn file_note(note: FileNote) -> String {
+    match note {
+        FileNote::UnitOverridden { stated, units } => {
+            english!(comment_file_unit, stated = stated.word(), units = units.word())
+        }
+        FileNote::FacetsDropped(count) => english!(comment_file_dropped, count = id(count)),
+        FileNote::CountDiffers { promised, read } => {
+            english!(comment_file_count, promised = id(promised), read = id(read))
+        }
+        FileNote::NotRead(count) => english!(comment_file_not_read, count = id(count)),
+        FileNote::BytesPassedOver { count, at } => {
+            english!(comment_file_passed_over, count = id(count), at = id(at))
+        }
+        FileNote::SolidsJoined(count) => english!(comment_file_joined, count = id(count)),
     }
 }
 

@@ -1,6 +1,6 @@
 ### What is wrong with a head's file.
 
-head_stack = { $file }: { $what }; a head is a list of [[part]] with from_mm, to_mm, r0_mm and r1_mm, or an STL
+head_stack = { $file }: { $what }; a head is a list of [[part]] with from_mm, to_mm, r0_mm and r1_mm, or an STL, OBJ, PLY or 3MF file
 stack_empty = it has no part
 stack_span = line { $line }: part { $part }: from_mm = { $from }, to_mm = { $to }: give -1000 to 10000, the lower first
 stack_radii = line { $line }: part { $part }: r0_mm = { $r0 }, r1_mm = { $r1 }: give 0 to 2000, not both 0

@@ -1,14 +1,14 @@
 ### The command line.
 
 ## Help. Options of `plan` that set parameters are told in the table of parameters.
-cli_about = Plans robot laser cleaning of chosen surfaces of a part: from an STL file to a robot program
+cli_about = Plans robot laser cleaning of chosen surfaces of a part: from a part file (STL, OBJ, PLY, 3MF) to a robot program
 cli_file = Part or job to open in the window
 cli_lang = Language of messages and help
 cli_json = Print JSON
 cli_inspect = Say what a part file holds: topology, faults, feature surfaces
 cli_inspect_part = The part
 cli_inspect_angle = Crease angle, degrees
-cli_inspect_units = Unit of the file: mm, m or inch
+cli_inspect_units = Unit of the file: mm, m or inch [default: what the file states, else mm]
 cli_inspect_weld = Corners that become one: auto (equal ones; to close open edges also those a rounding apart) or exact (equal ones alone)
 cli_plan = Plan a job and write job, program, report and path into a folder
 cli_plan_input = Part or job

@@ -12,6 +12,12 @@ comment_targets = { $all } targets, { $corrected } corrected, { $blocked } block
 comment_without_robot = Flange poses, { $mount }; reach and limits are NOT checked
 comment_robot = { $name }, { $mount }
 comment_unchecked = Figures of the robot that nobody has checked: { $figures }
+comment_file_unit = CAUTION: the part file states { $stated }, it was read in { $units }
+comment_file_dropped = CAUTION: bad facets left out of the part file: { $count }
+comment_file_count = CAUTION: the part file promises { $promised } facets, { $read } were read
+comment_file_not_read = CAUTION: left out of the part file, being no facets: { $count }
+comment_file_passed_over = CAUTION: bytes of the part file passed over: { $count } from byte { $at }
+comment_file_joined = Solids of the part file joined into one part: { $count }
 comment_never_run = Not verified on a { $dialect } controller: run it with the laser off first
 
 ## What of a dialect is not verified: one comment a line, as long as the controller takes them

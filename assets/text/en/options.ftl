@@ -2,7 +2,7 @@
 
 ## What they are
 option_number = { $meaning } [default: { $default }]
-option_units = Unit of the file: mm, m or inch [default: mm]
+option_units = Unit of the file: mm, m or inch [default: what the file states, else mm]
 option_weld = Corners that become one: auto (equal ones; to close open edges also those a rounding apart) or exact (equal ones alone) [default: auto]
 option_surfaces = Surfaces to clean, in the order of work: all, or numbers like 4,1 [default: all]
 option_direction = Normal of the section planes: x, y, z, auto or DX,DY,DZ [default: z]
@@ -11,7 +11,7 @@ option_overlap = Overlap of neighbouring spots (of beads, where there are any), 
 option_offset = First plane above the lowest point, mm, or centred [default: centred]
 option_order = Order of lines: zigzag, one-way or shortest [default: zigzag]
 option_correction = What is done about interference: section-plane, clearance or none [default: section-plane]
-option_head = Head: a TOML stack (part: from_mm to_mm r0_mm r1_mm, from the focus on), or an STL [default: the ray alone]
+option_head = Head: a TOML stack (part: from_mm to_mm r0_mm r1_mm, from the focus on), or an STL, OBJ, PLY or 3MF file [default: the ray alone]
 option_cell = Cell file [default: the shipped cell of the robot]
 option_robot = Robot: { $shipped }, or a robot file [default: none, poses only]
 option_mount = What the robot carries: part-in-hand or tool-in-hand [default: part-in-hand, or as the cell says]

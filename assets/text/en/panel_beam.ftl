@@ -6,9 +6,9 @@ tool_head = Head
 tool_head_tip = With a head the beam is a cone, and cone and head keep their margin from everything; without one it is a ray
 tool_head_none = none: a ray
 tool_open_head = Open head…
-tool_open_head_tip = A stack of cylinders and cones (TOML), or an STL
+tool_open_head_tip = A stack of cylinders and cones (TOML), or an STL, OBJ, PLY or 3MF file
 tool_remove_head = Remove the head
-tool_head_of_facets = An STL head counts as the solid that it sweeps when turned about the beam
+tool_head_of_facets = A head of facets counts as the solid that it sweeps when turned about the beam
 
 ## Optics
 
@@ -30,7 +30,7 @@ tool_clamps = Clamps
 tool_clamp = { $number } { $file }
 tool_remove_clamp = Remove this clamp
 tool_add_clamp = Add clamp…
-tool_add_clamp_tip = An STL file of a clamp, in the part's frame
+tool_add_clamp_tip = A file of a clamp (STL, OBJ, PLY or 3MF), in the part's frame
 tool_clamp_at = At
 tool_clamp_turned = Turned
 tool_clamp_field = clamp { $number } { $axis }

@@ -15,17 +15,19 @@ use std::path::{Path, PathBuf};
 pub fn part_file(job: &Job, job_file: Option<&Path>) -> Result<PathBuf, JobError> {
     let named = resolved(job_file, &job.part.file);
     let near = named.file_name().zip(job_file.and_then(Path::parent)).map(|(name, folder)| folder.join(name));
-    [Some(named.clone()), near]
-        .into_iter()
-        .flatten()
-        .find(|f| f.is_file())
-        .ok_or(JobError::PartGone { file: named.display().to_string() })
+    let name = || named.display().to_string();
+    let found = [Some(&named), near.as_ref()].into_iter().flatten().find(|f| f.is_file());
+    match found {
+        Some(file) => Ok(file.clone()),
+        None if named.is_dir() => Err(LoadError::Folder { file: name() }.into()),
+        None => Err(JobError::PartGone { file: name() }),
+    }
 }
 
 /// Reads the part's file of a job and checks that it is still the one the job was made for.
 ///
 /// # Errors
-/// Gone, changed, or no usable STL.
+/// Gone, changed, or no usable part.
 pub fn read_part(job: &Job, job_file: Option<&Path>) -> Result<Source, JobError> {
     read_unchanged(job, &part_file(job, job_file)?)
 }
@@ -41,7 +43,7 @@ fn read_unchanged(job: &Job, file: &Path) -> Result<Source, JobError> {
 /// The part of a job as it stands.
 ///
 /// # Errors
-/// Gone, changed, or no usable STL.
+/// Gone, changed, or no usable part.
 pub fn load_part(job: &Job, job_file: Option<&Path>) -> Result<Part, JobError> {
     let file = part_file(job, job_file)?;
     let built = build_part(&read_unchanged(job, &file)?, &job.part, &file, &Progress::default())?;
@@ -60,5 +62,5 @@ pub fn build_part(
     progress: &Progress,
 ) -> Result<Option<Part>, LoadError> {
     let built = source.part(part.units, part.weld, &part.placement, &part.flipped_shells, progress);
-    built.map_err(|source| LoadError::Stl { file: file.display().to_string(), source })
+    built.map_err(|source| LoadError::Unusable { file: file.display().to_string(), source })
 }

@@ -1,8 +1,9 @@
 //! The `[part]` table of a job: the part's file, and how it stands.
 
 use crate::document::remembered::Remembered;
-use crate::part::{Placement, Units, Weld};
+use crate::part::{Placement, Source, Units, Weld};
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// The part of a job: its file, and how it stands.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -26,6 +27,15 @@ pub struct JobPart {
 }
 
 impl JobPart {
+    /// Takes what was read of its file: from now on the job is of this part, and of no other under its name. A job
+    /// that was just made, so it is in no file and was of no part yet, takes the unit that the file states.
+    pub fn begin_with(&mut self, source: &Source, job_file: Option<&Path>) {
+        if job_file.is_none() && self.sha256.is_empty() {
+            self.units = source.raw.stated_unit.map_or(self.units, |s| s.taken());
+        }
+        self.sha256.clone_from(&source.sha256);
+    }
+
     /// Whether the job was made for other bytes than those of this SHA-256.
     pub fn is_of_another_file(&self, sha256: &str) -> bool {
         !self.sha256.is_empty() && self.sha256 != sha256

@@ -4,7 +4,7 @@ use super::*;
 use crate::part::SurfaceRule;
 use crate::part::distance::point_segment;
 use crate::part::merge_tree::{MergeTree, dihedral_angles};
-use crate::part::stl::RawFacet;
+use crate::part::raw_part::RawFacet;
 use crate::part::surfaces::{Surface, Surfaces};
 use crate::part::{Mesh, angle::between_deg};
 use crate::path::normals::VertexNormals;

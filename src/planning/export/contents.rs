@@ -52,7 +52,7 @@ pub fn files(
     let mut job = job.clone();
     job.part.landmarks = Remembered::of(&job, part, &job.part);
     let job = &job;
-    let mut report = Report::new(plan, surfaces);
+    let mut report = Report::new(plan, surfaces).with_file_of(part);
     report.findings.splice(0..0, findings.iter().cloned());
     let map = dose(part, surfaces, plan, job, setup, progress).map_err(|e| match e {
         PlanError::Cancelled => ExportError::Cancelled,

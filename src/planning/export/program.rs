@@ -4,12 +4,13 @@
 use super::error::ExportError;
 use crate::cell::Setup;
 use crate::document::model::Job;
-use crate::part::Part;
+use crate::part::{Part, PartFinding};
 use crate::planning::plan::Plan;
-use crate::planning::report::{Report, is_dark};
+use crate::planning::report::{PlanFinding, Report, is_dark};
 use crate::planning::verify::{self, VerifyError};
 use crate::program::{
-    Comment, DialectError, ProcessFigures, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording, dialects, lines,
+    Comment, DialectError, FileNote, ProcessFigures, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording,
+    dialects, lines,
 };
 use crate::progress::Progress;
 
@@ -85,8 +86,32 @@ fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Re
             }
         }
     }
+    out.extend(report.findings.iter().filter_map(file_note).map(Comment::PartFile));
     out.push(Comment::NeverRun { dialect: job.cell.dialect.clone() });
     out
+}
+
+/// What whoever starts the program is to know of the part's file: that it may hold another part than the one that
+/// stands in the cell. What is wrong with the mesh alone shows in the lines.
+fn file_note(finding: &PlanFinding) -> Option<FileNote> {
+    let PlanFinding::InFile(finding) = finding else { return None };
+    Some(match *finding {
+        PartFinding::UnitOverridden { stated, units } => FileNote::UnitOverridden { stated, units },
+        PartFinding::FacetsDropped { count, .. } => FileNote::FacetsDropped(count),
+        PartFinding::CountDiffers { promised, read } => FileNote::CountDiffers { promised, read },
+        PartFinding::NotRead { count, .. } => FileNote::NotRead(count),
+        PartFinding::BytesPassedOver { count, at } => FileNote::BytesPassedOver { count, at },
+        PartFinding::SolidsJoined { count } => FileNote::SolidsJoined(count),
+        PartFinding::ImplausibleSize { .. }
+        | PartFinding::OpenEdges { .. }
+        | PartFinding::NonManifoldEdges { .. }
+        | PartFinding::FlippedFacets { .. }
+        | PartFinding::DuplicateFacets { .. }
+        | PartFinding::TwoSidedFacets { .. }
+        | PartFinding::JoinedCorners { .. }
+        | PartFinding::DegenerateFacets { .. }
+        | PartFinding::UnitTaken { .. } => return None,
+    })
 }
 
 /// What the lit pieces are worked with, each once, in the order of work.

@@ -115,7 +115,7 @@ impl Pipeline {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
-                let report = Report::new(&plan, &surfaces);
+                let report = Report::new(&plan, &surfaces).with_file_of(&part);
                 let notices = notices_worst_first(&report, &job, &PartFinding::of(&part));
                 Ok(PlannedJob { key, job, part, surfaces, setup, plan, report, notices })
             });

@@ -25,7 +25,7 @@ pub use written_files::{FileDigest, WrittenFiles};
 use super::cell_report::CellReport;
 use super::dose::DoseReport;
 use super::plan::Plan;
-use crate::part::Surfaces;
+use crate::part::{Part, PartFinding, Surfaces};
 use crate::pose::{Pass, Target, TargetState};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
@@ -159,8 +159,14 @@ impl Report {
         }
     }
 
+    /// Adds what was found in the file of the part.
+    pub fn with_file_of(mut self, part: &Part) -> Report {
+        self.findings.extend(PartFinding::of(part).into_iter().map(PlanFinding::InFile));
+        self
+    }
+
     /// Whether everything chosen is done.
     pub fn is_complete(&self) -> bool {
-        self.problems.is_empty() && self.findings.is_empty()
+        self.problems.is_empty() && !self.findings.iter().any(PlanFinding::leaves_undone)
     }
 }

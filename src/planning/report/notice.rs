@@ -114,7 +114,7 @@ impl Notice {
 /// the part's file.
 pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) -> Vec<Notice> {
     let mut out: Vec<Notice> = report.unproven.iter().cloned().map(Notice::NotProven).collect();
-    out.extend(report.findings.iter().map(of_finding));
+    out.extend(report.findings.iter().filter_map(of_finding));
     let mut groups = BTreeMap::new();
     for problem in &report.problems {
         match problem.cause {
@@ -130,8 +130,8 @@ pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) 
     out
 }
 
-fn of_finding(finding: &PlanFinding) -> Notice {
-    match finding {
+fn of_finding(finding: &PlanFinding) -> Option<Notice> {
+    Some(match finding {
         PlanFinding::NothingPlanned { reason } => Notice::NothingPlanned(reason.clone()),
         PlanFinding::PartChanged { kept, lost, .. } => {
             let moved = kept.iter().filter(|[old, new]| old != new);
@@ -140,7 +140,9 @@ fn of_finding(finding: &PlanFinding) -> Notice {
                 lost: lost.iter().copied().map(SurfaceId).collect(),
             }
         }
-    }
+        // Whoever wants them in the list hands them in: the command line has told them by then.
+        PlanFinding::InFile(_) => return None,
+    })
 }
 
 /// Surface, cause and surface in the way of targets that are left out, and where in the list they are counted.

@@ -1,6 +1,7 @@
 //! What was found on the way to a plan and is no problem of a target: key `findings` of the report.
 
 use super::nothing::NothingReason;
+use crate::part::PartFinding;
 use serde::Serialize;
 
 /// One thing that was found, by its code.
@@ -24,6 +25,20 @@ pub enum PlanFinding {
         /// Surfaces that the job speaks of and that were not found again; none of them was to be cleaned.
         lost: Vec<u32>,
     },
+    /// Something that was found in the part's file, or done to it.
+    #[serde(untagged)]
+    InFile(PartFinding),
+}
+
+impl PlanFinding {
+    /// Whether something is not done as the job was saved. What was found in the file is to be known, no more: the
+    /// plan is made on the part as it was read.
+    pub fn leaves_undone(&self) -> bool {
+        match self {
+            PlanFinding::NothingPlanned { .. } | PlanFinding::PartChanged { .. } => true,
+            PlanFinding::InFile(_) => false,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -45,6 +60,8 @@ mod tests {
         );
         let changed =
             PlanFinding::PartChanged { was: "a".into(), is: "b".into(), kept: vec![[1, 1], [2, 5]], lost: vec![3] };
+        let in_file = PlanFinding::InFile(PartFinding::BytesPassedOver { count: 5, at: 684 });
+        assert_eq!(json(&in_file), r#"{"code":"bytes_passed_over","count":5,"at":684}"#);
         assert_eq!(json(&changed), r#"{"code":"part_changed","was":"a","is":"b","kept":[[1,1],[2,5]],"lost":[3]}"#);
     }
 }

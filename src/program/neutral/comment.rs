@@ -4,6 +4,8 @@
 use super::shortfall::ByHand;
 use crate::beam::ProcessSettings;
 use crate::cell::Mount;
+use crate::part::Units;
+use crate::part::units::StatedUnit;
 use crate::path::{Direction, Order};
 
 /// The words of a comment. Lines of a text with several stay lines.
@@ -55,6 +57,8 @@ pub enum Comment {
     },
     /// Figures of the robot's file that nobody has checked.
     Unchecked(Vec<String>),
+    /// The part's file is not read as it was meant.
+    PartFile(FileNote),
     /// No program was ever run on such a controller.
     NeverRun {
         /// Its dialect.
@@ -73,6 +77,38 @@ pub enum Comment {
     },
     /// The operator has to set a figure before the program goes on.
     Set(ByHand),
+}
+
+/// What is to be known of a part's file before a program for it is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileNote {
+    /// It states one unit, and was read in another.
+    UnitOverridden {
+        /// The unit that it states.
+        stated: StatedUnit,
+        /// The unit that was taken.
+        units: Units,
+    },
+    /// So many facets cannot be used.
+    FacetsDropped(usize),
+    /// It holds other facets than its header says.
+    CountDiffers {
+        /// Facets by its header.
+        promised: usize,
+        /// Facets that were read.
+        read: usize,
+    },
+    /// So many things that are no facets were left out.
+    NotRead(usize),
+    /// Bytes belong to nothing that is known.
+    BytesPassedOver {
+        /// How many.
+        count: usize,
+        /// Where the first of them stands.
+        at: usize,
+    },
+    /// So many solids became one part.
+    SolidsJoined(usize),
 }
 
 /// Dialects that say at the head of a program what of them is not verified.

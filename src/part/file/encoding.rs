@@ -1,0 +1,59 @@
+//! Text in UTF-16, as some systems save it, taken as single bytes. Formats of parts are ASCII but for names, which
+//! nobody needs: each unit that is not ASCII becomes a question mark, so places in the file stay known.
+
+use super::PartFileError;
+use crate::part::raw_part::RawPart;
+
+/// A text that was UTF-16.
+pub(super) struct Utf16 {
+    /// Its units as single bytes.
+    pub ascii: Vec<u8>,
+    /// Bytes before the first unit.
+    begin: usize,
+}
+
+impl Utf16 {
+    /// The text, if the bytes are one: by their mark, or where every other byte of the beginning is zero and no other.
+    pub fn of(bytes: &[u8]) -> Option<Utf16> {
+        let (begin, big) = match bytes {
+            [0xff, 0xfe, ..] => (2, false),
+            [0xfe, 0xff, ..] => (2, true),
+            _ => (0, is_unmarked(bytes)?),
+        };
+        let unit = |pair: &[u8]| if big { [pair[0], pair[1]] } else { [pair[1], pair[0]] };
+        let ascii = |pair: &[u8]| match unit(pair) {
+            [0, low] if low.is_ascii() => low,
+            _ => b'?',
+        };
+        Some(Utf16 { ascii: bytes[begin..].chunks_exact(2).map(ascii).collect(), begin })
+    }
+
+    /// What was read of the text, with its places as they are in the file.
+    pub fn in_file(&self, read: Result<RawPart, PartFileError>) -> Result<RawPart, PartFileError> {
+        let place = |at: usize| self.begin + 2 * at;
+        let told = |e| match e {
+            PartFileError::TextCutOff { facets, byte } => PartFileError::TextCutOff { facets, byte: place(byte) },
+            PartFileError::DecimalComma { byte } => PartFileError::DecimalComma { byte: place(byte) },
+            other => other,
+        };
+        let mut part = read.map_err(told)?;
+        for dropped in &mut part.invalid {
+            dropped.byte = place(dropped.byte);
+        }
+        if let Some(over) = &mut part.passed_over {
+            (over.count, over.at) = (2 * over.count, place(over.at));
+        }
+        Ok(part)
+    }
+}
+
+/// So many characters tell UTF-16 without a mark.
+const TOLD_BY: usize = 16;
+
+/// Whether bytes without a mark are UTF-16 with the high byte first; `None`: they are no UTF-16.
+fn is_unmarked(bytes: &[u8]) -> Option<bool> {
+    let begin = bytes.get(..2 * TOLD_BY)?;
+    let is_character = |b: u8| b.is_ascii_graphic() || b.is_ascii_whitespace();
+    let all = |high: usize| begin.chunks_exact(2).all(|pair| pair[high] == 0 && is_character(pair[1 - high]));
+    if all(0) { Some(true) } else { all(1).then_some(false) }
+}

@@ -1,0 +1,140 @@
+//! PLY files: text and binary in both byte orders. Here the mesh of one: vertices and faces; what other elements it has
+//! is skipped and told. [`header`] and [`rows`] know elements of any name, so that point clouds can be read by them.
+
+pub mod header;
+pub mod rows;
+
+use super::{PartFileError, polygon};
+use crate::part::raw_part::{RawPart, UnreadKind};
+use header::{Element, Header, Property};
+use rows::Rows;
+
+/// What is wrong with a PLY file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PlyFault {
+    /// A line of the header that cannot be read.
+    HeaderLine {
+        /// The line, from 1.
+        line: usize,
+    },
+    /// The header has no end.
+    NoHeaderEnd,
+    /// Vertices have no x, y and z.
+    NoCoordinates,
+    /// Faces have no list of vertices.
+    NoIndices,
+    /// Its faces are strips.
+    Strips,
+    /// It ends before the rows of an element that its header promises.
+    CutOff {
+        /// The element.
+        element: String,
+        /// Rows by the header.
+        promised: u64,
+    },
+    /// Something that should be a number is none, or a list has less than no items.
+    Value {
+        /// The element.
+        element: String,
+        /// Its row, from 0.
+        row: u64,
+    },
+    /// A face has a vertex that is not there.
+    NoSuchVertex {
+        /// The face, from 0.
+        face: usize,
+        /// Vertices that are there.
+        vertices: usize,
+    },
+}
+
+/// Polygons one behind the other.
+#[derive(Default)]
+struct Faces {
+    indices: Vec<f64>,
+    /// Where each face ends among the indices, and where it begins in the file.
+    ends: Vec<(usize, usize)>,
+}
+
+/// Parses a PLY file as a mesh.
+///
+/// # Errors
+/// It cannot be read, or holds no faces.
+pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
+    let header = Header::of(bytes)?;
+    header.check_size(bytes.len())?;
+    let mut rows = Rows::new(bytes, &header);
+    let mut part = RawPart { solids: 1, ..RawPart::default() };
+    let (mut vertices, mut faces) = (Vec::new(), Faces::default());
+    for element in &header.elements {
+        match element.name.as_str() {
+            "vertex" => vertices = read_vertices(&mut rows, element)?,
+            "face" => faces = read_faces(&mut rows, element)?,
+            other => {
+                for row in 0..element.count {
+                    rows.skip(&element.properties).map_err(|e| e.told(element, row))?;
+                }
+                if other != "tristrips" {
+                    part.leave_unread(UnreadKind::Element(other.into()), element.count as usize);
+                }
+            }
+        }
+    }
+    if faces.ends.is_empty() && header.elements.iter().any(|e| e.name == "tristrips" && e.count > 0) {
+        return Err(PlyFault::Strips.into());
+    }
+    if faces.ends.is_empty() && !vertices.is_empty() {
+        return Err(PartFileError::PointCloud { points: vertices.len() });
+    }
+    push_faces(&mut part, &vertices, &faces)?;
+    if let Some((at, count)) = rows.left() {
+        part.pass_over(count, at);
+    }
+    Ok(part)
+}
+
+fn read_vertices(rows: &mut Rows<'_>, element: &Element) -> Result<Vec<[f32; 3]>, PartFileError> {
+    let place = |name: &str| element.properties.iter().position(|p| p.name == name && p.list.is_none());
+    let [Some(x), Some(y), Some(z)] = ["x", "y", "z"].map(place) else { return Err(PlyFault::NoCoordinates.into()) };
+    let mut out = Vec::new();
+    let mut values = Vec::new();
+    for row in 0..element.count {
+        rows.values(&element.properties, &mut values).map_err(|e| e.told(element, row))?;
+        let value = |k: usize| values.get(k).copied().unwrap_or(f64::NAN) as f32;
+        out.push([value(x), value(y), value(z)]);
+    }
+    Ok(out)
+}
+
+fn read_faces(rows: &mut Rows<'_>, element: &Element) -> Result<Faces, PartFileError> {
+    let is_list = |p: &Property| p.list.is_some() && matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
+    let of_face = element.properties.iter().position(is_list).ok_or(PlyFault::NoIndices)?;
+    let (before, rest) = element.properties.split_at(of_face);
+    let mut faces = Faces::default();
+    for row in 0..element.count {
+        let byte = rows.at();
+        let read = rows.skip(before).and_then(|()| rows.list(&rest[0], &mut faces.indices));
+        read.and_then(|()| rows.skip(&rest[1..])).map_err(|e| e.told(element, row))?;
+        faces.ends.push((faces.indices.len(), byte));
+    }
+    Ok(faces)
+}
+
+fn push_faces(part: &mut RawPart, vertices: &[[f32; 3]], faces: &Faces) -> Result<(), PlyFault> {
+    let mut begin = 0;
+    let mut corners = Vec::new();
+    for (face, (end, byte)) in faces.ends.iter().enumerate() {
+        corners.clear();
+        for index in &faces.indices[begin..*end] {
+            // Negative and broken numbers become an index that no vertex has.
+            let at = if index.fract() == 0.0 && *index >= 0.0 { *index as usize } else { usize::MAX };
+            corners.push(*vertices.get(at).ok_or(PlyFault::NoSuchVertex { face, vertices: vertices.len() })?);
+        }
+        polygon::push(part, &corners, *byte);
+        begin = *end;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,134 @@
+//! What a 3MF file builds: its items, and the objects that those are made of, each where its transforms put it.
+
+use super::ThreeMfFault;
+use super::model::{IDENTITY, Model, Object, Placed, Transform};
+use super::package::Package;
+use crate::part::raw_part::{RawFacet, RawPart, UnreadKind};
+use crate::part::units::StatedUnit;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Objects are made of others in no more steps; programs use one or two.
+const DEEPEST: usize = 32;
+
+/// No more objects are placed, and no more facets made of them: a few lines that repeat each other can ask for
+/// billions. A plate of small parts holds hundreds.
+const MOST_OBJECTS: usize = 100_000;
+const MOST_FACETS: usize = 20_000_000;
+
+/// The part that comes of a file.
+pub(super) struct Build<'p, 'a> {
+    package: &'p mut Package<'a>,
+    /// Models by their entries, the slash before them left out, and which of their objects are used.
+    models: BTreeMap<String, Model>,
+    used: BTreeSet<(String, u32)>,
+    unit: StatedUnit,
+    /// Objects that were placed.
+    placed: usize,
+    part: RawPart,
+}
+
+impl<'p, 'a> Build<'p, 'a> {
+    /// Builds what the main model, by its entry, asks for.
+    pub fn of(package: &'p mut Package<'a>, main: &str) -> Result<RawPart, ThreeMfFault> {
+        let main = main.trim_start_matches('/').to_owned();
+        let model = Model::of(&package.text(&main)?, &main)?;
+        let (unit, items) = (model.unit, model.items.clone());
+        let part = RawPart { solids: items.len(), stated_unit: Some(unit), ..RawPart::default() };
+        let models = BTreeMap::from([(main.clone(), model)]);
+        let mut build = Build { package, models, used: BTreeSet::new(), unit, placed: 0, part };
+        for item in &items {
+            build.add(item, &main, &IDENTITY, 0)?;
+        }
+        Ok(build.with_what_is_left())
+    }
+
+    /// Adds an object of the model in `entry`, or of the one that it names itself.
+    fn add(&mut self, placed: &Placed, entry: &str, by: &Transform, depth: usize) -> Result<(), ThreeMfFault> {
+        let entry = placed.entry.as_deref().map_or(entry, |e| e.trim_start_matches('/')).to_owned();
+        let transform = after(&placed.transform, by);
+        self.load(&entry)?;
+        if depth > DEEPEST {
+            return Err(ThreeMfFault::TooDeep);
+        }
+        self.placed += 1;
+        if self.placed > MOST_OBJECTS {
+            return Err(ThreeMfFault::TooManyObjects { most: MOST_OBJECTS });
+        }
+        self.used.insert((entry.clone(), placed.object));
+        let missing = ThreeMfFault::NoSuchObject { object: placed.object };
+        let object = self.models.get(&entry).and_then(|m| m.objects.get(&placed.object)).ok_or(missing)?;
+        if object.is_support {
+            self.part.solids -= usize::from(depth == 0);
+            return Ok(());
+        }
+        push_mesh(&mut self.part, object, placed.object, &transform)?;
+        let components = object.components.clone();
+        for component in &components {
+            self.add(component, &entry, &transform, depth + 1)?;
+        }
+        Ok(())
+    }
+
+    fn load(&mut self, entry: &str) -> Result<(), ThreeMfFault> {
+        if !self.models.contains_key(entry) {
+            let model = Model::of(&self.package.text(entry)?, entry)?;
+            if model.unit != self.unit {
+                return Err(ThreeMfFault::UnitsDiffer);
+            }
+            self.models.insert(entry.to_owned(), model);
+        }
+        Ok(())
+    }
+
+    /// The part, with what of the file is not in it.
+    fn with_what_is_left(mut self) -> RawPart {
+        let is_used = |entry: &String, number: u32| self.used.contains(&(entry.clone(), number));
+        let all = || self.models.iter().flat_map(|(e, m)| m.objects.iter().map(move |(n, o)| (o, is_used(e, *n))));
+        let not_built = all().filter(|(o, used)| !used && !o.is_support && !o.triangles.is_empty()).count();
+        let supports = all().filter(|(o, _)| o.is_support).count();
+        let beams = all().filter(|(o, used)| *used && !o.is_support).map(|(o, _)| o.beams).sum();
+        self.part.leave_unread(UnreadKind::ObjectsNotBuilt, not_built);
+        self.part.leave_unread(UnreadKind::Supports, supports);
+        self.part.leave_unread(UnreadKind::LatticeBeams, beams);
+        self.part
+    }
+}
+
+/// Adds the triangles of an object where the transform puts it. A mirror turns them inside out, so their winding is
+/// turned as well.
+fn push_mesh(part: &mut RawPart, object: &Object, number: u32, transform: &Transform) -> Result<(), ThreeMfFault> {
+    if part.facets.len() + part.invalid.len() + object.triangles.len() > MOST_FACETS {
+        return Err(ThreeMfFault::TooManyFacets { most: MOST_FACETS });
+    }
+    let place = |v: &[f64; 3]| apply(transform, *v).map(|x| x as f32);
+    let vertices: Vec<[f32; 3]> = object.vertices.iter().map(place).collect();
+    let mirrors = determinant(transform) < 0.0;
+    for (corners, byte) in &object.triangles {
+        let [a, b, c] = if mirrors { [corners[0], corners[2], corners[1]] } else { *corners };
+        let (Some(a), Some(b), Some(c)) = (vertices.get(a), vertices.get(b), vertices.get(c)) else {
+            return Err(ThreeMfFault::NoSuchVertex { object: number, vertices: vertices.len() });
+        };
+        part.push_checked([*a, *b, *c] as RawFacet, *byte);
+    }
+    Ok(())
+}
+
+/// What a transform makes of a point.
+fn apply(t: &Transform, p: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| p[0] * t[k] + p[1] * t[3 + k] + p[2] * t[6 + k] + t[9 + k])
+}
+
+/// First one transform, then another.
+fn after(first: &Transform, then: &Transform) -> Transform {
+    // Only the last row is a place, which is moved as well; the others are directions.
+    let turn = Transform::from([
+        then[0], then[1], then[2], then[3], then[4], then[5], then[6], then[7], then[8], 0.0, 0.0, 0.0,
+    ]);
+    let row = |r: usize| [first[3 * r], first[3 * r + 1], first[3 * r + 2]];
+    let rows = [apply(&turn, row(0)), apply(&turn, row(1)), apply(&turn, row(2)), apply(then, row(3))];
+    std::array::from_fn(|k| rows[k / 3][k % 3])
+}
+
+fn determinant(t: &Transform) -> f64 {
+    t[0] * (t[4] * t[8] - t[5] * t[7]) - t[1] * (t[3] * t[8] - t[5] * t[6]) + t[2] * (t[3] * t[7] - t[4] * t[6])
+}
