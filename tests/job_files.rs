@@ -106,11 +106,13 @@ fn recipes_are_read() {
 }
 
 #[test]
-fn a_job_without_lists_is_the_default_one() {
+fn a_job_without_keys_is_the_default_one_with_planes_along_z() {
     let folder = tempfile::tempdir().expect("a folder");
     let empty = folder.path().join("empty.toml");
     std::fs::write(&empty, "").expect("writes");
-    assert_eq!(files::read(&empty).expect("opens"), Job::default());
+    let mut job = Job::default();
+    job.layers.direction = Direction::AXES[2].1;
+    assert_eq!(files::read(&empty).expect("opens"), job);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 option_number = { $meaning } [default: { $default }]
 option_units = Unit of the file: mm, m or inch [default: mm]
 option_surfaces = Surfaces to clean, in the order of work: all, or numbers like 4,1 [default: all]
-option_direction = Normal of the section planes: x, y, z, auto or DX,DY,DZ [default: z]
+option_direction = Normal of the section planes: x, y, z, auto or DX,DY,DZ; auto suits each surface [default: auto]
 option_strategy = Lines: planes, adaptive, offset, spiral or cross [default: planes]
 option_overlap = Overlap of neighbouring spots (of beads, where there are any), per cent, in place of the spacing
 option_offset = First plane above the lowest point, mm, or centred [default: centred]
