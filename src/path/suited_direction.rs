@@ -48,12 +48,21 @@ pub(super) fn suited_direction(mesh: &Mesh, s: &Surface, axes: &Rotation3<f64>) 
     directions.extend(own_axes(mesh, s));
     directions.extend(across(mesh, s, axes));
     let measure = |m: Vector3<f64>| measured(mesh, s, angle::unit(signed(m, axes))?);
-    let mut candidates: Vec<Candidate> = directions.into_iter().filter_map(measure).collect();
-    let first = best(&candidates)?;
-    if first.missed > NO_SHARE || first.stretch > ALIKE_STRETCH {
-        candidates.extend(from_grid(mesh, s, axes).and_then(measure));
+    let candidates: Vec<Candidate> = directions.into_iter().filter_map(measure).collect();
+    let own = best(&candidates)?;
+    if own.missed > NO_SHARE || own.stretch > ALIKE_STRETCH {
+        let odd = from_grid(mesh, s, axes).and_then(measure).filter(|odd| odd.is_clearly_better_than(own));
+        return Some(odd.map_or(own.normal, |odd| odd.normal));
     }
-    best(&candidates).map(|c| c.normal)
+    Some(own.normal)
+}
+
+impl Candidate {
+    /// Whether it misses less, or keeps the spacing truer, by more than counts as alike.
+    fn is_clearly_better_than(&self, other: &Candidate) -> bool {
+        let is_truer = self.missed <= alike_missed(other.missed) && ALIKE_STRETCH * self.stretch < other.stretch;
+        is_truer || alike_missed(self.missed) < other.missed
+    }
 }
 
 fn best(all: &[Candidate]) -> Option<&Candidate> {

@@ -8,7 +8,7 @@ use super::{NothingReason, PlanFinding, Report, Unproven};
 use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::document::Job;
 use crate::part::{PartFinding, SurfaceId};
-use crate::path::Strategy;
+use crate::path::{Direction, Strategy};
 use crate::planning::TakenBy;
 use crate::planning::remark::Remark;
 use crate::pose::Correction;
@@ -68,7 +68,7 @@ pub enum Notice {
         missed_mm2: f64,
         /// Its whole area, mm².
         area_mm2: f64,
-        /// Whether planes cut its lines, which can be turned.
+        /// Whether planes cut its lines, which another direction may suit better.
         by_planes: bool,
     },
     /// Lines or program of a surface are not as they were wanted.
@@ -181,6 +181,8 @@ fn missed(report: &Report, surface: SurfaceId, job: &Job) -> Option<Notice> {
     if let Some(taken_by) = row.taken_by() {
         return Some(Notice::NoLines { surface, taken_by, area_mm2: row.area_mm2 });
     }
-    let by_planes = !matches!(job.of_surface(surface).layers.strategy, Strategy::Offset | Strategy::Spiral);
+    let layers = &job.of_surface(surface).layers;
+    let is_cut = !matches!(layers.strategy, Strategy::Offset | Strategy::Spiral);
+    let by_planes = is_cut && layers.direction != Direction::Auto;
     Some(Notice::Missed { surface, missed_mm2: row.missed_area_mm2, area_mm2: row.area_mm2, by_planes })
 }
