@@ -27,6 +27,8 @@ const ALIKE_STRETCH: f64 = 1.25;
 /// So many times the planes of the fewest are alike: a polygon of 32 sides is 1.005 times as wide over corners as over
 /// sides; a rectangle of 4 : 3 that is turned by 0.25° comes to 1.006.
 const ALIKE_WIDTH: f64 = 1.005;
+/// Normals that cancel out to less than this share of the area have no mean.
+const MEAN_SHARE: f64 = 1e-3;
 /// Eigenvalues nearer than this share of their sum have no axes of their own.
 const EQUAL_SHARE: f64 = 1e-6;
 
@@ -119,8 +121,10 @@ fn own_axes(mesh: &Mesh, s: &Surface) -> Vec<Vector3<f64>> {
 
 /// The narrowest way across a surface that has a mean normal.
 fn across(mesh: &Mesh, s: &Surface, axes: &Rotation3<f64>) -> Option<Vector3<f64>> {
-    let sum = live(mesh, s).fold(Vector3::zeros(), |n: Vector3<f64>, f| n + mesh.normals[f] * mesh.areas[f]);
-    let normal = angle::unit(axes.inverse() * sum)?;
+    let (sum, area) = live(mesh, s).fold((Vector3::zeros(), 0.0), |(n, area): (Vector3<f64>, f64), f| {
+        (n + mesh.normals[f] * mesh.areas[f], area + mesh.areas[f])
+    });
+    let normal = angle::unit(axes.inverse() * sum).filter(|_| sum.norm() > MEAN_SHARE * area)?;
     let (u, v) = (angle::any_square_to(&normal), normal.cross(&angle::any_square_to(&normal)));
     let (u, v) = (axes * u, axes * v);
     let is_of_surface = |f: &&u32| s.facets.binary_search(f).is_ok();
