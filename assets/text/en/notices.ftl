@@ -88,6 +88,7 @@ change_shortest = keep pieces from { $mm } mm
 change_whole_outline = start from the whole outline
 change_strategy = use the strategy { $strategy }
 cure = { $change }: that gives lines to { $surfaces }
+cure_and_more = { $list } and { $more } more
 cure_in_recipe = { $change } in the recipe { $recipe }: that gives lines to { $surfaces }
 
 ## Not as wanted
