@@ -29,6 +29,7 @@ fn dose(c: &mut Criterion) {
     let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
     let Ok(setup) = Setup::shipped() else { return };
     let mut job = Job::default();
+    job.layers.direction = clearbeam::path::Direction::AXES[2].1;
     job.settings.choose((1..=SURFACES).collect::<Vec<u32>>());
     let surfaces = segmented(&part, &job);
     let Ok(plan) = planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()) else {
@@ -59,6 +60,7 @@ fn proven(c: &mut Criterion) {
     let (Ok(mut setup), Ok(head)) = (Setup::shipped(), Head::from_toml(HEAD)) else { return };
     setup.tool = Tool { head: Some(head), clamps: Vec::new() };
     let mut job = Job::default();
+    job.layers.direction = clearbeam::path::Direction::AXES[2].1;
     job.path.correction = Correction::SectionPlane;
     let surfaces = segmented(&part, &job);
     job.settings.choose(surfaces.list.iter().map(|s| s.number).take(12).collect::<Vec<u32>>());

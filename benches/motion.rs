@@ -128,6 +128,7 @@ fn whole(c: &mut Criterion, setup: &Setup) {
     let bytes = stl_bytes(&(gear.triangles)());
     let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
     let mut job = Job::default();
+    job.layers.direction = clearbeam::path::Direction::AXES[2].1;
     job.settings.choose(Chosen::All);
     job.layers.spacing_mm = 2.0;
     let surfaces = segmented(&part, &job);

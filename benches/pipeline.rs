@@ -35,6 +35,7 @@ fn pipeline(c: &mut Criterion) {
     let Ok(source) = Source::from_bytes(&bytes) else { return };
     let source = Arc::new(source);
     let mut job = Job::default();
+    job.layers.direction = clearbeam::path::Direction::AXES[2].1;
     job.settings.choose(Chosen::All);
     job.layers.spacing_mm = 8.0;
     let mut group = c.benchmark_group("pipeline");

@@ -40,6 +40,7 @@ fn strategies(c: &mut Criterion) {
         &mesh,
         &surfaces,
         &[Raster { surface: 1, direction: Direction::Along([1.0, 0.0, 0.0]), spacing_mm: SPACING_MM, offset_mm: None }],
+        &nalgebra::Rotation3::identity(),
     );
     let Some(family) = family.first() else { return };
     let mut group = c.benchmark_group("strategies");

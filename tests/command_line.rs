@@ -168,14 +168,20 @@ fn assert_dose_ply(bytes: &[u8], side: &str) {
 fn what_is_missed_or_blocked_is_told_by_the_status() {
     let (folder, file) = cube();
     let out = inside(folder.path(), "o");
-    let output = run(&["plan", &file, "--out", &out, "--json"]);
+    let output = run(&["plan", &file, "--out", &out, "--direction", "z", "--json"]);
     assert_eq!(output.status.code(), Some(3), "top and bottom lie in the planes");
     let report = json(&output);
     assert_eq!(report["missed_area_mm2"].as_f64(), Some(200.0));
     let causes: Vec<&str> =
         report["problems"].as_array().expect("list").iter().filter_map(|p| p["cause"].as_str()).collect();
     assert_eq!(causes, ["missed", "missed"]);
-    assert_eq!(code(&["plan", &file, "--out", &out, "--direction", "auto"]), 0, "a direction of its own for each side");
+    let remark = &report["surfaces"][0]["remarks"][0];
+    assert_eq!((&remark["code"], &remark["cause"]), (&"no_lines".into(), &"direction".into()));
+    assert_eq!(remark["area_mm2"].as_f64(), Some(100.0));
+    let said = String::from_utf8(run(&["plan", &file, "--out", &out, "--direction", "z"]).stdout).expect("text");
+    assert!(said.contains("surface 1: no line on its 100.00 mm²: the section planes lie along it"), "{said}");
+    assert!(said.contains("to help: use direction auto: that gives lines to surface 1, surface 2"), "{said}");
+    assert_eq!(code(&["plan", &file, "--out", &out]), 0, "a direction of its own for each side");
 }
 
 #[test]
@@ -285,7 +291,7 @@ fn bad_input_is_1_with_one_line_that_names_it() {
 fn a_job_whose_part_moved_or_changed_is_refused() {
     let (folder, file) = cube();
     let out = folder.path().join("job");
-    assert_eq!(code(&["plan", &file, "--out", &out.display().to_string()]), 3);
+    assert_eq!(code(&["plan", &file, "--out", &out.display().to_string()]), 0);
     let job = inside(&out, "job.toml");
     std::fs::write(&file, stl_bytes(&solids::cube(11.0))).expect("writes");
     let output = run(&["plan", &job, "--out", &inside(folder.path(), "o")]);

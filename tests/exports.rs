@@ -215,6 +215,10 @@ fn an_earlier_program_goes_where_nothing_is_left_to_do() {
     assert!(["job.toml", "path.csv", "dose.ply", "report.json"].iter().all(|n| files.contains_key(*n)));
     let findings = &bench.report()["findings"];
     assert_eq!((&findings[0]["code"], &findings[0]["reason"]), (&"nothing_planned".into(), &"no_lines".into()));
+    assert_eq!((&findings[0]["cause"], &findings[0]["inset_mm"]), (&"inset".into(), &6.0.into()));
+    assert_eq!((&findings[0]["area_mm2"], &bench.report()["missed_area_mm2"]), (&600.0.into(), &600.0.into()));
+    assert_eq!(findings[0]["by"].as_array().map(Vec::len), Some(6));
+    assert!(said.contains("to help: use an inset of 4.5 mm: that gives lines to surface 1, surface 2"), "{said}");
     bench.planned(FINE);
     assert!(programs(&bench.files()).len() > 4);
 }

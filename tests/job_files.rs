@@ -14,10 +14,11 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/jobs").join(name)
 }
 
-/// What a file that says nothing means: the defaults of new jobs, but for the welding of before.
+/// What a file that says nothing means: the defaults of new jobs, but for welding and direction of before.
 fn silent() -> Job {
     let mut job = Job::default();
     job.part.weld = Weld::Exact;
+    job.layers.direction = Direction::AXES[2].1;
     job
 }
 
@@ -113,7 +114,7 @@ fn recipes_are_read() {
 }
 
 #[test]
-fn a_job_without_lists_is_the_default_one() {
+fn a_job_without_keys_is_the_default_one_with_planes_along_z() {
     let folder = tempfile::tempdir().expect("a folder");
     let empty = folder.path().join("empty.toml");
     std::fs::write(&empty, "").expect("writes");

@@ -32,6 +32,7 @@ fn open_lines() -> Vec<(Triangles, Vec<[f64; 3]>, &'static str)> {
     vec![
         (solids::v_groove(30.0, 8.0, 6.1, 21.3), vec![[-2.0, 10.0, -4.5358984], [-8.0, 10.0, 0.0]], "y"),
         (step(), vec![[5.0, 10.0, 0.0], [0.0, 10.0, 5.0]], "y"),
+        (step(), vec![[5.0, 10.0, 0.0], [0.0, 10.0, 5.0]], "auto"),
         (solids::cube(10.0), vec![[5.0, 0.0, 5.0], [5.0, 5.0, 10.0]], "1,0.3,-0.2"),
     ]
 }
@@ -76,15 +77,19 @@ fn the_other_side_of_a_sheet_changes_nothing_on_this_one() {
     }
 }
 
-/// Plans a part as it is and moved, planes moved with it. Moves are proven as their program is written, and what is
+/// Plans a part as it is and moved, planes moved with it; `auto` moves them by itself. Moves are proven as their program is written, and what is
 /// rounded there belongs to a frame: here it is written with all its digits.
 fn moved_alike(triangles: &Triangles, on_surfaces: &[[f64; 3]], mut job: Job, rotation_deg: [f64; 3], shift: [f64; 3]) {
     job.cell.dialect = "csv".into();
     let still = planned_at(triangles, on_surfaces, job.clone());
     let placement = Placement { scale: 1.0, rotation_deg, translation_mm: shift };
     let motion = placement.isometry();
-    let Direction::Along(d) = job.layers.direction else { panic!("a direction") };
-    job.layers.direction = Direction::Along((motion.rotation * Vector3::from(d)).into());
+    match job.layers.direction {
+        Direction::Along(d) => {
+            job.layers.direction = Direction::Along((motion.rotation * Vector3::from(d)).into());
+        }
+        Direction::Auto => job.part.placement = placement,
+    }
     job.settings.choose(still.job.settings.choice());
     let moved = planned(placed(triangles, &placement), job);
     same(&still, &moved, |p| motion * p, |v| motion.rotation * v);

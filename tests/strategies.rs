@@ -55,9 +55,12 @@ impl Alone {
     }
 
     fn family(&self, direction: Direction, spacing: f64) -> SurfacePlanes {
-        planes(&self.mesh, &self.surfaces, &[Raster { surface: 1, direction, spacing_mm: spacing, offset_mm: None }])
-            .pop()
-            .unwrap_or(SurfacePlanes { surface: 1, normal: nalgebra::Vector3::z(), heights_mm: Vec::new() })
+        let raster = Raster { surface: 1, direction, spacing_mm: spacing, offset_mm: None };
+        planes(&self.mesh, &self.surfaces, &[raster], &nalgebra::Rotation3::identity()).pop().unwrap_or(SurfacePlanes {
+            surface: 1,
+            normal: nalgebra::Vector3::z(),
+            heights_mm: Vec::new(),
+        })
     }
 
     fn laid(&self, rule: &Layout, direction: Direction) -> SurfaceLines {

@@ -6,6 +6,8 @@
 mod common;
 
 use clearbeam::app::{App, Purpose};
+use clearbeam::document::Edit;
+use clearbeam::path::Direction;
 use common::window::{Answers, click, drag, press, sample, settle, snapshot, type_into, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
@@ -190,6 +192,7 @@ fn before_and_after_on_one_section_plane() {
 #[test]
 fn problems_lead_to_their_place() {
     let mut h = window(Some(sample("workpiece.stl")), &Answers::default());
+    h.state_mut().send(Edit::Direction(Direction::AXES[2].1));
     click(&mut h, "surface 10 cylinder Ø8.00");
     press(&mut h, Modifiers::NONE, Key::Enter);
     click(&mut h, "Beams");

@@ -207,7 +207,8 @@ fn remarks_stand_among_the_problems() {
     let folder = tempfile::tempdir().expect("a folder");
     let more = "[layers]\nspacing_mm = 2.0\nstrategy = \"offset\"\nborder = 9\n";
     let mut h = window(Some(job(&folder, more)), &Answers::default());
-    assert!(says(&h, "surface 2: there is no border 10").ends_with("whole outline"));
+    assert!(says(&h, "surface 2: no line on its").ends_with("there is no border 10: the surface has one"));
+    assert!(shows(&h, "Start from the whole outline"));
     click(&mut h, "strategy");
     click(&mut h, "planes – parallel planes, equally far apart");
     assert!(h.query_by_label_contains("there is no border 10").is_none());

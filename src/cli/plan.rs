@@ -5,10 +5,11 @@ use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell
 use crate::cell::{Robot, Setup};
 use crate::document::{Chosen, Job, files};
 use crate::part::PartFinding;
+use crate::planning::cures::Cure;
 use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
 use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::progress::Progress;
-use crate::text::{Sentence as _, clock, program_comment, report_lines, say};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, clock, program_comment, report_lines, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -57,6 +58,7 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
             let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(clock);
             text.push_str(&format!("{}\n", say!(cli_times, work, travel, waiting)));
         }
+        text.push_str(&cured(&planned));
         text.push_str(&advised(&input, &pipeline));
         for path in &exported.removed {
             text.push_str(&format!("{}\n", say!(cli_removed, file = path.display().to_string())));
@@ -98,6 +100,13 @@ fn tell_of_cell(job: &Job, setup: &Setup) {
     if let Some(own) = own {
         eprintln!("{}", say!(cli_speaks_own_dialect, robot = setup.robot_name(), own));
     }
+}
+
+/// What gives lines to surfaces that have none, one line each.
+fn cured(planned: &PlannedJob) -> String {
+    let naming = Naming::of(&planned.job);
+    let told = |cure: &Cure| format!("{}\n", say!(cli_to_help, advice = cure.sentence_with(&naming)));
+    planned.cures.iter().map(told).collect()
 }
 
 /// What would help where something is left out, one line each.

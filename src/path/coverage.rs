@@ -3,15 +3,12 @@
 //! Planes at distance d give lines d/sin∠(n, m) apart on a surface with normal n: 2 d at 30°,
 //! 5.8 d at 10°, nothing at all on a facet parallel to the planes. P1 and P2 ignore this.
 
+use super::live_facets::{PARALLEL_DEG, live};
 use super::planes::SurfacePlanes;
 use super::section::TransversalLine;
-use crate::part::{Mesh, surfaces::Surface, topology::FacetDefect};
+use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::Point3;
 use std::collections::BTreeMap;
-
-/// Within this angle of the planes a facet counts as parallel to them: lines would be 5.8 times as
-/// far apart as wanted.
-pub(super) const PARALLEL_DEG: f64 = 10.0;
 
 /// Coverage of one surface.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,7 +24,8 @@ pub struct Coverage {
 }
 
 /// Looks for missed facets: parallel within 10° to the planes (of two families: to both), or crossed by no line
-/// of the surface and further than one spacing from any. Without planes distance alone decides.
+/// of the surface and further than one spacing from any. Without planes distance alone decides; without lines all of
+/// the surface is missed.
 ///
 /// The spacing is that of planes at equal distances; other strategies measure it.
 pub fn coverage(
@@ -40,10 +38,15 @@ pub fn coverage(
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let mut grid: Option<PointGrid> = None;
     let mut out = Coverage::default();
-    for &f in surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None) {
-        let sine = |planes: &SurfacePlanes| mesh.normals[f as usize].cross(&planes.normal).norm();
+    if lines.is_empty() {
+        // Planes that cross it have no line on it.
+        let missed_facets = live(mesh, surface).map(|f| f as u32).collect();
+        return Coverage { missed_area_mm2: surface.area_mm2, missed_facets, ..out };
+    }
+    for f in live(mesh, surface) {
+        let sine = |planes: &SurfacePlanes| mesh.normals[f].cross(&planes.normal).norm();
         let crosses = |planes: &SurfacePlanes| {
-            let heights = mesh.corners(f as usize).map(|p| p.coords.dot(&planes.normal));
+            let heights = mesh.corners(f).map(|p| p.coords.dot(&planes.normal));
             let (lo, hi) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
             let from = planes.heights_mm.partition_point(|&c| c <= lo);
             planes.heights_mm.get(from).is_some_and(|&c| c <= hi)
@@ -53,11 +56,11 @@ pub fn coverage(
         let missed = steepest.is_some_and(|sine| sine < parallel_sine)
             || (!crossed && {
                 let grid = grid.get_or_insert_with(|| PointGrid::new(lines, spacing_mm));
-                !grid.has_within(&mesh.corners(f as usize), spacing_mm)
+                !grid.has_within(&mesh.corners(f), spacing_mm)
             });
         if missed {
-            out.missed_area_mm2 += mesh.areas[f as usize];
-            out.missed_facets.push(f);
+            out.missed_area_mm2 += mesh.areas[f];
+            out.missed_facets.push(f as u32);
         } else {
             let on_surface = spacing_mm / steepest.unwrap_or(1.0);
             out.spacing_min_mm = Some(out.spacing_min_mm.map_or(on_surface, |s| s.min(on_surface)));

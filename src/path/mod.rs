@@ -7,12 +7,15 @@ pub mod chord;
 pub mod coverage;
 pub mod dense;
 pub mod ends;
+pub mod live_facets;
+mod narrowest;
 pub mod neighbour_axes;
 pub mod normals;
 pub mod order;
 pub mod planes;
 pub mod section;
 pub mod strategy;
+mod suited_direction;
 pub mod tour;
 
 pub use dense::DensePoint;

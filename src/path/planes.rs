@@ -4,8 +4,11 @@
 //! extent, so that their lines meet at creases; P2's start at `min + d` would leave a strip of
 //! width d at one rim. A surface that falls between two planes gets one of its own.
 
-use crate::part::{Hasher, Keyed, Mesh, Surfaces, angle, surfaces::Surface, topology::FacetDefect};
-use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+use super::live_facets::extent;
+use super::suited_direction::suited_direction;
+use crate::part::{Hasher, Keyed, Mesh, Surfaces, angle};
+use nalgebra::{Rotation3, Vector3};
+use rayon::prelude::*;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use std::fmt;
 use std::str::FromStr;
@@ -16,7 +19,7 @@ use thiserror::Error;
 pub enum Direction {
     /// A direction in the part frame, of any length but 0.
     Along([f64; 3]),
-    /// Per surface the one that keeps the spacing on it truest.
+    /// Per surface the one that suits it: no facet is missed where that can be helped, and lines are few and long.
     Auto,
 }
 
@@ -128,18 +131,14 @@ pub struct Raster {
     pub offset_mm: Option<f64>,
 }
 
-/// The planes of surfaces, in their order. Surfaces without any proper facet get none.
-pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Raster]) -> Vec<SurfacePlanes> {
-    let mut all: Vec<(SurfacePlanes, (f64, f64), &Raster)> = layouts
-        .iter()
-        .filter_map(|layout| Some((surfaces.get(layout.surface)?, layout)))
-        .filter_map(|(s, layout)| {
-            let normal = match layout.direction {
-                Direction::Along(v) => angle::unit(Vector3::from(v))?,
-                Direction::Auto => truest_direction(mesh, s)?,
-            };
-            let extent = extent(mesh, s, &normal)?;
-            Some((SurfacePlanes { surface: s.number, normal, heights_mm: Vec::new() }, extent, layout))
+/// The planes of surfaces, in their order. Surfaces without any proper facet get none. `axes`: those of the part's
+/// file in the frame of the mesh, from which `Auto` starts.
+pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Raster], axes: &Rotation3<f64>) -> Vec<SurfacePlanes> {
+    let mut all: Vec<(SurfacePlanes, (f64, f64), &Raster)> = directions(mesh, surfaces, layouts, axes)
+        .into_iter()
+        .filter_map(|(normal, layout)| {
+            let extent = extent(mesh, surfaces.get(layout.surface)?, &normal)?;
+            Some((SurfacePlanes { surface: layout.surface, normal, heights_mm: Vec::new() }, extent, layout))
         })
         .collect();
     for i in 0..all.len() {
@@ -152,6 +151,36 @@ pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Raster]) -> Vec<Surfa
         all[i].0.heights_mm = if touched.is_empty() { vec![0.5 * (own.0 + own.1)] } else { family[touched].to_vec() };
     }
     all.into_iter().map(|(p, ..)| p).collect()
+}
+
+/// Directions nearer than this, rad, are one: what suits two faces of a plane differs by rounding, and they are to
+/// share a family.
+const SAME_RAD: f64 = 1e-6;
+
+/// The unit normal of each surface's planes.
+fn directions<'a>(
+    mesh: &Mesh,
+    surfaces: &Surfaces,
+    layouts: &'a [Raster],
+    axes: &Rotation3<f64>,
+) -> Vec<(Vector3<f64>, &'a Raster)> {
+    let own = |layout: &'a Raster| {
+        let normal = match layout.direction {
+            Direction::Along(v) => angle::unit(Vector3::from(v))?,
+            Direction::Auto => suited_direction(mesh, surfaces.get(layout.surface)?, axes)?,
+        };
+        Some((normal, layout))
+    };
+    let mut all: Vec<(Vector3<f64>, &Raster)> = layouts.par_iter().filter_map(own).collect();
+    for i in 0..all.len() {
+        let (before, rest) = all.split_at_mut(i);
+        if let Some((normal, Raster { direction: Direction::Auto, .. })) = rest.first_mut()
+            && let Some((same, _)) = before.iter().find(|(other, _)| (other - *normal).norm() < SAME_RAD)
+        {
+            *normal = *same;
+        }
+    }
+    all
 }
 
 impl Raster {
@@ -174,82 +203,6 @@ pub(super) fn family((lo, hi): (f64, f64), spacing_mm: f64, offset_mm: Option<f6
         }
     };
     (0..count).map(|i| first + i as f64 * spacing_mm).collect()
-}
-
-/// The proper facets of a surface.
-pub(super) fn live<'a>(mesh: &'a Mesh, s: &'a Surface) -> impl Iterator<Item = usize> + 'a {
-    s.facets.iter().map(|&f| f as usize).filter(|&f| mesh.defects[f] == FacetDefect::None)
-}
-
-/// Least and greatest height of a surface along a direction, mm.
-pub(super) fn extent(mesh: &Mesh, s: &Surface, normal: &Vector3<f64>) -> Option<(f64, f64)> {
-    live(mesh, s)
-        .flat_map(|f| mesh.corners(f))
-        .map(|p| p.coords.dot(normal))
-        .map(|h| (h, h))
-        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-}
-
-/// The direction m with the least mean of 1/sin∠(n, m), the factor by which spacing on the surface
-/// exceeds the plane spacing. Axes are preferred where they are as good; on a plane, where every
-/// direction in it is perfect, the one with the fewest lines.
-fn truest_direction(mesh: &Mesh, s: &Surface) -> Option<Vector3<f64>> {
-    let mut spread: Matrix3<f64> = Matrix3::zeros();
-    let mut sum = Vector3::zeros();
-    for f in live(mesh, s) {
-        spread += mesh.normals[f] * mesh.normals[f].transpose() * mesh.areas[f];
-        sum += mesh.normals[f] * mesh.areas[f];
-    }
-    let eigen = SymmetricEigen::new(spread);
-    let mut candidates = vec![Vector3::z(), Vector3::x(), Vector3::y()];
-    let mut own: Vec<(f64, Vector3<f64>)> =
-        (0..3).map(|k| (eigen.eigenvalues[k], eigen.eigenvectors.column(k).into_owned())).collect();
-    own.sort_by(|a, b| a.0.total_cmp(&b.0));
-    candidates.extend(own.into_iter().filter_map(|(_, v)| angle::unit(signed(v))));
-    if let Some(n) = angle::unit(sum) {
-        candidates.extend(principal_in_plane(mesh, s, &n));
-    }
-    candidates
-        .into_iter()
-        .filter_map(|m| {
-            let (mut cost, mut area) = (0.0, 0.0);
-            for f in live(mesh, s) {
-                let sine = mesh.normals[f].cross(&m).norm();
-                cost += mesh.areas[f] / sine.max(1e-3);
-                area += mesh.areas[f];
-            }
-            let (lo, hi) = extent(mesh, s, &m)?;
-            // Steps of 1e-6: axis against eigenvector is decided by preference, not by rounding.
-            Some(((cost / area.max(1e-300) * 1e6).round(), ((hi - lo) * 1e3).round(), m))
-        })
-        .reduce(|a, b| if (b.0, b.1) < (a.0, a.1) { b } else { a })
-        .map(|(_, _, m)| m)
-}
-
-/// The two principal axes of a surface's corners within the plane square to `n`.
-fn principal_in_plane(mesh: &Mesh, s: &Surface, n: &Vector3<f64>) -> Vec<Vector3<f64>> {
-    let u = angle::any_square_to(n);
-    let v = n.cross(&u);
-    let (mut weight, mut mean) = (0.0, Vector3::zeros());
-    for f in live(mesh, s) {
-        mean += mesh.centroid(f).coords * mesh.areas[f];
-        weight += mesh.areas[f];
-    }
-    mean /= f64::max(weight, 1e-300);
-    let (mut uu, mut uv, mut vv) = (0.0, 0.0, 0.0);
-    for f in live(mesh, s) {
-        let d = mesh.centroid(f).coords - mean;
-        let (x, y) = (d.dot(&u), d.dot(&v));
-        (uu, uv, vv) = (uu + x * x * mesh.areas[f], uv + x * y * mesh.areas[f], vv + y * y * mesh.areas[f]);
-    }
-    let half_turn = 0.5 * libm::atan2(2.0 * uv, uu - vv);
-    let main = u * libm::cos(half_turn) + v * libm::sin(half_turn);
-    [n.cross(&main), main].into_iter().filter_map(|d| angle::unit(signed(d))).collect()
-}
-
-/// Of the two opposite directions the one whose largest component is positive.
-fn signed(v: Vector3<f64>) -> Vector3<f64> {
-    if v[v.iamax()] < 0.0 { -v } else { v }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! `key`, `stage`, `pool` and `pipeline` keep it current.
 
 pub mod advice;
+pub mod cures;
 pub mod dose;
 mod driving;
 mod error;
@@ -32,7 +33,8 @@ pub use making::plan;
 pub use pipeline::Pipeline;
 pub use plan::preview::preview;
 pub use plan::surface_plan::PlanCache;
-pub use plan::{Plan, cell_report, remark, surface_plan, toolpath};
+pub use plan::taken_by::TakenBy;
+pub use plan::{Plan, cell_report, remark, surface_plan, taken_by, toolpath};
 pub use planned::PlannedJob;
 pub use pool::{AtOnce, Pool};
 pub use proof::verify;

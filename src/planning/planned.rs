@@ -1,5 +1,6 @@
 //! A plan with all that it was made of.
 
+use super::cures::Cure;
 use super::plan::Plan;
 use super::report::{Notice, Report};
 use crate::cell::Setup;
@@ -26,6 +27,8 @@ pub struct PlannedJob {
     pub report: Report,
     /// What people are to know of it, the worst first, and of the part's file.
     pub notices: Vec<Notice>,
+    /// What gives lines to surfaces that have none.
+    pub cures: Vec<Cure>,
 }
 
 impl PlannedJob {

@@ -13,6 +13,7 @@ mod calibration;
 mod cell;
 mod changed_part;
 pub(crate) mod choices;
+mod cure;
 mod document;
 mod dose;
 mod edits;

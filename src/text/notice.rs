@@ -14,6 +14,10 @@ impl NamedSentence for Notice {
             Notice::LeftOut { surface, cause, by_surface, targets, .. } => {
                 left_out(&naming.surface(*surface), *cause, by_surface.map(|s| naming.surface(s)), *targets)
             }
+            Notice::NoLines { surface, taken_by, area_mm2 } => {
+                let (surface, area) = (naming.surface(*surface), fixed(*area_mm2, 2));
+                say!(notice_no_lines_on, surface, area, why = taken_by.sentence())
+            }
             Notice::Missed { surface, missed_mm2, area_mm2, by_planes } => {
                 let (surface, missed, area) = (naming.surface(*surface), fixed(*missed_mm2, 2), fixed(*area_mm2, 2));
                 match by_planes {
@@ -34,15 +38,14 @@ impl NamedSentence for Notice {
 pub fn remedy(notice: &Notice) -> Option<String> {
     Some(match notice {
         Notice::NotProven(_) => say!(remedy_not_proven),
-        Notice::NothingPlanned(NothingReason::NoLines) => say!(remedy_no_lines),
+        Notice::NothingPlanned(NothingReason::NoLines { taken_by: None, .. }) => say!(remedy_no_lines),
         Notice::LeftOut { cause, correction, .. } => against(*cause, *correction),
         Notice::Missed { by_planes: true, .. } => say!(remedy_missed_by_planes),
         Notice::Missed { by_planes: false, .. } => say!(remedy_missed_by_lines),
         Notice::PartChanged { .. } => say!(remedy_part_changed),
-        // Remarks and findings of the file say it themselves, and what is blocked is told by surface.
-        Notice::Remark { .. } | Notice::InFile(_) | Notice::NothingPlanned(NothingReason::AllBlocked { .. }) => {
-            return None;
-        }
+        // Remarks and findings of the file say it themselves, what is blocked is told by surface, and what gives lines is
+        // sought for the plan.
+        Notice::Remark { .. } | Notice::InFile(_) | Notice::NothingPlanned(_) | Notice::NoLines { .. } => return None,
     })
 }
 
@@ -62,7 +65,10 @@ pub fn notice_line(notice: &Notice, naming: &Naming<'_>) -> String {
 impl NamedSentence for NothingReason {
     fn sentence_with(&self, naming: &Naming<'_>) -> String {
         match self {
-            NothingReason::NoLines => say!(notice_no_lines),
+            NothingReason::NoLines { taken_by: None, .. } => say!(notice_no_lines),
+            NothingReason::NoLines { taken_by: Some(why), area_mm2, .. } => {
+                say!(notice_no_lines_for, area = fixed(*area_mm2, 2), why = why.sentence())
+            }
             NothingReason::AllBlocked { by } => {
                 say!(notice_all_left_out, list = listed(by.iter().map(|b| blocked_by(b, naming))))
             }

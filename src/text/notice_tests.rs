@@ -35,7 +35,7 @@ fn blocked(point: usize, cause: RefusalCause, by_surface: Option<u32>) -> Proble
 #[test]
 fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
     let (mut report, job) = cube();
-    report.surfaces[0].remarks.push(Remark::Toolpath(ToolpathRemark::StopsAtRim { ends: 1 }));
+    report.surfaces[2].remarks.push(Remark::Toolpath(ToolpathRemark::StopsAtRim { ends: 1 }));
     let rim = Some(SurfaceId(3));
     report.unproven.push(Unproven { tool_body: ToolBody::Head, surface: rim, moves: 1200 });
     let (was, is) = ("a".into(), "b".into());
@@ -51,13 +51,11 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
     let lines: Vec<String> = notices.iter().map(|n| notice_line(n, &naming)).collect();
     let begins = [
         "1 200 lit moves are not proven: the head would hit surface 3 \"Rim\"; do not run the program",
-        "surface 1: 400.00 of 400.00 mm² missed by the planes; try direction auto",
-        "surface 2: 400.00 of 400.00 mm² missed by the planes; try direction auto",
+        "surface 1: no line on its 400.00 mm²: the section planes lie along it",
+        "surface 2: no line on its 400.00 mm²: the section planes lie along it",
         "surface 3 \"Rim\": 2 targets refused: out of the robot's reach; such as pass 4, point 0: ",
         "surface 3 \"Rim\": 1 target blocked by surface 5; choose the correction clearance",
-        "surface 1: no section plane crosses it: choose another direction",
-        "surface 1: 1 line end stops at the rim",
-        "surface 2: no section plane crosses it: choose another direction",
+        "surface 3 \"Rim\": 1 line end stops at the rim",
         "the part's file has changed since the job was saved; all that is to be cleaned was found again; \
          surface 2 is 5 now; not found: surface 3",
         "7 open edges",
@@ -66,6 +64,9 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
     for (line, begin) in lines.iter().zip(begins) {
         assert!(line.starts_with(begin), "{line}\n{begin}");
     }
+    let part_missed = Notice::Missed { surface: SurfaceId(1), missed_mm2: 40.0, area_mm2: 400.0, by_planes: true };
+    let told = "surface 1: 40.00 of 400.00 mm² missed by the planes; try direction auto";
+    assert_eq!(notice_line(&part_missed, &naming), told);
     assert!(lines[3].ends_with("; move the part nearer to the middle of the robot's reach"), "{}", lines[3]);
 }
 

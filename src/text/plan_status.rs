@@ -25,7 +25,10 @@ impl Sentence for PlanStatus {
 /// Why no move has the laser on.
 fn nothing(status: &PlanStatus) -> String {
     match (status.targets, status.left_out) {
-        (0, _) => say!(standing_no_lines),
+        (0, _) => match &status.taken_by {
+            Some(why) => say!(standing_no_lines_for, why = why.sentence()),
+            None => say!(standing_no_lines),
+        },
         (_, 0) => say!(standing_no_light),
         (targets, left_out) if targets == left_out => say!(standing_all_left_out, targets = left_out),
         (_, left_out) => say!(standing_nothing_left, targets = left_out),
@@ -35,10 +38,11 @@ fn nothing(status: &PlanStatus) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planning::TakenBy;
     use crate::planning::report::Grade;
 
     fn status_of(targets: usize, left_out: usize, lit_moves: usize, unproven: usize) -> PlanStatus {
-        PlanStatus { targets, left_out, lit_moves, unproven }
+        PlanStatus { targets, left_out, lit_moves, unproven, taken_by: None }
     }
 
     #[test]
@@ -74,5 +78,8 @@ mod tests {
             let status = status_of(targets, left_out, 0, 0);
             assert_eq!((status.grade(), status.sentence().as_str()), (Grade::Nothing, text));
         }
+        let status = PlanStatus { taken_by: Some(TakenBy::Inset { inset_mm: 9.99 }), ..status_of(0, 0, 0, 0) };
+        let text = "nothing to do: no line lies on the chosen surfaces: the inset of 9.99 mm leaves none";
+        assert_eq!(status.sentence(), text);
     }
 }

@@ -100,7 +100,7 @@ pub fn cut(
     let surface = surfaces.get(number).expect("there");
     let family = {
         let layout = planes::Raster { surface: number, direction: job.layers.direction, spacing_mm, offset_mm: None };
-        planes::planes(&part.mesh, &surfaces, &[layout]).remove(0)
+        planes::planes(&part.mesh, &surfaces, &[layout], &nalgebra::Rotation3::identity()).remove(0)
     };
     let normals = VertexNormals::new(&part.mesh, &surfaces, surface);
     let merge_mm = 1e-6 * part.mesh.diagonal();

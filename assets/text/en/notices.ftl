@@ -21,6 +21,8 @@ remedy_not_proven = do not run the program; `clearbeam verify` names the lines; 
 
 ## Not done
 notice_no_lines = nothing to do, so there is no program: no line lies on the chosen surfaces
+notice_no_lines_for = nothing to do, so there is no program: no line lies on the chosen surfaces ({ $area } mm²): { $why }
+notice_no_lines_on = { $surface }: no line on its { $area } mm²: { $why }
 notice_all_left_out = nothing to do, so there is no program: all targets are left out: { $list }
 notice_by_surface = { $targets } (blocked by { $surface })
 notice_by_cause = { $targets } ({ $cause })
@@ -63,6 +65,32 @@ remedy_speed = choose a lower speed
 remedy_missed_by_planes = try direction auto
 remedy_missed_by_lines = choose a smaller spacing or another strategy
 
+## What takes the last line of a surface
+taken_by_direction = the section planes lie along it
+taken_by_spacing = none fits at a spacing of { $mm } mm
+taken_by_turn = no turn of a spiral fits at a spacing of { $mm } mm
+taken_by_no_border = it is closed, and has no border that lines could follow
+taken_by_border = there is no border { $border }: { $borders ->
+    [one] the surface has one
+   *[other] the surface has { $borders }
+}
+taken_by_facets = no facet has an area
+taken_by_inset = the inset of { $mm } mm leaves none
+taken_by_holes = the inset of { $mm } mm from its holes leaves none
+taken_by_shortest = no piece is as long as the { $mm } mm from which pieces are kept
+
+## What gives it lines
+change_direction = use direction { $direction }
+change_spacing = use a spacing of { $mm } mm
+change_inset = use an inset of { $mm } mm
+change_ignored_holes = pass over holes up to { $mm } mm
+change_shortest = keep pieces from { $mm } mm
+change_whole_outline = start from the whole outline
+change_strategy = use the strategy { $strategy }
+cure = { $change }: that gives lines to { $surfaces }
+cure_and_more = { $list } and { $more } more
+cure_in_recipe = { $change } in the recipe { $recipe }: that gives lines to { $surfaces }
+
 ## Not as wanted
 notice_remark = { $surface }: { $remark }
 remark_layers_alike = all layers run alike: there is no direction across its planes
@@ -70,6 +98,7 @@ remark_stops_at_rim = { $ends ->
     [one] 1 line end stops
    *[other] { $ends } line ends stop
 } at the rim: there is a sharp edge or the end of the part, and the spot must stay on the part
+remark_no_lines = no line in layer { $layer } on its { $area } mm²: { $why }
 remark_too_short = { $pieces ->
     [one] 1 piece of { $length } mm is shorter
    *[other] { $pieces } pieces of { $length } mm together are shorter

@@ -14,6 +14,7 @@ standing_proven = { $moves ->
    *[other] proven free: { $moves } lit moves
 }
 standing_no_lines = nothing to do: no line lies on the chosen surfaces
+standing_no_lines_for = nothing to do: no line lies on the chosen surfaces: { $why }
 standing_no_light = nothing to do: no move has the laser on
 standing_all_left_out = { $targets ->
     [one] nothing to do: its only target is left out

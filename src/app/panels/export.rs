@@ -10,7 +10,8 @@ use eframe::egui::{self, RichText, ScrollArea};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     // What would help stands under what is wrong.
-    let height = if context.refusing_plan().is_some() { 230.0 } else { 130.0 };
+    let is_helped = context.refusing_plan().is_some() || context.plan().is_some_and(|of| !of.cures.is_empty());
+    let height = if is_helped { 230.0 } else { 130.0 };
     // As high as its text, whatever height the panel had before.
     let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
     area.auto_shrink([false, true]).show(ui, |ui| problems::ui(ui, context, actions));

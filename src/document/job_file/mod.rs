@@ -87,7 +87,7 @@ impl TryFrom<toml::Table> for Job {
 
     fn try_from(mut table: toml::Table) -> Result<Job, JobFileError> {
         let version = version::of(&table)?;
-        version::fill_defaults(version, &mut table)?;
+        version::fill_defaults(&mut table)?;
         let file: JobTables = table.try_into()?;
         let settings = file.settings(version)?;
         Ok(Job {

@@ -6,13 +6,10 @@ use super::error::JobFileError;
 /// The version that is written.
 pub const WRITTEN: i64 = 2;
 
-/// What a job of any version takes for granted where it names no key, and new jobs do not: as TOML, by the keys of the
-/// job file. What was welded by equal coordinates alone stays so, with the numbers of its surfaces.
-const WHERE_SILENT: &str = "[part]\nweld = \"exact\"";
-
-/// What a job of version 1 takes for granted where it names no key and version 2 takes something else: as TOML,
-/// by the keys of the job file.
-const DEFAULTS_OF_1: &str = "";
+/// What a job file takes for granted where it names no key and new jobs begin with something else: as TOML, by the
+/// keys of the job file. It is so in every version: a file that leaves a key out means what it always meant, and what
+/// was welded by equal coordinates alone stays so, with the numbers of its surfaces.
+const WHERE_NOT_NAMED: &str = "[part]\nweld = \"exact\"\n[layers]\ndirection = \"z\"\n";
 
 /// The version of a job file, from 1 to [`WRITTEN`].
 pub(super) fn of(table: &toml::Table) -> Result<i64, JobFileError> {
@@ -24,15 +21,12 @@ pub(super) fn of(table: &toml::Table) -> Result<i64, JobFileError> {
     }
 }
 
-/// Puts in what a version takes for granted where the file names no key.
+/// Puts in what job files take for granted where they name no key.
 ///
 /// # Errors
 /// Never, for what stands here.
-pub(super) fn fill_defaults(version: i64, table: &mut toml::Table) -> Result<(), toml::de::Error> {
-    fill_gaps(table, toml::from_str(WHERE_SILENT)?);
-    if version == 1 {
-        fill_gaps(table, toml::from_str(DEFAULTS_OF_1)?);
-    }
+pub(super) fn fill_defaults(table: &mut toml::Table) -> Result<(), toml::de::Error> {
+    fill_gaps(table, toml::from_str(WHERE_NOT_NAMED)?);
     Ok(())
 }
 
@@ -85,6 +79,19 @@ mod tests {
         assert!(toml::to_string(&Job::default()).expect("writes").contains("weld = \"auto\"\n"));
         let why = refusal("version = 2\n[part]\nweld = \"close\"").to_string();
         assert!(why.contains("auto") && why.contains("exact"), "{why}");
+    }
+
+    #[test]
+    fn a_file_without_a_direction_has_z_and_a_new_job_has_auto() {
+        use crate::path::Direction;
+        let z = Direction::Along([0.0, 0.0, 1.0]);
+        for known in ["", "version = 1\n", "version = 2\n", "version = 2\n[layers]\nspacing_mm = 2.0\n"] {
+            assert_eq!(parse(known).expect("reads").layers.direction, z, "{known}");
+        }
+        assert_eq!(parse("[layers]\ndirection = \"auto\"").expect("reads").layers.direction, Direction::Auto);
+        assert_eq!(Job::default().layers.direction, Direction::Auto);
+        let text = toml::to_string(&Job::default()).expect("writes");
+        assert_eq!(parse(&text).expect("reads"), Job::default(), "a job that is saved names every key");
     }
 
     #[test]

@@ -13,7 +13,7 @@ parameters! {
         /// Planes, lines that follow the surface, or a spiral.
         pub strategy: Strategy = Strategy::Planes,
         /// Normal of the planes: `x`, `y`, `z`, `auto` or `DX,DY,DZ`.
-        pub direction: Direction = Direction::Along([0.0, 0.0, 1.0]),
+        pub direction: Direction = Direction::Auto,
         /// Distance of the planes, or of the lines on the surface, mm.
         pub spacing_mm: f64,
         /// Where the first plane lies.

@@ -7,6 +7,8 @@ use nalgebra::{Point3, Vector3};
 
 /// The ends of two pieces and the gap between run the same way within this, degrees.
 const FACING_DEG: f64 = 10.0;
+/// A line of exactly the length asked for stays, whatever rounding does to its sum, mm.
+const HAIR_MM: f64 = 1e-9;
 /// A gap of less has no direction of its own, mm.
 const TOUCHING_MM: f64 = 1e-6;
 
@@ -72,7 +74,7 @@ pub fn without_short(lines: Vec<TransversalLine>, shortest_mm: f64) -> (Vec<Tran
     let mut short = DroppedLines::default();
     let long = lines.into_iter().filter(|line| {
         let length_mm = line.length_mm();
-        let is_short = length_mm < shortest_mm;
+        let is_short = length_mm < shortest_mm - HAIR_MM;
         if is_short {
             short.count += 1;
             short.length_mm += length_mm;

@@ -6,8 +6,7 @@
 //! would draw the planes together without end.
 
 use crate::part::{Mesh, surfaces::Surface};
-use crate::path::coverage::PARALLEL_DEG;
-use crate::path::planes::live;
+use crate::path::live_facets::{PARALLEL_DEG, live};
 use nalgebra::Vector3;
 use std::collections::BinaryHeap;
 

@@ -15,6 +15,7 @@ mod spiral;
 mod surface_mesh;
 mod winding;
 
+use super::live_facets::{extent, live};
 use super::normals::VertexNormals;
 use super::planes::{self, SurfacePlanes};
 use super::section::{TransversalLine, sections};
@@ -119,7 +120,7 @@ pub fn lines(
         return none(LinesFinding::SpacingNotPositive);
     }
     let number = surface.number;
-    if planes::live(mesh, surface).next().is_none() {
+    if live(mesh, surface).next().is_none() {
         return none(LinesFinding::NoProperFacet { surface: number });
     }
     let cut = |planes: &SurfacePlanes| sections(mesh, surface, normals, &planes.normal, &planes.heights_mm, merge_mm);
@@ -160,7 +161,7 @@ pub fn across(
 ) -> Option<SurfacePlanes> {
     let axis = mean_normal(mesh, surface)?;
     let normal = angle::unit(angle::turned(&family.normal, &axis, turn_deg))?;
-    let extent = planes::extent(mesh, surface, &normal)?;
+    let extent = extent(mesh, surface, &normal)?;
     Some(SurfacePlanes { surface: surface.number, normal, heights_mm: planes::family(extent, spacing_mm, None) })
 }
 
@@ -178,7 +179,7 @@ fn crossed(one: SurfaceLines, mut two: SurfaceLines) -> SurfaceLines {
 
 /// The mean of a surface's normals, unit; `None` where they cancel out, as on a closed surface.
 fn mean_normal(mesh: &Mesh, surface: &Surface) -> Option<Vector3<f64>> {
-    let (sum, area) = planes::live(mesh, surface)
+    let (sum, area) = live(mesh, surface)
         .fold((Vector3::zeros(), 0.0), |(n, a), f| (n + mesh.normals[f] * mesh.areas[f], a + mesh.areas[f]));
     angle::unit(sum).filter(|_| sum.norm() > 1e-3 * area)
 }

@@ -5,7 +5,7 @@
 //! neighbour's end (at rims and holes) tell nothing and are passed over, as are those without a
 //! neighbour within 6 spacings, more than planes leave where they are counted to reach.
 
-use super::super::coverage::PARALLEL_DEG;
+use super::super::live_facets::PARALLEL_DEG;
 use super::super::normals::between;
 use super::super::section::{SectionPoint, TransversalLine};
 use crate::part::distance::point_segment;

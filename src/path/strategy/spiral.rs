@@ -10,7 +10,7 @@ use super::surface_mesh::SurfaceMesh;
 use super::winding::Winding;
 use super::{Layout, LinesFinding, SurfaceLines, mean_normal, spacing};
 use crate::part::{Mesh, angle, surfaces::Surface};
-use crate::path::planes::live;
+use crate::path::live_facets::live;
 use nalgebra::{Point3, Vector3};
 
 /// A chord within a facet is at most so far from the spiral, mm.

@@ -1,8 +1,8 @@
 //! A surface's facets by themselves, cut where asked. Every piece lies in the facet it was cut
 //! from, so what is found on the surface mesh is on the part, with the normals of the whole surface.
 
+use super::super::live_facets::live;
 use super::super::normals::{VertexNormals, between};
-use super::super::planes::live;
 use super::super::section::SectionPoint;
 use crate::part::angle::unit;
 use crate::part::union_find::UnionFind;

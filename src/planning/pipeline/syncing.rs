@@ -1,5 +1,6 @@
 //! The pipeline is brought up to date with a job: what has arrived is taken, and what is out of date is started.
 
+use super::super::cures::cures;
 use super::super::error::PartError;
 use super::super::failure::Failure;
 use super::super::key::Keys;
@@ -117,7 +118,8 @@ impl Pipeline {
                 let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let report = Report::new(&plan, &surfaces).with_file_of(&part);
                 let notices = notices_worst_first(&report, &job, &PartFinding::of(&part));
-                Ok(PlannedJob { key, job, part, surfaces, setup, plan, report, notices })
+                let cures = cures(&part, &surfaces, &job, &plan, &cache, progress)?;
+                Ok(PlannedJob { key, job, part, surfaces, setup, plan, report, notices, cures })
             });
         }
     }

@@ -11,8 +11,8 @@ use super::toolpath::{self, Toolpath};
 use crate::beam::Tool;
 use crate::document::model::Job;
 use crate::part::{Digest, GrownPart, Part, Surfaces, grown};
-use crate::path::Order;
 use crate::path::planes::{self, Raster};
+use crate::path::{Order, SurfacePlanes};
 use crate::planning::error::PlanError;
 use crate::progress::{Activity, Cancelled, Progress};
 use rayon::prelude::*;
@@ -69,18 +69,26 @@ pub(in super::super) struct LayerInput<'a> {
     pub(in super::super) layer: u32,
 }
 
+/// The planes of the surfaces of one layer.
+pub(in super::super) fn families(of: &LayerInput<'_>) -> Vec<SurfacePlanes> {
+    let jobs = of.list.iter().filter_map(|n| Some((*n, of.jobs.get(n)?)));
+    let rasters: Vec<Raster> =
+        jobs.filter(|(_, job)| of.layer < job.layer_count()).map(|(n, job)| raster(n, job)).collect();
+    // All stand on the one part.
+    let placement = of.jobs.values().next().map(|job| job.part.placement).unwrap_or_default();
+    planes::planes(&of.part.mesh, of.surfaces, &rasters, &placement.isometry().rotation.to_rotation_matrix())
+}
+
 /// The toolpaths of one layer, each with the digest of all that it depends on.
 pub(in super::super) fn layer_toolpaths(
     of: &LayerInput<'_>,
     cache: &PlanCache,
     progress: &Progress,
 ) -> Result<Vec<(Digest, Arc<Toolpath>)>, Cancelled> {
-    let LayerInput { part, surfaces, list, jobs, layer } = *of;
+    let LayerInput { part, surfaces, jobs, layer, .. } = *of;
     let default = Job::default();
     let job_of = |n: u32| jobs.get(&n).map_or(&default, |j| j);
-    let list = list.iter().filter(|n| layer < job_of(**n).layer_count());
-    let rasters: Vec<Raster> = list.map(|n| raster(*n, job_of(*n))).collect();
-    let families = planes::planes(&part.mesh, surfaces, &rasters);
+    let families = families(of);
     progress.begin(Activity::LayingLines, families.len());
     let toolpaths = families.into_par_iter().map(|family| {
         progress.step()?;

@@ -6,6 +6,7 @@ pub(super) mod prepared;
 pub mod preview;
 pub mod remark;
 pub mod surface_plan;
+pub mod taken_by;
 pub mod toolpath;
 
 use crate::cell::motion::{Choice, Refusal};
@@ -17,6 +18,7 @@ use cell_report::CellReport;
 use remark::Remark;
 use std::sync::Arc;
 use surface_plan::SurfacePlan;
+use taken_by::TakenBy;
 
 /// A plan.
 #[derive(Clone, Debug, Default)]
@@ -48,6 +50,14 @@ impl Plan {
         let of_lines = self.surfaces.iter().flat_map(|s| s.toolpath.remarks.iter().map(|r| (s.toolpath.surface, r)));
         let of_lines = of_lines.map(|(surface, r)| (SurfaceId(surface), Remark::Toolpath(r.clone())));
         of_lines.chain(self.steps.shortfalls.iter().map(|(surface, s)| (SurfaceId(*surface), Remark::Program(*s))))
+    }
+
+    /// Surfaces without a line in any layer, in the order of work, and what takes the last one.
+    pub fn bare(&self) -> impl Iterator<Item = (SurfaceId, TakenBy)> {
+        let toolpaths = || self.surfaces.iter().map(|s| &s.toolpath);
+        let has_lines = move |n: u32| toolpaths().any(|t| t.surface == n && !t.lines.is_empty());
+        let lowest = toolpaths().filter(|t| t.layer == 0);
+        lowest.filter_map(move |t| Some((SurfaceId(t.surface), t.taken_by().filter(|_| !has_lines(t.surface))?)))
     }
 
     /// Blocks what was refused.

@@ -1,5 +1,6 @@
 //! Remarks: how lines or program differ from what the job asks for, though they are there. Sentences stand in `text`.
 
+use super::taken_by::TakenBy;
 use crate::path::LinesFinding;
 use crate::program::Shortfall;
 use serde::Serialize;
@@ -34,6 +35,16 @@ pub enum ToolpathRemark {
         length_mm: f64,
         /// The least length that was asked for, mm.
         shortest_mm: f64,
+    },
+    /// There is no line at all.
+    NoLines {
+        /// What takes the last one.
+        #[serde(flatten)]
+        taken_by: TakenBy,
+        /// The area of the surface, mm².
+        area_mm2: f64,
+        /// Layer of a build-up, from 0.
+        layer: u32,
     },
     /// What the strategy could not do as it was asked.
     #[serde(untagged)]

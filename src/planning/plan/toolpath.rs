@@ -3,6 +3,7 @@
 //! Geometry alone: whether a beam gets there is asked afterwards.
 
 use super::remark::ToolpathRemark;
+use super::taken_by::TakenBy;
 use crate::document::model::{Job, LineParameters};
 use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
@@ -90,11 +91,15 @@ pub fn plan_toolpath(
         }
         None => family,
     };
-    let found = lines_to_rim(part, surfaces, surface, &family, by, &mut remarks);
+    let (found, mut taken_by) = lines_to_rim(part, surfaces, surface, &family, by, &mut remarks);
     let lines = if l.join_mm > 0.0 { ends::joined(found.lines, l.join_mm) } else { found.lines };
     let (lines, DroppedLines { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
     if count > 0 {
         remarks.push(ToolpathRemark::TooShort { pieces: count, length_mm, shortest_mm: l.shortest_mm });
+    }
+    if lines.is_empty() {
+        let taken_by = *taken_by.get_or_insert(TakenBy::Shortest { shortest_mm: l.shortest_mm });
+        remarks.push(ToolpathRemark::NoLines { taken_by, area_mm2: surface.area_mm2, layer });
     }
     remarks.extend(found.finding.map(ToolpathRemark::Lines));
     let mut coverage = coverage(mesh, surface, &found.planes, l.spacing_mm, &lines);
@@ -115,7 +120,8 @@ pub fn plan_toolpath(
     }
 }
 
-/// The lines of a strategy with their axes, ended where the job wants them at the rim: within it, on it or beyond it.
+/// The lines of a strategy with their axes, ended where the job wants them at the rim: within it, on it or beyond it;
+/// and what takes the last one, if none is left.
 fn lines_to_rim(
     part: &Part,
     surfaces: &Surfaces,
@@ -123,7 +129,7 @@ fn lines_to_rim(
     family: &SurfacePlanes,
     by: &ToolpathRules<'_>,
     remarks: &mut Vec<ToolpathRemark>,
-) -> SurfaceLines {
+) -> (SurfaceLines, Option<TakenBy>) {
     let (mesh, l) = (&part.mesh, by.layers);
     let merge_mm = 1e-6 * mesh.diagonal();
     let over_mm = (-l.inset_mm).max(0.0);
@@ -140,22 +146,39 @@ fn lines_to_rim(
         let normals = VertexNormals::extended(mesh, surfaces, surface, &grown.beyond);
         let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
         let mut found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
+        let taken_by = TakenBy::strategy(&found, mesh, surface, &family, l);
         apply_axes(&mut found.lines, by);
         let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
         found.lines = lines;
         if stopped > 0 {
             remarks.push(ToolpathRemark::StopsAtRim { ends: stopped });
         }
-        found
+        let is_none = found.lines.is_empty();
+        (found, taken_by.or(is_none.then_some(TakenBy::Inset { inset_mm: l.inset_mm })))
     } else {
         let normals = VertexNormals::new(mesh, surfaces, surface);
         let mut found = strategy::lines(mesh, surface, &normals, &rule, family, merge_mm);
+        let taken_by = TakenBy::strategy(&found, mesh, surface, family, l);
         apply_axes(&mut found.lines, by);
-        if l.inset_mm > 0.0 {
-            found.lines = ends::inset(mesh, surface, found.lines, l.inset_mm, l.ignore_holes_mm);
+        if l.inset_mm > 0.0 && taken_by.is_none() {
+            let taken_by = inset(part, surface, &mut found, l);
+            return (found, taken_by);
         }
-        found
+        (found, taken_by)
     }
+}
+
+/// Draws lines back from the rim; returns what takes the last one, if none is left.
+fn inset(part: &Part, surface: &Surface, found: &mut SurfaceLines, l: &LineParameters) -> Option<TakenBy> {
+    let within = |ignore_holes_mm| ends::inset(&part.mesh, surface, found.lines.clone(), l.inset_mm, ignore_holes_mm);
+    let kept = within(l.ignore_holes_mm);
+    let inset_mm = l.inset_mm;
+    let taken_by = kept.is_empty().then(|| match within(f64::INFINITY).is_empty() {
+        true => TakenBy::Inset { inset_mm },
+        false => TakenBy::Holes { inset_mm },
+    });
+    found.lines = kept;
+    taken_by
 }
 
 /// Gives lines the axes that the job wants in place of the mesh's normals.
@@ -181,6 +204,14 @@ fn widened(mesh: &crate::part::Mesh, surface: &Surface, mut family: SurfacePlane
 }
 
 impl Toolpath {
+    /// What takes the last of its lines, where there is none.
+    pub fn taken_by(&self) -> Option<TakenBy> {
+        self.remarks.iter().find_map(|remark| match remark {
+            ToolpathRemark::NoLines { taken_by, .. } => Some(*taken_by),
+            _ => None,
+        })
+    }
+
     /// Normal of the plane that a line lies in, if it lies in one.
     pub fn plane_of(&self, line: &TransversalLine) -> Option<Vector3<f64>> {
         let mut rank = line.plane;

@@ -13,7 +13,7 @@ mod unproven;
 mod written_files;
 
 pub use corrections::CorrectionOutcome;
-pub use nothing::{BlockedBy, NothingReason, is_dark};
+pub use nothing::{BareSurface, BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, notices_worst_first};
 pub use plan_finding::PlanFinding;
 pub use plan_status::{Grade, PlanStatus};
@@ -123,7 +123,7 @@ impl Report {
             .filter_map(|t| t.clearance_mm);
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != TargetState::Blocked);
         let problems = problems(plan, surfaces);
-        let nothing = nothing_planned(plan, &problems);
+        let nothing = nothing_planned(plan, &problems, &rows);
         Report {
             layers: plan.grown.len().max(1),
             passes: all.len(),

@@ -8,7 +8,8 @@ use super::{NothingReason, PlanFinding, Report, Unproven};
 use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::document::Job;
 use crate::part::{PartFinding, SurfaceId};
-use crate::path::Strategy;
+use crate::path::{Direction, Strategy};
+use crate::planning::TakenBy;
 use crate::planning::remark::Remark;
 use crate::pose::Correction;
 use std::collections::BTreeMap;
@@ -50,6 +51,15 @@ pub enum Notice {
         /// Why a move or the robot cannot do that one, where one of them is the cause.
         why: Option<RefusalReason>,
     },
+    /// A surface has no line at all.
+    NoLines {
+        /// The surface.
+        surface: SurfaceId,
+        /// What takes the last one.
+        taken_by: TakenBy,
+        /// Its area, mm².
+        area_mm2: f64,
+    },
     /// Area of a surface that no line reaches.
     Missed {
         /// The surface.
@@ -58,7 +68,7 @@ pub enum Notice {
         missed_mm2: f64,
         /// Its whole area, mm².
         area_mm2: f64,
-        /// Whether planes cut its lines, which can be turned.
+        /// Whether planes cut its lines, which another direction may suit better.
         by_planes: bool,
     },
     /// Lines or program of a surface are not as they were wanted.
@@ -84,7 +94,9 @@ impl Notice {
     pub fn severity(&self) -> Severity {
         match self {
             Notice::NotProven(_) => Severity::Unsafe,
-            Notice::NothingPlanned(_) | Notice::LeftOut { .. } | Notice::Missed { .. } => Severity::NotDone,
+            Notice::NothingPlanned(_) | Notice::NoLines { .. } | Notice::LeftOut { .. } | Notice::Missed { .. } => {
+                Severity::NotDone
+            }
             Notice::Remark { .. } => Severity::NotAsWanted,
             Notice::PartChanged { .. } | Notice::InFile(_) => Severity::Found,
         }
@@ -94,9 +106,10 @@ impl Notice {
     pub fn surface(&self) -> Option<SurfaceId> {
         match self {
             Notice::NotProven(u) => u.surface,
-            Notice::LeftOut { surface, .. } | Notice::Missed { surface, .. } | Notice::Remark { surface, .. } => {
-                Some(*surface)
-            }
+            Notice::NoLines { surface, .. }
+            | Notice::LeftOut { surface, .. }
+            | Notice::Missed { surface, .. }
+            | Notice::Remark { surface, .. } => Some(*surface),
             Notice::NothingPlanned(_) | Notice::PartChanged { .. } | Notice::InFile(_) => None,
         }
     }
@@ -123,6 +136,8 @@ pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) 
         }
     }
     let rows = report.surfaces.iter();
+    // Why a surface has no line is told with that.
+    let rows = rows.filter(|row| row.taken_by().is_none());
     let remarks = rows.flat_map(|s| s.remarks.iter().map(|r| (SurfaceId(s.surface), r.clone())));
     out.extend(remarks.map(|(surface, remark)| Notice::Remark { surface, remark }));
     out.extend(in_file.iter().cloned().map(Notice::InFile));
@@ -165,6 +180,11 @@ fn left_out(out: &mut Vec<Notice>, groups: &mut Groups, problem: &Problem, cause
 
 fn missed(report: &Report, surface: SurfaceId, job: &Job) -> Option<Notice> {
     let row = report.surfaces.iter().find(|s| s.surface == surface.0)?;
-    let by_planes = !matches!(job.of_surface(surface).layers.strategy, Strategy::Offset | Strategy::Spiral);
+    if let Some(taken_by) = row.taken_by() {
+        return Some(Notice::NoLines { surface, taken_by, area_mm2: row.area_mm2 });
+    }
+    let layers = &job.of_surface(surface).layers;
+    let is_cut = !matches!(layers.strategy, Strategy::Offset | Strategy::Spiral);
+    let by_planes = is_cut && layers.direction != Direction::Auto;
     Some(Notice::Missed { surface, missed_mm2: row.missed_area_mm2, area_mm2: row.area_mm2, by_planes })
 }

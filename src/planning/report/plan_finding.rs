@@ -43,15 +43,26 @@ impl PlanFinding {
 
 #[cfg(test)]
 mod tests {
-    use super::super::nothing::BlockedBy;
+    use super::super::nothing::{BareSurface, BlockedBy};
     use super::*;
     use crate::cell::motion::RefusalCause;
+    use crate::planning::TakenBy;
 
     #[test]
     fn findings_carry_their_code_and_their_fields_side_by_side() {
         let json = |f: &PlanFinding| serde_json::to_string(f).expect("JSON");
-        let no_lines = PlanFinding::NothingPlanned { reason: NothingReason::NoLines };
-        assert_eq!(json(&no_lines), r#"{"code":"nothing_planned","reason":"no_lines"}"#);
+        let taken_by = TakenBy::Inset { inset_mm: 9.5 };
+        let by = vec![BareSurface { surface: 3, taken_by, area_mm2: 800.0 }];
+        let reason = NothingReason::NoLines { taken_by: Some(taken_by), area_mm2: 800.0, by };
+        assert_eq!(
+            json(&PlanFinding::NothingPlanned { reason }),
+            r#"{"code":"nothing_planned","reason":"no_lines","cause":"inset","inset_mm":9.5,"area_mm2":800.0,"by":[{"surface":3,"cause":"inset","inset_mm":9.5,"area_mm2":800.0}]}"#
+        );
+        let reason = NothingReason::NoLines { taken_by: None, area_mm2: 2.0, by: Vec::new() };
+        assert_eq!(
+            json(&PlanFinding::NothingPlanned { reason }),
+            r#"{"code":"nothing_planned","reason":"no_lines","area_mm2":2.0,"by":[]}"#
+        );
         let by = vec![BlockedBy { cause: RefusalCause::Beam, by_surface: Some(3), targets: 7 }];
         let blocked = PlanFinding::NothingPlanned { reason: NothingReason::AllBlocked { by } };
         assert_eq!(

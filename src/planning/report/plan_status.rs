@@ -1,6 +1,7 @@
 //! How a plan stands in a few numbers: what is not proven, what is left out, what is done.
 
-use super::Report;
+use super::{NothingReason, PlanFinding, Report};
+use crate::planning::TakenBy;
 
 /// What matters most of a plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +17,7 @@ pub enum Grade {
 }
 
 /// How a plan stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanStatus {
     /// Its targets.
     pub targets: usize,
@@ -26,6 +27,8 @@ pub struct PlanStatus {
     pub lit_moves: usize,
     /// Moves with the laser on that are not proven to be free of contact.
     pub unproven: usize,
+    /// What takes the last line on most of the area, where there is no line at all.
+    pub taken_by: Option<TakenBy>,
 }
 
 impl PlanStatus {
@@ -50,6 +53,11 @@ impl Report {
     pub fn status(&self) -> Option<PlanStatus> {
         let proof = self.proof.as_ref()?;
         let unproven = proof.refuted.len();
-        Some(PlanStatus { targets: self.points, left_out: self.blocked, lit_moves: proof.lit_moves, unproven })
+        let (targets, left_out, lit_moves) = (self.points, self.blocked, proof.lit_moves);
+        let taken_by = self.findings.iter().find_map(|finding| match finding {
+            PlanFinding::NothingPlanned { reason: NothingReason::NoLines { taken_by, .. } } => *taken_by,
+            _ => None,
+        });
+        Some(PlanStatus { targets, left_out, lit_moves, unproven, taken_by })
     }
 }

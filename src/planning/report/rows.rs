@@ -2,8 +2,9 @@
 
 use super::lengths::{is_blocked, is_corrected, length};
 use crate::part::Surfaces;
+use crate::planning::TakenBy;
 use crate::planning::plan::Plan;
-use crate::planning::remark::Remark;
+use crate::planning::remark::{Remark, ToolpathRemark};
 use crate::planning::surface_plan::SurfacePlan;
 use crate::pose::{Obstruction, Pass, Split};
 use serde::Serialize;
@@ -60,6 +61,15 @@ pub(super) fn surface_rows(plan: &Plan, surfaces: &Surfaces) -> Vec<SurfaceRepor
 }
 
 impl SurfaceReport {
+    /// What takes the last of its lines, where it has none in any layer.
+    pub fn taken_by(&self) -> Option<TakenBy> {
+        let taken_by = |remark: &Remark| match remark {
+            Remark::Toolpath(ToolpathRemark::NoLines { taken_by, .. }) => Some(*taken_by),
+            _ => None,
+        };
+        self.remarks.iter().find_map(taken_by).filter(|_| self.passes == 0)
+    }
+
     fn new(plan: &Plan, surfaces: &Surfaces, surface: u32) -> SurfaceReport {
         let passes: Vec<&Pass> = plan.passes.iter().filter(|p| p.surface == surface).collect();
         let layers = || plan.surfaces.iter().map(|s| &s.toolpath).filter(|l| l.surface == surface);

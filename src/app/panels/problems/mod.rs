@@ -1,5 +1,6 @@
 //! What people are to know of the plan, the worst first, and what would help; a click goes there.
 
+mod cures;
 mod suggestions;
 mod why;
 
@@ -32,7 +33,12 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         count => say!(problems_count, count),
     };
     theme::heading(ui, &title);
-    wrong.iter().for_each(|notice| row(ui, notice, of, actions));
+    for notice in &wrong {
+        row(ui, notice, of, actions);
+        if context.plan().is_some() {
+            cures::ui(ui, notice, of, actions);
+        }
+    }
     suggestions::ui(ui, context);
     if !found.is_empty() {
         theme::heading(ui, &say!(problems_found));
@@ -87,4 +93,10 @@ fn go_to(notice: &Notice, of: &PlannedJob, actions: &mut Actions) {
         // Wide enough to see the beam and what it hits.
         actions.look_at(t.p, of.job.beam.defocus_mm.abs().max(10.0));
     }
+}
+
+/// With a capital, as a sentence and a button begin.
+fn capital(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }

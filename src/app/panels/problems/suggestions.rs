@@ -3,6 +3,7 @@
 use super::super::super::command::Command;
 use super::super::super::context::Context;
 use super::super::super::theme;
+use super::capital;
 use crate::planning::advice::Suggestion;
 use crate::text::{Sentence as _, say};
 use eframe::egui::{self, RichText};
@@ -32,10 +33,4 @@ fn row(ui: &mut egui::Ui, suggestion: &Suggestion) {
         _ => RichText::new(say!(problems_help_row, advice = capital(&suggestion.sentence()))),
     };
     ui.add(egui::Label::new(text).wrap());
-}
-
-/// With a capital, as a sentence begins.
-fn capital(text: &str) -> String {
-    let mut rest = text.chars();
-    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }
