@@ -12,7 +12,9 @@ comment_targets = { $all } targets, { $corrected } corrected, { $blocked } block
 comment_without_robot = Flange poses, { $mount }; reach and limits are NOT checked
 comment_robot = { $name }, { $mount }
 comment_unchecked = Figures of the robot that nobody has checked: { $figures }
-comment_never_run = Not verified on a { $dialect } controller: run it with the laser off first
+comment_never_run = Not verified on a { $dialect } controller: run it dry first, with { $dry_run } (clearbeam plan --dry-run)
+comment_dry_run = DRY RUN: every output stays off, and all moves go at { $percent } per cent of the program's speed
+comment_from_pass = goes on from pass { $number }: the passes before it are done
 
 ## What of a dialect is not verified: one comment a line, as long as the controller takes them
 

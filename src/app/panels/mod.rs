@@ -11,6 +11,7 @@ pub(super) mod dose;
 mod export;
 mod fields;
 mod frames;
+mod going_on;
 mod later;
 mod laying;
 pub(super) mod library;

@@ -8,6 +8,7 @@
 
 mod compare;
 mod driven;
+mod dry_pace;
 mod error;
 mod expected;
 mod likeness;
@@ -26,9 +27,10 @@ use crate::document::model::Job;
 use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::program::dialect::{ReadContext, ReadLine};
-use crate::program::{Dialect, Program, ProgramFile, ReadError, WITHOUT_WORDS, dialects, lines};
+use crate::program::{Dialect, Program, ProgramFile, ReadError, Variant, WITHOUT_WORDS, dialects};
 use compare::compare;
 use driven::interference;
+use dry_pace::take_written_pace;
 use std::sync::Arc;
 
 /// Reads a program from its first file and compares it with the plan. `open` gives the text of another
@@ -45,13 +47,32 @@ pub fn check(
     open: &dyn Fn(&str) -> Option<String>,
     with_checker: bool,
 ) -> Result<(&'static str, Verdict), VerifyError> {
+    check_variant(part, (planned, Variant::WHOLE), setup, job, first, open, with_checker)
+}
+
+/// The same for a variant, and what that has of the plan.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_variant(
+    part: &Part,
+    (planned, variant): (&Plan, Variant),
+    setup: &Setup,
+    job: &Job,
+    first: &ProgramFile,
+    open: &dyn Fn(&str) -> Option<String>,
+    with_checker: bool,
+) -> Result<(&'static str, Verdict), VerifyError> {
     let dialect = dialect_of(first)?;
-    let lines = lines(&planned.steps, setup);
+    let mut lines = variant.lines(&planned.steps, setup);
     let program = Program { head: Vec::new(), lines: lines.clone(), setup, wording: WITHOUT_WORDS };
     let files = dialect.write(&program).map_err(VerifyError::Unwritable)?;
     let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let Some(main) = files.first() else { return Err(VerifyError::NoProgram) };
     let written = dialect.read(main, &ReadContext { setup, open: &own }).map_err(VerifyError::OwnUnreadable)?;
+    if variant.dry_run {
+        take_written_pace(&mut lines, &written);
+    }
     let prover = prover(part, setup, job).on_layers(&planned.grown);
     let expected =
         Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
@@ -77,7 +98,7 @@ fn unreadable(e: ReadError) -> Finding {
 /// It cannot be read back.
 pub fn check_own(
     part: &Part,
-    plan: &Plan,
+    (plan, variant): (&Plan, Variant),
     setup: &Setup,
     job: &Job,
     written: &[ProgramFile],
@@ -86,7 +107,10 @@ pub fn check_own(
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let read =
         dialect_of(first)?.read(first, &ReadContext { setup, open: &open }).map_err(VerifyError::OwnUnreadable)?;
-    let lines = lines(&plan.steps, setup);
+    let mut lines = variant.lines(&plan.steps, setup);
+    if variant.dry_run {
+        take_written_pace(&mut lines, &read);
+    }
     let prover = prover(part, setup, job).on_layers(&plan.grown);
     let defocus_mm = job.beam.defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };
