@@ -60,7 +60,7 @@ fn exported(
     setup: &Setup,
     plan: &Plan,
 ) -> Result<(), ExportError> {
-    let (wording, options) = (program_comment, ExportOptions::default());
+    let (wording, options) = (program_comment, ExportOptions { dose: true, ..ExportOptions::default() });
     let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording, options };
     export::files(&input, &ExportOf::new(job, Some(file)), &Progress::default()).map(|_| ())
 }

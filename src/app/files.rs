@@ -127,7 +127,16 @@ impl App {
         self.exporting.clear();
         self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-            let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[], wording: program_comment, options };
+            let input = ExportInput {
+                job: &job,
+                part,
+                surfaces,
+                setup,
+                plan,
+                findings: &[],
+                wording: program_comment,
+                options,
+            };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
                 ExportError::Cancelled => Failure::Cancelled,
                 other => Failure::Refused(other),

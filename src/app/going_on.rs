@@ -19,8 +19,8 @@ impl Context<'_> {
         let surface = *self.derived.surfaces.of_facet.get(facet as usize)?;
         let passes = &self.derived.plan_on_part()?.plan.passes;
         let on_surface = passes.iter().enumerate().filter(|(_, p)| p.surface == surface);
-        let targets =
-            on_surface.flat_map(|(n, p)| p.targets.iter().enumerate().map(move |(k, t)| ((n, k), (t.p - at).norm_squared())));
+        let targets = on_surface
+            .flat_map(|(n, p)| p.targets.iter().enumerate().map(move |(k, t)| ((n, k), (t.p - at).norm_squared())));
         targets.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(target, _)| target)
     }
 }

@@ -57,7 +57,9 @@ impl Sentence for FromPassError {
     fn sentence(&self) -> String {
         match *self {
             FromPassError::NoPass { asked, passes: 0 } => say!(from_pass_without_passes, asked = id(asked)),
-            FromPassError::NoPass { asked, passes } => say!(from_pass_no_pass, asked = id(asked), last = id(passes - 1)),
+            FromPassError::NoPass { asked, passes } => {
+                say!(from_pass_no_pass, asked = id(asked), last = id(passes - 1))
+            }
             FromPassError::NoWay { pass } => say!(from_pass_no_way, pass = id(pass)),
         }
     }

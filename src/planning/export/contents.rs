@@ -180,7 +180,9 @@ impl DoseFile {
 
 /// SHA-256 of all files of a program.
 fn sha256_of(program: &[ProgramFile]) -> String {
-    digest_of(&program.iter().flat_map(|f| [f.name.as_bytes(), &[0], f.text.as_bytes(), &[0]].concat()).collect::<Vec<u8>>())
+    digest_of(
+        &program.iter().flat_map(|f| [f.name.as_bytes(), &[0], f.text.as_bytes(), &[0]].concat()).collect::<Vec<u8>>(),
+    )
 }
 
 /// Names that an export of this job has for sure, before anything is planned: tables, and the program's.

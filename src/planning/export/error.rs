@@ -2,8 +2,8 @@
 
 use super::conflict::FileConflict;
 use crate::document::JobError;
-use crate::planning::{FromPassError, PlanError};
 use crate::planning::verify::{Finding, VerifyError};
+use crate::planning::{FromPassError, PlanError};
 use crate::program::DialectError;
 use crate::progress::Cancelled;
 use std::path::PathBuf;

@@ -82,7 +82,12 @@ pub(super) fn read_back(
 const MOST_SURFACES: usize = 20;
 
 /// Comments at the head of a program.
-fn head(variant: Variant, (job, part_name, setup): (&Job, &str, &Setup), steps: &Steps, report: &Report) -> Vec<Comment> {
+fn head(
+    variant: Variant,
+    (job, part_name, setup): (&Job, &str, &Setup),
+    steps: &Steps,
+    report: &Report,
+) -> Vec<Comment> {
     let mut out: Vec<Comment> = Vec::new();
     if variant.dry_run {
         out.push(Comment::DryRun { percent: DRY_RUN_PERCENT });

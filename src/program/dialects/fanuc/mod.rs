@@ -8,9 +8,9 @@ mod read;
 mod write;
 
 use super::templates::SignalTemplates;
-use crate::cell::{Cell, Setup};
 use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::fixed;
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
