@@ -217,19 +217,39 @@ fn what_is_left_behind_a_stop_is_the_program_s_own() {
     let left: Vec<&str> = path.lines().skip(1).filter(|l| !l.starts_with("0,") && !l.starts_with("1,")).collect();
     assert_eq!(rows.lines().skip(1).collect::<Vec<_>>(), left, "rows keep their numbers");
     assert_eq!(count(&report, "points"), left.len() as u64);
-    // From the first lit move of pass 2 on the program is as it was.
-    let acts = |text: &str| -> Vec<String> {
-        let rows = text.lines().filter(|l| !l.starts_with('#') && l.contains(','));
-        rows.map(|l| l.split_once(',').expect("cells").1.to_owned()).collect()
-    };
     let (whole, left) = (acts(&whole), acts(&bench.text("program_P2.csv")));
-    let begin = |rows: &[String]| rows.iter().position(|l| l.contains("\"pass 2, surface")).expect("the pass begins");
-    let same = |rows: &[String]| {
-        let lit = rows[begin(rows)..].iter().position(|l| l.starts_with("output,") && l.ends_with(",1,")).expect("lit");
-        rows[begin(rows) + lit - 1..].to_vec()
-    };
-    assert_eq!(same(&left), same(&whole));
-    assert!(left.iter().filter(|l| l.starts_with("move,")).count() < whole.len());
+    assert_eq!(behind_the_way_in(&left, 0), behind_the_way_in(&whole, 0), "lit from pass 2 on as it was");
+    assert!(left.len() < whole.len());
+}
+
+/// The rows of a table, without their numbers.
+fn acts(text: &str) -> Vec<String> {
+    let rows = text.lines().filter(|l| !l.starts_with('#') && l.contains(','));
+    rows.map(|l| l.split_once(',').expect("cells").1.to_owned()).collect()
+}
+
+/// The rows from where the first output of pass 2 goes on, and so many before it.
+fn behind_the_way_in(rows: &[String], before: usize) -> &[String] {
+    let begin = rows.iter().position(|l| l.contains("\"pass 2, surface")).expect("the pass begins");
+    let on = rows[begin..].iter().position(|l| l.starts_with("output,") && l.ends_with(",1,")).expect("lit");
+    &rows[begin + on - before..]
+}
+
+#[test]
+fn what_is_left_begins_with_the_lead_in() {
+    let bench = Bench::new(&[]);
+    let job = "[part]\nfile = \"cube.stl\"\n[clean]\nsurfaces = [1, 2, 3, 4, 5, 6]\n[layers]\nspacing_mm = 2.0\n\
+        direction = \"z\"\n[path]\nlead_in_mm = 2.0\n[cell]\ndialect = \"csv\"\n";
+    let file = bench.folder.path().join("lead.toml");
+    std::fs::write(&file, job).expect("writes");
+    for variant in [&[][..], &["--from-pass", "2"]] {
+        let output = run(&[&["plan", &shown(&file), "--out", &shown(&bench.out())], variant].concat());
+        assert_eq!(output.status.code(), Some(3), "{}", said(&output));
+    }
+    let (whole, left) = (acts(&bench.text("program.csv")), acts(&bench.text("program_P2.csv")));
+    let (whole, left) = (behind_the_way_in(&whole, 1), behind_the_way_in(&left, 1));
+    assert!(whole[0].starts_with("move,linear") && whole == left, "{} and {}", whole[0], left[0]);
+    assert_eq!(bench.verify("program_P2.csv").0, Some(0));
 }
 
 #[test]

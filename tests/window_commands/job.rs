@@ -3,7 +3,7 @@
 use crate::JOB;
 use crate::common::window::{click, press};
 use crate::window::Window;
-use clearbeam::app::{Command, Jump, More, TurnAxis};
+use clearbeam::app::{Command, Jump, More, Toggle, TurnAxis};
 use clearbeam::document::Edit;
 use clearbeam::part::{SurfaceId, angle};
 use eframe::egui::{Key, Modifiers};
@@ -44,7 +44,11 @@ pub fn file(w: &mut Window, command: Command) {
         }
         _ => {
             w.give(command, &[]);
-            assert!(w.file("program/MZ04-01-A.001").exists());
+            assert!(w.file("program/MZ04-01-A.001").exists() && !w.file("program/dose.ply").exists());
+            w.give(Command::Toggle(Toggle::Dose), &[]);
+            w.give(command, &[]);
+            assert!(w.file("program/dose.ply").exists(), "a dose that is looked at is written");
+            w.give(Command::Toggle(Toggle::Dose), &[]);
         }
     }
 }

@@ -51,12 +51,14 @@ impl Variant {
     /// The name of the program by that of the whole one, with at most so many letters: shortened where it has to be, and
     /// never the same. `name` is ASCII, as controllers have it.
     pub fn name(self, name: &str, longest: usize) -> String {
-        let tries = self.endings().into_iter().flat_map(|ending| {
+        if self == Variant::WHOLE {
+            return name.to_owned();
+        }
+        let mut tries = self.endings().into_iter().flat_map(|ending| {
             let room = longest.saturating_sub(ending.len()).min(name.len());
             (1..=room).rev().filter_map(move |kept| Some(format!("{}{ending}", name.get(..kept)?)))
         });
-        let is_own = |n: &String| self == Variant::WHOLE || n != name;
-        tries.into_iter().find(is_own).unwrap_or_else(|| name.to_owned())
+        tries.find(|own| own != name).unwrap_or_else(|| name.to_owned())
     }
 
     /// The number of the program by that of the whole one, where programs have numbers up to 999. Each kind has a fifth of
@@ -109,6 +111,7 @@ mod tests {
         let [dry, from, both] = variants();
         let all = |name, longest| [dry, from, both].map(|v| v.name(name, longest));
         assert_eq!(all("clearbeam", 20), ["clearbeam_DRY", "clearbeam_P12", "clearbeam_DRY_P12"]);
+        assert_eq!(Variant::WHOLE.name("as_long_as_it_may_be", 5), "as_long_as_it_may_be");
         assert_eq!(all("CLEAN", 5), ["C_DRY", "C_P12", "CLD12"], "eight letters, three of them for parts");
         assert_eq!(dry.name("C_DRY", 5), "C_DRD", "never the name of the whole program");
     }
