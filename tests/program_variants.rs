@@ -220,6 +220,11 @@ fn what_is_left_behind_a_stop_is_the_program_s_own() {
     let (whole, left) = (acts(&whole), acts(&bench.text("program_P2.csv")));
     assert_eq!(behind_the_way_in(&left, 0), behind_the_way_in(&whole, 0), "lit from pass 2 on as it was");
     assert!(left.len() < whole.len());
+    let zero = bench.planned(&["--from-pass", "0"]);
+    for key in ["air_mm", "time_s", "work_mm"] {
+        let of = |report: &Value| report[key].as_f64().expect("a figure");
+        assert!((of(&zero) - of(&all)).abs() < 1e-6, "{key}: all is left from the first pass on");
+    }
 }
 
 /// The rows of a table, without their numbers.

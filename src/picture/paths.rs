@@ -183,3 +183,52 @@ pub fn marked(t: &Target, defocus_mm: f64, look: &PathLook, key: u64) -> (LineIt
         PointItem { key, points: Arc::new(points), size_px: 10.0, depth: Depth::OnTop, scene_from_item },
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_are_done_are_dimmed() {
+        let target = |x: f64| Target {
+            p: Point3::new(x, 0.0, 0.0),
+            n: Vector3::z(),
+            a: Vector3::z(),
+            o: Vector3::x(),
+            state: TargetState::Free,
+            laser: true,
+            normal_hits: None,
+            clearance_mm: None,
+        };
+        let pass = Pass {
+            surface: 1,
+            settings: ProcessSettings::default(),
+            plane_normal: Vector3::y(),
+            closed: false,
+            targets: vec![target(0.0), target(1.0)],
+            line_points: 2,
+            dense_points: 2,
+            chord_error_mm: 0.0,
+            splits: Vec::new(),
+        };
+        let plan = Plan { passes: vec![pass; 3], ..Plan::default() };
+        let look = |done| PathLook {
+            lines: true,
+            frames: false,
+            beams: false,
+            air: false,
+            before: false,
+            only_pass: None,
+            done,
+            frame_mm: 1.0,
+        };
+        let drawn = |done| {
+            let item = paths(&plan, &look(done), 7).remove(0);
+            let colors: Vec<Rgb> = item.segments.iter().map(|s| [s.color[0], s.color[1], s.color[2]]).collect();
+            (item.key, colors)
+        };
+        assert_eq!(drawn(0).1, [state::FREE; 3]);
+        assert_eq!(drawn(2).1, [state::DONE, state::DONE, state::FREE]);
+        assert_ne!(drawn(0).0, drawn(2).0, "the lines are drawn anew");
+    }
+}
