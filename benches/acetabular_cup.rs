@@ -6,7 +6,7 @@
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, files, segmented};
 use clearbeam::part::{Mesh, Part, Surfaces, rpy};
-use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf};
+use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf, ExportOptions};
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, Plan, PlanCache};
 use clearbeam::program::{ProgramFile, ProgramLine, lines, spot};
@@ -60,7 +60,8 @@ fn exported(
     setup: &Setup,
     plan: &Plan,
 ) -> Result<(), ExportError> {
-    let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
+    let (wording, options) = (program_comment, ExportOptions { dose: true, ..ExportOptions::default() });
+    let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording, options };
     export::files(&input, &ExportOf::new(job, Some(file)), &Progress::default()).map(|_| ())
 }
 

@@ -105,7 +105,7 @@ fn plan_writes_its_files_and_the_job_plans_the_same_again() {
     let (folder, file) = cube();
     let side = upright_side(&file);
     let out = inside(folder.path(), "deep/er");
-    let output = run(&["plan", &file, "--surfaces", &side, "--spacing", "2", "--out", &out, "--json"]);
+    let output = run(&["plan", &file, "--surfaces", &side, "--spacing", "2", "--out", &out, "--dose", "--json"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = json(&output);
     let keys: Vec<&str> = report.as_object().expect("object").keys().map(String::as_str).collect();
@@ -113,7 +113,7 @@ fn plan_writes_its_files_and_the_job_plans_the_same_again() {
                     order interfering corrected blocked \
                     max_tilt_deg max_tilt_rate_deg_per_mm max_chord_error_mm max_surface_spacing_mm \
                     missed_area_mm2 surfaces problems findings \
-                    splits proof proven min_clearance_mm dose job part files";
+                    splits proof proven min_clearance_mm dose job part plan_sha256 programs files";
     assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
     let row: Vec<&String> = report["surfaces"][0].as_object().expect("row").keys().collect();
     let expected =
@@ -137,7 +137,7 @@ fn plan_writes_its_files_and_the_job_plans_the_same_again() {
     assert_dose_ply(&read(&out)[4], &side);
 
     let again = inside(folder.path(), "deep/again");
-    assert_eq!(code(&["plan", &inside(folder.path(), "deep/er/job.toml"), "--out", &again]), 0);
+    assert_eq!(code(&["plan", &inside(folder.path(), "deep/er/job.toml"), "--out", &again, "--dose"]), 0);
     assert!(read(&out) == read(&again), "a plan's own job gives the same bytes");
 }
 

@@ -3,7 +3,7 @@
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::planning::export::{self, ExportError, ExportInput};
+use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOptions};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
 use clearbeam::text::program_comment;
@@ -212,7 +212,7 @@ fn an_earlier_program_goes_where_nothing_is_left_to_do() {
     assert!(said.contains("nothing to do"), "{said}");
     let files = bench.files();
     assert!(programs(&files).is_empty());
-    assert!(["job.toml", "path.csv", "dose.ply", "report.json"].iter().all(|n| files.contains_key(*n)));
+    assert!(["job.toml", "path.csv", "report.json"].iter().all(|n| files.contains_key(*n)));
     let findings = &bench.report()["findings"];
     assert_eq!((&findings[0]["code"], &findings[0]["reason"]), (&"nothing_planned".into(), &"no_lines".into()));
     assert_eq!((&findings[0]["cause"], &findings[0]["inset_mm"]), (&"inset".into(), &6.0.into()));
@@ -240,7 +240,8 @@ fn a_cancelled_export_makes_no_folder() {
     let out = dir.path().join("out");
     let (setup, progress) = (parts::setup(), Progress::default());
     let Planned { part, surfaces, job, plan } = &planned;
-    let input = ExportInput { job, part, surfaces, setup: &setup, plan, findings: &[], wording: program_comment };
+    let (wording, options) = (program_comment, ExportOptions::default());
+    let input = ExportInput { job, part, surfaces, setup: &setup, plan, findings: &[], wording, options };
     progress.cancel();
     let said = export::write(&out, &input, None, false, &progress);
     assert!(matches!(said, Err(ExportError::Cancelled)), "{said:?}");

@@ -9,7 +9,7 @@ use clearbeam::document::journal::{Journal, left_behind};
 use clearbeam::document::save::backup_of;
 use clearbeam::document::{Chosen, Document, Edit, IfChanged, Job, files, save, segmented};
 use clearbeam::part::{SurfaceId, digest_of};
-use clearbeam::planning::export::{ExportInput, write as export_into};
+use clearbeam::planning::export::{ExportInput, ExportOptions, write as export_into};
 use clearbeam::planning::{self, PlanCache};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
@@ -119,6 +119,7 @@ fn export(folder: &Path, document: &Document) {
         plan: &plan,
         findings: &[],
         wording: program_comment,
+        options: ExportOptions::default(),
     };
     export_into(folder, &input, document.file(), false, &Progress::default()).expect("writes");
 }

@@ -93,6 +93,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
         part_from_focus: None,
         timing: MoveTiming::Percent(10.0),
         lit: false,
+        at_work: false,
         target: None,
         settings: ProcessSettings::default(),
     })));
@@ -111,6 +112,7 @@ fn lines(seeds: &[Seed], robot: &str, setup: &Setup) -> Vec<ProgramLine> {
                 part_from_focus: Some(setup.focus_for(&flange)),
                 timing: timing(mm, deg),
                 lit,
+                at_work: lit,
                 target: None,
                 settings: ProcessSettings::default(),
             }))

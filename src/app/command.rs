@@ -19,6 +19,10 @@ pub enum Command {
     SaveAs,
     /// Writes the program into a folder.
     Export,
+    /// Writes its dry run into a folder.
+    ExportDryRun,
+    /// Goes on from the current pass: those before it count as done, and the program from there on is exported.
+    ExportFromPass,
     /// Undoes the last step.
     Undo,
     /// Redoes the step that was undone last.
@@ -242,6 +246,8 @@ table! {
     Save => command_save, File, ctrl(Key::S);
     SaveAs => command_save_as, File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S);
     Export => command_export, File, ctrl(Key::E);
+    ExportDryRun => command_export_dry_run, File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::E);
+    ExportFromPass => command_export_from_pass, File, None;
     Undo => command_undo, Edit, ctrl(Key::Z);
     Redo => command_redo, Edit, ctrl(Key::Y);
     Clean => command_clean, Surfaces, key(Key::Enter);

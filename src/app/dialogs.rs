@@ -15,6 +15,8 @@ pub enum Purpose {
     SaveJob,
     /// A folder for the program.
     Export,
+    /// A folder for its dry run.
+    ExportDryRun,
     /// A part in the place of one that has changed or is gone.
     Part,
     /// A cell file.
@@ -98,6 +100,7 @@ impl FileDialogs for NativeDialogs {
                     dialog.add_filter(say!(dialog_job), &["toml", "clearbeam"]).set_file_name(name).save_file()
                 }
                 Purpose::Export => dialog.set_title(say!(dialog_program_folder)).pick_folder(),
+                Purpose::ExportDryRun => dialog.set_title(say!(dialog_dry_run_folder)).pick_folder(),
                 Purpose::Cell => dialog.add_filter(say!(dialog_cell), &["toml"]).pick_file(),
                 Purpose::Head => dialog.add_filter(say!(dialog_head), &parts_and(&["toml"])).pick_file(),
                 Purpose::Clamp => dialog.add_filter(say!(dialog_clamp), &parts_and(&[])).pick_file(),

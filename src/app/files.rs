@@ -1,15 +1,17 @@
 //! Saving, exporting, file dialogs, and the question about unsaved changes.
 
 use super::App;
+use super::command::Toggle;
 use super::dialogs::Purpose;
 use super::questions::Question;
 use super::session::AfterGuard;
 use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
 use crate::document::{Edit, IfChanged, Remembered};
-use crate::planning::export::{self, ExportError, ExportInput};
+use crate::planning::export::{self, ExportError, ExportInput, ExportOptions};
 use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
+use crate::program::Variant;
 use crate::progress::Activity;
 use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment, say};
 use eframe::egui;
@@ -38,7 +40,8 @@ impl App {
         match purpose {
             Purpose::Open => self.open(path),
             Purpose::SaveJob => self.save_to(path),
-            Purpose::Export => self.export(path, false),
+            Purpose::Export => self.export(path, false, false),
+            Purpose::ExportDryRun => self.export(path, true, false),
             Purpose::Part => self.look_at_file(path),
             Purpose::Cell => {
                 let named = files::relative_to(&path, self.document.file());
@@ -106,21 +109,34 @@ impl App {
         }
     }
 
-    /// Writes program, path, report and job into a folder.
-    pub(super) fn export(&mut self, dir: PathBuf, overwrite: bool) {
+    /// Writes program or dry run, path, report and job into a folder.
+    pub(super) fn export(&mut self, dir: PathBuf, dry_run: bool, overwrite: bool) {
         // A cell or head that was changed meanwhile is not what was planned with.
         self.derived.pipeline.look_again();
         let Some(planned) = self.derived.current_plan(&self.document).cloned() else {
             self.session.error = Some(say!(window_no_finished_plan));
             return;
         };
+        let variant = Variant { dry_run, from_pass: self.context().from_pass() };
+        self.session.exported_dry_run = dry_run;
+        // A dose that is looked at is written as well.
+        let options = ExportOptions { dose: self.session.show.is_on(Toggle::Dose), variant };
         let (job, file) = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
         self.session.said = say!(window_writing_into, folder = dir.display().to_string());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
         self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-            let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
+            let input = ExportInput {
+                job: &job,
+                part,
+                surfaces,
+                setup,
+                plan,
+                findings: &[],
+                wording: program_comment,
+                options,
+            };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
                 ExportError::Cancelled => Failure::Cancelled,
                 other => Failure::Refused(other),
@@ -145,7 +161,8 @@ impl App {
             Err(Failure::Cancelled) => self.session.said = say!(window_export_cancelled),
             Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {
                 self.session.said.clear();
-                self.question = Some(Question::ExportOver { dir, conflicts });
+                let dry_run = self.session.exported_dry_run;
+                self.question = Some(Question::ExportOver { dir, dry_run, conflicts });
             }
             Err(why) => self.session.error = Some(why.sentence()),
         }

@@ -19,6 +19,7 @@ mod dialogs;
 mod dose;
 mod edits;
 mod files;
+mod going_on;
 mod journal;
 mod menu_place;
 mod opening;

@@ -36,6 +36,8 @@ pub(super) enum Question {
     ExportOver {
         /// The folder.
         dir: PathBuf,
+        /// Whether it is the dry run that is exported.
+        dry_run: bool,
         /// Each of them, and why.
         conflicts: Vec<FileConflict>,
     },
@@ -106,7 +108,8 @@ impl App {
             (Reply::Overwrite, Some(Question::SaveOver(path))) => self.save_into(path, IfChanged::Overwrite),
             (Reply::SaveAs, _) => self.ask(Purpose::SaveJob),
             (Reply::Reload, Some(Question::SaveOver(path))) => self.open(path),
-            (Reply::Overwrite, Some(Question::ExportOver { dir, .. })) => self.export(dir, true),
+            (Reply::Overwrite, Some(Question::ExportOver { dir, dry_run, .. })) => self.export(dir, dry_run, true),
+            (Reply::OtherFolder, Some(Question::ExportOver { dry_run: true, .. })) => self.ask(Purpose::ExportDryRun),
             (Reply::OtherFolder, _) => self.ask(Purpose::Export),
             _ => self.session.after_guard = None,
         }

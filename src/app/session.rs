@@ -8,7 +8,7 @@ use super::playback::Playback;
 use super::program_view::ProgramView;
 use crate::cell::Mount;
 use crate::document::{Forgotten, Job, RecutAnchor};
-use crate::part::SurfaceId;
+use crate::part::{Digest, SurfaceId};
 use crate::pose::access::TiltPart;
 use crate::view::Camera;
 use eframe::egui;
@@ -87,8 +87,21 @@ pub struct Session {
     pub draft: Option<Draft>,
     /// Recipes side by side.
     pub compare: Option<Compare>,
+    /// The pass to go on from after a stop, and the plan that it is one of.
+    pub going_on: Option<GoingOn>,
+    /// Whether it was a dry run that was exported last.
+    pub exported_dry_run: bool,
     /// Camera must be fitted once the part is there.
     pub fit_pending: bool,
+}
+
+/// Where work goes on after a stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GoingOn {
+    /// Key of the plan.
+    pub plan: Digest,
+    /// The first pass that is not done.
+    pub pass: usize,
 }
 
 /// What the part is coloured by.
@@ -207,6 +220,8 @@ impl Default for Session {
             menu_place: None,
             draft: None,
             compare: None,
+            going_on: None,
+            exported_dry_run: false,
             fit_pending: false,
         }
     }

@@ -6,7 +6,7 @@ use super::bodies::Bodies;
 use super::calibration::CalibrationNote;
 use super::cell_error::CellError;
 use super::check::{FigureError, ranges};
-use super::controllers::{Abb, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
+use super::controllers::{Abb, Csv, Estun, Fanuc, Kuka, Nachi, Ur, Yaskawa};
 use super::frame::{self, Frame};
 use super::mount::Mount;
 use super::outputs::Outputs;
@@ -105,6 +105,9 @@ pub struct Cell {
     /// The ESTUN program.
     #[serde(default)]
     pub estun: Estun,
+    /// The program as a table.
+    #[serde(default)]
+    pub csv: Csv,
 }
 
 /// Keys of the robots with a shipped cell, and the cells.
@@ -174,6 +177,7 @@ impl Cell {
         self.abb.check()?;
         self.yaskawa.check()?;
         self.estun.check()?;
+        self.csv.check()?;
         self.fanuc.check()?;
         self.ur.check()?;
         self.bodies.check()

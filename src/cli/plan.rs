@@ -6,10 +6,11 @@ use crate::cell::{Robot, Setup};
 use crate::document::{Chosen, Job, files};
 use crate::part::PartFinding;
 use crate::planning::cures::Cure;
-use crate::planning::export::{self, ExportError, ExportInput, FileConflict};
-use crate::planning::{self, Pipeline, PlanError, PlannedJob, PlanningError, advice};
+use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, FileConflict};
+use crate::planning::{self, FromPassError, Pipeline, PlanError, PlannedJob, PlanningError, advice};
+use crate::program::{DRY_RUN_PERCENT, Variant};
 use crate::progress::Progress;
-use crate::text::{NamedSentence as _, Naming, Sentence as _, clock, program_comment, report_lines, say};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, clock, exact, program_comment, report_lines, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -22,6 +23,12 @@ pub struct PlanArguments {
     out: PathBuf,
     #[command(flatten)]
     options: PlanOptions,
+    #[arg(long, help = say!(cli_plan_dose))]
+    dose: bool,
+    #[arg(long, help = say!(cli_plan_dry_run, percent = exact(DRY_RUN_PERCENT)))]
+    dry_run: bool,
+    #[arg(long, value_name = "N", help = say!(cli_plan_from_pass))]
+    from_pass: Option<usize>,
     #[arg(long, help = say!(cli_plan_overwrite))]
     overwrite: bool,
     #[arg(long, help = say!(cli_plan_json))]
@@ -38,7 +45,9 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
     take_files(&a.options, &mut job)?;
     // Known before the work is done, as far as names are.
     let setup = files::load_setup(&job, job_file).map_err(CommandFailure::failed)?;
-    export::conflicts(&a.out, &job, job_file, &setup)
+    let variant = Variant { dry_run: a.dry_run, from_pass: a.from_pass };
+    let options = ExportOptions { dose: a.dose, variant };
+    export::conflicts(&a.out, &job, job_file, &setup, &options)
         .and_then(|met| export::allowed(&a.out, met, a.overwrite))
         .map_err(not_exported)?;
     // Nobody cancels it: a key that ends the program ends all.
@@ -46,15 +55,15 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
     let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
     tell(&a.input, &PartFinding::of(part));
     tell_of_cell(&job, setup);
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording: program_comment };
+    let wording = program_comment;
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording, options };
     let exported = export::write(&a.out, &input, job_file, a.overwrite, &Progress::default()).map_err(not_exported)?;
     let report = &exported.report;
     if a.json {
         print_json(report)?;
     } else {
         let mut text = report_lines(report, &job);
-        if let Some(timeline) = &plan.timeline {
-            let t = timeline.breakdown();
+        if let Some(t) = &exported.times {
             let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(clock);
             text.push_str(&format!("{}\n", say!(cli_times, work, travel, waiting)));
         }
@@ -149,6 +158,8 @@ fn not_exported(e: ExportError) -> CommandFailure {
             say!(cli_help_overwrite, why)
         }
         ExportError::Conflicts { .. } => say!(cli_help_other_folder, why),
+        // Only the plan tells which passes there are.
+        ExportError::FromPass(FromPassError::NoPass { .. }) => return CommandFailure::Usage(why),
         _ => why,
     })
 }

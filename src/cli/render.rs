@@ -115,6 +115,7 @@ fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Le
         air: false,
         before: false,
         only_pass: None,
+        done: 0,
         frame_mm: 0.02 * part.mesh.diagonal(),
     };
     scene.lines = paths(plan, &path_look, 1);

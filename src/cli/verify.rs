@@ -2,10 +2,10 @@
 
 use super::{CommandFailure, CommandOutcome, print, print_json};
 use crate::document::files;
-use crate::planning::verify::{self, DifferenceKind, Finding, Verdict};
-use crate::planning::{Pipeline, PlannedJob};
-use crate::program::ProgramFile;
+use crate::planning::verify::{DifferenceKind, Finding, Verdict};
+use crate::planning::{self, ComparedProgram, Pipeline};
 use crate::program::sweep::Proof;
+use crate::program::{ProgramFile, Variant};
 use crate::text::{Sentence as _, fixed, id, say};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -29,6 +29,8 @@ const SHOWN: usize = 40;
 struct VerdictRecord<'a> {
     program: String,
     dialect: &'a str,
+    #[serde(flatten)]
+    variant: Variant,
     moves: usize,
     lit_moves: usize,
     worst_mm: f64,
@@ -47,11 +49,12 @@ struct FindingRecord<'a> {
 }
 
 impl<'a> VerdictRecord<'a> {
-    fn new(program: String, dialect: &'a str, v: &'a Verdict) -> VerdictRecord<'a> {
+    fn new(program: String, of: &'a ComparedProgram) -> VerdictRecord<'a> {
+        let ComparedProgram { dialect, variant, verdict: ref v } = *of;
         let row = |f: &'a Finding| FindingRecord { file: &f.file, line: f.line, kind: f.kind, text: f.sentence() };
         let findings = v.findings.iter().map(row).collect();
         let Verdict { moves, lit_moves, worst_mm, worst_deg, ref proof, .. } = *v;
-        VerdictRecord { program, dialect, moves, lit_moves, worst_mm, worst_deg, proof, findings }
+        VerdictRecord { program, dialect, variant, moves, lit_moves, worst_mm, worst_deg, proof, findings }
     }
 }
 
@@ -69,15 +72,13 @@ pub fn run(a: &VerifyArguments) -> Result<CommandOutcome, CommandFailure> {
     let (_, planned) = Pipeline::planned(Arc::new(source), &job, Some(&a.job))
         .map_err(|e| say!(cli_not_planned, job = a.job.display().to_string(), reason = e.sentence()))
         .map_err(CommandFailure::Failed)?;
-    let PlannedJob { part, setup, plan, .. } = &*planned;
-    let (dialect, verdict) =
-        verify::check(part, plan, setup, &job, &first, &open, true).map_err(CommandFailure::failed)?;
+    let compared = planning::compared(&planned, &job, &first, &open).map_err(CommandFailure::failed)?;
     if a.json {
-        print_json(&VerdictRecord::new(a.program.display().to_string(), dialect, &verdict))?;
+        print_json(&VerdictRecord::new(a.program.display().to_string(), &compared))?;
     } else {
-        print(&text(dialect, &verdict));
+        print(&text(&compared));
     }
-    Ok(if verdict.findings.is_empty() { CommandOutcome::Done } else { CommandOutcome::Found })
+    Ok(if compared.verdict.findings.is_empty() { CommandOutcome::Done } else { CommandOutcome::Found })
 }
 
 fn read(path: &Path) -> Result<ProgramFile, CommandFailure> {
@@ -87,9 +88,17 @@ fn read(path: &Path) -> Result<ProgramFile, CommandFailure> {
     Ok(ProgramFile { name, text: String::from_utf8_lossy(&bytes).into_owned() })
 }
 
-fn text(dialect: &str, v: &Verdict) -> String {
+fn text(of: &ComparedProgram) -> String {
     use std::fmt::Write as _;
+    let ComparedProgram { dialect, variant, verdict: v } = of;
+    let dialect = *dialect;
     let mut out = String::new();
+    if variant.dry_run {
+        let _ = writeln!(out, "{}", say!(verify_dry_run));
+    }
+    if let Some(pass) = variant.from_pass {
+        let _ = writeln!(out, "{}", say!(verify_from_pass, pass = id(pass)));
+    }
     // Of what cannot be read there are no figures.
     if v.findings.iter().any(|f| f.kind == DifferenceKind::Unreadable) {
         let _ = writeln!(out, "{}", say!(verify_unreadable, dialect));
@@ -122,7 +131,10 @@ mod tests {
     fn figures_are_told_of_what_was_read_alone() {
         let finding = |what: Difference| Finding { file: "a.src".into(), line: 3, kind: what.kind(), what };
         let odd = LineFault::NestedCall.at("a.src", 3);
-        let with = |what| text("kuka", &Verdict { findings: vec![finding(what)], ..Verdict::default() });
+        let with = |what| {
+            let verdict = Verdict { findings: vec![finding(what)], ..Verdict::default() };
+            text(&ComparedProgram { dialect: "kuka", variant: Variant::WHOLE, verdict })
+        };
         assert!(with(Difference::EndsLit).contains("furthest from the plan"));
         let unreadable = with(Difference::Unreadable(Arc::new(odd)));
         assert!(!unreadable.contains("furthest") && !unreadable.contains("0 moves"), "{unreadable}");

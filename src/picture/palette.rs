@@ -29,6 +29,8 @@ pub mod state {
     pub const CORRECTED: Rgb = [236, 132, 0];
     /// Laser off.
     pub const BLOCKED: Rgb = [222, 22, 34];
+    /// Done before a stop.
+    pub const DONE: Rgb = [150, 154, 162];
     /// Lines that are laid, and not planned yet.
     pub const LAID: Rgb = [70, 76, 88];
     /// Connecting moves.

@@ -26,6 +26,8 @@ pub struct PathLook {
     pub before: bool,
     /// Only this pass.
     pub only_pass: Option<usize>,
+    /// So many passes, from the first on, are done: their lines are dimmed.
+    pub done: usize,
     /// Length of a frame's axes, mm.
     pub frame_mm: f64,
 }
@@ -37,7 +39,7 @@ const MOST_BEAMS: usize = 4000;
 /// Draws a plan. `key` changes with the plan.
 pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     let item = |part: u32, segments: Vec<LineSegment>, width_px: f32| {
-        let flags = [u32::from(look.before), look.only_pass.map_or(0, |p| p as u32 + 1), part];
+        let flags = [u32::from(look.before), look.only_pass.map_or(0, |p| p as u32 + 1), look.done as u32, part];
         let key = Hasher::default().u32s(&[key as u32, (key >> 32) as u32]).u32s(&flags).f64s(&[look.frame_mm]);
         let (key, scene_from_item) = (key.finish().0 as u64, Isometry3::identity());
         LineItem { key, segments: Arc::new(segments), width_px, depth: Depth::Tested, scene_from_item }
@@ -46,7 +48,9 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     let count: usize = shown().map(|p| p.targets.len()).sum();
     let mut items = Vec::new();
     if look.lines {
-        items.push(item(1, shown().flat_map(|p| pass_lines(p, look.before)).collect(), 1.4));
+        let numbered = plan.passes.iter().enumerate().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i));
+        let lines = numbered.flat_map(|(i, p)| pass_lines(p, look.before, i < look.done));
+        items.push(item(1, lines.collect(), 1.4));
     }
     if look.beams {
         let targets = thinned(shown(), count, MOST_BEAMS, look.before);
@@ -109,8 +113,11 @@ fn segment(a: Point3<f64>, b: Point3<f64>, [r, g, blue]: Rgb) -> LineSegment {
     LineSegment { a: f(a), b: f(b), color: [r, g, blue, 255] }
 }
 
-fn pass_lines(pass: &Pass, before: bool) -> impl Iterator<Item = LineSegment> {
+fn pass_lines(pass: &Pass, before: bool, is_done: bool) -> impl Iterator<Item = LineSegment> {
     pass.targets.windows(2).map(move |w| {
+        if is_done {
+            return segment(w[0].p, w[1].p, state::DONE);
+        }
         // A move takes the worse colour of its ends.
         let rank = |t: &Target| match color(t, before) {
             state::BLOCKED => 2,
@@ -175,4 +182,53 @@ pub fn marked(t: &Target, defocus_mm: f64, look: &PathLook, key: u64) -> (LineIt
         LineItem { key, segments: Arc::new(segments), width_px: 3.5, depth: Depth::OnTop, scene_from_item },
         PointItem { key, points: Arc::new(points), size_px: 10.0, depth: Depth::OnTop, scene_from_item },
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_are_done_are_dimmed() {
+        let target = |x: f64| Target {
+            p: Point3::new(x, 0.0, 0.0),
+            n: Vector3::z(),
+            a: Vector3::z(),
+            o: Vector3::x(),
+            state: TargetState::Free,
+            laser: true,
+            normal_hits: None,
+            clearance_mm: None,
+        };
+        let pass = Pass {
+            surface: 1,
+            settings: ProcessSettings::default(),
+            plane_normal: Vector3::y(),
+            closed: false,
+            targets: vec![target(0.0), target(1.0)],
+            line_points: 2,
+            dense_points: 2,
+            chord_error_mm: 0.0,
+            splits: Vec::new(),
+        };
+        let plan = Plan { passes: vec![pass; 3], ..Plan::default() };
+        let look = |done| PathLook {
+            lines: true,
+            frames: false,
+            beams: false,
+            air: false,
+            before: false,
+            only_pass: None,
+            done,
+            frame_mm: 1.0,
+        };
+        let drawn = |done| {
+            let item = paths(&plan, &look(done), 7).remove(0);
+            let colors: Vec<Rgb> = item.segments.iter().map(|s| [s.color[0], s.color[1], s.color[2]]).collect();
+            (item.key, colors)
+        };
+        assert_eq!(drawn(0).1, [state::FREE; 3]);
+        assert_eq!(drawn(2).1, [state::DONE, state::DONE, state::FREE]);
+        assert_ne!(drawn(0).0, drawn(2).0, "the lines are drawn anew");
+    }
 }

@@ -78,6 +78,11 @@ impl DoseParameters {
         collateral_j_cm2: 0.0,
     };
 
+    /// Whether the job says itself what is too little or too much.
+    pub fn has_threshold(&self) -> bool {
+        [self.low_j_cm2, self.high_j_cm2, self.collateral_j_cm2].iter().any(|j_cm2| *j_cm2 != 0.0)
+    }
+
     /// The thresholds of a job: those given, or 0.5, 2 and 0.1 times `P/(v·d)`, what lands on a plate
     /// on the average with planes d apart.
     pub fn thresholds(&self, power_w: f64, speed_mm_s: f64, spacing_mm: f64) -> Thresholds {

@@ -5,9 +5,10 @@
 use super::neutral::comment::{Comment, Wording};
 use super::neutral::lines::ProgramLine;
 use super::neutral::steps::{Interpolation, MoveTiming};
+use super::neutral::variant::Variant;
 use super::read_error::ReadError;
 use super::write_error::WriteError;
-use crate::cell::Setup;
+use crate::cell::{Cell, Setup};
 use nalgebra::Isometry3;
 
 /// A program before any controller's words.
@@ -115,6 +116,16 @@ pub trait Dialect: Sync {
     /// # Errors
     /// What of it the controller could not take.
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError>;
+
+    /// Gives the names and numbers of the cell's programs to a variant of them, by the dialect's rule.
+    fn rename(&self, cell: &mut Cell, variant: Variant);
+
+    /// A setup with the program names of a variant.
+    fn named(&self, setup: &Setup, variant: Variant) -> Setup {
+        let mut named = setup.clone();
+        self.rename(&mut named.cell, variant);
+        named
+    }
 
     /// Whether a text is of this dialect.
     fn claims(&self, text: &str) -> bool;

@@ -19,6 +19,7 @@ impl Sentence for ExportError {
                 let (file, line, what) = (&first.file, id(first.line), first.sentence());
                 say!(export_not_the_plan, file, line, what, findings = *findings)
             }
+            ExportError::FromPass(e) => e.sentence(),
             ExportError::Dose(e) => say!(export_dose, reason = e.sentence()),
             ExportError::Cancelled => say!(text_cancelled),
         }

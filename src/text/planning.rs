@@ -1,7 +1,7 @@
 //! Why there is no part and no plan.
 
 use super::{Sentence, exact, fixed, id, say};
-use crate::planning::{Failure, PartError, PlanError, PlanningError};
+use crate::planning::{Failure, FromPassError, NotCompared, PartError, PlanError, PlanningError};
 
 impl<E: Sentence> Sentence for Failure<E> {
     fn sentence(&self) -> String {
@@ -49,6 +49,27 @@ impl Sentence for PlanningError {
             PlanningError::Part(e) => e.sentence(),
             PlanningError::Setup(e) => e.sentence(),
             PlanningError::Plan(e) => e.sentence(),
+        }
+    }
+}
+
+impl Sentence for FromPassError {
+    fn sentence(&self) -> String {
+        match *self {
+            FromPassError::NoPass { asked, passes: 0 } => say!(from_pass_without_passes, asked = id(asked)),
+            FromPassError::NoPass { asked, passes } => {
+                say!(from_pass_no_pass, asked = id(asked), last = id(passes - 1))
+            }
+            FromPassError::NoWay { pass } => say!(from_pass_no_way, pass = id(pass)),
+        }
+    }
+}
+
+impl Sentence for NotCompared {
+    fn sentence(&self) -> String {
+        match self {
+            NotCompared::Verify(e) => e.sentence(),
+            NotCompared::FromPass(e) => e.sentence(),
         }
     }
 }

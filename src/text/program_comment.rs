@@ -33,7 +33,9 @@ pub fn program_comment(comment: &Comment) -> String {
             figures = joined(figures, |list, next| english!(list_and_next, list = list, next = next))
         ),
         Comment::PartFile(note) => file_note(*note),
-        Comment::NeverRun { dialect } => english!(comment_never_run, dialect = dialect),
+        Comment::NeverRun { dialect, dry_run } => english!(comment_never_run, dialect = dialect, dry_run = dry_run),
+        Comment::DryRun { percent } => english!(comment_dry_run, percent = exact(*percent)),
+        Comment::FromPass(number) => english!(comment_from_pass, number = id(number)),
         Comment::Caveat(Caveat::Rapid) => english!(comment_caveat_rapid),
         Comment::Caveat(Caveat::Erp) => english!(comment_caveat_erp),
         Comment::Caveat(Caveat::Krl) => english!(comment_caveat_krl),

@@ -14,8 +14,9 @@ pub fn report_lines(report: &Report, job: &Job) -> String {
     let mut lines: Vec<String> = report.status().iter().map(Sentence::sentence).collect();
     lines.extend(notices_worst_first(report, job, &[]).iter().map(|notice| notice_line(notice, &naming)));
     lines.extend(figures(report));
-    if let Some(dose) = &report.dose {
-        lines.extend(dose_lines(dose, &naming));
+    match &report.dose {
+        Some(dose) => lines.extend(dose_lines(dose, &naming)),
+        None => lines.push(say!(report_no_dose)),
     }
     for s in report.surfaces.iter().filter(|s| s.blocked_mm > 0.0) {
         let (blocked, whole) = (fixed(s.blocked_mm, 1), fixed(s.blocked_mm + s.work_mm, 1));

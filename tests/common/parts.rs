@@ -9,7 +9,7 @@ use clearbeam::part::{Part, Placement, Surfaces, Units};
 use clearbeam::path::normals::VertexNormals;
 use clearbeam::path::section::sections;
 use clearbeam::path::{SurfacePlanes, TransversalLine, planes};
-use clearbeam::planning::export::{self, ExportInput, ExportOf, OutputFile};
+use clearbeam::planning::export::{self, ExportInput, ExportOf, ExportOptions, OutputFile};
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, Plan, PlanCache};
 use clearbeam::pose::checker::Checker;
@@ -154,7 +154,8 @@ impl Planned {
     /// The same in a cell.
     pub fn files_in(&self, setup: &Setup) -> Vec<OutputFile> {
         let Planned { part, surfaces, job, plan } = self;
-        let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording: program_comment };
+        let (wording, options) = (program_comment, ExportOptions::default());
+        let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording, options };
         let of = ExportOf { job: "part".into(), part: "part.stl".into() };
         export::files(&input, &of, &Progress::default()).expect("files").0
     }

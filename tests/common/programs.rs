@@ -85,6 +85,7 @@ pub fn lines(seeds: &[Seed], setup: &Setup) -> Vec<ProgramLine> {
                 part_from_focus: (!home).then(|| setup.focus_for(&flange)),
                 timing: *timing,
                 lit,
+                at_work: lit,
                 target: None,
                 settings: ProcessSettings::default(),
             }))

@@ -3,7 +3,7 @@
 use crate::JOB;
 use crate::common::window::{click, press};
 use crate::window::Window;
-use clearbeam::app::{Command, More, TurnAxis};
+use clearbeam::app::{Command, Jump, More, Toggle, TurnAxis};
 use clearbeam::document::Edit;
 use clearbeam::part::{SurfaceId, angle};
 use eframe::egui::{Key, Modifiers};
@@ -36,11 +36,38 @@ pub fn file(w: &mut Window, command: Command) {
             assert_eq!(w.app().document().file(), Some(w.file("other.toml").as_path()));
             assert!(w.file("other.toml").exists());
         }
+        Command::ExportDryRun => {
+            w.give(command, &[]);
+            assert!(w.file("program/MZ04-01-A.001").exists(), "the program that was exported before stays beside it");
+            let dry = std::fs::read_to_string(w.file("program/MZ04-01-A.401")).expect("written");
+            assert!(dry.contains("DRY RUN") && !dry.lines().any(|l| l.starts_with("SET ")), "{dry}");
+        }
         _ => {
             w.give(command, &[]);
-            assert!(w.file("program/MZ04-01-A.001").exists());
+            assert!(w.file("program/MZ04-01-A.001").exists() && !w.file("program/dose.ply").exists());
+            w.give(Command::Toggle(Toggle::Dose), &[]);
+            w.give(command, &[]);
+            assert!(w.file("program/dose.ply").exists(), "a dose that is looked at is written");
+            w.give(Command::Toggle(Toggle::Dose), &[]);
         }
     }
+}
+
+/// Passes before the current one are dimmed and left out of exports until the chip is clicked.
+pub fn go_on(w: &mut Window) {
+    let before = w.picture();
+    w.give(Command::Go(Jump::NextPass), &[]);
+    w.give(Command::Go(Jump::NextPass), &[]);
+    w.give(Command::ExportFromPass, &[]);
+    let left = std::fs::read_to_string(w.file("program/MZ04-01-A.201")).expect("written");
+    assert!(left.contains("goes on from pass 2") && !left.contains("pass 1, surface"), "{left}");
+    assert!(w.says("Export from pass 2 on") && w.picture() != before);
+    w.give(Command::ExportDryRun, &[]);
+    assert!(w.file("program/MZ04-01-A.601").exists(), "what is left can be tried dry");
+    click(&mut w.h, "From pass 2 on ✕");
+    assert!(!w.says("Export from pass 2 on"));
+    w.give(Command::Go(Jump::FirstPoint), &[]);
+    assert!(w.picture() == before, "all passes are shown as before");
 }
 
 pub fn undo_and_redo(w: &mut Window, command: Command) {

@@ -24,6 +24,7 @@ impl Window {
             (Purpose::Open, sample("front_shaft.stl")),
             (Purpose::SaveJob, folder.path().join("other.toml")),
             (Purpose::Export, folder.path().join("program")),
+            (Purpose::ExportDryRun, folder.path().join("program")),
         ]);
         Window { h: window(Some(job), &answers), folder }
     }

@@ -13,6 +13,9 @@ cli_inspect_weld = Corners that become one: auto (equal ones; to close open edge
 cli_plan = Plan a job and write job, program, report and path into a folder
 cli_plan_input = Part or job
 cli_plan_out = Folder for the files of the plan
+cli_plan_dose = Compute the dose and write dose.ply; a job with a threshold of [dose] has it without this
+cli_plan_dry_run = Write the dry run in place of the program: the same motion at { $percent } % of its speed, every output off, names of its own
+cli_plan_from_pass = Write the program from pass N on, as path.csv counts them from 0, to go on after a stop; names of its own
 cli_plan_overwrite = Replace files in the folder that were changed by hand, belong to another job, or were not exported
 cli_plan_json = Print the report as JSON
 cli_verify = Read a program back and compare it with the plan of its job
@@ -53,6 +56,8 @@ cli_removed = removed { $file }
 cli_wrote = wrote { $file }
 
 ## What `verify` prints
+verify_dry_run = named as a dry run, and compared with that: every output off, slower
+verify_from_pass = named as the program from pass { $pass } on, and compared with that: the passes before it are not looked at
 verify_unreadable = { $dialect }: not compared with the plan, as it cannot be read
 verify_moves = { $dialect }: { $moves ->
     [one] 1 move

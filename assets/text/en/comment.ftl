@@ -18,7 +18,9 @@ comment_file_count = CAUTION: the part file promises { $promised } facets, { $re
 comment_file_not_read = CAUTION: left out of the part file, being no facets: { $count }
 comment_file_passed_over = CAUTION: bytes of the part file passed over: { $count } from byte { $at }
 comment_file_joined = Solids of the part file joined into one part: { $count }
-comment_never_run = Not verified on a { $dialect } controller: run it with the laser off first
+comment_never_run = Not verified on a { $dialect } controller: run it dry first, with { $dry_run } (clearbeam plan --dry-run)
+comment_dry_run = DRY RUN: every output stays off, and all moves go at { $percent } per cent of the program's speed
+comment_from_pass = goes on from pass { $number }: the passes before it are done
 
 ## What of a dialect is not verified: one comment a line, as long as the controller takes them
 

@@ -29,6 +29,7 @@ cell_panel_better_tip = Looks for a place of part and laser at which the robot r
 cell_panel_better_running = The search is running
 cell_panel_nothing_refused = The robot refuses no target
 cell_panel_export = Export program…
+cell_panel_export_from_pass = Export from pass { $pass } on…
 cell_panel_export_tip = Writes program, path, report and job into a folder  { $keys }
 cell_panel_not_planned = The plan is not finished
 

@@ -44,6 +44,7 @@ report_order = { $way } mm of way between the lines, { $zigzag } mm in a zigzag
 report_surface_blocked = { $surface }: { $blocked } mm of { $whole } mm blocked
 
 ## Dose
+report_no_dose = dose: not looked at; --dose computes it
 dose_shares = { $within }% of the area within { $low } to { $high } J/cm², { $under }% under, { $over }% over, { $shaded }% shaded
 dose_collateral = { $area } mm² of surfaces that were not chosen get more than { $most } J/cm²: { $list }
 dose_patch_thin = too little: { $area } cm² of { $surface } around ({ $x }, { $y }, { $z }), { $why }

@@ -68,6 +68,7 @@ dialog_part_or_job = Part or job
 dialog_part = Part
 dialog_job = Job
 dialog_program_folder = Folder for the program
+dialog_dry_run_folder = Folder for the dry run
 dialog_cell = Cell
 dialog_head = Head
 dialog_clamp = Clamp

@@ -5,7 +5,7 @@ use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
 use super::problems;
-use crate::text::say;
+use crate::text::{id, say};
 use eframe::egui::{self, RichText, ScrollArea};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
@@ -21,7 +21,11 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 fn button(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     ui.add_space(2.0);
     let ready = context.plan().is_some();
-    let text = RichText::new(say!(cell_panel_export)).strong();
+    let text = match context.from_pass() {
+        None => say!(cell_panel_export),
+        Some(pass) => say!(cell_panel_export_from_pass, pass = id(pass)),
+    };
+    let text = RichText::new(text).strong();
     let button = egui::Button::new(text).fill(theme::ACCENT.gamma_multiply(0.6));
     let tip = say!(cell_panel_export_tip, keys = Command::Export.keys_text(ui.ctx()));
     let size = egui::vec2(ui.available_width(), 28.0);

@@ -12,6 +12,7 @@ mod entry;
 mod export;
 mod fields;
 mod frames;
+mod going_on;
 mod later;
 mod laying;
 pub(super) mod library;

@@ -25,7 +25,7 @@ pub(in super::super) fn ui(ctx: &egui::Context, context: Context<'_>, actions: &
             Question::PartGone { file, .. } => part_gone(ui, file),
             Question::Restore(found) => restore(ui, found),
             Question::SaveOver(path) => save_over(ui, path, context.document.file() == Some(path)),
-            Question::ExportOver { dir, conflicts } => export_over(ui, dir, conflicts),
+            Question::ExportOver { dir, conflicts, .. } => export_over(ui, dir, conflicts),
         }
     });
     if let Some(reply) = shown.inner.or(shown.should_close().then_some(Reply::Cancel)) {

@@ -4,6 +4,7 @@ use super::super::actions::Actions;
 use super::super::context::Context;
 use super::super::playback_data::Mark;
 use super::super::theme;
+use super::going_on;
 use super::problems::why_left_out;
 use crate::program::Timeline;
 use crate::text::{id, say};
@@ -28,6 +29,7 @@ pub(super) fn ui(ui: &mut egui::Ui, width: f32, context: Context<'_>, actions: &
         ui.painter().rect_filled(tick, 1, theme::WRONG);
     }
     paint_head(ui, rect, x_of(time_s));
+    going_on::menu(&response, context, actions);
     let pointer = response.hover_pos().or(response.interact_pointer_pos());
     let caught = pointer.and_then(|p| {
         let near = marks.iter().filter(|(x, _)| (x - p.x).abs() <= CATCH);
@@ -38,7 +40,7 @@ pub(super) fn ui(ui: &mut egui::Ui, width: f32, context: Context<'_>, actions: &
     }
     match (caught, response.interact_pointer_pos()) {
         (Some(mark), _) if response.clicked() => actions.go_to_target(mark.first),
-        (_, Some(p)) if response.clicked() || response.dragged() => {
+        (_, Some(p)) if response.clicked() || response.dragged() || response.secondary_clicked() => {
             actions.go_to_time(f64::from((p.x - track.left()) / track.width()) * total_s);
         }
         _ => {}

@@ -5,6 +5,7 @@ use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
+use super::going_on;
 use super::problems::why_left_out;
 use super::scrub;
 use crate::part::rpy;
@@ -33,7 +34,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         Some(timeline) => time_row(ui, timeline, context, actions),
         None => pass_row(ui, &of.plan, context, actions),
     }
-    target_numbers(ui, context);
+    target_numbers(ui, context, actions);
 }
 
 /// Play, time, speed, and what takes how much of the time.
@@ -106,7 +107,9 @@ fn pass_row(ui: &mut egui::Ui, plan: &Plan, context: Context<'_>, actions: &mut 
         // What is left beside the numbers, for two sliders.
         ui.spacing_mut().slider_width = ((ui.available_size_before_wrap().x - 330.0) * 0.5).max(40.0);
         let slider = Slider::new(&mut pass, 0..=last_pass);
-        ui.add(slider).widget_info(|| egui::WidgetInfo::labeled(egui::Role::Slider, true, say!(timeline_pass_name)));
+        let response = ui.add(slider);
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Slider, true, say!(timeline_pass_name)));
+        going_on::menu(&response, context, actions);
         ui.label(say!(timeline_point));
         let slider = Slider::new(&mut point, 0..=last_point);
         ui.add(slider).widget_info(|| egui::WidgetInfo::labeled(egui::Role::Slider, true, say!(timeline_point_name)));
@@ -118,7 +121,7 @@ fn pass_row(ui: &mut egui::Ui, plan: &Plan, context: Context<'_>, actions: &mut 
     }
 }
 
-fn target_numbers(ui: &mut egui::Ui, context: Context<'_>) {
+fn target_numbers(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let Some(t) = context.target() else { return };
     let (word, [r, g, b]) = match t.state {
         TargetState::Free => (say!(timeline_free), [90, 140, 230]),
@@ -134,6 +137,7 @@ fn target_numbers(ui: &mut egui::Ui, context: Context<'_>) {
         let [x, y, z] = [t.p.x, t.p.y, t.p.z].map(|c| fixed(c, 3));
         ui.monospace(say!(timeline_xyz, x, y, z));
         flange(ui, t, context);
+        going_on::chip(ui, context, actions);
         if t.state == TargetState::Blocked {
             ui.label(RichText::new(why_left_out(context, (pass, point))).color(theme::WRONG));
         }

@@ -3,6 +3,7 @@
 use super::super::actions::Actions;
 use super::super::command::{Command, More};
 use super::super::context::Context;
+use super::going_on;
 use crate::document::{Edit, StartFrom};
 use crate::text::say;
 use eframe::egui;
@@ -23,6 +24,7 @@ const COMMANDS: [Command; 9] = [
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     spiral_centre(ui, context, actions);
     first_border(ui, context, actions);
+    going_on::from_place(ui, context, actions);
     for command in COMMANDS {
         let button = egui::Button::new(command.name());
         if ui.add_enabled(context.is_enabled(command), button).clicked() {

@@ -1,6 +1,7 @@
 //! What each controller's program needs beside the moves: names, numbers, templates.
 
 mod abb;
+mod csv;
 mod estun;
 mod fanuc;
 mod kuka;
@@ -10,6 +11,7 @@ mod ur;
 mod yaskawa;
 
 pub use abb::Abb;
+pub use csv::Csv;
 pub use estun::Estun;
 pub use fanuc::Fanuc;
 pub use kuka::Kuka;

@@ -1,5 +1,6 @@
 //! Files into a folder, all of them or none, whatever stands there and whenever the process ends.
 
+use super::beside::listed_beside;
 use super::conflict::{ExportOf, MayReplace};
 use super::error::ExportError;
 use super::folder::ExportFolder;
@@ -55,7 +56,9 @@ pub(super) fn intended(
     may: MayReplace,
 ) -> Result<ExportIntent, ExportError> {
     let names: Vec<&str> = files.iter().map(|f| f.name.as_str()).collect();
-    let met = compare_folder(folder, of, &names, may.reads_job)?;
+    let stays = listed_beside(files);
+    let stays: Vec<&str> = stays.iter().map(String::as_str).collect();
+    let met = compare_folder(folder, of, (&names, &stays), may.reads_job)?;
     allowed(folder.path(), met.conflicts, may.overwrite)?;
     Ok(ExportIntent::new(of.clone(), files, met.standing))
 }

@@ -8,7 +8,7 @@ use super::intent::{CommitStep, ExportIntent};
 use super::output_file::OutputFile;
 use super::output_file::REPORT;
 use super::recovery::Pending;
-use crate::planning::report::WrittenFiles;
+use crate::planning::report::{FileDigest, WrittenFiles};
 use crate::progress::Progress;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -20,6 +20,12 @@ const NOTHING: MayReplace = MayReplace { reads_job: false, overwrite: false };
 
 fn of() -> ExportOf {
     ExportOf { job: "gear".into(), part: "gear.stl".into() }
+}
+
+fn written(files: Vec<FileDigest>) -> WrittenFiles {
+    let ExportOf { job, part } = of();
+    let (plan_sha256, programs) = (String::new(), Vec::new());
+    WrittenFiles { job, part, from_pass: None, dry_run: None, plan_sha256, programs, files }
 }
 
 fn export_into(dir: &Path, files: &[OutputFile], overwrite: bool) -> Result<Vec<String>, ExportError> {
@@ -37,7 +43,7 @@ fn export(tag: &str, said: &str, programs: std::ops::Range<u32>, tables: &[&str]
     out.extend(calls.iter().map(|name| file(name, format!("sub {tag} {name}"))));
     out.extend(tables.iter().map(|name| file(name, format!("{tag} {name}"))));
     let list = out.iter().map(OutputFile::digest).collect();
-    let written = WrittenFiles { job: of().job, part: of().part, files: list };
+    let written = written(list);
     out.push(file(REPORT, serde_json::to_string(&written).expect("JSON")));
     out
 }
@@ -239,8 +245,8 @@ fn a_list_that_leads_out_of_the_folder_is_none() {
     std::fs::create_dir(&dir).expect("makes");
     std::fs::write(&victim, "mine").expect("writes");
     let sha256 = crate::part::digest_of(b"mine");
-    let list = vec![crate::planning::report::FileDigest { name: "../victim".into(), sha256 }];
-    let written = WrittenFiles { job: of().job, part: of().part, files: list };
+    let list = vec![FileDigest { name: "../victim".into(), sha256 }];
+    let written = written(list);
     let report = serde_json::to_string(&written).expect("JSON");
     std::fs::write(dir.join(REPORT), &report).expect("writes");
     std::fs::write(dir.join(NOTES), "mine").expect("writes");

@@ -3,18 +3,19 @@
 
 use super::conflict::ExportOf;
 use super::error::ExportError;
-use super::output_file::{JOB, OutputFile, REPORT, is_plain};
-use super::program::{self, program, read_back};
+use super::output_file::{DOSE, JOB, OutputFile, REPORT, is_plain};
+use super::program::{self, program, read_back, variant_program};
 use super::tables::{joints_csv, path_csv};
 use crate::cell::Setup;
 use crate::document::files::{self, JobError};
 use crate::document::{Job, Remembered};
-use crate::part::{Part, Surfaces};
+use crate::part::{Part, Surfaces, digest_of};
 use crate::planning::PlanError;
 use crate::planning::dose::{self, DoseReport, dose};
+use crate::planning::from_pass;
 use crate::planning::plan::Plan;
-use crate::planning::report::{PlanFinding, Report, WrittenFiles};
-use crate::program::Wording;
+use crate::planning::report::{DryRunReport, FileDigest, PlanFinding, Report, StandingProgram, WrittenFiles};
+use crate::program::{Breakdown, DRY_RUN_PERCENT, ProgramFile, Timeline, Variant, Wording};
 use crate::progress::{Activity, Progress};
 use std::path::Path;
 
@@ -35,10 +36,28 @@ pub struct ExportInput<'a> {
     pub findings: &'a [PlanFinding],
     /// The words of the program's comments.
     pub wording: Wording,
+    /// What is written.
+    pub options: ExportOptions,
 }
 
-/// The files of a plan, the report last, and what they report; the program is read back and compared with the plan,
-/// and the dose is computed. The job names its part and cell relative to the folder they will stand in.
+/// What of an export is up to whoever asks for it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ExportOptions {
+    /// The dose is computed and written even where the job has no threshold for it.
+    pub dose: bool,
+    /// Which program of the plan is written.
+    pub variant: Variant,
+}
+
+impl ExportOptions {
+    /// Whether an export of a job has the dose.
+    fn has_dose(&self, job: &Job) -> bool {
+        self.dose || job.dose.has_threshold()
+    }
+}
+
+/// The files of a plan, the report last, and what they report; the program is read back and compared with the plan. The
+/// job names its part and cell relative to the folder they will stand in, which has no other programs of the plan.
 ///
 /// # Errors
 /// The program cannot be written or would not do what was planned; [`ExportError::Cancelled`] when `progress` says
@@ -48,44 +67,130 @@ pub fn files(
     of: &ExportOf,
     progress: &Progress,
 ) -> Result<(Vec<OutputFile>, Report), ExportError> {
-    let ExportInput { job, part, surfaces, setup, plan, findings, wording } = *input;
-    let mut job = job.clone();
-    job.part.landmarks = Remembered::of(&job, part, &job.part);
-    let job = &job;
-    let mut report = Report::new(plan, surfaces).with_file_of(part);
-    report.findings.splice(0..0, findings.iter().cloned());
-    let map = dose(part, surfaces, plan, job, setup, progress).map_err(|e| match e {
-        PlanError::Cancelled => ExportError::Cancelled,
-        other => ExportError::Dose(other),
-    })?;
-    let patches = dose::not_cleanable(part, surfaces, plan, job, &map);
-    report.dose = Some(DoseReport::new(&map, &patches, surfaces));
-    progress.check()?;
-    progress.begin(Activity::WritingProgram, 2);
-    let written = program(job, &of.part, setup, plan, &report, wording)?;
-    progress.step()?;
-    read_back(part, job, setup, plan, &written, progress)?;
-    progress.step()?;
-    let file = |name: &str, bytes: Vec<u8>| OutputFile { name: name.into(), bytes };
-    let mut out = vec![file(JOB, files::to_toml(job)?.into_bytes())];
-    out.extend(written.into_iter().map(|f| OutputFile { name: f.name, bytes: f.text.into_bytes() }));
-    out.push(file("path.csv", path_csv(plan).into_bytes()));
-    if let Some(choice) = &plan.choice {
-        out.push(file("joints.csv", joints_csv(plan, choice).into_bytes()));
-    }
-    out.push(file("dose.ply", dose::ply(&map, surfaces)));
-    check_names(&out)?;
-    let list = out.iter().map(OutputFile::digest).collect();
-    report.written = Some(WrittenFiles { job: of.job.clone(), part: of.part.clone(), files: list });
-    out.push(file(REPORT, json(&report)?));
-    Ok((out, report))
+    MadeFiles::new(input, of, progress)?.finished(of, Vec::new())
 }
 
-/// Names that an export of this job has for sure, before anything is planned.
-pub(super) fn names_ahead(job: &Job, setup: &Setup) -> Vec<String> {
+/// All files of an export but the report, which lists what stands beside them.
+pub(super) struct MadeFiles {
+    /// The files.
+    files: Vec<OutputFile>,
+    /// The report, but for what is written.
+    report: Report,
+    /// The program that is written.
+    pub(super) program: StandingProgram,
+    /// SHA-256 of the whole program of the plan.
+    pub(super) plan_sha256: String,
+    /// What takes how much of the program's time; not known without a robot.
+    pub(super) times: Option<Breakdown>,
+}
+
+impl MadeFiles {
+    /// Makes them.
+    ///
+    /// # Errors
+    /// As [`files`].
+    pub(super) fn new(input: &ExportInput<'_>, of: &ExportOf, progress: &Progress) -> Result<MadeFiles, ExportError> {
+        let ExportInput { job, part, surfaces, setup, plan: whole, findings, wording, options } = *input;
+        let mut job = job.clone();
+        job.part.landmarks = Remembered::of(&job, part, &job.part);
+        let job = &job;
+        let variant = options.variant;
+        let left = variant.from_pass.map(|n| from_pass(part, whole, setup, job, n, progress)).transpose()?;
+        let plan = left.as_ref().unwrap_or(whole);
+        let mut report = Report::new(plan, surfaces).with_file_of(part);
+        report.findings.splice(0..0, findings.iter().cloned());
+        let dose = options.has_dose(job).then(|| DoseFile::new(input, job, progress)).transpose()?;
+        let (dose_ply, dose_report) = dose.map_or((None, None), |d| (Some(d.ply), Some(d.report)));
+        report.dose = dose_report;
+        progress.check()?;
+        progress.begin(Activity::WritingProgram, 2);
+        let of_part = &of.part;
+        let written = variant_program(variant, (job, of_part, setup), plan, &report, wording)?;
+        let all = match variant {
+            Variant::WHOLE => None,
+            _ => Some(program(job, of_part, setup, whole, &Report::new(whole, surfaces).with_file_of(part), wording)?),
+        };
+        let plan_sha256 = sha256_of(all.as_ref().unwrap_or(&written));
+        progress.step()?;
+        read_back(part, job, setup, (plan, variant), &written, progress)?;
+        progress.step()?;
+        let file = |name: &str, bytes: Vec<u8>| OutputFile { name: name.into(), bytes };
+        let mut out = vec![file(JOB, files::to_toml(job)?.into_bytes())];
+        let program = StandingProgram { variant, names: written.iter().map(|f| f.name.clone()).collect() };
+        out.extend(written.into_iter().map(|f| OutputFile { name: f.name, bytes: f.text.into_bytes() }));
+        out.push(file("path.csv", path_csv(plan).into_bytes()));
+        if let Some(choice) = &plan.choice {
+            out.push(file("joints.csv", joints_csv(plan, choice).into_bytes()));
+        }
+        out.extend(dose_ply.map(|ply| file(DOSE, ply)));
+        check_names(&out)?;
+        let times = plan.timeline.as_ref().map(Timeline::breakdown);
+        Ok(MadeFiles { files: out, report, program, plan_sha256, times })
+    }
+
+    /// Names of the files.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().map(|f| f.name.as_str())
+    }
+
+    /// All files, the report last. `beside`: other programs that stand in the folder, with their files.
+    ///
+    /// # Errors
+    /// The report cannot be written.
+    pub(super) fn finished(
+        self,
+        of: &ExportOf,
+        beside: Vec<(StandingProgram, Vec<FileDigest>)>,
+    ) -> Result<(Vec<OutputFile>, Report), ExportError> {
+        let MadeFiles { files: mut out, mut report, program, plan_sha256, .. } = self;
+        let variant = program.variant;
+        let (others, kept): (Vec<StandingProgram>, Vec<Vec<FileDigest>>) = beside.into_iter().unzip();
+        let own = Some(program).filter(|p| !p.names.is_empty());
+        report.written = Some(WrittenFiles {
+            job: of.job.clone(),
+            part: of.part.clone(),
+            from_pass: variant.from_pass,
+            dry_run: variant.dry_run.then_some(DryRunReport { speed_percent: DRY_RUN_PERCENT }),
+            plan_sha256,
+            programs: own.into_iter().chain(others).collect(),
+            files: out.iter().map(OutputFile::digest).chain(kept.into_iter().flatten()).collect(),
+        });
+        out.push(OutputFile { name: REPORT.into(), bytes: json(&report)? });
+        Ok((out, report))
+    }
+}
+
+/// The dose, as it is written and reported. It is that of the whole job: what was worked before a stop counts as well.
+struct DoseFile {
+    ply: Vec<u8>,
+    report: DoseReport,
+}
+
+impl DoseFile {
+    fn new(input: &ExportInput<'_>, job: &Job, progress: &Progress) -> Result<DoseFile, ExportError> {
+        let ExportInput { part, surfaces, setup, plan, .. } = *input;
+        let map = dose(part, surfaces, plan, job, setup, progress).map_err(|e| match e {
+            PlanError::Cancelled => ExportError::Cancelled,
+            other => ExportError::Dose(other),
+        })?;
+        let patches = dose::not_cleanable(part, surfaces, plan, job, &map);
+        Ok(DoseFile { ply: dose::ply(&map, surfaces), report: DoseReport::new(&map, &patches, surfaces) })
+    }
+}
+
+/// SHA-256 of all files of a program.
+fn sha256_of(program: &[ProgramFile]) -> String {
+    digest_of(
+        &program.iter().flat_map(|f| [f.name.as_bytes(), &[0], f.text.as_bytes(), &[0]].concat()).collect::<Vec<u8>>(),
+    )
+}
+
+/// Names that an export of this job has for sure, before anything is planned: tables, and the program's.
+pub(super) fn names_ahead(job: &Job, setup: &Setup, options: &ExportOptions) -> Vec<String> {
     let joints = setup.robot.is_some().then_some("joints.csv");
-    let tables = [JOB, REPORT, "path.csv", "dose.ply"].into_iter().chain(joints).map(str::to_owned);
-    tables.chain(program::names_ahead(job, setup)).collect()
+    let dose = options.has_dose(job).then_some(DOSE);
+    let tables = [JOB, REPORT, "path.csv"].into_iter().chain(dose).chain(joints).map(str::to_owned);
+    tables.chain(program::names_ahead(job, setup, options.variant)).collect()
 }
 
 fn json(report: &Report) -> Result<Vec<u8>, JobError> {

@@ -2,8 +2,8 @@
 
 use super::conflict::FileConflict;
 use crate::document::JobError;
-use crate::planning::PlanError;
 use crate::planning::verify::{Finding, VerifyError};
+use crate::planning::{FromPassError, PlanError};
 use crate::program::DialectError;
 use crate::progress::Cancelled;
 use std::path::PathBuf;
@@ -49,6 +49,9 @@ pub enum ExportError {
         /// How many there are.
         findings: usize,
     },
+    /// The plan cannot go on from the pass that was asked for.
+    #[error(transparent)]
+    FromPass(#[from] FromPassError),
     /// The dose cannot be computed.
     #[error("dose: {0}")]
     Dose(#[source] PlanError),

@@ -1,9 +1,10 @@
 //! The export of a finished plan into a folder. It appears whole or not at all, replaces the earlier export of the
-//! same job, and touches nothing else unless told to.
+//! same job, and touches nothing else unless told to; other programs of the same plan stay beside it.
 //!
 //! `contents` makes the files, `ownership` tells whose the files of the folder are, `commit` puts the new ones in
 //! place step by step, and `recovery` ends what a crash has broken off.
 
+mod beside;
 mod commit;
 #[cfg(test)]
 mod commit_tests;
@@ -19,7 +20,7 @@ mod recovery;
 mod tables;
 
 pub use conflict::{ConflictReason, ExportOf, FileConflict};
-pub use contents::{ExportInput, files};
+pub use contents::{ExportInput, ExportOptions, files};
 pub use error::ExportError;
 pub use output_file::OutputFile;
 pub use ownership::allowed;
@@ -30,8 +31,10 @@ use super::report::Report;
 use crate::cell::Setup;
 use crate::document::files::rebased;
 use crate::document::model::Job;
+use crate::program::Breakdown;
 use crate::progress::Progress;
 use conflict::MayReplace;
+use contents::MadeFiles;
 use folder::ExportFolder;
 use std::path::{Path, PathBuf};
 
@@ -44,6 +47,8 @@ pub struct Exported {
     pub removed: Vec<PathBuf>,
     /// What the report says.
     pub report: Report,
+    /// What takes how much of the program's time; not known without a robot.
+    pub times: Option<Breakdown>,
 }
 
 /// What would stand in the way of exporting a job into a folder, as far as it can be told before anything is
@@ -59,6 +64,7 @@ pub fn conflicts(
     job: &Job,
     job_file: Option<&Path>,
     setup: &Setup,
+    options: &ExportOptions,
 ) -> Result<Vec<FileConflict>, ExportError> {
     if !dir.is_dir() {
         return Ok(Vec::new());
@@ -69,10 +75,13 @@ pub fn conflicts(
         Err(ExportError::Conflicts { conflicts, .. }) => return Ok(conflicts),
         other => other?,
     }
-    let names = contents::names_ahead(job, setup);
+    let names = contents::names_ahead(job, setup, options);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let of = ExportOf::new(job, job_file);
-    Ok(ownership::compare_folder(&folder, &of, &names, reads_job)?.conflicts)
+    // Whether they are programs of the same plan is known when there is one.
+    let stays = beside::programs_beside(&folder, &of, options.variant, None, &names)?;
+    let stays: Vec<&str> = stays.iter().flat_map(|(p, _)| &p.names).map(String::as_str).collect();
+    Ok(ownership::compare_folder(&folder, &of, (&names, &stays), reads_job)?.conflicts)
 }
 
 /// Writes a plan into a folder, made if it is not there. `job_file`: where the job was read from. `overwrite`: what
@@ -89,13 +98,24 @@ pub fn write(
 ) -> Result<Exported, ExportError> {
     let of = ExportOf::new(input.job, job_file);
     let job = rebased(input.job, job_file, &dir.join(output_file::JOB))?;
-    let (files, report) = contents::files(&ExportInput { job: &job, ..*input }, &of, progress)?;
+    let made = MadeFiles::new(&ExportInput { job: &job, ..*input }, &of, progress)?;
     let may = MayReplace { reads_job: ownership::reads_job_of(dir, job_file), overwrite };
+    progress.check()?;
+    let mut stays = Vec::new();
+    if dir.is_dir() {
+        let folder = ExportFolder::open(dir)?;
+        recovery::recover(&folder, may)?;
+        let (variant, names) = (input.options.variant, made.names().collect::<Vec<_>>());
+        stays = beside::programs_beside(&folder, &of, variant, Some(&made.plan_sha256), &names)?;
+    }
+    let times = made.times;
+    let (files, report) = made.finished(&of, stays)?;
     let removed = commit::put_in_place(dir, &files, &of, may, progress)?;
     let path = |name: &String| dir.join(name);
     Ok(Exported {
         written: files.iter().map(|f| path(&f.name)).collect(),
         removed: removed.iter().map(path).collect(),
         report,
+        times,
     })
 }

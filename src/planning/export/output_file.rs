@@ -7,8 +7,10 @@ use crate::planning::report::FileDigest;
 pub(super) const JOB: &str = "job.toml";
 /// The report, which lists all other files.
 pub(super) const REPORT: &str = "report.json";
+/// What lands.
+pub(super) const DOSE: &str = "dose.ply";
 /// Every file of an export that is no program, those of other versions included: all else is taken for one.
-const NOT_PROGRAMS: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", "dose.ply", "report.html"];
+const NOT_PROGRAMS: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", DOSE, "report.html"];
 
 /// Whether a file that an export wrote belongs to its program.
 pub(super) fn is_program(name: &str) -> bool {

@@ -115,22 +115,22 @@ pub(super) struct FolderComparison {
     pub(super) standing: Vec<FileDigest>,
 }
 
-/// Compares what stands in a folder with what an export would write. `reads_job`: the job that stands there is the
-/// one that is exported.
+/// Compares what stands in a folder with what an export would write, and what it leaves alone. `reads_job`: the job that
+/// stands there is the one that is exported.
 ///
 /// # Errors
 /// A file is there and cannot be read.
 pub(super) fn compare_folder(
     folder: &ExportFolder,
     of: &ExportOf,
-    names: &[&str],
+    (names, stays): (&[&str], &[&str]),
     reads_job: bool,
 ) -> Result<FolderComparison, JobError> {
     let earlier = Earlier::in_folder(folder)?;
     let theirs = earlier.names();
     let fresh = names.iter().copied().filter(|n| !theirs.contains(n));
     let mut met = FolderComparison::default();
-    for name in theirs.iter().copied().chain(fresh) {
+    for name in theirs.iter().copied().chain(fresh).filter(|n| !stays.contains(n)) {
         let reason = match folder.entry(name)? {
             FolderEntry::Nothing => continue,
             FolderEntry::Folder => Some(ConflictReason::Folder),

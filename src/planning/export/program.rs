@@ -9,13 +9,13 @@ use crate::planning::plan::Plan;
 use crate::planning::report::{PlanFinding, Report, is_dark};
 use crate::planning::verify::{self, VerifyError};
 use crate::program::{
-    Comment, DialectError, FileNote, ProcessFigures, Program, ProgramFile, Step, Steps, WITHOUT_WORDS, Wording,
-    dialects, lines,
+    Comment, DRY_RUN_PERCENT, DialectError, FileNote, ProcessFigures, Program, ProgramFile, Step, Steps, Variant,
+    WITHOUT_WORDS, Wording, dialects,
 };
 use crate::progress::Progress;
 
-/// The program's files as they would be written, the one to start first; none of a plan that never lights. `wording`:
-/// the words of its comments.
+/// The whole program's files as they would be written, the one to start first; none of a plan that never lights.
+/// `wording`: the words of its comments.
 ///
 /// # Errors
 /// [`ExportError::Unwritable`]: what the controller could not take.
@@ -27,20 +27,37 @@ pub fn program(
     report: &Report,
     wording: Wording,
 ) -> Result<Vec<ProgramFile>, ExportError> {
+    variant_program(Variant::WHOLE, (job, part_name, setup), plan, report, wording)
+}
+
+/// The same of a variant. `plan`: what it has of the plan.
+///
+/// # Errors
+/// [`ExportError::Unwritable`]: what the controller could not take.
+pub(super) fn variant_program(
+    variant: Variant,
+    of: (&Job, &str, &Setup),
+    plan: &Plan,
+    report: &Report,
+    wording: Wording,
+) -> Result<Vec<ProgramFile>, ExportError> {
     if is_dark(plan) {
         return Ok(Vec::new());
     }
-    let lines = lines(&plan.steps, setup);
-    let program = Program { head: head(job, part_name, setup, (&plan.steps, report)), lines, setup, wording };
+    let (job, _, setup) = of;
     let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
+    let (lines, head) = (variant.lines(&plan.steps, setup), head(variant, of, &plan.steps, report));
+    let setup = &dialect.named(setup, variant);
+    let program = Program { head, lines, setup, wording };
     Ok(dialect.write(&program).map_err(DialectError::from)?)
 }
 
 /// Names of the files that a program of this job has, however long it is; none where it cannot be written.
-pub(super) fn names_ahead(job: &Job, setup: &Setup) -> Vec<String> {
+pub(super) fn names_ahead(job: &Job, setup: &Setup, variant: Variant) -> Vec<String> {
+    let Some(dialect) = dialects::by_name(&job.cell.dialect) else { return Vec::new() };
+    let setup = &dialect.named(setup, variant);
     let nothing = Program { head: Vec::new(), lines: Vec::new(), setup, wording: WITHOUT_WORDS };
-    let files = dialects::known(&job.cell.dialect).ok().and_then(|d| d.write(&nothing).ok());
-    files.unwrap_or_default().into_iter().map(|f| f.name).collect()
+    dialect.write(&nothing).unwrap_or_default().into_iter().map(|f| f.name).collect()
 }
 
 /// Reads the program's own text, and refuses to hand out one that would not do what was planned.
@@ -51,11 +68,11 @@ pub(super) fn read_back(
     part: &Part,
     job: &Job,
     setup: &Setup,
-    plan: &Plan,
+    of: (&Plan, Variant),
     written: &[ProgramFile],
     progress: &Progress,
 ) -> Result<(), ExportError> {
-    let found = verify::check_own(part, plan, setup, job, written, progress)
+    let found = verify::check_own(part, of, setup, job, written, progress)
         .map_err(|e| if e == VerifyError::Cancelled { ExportError::Cancelled } else { e.into() })?
         .findings;
     let findings = found.len();
@@ -69,11 +86,24 @@ pub(super) fn read_back(
 const MOST_SURFACES: usize = 20;
 
 /// Comments at the head of a program.
-fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Report)) -> Vec<Comment> {
+fn head(
+    variant: Variant,
+    (job, part_name, setup): (&Job, &str, &Setup),
+    steps: &Steps,
+    report: &Report,
+) -> Vec<Comment> {
+    let mut out: Vec<Comment> = Vec::new();
+    if variant.dry_run {
+        out.push(Comment::DryRun { percent: DRY_RUN_PERCENT });
+    }
+    out.push(Comment::Part(part_name.into()));
+    out.extend(variant.from_pass.map(Comment::FromPass));
     let shown: Vec<u32> = report.surfaces.iter().take(MOST_SURFACES).map(|s| s.surface).collect();
     let more = report.surfaces.len() - shown.len();
-    let mut out = vec![Comment::Part(part_name.into()), Comment::Surfaces { shown, more }];
-    out.extend(process_comments(steps));
+    out.push(Comment::Surfaces { shown, more });
+    if !variant.dry_run {
+        out.extend(process_comments(steps));
+    }
     let l = &job.layers;
     out.push(Comment::LineLayout { direction: l.direction, spacing_mm: l.spacing_mm, order: l.order });
     out.push(Comment::Targets { all: report.points, corrected: report.corrected, blocked: report.blocked });
@@ -87,7 +117,10 @@ fn head(job: &Job, part_name: &str, setup: &Setup, (steps, report): (&Steps, &Re
         }
     }
     out.extend(report.findings.iter().filter_map(file_note).map(Comment::PartFile));
-    out.push(Comment::NeverRun { dialect: job.cell.dialect.clone() });
+    if !variant.dry_run {
+        let dry_run = names_ahead(job, setup, variant.dry()).into_iter().next().unwrap_or_default();
+        out.push(Comment::NeverRun { dialect: job.cell.dialect.clone(), dry_run });
+    }
     out
 }
 

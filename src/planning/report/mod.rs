@@ -20,7 +20,7 @@ pub use plan_status::{Grade, PlanStatus};
 pub use problem::{NotDone, Problem, problems};
 pub use rows::{OrderReport, SplitReport, SurfaceReport};
 pub use unproven::Unproven;
-pub use written_files::{FileDigest, WrittenFiles};
+pub use written_files::{DryRunReport, FileDigest, StandingProgram, WrittenFiles};
 
 use super::cell_report::CellReport;
 use super::dose::DoseReport;
@@ -33,7 +33,7 @@ use corrections::corrections;
 use lengths::{is_blocked, is_corrected, length};
 use nothing::nothing_planned;
 use rows::{splits, surface_rows};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use unproven::unproven;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
@@ -97,8 +97,8 @@ pub struct Report {
     pub proven: bool,
     /// The least that beam and head keep from everything at a target with the laser on; null without a head.
     pub min_clearance_mm: Option<f64>,
-    /// What lands; it is computed apart from the plan.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// What lands; it is computed apart from the plan, when it is asked for.
+    #[serde(serialize_with = "dose_if_looked_at")]
     pub dose: Option<DoseReport>,
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -106,6 +106,14 @@ pub struct Report {
     /// Whose export this is, and its files; only what is exported has it.
     #[serde(flatten)]
     pub written: Option<WrittenFiles>,
+}
+
+/// A script must not take a dose that nobody computed for one of nothing.
+fn dose_if_looked_at<S: Serializer>(dose: &Option<DoseReport>, s: S) -> Result<S::Ok, S::Error> {
+    match dose {
+        Some(dose) => dose.serialize(s),
+        None => s.serialize_str("not looked at"),
+    }
 }
 
 impl Report {
@@ -126,7 +134,7 @@ impl Report {
         let nothing = nothing_planned(plan, &problems, &rows);
         Report {
             layers: plan.grown.len().max(1),
-            passes: all.len(),
+            passes: all.iter().filter(|p| !p.targets.is_empty()).count(),
             points: count(all, &|_| true),
             line_points: all.iter().map(|p| p.line_points).sum(),
             dense_points: all.iter().map(|p| p.dense_points).sum(),

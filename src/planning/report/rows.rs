@@ -71,7 +71,8 @@ impl SurfaceReport {
     }
 
     fn new(plan: &Plan, surfaces: &Surfaces, surface: u32) -> SurfaceReport {
-        let passes: Vec<&Pass> = plan.passes.iter().filter(|p| p.surface == surface).collect();
+        let is_run = |p: &&Pass| p.surface == surface && !p.targets.is_empty();
+        let passes: Vec<&Pass> = plan.passes.iter().filter(is_run).collect();
         let layers = || plan.surfaces.iter().map(|s| &s.toolpath).filter(|l| l.surface == surface);
         SurfaceReport {
             surface,

@@ -54,6 +54,27 @@ pub fn steps(
     if refused.is_empty() { Ok(out) } else { Err(refused) }
 }
 
+/// The moves from home to where another one leads: by joints to outside the part, and straight in.
+pub fn way_from_home(
+    straight: &StraightFlange<'_>,
+    setup: &Setup,
+    passes: &[Pass],
+    entry: &Go,
+    air_mm_s: f64,
+) -> Vec<Go> {
+    let space = TransferSpace::of(straight, setup, passes);
+    let outside = from_home(&space, setup, &entry.to);
+    let timing = MoveTiming::Seconds(space.seconds(&outside.to, &entry.to, air_mm_s));
+    let (to, interpolation) = (entry.to, Interpolation::Linear);
+    vec![outside, Go { to, interpolation, joints_deg: None, timing, target: None }]
+}
+
+/// The move by joints from home to outside the part, before a station.
+fn from_home(space: &TransferSpace<'_>, setup: &Setup, entry: &Station) -> Go {
+    let timing = MoveTiming::Percent(setup.cell.air.home_percent);
+    Go { to: space.on_sphere(entry), interpolation: Interpolation::Joint, joints_deg: None, timing, target: None }
+}
+
 /// Steps as they are added, piece by piece. Stations are turned so that the part need not make half a turn.
 struct FocusWalk<'a> {
     straight: &'a StraightFlange<'a>,
@@ -67,11 +88,9 @@ struct FocusWalk<'a> {
 impl FocusWalk<'_> {
     /// Adds the move by joints from home to outside the first piece. Without a robot its length is not known.
     fn push_way_from_home(&mut self, piece: &LitPiece) -> Station {
-        let to = self.space.on_sphere(&piece.entry);
-        let timing = MoveTiming::Percent(self.setup.cell.air.home_percent);
-        let interpolation = Interpolation::Joint;
-        self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target: None }));
-        to
+        let go = from_home(self.space, self.setup, &piece.entry);
+        self.out.list.push(Step::Go(go));
+        go.to
     }
 
     /// Adds the way over the part to a piece, straight if it is a hop.

@@ -16,6 +16,8 @@ pub fn subprograms(
     // Counted since `start`, and of that up to `cut`.
     let (mut sum, mut before_cut) = (0, 0);
     for (i, line) in lines.iter().enumerate() {
+        // A dry run is cut where its program is.
+        lit |= matches!(line, ProgramLine::Move(m) if m.at_work);
         if !lit {
             (cut, before_cut) = (i, sum);
         }

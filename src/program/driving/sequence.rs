@@ -49,6 +49,13 @@ impl Drive<'_> {
         Ok(out)
     }
 
+    /// The moves from home to where another one leads; `None`: there is no way.
+    pub fn way_from_home(&self, passes: &[Pass], entry: &Go) -> Option<Vec<Go>> {
+        let space = TransferSpace::of(&self.straight, self.setup, passes);
+        let to = ArmStand { at: entry.to, joints_deg: entry.joints_deg? };
+        self.known_way(&space, None, Some(&to))
+    }
+
     /// All targets, where something is touched at home.
     fn refused_by_contact_at_home(&self, ranges: &[LitRange]) -> Option<Vec<Refusal>> {
         let contact = self.collision.and_then(|c| c.first_contact(&self.setup.home_joints_deg()))?;

@@ -63,7 +63,16 @@ pub enum Comment {
     NeverRun {
         /// Its dialect.
         dialect: String,
+        /// The file of the program's dry run.
+        dry_run: String,
     },
+    /// The program is a dry run.
+    DryRun {
+        /// Its speed, per cent of the program's.
+        percent: f64,
+    },
+    /// The program begins with this pass, from 0; those before it are done.
+    FromPass(usize),
     /// What of a dialect is not verified.
     Caveat(Caveat),
     /// A pass begins.

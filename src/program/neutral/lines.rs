@@ -24,6 +24,8 @@ pub struct Move {
     pub timing: MoveTiming,
     /// Whether the laser is on.
     pub lit: bool,
+    /// Whether it works the part: then the laser is on, but for a dry run.
+    pub at_work: bool,
     /// Pass and point, for a target.
     pub target: Option<(usize, usize)>,
     /// What it is worked with, or what was before it.
@@ -112,6 +114,7 @@ fn home(setup: &Setup, settings: ProcessSettings) -> ProgramLine {
         part_from_focus: None,
         timing: MoveTiming::Percent(air.home_percent),
         lit: false,
+        at_work: false,
         target: None,
         settings,
     }))
@@ -126,6 +129,7 @@ fn move_to(setup: &Setup, go: &Go, lit: bool, settings: ProcessSettings) -> Move
         part_from_focus: Some(part_from_focus),
         timing: go.timing,
         lit,
+        at_work: lit,
         target: go.target,
         settings,
     }

@@ -5,3 +5,4 @@ pub mod comment;
 pub mod lines;
 pub mod shortfall;
 pub mod steps;
+pub mod variant;

@@ -8,6 +8,7 @@
 
 mod compare;
 mod driven;
+mod dry_pace;
 mod error;
 mod expected;
 mod likeness;
@@ -26,10 +27,11 @@ use crate::document::model::Job;
 use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::program::dialect::{ReadContext, ReadLine};
-use crate::program::{Dialect, Program, ProgramFile, ReadError, WITHOUT_WORDS, dialects, lines};
+use crate::program::{Dialect, Program, ProgramFile, ReadError, Variant, WITHOUT_WORDS, dialects};
 use crate::progress::{Cancelled, Progress};
 use compare::compare;
 use driven::interference;
+use dry_pace::take_written_pace;
 use std::sync::Arc;
 
 /// Reads a program from its first file and compares it with the plan. `open` gives the text of another
@@ -46,13 +48,32 @@ pub fn check(
     open: &dyn Fn(&str) -> Option<String>,
     with_checker: bool,
 ) -> Result<(&'static str, Verdict), VerifyError> {
+    check_variant(part, (planned, Variant::WHOLE), setup, job, first, open, with_checker)
+}
+
+/// The same for a variant, and what that has of the plan.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_variant(
+    part: &Part,
+    (planned, variant): (&Plan, Variant),
+    setup: &Setup,
+    job: &Job,
+    first: &ProgramFile,
+    open: &dyn Fn(&str) -> Option<String>,
+    with_checker: bool,
+) -> Result<(&'static str, Verdict), VerifyError> {
     let dialect = dialect_of(first)?;
-    let lines = lines(&planned.steps, setup);
+    let mut lines = variant.lines(&planned.steps, setup);
     let program = Program { head: Vec::new(), lines: lines.clone(), setup, wording: WITHOUT_WORDS };
     let files = dialect.write(&program).map_err(VerifyError::Unwritable)?;
     let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let Some(main) = files.first() else { return Err(VerifyError::NoProgram) };
     let written = dialect.read(main, &ReadContext { setup, open: &own }).map_err(VerifyError::OwnUnreadable)?;
+    if variant.dry_run {
+        take_written_pace(&mut lines, &written);
+    }
     let prover = prover(part, setup, job).on_layers(&planned.grown);
     let expected =
         Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
@@ -78,7 +99,7 @@ fn unreadable(e: ReadError) -> Finding {
 /// It cannot be read back; [`VerifyError::Cancelled`] when `progress` says so.
 pub fn check_own(
     part: &Part,
-    plan: &Plan,
+    (plan, variant): (&Plan, Variant),
     setup: &Setup,
     job: &Job,
     written: &[ProgramFile],
@@ -88,7 +109,10 @@ pub fn check_own(
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
     let read =
         dialect_of(first)?.read(first, &ReadContext { setup, open: &open }).map_err(VerifyError::OwnUnreadable)?;
-    let lines = lines(&plan.steps, setup);
+    let mut lines = variant.lines(&plan.steps, setup);
+    if variant.dry_run {
+        take_written_pace(&mut lines, &read);
+    }
     let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
     let defocus_mm = job.beam.defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };

@@ -17,8 +17,9 @@ use super::templates::SignalTemplates;
 use crate::cell::controllers::Abb;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::mounting::half_turn;
-use crate::cell::{Mount, Setup};
+use crate::cell::{Cell, Mount, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 use nalgebra::Isometry3;
@@ -36,6 +37,10 @@ impl Dialect for AbbDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        cell.abb.module = variant.name(&cell.abb.module, 32);
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -4,7 +4,9 @@
 mod read;
 mod write;
 
+use crate::cell::Cell;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -39,6 +41,10 @@ impl Dialect for CsvDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         Ok(vec![write::write(program)])
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        cell.csv.name = variant.name(&cell.csv.name, 32);
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -20,7 +20,7 @@ pub fn write(program: &Program<'_>) -> ProgramFile {
         lines.push(format!("{},{}", index + 1, row(line, program.wording).join(",")));
     }
     lines.push(format!("{END}{}", program.lines.len()));
-    ProgramFile { name: "program.csv".into(), text: text(&lines, false) }
+    ProgramFile { name: format!("{}.csv", program.setup.cell.csv.name), text: text(&lines, false) }
 }
 
 /// All cells but the index.

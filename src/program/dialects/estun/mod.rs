@@ -9,9 +9,11 @@ mod read;
 mod write;
 
 use super::templates::SignalTemplates;
+use crate::cell::Cell;
 use crate::cell::controllers::Estun;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -25,6 +27,10 @@ impl Dialect for EstunDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        cell.estun.name = variant.name(&cell.estun.name, 32);
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -8,10 +8,11 @@ mod read;
 mod write;
 
 use super::templates::SignalTemplates;
-use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::fixed;
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -25,6 +26,11 @@ impl Dialect for FanucDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        // 32 letters, and subprograms add up to four.
+        cell.fanuc.program = variant.name(&cell.fanuc.program, 28);
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -68,7 +68,7 @@ fn listing(
         };
         let number = positions.len() / LINES_OF_POSITION + 1;
         positions.extend(position(setup, number, m)?);
-        let goes_on = m.lit && matches!(lines.get(i + 1), Some(ProgramLine::Move(next)) if next.lit);
+        let goes_on = m.at_work && matches!(lines.get(i + 1), Some(ProgramLine::Move(next)) if next.at_work);
         body.push(write_move(fanuc, number, m, goes_on)?);
     }
     let mut out = attributes(name, body.len());

@@ -10,9 +10,11 @@ mod read;
 mod write;
 
 use super::templates::SignalTemplates;
+use crate::cell::Cell;
 use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -26,6 +28,11 @@ impl Dialect for KukaDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        // 24 letters, and subprograms add up to four.
+        cell.kuka.name = variant.name(&cell.kuka.name, 20);
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -13,6 +13,7 @@ use crate::cell::Cell;
 use crate::cell::controllers::Nachi;
 use crate::cell::controllers::templates::fixed;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -26,6 +27,10 @@ impl Dialect for NachiDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        cell.nachi.number = variant.number(cell.nachi.number);
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -8,9 +8,11 @@ mod read;
 mod write;
 
 use super::templates::SignalTemplates;
+use crate::cell::Cell;
 use crate::cell::controllers::Ur;
 use crate::cell::controllers::templates::fixed;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -24,6 +26,10 @@ impl Dialect for UrDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        cell.ur.program = variant.name(&cell.ur.program, 32);
     }
 
     fn claims(&self, text: &str) -> bool {

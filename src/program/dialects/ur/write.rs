@@ -63,7 +63,7 @@ fn blend_mm(ur: &Ur, before: Option<&Move>, m: &Move, after: Option<&Move>) -> f
         Some((a.translation.vector - b.translation.vector).norm())
     };
     let Some(after) = after.filter(|a| {
-        a.lit && m.lit && a.interpolation == Interpolation::Linear && m.interpolation == Interpolation::Linear
+        a.at_work && m.at_work && a.interpolation == Interpolation::Linear && m.interpolation == Interpolation::Linear
     }) else {
         return 0.0;
     };

@@ -18,8 +18,9 @@ use super::flange::joints;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Yaskawa;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
-use crate::cell::{Joints, Setup};
+use crate::cell::{Cell, Joints, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -33,6 +34,11 @@ impl Dialect for YaskawaDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn rename(&self, cell: &mut Cell, variant: Variant) {
+        // Parts add up to three digits.
+        cell.yaskawa.name = variant.name(&cell.yaskawa.name, cell.yaskawa.longest_name - 3);
     }
 
     fn claims(&self, text: &str) -> bool {
