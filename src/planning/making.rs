@@ -46,7 +46,7 @@ pub fn plan(
         let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
         let (part, surfaces) = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
         let of = LayerInput { part, surfaces, list: &list, jobs: &own, layer: number };
-        let made = plan_layer(&of, &setup.tool, cache, &mut used, progress)?;
+        let made = plan_layer(&of, setup, cache, &mut used, progress)?;
         passes.extend(made.iter().flat_map(|s| {
             let times = own.get(&s.toolpath.surface).map_or(1, |j| j.layers.passes as usize);
             (0..times).flat_map(|_| s.passes.iter().cloned())

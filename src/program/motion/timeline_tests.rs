@@ -12,7 +12,7 @@ use nalgebra::{Point3, Vector3};
 fn setup() -> Setup {
     let mut setup = Setup::shipped().expect("valid");
     setup.robot = Some(Robot::load("mz04", None).expect("shipped"));
-    setup.cell.timing = Timing { laser_on_s: 0.5, laser_off_s: 0.25, move_s: 0.125 };
+    setup.cell.timing = Timing { laser_on_s: 0.5, laser_off_s: 0.25, move_s: 0.125, ..Timing::default() };
     setup
 }
 
