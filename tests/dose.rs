@@ -10,7 +10,9 @@ use clearbeam::part::{Part, Placement, SurfaceId, Surfaces};
 use clearbeam::planning;
 use clearbeam::pose::target::travel;
 use clearbeam::pose::{Correction, Obstruction, Pass, Target, TargetState};
-use clearbeam::process::{DoseInput, DoseMap, DoseSample, Light, Patch, PatchCause, Profile, Spot, Thresholds, dose};
+use clearbeam::process::{
+    DoseInput, DoseMap, DoseSample, Light, Patch, PatchCause, Profile, Spot, Thresholds, WayTime, dose,
+};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
 use clearbeam::text::{Naming, Sentence, dose_lines};
@@ -68,7 +70,7 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
 fn light(passes: &[Pass], spot: Spot) -> Light {
     let settings = |p: &Pass| ProcessSettings { defocus_mm: spot.defocus_mm, spot_mm: spot.spot_mm, ..p.settings };
     let passes: Vec<Pass> = passes.iter().map(|p| Pass { settings: settings(p), ..p.clone() }).collect();
-    Light::new(&passes, &spot, |_, _| 0.0)
+    Light::new(&passes, &spot, |_, _| None)
 }
 
 fn map_on(part: &Part, passes: &[Pass], spot: Spot, clamps: &[Obstacle]) -> (DoseMap, Surfaces) {
@@ -472,7 +474,8 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
         own: BTreeMap::new(),
     };
     let ends = [2.5, 10.0, 20.0];
-    let light = Light::new(&passes, &spot(Profile::Gaussian), |pass, _| ends[pass]);
+    let time = |pass: usize, _| Some(WayTime { seconds: 10.0 / SPEED, ends_s: ends[pass] });
+    let light = Light::new(&passes, &spot(Profile::Gaussian), time);
     let map = dose(&task, light, &|| true).expect("a map");
     let q = Point3::new(1.0, 10.1, 0.0);
     let hits = map.hits_at(&body, &[], 0, &q, &Vector3::z());

@@ -9,8 +9,9 @@
 use super::chord::{ChordLimits, LinePlace, chord_error_mm, length_mm, share_of_limits, spans};
 use super::dense::DensePoint;
 
-/// So many halvings find the end of a chord between two points of the dense line: a hundredth of their gap.
-const END_HALVINGS: usize = 6;
+/// So many halvings find the end of a chord between two points of the dense line: to a four thousandth of their gap, so
+/// that the loss of a hundred chords is none.
+const END_HALVINGS: usize = 12;
 /// Where the last two chords of a stretch cannot be of one length, the place between them is moved by less: by these
 /// shares of the way.
 const LESS: [f64; 3] = [0.5, 0.25, 0.125];
@@ -250,7 +251,8 @@ mod tests {
             for leg in corners.windows(2) {
                 let end = at + kept[at..].iter().position(|q| (q - leg[1]).norm() < 1e-9).expect("corners stay");
                 let length = (leg[1] - leg[0]).norm();
-                prop_assert_eq!(end - at, (length / step - 1e-9).ceil().max(1.0) as usize);
+                let least = (length / step * (1.0 - 1e-9)).ceil().max(1.0) as usize;
+                prop_assert!(end - at == least || (end - at == least + 1 && length / step > least as f64 - 0.01));
                 for w in kept[at..=end].windows(2) {
                     prop_assert!(((w[1] - w[0]).norm() - length / (end - at) as f64).abs() < 1e-6);
                 }

@@ -9,7 +9,7 @@ use crate::cell::motion::{Arm, Refusal, SearchHooks, TargetStateCache, choose_ag
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{Drive, DriveCache, Steps, Timeline};
+use crate::program::{Drive, DriveCache, Steps};
 use crate::progress::{Activity, Progress};
 use std::collections::BTreeSet;
 
@@ -66,7 +66,6 @@ pub(super) fn drive(
     if let Some(best) = best {
         *plan = best;
     }
-    plan.timeline = Timeline::new(&plan.steps, setup);
     Ok(())
 }
 

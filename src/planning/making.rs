@@ -14,7 +14,7 @@ use crate::cell::Setup;
 use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
-use crate::program::{dialects, steps};
+use crate::program::{DialectError, Timeline, dialects, pacing, steps};
 use crate::progress::{Activity, Progress};
 
 /// So often targets are refused whose moves hit something only as they are written.
@@ -85,6 +85,9 @@ fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Pr
             settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, air_mm_s))?;
         }
     }
+    let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
+    pacing::pace(&mut plan.steps, &plan.passes, setup, dialect);
+    plan.timeline = Timeline::new(&plan.steps, setup);
     plan.refusals.extend(before);
     plan.refusals.sort_by_key(|r| (r.pass, r.point));
     Ok(())

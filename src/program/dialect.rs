@@ -116,6 +116,10 @@ pub trait Dialect: Sync {
     /// What of it the controller could not take.
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError>;
 
+    /// How fast its words make the moves of a program, in their order: as they were to be or a little slower, to the
+    /// words' last digit and within their greatest speeds. Moves that are so already stay.
+    fn paces(&self, lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming>;
+
     /// Whether a text is of this dialect.
     fn claims(&self, text: &str) -> bool;
 

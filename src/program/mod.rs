@@ -4,8 +4,8 @@
 //! `neutral` is what a program is before any controller: steps, lines, comments as data. `motion` says how moves
 //! go: what keeps a lit move to its line, what proves it, and when the arm is where. `connecting` finds the moves
 //! between lit pieces, with and without a robot, and `driving` the joints of a whole program. A [`Dialect`] writes
-//! the lines in the words of one controller and reads its text back; all of them stand in [`dialects`]. Each imports
-//! only from those before it.
+//! the lines in the words of one controller and reads its text back; all of them stand in [`dialects`]. [`pacing`] gives
+//! the moves the times that these words have. Each imports only from those before it.
 
 mod connecting;
 pub mod dialect;
@@ -13,6 +13,7 @@ pub mod dialects;
 mod driving;
 mod motion;
 mod neutral;
+pub mod pacing;
 mod read_error;
 mod write_error;
 
@@ -24,7 +25,7 @@ pub use motion::timeline::{Breakdown, Moment, Timeline, TimelineStop};
 pub use motion::{lit, spot, sweep};
 pub use neutral::comment::{Caveat, Comment, ProcessFigures, WITHOUT_WORDS, Wording};
 pub use neutral::lines::{Move, ProgramLine, lines};
-pub use neutral::shortfall::{ByHand, Shortfall};
+pub use neutral::shortfall::{ByHand, OffSpeed, Shortfall};
 pub use neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};
 pub use read_error::{LineFault, MoveGivenBy, ReadError, RowFault};
 pub use write_error::{DialectError, SignalKind, UnknownDialect, WriteError};

@@ -64,5 +64,9 @@ shortfall_leads = { $count ->
     [one] 1 lead-in or lead-out is left out: something would be touched on it
    *[other] { $count } lead-ins and lead-outs are left out: something would be touched on them
 }
+shortfall_short_moves = { $moves ->
+    [one] 1 lit move of { $shortest } ms is shorter than { $least } ms: chord error, turn or deviation of the spot need targets that close; the controller may be slower there than the speed that is set
+   *[other] { $moves } lit moves are shorter than { $least } ms, the shortest { $shortest } ms: chord error, turn or deviation of the spot need targets that close; the controller may be slower there than the speed that is set
+}
 shortfall_power = its power of { $value } W has to be set by hand where the program says so: give the cell outputs.power
 shortfall_frequency = its frequency of { $value } kHz has to be set by hand where the program says so: give the cell outputs.frequency

@@ -37,5 +37,6 @@ pub(super) fn straight<'a>(
     job: &Job,
 ) -> StraightFlange<'a> {
     let prover = prover(part, setup, job).on_layers(grown);
-    StraightFlange { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
+    let least_move_s = setup.cell.timing.least_move_s;
+    StraightFlange { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm, least_move_s }
 }

@@ -11,6 +11,7 @@ use crate::part::{PartFinding, SurfaceId};
 use crate::path::Strategy;
 use crate::planning::remark::Remark;
 use crate::pose::Correction;
+use crate::program::OffSpeed;
 use std::collections::BTreeMap;
 
 /// How bad a finding is; the worst comes first.
@@ -50,6 +51,8 @@ pub enum Notice {
         /// Why a move or the robot cannot do that one, where one of them is the cause.
         why: Option<RefusalReason>,
     },
+    /// The spot does not have its speed everywhere on a surface.
+    OffSpeed(OffSpeed),
     /// Area of a surface that no line reaches.
     Missed {
         /// The surface.
@@ -85,7 +88,7 @@ impl Notice {
         match self {
             Notice::NotProven(_) => Severity::Unsafe,
             Notice::NothingPlanned(_) | Notice::LeftOut { .. } | Notice::Missed { .. } => Severity::NotDone,
-            Notice::Remark { .. } => Severity::NotAsWanted,
+            Notice::OffSpeed(_) | Notice::Remark { .. } => Severity::NotAsWanted,
             Notice::PartChanged { .. } | Notice::InFile(_) => Severity::Found,
         }
     }
@@ -94,6 +97,7 @@ impl Notice {
     pub fn surface(&self) -> Option<SurfaceId> {
         match self {
             Notice::NotProven(u) => u.surface,
+            Notice::OffSpeed(off) => Some(SurfaceId(off.surface)),
             Notice::LeftOut { surface, .. } | Notice::Missed { surface, .. } | Notice::Remark { surface, .. } => {
                 Some(*surface)
             }
@@ -105,6 +109,7 @@ impl Notice {
     pub fn target(&self) -> Option<(usize, usize)> {
         match self {
             Notice::LeftOut { first, .. } => Some(*first),
+            Notice::OffSpeed(off) => Some((off.pass, off.point)),
             _ => None,
         }
     }
@@ -133,6 +138,7 @@ pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) 
 fn of_finding(finding: &PlanFinding) -> Notice {
     match finding {
         PlanFinding::NothingPlanned { reason } => Notice::NothingPlanned(reason.clone()),
+        PlanFinding::SlowMove(off) => Notice::OffSpeed(*off),
         PlanFinding::PartChanged { kept, lost, .. } => {
             let moved = kept.iter().filter(|[old, new]| old != new);
             Notice::PartChanged {

@@ -1,6 +1,7 @@
 //! What was found on the way to a plan and is no problem of a target: key `findings` of the report.
 
 use super::nothing::NothingReason;
+use crate::program::OffSpeed;
 use serde::Serialize;
 
 /// One thing that was found, by its code.
@@ -13,6 +14,8 @@ pub enum PlanFinding {
         #[serde(flatten)]
         reason: NothingReason,
     },
+    /// The spot does not have its speed everywhere on a surface.
+    SlowMove(OffSpeed),
     /// The part's file is another one than when the job was saved.
     PartChanged {
         /// SHA-256 of the file that the job was made for, hexadecimal.
@@ -37,6 +40,11 @@ mod tests {
         let json = |f: &PlanFinding| serde_json::to_string(f).expect("JSON");
         let no_lines = PlanFinding::NothingPlanned { reason: NothingReason::NoLines };
         assert_eq!(json(&no_lines), r#"{"code":"nothing_planned","reason":"no_lines"}"#);
+        let off = OffSpeed { surface: 2, moves: 3, wanted_mm_s: 3.0, possible_mm_s: 2.25, pass: 4, point: 17 };
+        assert_eq!(
+            json(&PlanFinding::SlowMove(off)),
+            r#"{"code":"slow_move","surface":2,"moves":3,"wanted_mm_s":3.0,"possible_mm_s":2.25,"pass":4,"point":17}"#
+        );
         let by = vec![BlockedBy { cause: RefusalCause::Beam, by_surface: Some(3), targets: 7 }];
         let blocked = PlanFinding::NothingPlanned { reason: NothingReason::AllBlocked { by } };
         assert_eq!(

@@ -43,7 +43,8 @@ impl Drive<'_> {
         if !closed.is_empty() {
             return Err(unreached(&closed, choice));
         }
-        let mut out = sequence(passes, &ranges, &whole, &ways);
+        let home = Step::Home { percent: self.setup.cell.air.home_percent };
+        let mut out = sequence(passes, &ranges, &whole, &ways, home);
         let left_out = ranges.iter().zip(&whole).map(|(of, w)| (&passes[of.pass], w.leads.left_out));
         out.shortfalls = shortfalls(left_out, &self.setup.cell.outputs);
         Ok(out)
@@ -150,9 +151,9 @@ fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
 }
 
 /// Home, all pieces with the ways to them, and home.
-fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Steps {
+fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween, home: Step) -> Steps {
     let mut out = Steps::default();
-    out.list.push(Step::Home);
+    out.list.push(home.clone());
     let mut announced_pass = None;
     let mut at: Option<Station> = None;
     for ((way, of), piece) in ways.iter().zip(ranges).zip(whole) {
@@ -185,7 +186,7 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
             at = Some(go.to);
         }
     }
-    out.list.push(Step::Home);
+    out.list.push(home);
     out
 }
 

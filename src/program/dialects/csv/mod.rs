@@ -4,7 +4,11 @@
 mod read;
 mod write;
 
+use super::pace;
+use crate::cell::Setup;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -39,6 +43,13 @@ impl Dialect for CsvDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         Ok(vec![write::write(program)])
+    }
+
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => MoveTiming::Seconds(pace::at_least(s, 9)),
+            percent @ MoveTiming::Percent(_) => percent,
+        })
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -7,11 +7,14 @@
 mod read;
 mod write;
 
+use super::pace;
 use super::templates::SignalTemplates;
 use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::fixed;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -27,6 +30,13 @@ impl Dialect for FanucDialect {
         write::write(program)
     }
 
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => MoveTiming::Seconds(time(s).seconds()),
+            MoveTiming::Percent(p) => pace::percent(p, 0),
+        })
+    }
+
     fn claims(&self, text: &str) -> bool {
         text.lines().find(|l| !l.trim().is_empty()).is_some_and(|l| l.trim_start().starts_with("/PROG"))
     }
@@ -39,6 +49,33 @@ impl Dialect for FanucDialect {
 /// Whether the controller's joint 3 is the file's less joint 2. Every FANUC arm known here has it so.
 fn is_coupled(setup: &Setup) -> bool {
     setup.robot.as_ref().is_none_or(|r| r.couples_j2_j3)
+}
+
+/// Longest time in `msec`; above it is `sec` with one decimal.
+const MOST_MSEC: f64 = 32000.0;
+
+/// The time of a move, as it is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Time {
+    /// Whole milliseconds, one at least.
+    Msec(f64),
+    /// Seconds with one decimal.
+    Sec(f64),
+}
+
+/// The least time that is not below so many seconds.
+fn time(seconds: f64) -> Time {
+    let msec = pace::at_least(1000.0 * seconds, 0).max(1.0);
+    if msec <= MOST_MSEC { Time::Msec(msec) } else { Time::Sec(pace::at_least(seconds, 1)) }
+}
+
+impl Time {
+    fn seconds(self) -> f64 {
+        match self {
+            Time::Msec(msec) => msec / 1000.0,
+            Time::Sec(seconds) => seconds,
+        }
+    }
 }
 
 /// Longest comment.

@@ -1,6 +1,6 @@
 //! FANUC listings as they are written.
 
-use super::{is_coupled, templates};
+use super::{Time, is_coupled, templates, time};
 use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::{fixed, text};
@@ -11,9 +11,6 @@ use crate::program::neutral::comment::Wording;
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::write_error::WriteError;
-
-/// Longest time in `msec`; above it is `sec` with one decimal.
-const MOST_MSEC: f64 = 32000.0;
 
 /// The listing, or a main one that calls subprograms.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
@@ -107,8 +104,10 @@ fn attributes(name: &str, lines: usize) -> Vec<String> {
 
 fn write_move(fanuc: &Fanuc, number: usize, m: &Move, goes_on: bool) -> Result<String, WriteError> {
     let speed = match m.timing {
-        MoveTiming::Seconds(s) if s * 1000.0 <= MOST_MSEC => format!("{}msec", fixed((s * 1000.0).max(1.0), 0)),
-        MoveTiming::Seconds(s) => format!("{}sec", fixed(s, 1)),
+        MoveTiming::Seconds(s) => match time(s) {
+            Time::Msec(msec) => format!("{}msec", fixed(msec, 0)),
+            Time::Sec(s) => format!("{}sec", fixed(s, 1)),
+        },
         MoveTiming::Percent(p) if m.interpolation == Interpolation::Joint => {
             format!("{}%", fixed(p.clamp(1.0, 100.0), 0))
         }

@@ -8,11 +8,14 @@
 mod read;
 mod write;
 
+use super::pace;
 use super::templates::SignalTemplates;
-use crate::cell::Cell;
+use crate::cell::{Cell, Setup};
 use crate::cell::controllers::Nachi;
 use crate::cell::controllers::templates::fixed;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -26,6 +29,13 @@ impl Dialect for NachiDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => pace::seconds(s, 4),
+            MoveTiming::Percent(p) => pace::percent(p, 1),
+        })
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -7,10 +7,14 @@
 mod read;
 mod write;
 
+use super::pace;
 use super::templates::SignalTemplates;
+use crate::cell::Setup;
 use crate::cell::controllers::Ur;
 use crate::cell::controllers::templates::fixed;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -24,6 +28,13 @@ impl Dialect for UrDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => pace::seconds(s, 4),
+            percent @ MoveTiming::Percent(_) => percent,
+        })
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -20,6 +20,8 @@ use crate::cell::controllers::Yaskawa;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::{Joints, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -33,6 +35,10 @@ impl Dialect for YaskawaDialect {
 
     fn write(&self, program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
         write::write(program)
+    }
+
+    fn paces(&self, lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming> {
+        write::paces(lines, setup)
     }
 
     fn claims(&self, text: &str) -> bool {
