@@ -5,6 +5,7 @@
 //! `cargo test --release --test every_dialect -- --ignored --nocapture`. `ROBOT=ur5e` and `SAMPLE=workpiece` in the
 //! environment pick from it.
 
+use clearbeam::cell::Cell;
 use clearbeam::document::{files, segmented};
 use clearbeam::part::Part;
 use clearbeam::planning::verify::{Verdict, check};
@@ -16,7 +17,18 @@ use nalgebra::Point3;
 use std::path::PathBuf;
 
 const ROBOTS: [&str; 13] = [
-    "", "mz04", "mz07f", "kr6-r900", "irb120", "irb1200", "irb2400", "lrmate200id", "m10ia", "tx2-60", "gp7", "gp8",
+    "",
+    "mz04",
+    "mz07f",
+    "kr6-r900",
+    "irb120",
+    "irb1200",
+    "irb2400",
+    "lrmate200id",
+    "m10ia",
+    "tx2-60",
+    "gp7",
+    "gp8",
     "ur5e",
 ];
 
@@ -38,9 +50,14 @@ impl Shipped {
 
     /// Plans for a robot and a dialect, writes the program and reads it back; why there is none.
     fn driven(&self, robot: &str, dialect: &str) -> Result<(Plan, Verdict), String> {
+        self.driven_in(robot, dialect, |_| {})
+    }
+
+    fn driven_in(&self, robot: &str, dialect: &str, change: impl FnOnce(&mut Cell)) -> Result<(Plan, Verdict), String> {
         let mut job = self.job.clone();
         (job.cell.robot, job.cell.dialect) = (robot.into(), dialect.into());
-        let setup = files::load_setup(&job, Some(&self.file)).expect("a set-up");
+        let mut setup = files::load_setup(&job, Some(&self.file)).expect("a set-up");
+        change(&mut setup.cell);
         let surfaces = segmented(&self.part, &job);
         let plan = planning::plan(&self.part, &surfaces, &job, &setup, &self.cache, &Progress::default())
             .map_err(|e| e.sentence())?;
@@ -101,6 +118,28 @@ fn a_plan_goes_to_every_controller() {
             let told: usize = plan.steps.off_speed.iter().map(|o| o.moves).sum();
             assert_eq!(slow, told, "{robot} {dialect}");
         }
+    }
+}
+
+#[test]
+fn pieces_that_a_controller_cannot_take_are_cut_where_the_laser_may_go_off() {
+    let mut shipped = Shipped::load("workpiece");
+    shipped.job.settings.choose(vec![1]);
+    (shipped.job.layers.spacing_mm, shipped.job.path.max_step_mm) = (10.0, 0.5);
+    let (whole, _) = shipped.driven("", "fanuc").expect("a plan");
+    let (cut, verdict) = shipped.driven_in("", "fanuc", |cell| cell.fanuc.max_lines = 50).expect("a plan");
+    assert!(whole.cuts.is_empty() && !cut.cuts.is_empty());
+    assert_eq!(verdict.findings, []);
+    // The same targets, all of them worked: the passes are as they were.
+    assert_eq!((&cut.passes, cut.refusals.len()), (&whole.passes, whole.refusals.len()));
+    let mut moves = 0;
+    for step in &cut.steps.list {
+        match step {
+            Step::Laser(_) => moves = 0,
+            Step::Go(_) => moves += 1,
+            _ => {}
+        }
+        assert!(moves <= 50 - 8);
     }
 }
 

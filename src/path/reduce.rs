@@ -165,8 +165,7 @@ impl<F: FnMut(LinePlace, LinePlace) -> bool> Reduction<'_, F> {
 
     /// The last chord that breaks the promise.
     fn last_bad(&mut self, places: &[LinePlace]) -> Option<usize> {
-        let fits =
-            |r: &mut Self, w: &[LinePlace]| spans(r.points, w[0], w[1], r.limits) && (r.may_span)(w[0], w[1]);
+        let fits = |r: &mut Self, w: &[LinePlace]| spans(r.points, w[0], w[1], r.limits) && (r.may_span)(w[0], w[1]);
         (0..places.len() - 1).rev().find(|&i| !fits(self, &places[i..i + 2]))
     }
 }
@@ -175,9 +174,9 @@ impl<F: FnMut(LinePlace, LinePlace) -> bool> Reduction<'_, F> {
 mod tests {
     use super::*;
     use crate::part::angle;
-    use nalgebra::{Point3, Vector3};
     use crate::path::dense::dense;
     use crate::path::section::{SectionPoint, TransversalLine};
+    use nalgebra::{Point3, Vector3};
     use proptest::prelude::*;
 
     fn circle(radius: f64, count: usize) -> Vec<DensePoint> {

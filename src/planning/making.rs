@@ -8,7 +8,7 @@ use super::plan::build_up::{LayerInput, grown_parts, layer_count, plan_layer};
 use super::plan::cell_report::CellReport;
 use super::plan::prepared::prepare;
 use super::plan::surface_plan::{PlanCache, PlanCacheContents};
-use super::proof::as_written::{Refuted, proven_as_written};
+use super::proof::as_written::{Refuted, UnprovenProgram, proven_as_written};
 use super::proof::{prover, straight};
 use crate::cell::Setup;
 use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
@@ -58,10 +58,16 @@ pub fn plan(
     let mut plan = Plan { surfaces: surface_plans, passes, grown, cell, ..Plan::default() };
     for round in 0.. {
         connect(&mut plan, part, setup, job, progress)?;
-        let lit = || plan.steps.lit_moves(&setup.mounted());
-        // What cannot be written is said when it is; the moves themselves can still be proven.
-        let (proof, refuted) = proven_as_written(part, &plan, setup, job)
-            .unwrap_or_else(|_| (prover(part, setup, job).on_layers(&plan.grown).prove(&lit()), Vec::new()));
+        let (proof, refuted) = match proven_as_written(part, &plan, setup, job) {
+            Ok(proven) => proven,
+            // A plan that no program can be made of is none.
+            Err(UnprovenProgram::Unwritable(e)) => return Err(e.into()),
+            // Export says that its own text cannot be read; the moves themselves can still be proven.
+            Err(UnprovenProgram::Empty | UnprovenProgram::Unreadable(_)) => {
+                let lit = plan.steps.lit_moves(&setup.mounted());
+                (prover(part, setup, job).on_layers(&plan.grown).prove(&lit), Vec::new())
+            }
+        };
         plan.proof = Some(proof);
         if refuted.is_empty() || round == MOST_WRITTEN {
             break;
@@ -72,22 +78,41 @@ pub fn plan(
     Ok(plan)
 }
 
-/// Makes the steps between and over the passes; what was refused before stays so.
+/// Makes the steps between and over the passes, in pieces that the controller takes; what was refused before stays so.
 fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Progress) -> Result<(), PlanError> {
+    let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
+    loop {
+        connect_pieces(plan, part, setup, job, progress)?;
+        let more = pacing::cuts(&plan.steps, setup, dialect);
+        // There are more of them each time, so it ends.
+        if more.is_subset(&plan.cuts) {
+            break;
+        }
+        plan.cuts.extend(more);
+    }
+    pacing::pace(&mut plan.steps, &plan.passes, setup, dialect);
+    plan.timeline = Timeline::new(&plan.steps, setup);
+    Ok(())
+}
+
+fn connect_pieces(
+    plan: &mut Plan,
+    part: &Part,
+    setup: &Setup,
+    job: &Job,
+    progress: &Progress,
+) -> Result<(), PlanError> {
     let before = std::mem::take(&mut plan.refusals);
     match &setup.robot {
         Some(robot) => drive(plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin(Activity::ConnectingMoves, 1);
-            let grown = plan.grown.clone();
+            let (grown, cuts) = (plan.grown.clone(), plan.cuts.clone());
             let straight = straight(part, &grown, setup, job);
             let air_mm_s = job.beam.air_speed_mm_s;
-            settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, air_mm_s))?;
+            settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, &cuts, air_mm_s))?;
         }
     }
-    let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
-    pacing::pace(&mut plan.steps, &plan.passes, setup, dialect);
-    plan.timeline = Timeline::new(&plan.steps, setup);
     plan.refusals.extend(before);
     plan.refusals.sort_by_key(|r| (r.pass, r.point));
     Ok(())

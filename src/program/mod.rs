@@ -17,6 +17,7 @@ pub mod pacing;
 mod read_error;
 mod write_error;
 
+pub use connecting::pieces::Cuts;
 pub use connecting::without_robot::steps;
 pub use dialect::{Dialect, Program, ProgramFile};
 pub use driving::{Drive, DriveCache, Undriven};

@@ -1,6 +1,7 @@
 //! Times and speeds of a program as its controller's words have them, and what is told of it: where the spot is slower
 //! than it was to be, and moves that are very short. Whoever asks for the program's time or dose gets these times.
 
+use super::connecting::pieces::Cuts;
 use super::dialect::Dialect;
 use super::neutral::lines::lines;
 use super::neutral::shortfall::{OffSpeed, Shortfall};
@@ -43,6 +44,29 @@ pub fn pace(steps: &mut Steps, passes: &[Pass], setup: &Setup, dialect: &dyn Dia
     steps.off_speed = off_speed(&lit, passes);
     steps.shortfalls.extend(short_moves(&lit, passes, setup.cell.timing.least_move_s));
     steps.shortfalls.sort_by_key(|s| s.0);
+}
+
+/// Targets in the middle of pieces with more lit moves than the dialect's controller takes: there they have to be cut.
+/// None in pieces that have no target inside.
+pub fn cuts(steps: &Steps, setup: &Setup, dialect: &dyn Dialect) -> Cuts {
+    let Some(most) = dialect.most_lit_moves(setup) else { return Cuts::new() };
+    let mut out = Cuts::new();
+    let mut piece: Vec<Option<(usize, usize)>> = Vec::new();
+    for step in &steps.list {
+        match step {
+            Step::Go(go) => piece.push(go.target),
+            Step::Laser(false) => {
+                let inner = &piece[..piece.len().saturating_sub(1)];
+                let (before, behind) = inner.split_at(inner.len() / 2);
+                let middle = behind.iter().flatten().next().or(before.iter().flatten().next_back());
+                out.extend(middle.filter(|_| piece.len() > most));
+                piece.clear();
+            }
+            Step::Laser(true) => piece.clear(),
+            Step::Comment(_) | Step::Process(_) | Step::Home { .. } => {}
+        }
+    }
+    out
 }
 
 /// A lit move.
@@ -118,7 +142,8 @@ mod tests {
             let (sin, cos) = libm::sincos(deg.to_radians());
             Station { x: Point3::new(30.0, 0.0, z), a: Vector3::x(), o: Vector3::new(0.0, cos, sin) }
         };
-        let go = |to, interpolation, timing, target| Step::Go(Go { to, interpolation, joints_deg: None, timing, target });
+        let go =
+            |to, interpolation, timing, target| Step::Go(Go { to, interpolation, joints_deg: None, timing, target });
         let home = Step::Home { percent: 10.5 };
         let list = vec![
             home.clone(),

@@ -10,9 +10,7 @@ use crate::path::chord::ChordLimits;
 use crate::path::planes::Raster;
 use crate::path::{SurfacePlanes, dense};
 use crate::planning::error::PlanError;
-use crate::pose::{
-    Correction, LineOnSurface, LineRules, Pass, TargetState, plan_line, plan_line_by_section_plane,
-};
+use crate::pose::{Correction, LineOnSurface, LineRules, Pass, TargetState, plan_line, plan_line_by_section_plane};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
 use rayon::prelude::*;

@@ -113,7 +113,9 @@ impl Planned {
         let last = self.points.len() - 1;
         // Points at which the state changes stay, on both sides; and those of a split.
         let fixed: Vec<bool> = (0..=last)
-            .map(|i| i > 0 && self.changes(i - 1, i, least_step_mm) || i < last && self.changes(i + 1, i, least_step_mm))
+            .map(|i| {
+                i > 0 && self.changes(i - 1, i, least_step_mm) || i < last && self.changes(i + 1, i, least_step_mm)
+            })
             .collect();
         simplify(&self.points, &fixed, limits, |from, to| self.may_span(beam, from, to, limits.max_turn_deg))
     }

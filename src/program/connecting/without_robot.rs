@@ -2,7 +2,7 @@
 //! arm could make them is not asked.
 
 use super::lead::Lead;
-use super::pieces::{self, LitPiece, TransferSpaces};
+use super::pieces::{self, Cuts, LitPiece, TransferSpaces};
 use super::transfer_space::TransferSpace;
 use crate::cell::Setup;
 use crate::cell::motion::Refusal;
@@ -20,11 +20,12 @@ pub fn steps(
     straight: &StraightFlange<'_>,
     setup: &Setup,
     passes: &[Pass],
+    cuts: &Cuts,
     air_mm_s: f64,
 ) -> Result<Steps, Vec<Refusal>> {
     let space = TransferSpace::of(straight, setup, passes);
     let spaces = TransferSpaces::new(&space, &straight.prover, passes);
-    let pieces = pieces::pieces(&spaces, passes);
+    let pieces = pieces::pieces(&spaces, passes, cuts);
     let can_go_straight = pieces::can_go_straight(&spaces, passes, &pieces);
     let refused = pieces::blocked_retreats(&spaces, passes, &pieces, &can_go_straight);
     let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };

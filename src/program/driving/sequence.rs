@@ -22,7 +22,7 @@ impl Drive<'_> {
     /// # Errors
     /// What cannot be driven after all; the rest has to be tried again without it.
     pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
-        let ranges = lit_ranges(passes);
+        let ranges = lit_ranges(passes, self.cuts);
         if let Some(refused) = self.refused_by_contact_at_home(&ranges) {
             let is_empty = refused.is_empty();
             return if is_empty { Ok(Steps::default()) } else { Err(Undriven { refused, ..Undriven::default() }) };

@@ -37,6 +37,10 @@ impl Dialect for FanucDialect {
         })
     }
 
+    fn most_lit_moves(&self, setup: &Setup) -> Option<usize> {
+        Some((setup.cell.fanuc.max_lines as usize).saturating_sub(LINES_OF_SWITCHING))
+    }
+
     fn claims(&self, text: &str) -> bool {
         text.lines().find(|l| !l.trim().is_empty()).is_some_and(|l| l.trim_start().starts_with("/PROG"))
     }
@@ -77,6 +81,9 @@ impl Time {
         }
     }
 }
+
+/// Lines that switch laser and powder on and off about a lit piece, with their waits.
+const LINES_OF_SWITCHING: usize = 8;
 
 /// Longest comment.
 const REMARK: usize = 32;

@@ -10,9 +10,9 @@ mod write;
 
 use super::pace;
 use super::templates::SignalTemplates;
-use crate::cell::{Cell, Setup};
 use crate::cell::controllers::Nachi;
 use crate::cell::controllers::templates::fixed;
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::lines::ProgramLine;
 use crate::program::neutral::steps::MoveTiming;
