@@ -487,6 +487,22 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
 }
 
 #[test]
+fn where_the_spot_is_slower_more_lands() {
+    let passes: Vec<Pass> = [6.0, 14.0].map(|y| line([-5.0, y, 0.0], [5.0, y, 0.0], [0.0, 0.0, 1.0])).to_vec();
+    let body = part(&plate());
+    let surfaces = segmented(&body, &Job::default());
+    let (clamps, chosen, thresholds, own) = (&[][..], vec![1], LOW, BTreeMap::new());
+    let task = DoseInput { part: &body, surfaces: &surfaces, clamps, chosen, thresholds, own };
+    // The second line takes two and a half times as long.
+    let slower = [1.0, 2.5];
+    let time = |pass: usize, _| Some(WayTime { seconds: slower[pass] * 10.0 / SPEED, ends_s: 50.0 });
+    let map = dose(&task, Light::new(&passes, &spot(Profile::Gaussian), time), &|| true).expect("a map");
+    let at = |y: f64| map.hits_at(&body, &[], 0, &Point3::new(0.0, y, 0.0), &Vector3::z())[0].j_cm2;
+    near("dose", at(14.0), 2.5 * at(6.0), 1e-9);
+    near("dose", at(6.0), 100.0 * POWER_W / SPEED * gauss(0.0, 0.6), 1e-4);
+}
+
+#[test]
 fn what_is_not_chosen_and_lit_is_named() {
     // A step: the lower face is cleaned right up to the wall, whose foot is lit as well.
     let body = block([0.0, 0.0, 0.0], [20.0, 20.0, 6.0]);

@@ -126,3 +126,53 @@ impl StraightFlange<'_> {
             .fold(0.0, f64::max)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::Setup;
+    use crate::document::Job;
+    use crate::part::{Part, Placement, Units};
+    use crate::planning::proof::prover;
+    use crate::sample::{solids, stl_bytes};
+    use nalgebra::{Point3, Vector3};
+
+    /// A turn about the beam of the part in hand: the flange stands far from the spot, which so leaves its line.
+    fn stations(least_move_s: f64, turn_deg: f64, seconds: f64) -> (Vec<f64>, Option<Vec<(f64, Station)>>) {
+        let bytes = stl_bytes(&solids::cube(20.0));
+        let part = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]).expect("ok");
+        let (setup, job) = (Setup::shipped().expect("shipped"), Job::default());
+        let straight = StraightFlange { prover: prover(&part, &setup, &job), deviation_mm: 0.1, least_move_s };
+        let settings = ProcessSettings { defocus_mm: job.beam.defocus_mm, ..ProcessSettings::default() };
+        let station = |x: f64, deg: f64| {
+            let (sin, cos) = libm::sincos(deg.to_radians());
+            Station {
+                x: Point3::new(x, 5.0, 20.0 + settings.defocus_mm),
+                a: Vector3::z(),
+                o: Vector3::new(-sin, cos, 0.0),
+            }
+        };
+        let (from, to) = (station(8.0, 0.0), station(9.0, turn_deg));
+        let between = straight.stations_between(&from, &to, &settings, seconds).expect("free");
+        let ends: Vec<f64> = std::iter::once(0.0).chain(between.iter().map(|s| s.0)).chain([1.0]).collect();
+        let alike = straight.stations_alike(&from, &to, &settings, (seconds / least_move_s) as usize);
+        (ends.windows(2).map(|w| (w[1] - w[0]) * seconds).collect(), alike)
+    }
+
+    #[test]
+    fn pieces_are_as_long_as_a_move_should_take_where_the_spot_keeps_to_its_line() {
+        let (mut shorter, mut alike) = (0, 0);
+        for turn_deg in [8.0, 14.0, 20.0, 26.0] {
+            let halves = stations(1e-4, turn_deg, 1.0).0.len();
+            assert!(halves.is_power_of_two() && halves > 1, "an even turn is halved evenly: {halves}");
+            for pieces in 2..=halves {
+                // So long that just so many moves fit in.
+                let (seconds, fits) = stations(1.0 / (pieces as f64 + 0.5), turn_deg, 1.0);
+                let is_short = seconds.iter().any(|s| *s < 1.0 / (pieces as f64 + 0.5));
+                assert_eq!(is_short, fits.is_none() && pieces < halves, "{turn_deg} in {pieces} of {halves}");
+                (shorter, alike) = (shorter + usize::from(is_short), alike + usize::from(seconds.len() < halves));
+            }
+        }
+        assert!(shorter > 0 && alike > 0, "{shorter} {alike}");
+    }
+}
