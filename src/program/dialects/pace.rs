@@ -68,7 +68,8 @@ impl FlangeWords {
     }
 
     fn seconds(&self, travel: &Travel, seconds: f64) -> f64 {
-        let Speeds { mm_s, deg_s } = travel.speeds(seconds, self.most);
+        // What the greatest speeds need comes first: the digits are those of the speed that is left.
+        let Speeds { mm_s, deg_s } = travel.speeds(seconds.max(travel.seconds(self.most)), self.most);
         travel.seconds(Speeds { mm_s: at_most(mm_s, self.decimals), deg_s: at_most(deg_s, self.decimals) })
     }
 }
