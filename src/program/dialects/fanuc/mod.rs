@@ -32,7 +32,7 @@ impl Dialect for FanucDialect {
 
     fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
         pace::each(lines, |m| match m.timing {
-            MoveTiming::Seconds(s) => MoveTiming::Seconds(time(s).seconds()),
+            MoveTiming::Seconds(s) => MoveTiming::Seconds(paced_s(s)),
             MoveTiming::Percent(p) => pace::percent(p, 0),
         })
     }
@@ -58,28 +58,10 @@ fn is_coupled(setup: &Setup) -> bool {
 /// Longest time in `msec`; above it is `sec` with one decimal.
 const MOST_MSEC: f64 = 32000.0;
 
-/// The time of a move, as it is written.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Time {
-    /// Whole milliseconds, one at least.
-    Msec(f64),
-    /// Seconds with one decimal.
-    Sec(f64),
-}
-
-/// The least time that is not below so many seconds.
-fn time(seconds: f64) -> Time {
+/// The least time of the words that is not below so many seconds: whole milliseconds, or tenths of a second.
+fn paced_s(seconds: f64) -> f64 {
     let msec = pace::at_least(1000.0 * seconds, 0).max(1.0);
-    if msec <= MOST_MSEC { Time::Msec(msec) } else { Time::Sec(pace::at_least(seconds, 1)) }
-}
-
-impl Time {
-    fn seconds(self) -> f64 {
-        match self {
-            Time::Msec(msec) => msec / 1000.0,
-            Time::Sec(seconds) => seconds,
-        }
-    }
+    if msec <= MOST_MSEC { msec / 1000.0 } else { pace::at_least(seconds, 1) }
 }
 
 /// Lines that switch laser and powder on and off about a lit piece, with their waits.

@@ -1,6 +1,6 @@
 //! FANUC listings as they are written.
 
-use super::{Time, is_coupled, templates, time};
+use super::{MOST_MSEC, is_coupled, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::{fixed, text};
@@ -104,10 +104,8 @@ fn attributes(name: &str, lines: usize) -> Vec<String> {
 
 fn write_move(fanuc: &Fanuc, number: usize, m: &Move, goes_on: bool) -> Result<String, WriteError> {
     let speed = match m.timing {
-        MoveTiming::Seconds(s) => match time(s) {
-            Time::Msec(msec) => format!("{}msec", fixed(msec, 0)),
-            Time::Sec(s) => format!("{}sec", fixed(s, 1)),
-        },
+        MoveTiming::Seconds(s) if s * 1000.0 <= MOST_MSEC => format!("{}msec", fixed((s * 1000.0).max(1.0), 0)),
+        MoveTiming::Seconds(s) => format!("{}sec", fixed(s, 1)),
         MoveTiming::Percent(p) if m.interpolation == Interpolation::Joint => {
             format!("{}%", fixed(p.clamp(1.0, 100.0), 0))
         }

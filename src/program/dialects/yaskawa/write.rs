@@ -174,14 +174,15 @@ pub fn paces(lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming> {
         match (m.timing, std::mem::replace(&mut at, to), to) {
             (MoveTiming::Percent(p), ..) => pace::percent(p, 2),
             (MoveTiming::Seconds(s), Some(from), Some(to)) => {
-                MoveTiming::Seconds(Speed::of(Travel::between(&from, &to), s).seconds(&Travel::between(&from, &to)))
+                let travel = Travel::between(&from, &to);
+                MoveTiming::Seconds(Speed::of(travel, s).paced_s(travel))
             }
             (timing, ..) => timing,
         }
     })
 }
 
-/// Speed of a straight move, in tenths.
+/// Speed of a straight move; the words have its tenths, one at least.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Speed {
     /// `V=`: of the way, mm/s.
@@ -191,26 +192,27 @@ enum Speed {
 }
 
 impl Speed {
-    /// The greatest speed at which a move takes so many seconds at least.
+    /// The speed at which a move takes so many seconds, or longer where the words end.
     fn of(travel: Travel, seconds: f64) -> Speed {
         let seconds = seconds.max(SHORTEST_S).max(travel.mm / MOST.mm_s).max(travel.deg / MOST.deg_s);
-        let tenths = |v: f64| pace::at_most(v, 1).max(0.1);
         let (mm_s, deg_s) = (travel.mm / seconds, travel.deg / seconds);
         // Of the two the one that keeps more digits.
-        if mm_s >= deg_s { Speed::Way(tenths(mm_s)) } else { Speed::Angle(tenths(deg_s)) }
+        if mm_s >= deg_s { Speed::Way(mm_s) } else { Speed::Angle(deg_s) }
     }
 
-    fn seconds(self, travel: &Travel) -> f64 {
+    /// What a move takes at the greatest tenth that is not above.
+    fn paced_s(self, travel: Travel) -> f64 {
+        let tenths = |v: f64| pace::at_most(v, 1).max(0.1);
         match self {
-            Speed::Way(mm_s) => travel.mm / mm_s,
-            Speed::Angle(deg_s) => travel.deg / deg_s,
+            Speed::Way(mm_s) => travel.mm / tenths(mm_s),
+            Speed::Angle(deg_s) => travel.deg / tenths(deg_s),
         }
     }
 
     fn words(self) -> String {
         match self {
-            Speed::Way(mm_s) => format!("V={}", fixed(mm_s, 1)),
-            Speed::Angle(deg_s) => format!("VR={}", fixed(deg_s, 1)),
+            Speed::Way(mm_s) => format!("V={}", fixed(mm_s.max(0.1), 1)),
+            Speed::Angle(deg_s) => format!("VR={}", fixed(deg_s.max(0.1), 1)),
         }
     }
 }
