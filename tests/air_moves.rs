@@ -98,13 +98,15 @@ proptest! {
                 left_out += usize::from(!is_lead);
                 if is_lead {
                     prop_assert_eq!((outer.to.a, outer.to.o), (inner.to.a, inner.to.o));
-                    prop_assert!((seconds(go) - mm / SPEED_MM_S).abs() < 1e-9);
+                    // NACHI's T= has four decimals.
+                    let over_s = seconds(go) - mm / SPEED_MM_S;
+                    prop_assert!((-1e-8..1e-4).contains(&over_s));
                 }
             }
         }
         let told = p.plan.steps.shortfalls.iter().map(|s| match s.1 {
             Shortfall::LeadsLeftOut { leads } => leads,
-            Shortfall::SetByHand(_) => 0,
+            Shortfall::SetByHand(_) | Shortfall::ShortMoves { .. } => 0,
         });
         prop_assert_eq!(told.sum::<usize>(), left_out);
         prop_assert!(robot || left_out == 0);

@@ -3,8 +3,9 @@
 use clearbeam::document::{self, files, segmented};
 use clearbeam::part::distance::point_segment;
 use clearbeam::part::{Part, angle};
-use clearbeam::path::chord::{ChordLimits, simplify};
+use clearbeam::path::chord::ChordLimits;
 use clearbeam::path::dense::{self, dense};
+use clearbeam::path::reduce::simplify;
 use clearbeam::path::{SectionPoint, TransversalLine};
 use clearbeam::planning::report::Report;
 use clearbeam::planning::toolpath::ordered;

@@ -10,7 +10,9 @@ use clearbeam::part::{Part, Placement, SurfaceId, Surfaces};
 use clearbeam::planning;
 use clearbeam::pose::target::travel;
 use clearbeam::pose::{Correction, Obstruction, Pass, Target, TargetState};
-use clearbeam::process::{DoseInput, DoseMap, DoseSample, Light, Patch, PatchCause, Profile, Spot, Thresholds, dose};
+use clearbeam::process::{
+    DoseInput, DoseMap, DoseSample, Light, Patch, PatchCause, Profile, Spot, Thresholds, WayTime, dose,
+};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{Triangles, solids};
 use clearbeam::text::{Naming, Sentence, dose_lines};
@@ -68,7 +70,7 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
 fn light(passes: &[Pass], spot: Spot) -> Light {
     let settings = |p: &Pass| ProcessSettings { defocus_mm: spot.defocus_mm, spot_mm: spot.spot_mm, ..p.settings };
     let passes: Vec<Pass> = passes.iter().map(|p| Pass { settings: settings(p), ..p.clone() }).collect();
-    Light::new(&passes, &spot, |_, _| 0.0)
+    Light::new(&passes, &spot, |_, _| None)
 }
 
 fn map_on(part: &Part, passes: &[Pass], spot: Spot, clamps: &[Obstacle]) -> (DoseMap, Surfaces) {
@@ -472,7 +474,8 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
         own: BTreeMap::new(),
     };
     let ends = [2.5, 10.0, 20.0];
-    let light = Light::new(&passes, &spot(Profile::Gaussian), |pass, _| ends[pass]);
+    let time = |pass: usize, _| Some(WayTime { seconds: 10.0 / SPEED, ends_s: ends[pass] });
+    let light = Light::new(&passes, &spot(Profile::Gaussian), time);
     let map = dose(&task, light, &Progress::default()).expect("a map");
     let q = Point3::new(1.0, 10.1, 0.0);
     let hits = map.hits_at(&body, &[], 0, &q, &Vector3::z());
@@ -481,6 +484,22 @@ fn a_click_tells_which_passes_hit_when_and_at_what_angle() {
         assert!((hit.at_s - (ends_s - 4.0 / SPEED)).abs() < 1e-9 && hit.angle_deg < 1e-6);
         near("dose", hit.j_cm2, 100.0 * POWER_W / SPEED * gauss(10.1 - y, 0.6), 1e-4);
     }
+}
+
+#[test]
+fn where_the_spot_is_slower_more_lands() {
+    let passes: Vec<Pass> = [6.0, 14.0].map(|y| line([-5.0, y, 0.0], [5.0, y, 0.0], [0.0, 0.0, 1.0])).to_vec();
+    let body = part(&plate());
+    let surfaces = segmented(&body, &Job::default());
+    let (clamps, chosen, thresholds, own) = (&[][..], vec![1], LOW, BTreeMap::new());
+    let task = DoseInput { part: &body, surfaces: &surfaces, clamps, chosen, thresholds, own };
+    // The second line takes two and a half times as long.
+    let slower = [1.0, 2.5];
+    let time = |pass: usize, _| Some(WayTime { seconds: slower[pass] * 10.0 / SPEED, ends_s: 50.0 });
+    let map = dose(&task, Light::new(&passes, &spot(Profile::Gaussian), time), &|| true).expect("a map");
+    let at = |y: f64| map.hits_at(&body, &[], 0, &Point3::new(0.0, y, 0.0), &Vector3::z())[0].j_cm2;
+    near("dose", at(14.0), 2.5 * at(6.0), 1e-9);
+    near("dose", at(6.0), 100.0 * POWER_W / SPEED * gauss(0.0, 0.6), 1e-4);
 }
 
 #[test]

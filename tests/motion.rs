@@ -137,7 +137,7 @@ fn the_spot_keeps_to_its_line_where_the_flange_goes_straight() {
                 }
                 at = Some(setup.flange_for(&go.to.frame()));
             }
-            Step::Comment(_) | Step::Home | Step::Process(_) => {}
+            Step::Comment(_) | Step::Home { .. } | Step::Process(_) => {}
         }
     }
     assert!(line.is_some() && between > 0, "{between} targets put in between");

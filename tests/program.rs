@@ -31,7 +31,9 @@ fn poses_put_the_focus_over_the_row_and_times_give_the_speed() {
             let o = f.rotation * Vector3::y();
             assert!((o - t.o).norm().min((o + t.o).norm()) <= turned, "{o} for {t:?}");
             if let Some((seconds, way)) = way {
-                assert!((seconds - (way / speed).max(0.001)).abs() <= 0.5e-4 + 1e-9, "{seconds} s for {way} mm");
+                // The least time of four decimals at which the spot is not too fast.
+                let over_s = seconds - (way / speed).max(0.001);
+                assert!((-1e-8..1e-4 + 1e-9).contains(&over_s), "{seconds} s for {way} mm");
             }
         }
     }

@@ -17,18 +17,21 @@ struct Case {
     files: Vec<ProgramFile>,
 }
 
-/// `None`: the dialect cannot be written without a robot.
+/// A plan for a dialect, and its program. `None`: the dialect cannot be written without a robot.
 fn case(robot: &str, dialect: &str, mount: Mount) -> Option<Case> {
     let mut setup = Setup::shipped().expect("shipped");
     if !robot.is_empty() {
         setup = Setup { robot: Some(Robot::load(robot, None).expect("shipped")), ..setup };
         setup.mount = mount;
     }
-    let planned = planned_in(part(&sample("workpiece")), on(job("z", 9.0), &[1, 2]), &setup);
+    dialects::check(dialect, &setup).ok()?;
+    let mut job = on(job("z", 9.0), &[1, 2]);
+    job.cell.dialect = dialect.into();
+    let planned = planned_in(part(&sample("workpiece")), job, &setup);
     let lines = lines(&planned.plan.steps, &setup);
     let program =
         Program { head: vec![Comment::Part("a test".into())], lines, setup: &setup, wording: program_comment };
-    let files = dialects::by_name(dialect).expect("a dialect").write(&program).ok()?;
+    let files = dialects::by_name(dialect).expect("a dialect").write(&program).expect("writes what is planned");
     Some(Case { planned, setup, files })
 }
 

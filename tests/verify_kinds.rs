@@ -50,7 +50,9 @@ fn cases() -> Vec<Case> {
 
 fn case(dialect: &'static dyn Dialect, setup: &Setup) -> Case {
     let setup = setup.clone();
-    let planned = planned_in(part(&sample("workpiece")), on(job("z", 20.0), &[1]), &setup);
+    let mut job = on(job("z", 20.0), &[1]);
+    job.cell.dialect = dialect.name().into();
+    let planned = planned_in(part(&sample("workpiece")), job, &setup);
     let lines = lines(&planned.plan.steps, &setup);
     let program = Program { head: Vec::new(), lines, setup: &setup, wording: program_comment };
     let files = dialect.write(&program).unwrap_or_else(|e| panic!("{}: {e}", dialect.name()));

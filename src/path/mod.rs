@@ -13,6 +13,7 @@ pub mod neighbour_axes;
 pub mod normals;
 pub mod order;
 pub mod planes;
+pub mod reduce;
 pub mod section;
 pub mod strategy;
 mod suited_direction;

@@ -162,7 +162,7 @@ fn air(plan: &Plan) -> Vec<LineSegment> {
                 }
                 at = Some(go.to.x);
             }
-            Step::Comment(_) | Step::Home | Step::Process(_) => {}
+            Step::Comment(_) | Step::Home { .. } | Step::Process(_) => {}
         }
     }
     out

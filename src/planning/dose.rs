@@ -9,8 +9,7 @@ use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
 use crate::pose::{Obstruction, Pass};
-use crate::process::{DoseInput, DoseMap, Light, Patch, PatchCause, Spot, Thresholds, dose as computed};
-use crate::program::Timeline;
+use crate::process::{DoseInput, DoseMap, Light, Patch, PatchCause, Spot, Thresholds, WayTime, dose as computed};
 use crate::program::{MoveTiming, Step};
 use crate::progress::Progress;
 use serde::{Serialize, Serializer};
@@ -93,8 +92,8 @@ pub fn dose(
     let with_recipe = chosen.iter().filter(|n| job.recipe_of(SurfaceId(**n)).is_some());
     let own = with_recipe.map(|n| (*n, thresholds(&job.of_surface(SurfaceId(*n))))).collect();
     let spot = spot(job);
-    let times = ends_s(plan);
-    let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied().unwrap_or(0.0));
+    let times = way_times(plan);
+    let light = Light::new(on_the_part(plan), &spot, |pass, point| times.get(&(pass, point)).copied());
     let task = DoseInput { part, surfaces, clamps: &setup.tool.clamps, chosen, thresholds: thresholds(job), own };
     Ok(computed(&task, light, progress)?)
 }
@@ -115,24 +114,38 @@ fn spot(job: &Job) -> Spot {
     Spot { profile: d.profile, line_mm: d.line_mm, spot_mm: b.spot_mm, defocus_mm: b.defocus_mm, optics: job.optics }
 }
 
-/// When the moves to the targets end, s from the program's start. Without a robot nothing is known of
-/// moves by joints, and they take no time.
-fn ends_s(plan: &Plan) -> BTreeMap<(usize, usize), f64> {
-    if let Some(timeline) = &plan.timeline {
-        return Timeline::stops(timeline).iter().filter_map(|s| Some((s.target?, s.at_s))).collect();
-    }
-    let mut at_s = 0.0;
-    let mut out = BTreeMap::new();
-    for step in &plan.steps.list {
-        let Step::Go(go) = step else { continue };
-        if let MoveTiming::Seconds(s) = go.timing {
-            at_s += s;
+/// When the spot goes to the targets, s from the program's start. Without a robot nothing is known of moves by joints,
+/// and they take no time.
+fn way_times(plan: &Plan) -> BTreeMap<(usize, usize), WayTime> {
+    let moves: Vec<(Option<(usize, usize)>, WayTime)> = match &plan.timeline {
+        Some(timeline) => {
+            timeline.stops().iter().map(|s| (s.target, WayTime { seconds: s.seconds, ends_s: s.at_s })).collect()
         }
-        if let Some(target) = go.target {
-            out.insert(target, at_s);
+        None => timed_moves(plan),
+    };
+    let mut out = BTreeMap::new();
+    // Stations between two targets belong to the way to the second.
+    let mut seconds = 0.0;
+    for (target, time) in moves {
+        seconds += time.seconds;
+        if let Some(target) = target {
+            out.insert(target, WayTime { seconds, ..time });
+            seconds = 0.0;
         }
     }
     out
+}
+
+/// The moves that are given their seconds, one after another.
+fn timed_moves(plan: &Plan) -> Vec<(Option<(usize, usize)>, WayTime)> {
+    let mut ends_s = 0.0;
+    let timed = |step: &Step| {
+        let Step::Go(go) = step else { return None };
+        let seconds = if let MoveTiming::Seconds(s) = go.timing { s } else { 0.0 };
+        ends_s += seconds;
+        Some((go.target, WayTime { seconds, ends_s }))
+    };
+    plan.steps.list.iter().filter_map(timed).collect()
 }
 
 impl DoseReport {

@@ -9,7 +9,7 @@ use crate::cell::motion::{Arm, Refusal, SearchHooks, TargetStateCache, choose_ag
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{Drive, DriveCache, Steps, Timeline};
+use crate::program::{Drive, DriveCache, Steps};
 use crate::progress::{Activity, Progress};
 use std::collections::BTreeSet;
 
@@ -29,7 +29,7 @@ pub(super) fn drive(
 ) -> Result<(), PlanError> {
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
     progress.begin(Activity::ChoosingSpins, 2);
-    let grown = plan.grown.clone();
+    let (grown, cuts) = (plan.grown.clone(), plan.cuts.clone());
     // Arm and head keep clear of all that will be there, from the first layer on.
     let whole = grown.last().map_or(part, |g| &g.part);
     let collision = Collision::new(setup, whole);
@@ -47,6 +47,7 @@ pub(super) fn drive(
         straight: straight(part, &grown, setup, job, progress),
         collision: collision.as_ref(),
         go_on: &go_on,
+        cuts: &cuts,
         cache: DriveCache::default(),
     };
     for round in 0.. {
@@ -66,7 +67,6 @@ pub(super) fn drive(
     if let Some(best) = best {
         *plan = best;
     }
-    plan.timeline = Timeline::new(&plan.steps, setup);
     Ok(())
 }
 

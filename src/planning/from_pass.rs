@@ -8,7 +8,9 @@ use crate::cell::Setup;
 use crate::cell::collision::Collision;
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{Drive, DriveCache, Go, Steps, Timeline, steps_from, way_from_home};
+use crate::program::{
+    Drive, DriveCache, Go, Shortfall, Steps, Timeline, dialects, pacing, steps_from, way_from_home,
+};
 use crate::progress::Progress;
 use thiserror::Error;
 
@@ -86,11 +88,20 @@ fn steps(
                 straight,
                 collision: collision.as_ref(),
                 go_on: &|| progress.goes_on(),
+                cuts: &plan.cuts,
                 cache: DriveCache::default(),
             };
             let way_in = |entry: &Go| drive.way_from_home(&plan.passes, entry);
             steps_from(&plan.steps, &plan.passes, first, &way_in)
         }
     };
-    left.map_err(|e| FromPassError::NoWay { pass: e.pass })
+    let mut left = left.map_err(|e| FromPassError::NoWay { pass: e.pass })?;
+    // The way in is new, and has to have times that the controller's words know. The moves behind it have them; what of
+    // them is slower than it was to be is known of the whole plan.
+    left.shortfalls.retain(|(_, s)| !matches!(s, Shortfall::ShortMoves { .. }));
+    if let Some(dialect) = dialects::by_name(&job.cell.dialect) {
+        pacing::pace(&mut left, &plan.passes, setup, dialect);
+    }
+    left.off_speed.clone_from(&plan.steps.off_speed);
+    Ok(left)
 }

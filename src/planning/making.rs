@@ -14,7 +14,7 @@ use crate::cell::Setup;
 use crate::cell::motion::{Refusal, RefusalCause, RefusalReason};
 use crate::document::model::Job;
 use crate::part::{Part, Surfaces};
-use crate::program::{dialects, steps};
+use crate::program::{DialectError, Timeline, dialects, pacing, steps};
 use crate::progress::{Activity, Progress};
 
 /// So often targets are refused whose moves hit something only as they are written.
@@ -46,7 +46,7 @@ pub fn plan(
         let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
         let (part, surfaces) = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
         let of = LayerInput { part, surfaces, list: &list, jobs: &own, layer: number };
-        let made = plan_layer(&of, &setup.tool, cache, &mut used, progress)?;
+        let made = plan_layer(&of, setup, cache, &mut used, progress)?;
         passes.extend(made.iter().flat_map(|s| {
             let times = own.get(&s.toolpath.surface).map_or(1, |j| j.layers.passes as usize);
             (0..times).flat_map(|_| s.passes.iter().cloned())
@@ -58,14 +58,16 @@ pub fn plan(
     let mut plan = Plan { surfaces: surface_plans, passes, grown, cell, ..Plan::default() };
     for round in 0.. {
         connect(&mut plan, part, setup, job, progress)?;
-        let lit = || plan.steps.lit_moves(&setup.mounted());
-        // What cannot be written is said when it is; the moves themselves can still be proven.
         let (proof, refuted) = match proven_as_written(part, &plan, setup, job, progress) {
             Ok(proven) => proven,
             Err(UnprovenProgram::Cancelled) => return Err(PlanError::Cancelled),
-            Err(_) => {
+            // A plan that no program can be made of is none.
+            Err(UnprovenProgram::Unwritable(e)) => return Err(e.into()),
+            // Export says that its own text cannot be read; the moves themselves can still be proven.
+            Err(UnprovenProgram::Empty | UnprovenProgram::Unreadable(_)) => {
+                let lit = plan.steps.lit_moves(&setup.mounted());
                 let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
-                (prover.prove(&lit())?, Vec::new())
+                (prover.prove(&lit)?, Vec::new())
             }
         };
         plan.proof = Some(proof);
@@ -78,17 +80,39 @@ pub fn plan(
     Ok(plan)
 }
 
-/// Makes the steps between and over the passes; what was refused before stays so.
+/// Makes the steps between and over the passes, in pieces that the controller takes; what was refused before stays so.
 fn connect(plan: &mut Plan, part: &Part, setup: &Setup, job: &Job, progress: &Progress) -> Result<(), PlanError> {
+    let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
+    loop {
+        connect_pieces(plan, part, setup, job, progress)?;
+        let more = pacing::cuts(&plan.steps, setup, dialect);
+        // There are more of them each time, so it ends.
+        if more.is_subset(&plan.cuts) {
+            break;
+        }
+        plan.cuts.extend(more);
+    }
+    pacing::pace(&mut plan.steps, &plan.passes, setup, dialect);
+    plan.timeline = Timeline::new(&plan.steps, setup);
+    Ok(())
+}
+
+fn connect_pieces(
+    plan: &mut Plan,
+    part: &Part,
+    setup: &Setup,
+    job: &Job,
+    progress: &Progress,
+) -> Result<(), PlanError> {
     let before = std::mem::take(&mut plan.refusals);
     match &setup.robot {
         Some(robot) => drive(plan, part, setup, robot, job, progress)?,
         None => {
             progress.begin(Activity::ConnectingMoves, 1);
-            let grown = plan.grown.clone();
+            let (grown, cuts) = (plan.grown.clone(), plan.cuts.clone());
             let straight = straight(part, &grown, setup, job, progress);
             let air_mm_s = job.beam.air_speed_mm_s;
-            settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, air_mm_s))?;
+            settle(plan, progress, |plan| steps(&straight, setup, &plan.passes, &cuts, air_mm_s))?;
         }
     }
     plan.refusals.extend(before);

@@ -6,6 +6,7 @@
 
 use super::light_piece::{BeamFrame, LightPiece, SeenPoint};
 use super::spot::Spot;
+use super::way_time::{WayTime, lit_way_times};
 use crate::beam::ProcessSettings;
 use crate::part::angle;
 use crate::pose::Pass;
@@ -19,6 +20,8 @@ const TURN_DEG: f64 = 4.0;
 const STRAIGHT_SPOTS: f64 = 0.005;
 /// That angle, degrees: 0.1 mm at 30 mm from the spot.
 const EVEN_DEG: f64 = 0.2;
+/// Moves of one piece are as fast as each other, to this share.
+const EVEN_SPEED: f64 = 0.01;
 /// Greatest length of a piece, in spots, so that what is near a piece is not far from its middle.
 const LENGTH_SPOTS: f64 = 3.0;
 /// Pieces are not cut shorter than this for that reason, mm.
@@ -73,8 +76,8 @@ impl SpotAndPower {
 
 impl Light {
     /// The light of these passes. `spot` tells profile and optics, each pass its width, power and speed;
-    /// `ends_s` when the move to a target (pass, point) ends.
-    pub fn new(passes: &[Pass], spot: &Spot, ends_s: impl Fn(usize, usize) -> f64) -> Light {
+    /// `way_time` when the spot goes to a target (pass, point); `None`: at the speed of the pass, from 0 s on.
+    pub fn new(passes: &[Pass], spot: &Spot, way_time: impl Fn(usize, usize) -> Option<WayTime>) -> Light {
         let mut pieces = Vec::new();
         let mut spots: Vec<SpotAndPower> = Vec::new();
         let longest = |spot: &Spot| (LENGTH_SPOTS * spot.spot_mm).max(LENGTH_MM);
@@ -88,12 +91,13 @@ impl Light {
             for (start, end) in pass.lit_pieces() {
                 let Some(lit) = pass.targets.get(start..=end) else { continue };
                 let frames: Vec<BeamFrame> = lit.iter().map(|t| BeamFrame::new(t.p, t.a, t.o)).collect();
+                let times: Vec<WayTime> = lit_way_times(&frames, speed_mm_s, |i| way_time(number, start + i));
                 let mut at = 0;
                 while at + 1 < frames.len() {
-                    let last = at + count_even_moves(&frames[at..], longest_mm, STRAIGHT_SPOTS * spot.spot_mm);
-                    let length_mm: f64 = frames[at..=last].windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
-                    let whole_s = length_mm / speed_mm_s;
-                    let starts_s = ends_s(number, start + last) - whole_s;
+                    let off_mm = STRAIGHT_SPOTS * spot.spot_mm;
+                    let last = at + count_even_moves(&frames[at..], &times[at..], longest_mm, off_mm);
+                    let whole_s: f64 = times[at..last].iter().map(|t| t.seconds).sum();
+                    let starts_s = times[last - 1].ends_s - whole_s;
                     let count = piece_count(&frames[at], &frames[last], longest_mm);
                     let mut from = frames[at];
                     for k in 1..=count {
@@ -192,9 +196,11 @@ fn piece_count(from: &BeamFrame, to: &BeamFrame, longest_mm: f64) -> u32 {
     ((to.p - from.p).norm() / longest_mm).max(turn_deg / TURN_DEG).ceil().max(1.0) as u32
 }
 
-/// How many moves from the first frame on go straight and turn evenly enough to be one piece; at least one.
-fn count_even_moves(frames: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize {
+/// How many moves from the first frame on go straight, turn evenly, and are as fast as each other enough to be one
+/// piece; at least one. `times`: of those moves.
+fn count_even_moves(frames: &[BeamFrame], times: &[WayTime], longest_mm: f64, off_mm: f64) -> usize {
     let Some(first) = frames.first() else { return 0 };
+    let slowness = |i: usize| times[i].seconds / (frames[i + 1].p - frames[i].p).norm().max(1e-9);
     let mut way_mm = vec![0.0];
     let mut count = 1;
     for (i, to) in frames.iter().enumerate().skip(1) {
@@ -204,7 +210,8 @@ fn count_even_moves(frames: &[BeamFrame], longest_mm: f64, off_mm: f64) -> usize
             let frame = BeamFrame::between(first, to, t);
             (frame.p - frames[k].p).norm() <= off_mm && angle::between_deg(&frame.a, &frames[k].a) <= EVEN_DEG
         };
-        let fits = way_mm[i] > 0.0 && piece_count(first, to, longest_mm) == 1 && (1..i).all(is_even);
+        let is_as_fast = (slowness(i - 1) / slowness(0) - 1.0).abs() <= EVEN_SPEED;
+        let fits = way_mm[i] > 0.0 && is_as_fast && piece_count(first, to, longest_mm) == 1 && (1..i).all(is_even);
         if i > 1 && !fits {
             break;
         }

@@ -20,6 +20,7 @@ pub mod samples;
 pub mod shade;
 pub mod spot;
 pub mod statistics;
+mod way_time;
 
 pub use dose::{DoseInput, dose};
 pub use dose_map::{DoseMap, SpotHit};
@@ -29,3 +30,4 @@ pub use patches::{Patch, PatchCause};
 pub use samples::DoseSample;
 pub use spot::Spot;
 pub use statistics::{Collateral, DoseVerdict, Shares};
+pub use way_time::WayTime;

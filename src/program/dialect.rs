@@ -127,6 +127,16 @@ pub trait Dialect: Sync {
         named
     }
 
+    /// How fast its words make the moves of a program, in their order: as they were to be or a little slower, to the
+    /// words' last digit and within their greatest speeds. Moves that are so already stay.
+    fn paces(&self, lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming>;
+
+    /// How many moves the laser may stay on for; `None`: as many as there are. A longer program than its controller takes
+    /// is cut where the laser is off.
+    fn most_lit_moves(&self, _setup: &Setup) -> Option<usize> {
+        None
+    }
+
     /// Whether a text is of this dialect.
     fn claims(&self, text: &str) -> bool;
 

@@ -36,8 +36,9 @@ pub fn steps_from(
     let Some((way, led)) = with_lead.or_else(|| Some((way_in(start)?, None))) else {
         return Err(NoWayIn { pass: number });
     };
+    let home = list.iter().find(|s| matches!(s, Step::Home { .. })).cloned().ok_or(NoWayIn { pass: number })?;
     let mut out = Steps { shortfalls: steps.shortfalls.clone(), ..Steps::default() };
-    out.list.push(Step::Home);
+    out.list.push(home);
     let (down, way) = way.split_last().ok_or(NoWayIn { pass: number })?;
     out.list.extend(way.iter().map(|go| Step::Go(*go)));
     out.say_pass(number, pass);
@@ -66,7 +67,7 @@ impl Steps {
         for step in &self.list {
             match step {
                 Step::Laser(on) => lit = *on,
-                Step::Home => at = None,
+                Step::Home { .. } => at = None,
                 Step::Go(go) => {
                     if let (Some(from), false) = (at, lit) {
                         self.air_mm += (go.to.x - from.x).norm();

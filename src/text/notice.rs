@@ -1,10 +1,11 @@
 //! What people are to know of a plan, finding by finding, and what helps.
 
-use super::{NamedSentence, Naming, Sentence, fixed, id, listed, listed_clauses, say};
+use super::{NamedSentence, Naming, Sentence, exact, fixed, id, listed, listed_clauses, say, short};
 use crate::cell::motion::RefusalCause;
 use crate::part::SurfaceId;
 use crate::planning::report::{BlockedBy, NothingReason, Notice, Unproven};
 use crate::pose::{Correction, ToolBody};
+use crate::program::OffSpeed;
 
 impl NamedSentence for Notice {
     fn sentence_with(&self, naming: &Naming<'_>) -> String {
@@ -28,6 +29,7 @@ impl NamedSentence for Notice {
             Notice::Remark { surface, remark } => {
                 say!(notice_remark, surface = naming.surface(*surface), remark = remark.sentence())
             }
+            Notice::OffSpeed(off) => off_speed(off, naming),
             Notice::PartChanged { renumbered, lost } => part_changed(renumbered, lost),
             Notice::InFile(finding) => finding.sentence(),
         }
@@ -42,6 +44,8 @@ pub fn remedy(notice: &Notice) -> Option<String> {
         Notice::LeftOut { cause, correction, .. } => against(*cause, *correction),
         Notice::Missed { by_planes: true, .. } => say!(remedy_missed_by_planes),
         Notice::Missed { by_planes: false, .. } => say!(remedy_missed_by_lines),
+        Notice::OffSpeed(off) if off.possible_mm_s < off.wanted_mm_s => say!(remedy_slow),
+        Notice::OffSpeed(_) => say!(remedy_fast),
         Notice::PartChanged { .. } => say!(remedy_part_changed),
         // Remarks and findings of the file say it themselves, what is blocked is told by surface, and what gives lines is
         // sought for the plan.
@@ -90,6 +94,15 @@ fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
         (ToolBody::Head, Some(surface)) => say!(notice_unproven_head, moves, surface),
         (ToolBody::Beam, None) => say!(notice_unproven_beam_clamp, moves),
         (ToolBody::Head, None) => say!(notice_unproven_head_clamp, moves),
+    }
+}
+
+fn off_speed(off: &OffSpeed, naming: &Naming<'_>) -> String {
+    let (surface, moves, wanted) = (naming.surface(SurfaceId(off.surface)), off.moves, exact(off.wanted_mm_s));
+    let (possible, pass, point) = (short(off.possible_mm_s), id(&off.pass), id(&off.point));
+    match off.possible_mm_s < off.wanted_mm_s {
+        true => say!(notice_slow, surface, moves, wanted, possible, pass, point),
+        false => say!(notice_fast, surface, moves, wanted, possible, pass, point),
     }
 }
 

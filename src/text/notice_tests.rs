@@ -9,6 +9,7 @@ use crate::planning::remark::{Remark, ToolpathRemark};
 use crate::planning::report::{NotDone, Notice, PlanFinding, Problem, Report, Unproven, notices_worst_first};
 use crate::planning::{PlanCache, plan};
 use crate::pose::{Correction, ToolBody};
+use crate::program::OffSpeed;
 use crate::progress::Progress;
 use crate::sample::{solids, stl_bytes};
 
@@ -40,6 +41,8 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
     report.unproven.push(Unproven { tool_body: ToolBody::Head, surface: rim, moves: 1200 });
     let (was, is) = ("a".into(), "b".into());
     report.findings.push(PlanFinding::PartChanged { was, is, kept: vec![[1, 1], [2, 5]], lost: vec![3] });
+    let off = OffSpeed { surface: 3, moves: 12, wanted_mm_s: 3.0, possible_mm_s: 2.25, pass: 4, point: 17 };
+    report.findings.push(PlanFinding::SlowMove(off));
     report.problems.extend([
         blocked(0, RefusalCause::Reach, None),
         blocked(1, RefusalCause::Beam, Some(5)),
@@ -55,6 +58,8 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
         "surface 2: no line on its 400.00 mm²: the section planes lie along it",
         "surface 3 \"Rim\": 2 targets refused: out of the robot's reach; such as pass 4, point 0: ",
         "surface 3 \"Rim\": 1 target blocked by surface 5; choose the correction clearance",
+        "surface 3 \"Rim\": on 12 lit moves the spot is slower than the 3 mm/s that are set, so more energy lands there: \
+         the controller's words allow 2.25 mm/s at pass 4, point 17; set a lower speed, or choose",
         "surface 3 \"Rim\": 1 line end stops at the rim",
         "the part's file has changed since the job was saved; all that is to be cleaned was found again; \
          surface 2 is 5 now; not found: surface 3",

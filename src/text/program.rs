@@ -1,6 +1,6 @@
 //! Why a program cannot be written, and how it differs from what was wanted.
 
-use super::{Sentence, exact, id, listed, say};
+use super::{Sentence, exact, fixed, id, listed, say};
 use crate::program::{ByHand, DialectError, Shortfall, UnknownDialect, WriteError, dialects};
 
 impl Sentence for UnknownDialect {
@@ -42,6 +42,10 @@ impl Sentence for Shortfall {
     fn sentence(&self) -> String {
         match *self {
             Shortfall::LeadsLeftOut { leads } => say!(shortfall_leads, count = leads),
+            Shortfall::ShortMoves { moves, shortest_s, least_s } => {
+                let (shortest, least) = (fixed(1000.0 * shortest_s, 1), exact(1000.0 * least_s));
+                say!(shortfall_short_moves, moves, shortest, least)
+            }
             Shortfall::SetByHand(ByHand::PowerW(value)) => say!(shortfall_power, value = exact(value)),
             Shortfall::SetByHand(ByHand::FrequencyKhz(value)) => say!(shortfall_frequency, value = exact(value)),
         }

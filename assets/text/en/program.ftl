@@ -64,5 +64,9 @@ shortfall_leads = { $count ->
     [one] 1 lead-in or lead-out is left out: something would be touched on it
    *[other] { $count } lead-ins and lead-outs are left out: something would be touched on them
 }
+shortfall_short_moves = { $moves ->
+    [one] 1 lit move takes { $shortest } ms, less than { $least } ms
+   *[other] { $moves } lit moves take less than { $least } ms, the shortest { $shortest } ms
+}, because of chord error, turn, or deviation of the spot; the controller may be slower there
 shortfall_power = its power of { $value } W has to be set by hand where the program says so: give the cell outputs.power
 shortfall_frequency = its frequency of { $value } kHz has to be set by hand where the program says so: give the cell outputs.frequency

@@ -8,7 +8,7 @@ use super::surface_plan::{
     with_ways,
 };
 use super::toolpath::{self, Toolpath};
-use crate::beam::Tool;
+use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::{Digest, GrownPart, Part, Surfaces, grown};
 use crate::path::planes::{self, Raster};
@@ -100,12 +100,12 @@ pub(in super::super) fn layer_toolpaths(
 /// Plans one layer, its surfaces in the order of work. The pieces that it is made of go into `used`.
 pub(in super::super) fn plan_layer(
     of: &LayerInput<'_>,
-    tool: &Tool,
+    setup: &Setup,
     cache: &PlanCache,
     used: &mut PlanCacheContents,
     progress: &Progress,
 ) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
-    let (part, jobs) = (of.part, of.jobs);
+    let (part, jobs, tool) = (of.part, of.jobs, &setup.tool);
     let default = Job::default();
     let job_of = |n: u32| jobs.get(&n).map_or(&default, |j| j);
     let toolpaths = layer_toolpaths(of, cache, progress)?;
@@ -122,7 +122,7 @@ pub(in super::super) fn plan_layer(
         .into_par_iter()
         .map(|(key, from, toolpath, ordered)| {
             let job = job_of(toolpath.surface);
-            let rules = rules_of(toolpath.surface, job);
+            let rules = rules_of(toolpath.surface, job, setup.cell.timing.least_move_s);
             let from = from.filter(|_| job.layers.order == Order::Shortest);
             let key = poses_key(key, from, job, &rules, tool);
             let ways_mm = (ordered.way_mm, ordered.zigzag_way_mm);

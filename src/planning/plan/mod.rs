@@ -13,7 +13,7 @@ use crate::cell::motion::{Choice, Refusal};
 use crate::part::{GrownPart, SurfaceId};
 use crate::pose::{Pass, TargetState};
 use crate::program::sweep::Proof;
-use crate::program::{Steps, Timeline};
+use crate::program::{Cuts, Steps, Timeline};
 use cell_report::CellReport;
 use remark::Remark;
 use std::sync::Arc;
@@ -31,6 +31,8 @@ pub struct Plan {
     pub grown: Vec<Arc<GrownPart>>,
     /// The program, step by step.
     pub steps: Steps,
+    /// Where its lit pieces are cut because the controller takes no longer ones.
+    pub cuts: Cuts,
     /// Joints and spin of every target that the robot does, and what it does not; without a robot
     /// nothing is known.
     pub choice: Option<Choice>,

@@ -1,7 +1,7 @@
 //! What a job asks for, checked before anything is computed: numbers, surfaces, and how large the plan would be.
 
 use super::build_up::SurfaceJobs;
-use super::surface_plan::rules;
+use super::surface_plan::max_gap_mm;
 use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::planning::error::PlanError;
@@ -46,7 +46,7 @@ fn bound_size(surfaces: &Surfaces, own: &BTreeMap<u32, Cow<'_, Job>>, size_mm: f
     }
     // Every plane is cut through every surface at least once.
     let points_of = |(&n, job): (&u32, &Cow<'_, Job>)| {
-        let (spacing_mm, gap_mm) = (job.layers.spacing_mm, rules(job).max_gap_mm);
+        let (spacing_mm, gap_mm) = (job.layers.spacing_mm, max_gap_mm(job));
         (surfaces.get(n).map_or(0.0, |s| s.area_mm2) / (spacing_mm * gap_mm) + size_mm / spacing_mm)
             * f64::from(job.layer_count())
     };

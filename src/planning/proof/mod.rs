@@ -39,5 +39,6 @@ pub(super) fn straight<'a>(
     progress: &'a Progress,
 ) -> StraightFlange<'a> {
     let prover = prover(part, setup, job).on_layers(grown).under(progress);
-    StraightFlange { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm }
+    let least_move_s = setup.cell.timing.least_move_s;
+    StraightFlange { prover: prover.with_spare(), deviation_mm: job.cell.deviation_mm, least_move_s }
 }

@@ -152,7 +152,11 @@ impl Report {
             max_chord_error_mm: all.iter().map(|p| p.chord_error_mm).fold(0.0, f64::max),
             max_surface_spacing_mm: rows.iter().filter_map(|r| r.spacing_max_mm).fold(0.0, f64::max),
             missed_area_mm2: rows.iter().map(|r| r.missed_area_mm2).fold(0.0, |a, b| a + b),
-            findings: nothing.map(|reason| PlanFinding::NothingPlanned { reason }).into_iter().collect(),
+            findings: nothing
+                .map(|reason| PlanFinding::NothingPlanned { reason })
+                .into_iter()
+                .chain(plan.steps.off_speed.iter().copied().map(PlanFinding::SlowMove))
+                .collect(),
             problems,
             splits: splits(all, surfaces),
             corrections: corrections(plan),

@@ -12,6 +12,7 @@ use crate::path::{Direction, Strategy};
 use crate::planning::TakenBy;
 use crate::planning::remark::Remark;
 use crate::pose::Correction;
+use crate::program::OffSpeed;
 use std::collections::BTreeMap;
 
 /// How bad a finding is; the worst comes first.
@@ -60,6 +61,8 @@ pub enum Notice {
         /// Its area, mm².
         area_mm2: f64,
     },
+    /// The spot does not have its speed everywhere on a surface.
+    OffSpeed(OffSpeed),
     /// Area of a surface that no line reaches.
     Missed {
         /// The surface.
@@ -97,7 +100,7 @@ impl Notice {
             Notice::NothingPlanned(_) | Notice::NoLines { .. } | Notice::LeftOut { .. } | Notice::Missed { .. } => {
                 Severity::NotDone
             }
-            Notice::Remark { .. } => Severity::NotAsWanted,
+            Notice::OffSpeed(_) | Notice::Remark { .. } => Severity::NotAsWanted,
             Notice::PartChanged { .. } | Notice::InFile(_) => Severity::Found,
         }
     }
@@ -106,6 +109,7 @@ impl Notice {
     pub fn surface(&self) -> Option<SurfaceId> {
         match self {
             Notice::NotProven(u) => u.surface,
+            Notice::OffSpeed(off) => Some(SurfaceId(off.surface)),
             Notice::NoLines { surface, .. }
             | Notice::LeftOut { surface, .. }
             | Notice::Missed { surface, .. }
@@ -118,6 +122,7 @@ impl Notice {
     pub fn target(&self) -> Option<(usize, usize)> {
         match self {
             Notice::LeftOut { first, .. } => Some(*first),
+            Notice::OffSpeed(off) => Some((off.pass, off.point)),
             _ => None,
         }
     }
@@ -148,6 +153,7 @@ pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) 
 fn of_finding(finding: &PlanFinding) -> Option<Notice> {
     Some(match finding {
         PlanFinding::NothingPlanned { reason } => Notice::NothingPlanned(reason.clone()),
+        PlanFinding::SlowMove(off) => Notice::OffSpeed(*off),
         PlanFinding::PartChanged { kept, lost, .. } => {
             let moved = kept.iter().filter(|[old, new]| old != new);
             Notice::PartChanged {

@@ -2,6 +2,7 @@
 
 use super::nothing::NothingReason;
 use crate::part::PartFinding;
+use crate::program::OffSpeed;
 use serde::Serialize;
 
 /// One thing that was found, by its code.
@@ -14,6 +15,8 @@ pub enum PlanFinding {
         #[serde(flatten)]
         reason: NothingReason,
     },
+    /// The spot does not have its speed everywhere on a surface.
+    SlowMove(OffSpeed),
     /// The part's file is another one than when the job was saved.
     PartChanged {
         /// SHA-256 of the file that the job was made for, hexadecimal.
@@ -35,7 +38,7 @@ impl PlanFinding {
     /// plan is made on the part as it was read.
     pub fn leaves_undone(&self) -> bool {
         match self {
-            PlanFinding::NothingPlanned { .. } | PlanFinding::PartChanged { .. } => true,
+            PlanFinding::NothingPlanned { .. } | PlanFinding::SlowMove(_) | PlanFinding::PartChanged { .. } => true,
             PlanFinding::InFile(_) => false,
         }
     }
@@ -62,6 +65,11 @@ mod tests {
         assert_eq!(
             json(&PlanFinding::NothingPlanned { reason }),
             r#"{"code":"nothing_planned","reason":"no_lines","area_mm2":2.0,"by":[]}"#
+        );
+        let off = OffSpeed { surface: 2, moves: 3, wanted_mm_s: 3.0, possible_mm_s: 2.25, pass: 4, point: 17 };
+        assert_eq!(
+            json(&PlanFinding::SlowMove(off)),
+            r#"{"code":"slow_move","surface":2,"moves":3,"wanted_mm_s":3.0,"possible_mm_s":2.25,"pass":4,"point":17}"#
         );
         let by = vec![BlockedBy { cause: RefusalCause::Beam, by_surface: Some(3), targets: 7 }];
         let blocked = PlanFinding::NothingPlanned { reason: NothingReason::AllBlocked { by } };

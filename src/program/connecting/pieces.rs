@@ -8,6 +8,7 @@ use crate::pose::{Blocker, Pass};
 use crate::program::motion::sweep::Prover;
 use crate::program::neutral::steps::Station;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Which targets are lit without a break.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,12 +34,23 @@ pub struct LitPiece {
     pub exit: Station,
 }
 
+/// Targets (pass, point) where one lit piece ends and the next begins though no gap is between them: the controller
+/// cannot take both as one.
+pub type Cuts = BTreeSet<(usize, usize)>;
+
 /// The targets of the lit pieces, in the order of work.
-pub fn lit_ranges(passes: &[Pass]) -> Vec<LitRange> {
-    let of = |(number, pass): (usize, &Pass)| {
-        pass.lit_pieces().into_iter().map(move |(first, last)| LitRange { pass: number, first, last })
-    };
-    passes.iter().enumerate().flat_map(of).collect()
+pub fn lit_ranges(passes: &[Pass], cuts: &Cuts) -> Vec<LitRange> {
+    let mut out = Vec::new();
+    for (number, pass) in passes.iter().enumerate() {
+        for (mut first, last) in pass.lit_pieces() {
+            let inner = cuts.range((number, first + 1)..(number, last)).map(|cut| cut.1);
+            for end in inner.chain([last]) {
+                out.push(LitRange { pass: number, first, last: end });
+                first = end;
+            }
+        }
+    }
+    out
 }
 
 /// The space around a part at every time: by layer, with the beads of that one.
@@ -58,7 +70,7 @@ impl<'a> TransferSpaces<'a> {
 }
 
 /// The lit pieces, in the order of work.
-pub fn pieces(spaces: &TransferSpaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
+pub fn pieces(spaces: &TransferSpaces<'_>, passes: &[Pass], cuts: &Cuts) -> Vec<LitPiece> {
     let piece = |of: LitRange| {
         let (pass, first, last) = (&passes[of.pass], of.first, of.last);
         let at = |point: usize| Station::of(&pass.targets[point], &pass.settings);
@@ -67,7 +79,7 @@ pub fn pieces(spaces: &TransferSpaces<'_>, passes: &[Pass]) -> Vec<LitPiece> {
         let (entry, exit) = (leads.before.map_or(start, |l| l.at), leads.behind.map_or(end, |l| l.at));
         LitPiece { of, leads, entry, exit }
     };
-    lit_ranges(passes).into_par_iter().map(piece).collect()
+    lit_ranges(passes, cuts).into_par_iter().map(piece).collect()
 }
 
 /// Whether the way from one piece to the next may go straight: it depends on their two ends alone.

@@ -2,7 +2,7 @@
 //! arm could make them is not asked.
 
 use super::lead::Lead;
-use super::pieces::{self, LitPiece, TransferSpaces};
+use super::pieces::{self, Cuts, LitPiece, TransferSpaces};
 use super::transfer_space::TransferSpace;
 use crate::cell::Setup;
 use crate::cell::motion::Refusal;
@@ -20,15 +20,17 @@ pub fn steps(
     straight: &StraightFlange<'_>,
     setup: &Setup,
     passes: &[Pass],
+    cuts: &Cuts,
     air_mm_s: f64,
 ) -> Result<Steps, Vec<Refusal>> {
     let space = TransferSpace::of(straight, setup, passes);
     let spaces = TransferSpaces::new(&space, &straight.prover, passes);
-    let pieces = pieces::pieces(&spaces, passes);
+    let pieces = pieces::pieces(&spaces, passes, cuts);
     let can_go_straight = pieces::can_go_straight(&spaces, passes, &pieces);
     let refused = pieces::blocked_retreats(&spaces, passes, &pieces, &can_go_straight);
     let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
-    walk.out.list.push(Step::Home);
+    let home = Step::Home { percent: setup.cell.air.home_percent };
+    walk.out.list.push(home.clone());
     let mut at: Option<Station> = None;
     let mut announced_pass = None;
     for (index, piece) in pieces.iter().enumerate() {
@@ -49,7 +51,7 @@ pub fn steps(
         walk.push_connecting_move(end, space.on_sphere(&end), None);
     }
     let FocusWalk { mut out, refused, .. } = walk;
-    out.list.push(Step::Home);
+    out.list.push(home);
     out.shortfalls = shortfalls(pieces.iter().map(|p| (&passes[p.of.pass], p.leads.left_out)), &setup.cell.outputs);
     if refused.is_empty() { Ok(out) } else { Err(refused) }
 }
@@ -131,7 +133,7 @@ impl FocusWalk<'_> {
             let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
             let seconds = spot_mm / pass.settings.speed_mm_s;
             let mut done = 0.0;
-            match self.straight.stations_between(&here, &next, &pass.settings) {
+            match self.straight.stations_between(&here, &next, &pass.settings, seconds) {
                 Ok(between) => {
                     for (share, station) in between {
                         self.push_move(station, seconds * (share - done), None);

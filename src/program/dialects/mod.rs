@@ -11,6 +11,7 @@ pub mod fanuc;
 mod flange;
 pub mod kuka;
 pub mod nachi;
+mod pace;
 mod reading;
 mod subprograms;
 mod templates;
@@ -67,8 +68,9 @@ pub fn known(name: &str) -> Result<&'static dyn Dialect, UnknownDialect> {
 /// What the controller could not take.
 pub fn check(name: &str, setup: &Setup) -> Result<(), DialectError> {
     let pulsed = ProcessSettings { frequency_khz: 1.0, ..ProcessSettings::default() };
-    let home = Steps { list: vec![Step::Process(pulsed), Step::Home, Step::Home], ..Steps::default() };
-    let lines = lines(&home, setup);
+    let home = Step::Home { percent: setup.cell.air.home_percent };
+    let steps = Steps { list: vec![Step::Process(pulsed), home.clone(), home], ..Steps::default() };
+    let lines = lines(&steps, setup);
     known(name)?.write(&Program { head: Vec::new(), lines, setup, wording: WITHOUT_WORDS })?;
     Ok(())
 }

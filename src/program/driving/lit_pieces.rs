@@ -124,7 +124,7 @@ impl Drive<'_> {
         out: &mut Vec<WorkMove>,
     ) -> Result<(), (RefusalCause, RefusalReason)> {
         let (mut here, mut done) = (*from, 0.0);
-        for (share, at) in self.straight.stations_between(&from.at, &to.at, settings)? {
+        for (share, at) in self.straight.stations_between(&from.at, &to.at, settings, seconds)? {
             let guess = std::array::from_fn(|j| from.joints_deg[j] + (to.joints_deg[j] - from.joints_deg[j]) * share);
             let Some(joints_deg) = self.robot.nearest_inverse(&self.mounted.flange_for(&at.frame()), &guess) else {
                 return Err((RefusalCause::Limit, RefusalReason::LimitBetween));

@@ -8,7 +8,7 @@
 mod lit_pieces;
 mod sequence;
 
-use super::connecting::pieces::LitRange;
+use super::connecting::pieces::{Cuts, LitRange};
 use super::connecting::pose_cache::{JointBits, PoseCache, bits};
 use super::connecting::transfer_space::TransferSpace;
 use super::connecting::with_robot::{ConnectingMoveCache, MovingArm};
@@ -37,6 +37,8 @@ pub struct Drive<'a> {
     pub collision: Option<&'a Collision<'a>>,
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
+    /// Where lit pieces are cut.
+    pub cuts: &'a Cuts,
     /// What was found out so far.
     pub cache: DriveCache,
 }

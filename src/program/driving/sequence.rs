@@ -22,7 +22,7 @@ impl Drive<'_> {
     /// # Errors
     /// What cannot be driven after all; the rest has to be tried again without it.
     pub fn steps(&self, passes: &[Pass], choice: &Choice) -> Result<Steps, Undriven> {
-        let ranges = lit_ranges(passes);
+        let ranges = lit_ranges(passes, self.cuts);
         if let Some(refused) = self.refused_by_contact_at_home(&ranges) {
             let is_empty = refused.is_empty();
             return if is_empty { Ok(Steps::default()) } else { Err(Undriven { refused, ..Undriven::default() }) };
@@ -43,7 +43,8 @@ impl Drive<'_> {
         if !closed.is_empty() {
             return Err(unreached(&closed, choice));
         }
-        let mut out = sequence(passes, &ranges, &whole, &ways);
+        let home = Step::Home { percent: self.setup.cell.air.home_percent };
+        let mut out = sequence(passes, &ranges, &whole, &ways, home);
         let left_out = ranges.iter().zip(&whole).map(|(of, w)| (&passes[of.pass], w.leads.left_out));
         out.shortfalls = shortfalls(left_out, &self.setup.cell.outputs);
         Ok(out)
@@ -157,9 +158,9 @@ fn unreached(pieces: &[LitRange], choice: &Choice) -> Undriven {
 }
 
 /// Home, all pieces with the ways to them, and home.
-fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween) -> Steps {
+fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &WaysBetween, home: Step) -> Steps {
     let mut out = Steps::default();
-    out.list.push(Step::Home);
+    out.list.push(home.clone());
     let mut announced_pass = None;
     let mut at: Option<Station> = None;
     for ((way, of), piece) in ways.iter().zip(ranges).zip(whole) {
@@ -192,7 +193,7 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
             at = Some(go.to);
         }
     }
-    out.list.push(Step::Home);
+    out.list.push(home);
     out
 }
 

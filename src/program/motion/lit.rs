@@ -16,14 +16,16 @@ pub struct StraightFlange<'a> {
     pub prover: Prover<'a>,
     /// How far the spot may leave its line, mm.
     pub deviation_mm: f64,
+    /// What a move should take at least, s.
+    pub least_move_s: f64,
 }
 
 /// A move is cut in halves at most so often: 64 pieces.
 const MOST_HALVINGS: usize = 6;
 
 impl StraightFlange<'_> {
-    /// Stations to be put between two targets, with their shares of the way: none where the flange may
-    /// go straight.
+    /// Stations to be put between two targets, with their shares of the way that takes so many seconds: none where
+    /// the flange may go straight.
     ///
     /// # Errors
     /// Even the shortest pieces leave the line, or hit something.
@@ -32,10 +34,37 @@ impl StraightFlange<'_> {
         from: &Station,
         to: &Station,
         settings: &ProcessSettings,
+        seconds: f64,
     ) -> Result<Vec<(f64, Station)>, (RefusalCause, RefusalReason)> {
         let mut out = Vec::new();
         self.push_stations((from, 0.0), (to, 1.0), (settings, MOST_HALVINGS), &mut out)?;
-        Ok(out)
+        let ends: Vec<f64> = std::iter::once(0.0).chain(out.iter().map(|s| s.0)).chain([1.0]).collect();
+        let shortest = ends.windows(2).map(|w| w[1] - w[0]).fold(1.0, f64::min);
+        // Halves of halves may be shorter than pieces of one length need be.
+        let alike = if out.is_empty() || shortest * seconds >= self.least_move_s {
+            None
+        } else {
+            self.stations_alike(from, to, settings, (seconds / self.least_move_s).min(out.len() as f64) as usize)
+        };
+        Ok(alike.unwrap_or(out))
+    }
+
+    /// Stations that make so many pieces of one length; `None` where even these leave the line, or hit something.
+    fn stations_alike(
+        &self,
+        from: &Station,
+        to: &Station,
+        settings: &ProcessSettings,
+        pieces: usize,
+    ) -> Option<Vec<(f64, Station)>> {
+        let share = |k: usize| k as f64 / pieces as f64;
+        let between: Vec<(f64, Station)> =
+            (1..pieces).map(|k| (share(k), self.between(from, to, share(k), settings))).collect();
+        let all: Vec<&Station> = std::iter::once(from).chain(between.iter().map(|s| &s.1)).chain([to]).collect();
+        let keeps = |w: &[&Station]| {
+            self.deviation(w[0], w[1], settings) <= self.deviation_mm && self.beam_hits(w[0], w[1], settings).is_none()
+        };
+        (pieces > 1 && all.windows(2).all(keeps)).then_some(between)
     }
 
     fn push_stations(
@@ -59,7 +88,7 @@ impl StraightFlange<'_> {
                 None => (RefusalCause::Singularity, RefusalReason::OffLine { off_mm }),
             });
         }
-        let (middle, t) = (self.midway(from.0, to.0, settings), 0.5 * (from.1 + to.1));
+        let (middle, t) = (self.between(from.0, to.0, 0.5, settings), 0.5 * (from.1 + to.1));
         self.push_stations(from, (&middle, t), (settings, halvings - 1), out)?;
         out.push((t, middle));
         self.push_stations((&middle, t), to, (settings, halvings - 1), out)
@@ -72,13 +101,13 @@ impl StraightFlange<'_> {
         self.prover.hit(&LitMove { from, to, by_focus: false, settings: *settings }).unwrap_or(None)
     }
 
-    /// Halfway on the planned motion: the spot straight, the frame turned at constant rate.
-    fn midway(&self, from: &Station, to: &Station, settings: &ProcessSettings) -> Station {
+    /// At a share of the planned motion: the spot straight, the frame turned at constant rate.
+    fn between(&self, from: &Station, to: &Station, share: f64, settings: &ProcessSettings) -> Station {
         let (a, b) = (from.frame(), to.frame());
-        let spot = nalgebra::center(&planned_spot(&a, settings.defocus_mm), &planned_spot(&b, settings.defocus_mm));
-        let mut middle = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, 0.5)));
-        middle.x = spot + middle.a * settings.defocus_mm;
-        middle
+        let [start, end] = [&a, &b].map(|frame| planned_spot(frame, settings.defocus_mm));
+        let mut station = Station::at(&Isometry3::from_parts(a.translation, a.rotation.slerp(&b.rotation, share)));
+        station.x = start + (end - start) * share + station.a * settings.defocus_mm;
+        station
     }
 
     /// How far the spot leaves the straight line where the flange goes straight, mm.
@@ -96,5 +125,55 @@ impl StraightFlange<'_> {
                 (spot - (start + line * along)).norm()
             })
             .fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::Setup;
+    use crate::document::Job;
+    use crate::part::{Part, Placement, Units};
+    use crate::planning::proof::prover;
+    use crate::sample::{solids, stl_bytes};
+    use nalgebra::{Point3, Vector3};
+
+    /// A turn about the beam of the part in hand: the flange stands far from the spot, which so leaves its line.
+    fn stations(least_move_s: f64, turn_deg: f64, seconds: f64) -> (Vec<f64>, Option<Vec<(f64, Station)>>) {
+        let bytes = stl_bytes(&solids::cube(20.0));
+        let part = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]).expect("ok");
+        let (setup, job) = (Setup::shipped().expect("shipped"), Job::default());
+        let straight = StraightFlange { prover: prover(&part, &setup, &job), deviation_mm: 0.1, least_move_s };
+        let settings = ProcessSettings { defocus_mm: job.beam.defocus_mm, ..ProcessSettings::default() };
+        let station = |x: f64, deg: f64| {
+            let (sin, cos) = libm::sincos(deg.to_radians());
+            Station {
+                x: Point3::new(x, 5.0, 20.0 + settings.defocus_mm),
+                a: Vector3::z(),
+                o: Vector3::new(-sin, cos, 0.0),
+            }
+        };
+        let (from, to) = (station(8.0, 0.0), station(9.0, turn_deg));
+        let between = straight.stations_between(&from, &to, &settings, seconds).expect("free");
+        let ends: Vec<f64> = std::iter::once(0.0).chain(between.iter().map(|s| s.0)).chain([1.0]).collect();
+        let alike = straight.stations_alike(&from, &to, &settings, (seconds / least_move_s) as usize);
+        (ends.windows(2).map(|w| (w[1] - w[0]) * seconds).collect(), alike)
+    }
+
+    #[test]
+    fn pieces_are_as_long_as_a_move_should_take_where_the_spot_keeps_to_its_line() {
+        let (mut shorter, mut alike) = (0, 0);
+        for turn_deg in [8.0, 14.0, 20.0, 26.0] {
+            let halves = stations(1e-4, turn_deg, 1.0).0.len();
+            assert!(halves.is_power_of_two() && halves > 1, "an even turn is halved evenly: {halves}");
+            for pieces in 2..=halves {
+                // So long that just so many moves fit in.
+                let (seconds, fits) = stations(1.0 / (pieces as f64 + 0.5), turn_deg, 1.0);
+                let is_short = seconds.iter().any(|s| *s < 1.0 / (pieces as f64 + 0.5));
+                assert_eq!(is_short, fits.is_none() && pieces < halves, "{turn_deg} in {pieces} of {halves}");
+                (shorter, alike) = (shorter + usize::from(is_short), alike + usize::from(seconds.len() < halves));
+            }
+        }
+        assert!(shorter > 0 && alike > 0, "{shorter} {alike}");
     }
 }

@@ -47,7 +47,7 @@ impl Steps {
                     out.extend(at.filter(|_| lit).map(|from| LitMove { from, to, by_focus: false, settings }));
                     at = Some(to);
                 }
-                Step::Comment(_) | Step::Home => {}
+                Step::Comment(_) | Step::Home { .. } => {}
             }
         }
         out

@@ -12,7 +12,7 @@ use nalgebra::{Point3, Vector3};
 fn setup() -> Setup {
     let mut setup = Setup::shipped().expect("valid");
     setup.robot = Some(Robot::load("mz04", None).expect("shipped"));
-    setup.cell.timing = Timing { laser_on_s: 0.5, laser_off_s: 0.25, move_s: 0.125 };
+    setup.cell.timing = Timing { laser_on_s: 0.5, laser_off_s: 0.25, move_s: 0.125, ..Timing::default() };
     setup
 }
 
@@ -38,14 +38,14 @@ fn go(i: usize, interpolation: Interpolation, timing: MoveTiming, target: Option
 /// Home, out to the part by joints, two lit moves of 2 s, off, back by joints.
 fn program() -> Steps {
     let list = vec![
-        Step::Home,
+        Step::Home { percent: 10.0 },
         go(0, Interpolation::Joint, MoveTiming::Percent(10.0), None),
         go(1, Interpolation::Linear, MoveTiming::Seconds(1.0), Some((0, 0))),
         Step::Laser(true),
         go(2, Interpolation::Linear, MoveTiming::Seconds(2.0), Some((0, 1))),
         go(3, Interpolation::Linear, MoveTiming::Seconds(2.0), Some((0, 2))),
         Step::Laser(false),
-        Step::Home,
+        Step::Home { percent: 10.0 },
     ];
     Steps { list, ..Steps::default() }
 }

@@ -89,11 +89,11 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
                     piece.iter().rev().for_each(|s| turn(&mut out, s, false));
                 }
             }
-            Step::Home => {
+            Step::Home { percent } => {
                 if out.len() > begun {
                     out.push(off.clone());
                 }
-                out.push(home(setup, settings));
+                out.push(home(setup, *percent, settings));
             }
             Step::Go(go) => out.push(ProgramLine::Move(Box::new(move_to(setup, go, lit, settings)))),
         }
@@ -105,14 +105,14 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     out
 }
 
-fn home(setup: &Setup, settings: ProcessSettings) -> ProgramLine {
+fn home(setup: &Setup, percent: f64, settings: ProcessSettings) -> ProgramLine {
     let air = &setup.cell.air;
     ProgramLine::Move(Box::new(Move {
         interpolation: Interpolation::Joint,
         base_from_flange: setup.robot.as_ref().map(|r| r.forward(&air.home_joints_deg)),
         joints_deg: Some(air.home_joints_deg),
         part_from_focus: None,
-        timing: MoveTiming::Percent(air.home_percent),
+        timing: MoveTiming::Percent(percent),
         lit: false,
         at_work: false,
         target: None,
@@ -198,7 +198,8 @@ mod tests {
         .expect("outputs");
         let settings = ProcessSettings { power_w: 500.0, ..ProcessSettings::default() };
         let pulsed = ProcessSettings { frequency_khz: 20.0, ..settings };
-        let list = vec![Step::Home, Step::Process(settings), Step::Laser(true), Step::Laser(false), Step::Home];
+        let home = Step::Home { percent: 10.0 };
+        let list = vec![home.clone(), Step::Process(settings), Step::Laser(true), Step::Laser(false), home];
         let lines = lines(&Steps { list, ..Steps::default() }, &setup);
         let words: Vec<String> = lines
             .iter()

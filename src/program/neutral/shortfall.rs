@@ -15,6 +15,16 @@ pub enum Shortfall {
         /// How many.
         leads: usize,
     },
+    /// Moves with the laser on that are shorter than the cell's least move, because chord error, turn or deviation ask
+    /// for them.
+    ShortMoves {
+        /// How many.
+        moves: usize,
+        /// The shortest, s.
+        shortest_s: f64,
+        /// What a move should take at least, s.
+        least_s: f64,
+    },
     /// The operator has to set a figure where the program says so, because the cell has no output for it.
     SetByHand(ByHand),
 }
@@ -27,6 +37,23 @@ pub enum ByHand {
     PowerW(f64),
     /// Frequency, kHz.
     FrequencyKhz(f64),
+}
+
+/// A surface on which the spot does not have its speed everywhere: the controller's words end before.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OffSpeed {
+    /// The surface.
+    pub surface: u32,
+    /// Moves with the laser on that are slower, or faster where the words know nothing slower.
+    pub moves: usize,
+    /// Speed that was set, mm/s.
+    pub wanted_mm_s: f64,
+    /// Speed of the spot on the move that is furthest from it, mm/s.
+    pub possible_mm_s: f64,
+    /// The target that this move leads to: pass.
+    pub pass: usize,
+    /// Its point.
+    pub point: usize,
 }
 
 /// All shortfalls. `pieces`: for each lit piece its pass, and how many of its leads are left out.

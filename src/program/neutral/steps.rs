@@ -1,7 +1,7 @@
 //! The program as a list of steps, before any controller's words: go to a station, switch the laser, say something.
 
 use super::comment::Comment;
-use super::shortfall::Shortfall;
+use super::shortfall::{OffSpeed, Shortfall};
 use crate::beam::ProcessSettings;
 use crate::part::angle;
 use crate::pose::target::frame;
@@ -65,8 +65,11 @@ pub enum Step {
     Process(ProcessSettings),
     /// The laser is switched.
     Laser(bool),
-    /// Home, all joints in proportion.
-    Home,
+    /// Home, all joints in proportion, at so many per cent of their full speed.
+    Home {
+        /// Per cent.
+        percent: f64,
+    },
     /// A move.
     Go(Go),
 }
@@ -115,6 +118,8 @@ pub struct Steps {
     pub time_s: f64,
     /// What is not as it was wanted, by surface.
     pub shortfalls: Vec<(u32, Shortfall)>,
+    /// Surfaces on which the spot does not have its speed everywhere.
+    pub off_speed: Vec<OffSpeed>,
 }
 
 impl Steps {

@@ -13,12 +13,15 @@
 mod read;
 mod write;
 
+use super::pace;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Abb;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::mounting::half_turn;
 use crate::cell::{Cell, Mount, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
@@ -41,6 +44,13 @@ impl Dialect for AbbDialect {
 
     fn rename(&self, cell: &mut Cell, variant: Variant) {
         cell.abb.module = variant.name(&cell.abb.module, 32);
+    }
+
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => pace::seconds(s, 4),
+            percent @ MoveTiming::Percent(_) => percent,
+        })
     }
 
     fn claims(&self, text: &str) -> bool {

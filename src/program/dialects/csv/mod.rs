@@ -4,9 +4,12 @@
 mod read;
 mod write;
 
-use crate::cell::Cell;
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
+use super::pace;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 
@@ -45,6 +48,13 @@ impl Dialect for CsvDialect {
 
     fn rename(&self, cell: &mut Cell, variant: Variant) {
         cell.csv.name = variant.name(&cell.csv.name, 32);
+    }
+
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => MoveTiming::Seconds(pace::at_least(s, 9)),
+            percent @ MoveTiming::Percent(_) => percent,
+        })
     }
 
     fn claims(&self, text: &str) -> bool {

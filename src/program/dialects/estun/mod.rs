@@ -8,11 +8,15 @@
 mod read;
 mod write;
 
+use super::flange::Speeds;
+use super::pace::FlangeWords;
 use super::templates::SignalTemplates;
-use crate::cell::Cell;
 use crate::cell::controllers::Estun;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
@@ -33,6 +37,10 @@ impl Dialect for EstunDialect {
         cell.estun.name = variant.name(&cell.estun.name, 32);
     }
 
+    fn paces(&self, lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming> {
+        words(&setup.cell.estun).paces(lines, setup)
+    }
+
     fn claims(&self, text: &str) -> bool {
         let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with("//") && !l.starts_with("/*"));
         first == Some("Start:")
@@ -41,6 +49,12 @@ impl Dialect for EstunDialect {
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
+}
+
+/// Speeds and per cents have six decimals.
+fn words(estun: &Estun) -> FlangeWords {
+    let most = Speeds { mm_s: estun.max_mm_s, deg_s: estun.max_turn_deg_s };
+    FlangeWords { most, decimals: 6, percent_decimals: 6 }
 }
 
 fn templates(estun: &Estun) -> SignalTemplates<'_> {

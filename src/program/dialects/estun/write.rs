@@ -1,10 +1,11 @@
 //! ESTUN programs as they are written.
 
-use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, templates};
+use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, templates, words};
 use crate::cell::Setup;
 use crate::cell::controllers::templates::{fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
-use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_flange_at, printed_joints};
+use crate::program::dialects::flange::{Speeds, Travel, flows_on, printed, printed_joints};
+use crate::program::dialects::pace::read_at;
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
@@ -44,12 +45,12 @@ struct ErpWriter<'a> {
 impl ErpWriter<'_> {
     fn write_move(&mut self, m: &Move, flows: bool) -> Result<String, WriteError> {
         let estun = &self.setup.cell.estun;
-        let most = Speeds { mm_s: estun.max_mm_s, deg_s: estun.max_turn_deg_s };
+        let most = words(estun).most;
+        let from = std::mem::replace(&mut self.at, read_at(self.setup, m));
         match (m.interpolation, m.timing) {
             (Interpolation::Joint, MoveTiming::Percent(percent)) => {
                 let point = match (&m.joints_deg, &m.base_from_flange) {
                     (Some(joints), _) => {
-                        self.at = printed_flange_at(self.setup, joints);
                         let numbers = printed_joints(self.setup, joints);
                         let axes: Vec<String> = (1..).zip(&numbers).map(|(i, n)| format!("a{i}={n}")).collect();
                         self.point(format!("_type=\"APOS\",{}{}", axes.join(","), no_axes()))
@@ -61,10 +62,10 @@ impl ErpWriter<'_> {
                 Ok(format!("MovJ{{P=t_l.{point},V=t_l.{speed},B=\"FINE\"}}"))
             }
             (Interpolation::Linear, MoveTiming::Seconds(seconds)) => {
-                let (Some(from), Some(to)) = (self.at, &m.base_from_flange) else {
+                let (Some(from), Some(at), Some(to)) = (from, self.at, &m.base_from_flange) else {
                     return Err(WriteError::FromUnknownPose("estun"));
                 };
-                let speeds = Travel::between(&from, &as_read(to)).speeds(seconds, most);
+                let speeds = Travel::between(&from, &at).speeds(seconds, most);
                 let (point, speed) = (self.pose(to), self.speed(100.0, speeds));
                 let zone = match flows {
                     true => format!("B=\"RELATIVE\",C=t_s.{}", estun.zone),
@@ -78,7 +79,6 @@ impl ErpWriter<'_> {
     }
 
     fn pose(&mut self, base_from_flange: &Isometry3<f64>) -> String {
-        self.at = Some(as_read(base_from_flange));
         let [x, y, z, a, b, c] = printed(base_from_flange);
         self.point(format!("_type=\"CPOS\",{CONFIGURATION},x={x},y={y},z={z},a={a},b={b},c={c}{}", no_axes()))
     }

@@ -7,11 +7,14 @@
 mod read;
 mod write;
 
+use super::pace;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::fixed;
 use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
@@ -33,6 +36,17 @@ impl Dialect for FanucDialect {
         cell.fanuc.program = variant.name(&cell.fanuc.program, 28);
     }
 
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => MoveTiming::Seconds(paced_s(s)),
+            MoveTiming::Percent(p) => pace::percent(p, 0),
+        })
+    }
+
+    fn most_lit_moves(&self, setup: &Setup) -> Option<usize> {
+        Some((setup.cell.fanuc.max_lines as usize).saturating_sub(LINES_OF_SWITCHING))
+    }
+
     fn claims(&self, text: &str) -> bool {
         text.lines().find(|l| !l.trim().is_empty()).is_some_and(|l| l.trim_start().starts_with("/PROG"))
     }
@@ -46,6 +60,18 @@ impl Dialect for FanucDialect {
 fn is_coupled(setup: &Setup) -> bool {
     setup.robot.as_ref().is_none_or(|r| r.couples_j2_j3)
 }
+
+/// Longest time in `msec`; above it is `sec` with one decimal.
+const MOST_MSEC: f64 = 32000.0;
+
+/// The least time of the words that is not below so many seconds: whole milliseconds, or tenths of a second.
+fn paced_s(seconds: f64) -> f64 {
+    let msec = pace::at_least(1000.0 * seconds, 0).max(1.0);
+    if msec <= MOST_MSEC { msec / 1000.0 } else { pace::at_least(seconds, 1) }
+}
+
+/// Lines that switch laser and powder on and off about a lit piece, with their waits.
+const LINES_OF_SWITCHING: usize = 8;
 
 /// Longest comment.
 const REMARK: usize = 32;

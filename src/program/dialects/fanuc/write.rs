@@ -1,6 +1,6 @@
 //! FANUC listings as they are written.
 
-use super::{is_coupled, templates};
+use super::{MOST_MSEC, is_coupled, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::Fanuc;
 use crate::cell::controllers::templates::{fixed, text};
@@ -11,9 +11,6 @@ use crate::program::neutral::comment::Wording;
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::write_error::WriteError;
-
-/// Longest time in `msec`; above it is `sec` with one decimal.
-const MOST_MSEC: f64 = 32000.0;
 
 /// The listing, or a main one that calls subprograms.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {

@@ -3,17 +3,21 @@
 //!
 //! KRL knows no duration of a move. The speed before a `LIN` gives it: `$VEL.CP` is the flange's
 //! way over the time, and where the flange turns on the spot `$VEL.ORI1` and `$VEL.ORI2` are its
-//! angle over the time. Without a position before it a straight move has neither, and is refused.
+//! angle over the time; a move that needs more than the greatest of one of them is slower. Without a position before it a straight move has neither, and is refused.
 //! Long programs call subprograms with files of their own; the split is where the laser is off.
 
 mod read;
 mod write;
 
+use super::flange::Speeds;
+use super::pace::FlangeWords;
 use super::templates::SignalTemplates;
-use crate::cell::Cell;
 use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
@@ -35,6 +39,10 @@ impl Dialect for KukaDialect {
         cell.kuka.name = variant.name(&cell.kuka.name, 20);
     }
 
+    fn paces(&self, lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming> {
+        words(&setup.cell.kuka).paces(lines, setup)
+    }
+
     fn claims(&self, text: &str) -> bool {
         let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with('&') && !l.starts_with(';'));
         first.is_some_and(|l| l.starts_with("DEF ") && l.ends_with(')'))
@@ -43,6 +51,12 @@ impl Dialect for KukaDialect {
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
+}
+
+/// `$VEL.CP` has eight decimals in m/s, `$VEL.ORI1` five, and per cents none.
+fn words(kuka: &Kuka) -> FlangeWords {
+    let most = Speeds { mm_s: 1000.0 * kuka.max_m_s, deg_s: kuka.max_turn_deg_s };
+    FlangeWords { most, decimals: 5, percent_decimals: 0 }
 }
 
 fn templates(kuka: &Kuka) -> SignalTemplates<'_> {

@@ -1,11 +1,12 @@
 //! KRL programs as they are written.
 
-use super::{AXES, FRAME, settings, templates};
+use super::{AXES, FRAME, settings, templates, words};
 use crate::cell::Setup;
 use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{filled, fixed, text};
 use crate::program::dialect::{Program, ProgramFile};
-use crate::program::dialects::flange::{Speeds, Travel, as_read, flows_on, printed, printed_flange_at, printed_joints};
+use crate::program::dialects::flange::{Speeds, Travel, flows_on, printed, printed_joints};
+use crate::program::dialects::pace::read_at;
 use crate::program::dialects::subprograms::subprograms;
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
@@ -92,10 +93,10 @@ impl KrlWriter<'_> {
                 let (Some(from), Some(to)) = (self.at, &m.base_from_flange) else {
                     return Err(WriteError::FromUnknownPose("kuka"));
                 };
-                let to_read = as_read(to);
-                self.speed(out, Travel::between(&from, &to_read), seconds);
+                let to_read = read_at(self.setup, m);
+                self.speed(out, Travel::between(&from, &to_read.unwrap_or(from)), seconds);
                 out.push(format!("LIN {}{}", frame(to), if flows { " C_DIS" } else { "" }));
-                self.at = Some(to_read);
+                self.at = to_read;
                 Ok(())
             }
             (Interpolation::Joint, MoveTiming::Seconds(_)) => Err(WriteError::TimedJointMove("kuka")),
@@ -104,24 +105,17 @@ impl KrlWriter<'_> {
     }
 
     fn joint(&mut self, out: &mut Vec<String>, m: &Move) -> Result<(), WriteError> {
-        match (&m.joints_deg, &m.base_from_flange) {
-            (Some(joints), _) => {
-                out.push(format!("PTP {}", braced(AXES, &printed_joints(self.setup, joints))));
-                self.at = printed_flange_at(self.setup, joints);
-                Ok(())
-            }
-            (None, Some(flange)) => {
-                out.push(format!("PTP {}", frame(flange)));
-                self.at = Some(as_read(flange));
-                Ok(())
-            }
-            (None, None) => Err(WriteError::NoRobot("kuka")),
-        }
+        out.push(match (&m.joints_deg, &m.base_from_flange) {
+            (Some(joints), _) => format!("PTP {}", braced(AXES, &printed_joints(self.setup, joints))),
+            (None, Some(flange)) => format!("PTP {}", frame(flange)),
+            (None, None) => return Err(WriteError::NoRobot("kuka")),
+        });
+        self.at = read_at(self.setup, m);
+        Ok(())
     }
 
     fn speed(&mut self, out: &mut Vec<String>, travel: Travel, seconds: f64) {
-        let most = Speeds { mm_s: 1000.0 * self.kuka.max_m_s, deg_s: self.kuka.max_turn_deg_s };
-        let Speeds { mm_s, deg_s } = travel.speeds(seconds, most);
+        let Speeds { mm_s, deg_s } = travel.speeds(seconds, words(self.kuka).most);
         let (cp, ori) = (fixed(mm_s / 1000.0, 8), fixed(deg_s, 5));
         if cp != self.cp {
             out.push(format!("$VEL.CP={cp}"));

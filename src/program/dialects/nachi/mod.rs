@@ -8,11 +8,14 @@
 mod read;
 mod write;
 
+use super::pace;
 use super::templates::SignalTemplates;
-use crate::cell::Cell;
 use crate::cell::controllers::Nachi;
 use crate::cell::controllers::templates::fixed;
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
@@ -31,6 +34,13 @@ impl Dialect for NachiDialect {
 
     fn rename(&self, cell: &mut Cell, variant: Variant) {
         cell.nachi.number = variant.number(cell.nachi.number);
+    }
+
+    fn paces(&self, lines: &[ProgramLine], _setup: &Setup) -> Vec<MoveTiming> {
+        pace::each(lines, |m| match m.timing {
+            MoveTiming::Seconds(s) => pace::seconds(s, 4),
+            MoveTiming::Percent(p) => pace::percent(p, 1),
+        })
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -20,6 +20,8 @@ use crate::cell::controllers::Yaskawa;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::{Cell, Joints, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
+use crate::program::neutral::lines::ProgramLine;
+use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
@@ -39,6 +41,10 @@ impl Dialect for YaskawaDialect {
     fn rename(&self, cell: &mut Cell, variant: Variant) {
         // Parts add up to three digits.
         cell.yaskawa.name = variant.name(&cell.yaskawa.name, cell.yaskawa.longest_name - 3);
+    }
+
+    fn paces(&self, lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming> {
+        write::paces(lines, setup)
     }
 
     fn claims(&self, text: &str) -> bool {

@@ -5,13 +5,17 @@ use crate::cell::controllers::templates::{fixed, text};
 use crate::cell::{Joints, Setup};
 use crate::program::dialect::{Program, ProgramFile};
 use crate::program::dialects::arm_shape::ArmShape;
-use crate::program::dialects::flange::{SHORTEST_S, Travel, as_read, coupled, flows_on, printed};
+use crate::program::dialects::flange::{SHORTEST_S, Speeds, Travel, as_read, coupled, flows_on, printed};
+use crate::program::dialects::pace;
 use crate::program::dialects::subprograms::subprograms;
 use crate::program::neutral::comment::{Caveat, Comment};
 use crate::program::neutral::lines::{Move, ProgramLine};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::write_error::WriteError;
 use nalgebra::{Isometry3, Translation3};
+
+/// What the controller takes at most in `V=` and `VR=`.
+const MOST: Speeds = Speeds { mm_s: 1500.0, deg_s: 180.0 };
 
 /// The job, and a job for each subprogram of a long one.
 pub fn write(program: &Program<'_>) -> Result<Vec<ProgramFile>, WriteError> {
@@ -86,7 +90,7 @@ impl<'a> JobText<'a> {
                     return Err(WriteError::FromUnknownPose("yaskawa"));
                 };
                 let to = self.pose(flange, m.joints_deg.as_ref());
-                let speed = speed(Travel::between(&from, &to), seconds.max(SHORTEST_S));
+                let speed = Speed::of(Travel::between(&from, &to), seconds).words();
                 let level = if flows { self.setup.cell.yaskawa.level } else { 0 };
                 self.instructions.push(format!("MOVL C{number:05} {speed} PL={level}"));
                 Ok(Some(to))
@@ -158,14 +162,58 @@ impl<'a> JobText<'a> {
     }
 }
 
-/// `V=` or `VR=`, in tenths.
-fn speed(travel: Travel, seconds: f64) -> String {
-    let (mm_s, deg_s) = (travel.mm / seconds, travel.deg / seconds);
-    // The controller takes 1500 mm/s and 180 degrees per second at most.
-    if mm_s >= deg_s || (travel.mm > 0.0 && deg_s > 180.0) {
-        format!("V={}", fixed(mm_s.clamp(0.1, 1500.0), 1))
-    } else {
-        format!("VR={}", fixed(deg_s.clamp(0.1, 180.0), 1))
+/// How fast the words make the moves: each speed has one decimal, per cents two.
+pub fn paces(lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming> {
+    // Positions are rounded as they are written.
+    let (mut job, mut at) = (JobText::new(setup), None);
+    pace::each(lines, |m| {
+        let to = match m.interpolation {
+            Interpolation::Joint => job.joint(m).ok().flatten(),
+            Interpolation::Linear => m.base_from_flange.map(|flange| job.pose(&flange, m.joints_deg.as_ref())),
+        };
+        match (m.timing, std::mem::replace(&mut at, to), to) {
+            (MoveTiming::Percent(p), ..) => pace::percent(p, 2),
+            (MoveTiming::Seconds(s), Some(from), Some(to)) => {
+                let travel = Travel::between(&from, &to);
+                MoveTiming::Seconds(Speed::of(travel, s).paced_s(travel))
+            }
+            (timing, ..) => timing,
+        }
+    })
+}
+
+/// Speed of a straight move; the words have its tenths, one at least.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Speed {
+    /// `V=`: of the way, mm/s.
+    Way(f64),
+    /// `VR=`: of the angle, degrees per second.
+    Angle(f64),
+}
+
+impl Speed {
+    /// The speed at which a move takes so many seconds, or longer where the words end.
+    fn of(travel: Travel, seconds: f64) -> Speed {
+        let seconds = seconds.max(SHORTEST_S).max(travel.mm / MOST.mm_s).max(travel.deg / MOST.deg_s);
+        let (mm_s, deg_s) = (travel.mm / seconds, travel.deg / seconds);
+        // Of the two the one that keeps more digits.
+        if mm_s >= deg_s { Speed::Way(mm_s) } else { Speed::Angle(deg_s) }
+    }
+
+    /// What a move takes at the greatest tenth that is not above.
+    fn paced_s(self, travel: Travel) -> f64 {
+        let tenths = |v: f64| pace::at_most(v, 1).max(0.1);
+        match self {
+            Speed::Way(mm_s) => travel.mm / tenths(mm_s),
+            Speed::Angle(deg_s) => travel.deg / tenths(deg_s),
+        }
+    }
+
+    fn words(self) -> String {
+        match self {
+            Speed::Way(mm_s) => format!("V={}", fixed(mm_s.max(0.1), 1)),
+            Speed::Angle(deg_s) => format!("VR={}", fixed(deg_s.max(0.1), 1)),
+        }
     }
 }
 
