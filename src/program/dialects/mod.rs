@@ -12,6 +12,8 @@ mod flange;
 pub mod kuka;
 pub mod nachi;
 mod reading;
+mod signals;
+pub mod spelling;
 mod subprograms;
 mod templates;
 pub mod ur;

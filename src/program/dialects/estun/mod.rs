@@ -8,6 +8,7 @@
 mod read;
 mod write;
 
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Estun;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
@@ -37,6 +38,10 @@ impl Dialect for EstunDialect {
     }
 }
 
+/// Comments are lines of their own.
+const SPELLING: Spelling =
+    Spelling { folds_case: false, comment: None, names_in_brackets: false, comment_starts: &["//", "/*"] };
+
 fn templates(estun: &Estun) -> SignalTemplates<'_> {
     SignalTemplates {
         dialect: "estun",
@@ -51,6 +56,7 @@ fn templates(estun: &Estun) -> SignalTemplates<'_> {
         comment: &estun.comment,
         forbidden: &['*'],
         width: Some(100),
+        spelling: SPELLING,
     }
 }
 

@@ -9,6 +9,7 @@
 mod read;
 mod write;
 
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
@@ -29,14 +30,18 @@ impl Dialect for KukaDialect {
     }
 
     fn claims(&self, text: &str) -> bool {
-        let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with('&') && !l.starts_with(';'));
-        first.is_some_and(|l| l.starts_with("DEF ") && l.ends_with(')'))
+        let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with(['&', ';']));
+        first.map(|l| SPELLING.plain(l)).is_some_and(|l| l.starts_with("DEF ") && l.ends_with(')'))
     }
 
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }
+
+/// Comments and folds begin with `;`, behind code as well.
+const SPELLING: Spelling =
+    Spelling { folds_case: true, comment: Some(';'), names_in_brackets: false, comment_starts: &[";"] };
 
 fn templates(kuka: &Kuka) -> SignalTemplates<'_> {
     SignalTemplates {
@@ -52,6 +57,7 @@ fn templates(kuka: &Kuka) -> SignalTemplates<'_> {
         comment: &kuka.comment,
         forbidden: &[],
         width: Some(100),
+        spelling: SPELLING,
     }
 }
 
