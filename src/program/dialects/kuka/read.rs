@@ -1,7 +1,6 @@
 //! KRL as it is written here, read back: poses, and durations from the speeds before them.
 
 use super::{AXES, FRAME, SPELLING, settings, templates};
-use crate::cell::Setup;
 use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{matched_key, non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
@@ -71,7 +70,7 @@ impl KrlReader<'_> {
             section = match section {
                 ModuleSection::Ended => return Err(wrong(LineFault::BehindEnd { end: "END".into() })),
                 ModuleSection::Before => {
-                    let names = [stem, &self.kuka.name];
+                    let names = [stem, self.kuka.name.as_str()];
                     let names = if is_main { &names[..] } else { &names[..1] };
                     let is_first = names.iter().any(|name| SPELLING.plain(&format!("DEF {name}( )")) == plain);
                     let first = || LineFault::expected([format!("DEF {stem}( )")], text);
