@@ -2,7 +2,8 @@
 
 use super::{Sentence, fixed, id, listed, listed_clauses, say};
 use crate::part::rpy;
-use crate::planning::verify::{Difference, Finding, JointOff, SpotOff, VerifyError};
+use crate::document::files::InputKind;
+use crate::planning::verify::{Difference, Finding, InputChange, JointOff, SpotOff, VerifyError};
 use crate::program::dialect::{Goal, Statement};
 use crate::program::{Interpolation, MoveTiming, WriteError, dialects};
 use nalgebra::Isometry3;
@@ -20,6 +21,28 @@ impl Sentence for VerifyError {
             VerifyError::NoProgram => say!(verify_no_program),
             VerifyError::OwnUnreadable(e) => say!(verify_plan_unreadable, reason = e.sentence()),
         }
+    }
+}
+
+impl Sentence for InputChange {
+    fn sentence(&self) -> String {
+        let (name, what) = (&self.name, input_word(self.kind));
+        match (&self.was, &self.is) {
+            (Some(was), Some(is)) => say!(verify_input_changed, name, what, was, is),
+            (Some(was), None) => say!(verify_input_gone, name, what, was),
+            (None, is) => say!(verify_input_new, name, what, is = is.as_deref().unwrap_or_default()),
+        }
+    }
+}
+
+fn input_word(kind: InputKind) -> String {
+    match kind {
+        InputKind::Part => say!(input_part),
+        InputKind::Cell => say!(input_cell),
+        InputKind::Robot => say!(input_robot),
+        InputKind::Head => say!(input_head),
+        InputKind::Clamp => say!(input_clamp),
+        InputKind::Obstacle => say!(input_obstacle),
     }
 }
 

@@ -7,6 +7,17 @@ verify_plan_needs_pulses = the job has no robot, and without one home is known t
 verify_no_program = the plan has no program
 verify_plan_unreadable = the plan's own program cannot be read: { $reason }
 
+## Files that the program was made from
+verify_input_changed = { $name }: the { $what } has changed since the program was made, SHA-256 was { $was } and is { $is }
+verify_input_gone = { $name }: the program was made with this { $what }, and now there is none; SHA-256 was { $was }
+verify_input_new = { $name }: the program was made without this { $what }; SHA-256 is { $is }
+input_part = part
+input_cell = cell
+input_robot = robot
+input_head = head
+input_clamp = clamp
+input_obstacle = obstacle
+
 ## What is wrong with a line
 verify_missing = before this line the plan has: { $line }
 verify_end_missing = { $lines ->

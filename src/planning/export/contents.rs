@@ -7,7 +7,7 @@ use super::output_file::{JOB, OutputFile, REPORT, is_plain};
 use super::program::{self, program, read_back};
 use super::tables::{joints_csv, path_csv};
 use crate::cell::Setup;
-use crate::document::files::{self, JobError};
+use crate::document::files::{self, InputDigest, JobError};
 use crate::document::{Job, Remembered};
 use crate::part::{Part, Surfaces};
 use crate::planning::PlanError;
@@ -48,6 +48,19 @@ pub fn files(
     of: &ExportOf,
     progress: &Progress,
 ) -> Result<(Vec<OutputFile>, Report), ExportError> {
+    files_made_from(input, of, Vec::new(), progress)
+}
+
+/// The same, with what is to be reported of the files that the plan was made from.
+///
+/// # Errors
+/// As [`files`].
+pub(super) fn files_made_from(
+    input: &ExportInput<'_>,
+    of: &ExportOf,
+    inputs: Vec<InputDigest>,
+    progress: &Progress,
+) -> Result<(Vec<OutputFile>, Report), ExportError> {
     let ExportInput { job, part, surfaces, setup, plan, findings, wording } = *input;
     let mut job = job.clone();
     job.part.landmarks = Remembered::of(&job, part, &job.part);
@@ -76,6 +89,7 @@ pub fn files(
     out.push(file("dose.ply", dose::ply(&map, surfaces)));
     check_names(&out)?;
     let list = out.iter().map(OutputFile::digest).collect();
+    report.inputs = inputs;
     report.written = Some(WrittenFiles { job: of.job.clone(), part: of.part.clone(), files: list });
     out.push(file(REPORT, json(&report)?));
     Ok((out, report))

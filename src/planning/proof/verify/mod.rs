@@ -11,6 +11,7 @@ mod differences;
 mod driven;
 mod error;
 mod expected;
+mod inputs;
 mod likeness;
 mod verdict;
 
@@ -19,6 +20,7 @@ pub(super) use driven::drive_program;
 pub use error::VerifyError;
 pub use expected::Expected;
 pub(super) use expected::{Poses, moves};
+pub use inputs::{InputChange, changed_inputs};
 pub use likeness::{MOST_OFF_MM, MOST_TURNED_DEG};
 pub use verdict::{Difference, DifferenceKind, Finding, JointOff, SpotOff, Verdict};
 
