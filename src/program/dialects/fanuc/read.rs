@@ -170,7 +170,7 @@ impl<'a> Listing<'a> {
                 return Err(LineFault::OtherMotionGroup { found: group.trim_end_matches(':').into() });
             }
             (Some((n, said)), _) => {
-                let more = text.chars().filter(|c| !c.is_whitespace());
+                let more = text.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase());
                 Some((n, said.chars().chain(more).collect()))
             }
         };
@@ -178,10 +178,10 @@ impl<'a> Listing<'a> {
     }
 }
 
-/// What is said of a position, without blanks.
+/// What is said of a position, without blanks and in large letters.
 fn position(said: &str, coupled: bool) -> Result<(Goal, String), LineFault> {
-    let joints = "GP1:UF:{f},UT:{t},J1={a}deg,J2={b}deg,J3={c}deg,J4={d}deg,J5={e}deg,J6={g}deg";
-    let pose_form = "GP1:UF:{f},UT:{t},CONFIG:'{config}',X={x}mm,Y={y}mm,Z={z}mm,W={a}deg,P={b}deg,R={c}deg";
+    let joints = "GP1:UF:{f},UT:{t},J1={a}DEG,J2={b}DEG,J3={c}DEG,J4={d}DEG,J5={e}DEG,J6={g}DEG";
+    let pose_form = "GP1:UF:{f},UT:{t},CONFIG:'{config}',X={x}MM,Y={y}MM,Z={z}MM,W={a}DEG,P={b}DEG,R={c}DEG";
     let six = |list: &[(&str, &str)]| -> Result<[f64; 6], LineFault> {
         let numbers: Option<Vec<f64>> = list.iter().map(|(_, v)| number(v)).collect();
         numbers.and_then(|n| n.try_into().ok()).ok_or_else(|| LineFault::numbers(6, said))
