@@ -80,7 +80,9 @@ fn comments_by_hand_do_nothing() {
         };
         // Behind the first signal, which is within the program.
         let marks = ["O3", "$OUT[3]", "do3,", "DO[3]", "_out(3", "OT#(3)", "DO3"];
-        passes(&case, "a comment", |t| each_line(t, |l| if marks.iter().any(|m| l.contains(m)) { format!("{line}\n{l}") } else { l.into() }));
+        passes(&case, "a comment", |t| {
+            each_line(t, |l| if marks.iter().any(|m| l.contains(m)) { format!("{line}\n{l}") } else { l.into() })
+        });
         if let Some(behind) = behind {
             passes(&case, "a comment behind", |t| each_line(t, |l| format!("{l}{behind}")));
         }
@@ -94,17 +96,34 @@ fn what_controllers_keep_for_themselves_does_nothing() {
             "fanuc" => {
                 passes(&case, "application", |t| t.replace("/MN", "/APPL\n  SPOT : TRUE ;\n\n  LINE_TRACK ;\n/MN"));
                 passes(&case, "dates and sizes", |t| {
-                    let dated = t.replace("PROG_SIZE = 0;", "PROG_SIZE\t= 1234;\nCREATE\t\t= DATE 26-11-28  TIME 10:00:00;");
-                    dated.replace("OWNER = MNEDITOR;", "OWNER\t\t= OPERATOR;\nFILE_NAME\t= ;\nVERSION\t\t= 3;").replace(" = ", "\t\t= ")
+                    let dated =
+                        t.replace("PROG_SIZE = 0;", "PROG_SIZE\t= 1234;\nCREATE\t\t= DATE 26-11-28  TIME 10:00:00;");
+                    dated
+                        .replace("OWNER = MNEDITOR;", "OWNER\t\t= OPERATOR;\nFILE_NAME\t= ;\nVERSION\t\t= 3;")
+                        .replace(" = ", "\t\t= ")
                 });
-                passes(&case, "names", |t| t.replace("DO[3]", "DO[ 3:laser on]").replace("]{", ":\"a ] point\"]{").replace("a ] point", "a point"));
+                passes(&case, "names", |t| {
+                    t.replace("DO[3]", "DO[ 3:laser on]")
+                        .replace("]{", ":\"a ] point\"]{")
+                        .replace("a ] point", "a point")
+                });
                 passes(&case, "blanks of moves", |t| t.replace("FINE ;", "FINE    ;").replace("P[1] ", "P[1:home] "));
-                passes(&case, "three decimals", |t| each_line(t, |l| if l.starts_with('\t') { l.replace("0 deg", " deg").replace(" mm", "  mm") } else { l.into() }));
+                passes(&case, "three decimals", |t| {
+                    each_line(t, |l| {
+                        if l.starts_with('\t') { l.replace("0 deg", " deg").replace(" mm", "  mm") } else { l.into() }
+                    })
+                });
             }
             "kuka" => {
-                passes(&case, "attributes", |t| t.replace("&REL 1", "&REL 27\n&PARAM EDITMASK = *\n&PARAM TEMPLATE = C:\\KRC\\vorgabe"));
-                passes(&case, "folds", |t| t.replace("BAS(#INITMOV,0)", ";FOLD INI;%{PE}\n  BAS (#INITMOV, 0 )\n;ENDFOLD (INI)"));
-                passes(&case, "points in the data list", |t| t.replace("ENDDAT", "DECL E6POS XP1={X 1.0,Y 2.0}\nENDDAT").replace("&ACCESS RVP", "&ACCESS RVO"));
+                passes(&case, "attributes", |t| {
+                    t.replace("&REL 1", "&REL 27\n&PARAM EDITMASK = *\n&PARAM TEMPLATE = C:\\KRC\\vorgabe")
+                });
+                passes(&case, "folds", |t| {
+                    t.replace("BAS(#INITMOV,0)", ";FOLD INI;%{PE}\n  BAS (#INITMOV, 0 )\n;ENDFOLD (INI)")
+                });
+                passes(&case, "points in the data list", |t| {
+                    t.replace("ENDDAT", "DECL E6POS XP1={X 1.0,Y 2.0}\nENDDAT").replace("&ACCESS RVP", "&ACCESS RVO")
+                });
             }
             "yaskawa" => passes(&case, "dates", |t| {
                 let dated = t.replace("///DATE 2020/01/01 00:00", "///DATE 2026/11/28 10:02");

@@ -59,14 +59,16 @@ fn runs(text: &str, of: impl Fn(char) -> bool) -> Vec<(usize, usize)> {
     out
 }
 
-/// The line with each of its numbers one higher, its digits kept.
+/// The line with each of its numbers so much higher that it counts, its digits kept.
 fn other_numbers(line: &str) -> Vec<String> {
     let digits = runs(line, |c| c.is_ascii_digit() || c == '.');
     let number = |(from, to): &(usize, usize)| {
         let text = &line[*from..*to];
         let (decimals, width) = (text.split_once('.').map_or(0, |(_, d)| d.len()), text.len());
         let plain = !text.contains('.') && text.starts_with('0');
-        let value = text.parse::<f64>().ok()? + 1.0;
+        // A pulse is a thousandth of a degree.
+        let least = if line.starts_with("C0") && decimals == 0 { 100.0 } else { 1.0 };
+        let value = 1.1 * text.parse::<f64>().ok()? + least;
         let other = if plain { format!("{value:0width$.0}") } else { format!("{value:.decimals$}") };
         Some(format!("{}{other}{}", &line[..*from], &line[*to..]))
     };
@@ -84,7 +86,9 @@ fn retyped(line: &str, dialect: &str) -> Vec<String> {
     let pairs: &[(&str, &str)] = match dialect {
         "nachi" => &[("M1J", "M1X"), (",P,", ",L,"), (",T=", ",R="), ("RESET", "SET"), ("SET O3", "SET O5")],
         "kuka" => &[("PTP ", "LIN "), ("} C_DIS", "}"), ("TRUE", "FALSE"), ("$OUT[3]", "$OUT[5]"), ("CP", "ORI1")],
-        "abb" => &[("MoveAbsJ", "MoveJ"), ("MoveJ", "MoveL"), ("MoveAbsJ", "MoveL"), (",fine,", ",z0,"), (",1;", ",0;")],
+        "abb" => {
+            &[("MoveAbsJ", "MoveJ"), ("MoveJ", "MoveL"), ("MoveAbsJ", "MoveL"), (",fine,", ",z0,"), (",1;", ",0;")]
+        }
         "fanuc" => &[("J P[", "L P["), ("FINE", "CNT100"), ("msec", "sec"), ("=ON", "=OFF"), ("DO[3]", "DO[5]")],
         "ur" => &[("movej", "movel"), ("(p[", "(["), ("True", "False"), (", t=", ", r="), ("_out(3", "_out(5")],
         "yaskawa" => &[("MOVJ", "MOVL"), ("PL=0", "PL=1"), (" V=", " VR="), (") ON", ") OFF"), ("#(3)", "#(5)")],
@@ -96,7 +100,7 @@ fn retyped(line: &str, dialect: &str) -> Vec<String> {
 }
 
 /// Whether the numbers that two names in an instruction stand for are the same: the change then leads nowhere else.
-fn names_the_same(case: &Case, was: &str, is: &str) -> bool {
+fn names_the_same(case: &Case, file: &ProgramFile, was: &str, is: &str) -> bool {
     let name = |line: &str| -> Option<String> {
         match case.dialect.name() {
             "fanuc" => Some(format!("P[{}]{{", line.split_once("P[")?.1.split_once(']')?.0)),
@@ -106,8 +110,9 @@ fn names_the_same(case: &Case, was: &str, is: &str) -> bool {
         }
     };
     let of = |name: &str| -> Vec<String> {
-        let all = case.files.iter().flat_map(|f| f.text.lines());
-        let lines: Vec<&str> = all.skip_while(|l| !l.starts_with(name)).take(if name.ends_with('{') { 5 } else { 1 }).collect();
+        let own = case.files.iter().filter(|f| f.name == file.name || f.name.ends_with(".erd"));
+        let from = own.flat_map(|f| f.text.lines()).skip_while(|l| !l.starts_with(name));
+        let lines: Vec<&str> = from.take(if name.ends_with('{') { 5 } else { 1 }).collect();
         lines.iter().map(|l| l.replace(name, "")).collect()
     };
     match (name(was), name(is)) {
@@ -117,20 +122,40 @@ fn names_the_same(case: &Case, was: &str, is: &str) -> bool {
 }
 
 /// Swaps of two lines that are run in the same order all the same.
-fn runs_the_same(case: &Case, file: &ProgramFile, a: &str, b: &str) -> bool {
+fn runs_the_same(file: &ProgramFile, a: &str, b: &str) -> bool {
     let (a, b) = (a.trim(), b.trim());
-    let begins = |t: &str| t.starts_with("def ");
     a == b
         // Points and speeds are called by their names.
         || file.name.ends_with(".erd")
-        // The function that is called next begins within the one before it.
-        || (case.dialect.name() == "ur" && (begins(a) || begins(b)) && [a, b].iter().any(|t| *t == "end" || t.starts_with("set_tcp")))
+        // The function that is called first, or next, begins around what is run before it.
+        || ((a == "end" || a.starts_with("set_tcp")) && b.starts_with("def "))
+        // All positions have the same tool.
+        || (a.starts_with("C0") && b.starts_with("///TOOL "))
+}
+
+/// What says again what counts already.
+fn says_nothing_new(line: &str) -> bool {
+    ["///TOOL ", "///RCONF ", "LINE_COUNT", "DEFAULT_GROUP"].iter().any(|word| line.starts_with(word))
+}
+
+/// Of Yaskawa's attributes the controller's user sets all but `RJ`; FANUC counts the lines of a program anew whenever it
+/// shows or loads it, and `LINE_COUNT` with them.
+fn is_the_controllers(case: &Case, was: &str, is: &str) -> bool {
+    let code = |t: &str| t.split_once(':').map(|(n, code)| (n.trim().parse::<u32>().is_ok(), code.to_owned()));
+    let is_number = || matches!((code(was), code(is)), (Some((true, a)), Some((true, b))) if a == b);
+    match case.dialect.name() {
+        "yaskawa" => is.starts_with("///ATTR ") && is.ends_with(",RJ"),
+        "fanuc" => is.starts_with("LINE_COUNT =") || is_number(),
+        _ => false,
+    }
 }
 
 struct Mutations<'a> {
     case: &'a Case,
     file: usize,
     lines: Vec<String>,
+    /// Lines without their digits, of which the words were changed.
+    seen: Vec<String>,
     /// What was changed, the files, and whether it has to be found.
     all: Vec<(String, Vec<ProgramFile>, bool)>,
 }
@@ -138,7 +163,7 @@ struct Mutations<'a> {
 impl Mutations<'_> {
     fn of(case: &Case, file: usize) -> Mutations<'_> {
         let lines = case.files[file].text.lines().map(str::to_owned).collect();
-        let mut m = Mutations { case, file, lines, all: Vec::new() };
+        let mut m = Mutations { case, file, lines, seen: Vec::new(), all: Vec::new() };
         (0..m.lines.len()).for_each(|i| m.line(i));
         m
     }
@@ -160,16 +185,24 @@ impl Mutations<'_> {
             return;
         }
         self.add("dropped", i, Vec::new(), acts);
-        self.add("doubled", i, vec![line.clone(), line.clone()], acts);
+        self.add("doubled", i, vec![line.clone(), line.clone()], acts && !says_nothing_new(&line));
         for other in retyped(&line, case.dialect.name()).into_iter().filter(|_| acts) {
             self.add("retyped", i, vec![other], true);
         }
         for other in other_numbers(&line) {
-            let is_idle = names_the_same(case, &line, &other) || is_line_number(case, &line, &other);
+            let is_idle = names_the_same(case, file, &line, &other) || is_the_controllers(case, &line, &other);
             self.add("number", i, vec![other], acts && !is_idle);
         }
-        for other in other_words(&line) {
-            self.add("word", i, vec![other], acts);
+        // Moves have the same words: those of the first are enough.
+        let shape = line.replace(|c: char| c.is_ascii_digit() || c == '-', "");
+        if !self.seen.contains(&shape) {
+            self.seen.push(shape);
+            for other in other_words(&line) {
+                // The word that makes it a comment.
+                let was_comment = other.starts_with("REMx");
+                let acts = (acts && !is_the_controllers(case, &line, &other)) || was_comment;
+                self.add("word", i, vec![other], acts);
+            }
         }
         self.swapped(i, what);
     }
@@ -181,10 +214,11 @@ impl Mutations<'_> {
         // Attributes have their place, and so has what begins a section.
         let is_section = |l: &str| l.starts_with('/') || l == "NOP" || self.case.dialect.name() == "csv";
         let line = self.lines[i].clone();
-        if both.contains(&Line::Attribute) || (both != [Line::Acts; 2] && [&line, &next].iter().any(|l| is_section(l))) {
+        if both.contains(&Line::Attribute) || (both != [Line::Acts; 2] && [&line, &next].iter().any(|l| is_section(l)))
+        {
             return;
         }
-        let acts = both == [Line::Acts; 2] && !runs_the_same(self.case, file, &line, &next);
+        let acts = both == [Line::Acts; 2] && !runs_the_same(file, &line, &next);
         let mut files = self.case.files.clone();
         let mut lines = self.lines.clone();
         lines.swap(i, i + 1);
@@ -192,13 +226,6 @@ impl Mutations<'_> {
         let place = format!("{}, {}:{}", self.case.name(), files[self.file].name, i + 1);
         self.all.push((format!("{place} swapped: {line:?} and {next:?}"), files, acts));
     }
-}
-
-/// FANUC counts the lines of a program anew whenever it shows or loads it, and `LINE_COUNT` with them.
-fn is_line_number(case: &Case, was: &str, is: &str) -> bool {
-    let code = |t: &str| t.split_once(':').map(|(n, code)| (n.trim().parse::<u32>().is_ok(), code.to_owned()));
-    case.dialect.name() == "fanuc"
-        && (was.starts_with("LINE_COUNT") || matches!((code(was), code(is)), (Some((true, a)), Some((true, b))) if a == b))
 }
 
 #[test]
@@ -209,7 +236,7 @@ fn every_change_that_acts_is_found_and_none_that_does_not() {
             let plan = case.as_written();
             assert!(!case.is_found(&plan, &case.files), "{}: {:?}", case.name(), case.differences(&plan, &case.files));
             let all: Vec<_> = (0..case.files.len()).flat_map(|f| Mutations::of(case, f).all).collect();
-            assert!(all.len() > 300, "{}: {}", case.name(), all.len());
+            assert!(all.len() > 200, "{}: {}", case.name(), all.len());
             let wrong = all.into_iter().filter(|(_, files, acts)| case.is_found(&plan, files) != *acts);
             wrong.map(|(what, _, acts)| format!("{} {what}", if acts { "PASSED" } else { "FOUND" })).collect::<Vec<_>>()
         })

@@ -66,8 +66,11 @@ struct FindingRecord<'a> {
 impl<'a> VerdictRecord<'a> {
     fn new(program: String, dialect: &'a str, inputs: &'a Inputs, v: &'a Verdict) -> VerdictRecord<'a> {
         let row = |f: &'a Finding| FindingRecord { file: &f.file, line: f.line, kind: f.kind, text: f.sentence() };
-        let input = |c: &'a InputChange| {
-            InputRecord { kind: c.kind, name: &c.name, was: c.was.as_deref(), is: c.is.as_deref() }
+        let input = |c: &'a InputChange| InputRecord {
+            kind: c.kind,
+            name: &c.name,
+            was: c.was.as_deref(),
+            is: c.is.as_deref(),
         };
         let is_compared = !is_unreadable(v);
         VerdictRecord {

@@ -1,8 +1,8 @@
 //! How a program differs from its plan, and why it cannot be compared.
 
 use super::{Sentence, fixed, id, listed, listed_clauses, say};
-use crate::part::rpy;
 use crate::document::files::InputKind;
+use crate::part::rpy;
 use crate::planning::verify::{Difference, Finding, InputChange, JointOff, SpotOff, VerifyError};
 use crate::program::dialect::{Goal, Statement};
 use crate::program::{Interpolation, MoveTiming, WriteError, dialects};

@@ -43,7 +43,8 @@ pub struct InputDigest {
 /// The files of a job in `job_file` as they are now, of a kind in the job's order. What cannot be read is left out.
 pub fn inputs(job: &Job, job_file: Option<&Path>) -> Vec<InputDigest> {
     let named = |file: &str| Some(resolved(job_file, file)).filter(|_| !file.is_empty());
-    let shipped = |kind, key: &str, text: &str| InputDigest { kind, name: key.into(), sha256: digest_of(text.as_bytes()) };
+    let shipped =
+        |kind, key: &str, text: &str| InputDigest { kind, name: key.into(), sha256: digest_of(text.as_bytes()) };
     let cell = match named(&job.cell.file) {
         Some(file) => of_file(InputKind::Cell, &file),
         None => Cell::shipped_text(cell_key(job)).map(|text| shipped(InputKind::Cell, cell_key(job), text)),
@@ -57,9 +58,8 @@ pub fn inputs(job: &Job, job_file: Option<&Path>) -> Vec<InputDigest> {
     let clamps = job.clamps.iter().filter_map(|c| of_file(InputKind::Clamp, &named(&c.file)?));
     let obstacles = load_cell(job, job_file).map(|cell| cell.bodies.obstacles).unwrap_or_default();
     let cell_file = named(&job.cell.file);
-    let obstacles = obstacles.iter().filter_map(|o| {
-        of_file(InputKind::Obstacle, &resolved(cell_file.as_deref(), &o.file))
-    });
+    let obstacles =
+        obstacles.iter().filter_map(|o| of_file(InputKind::Obstacle, &resolved(cell_file.as_deref(), &o.file)));
     [part, cell, robot, head].into_iter().flatten().chain(clamps).chain(obstacles).collect()
 }
 

@@ -190,7 +190,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const KRL: Spelling = Spelling { folds_case: true, comment: Some(';'), names_in_brackets: true, comment_starts: &[";"] };
+    const KRL: Spelling =
+        Spelling { folds_case: true, comment: Some(';'), names_in_brackets: true, comment_starts: &[";"] };
 
     #[test]
     fn spellings_of_a_line_are_one() {

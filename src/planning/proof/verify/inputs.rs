@@ -42,8 +42,7 @@ mod tests {
 
     #[test]
     fn files_that_changed_came_or_went_are_told() {
-        let input =
-            |kind, name: &str, sha256: &str| InputDigest { kind, name: name.into(), sha256: sha256.into() };
+        let input = |kind, name: &str, sha256: &str| InputDigest { kind, name: name.into(), sha256: sha256.into() };
         let then = [
             input(InputKind::Part, "a.stl", "1"),
             input(InputKind::Clamp, "c.stl", "2"),

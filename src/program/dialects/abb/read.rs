@@ -48,9 +48,8 @@ pub fn read(file: &ProgramFile, setup: &Setup) -> Result<Vec<ReadLine>, ReadErro
     let main_name = SPELLING.plain(&abb.procedure);
     let main = find(&main_name).ok_or_else(|| cut(format!("PROC {}()", abb.procedure)))?;
     let subprogram = format!("{main_name}_");
-    let called = |text: &str| {
-        SPELLING.plain(text).strip_suffix(';').filter(|t| t.starts_with(&subprogram)).map(str::to_owned)
-    };
+    let called =
+        |text: &str| SPELLING.plain(text).strip_suffix(';').filter(|t| t.starts_with(&subprogram)).map(str::to_owned);
     let calls: Vec<Option<String>> = main.body.iter().map(|(_, text)| called(text)).collect();
     let is_called = |p: &Procedure<'_>| calls.iter().flatten().any(|name| *name == p.name);
     if let Some(idle) = module.procedures.iter().find(|p| p.name != main.name && !is_called(p)) {

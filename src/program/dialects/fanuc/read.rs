@@ -231,7 +231,8 @@ fn read_move(text: &str, positions: &ListedPositions) -> Result<ReadMove, LineFa
     let n: u32 = n.parse().map_err(|_| undefined())?;
     let (goal, said) = positions.get(&n).ok_or_else(undefined)?;
     let (figure, unit) = rest.split_at(rest.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(form)?);
-    let (unit, more) = unit.strip_prefix('%').map_or_else(|| unit.split_once(' '), |m| Some(("%", m))).ok_or_else(form)?;
+    let (unit, more) =
+        unit.strip_prefix('%').map_or_else(|| unit.split_once(' '), |m| Some(("%", m))).ok_or_else(form)?;
     let timing = match (unit, number(figure)) {
         ("MSEC", Some(ms)) => MoveTiming::Seconds(ms / 1000.0),
         ("SEC", Some(s)) => MoveTiming::Seconds(s),

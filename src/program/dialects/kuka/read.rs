@@ -64,7 +64,8 @@ impl KrlReader<'_> {
             // Attributes are the controller's own: it counts changes in them.
             let idle = plain.is_empty() || (section == ModuleSection::Before && text.starts_with('&'));
             if idle {
-                self.push(file, line, Statement::Comment(text.into()));
+                let comment = self.signals.read_comment(text);
+                self.push(file, line, comment.unwrap_or_else(|| Statement::Comment(text.into())));
                 continue;
             }
             section = match section {

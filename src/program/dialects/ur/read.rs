@@ -69,7 +69,8 @@ impl Script {
             self.open.push(Function { name: name.into(), lines: Vec::new() });
         } else if plain == "end" {
             self.done.push(self.open.pop().ok_or(LineFault::OutsideFunction)?);
-        } else if let Some(i) = plain.strip_suffix("()").and_then(|name| self.done.iter().position(|f| f.name == name)) {
+        } else if let Some(i) = plain.strip_suffix("()").and_then(|name| self.done.iter().position(|f| f.name == name))
+        {
             // Each is called once: what would be left over is taken as not said.
             let called = self.done.swap_remove(i).lines;
             match self.open.last_mut() {

@@ -80,7 +80,11 @@ impl JobReader<'_> {
         let start = &self.setup.cell.yaskawa.start;
         if let Some(list) = plain.strip_prefix("///ATTR ") {
             let is_relative = list.split(',').any(|a| a == "RJ");
-            return Ok(if is_relative { Statement::Other("///ATTR RJ".into()) } else { Statement::Comment(text.into()) });
+            return Ok(if is_relative {
+                Statement::Other("///ATTR RJ".into())
+            } else {
+                Statement::Comment(text.into())
+            });
         }
         if ["///DATE", "///COMM"].iter().any(|word| plain.starts_with(word)) {
             return Ok(Statement::Comment(text.into()));
