@@ -4,7 +4,7 @@
 #[path = "common/small_programs.rs"]
 mod small_programs;
 
-use clearbeam::program::ProgramFile;
+use clearbeam::program::{Program, ProgramFile, WITHOUT_WORDS};
 use small_programs::{Case, cases};
 
 /// Passes if nothing is found in the programs as they were changed.
@@ -137,4 +137,26 @@ fn what_controllers_keep_for_themselves_does_nothing() {
             _ => {}
         }
     }
+}
+
+#[test]
+fn a_data_list_counts_where_it_says_which_outputs_a_name_stands_for() {
+    let mut case = cases().into_iter().find(|c| c.dialect.name() == "kuka").expect("KUKA");
+    case.setup.cell.kuka.data.push("SIGNAL GROUP2 $OUT[9] TO $OUT[16]".into());
+    let program = Program { head: Vec::new(), lines: case.lines.clone(), setup: &case.setup, wording: WITHOUT_WORDS };
+    case.files = case.dialect.write(&program).expect("writes");
+    let plan = case.as_written();
+    let found = |change: &dyn Fn(&mut Vec<ProgramFile>)| {
+        let mut files = case.files.clone();
+        change(&mut files);
+        case.differences(&plan, &files).expect("reads").len()
+    };
+    let data = case.files.iter().position(|f| f.name.ends_with(".dat")).expect("a data list");
+    assert_eq!(found(&|_| {}), 0);
+    assert_eq!(found(&|f| f[data].text = f[data].text.replace("SIGNAL GROUP2", "signal  group2")), 0);
+    assert_eq!(found(&|f| f[data].text = f[data].text.replace("$OUT[9]", "$OUT[3]")), 1);
+    let is_gone = found(&|f| {
+        f.remove(data);
+    });
+    assert_eq!(is_gone, 1, "without a data list nothing says what the name stands for");
 }
