@@ -125,6 +125,11 @@ impl Cell {
         Cell::parse(text, &format!("assets/cells/{key}.toml"))
     }
 
+    /// Text of the file of a shipped cell, by the key of its robot.
+    pub fn shipped_text(robot: &str) -> Option<&'static str> {
+        SHIPPED.iter().find(|(key, _)| *key == robot).map(|(_, text)| *text)
+    }
+
     /// Reads a cell file, and the files of its obstacles.
     ///
     /// # Errors

@@ -124,15 +124,13 @@ pub enum LineFault {
         /// The number that would have to.
         expected: usize,
     },
-    /// Every move has a position of its own.
-    MovesAndPositions {
-        /// Moves.
-        moves: usize,
-        /// Positions.
-        positions: usize,
-    },
     /// Nothing says which axes the program moves.
     NoMotionGroup,
+    /// The program moves more than one arm.
+    OtherMotionGroup {
+        /// The code that says so.
+        found: String,
+    },
     /// A speed of the flange says nothing of the spot's.
     FlangeSpeed {
         /// What was given.

@@ -40,10 +40,8 @@ impl Sentence for LineFault {
             }
             LineFault::Count { of, promised: None, found } => say!(read_count_missing, of = *of, found = *found),
             LineFault::OutOfOrder { found, expected } => say!(read_out_of_order, found, expected = id(expected)),
-            LineFault::MovesAndPositions { moves, positions } => {
-                say!(read_moves_and_positions, moves = *moves, positions = *positions)
-            }
             LineFault::NoMotionGroup => say!(read_no_motion_group),
+            LineFault::OtherMotionGroup { found } => say!(read_other_motion_group, found),
             LineFault::FlangeSpeed { found, one_of } => {
                 say!(read_flange_speed, found, expected = listed_choices(one_of.iter().map(AsRef::<str>::as_ref)))
             }

@@ -1,21 +1,49 @@
 //! How a program differs from its plan, and why it cannot be compared.
 
 use super::{Sentence, fixed, id, listed, listed_clauses, say};
+use crate::document::files::InputKind;
 use crate::part::rpy;
-use crate::planning::verify::{Difference, Finding, JointOff, SpotOff, VerifyError};
+use crate::planning::verify::{Difference, Finding, InputChange, JointOff, SpotOff, VerifyError};
 use crate::program::dialect::{Goal, Statement};
-use crate::program::{Interpolation, MoveTiming, dialects};
+use crate::program::{Interpolation, MoveTiming, WriteError, dialects};
 use nalgebra::Isometry3;
 
 impl Sentence for VerifyError {
     fn sentence(&self) -> String {
         match self {
             VerifyError::NoDialect { file } => say!(verify_no_dialect, file, known = listed(dialects::names())),
+            // Whoever verifies gives no options of planning: the job says what it was planned with.
+            VerifyError::Unwritable(WriteError::NoRobot(dialect) | WriteError::FromUnknownPose(dialect)) => {
+                say!(verify_plan_needs_robot, dialect = *dialect)
+            }
+            VerifyError::Unwritable(WriteError::HomeNeedsPulses) => say!(verify_plan_needs_pulses),
             VerifyError::Unwritable(e) => say!(verify_plan_unwritable, reason = e.sentence()),
             VerifyError::NoProgram => say!(verify_no_program),
             VerifyError::Cancelled => say!(text_cancelled),
             VerifyError::OwnUnreadable(e) => say!(verify_plan_unreadable, reason = e.sentence()),
         }
+    }
+}
+
+impl Sentence for InputChange {
+    fn sentence(&self) -> String {
+        let (name, what) = (&self.name, input_word(self.kind));
+        match (&self.was, &self.is) {
+            (Some(was), Some(is)) => say!(verify_input_changed, name, what, was, is),
+            (Some(was), None) => say!(verify_input_gone, name, what, was),
+            (None, is) => say!(verify_input_new, name, what, is = is.as_deref().unwrap_or_default()),
+        }
+    }
+}
+
+fn input_word(kind: InputKind) -> String {
+    match kind {
+        InputKind::Part => say!(input_part),
+        InputKind::Cell => say!(input_cell),
+        InputKind::Robot => say!(input_robot),
+        InputKind::Head => say!(input_head),
+        InputKind::Clamp => say!(input_clamp),
+        InputKind::Obstacle => say!(input_obstacle),
     }
 }
 
@@ -37,7 +65,7 @@ impl Sentence for Difference {
             Difference::OtherLine { found, planned } => {
                 say!(verify_other, found = line(found), planned = line(planned))
             }
-            Difference::Elsewhere { spot, joint } => elsewhere(*spot, *joint),
+            Difference::Elsewhere { spot, joint, goals } => elsewhere(*spot, *joint, goals.as_ref()),
             Difference::OtherWay { found, planned } => {
                 say!(verify_other_meaning, found = way(*found), planned = way(*planned))
             }
@@ -67,13 +95,16 @@ impl Sentence for Difference {
     }
 }
 
-fn elsewhere(spot: Option<SpotOff>, joint: Option<JointOff>) -> String {
+fn elsewhere(spot: Option<SpotOff>, joint: Option<JointOff>, goals: Option<&[Goal; 2]>) -> String {
+    // Joints are told one by one.
+    let poses = goals.filter(|_| joint.is_none());
+    let poses = poses.map(|[found, planned]| say!(verify_other, found = goal(found), planned = goal(planned)));
     let spot = spot.map(|s| say!(verify_spot_off, mm = fixed(s.mm, 3), deg = fixed(s.deg, 3)));
     let joint = joint.map(|j| {
         let (found, planned) = (fixed(j.found_deg, 3), fixed(j.planned_deg, 3));
         say!(verify_joint_off, joint = id(j.joint + 1), found, planned)
     });
-    listed_clauses(spot.into_iter().chain(joint))
+    listed_clauses(spot.into_iter().chain(joint).chain(poses))
 }
 
 fn pace(pace: &MoveTiming) -> String {
@@ -107,9 +138,9 @@ fn line(what: &Statement) -> String {
     }
 }
 
-/// A target: mm, then turns about Z, Y and X in degrees.
+/// A target: mm, then turns about Z, Y and X in degrees. As many digits as a difference that counts has.
 fn goal(goal: &Goal) -> String {
-    let list = |numbers: &[f64]| listed(numbers.iter().map(|v| fixed(v + 0.0, 2)));
+    let list = |numbers: &[f64]| listed(numbers.iter().map(|v| fixed(v + 0.0, 3)));
     let pose = |at: &Isometry3<f64>| {
         let turns = rpy::from_rotation(&at.rotation.to_rotation_matrix());
         format!("({}; {})", list(at.translation.vector.as_slice()), list(&turns))
@@ -130,7 +161,7 @@ mod tests {
         let spot = Some(SpotOff { mm: 0.5, deg: 0.0 });
         let joint = Some(JointOff { joint: 5, planned_deg: 1.0, found_deg: 361.0 });
         assert_eq!(
-            Difference::Elsewhere { spot, joint }.sentence(),
+            Difference::Elsewhere { spot, joint, goals: None }.sentence(),
             "the spot is 0.500 mm off and turned by 0.000\u{b0}; J6 stands at 361.000\u{b0}, the plan has 1.000\u{b0}"
         );
     }

@@ -64,6 +64,7 @@ verify_moves = { $dialect }: { $moves ->
    *[other] { $moves } moves
 }, { $lit } with the laser on
 verify_furthest = furthest from the plan: { $mm } mm, { $deg }° at the spot
+verify_inputs_unknown = no report.json with this program says which files it was made from, so nobody knows whether cell, robot, head and clamps are still those; give the program or its job in the folder of the export
 verify_finding = { $file }:{ $line }: { $what }
 verify_more = and { $count } more
 verify_count = { $count ->

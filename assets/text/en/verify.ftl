@@ -2,8 +2,21 @@
 
 verify_no_dialect = { $file }: is no program of any dialect known here ({ $known }); give the file that was exported
 verify_plan_unwritable = the plan cannot be written in the program's dialect: { $reason }
+verify_plan_needs_robot = the job has no robot, and without one a { $dialect } program cannot be written to compare with; verify with the job that the program was exported with, or name the robot in the job: robot in [cell]
+verify_plan_needs_pulses = the job has no robot, and without one home is known to a yaskawa job by pulses only; verify with the job that the program was exported with, name the robot in the job (robot in [cell]), or give yaskawa.pulses_per_deg in the cell file
 verify_no_program = the plan has no program
 verify_plan_unreadable = the plan's own program cannot be read: { $reason }
+
+## Files that the program was made from
+verify_input_changed = { $name }: the { $what } has changed since the program was made, SHA-256 was { $was } and is { $is }
+verify_input_gone = { $name }: the program was made with this { $what }, and now there is none; SHA-256 was { $was }
+verify_input_new = { $name }: the program was made without this { $what }; SHA-256 is { $is }
+input_part = part
+input_cell = cell
+input_robot = robot
+input_head = head
+input_clamp = clamp
+input_obstacle = obstacle
 
 ## What is wrong with a line
 verify_missing = before this line the plan has: { $line }

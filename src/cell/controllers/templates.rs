@@ -215,9 +215,11 @@ pub fn text(lines: &[String], crlf: bool) -> String {
     lines.iter().flat_map(|l| [l.as_str(), end]).collect()
 }
 
-/// Lines that say something, trimmed, with their numbers from 1.
+/// Lines that say something, trimmed, with their numbers from 1; they may end with LF, CR LF or CR.
 pub fn non_blank_lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    text.lines().enumerate().map(|(i, l)| (i + 1, l.trim())).filter(|(_, l)| !l.is_empty())
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let lines = text.split('\n').flat_map(|l| l.strip_suffix('\r').unwrap_or(l).split('\r'));
+    lines.enumerate().map(|(i, l)| (i + 1, l.trim())).filter(|(_, l)| !l.is_empty())
 }
 
 #[cfg(test)]
@@ -268,6 +270,13 @@ mod tests {
             );
         }
         assert_eq!(refused("A{n}{v}", &["n", "v"]).fault, TemplateFault::Touching);
+    }
+
+    #[test]
+    fn lines_are_counted_whatever_their_ends() {
+        for text in ["\u{feff}a\n\n b \t\nc", "a\r\n\r\n b \r\nc\r\n", "a\r\r b\rc\r"] {
+            assert_eq!(non_blank_lines(text).collect::<Vec<_>>(), [(1, "a"), (3, "b"), (4, "c")], "{text:?}");
+        }
     }
 
     #[test]

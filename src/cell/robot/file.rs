@@ -154,6 +154,11 @@ impl Robot {
         Robot::shipped().any(|key| key == name)
     }
 
+    /// Text of the file of a shipped robot.
+    pub fn shipped_text(name: &str) -> Option<&'static str> {
+        SHIPPED.iter().find(|(key, _)| *key == name).map(|(_, text)| *text)
+    }
+
     /// A shipped robot by its key, or a robot file by its path, with the files of its bodies.
     ///
     /// # Errors

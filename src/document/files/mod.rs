@@ -3,6 +3,7 @@
 
 mod atomic;
 mod error;
+mod inputs;
 mod part_file;
 mod paths;
 pub mod save;
@@ -11,6 +12,7 @@ pub mod stamps;
 
 pub use atomic::write_atomic;
 pub use error::JobError;
+pub use inputs::{InputDigest, InputKind, inputs};
 pub use part_file::{build_part, load_part, part_file, read_part};
 pub(in crate::document) use paths::{absolute, with_whole_paths};
 pub use paths::{rebased, relative_to, resolved};

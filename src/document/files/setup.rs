@@ -57,11 +57,15 @@ pub fn load_tool(job: &Job, job_file: Option<&Path>) -> Result<Tool, JobError> {
 /// # Errors
 /// The file cannot be read or has absurd figures.
 pub fn load_cell(job: &Job, job_file: Option<&Path>) -> Result<Cell, JobError> {
-    Ok(match (job.cell.file.as_str(), job.cell.robot.as_str()) {
-        ("", "") => Cell::shipped("mz04")?,
-        ("", robot) => Cell::shipped(robot)?,
-        (file, _) => Cell::load(&resolved(job_file, file))?,
+    Ok(match job.cell.file.as_str() {
+        "" => Cell::shipped(cell_key(job))?,
+        file => Cell::load(&resolved(job_file, file))?,
     })
+}
+
+/// Key of the shipped cell of a job that names no cell file: its robot's.
+pub(super) fn cell_key(job: &Job) -> &str {
+    if job.cell.robot.is_empty() { "mz04" } else { &job.cell.robot }
 }
 
 /// The robot in the cell, with the frames of the job in place of the cell's.

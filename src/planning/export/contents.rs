@@ -7,7 +7,7 @@ use super::output_file::{DOSE, JOB, OutputFile, REPORT, is_plain};
 use super::program::{self, program, read_back, variant_program};
 use super::tables::{joints_csv, path_csv};
 use crate::cell::Setup;
-use crate::document::files::{self, JobError};
+use crate::document::files::{self, InputDigest, JobError};
 use crate::document::{Job, Remembered};
 use crate::part::{Part, Surfaces, digest_of};
 use crate::planning::PlanError;
@@ -67,7 +67,7 @@ pub fn files(
     of: &ExportOf,
     progress: &Progress,
 ) -> Result<(Vec<OutputFile>, Report), ExportError> {
-    MadeFiles::new(input, of, progress)?.finished(of, Vec::new())
+    MadeFiles::new(input, of, Vec::new(), progress)?.finished(of, Vec::new())
 }
 
 /// All files of an export but the report, which lists what stands beside them.
@@ -85,11 +85,16 @@ pub(super) struct MadeFiles {
 }
 
 impl MadeFiles {
-    /// Makes them.
+    /// Makes them. `inputs`: what is to be reported of the files that the plan was made from.
     ///
     /// # Errors
     /// As [`files`].
-    pub(super) fn new(input: &ExportInput<'_>, of: &ExportOf, progress: &Progress) -> Result<MadeFiles, ExportError> {
+    pub(super) fn new(
+        input: &ExportInput<'_>,
+        of: &ExportOf,
+        inputs: Vec<InputDigest>,
+        progress: &Progress,
+    ) -> Result<MadeFiles, ExportError> {
         let ExportInput { job, part, surfaces, setup, plan: whole, findings, wording, options } = *input;
         let mut job = job.clone();
         job.part.landmarks = Remembered::of(&job, part, &job.part);
@@ -101,7 +106,7 @@ impl MadeFiles {
         report.findings.splice(0..0, findings.iter().cloned());
         let dose = options.has_dose(job).then(|| DoseFile::new(input, job, progress)).transpose()?;
         let (dose_ply, dose_report) = dose.map_or((None, None), |d| (Some(d.ply), Some(d.report)));
-        report.dose = dose_report;
+        (report.dose, report.inputs) = (dose_report, inputs);
         progress.check()?;
         progress.begin(Activity::WritingProgram, 2);
         let of_part = &of.part;

@@ -16,6 +16,7 @@ mod intent;
 mod output_file;
 mod ownership;
 mod program;
+mod recorded;
 mod recovery;
 mod tables;
 
@@ -25,11 +26,12 @@ pub use error::ExportError;
 pub use output_file::OutputFile;
 pub use ownership::allowed;
 pub use program::program;
+pub use recorded::recorded_inputs;
 pub use tables::path_csv;
 
 use super::report::Report;
 use crate::cell::Setup;
-use crate::document::files::rebased;
+use crate::document::files::{inputs, rebased};
 use crate::document::model::Job;
 use crate::program::Breakdown;
 use crate::progress::Progress;
@@ -98,7 +100,8 @@ pub fn write(
 ) -> Result<Exported, ExportError> {
     let of = ExportOf::new(input.job, job_file);
     let job = rebased(input.job, job_file, &dir.join(output_file::JOB))?;
-    let made = MadeFiles::new(&ExportInput { job: &job, ..*input }, &of, progress)?;
+    let inputs = inputs(input.job, job_file);
+    let made = MadeFiles::new(&ExportInput { job: &job, ..*input }, &of, inputs, progress)?;
     let may = MayReplace { reads_job: ownership::reads_job_of(dir, job_file), overwrite };
     progress.check()?;
     let mut stays = Vec::new();

@@ -25,6 +25,7 @@ pub use written_files::{DryRunReport, FileDigest, StandingProgram, WrittenFiles}
 use super::cell_report::CellReport;
 use super::dose::DoseReport;
 use super::plan::Plan;
+use crate::document::files::InputDigest;
 use crate::part::{Part, PartFinding, Surfaces};
 use crate::pose::{Pass, Target, TargetState};
 use crate::program::Timeline;
@@ -103,6 +104,9 @@ pub struct Report {
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<CellReport>,
+    /// The files that it was planned from, as they were when it was exported; only what is exported has them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<InputDigest>,
     /// Whose export this is, and its files; only what is exported has it.
     #[serde(flatten)]
     pub written: Option<WrittenFiles>,
@@ -167,6 +171,7 @@ impl Report {
             min_clearance_mm: clearance.reduce(f64::min),
             dose: None,
             cell: plan.cell.clone(),
+            inputs: Vec::new(),
             written: None,
         }
     }

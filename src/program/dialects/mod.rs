@@ -13,6 +13,8 @@ pub mod kuka;
 pub mod nachi;
 mod pace;
 mod reading;
+mod signals;
+pub mod spelling;
 mod subprograms;
 mod templates;
 pub mod ur;

@@ -24,6 +24,11 @@ impl Found {
         Found { lines: Vec::new(), open: Vec::new() }
     }
 
+    /// Whether the file that is read is the one to start, and none that another calls.
+    pub fn is_main(&self) -> bool {
+        self.open.len() == 1
+    }
+
     /// Reads a file by `read`, which comes back here for the files it calls.
     ///
     /// # Errors

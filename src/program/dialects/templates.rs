@@ -1,8 +1,8 @@
-//! Outputs, their values, dwells and comments by the templates of a controller's table, both ways. Moves are each dialect's
-//! own.
+//! Outputs, their values, dwells and comments as they are written by the templates of a controller's table. Moves are each
+//! dialect's own; `signals` reads what is written here.
 
-use crate::cell::controllers::templates::{check_signals, cut, filled, fixed, matched, matched_key, number, plain};
-use crate::program::dialect::Statement;
+use super::spelling::Spelling;
+use crate::cell::controllers::templates::{check_signals, cut, filled, fixed, plain};
 use crate::program::neutral::comment::{Comment, Wording};
 use crate::program::neutral::lines::ProgramLine;
 use crate::program::write_error::{SignalKind, WriteError};
@@ -34,6 +34,8 @@ pub struct SignalTemplates<'a> {
     pub forbidden: &'a [char],
     /// Longest comment; longer ones are cut at blanks.
     pub width: Option<usize>,
+    /// How the language may spell a line.
+    pub spelling: Spelling,
 }
 
 impl SignalTemplates<'_> {
@@ -88,42 +90,8 @@ impl SignalTemplates<'_> {
         lines.flat_map(cut).map(|t| self.comment(&t)).collect()
     }
 
-    fn comment(&self, text: &str) -> String {
+    /// One line of comment.
+    pub fn comment(&self, text: &str) -> String {
         filled(self.comment, &[("text", text)]).trim_end().into()
-    }
-
-    /// What a line does, if it is one of these.
-    pub fn read(&self, line: &str) -> Option<Statement> {
-        let output = self.read_output(line).or_else(|| self.read_output_value(line));
-        output.or_else(|| self.read_wait(line)).or_else(|| self.read_comment(line))
-    }
-
-    fn read_output(&self, line: &str) -> Option<Statement> {
-        let number = |template| matched_key(template, "n", line)?.trim().parse().ok();
-        let on = number(self.output_on).map(|number| Statement::Output { number, on: true });
-        on.or_else(|| number(self.output_off).map(|number| Statement::Output { number, on: false }))
-    }
-
-    fn read_output_value(&self, line: &str) -> Option<Statement> {
-        let output_value = |template, group| {
-            let keys = matched(template, line)?;
-            let value = |key: &str| keys.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
-            Some(Statement::OutputValue {
-                number: value("n")?.trim().parse().ok()?,
-                value: number(value("v")?)?,
-                group,
-            })
-        };
-        output_value(self.group, true).or_else(|| output_value(self.analogue, false))
-    }
-
-    fn read_wait(&self, line: &str) -> Option<Statement> {
-        let count = number(matched_key(self.wait, "s", line)?).filter(|count| *count >= 0.0)?;
-        Some(Statement::Wait(count / self.wait_per_s))
-    }
-
-    fn read_comment(&self, line: &str) -> Option<Statement> {
-        let text = matched_key(self.comment, "text", line).or((self.comment("") == line).then_some(""))?;
-        Some(Statement::Comment(text.trim().into()))
     }
 }

@@ -1,9 +1,12 @@
 //! A program's lines against those of the plan, one by one: what is gone, new, or otherwise.
 
-use super::expected::{Expected, Poses};
-use super::likeness::{is_same, is_same_kind, is_same_pace, off_joint, position_difference, turn_deg};
+use super::expected::Poses;
+use super::likeness::{
+    is_pace_as_written, is_same, is_same_kind, is_same_pace, off_joint, position_difference, turn_deg,
+};
 use super::verdict::{Difference, JointOff, SpotOff, Verdict};
 use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
+use crate::program::dialects::spelling::is_same_code;
 use crate::program::{Move, spot};
 
 /// Lines looked ahead to find where two programs meet again.
@@ -26,12 +29,13 @@ struct ComparedLines<'a, 'r> {
 /// each line that is the plan's: a pose alone does not say how the arm stands, its configuration does,
 /// and that is compared as it is written.
 pub(super) fn compare<'a>(
-    expected: &Expected<'a>,
+    planned: &[&'a Move],
+    written: &[ReadLine],
     poses: &Poses<'_>,
     read: &[ReadLine],
     verdict: &mut Verdict,
 ) -> Vec<Option<&'a Move>> {
-    let sides = ComparedLines::new(expected, poses, read);
+    let sides = ComparedLines::new(planned, written, poses, read);
     let (want, have) = (&sides.want, &sides.have);
     let mut found_moves = vec![None; read.len()];
     let (mut i, mut k) = (0, 0);
@@ -63,10 +67,15 @@ pub(super) fn compare<'a>(
 }
 
 impl<'a, 'r> ComparedLines<'a, 'r> {
-    fn new(expected: &'r Expected<'a>, poses: &'r Poses<'r>, read: &'r [ReadLine]) -> ComparedLines<'a, 'r> {
+    fn new(
+        planned: &[&'a Move],
+        written: &'r [ReadLine],
+        poses: &'r Poses<'r>,
+        read: &'r [ReadLine],
+    ) -> ComparedLines<'a, 'r> {
         let acts = |l: &&ReadLine| !matches!(l.what, Statement::Comment(_));
-        let want: Vec<&ReadLine> = expected.written.iter().filter(acts).collect();
-        let mut planned = expected.moves.iter();
+        let want: Vec<&ReadLine> = written.iter().filter(acts).collect();
+        let mut planned = planned.iter();
         let plans = want
             .iter()
             .map(|l| matches!(l.what, Statement::Move(_)).then(|| planned.next().copied()).flatten())
@@ -129,7 +138,8 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
             (Goal::Joints(joints), Some(home)) => {
                 if let Some(j) = off_joint(&Goal::Joints(home), &have.goal, HOME_JOINTS_COARSEST_DEG) {
                     let joint = Some(JointOff::new(j, &home, joints));
-                    verdict.findings.push(Difference::Elsewhere { spot: None, joint }.at(at));
+                    let goals = Some([have.goal, Goal::Joints(home)]);
+                    verdict.findings.push(Difference::Elsewhere { spot: None, joint, goals }.at(at));
                 }
                 None
             }
@@ -142,7 +152,8 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
             (verdict.worst_mm, verdict.worst_deg) = (verdict.worst_mm.max(mm), verdict.worst_deg.max(deg));
             let off = SpotOff { mm, deg };
             if !off.is_near() {
-                verdict.findings.push(Difference::Elsewhere { spot: Some(off), joint: None }.at(at));
+                let goals = Some([Goal::Focus(focus), Goal::Focus(planned)]);
+                verdict.findings.push(Difference::Elsewhere { spot: Some(off), joint: None, goals }.at(at));
             }
         }
         if plan.interpolation != have.interpolation {
@@ -155,18 +166,52 @@ impl<'a, 'r> ComparedLines<'a, 'r> {
 
 /// Compares a move's timing with the plan. A timing that was changed in the text is [`compare_settings`]'s finding.
 fn compare_timing(plan: &Move, at: &ReadLine, want: &ReadMove, have: &ReadMove, verdict: &mut Verdict) {
-    if !is_same_pace(&plan.timing, &have.timing) && is_same_pace(&want.timing, &have.timing) {
+    if !is_same_pace(&plan.timing, &have.timing) && is_pace_as_written(&want.timing, &have.timing) {
         verdict.findings.push(Difference::OtherPace { found: have.timing, planned: plan.timing }.at(at));
     }
 }
 
 /// Compares what a move says beside its target with the plan as it is written.
 fn compare_settings(want: &ReadMove, at: &ReadLine, have: &ReadMove, verdict: &mut Verdict) {
-    if want.rest != have.rest {
-        let (found, planned) = (have.rest.clone(), want.rest.clone());
+    if !is_same_code(&want.rest, &have.rest) {
+        let [found, planned] = where_they_differ(&have.rest, &want.rest);
         verdict.findings.push(Difference::OtherWords { found, planned }.at(at));
     }
-    if !is_same_pace(&want.timing, &have.timing) {
+    if !is_pace_as_written(&want.timing, &have.timing) {
         verdict.findings.push(Difference::OtherTime { found: have.timing, planned: want.timing }.at(at));
+    }
+}
+
+/// The words of both that the other does not have in the same place, without those before and behind that both have; all
+/// of them where one has no others.
+fn where_they_differ(a: &str, b: &str) -> [String; 2] {
+    let words = |t: &str| t.split_inclusive([',', ' ']).map(str::to_owned).collect::<Vec<_>>();
+    let (of_a, of_b) = (words(a), words(b));
+    let bare = |w: &str| w.trim_end_matches([',', ' ']).to_owned();
+    let is_same = |(x, y): &(&String, &String)| is_same_code(&bare(x), &bare(y));
+    let before = of_a.iter().zip(&of_b).take_while(is_same).count();
+    let behind = of_a[before..].iter().rev().zip(of_b[before..].iter().rev()).take_while(is_same).count();
+    let own = |all: &[String]| bare(&all[before..all.len() - behind].concat());
+    match [own(&of_a), own(&of_b)] {
+        [x, y] if x.is_empty() || y.is_empty() => [a.to_owned(), b.to_owned()],
+        other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_words_that_differ_are_told() {
+        for (a, b, differ) in [
+            ("FINE UF0 UT1", "FINE UF0 UT0", ["UT1", "UT0"]),
+            ("A=1,AC=0,SM=0,H=2,MS", "A=1,AC=0,SM=0,H=1,MS", ["H=2", "H=1"]),
+            ("A=1,H=1,CONF=1,MS", "A=1,H=1,MS", ["A=1,H=1,CONF=1,MS", "A=1,H=1,MS"]),
+            ("C_DIS", "", ["C_DIS", ""]),
+            ("a=1.0,v=2,r=3", "a=1,v=3,r=4", ["v=2,r=3", "v=3,r=4"]),
+        ] {
+            assert_eq!(where_they_differ(a, b), differ);
+        }
     }
 }

@@ -9,6 +9,7 @@ use super::verdict::{Difference, JointOff, SpotOff};
 use crate::part::angle;
 use crate::program::MoveTiming;
 use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
+use crate::program::dialects::spelling::is_same_code;
 use nalgebra::Isometry3;
 use std::mem::discriminant;
 
@@ -16,8 +17,11 @@ use std::mem::discriminant;
 pub const MOST_OFF_MM: f64 = 0.01;
 /// The beam with its spin, and every joint, may be turned by so much, degrees.
 pub const MOST_TURNED_DEG: f64 = 0.01;
-/// Share by which a time may differ: speeds are written with few digits.
+/// Share by which the time that the dialect's words give may differ from the plan's: speeds are written with few digits.
 const MOST_SLOWER: f64 = 0.02;
+/// Share by which a time or speed may differ from the same plan as it is written: what it changes of a dose is below
+/// what any gauge shows, and digits that a controller rounds change less.
+const MOST_OTHERWISE: f64 = 0.005;
 
 /// Whether a line is the one of the plan, small changes of pose and time not looked at.
 pub(super) fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bool {
@@ -27,6 +31,7 @@ pub(super) fn is_same(poses: &Poses<'_>, want: &ReadLine, have: &ReadLine) -> bo
                 && off_joint(&w.goal, &h.goal, MOST_TURNED_DEG).is_none()
                 && off(poses, &w.goal, &h.goal).is_none_or(SpotOff::is_near)
         }
+        (Statement::Other(w), Statement::Other(h)) => is_same_code(w, h),
         (w, h) => w == h,
     }
 }
@@ -69,10 +74,21 @@ pub(super) fn position_difference(poses: &Poses<'_>, want: &Goal, have: &Goal) -
         (Some(j), Goal::Joints(w), Goal::Joints(h)) => Some(JointOff::new(j, w, h)),
         _ => None,
     };
-    (spot.is_some() || joint.is_some()).then_some(Difference::Elsewhere { spot, joint })
+    let goals = Some([*have, *want]);
+    (spot.is_some() || joint.is_some()).then_some(Difference::Elsewhere { spot, joint, goals })
 }
 
-/// Whether two paces are the same but for written digits.
+/// Whether a pace is that of the same move as the plan writes it.
+pub(super) fn is_pace_as_written(written: &MoveTiming, read: &MoveTiming) -> bool {
+    match (written, read) {
+        (MoveTiming::Seconds(w), MoveTiming::Seconds(r)) | (MoveTiming::Percent(w), MoveTiming::Percent(r)) => {
+            (w - r).abs() <= MOST_OTHERWISE * w.abs()
+        }
+        _ => false,
+    }
+}
+
+/// Whether the pace that a dialect's words give is the plan's but for their digits.
 pub(super) fn is_same_pace(a: &MoveTiming, b: &MoveTiming) -> bool {
     match (a, b) {
         // A millisecond is what controllers count in.
@@ -129,7 +145,7 @@ mod tests {
         assert!(off(&poses, &was, &is).is_some_and(SpotOff::is_near));
         assert!(!is_same(&poses, &line(Interpolation::Joint, was), &line(Interpolation::Joint, is)));
         let turned = JointOff { joint: 5, planned_deg: home[5], found_deg: turned[5] };
-        let found = Difference::Elsewhere { spot: None, joint: Some(turned) };
+        let found = Difference::Elsewhere { spot: None, joint: Some(turned), goals: Some([is, was]) };
         assert_eq!(position_difference(&poses, &was, &is), Some(found));
         assert_eq!(position_difference(&poses, &was, &was), None);
     }

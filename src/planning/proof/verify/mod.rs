@@ -7,17 +7,21 @@
 //! Comments do nothing and are not looked at.
 
 mod compare;
+mod differences;
 mod driven;
 mod dry_pace;
 mod error;
 mod expected;
+mod inputs;
 mod likeness;
 mod verdict;
 
+pub use differences::AsWritten;
 pub(super) use driven::drive_program;
 pub use error::VerifyError;
 pub use expected::Expected;
 pub(super) use expected::{Poses, moves};
+pub use inputs::{InputChange, changed_inputs};
 pub use likeness::{MOST_OFF_MM, MOST_TURNED_DEG};
 pub use verdict::{Difference, DifferenceKind, Finding, JointOff, SpotOff, Verdict};
 
@@ -27,7 +31,7 @@ use crate::document::model::Job;
 use crate::part::Part;
 use crate::planning::plan::Plan;
 use crate::program::dialect::{ReadContext, ReadLine};
-use crate::program::{Dialect, Program, ProgramFile, ReadError, Variant, WITHOUT_WORDS, dialects};
+use crate::program::{Dialect, ProgramFile, ReadError, Variant, dialects};
 use crate::progress::{Cancelled, Progress};
 use compare::compare;
 use driven::interference;
@@ -38,7 +42,7 @@ use std::sync::Arc;
 /// file in the same folder.
 ///
 /// # Errors
-/// The text is of no dialect, or the plan cannot be written in it.
+/// The text is of no dialect, or it can be read and the plan cannot be written in its dialect.
 pub fn check(
     part: &Part,
     planned: &Plan,
@@ -65,20 +69,18 @@ pub fn check_variant(
     with_checker: bool,
 ) -> Result<(&'static str, Verdict), VerifyError> {
     let dialect = dialect_of(first)?;
-    let mut lines = variant.lines(&planned.steps, setup);
-    let program = Program { head: Vec::new(), lines: lines.clone(), setup, wording: WITHOUT_WORDS };
-    let files = dialect.write(&program).map_err(VerifyError::Unwritable)?;
-    let own = |name: &str| files.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let Some(main) = files.first() else { return Err(VerifyError::NoProgram) };
-    let written = dialect.read(main, &ReadContext { setup, open: &own }).map_err(VerifyError::OwnUnreadable)?;
-    if variant.dry_run {
-        take_written_pace(&mut lines, &written);
-    }
-    let prover = prover(part, setup, job).on_layers(&planned.grown);
-    let expected =
-        Expected { part, setup, defocus_mm: job.beam.defocus_mm, prover, moves: moves(&lines), written: &written };
     let verdict = match dialect.read(first, &ReadContext { setup, open }) {
-        Ok(read) => verify(&expected, &read, with_checker)?,
+        Ok(read) => {
+            let mut written = AsWritten::new(dialect, variant.lines(&planned.steps, setup), setup)?;
+            if variant.dry_run {
+                take_written_pace(&mut written.lines, &written.read);
+            }
+            let prover = prover(part, setup, job).on_layers(&planned.grown);
+            let (moves, defocus_mm) = (moves(&written.lines), job.beam.defocus_mm);
+            let expected = Expected { part, setup, defocus_mm, prover, moves, written: &written.read };
+            verify(&expected, &read, with_checker)?
+        }
+        // Of a program that cannot be read it does not matter whether the plan could be written.
         Err(e) => Verdict { findings: vec![unreadable(e)], ..Verdict::default() },
     };
     Ok((dialect.name(), verdict))
@@ -130,7 +132,7 @@ fn dialect_of(first: &ProgramFile) -> Result<&'static dyn Dialect, VerifyError> 
 pub fn verify(expected: &Expected<'_>, read: &[ReadLine], with_checker: bool) -> Result<Verdict, Cancelled> {
     let mut verdict = Verdict::default();
     let poses = Poses { setup: expected.setup, defocus_mm: expected.defocus_mm };
-    let planned = compare(expected, &poses, read, &mut verdict);
+    let planned = compare(&expected.moves, expected.written, &poses, read, &mut verdict);
     let driven = drive_program(&poses, read, &planned, &mut verdict);
     interference(expected, &poses, &driven, with_checker, &mut verdict)?;
     verdict.findings.sort_by_key(|f| order_of(read, f));

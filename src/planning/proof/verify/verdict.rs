@@ -3,7 +3,7 @@
 
 use crate::cell::Joints;
 use crate::pose::Blocker;
-use crate::program::dialect::{ReadLine, Statement};
+use crate::program::dialect::{Goal, ReadLine, Statement};
 use crate::program::sweep::Proof;
 use crate::program::{Interpolation, MoveTiming, ReadError};
 use nalgebra::Point3;
@@ -87,6 +87,8 @@ pub enum Difference {
         spot: Option<SpotOff>,
         /// The first joint that stands otherwise, where joints are given.
         joint: Option<JointOff>,
+        /// Where it leads and where it should, both in the dialect's terms.
+        goals: Option<[Goal; 2]>,
     },
     /// What the dialect's words make of a move goes another way than the plan.
     OtherWay {

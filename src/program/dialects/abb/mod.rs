@@ -14,6 +14,7 @@ mod read;
 mod write;
 
 use super::pace;
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Abb;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
@@ -54,13 +55,22 @@ impl Dialect for AbbDialect {
     }
 
     fn claims(&self, text: &str) -> bool {
-        let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with('!') && !l.starts_with('%'));
-        first.is_some_and(|l| l.starts_with("MODULE "))
+        let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !is_attribute(l) && !l.starts_with('!'));
+        first.is_some_and(|l| SPELLING.plain(l).starts_with("MODULE "))
     }
 
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading.setup)
     }
+}
+
+/// Comments begin with `!`, behind code as well.
+const SPELLING: Spelling =
+    Spelling { folds_case: true, comment: Some('!'), names_in_brackets: false, comment_starts: &["!"] };
+
+/// A line of what the controller sets before a module: `%%%`, `VERSION:1`, `LANGUAGE:ENGLISH`, `%%%`.
+fn is_attribute(line: &str) -> bool {
+    ["%%%", "VERSION:", "LANGUAGE:"].iter().any(|start| SPELLING.plain(line).starts_with(start))
 }
 
 fn templates(abb: &Abb) -> SignalTemplates<'_> {
@@ -77,6 +87,7 @@ fn templates(abb: &Abb) -> SignalTemplates<'_> {
         comment: &abb.comment,
         forbidden: &[],
         width: Some(100),
+        spelling: SPELLING,
     }
 }
 

@@ -4,6 +4,7 @@
 mod read;
 mod write;
 
+use crate::cell::controllers::templates::non_blank_lines;
 use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::lines::ProgramLine;
@@ -58,7 +59,7 @@ impl Dialect for CsvDialect {
     }
 
     fn claims(&self, text: &str) -> bool {
-        text.lines().next().is_some_and(|l| l.trim_end() == CONVENTIONS[0])
+        non_blank_lines(text).next().is_some_and(|(_, l)| l == CONVENTIONS[0])
     }
 
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {

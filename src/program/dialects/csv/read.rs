@@ -2,7 +2,7 @@
 
 use super::{COLUMNS, CONVENTIONS, COUNT, END};
 use crate::cell::Setup;
-use crate::cell::controllers::templates::number;
+use crate::cell::controllers::templates::{non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, MoveGivenBy, ReadError, RowFault};
@@ -22,8 +22,7 @@ enum TablePlace {
 pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let mut out = Vec::new();
     let (mut rows, mut place) = (0usize, TablePlace::Head);
-    for (i, text) in file.text.lines().enumerate() {
-        let line = i + 1;
+    for (i, (line, text)) in non_blank_lines(&file.text).enumerate() {
         let fail = |fault: LineFault| Err(fault.at(&file.name, line));
         if let Some(expected) = CONVENTIONS.get(i) {
             if text != *expected {
@@ -37,8 +36,8 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
                 place = TablePlace::Rows;
                 continue;
             }
-            TablePlace::Head => match text.strip_prefix("# ") {
-                Some(said) => Statement::Comment(said.into()),
+            TablePlace::Head => match text.strip_prefix('#') {
+                Some(said) => Statement::Comment(said.trim().into()),
                 None => return fail(RowFault::OtherColumns.into()),
             },
             TablePlace::Rows => match text.strip_prefix(END) {
@@ -49,6 +48,7 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
                 Some(count) => {
                     return fail(LineFault::Count { of: END.trim_end(), promised: Some(count.into()), found: rows });
                 }
+                None if text.starts_with('#') => Statement::Comment(text.into()),
                 None => {
                     rows += 1;
                     row(text, rows, reading.setup).map_err(|fault| fault.at(&file.name, line))?
@@ -66,7 +66,7 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
 fn row(text: &str, index: usize, setup: &Setup) -> Result<Statement, LineFault> {
     let too_short = || LineFault::expected([COLUMNS], text);
     // The text comes last and may hold commas.
-    let cells: Vec<&str> = text.splitn(COUNT, ',').collect();
+    let cells: Vec<&str> = text.splitn(COUNT, ',').map(str::trim).collect();
     let cells: &[&str; COUNT] = cells.as_slice().try_into().map_err(|_| too_short())?;
     let [at, what, way, rest @ ..] = cells;
     if at.parse() != Ok(index) {

@@ -10,6 +10,7 @@ mod write;
 
 use super::flange::Speeds;
 use super::pace::FlangeWords;
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Estun;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
@@ -57,6 +58,10 @@ fn words(estun: &Estun) -> FlangeWords {
     FlangeWords { most, decimals: 6, percent_decimals: 6 }
 }
 
+/// Comments are lines of their own.
+const SPELLING: Spelling =
+    Spelling { folds_case: false, comment: None, names_in_brackets: false, comment_starts: &["//", "/*"] };
+
 fn templates(estun: &Estun) -> SignalTemplates<'_> {
     SignalTemplates {
         dialect: "estun",
@@ -71,6 +76,7 @@ fn templates(estun: &Estun) -> SignalTemplates<'_> {
         comment: &estun.comment,
         forbidden: &['*'],
         width: Some(100),
+        spelling: SPELLING,
     }
 }
 

@@ -1,11 +1,13 @@
 //! ESTUN programs as they are written here, read back: the `.erd` first, then the `.erp`.
 
-use super::{CONFIGURATION, NO_AXIS_SPEEDS, no_axes, templates};
+use super::{CONFIGURATION, NO_AXIS_SPEEDS, SPELLING, no_axes, templates};
 use crate::cell::Setup;
+use crate::cell::controllers::Estun;
 use crate::cell::controllers::templates::{non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::{Speeds, Travel, joints, pose};
 use crate::program::dialects::reading::unknown_start;
+use crate::program::dialects::signals::SignalReader;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
@@ -19,52 +21,63 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
         return Err(ReadError::Gone { file: file.name.clone(), line: 1, called: name });
     };
     let data = ErdData::parse(reading.setup, &ProgramFile { name, text })?;
-    let (mut out, mut at, mut begun, mut ended) = (Vec::new(), None, false, false);
+    let mut reader = ErpReader { setup: reading.setup, signals: SignalReader::new(&templates(estun)), data, at: None };
+    let (mut out, mut begun, mut ended) = (Vec::new(), false, false);
     for (line, text) in non_blank_lines(&file.text) {
         let wrong = |fault: LineFault| fault.at(&file.name, line);
-        if ended {
-            return Err(wrong(LineFault::BehindEnd { end: "End;".into() }));
-        }
-        if !begun {
-            begun = text == "Start:";
-            if !begun {
-                if text != estun.version {
-                    return Err(wrong(LineFault::expected([estun.version.clone(), "Start:".into()], text)));
-                }
-                out.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(text.into()) });
-            }
-            continue;
-        }
-        if text == "End;" {
+        let plain = SPELLING.plain(text);
+        let what = if begun && !ended && plain == "End;" {
             ended = true;
             continue;
-        }
-        if text.starts_with("MovL{") && at.is_none() {
-            return Err(unknown_start(&out, &file.name, line));
-        }
-        let what = statement(reading.setup, &data, &mut at, text).map_err(wrong)?;
+        } else if begun && !ended {
+            if plain.starts_with("MovL{") && reader.at.is_none() {
+                return Err(unknown_start(&out, &file.name, line));
+            }
+            reader.statement(text, &plain).map_err(wrong)?
+        } else if ended {
+            reader.signals.read_comment(text).ok_or_else(|| wrong(LineFault::BehindEnd { end: "End;".into() }))?
+        } else if plain == "Start:" {
+            begun = true;
+            continue;
+        } else {
+            before_start(estun, text).map_err(wrong)?
+        };
         out.push(ReadLine { file: file.name.clone(), line, what });
     }
     if ended { Ok(out) } else { Err(ReadError::CutOff { file: file.name.clone(), expected: "End;".into() }) }
 }
 
-fn statement(
-    setup: &Setup,
-    data: &ErdData,
-    at: &mut Option<Isometry3<f64>>,
-    text: &str,
-) -> Result<Statement, LineFault> {
-    let estun = &setup.cell.estun;
-    if text.starts_with("MovJ{") || text.starts_with("MovL{") {
-        return read_move(setup, data, at, text).map(Statement::Move);
+/// A line before `Start:`. The one that says how the program is to be read has to be as the cell file has it.
+fn before_start(estun: &Estun, text: &str) -> Result<Statement, LineFault> {
+    let known = std::slice::from_ref(&estun.version);
+    let version = SPELLING.known(known, text).or_else(|| {
+        let name = estun.version.split(':').next().filter(|n| text.starts_with(n));
+        name.map(|_| Statement::Other(text.into()))
+    });
+    let comment = || SPELLING.is_comment(text).then(|| Statement::Comment(text.into()));
+    version.or_else(comment).ok_or_else(|| LineFault::expected([estun.version.clone(), "Start:".into()], text))
+}
+
+/// What was read, and where the arm stands then.
+struct ErpReader<'a> {
+    setup: &'a Setup,
+    signals: SignalReader<'a>,
+    data: ErdData,
+    at: Option<Isometry3<f64>>,
+}
+
+impl ErpReader<'_> {
+    fn statement(&mut self, text: &str, plain: &str) -> Result<Statement, LineFault> {
+        let estun = &self.setup.cell.estun;
+        if plain.starts_with("MovJ{") || plain.starts_with("MovL{") {
+            return read_move(self.setup, &self.data, &mut self.at, plain).map(Statement::Move);
+        }
+        let known = SPELLING.known(&estun.start, text).or_else(|| self.signals.read(text));
+        known.or_else(|| SPELLING.altered(&estun.start, text)).ok_or_else(|| {
+            let known = [&estun.output_on, &estun.output_off, &estun.wait, &estun.comment].map(String::as_str);
+            LineFault::expected(["MovJ{", "MovL{"].into_iter().chain(known).map(String::from), text)
+        })
     }
-    if estun.start.iter().any(|s| s == text) {
-        return Ok(Statement::Other(text.into()));
-    }
-    templates(estun).read(text).ok_or_else(|| {
-        let known = [&estun.output_on, &estun.output_off, &estun.wait, &estun.comment].map(String::as_str);
-        LineFault::expected(["MovJ{", "MovL{"].into_iter().chain(known).map(String::from), text)
-    })
 }
 
 fn read_move(
@@ -81,10 +94,8 @@ fn read_move(
     let undefined = |name: &str| LineFault::Undefined { name: name.into() };
     let goal = *data.points.get(point).ok_or_else(|| undefined(point))?;
     let (percent, speeds) = *data.speeds.get(speed).ok_or_else(|| undefined(speed))?;
-    let flowing = format!("B=\"RELATIVE\",C=t_s.{}", setup.cell.estun.zone);
-    if rest != "B=\"FINE\"" && rest != flowing {
-        return Err(LineFault::expected(["B=\"FINE\"".to_owned(), flowing], rest));
-    }
+    let form = || LineFault::expected(["B=\"FINE\"", "B=\"RELATIVE\",C=t_s.…"], rest);
+    rest.strip_prefix("B=").ok_or_else(form)?;
     let to = match goal {
         Goal::Joints(joints) => setup.robot.as_ref().map(|r| r.forward(&joints)),
         Goal::Flange(at) | Goal::Focus(at) => Some(at),
@@ -97,7 +108,9 @@ fn read_move(
         _ => return Err(LineFault::NoDuration),
     };
     *at = to;
-    Ok(ReadMove { interpolation, goal, timing, rest: rest.into() })
+    // Of the speeds one counts for a move's time; the others have to be as they were written all the same.
+    let Speeds { mm_s, deg_s } = speeds;
+    Ok(ReadMove { interpolation, goal, timing, rest: format!("{rest},per={percent},tcp={mm_s},ori={deg_s}") })
 }
 
 /// The `.erd`.
@@ -110,8 +123,8 @@ struct ErdData {
 impl ErdData {
     fn parse(setup: &Setup, file: &ProgramFile) -> Result<ErdData, ReadError> {
         let mut data = ErdData { points: BTreeMap::new(), speeds: BTreeMap::new() };
-        for (line, text) in non_blank_lines(&file.text) {
-            data.line(setup, text).map_err(|fault| fault.at(&file.name, line))?;
+        for (line, text) in non_blank_lines(&file.text).filter(|(_, l)| !SPELLING.is_comment(l)) {
+            data.line(setup, &SPELLING.plain(text)).map_err(|fault| fault.at(&file.name, line))?;
         }
         Ok(data)
     }

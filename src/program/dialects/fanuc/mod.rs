@@ -8,9 +8,10 @@ mod read;
 mod write;
 
 use super::pace;
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Fanuc;
-use crate::cell::controllers::templates::fixed;
+use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::lines::ProgramLine;
@@ -48,7 +49,7 @@ impl Dialect for FanucDialect {
     }
 
     fn claims(&self, text: &str) -> bool {
-        text.lines().find(|l| !l.trim().is_empty()).is_some_and(|l| l.trim_start().starts_with("/PROG"))
+        non_blank_lines(text).next().is_some_and(|(_, l)| SPELLING.plain(l).starts_with("/PROG"))
     }
 
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
@@ -76,6 +77,10 @@ const LINES_OF_SWITCHING: usize = 8;
 /// Longest comment.
 const REMARK: usize = 32;
 
+/// Comments are instructions of their own; outputs and positions may be named.
+const SPELLING: Spelling =
+    Spelling { folds_case: true, comment: None, names_in_brackets: true, comment_starts: &["!", "--eg:"] };
+
 /// Instructions without their semicolons.
 fn templates(fanuc: &Fanuc) -> SignalTemplates<'_> {
     SignalTemplates {
@@ -92,5 +97,6 @@ fn templates(fanuc: &Fanuc) -> SignalTemplates<'_> {
         comment: "!{text}",
         forbidden: &[';'],
         width: Some(REMARK),
+        spelling: SPELLING,
     }
 }

@@ -11,6 +11,7 @@ mod write;
 
 use super::flange::Speeds;
 use super::pace::FlangeWords;
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
@@ -44,8 +45,8 @@ impl Dialect for KukaDialect {
     }
 
     fn claims(&self, text: &str) -> bool {
-        let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with('&') && !l.starts_with(';'));
-        first.is_some_and(|l| l.starts_with("DEF ") && l.ends_with(')'))
+        let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with(['&', ';']));
+        first.map(|l| SPELLING.plain(l)).is_some_and(|l| l.starts_with("DEF ") && l.ends_with(')'))
     }
 
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
@@ -58,6 +59,10 @@ fn words(kuka: &Kuka) -> FlangeWords {
     let most = Speeds { mm_s: 1000.0 * kuka.max_m_s, deg_s: kuka.max_turn_deg_s };
     FlangeWords { most, decimals: 5, percent_decimals: 0 }
 }
+
+/// Comments and folds begin with `;`, behind code as well.
+const SPELLING: Spelling =
+    Spelling { folds_case: true, comment: Some(';'), names_in_brackets: false, comment_starts: &[";"] };
 
 fn templates(kuka: &Kuka) -> SignalTemplates<'_> {
     SignalTemplates {
@@ -73,6 +78,7 @@ fn templates(kuka: &Kuka) -> SignalTemplates<'_> {
         comment: &kuka.comment,
         forbidden: &[],
         width: Some(100),
+        spelling: SPELLING,
     }
 }
 

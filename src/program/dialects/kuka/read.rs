@@ -1,12 +1,12 @@
 //! KRL as it is written here, read back: poses, and durations from the speeds before them.
 
-use super::{AXES, FRAME, settings, templates};
-use crate::cell::Setup;
+use super::{AXES, FRAME, SPELLING, settings, templates};
 use crate::cell::controllers::Kuka;
 use crate::cell::controllers::templates::{matched_key, non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::{Speeds, Travel, joints, pose};
 use crate::program::dialects::reading::unknown_start;
+use crate::program::dialects::signals::SignalReader;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
@@ -15,24 +15,28 @@ use nalgebra::Isometry3;
 pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
     let kuka = &reading.setup.cell.kuka;
     let mut reader = KrlReader {
-        setup: reading.setup,
+        reading,
         kuka,
         settings: settings(kuka),
+        signals: SignalReader::new(&templates(kuka)),
+        joint_speed: SPELLING.plain(&kuka.joint_speed),
         out: Vec::new(),
         at: None,
         m_s: None,
         deg_s: [None; 2],
         percent: None,
     };
-    reader.module(file, Some(reading))?;
+    reader.module(file, true)?;
     Ok(reader.out)
 }
 
 /// What the controller keeps from line to line, over subprograms too.
 struct KrlReader<'a> {
-    setup: &'a Setup,
+    reading: &'a ReadContext<'a>,
     kuka: &'a Kuka,
     settings: Vec<String>,
+    signals: SignalReader<'a>,
+    joint_speed: String,
     out: Vec<ReadLine>,
     at: Option<Isometry3<f64>>,
     m_s: Option<f64>,
@@ -40,56 +44,102 @@ struct KrlReader<'a> {
     percent: Option<f64>,
 }
 
+/// Where in a module a line stands.
+#[derive(Clone, Copy, PartialEq)]
+enum ModuleSection {
+    Before,
+    Body,
+    Ended,
+}
+
 impl KrlReader<'_> {
-    /// One file; only the main one may call others.
-    fn module(&mut self, file: &ProgramFile, calls: Option<&ReadContext<'_>>) -> Result<(), ReadError> {
-        let first = format!("DEF {}( )", file.name.strip_suffix(".src").unwrap_or(&file.name));
-        let (mut begun, mut ended) = (false, false);
+    /// One module; only the main one may call others.
+    fn module(&mut self, file: &ProgramFile, is_main: bool) -> Result<(), ReadError> {
+        self.data_list(file);
+        let stem = file.name.strip_suffix(".src").unwrap_or(&file.name);
+        let mut section = ModuleSection::Before;
         for (line, text) in non_blank_lines(&file.text) {
             let wrong = |fault: LineFault| fault.at(&file.name, line);
-            if ended {
-                return Err(wrong(LineFault::BehindEnd { end: "END".into() }));
+            let plain = SPELLING.plain(text);
+            // Attributes are the controller's own: it counts changes in them.
+            let idle = plain.is_empty() || (section == ModuleSection::Before && text.starts_with('&'));
+            if idle {
+                let comment = self.signals.read_comment(text);
+                self.push(file, line, comment.unwrap_or_else(|| Statement::Comment(text.into())));
+                continue;
             }
-            if !begun {
-                begun = text == first;
-                if !begun {
-                    if !self.kuka.attributes.iter().any(|a| a == text) {
-                        return Err(wrong(LineFault::expected([first], text)));
-                    }
-                    self.out.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(text.into()) });
+            section = match section {
+                ModuleSection::Ended => return Err(wrong(LineFault::BehindEnd { end: "END".into() })),
+                ModuleSection::Before => {
+                    let names = [stem, self.kuka.name.as_str()];
+                    let names = if is_main { &names[..] } else { &names[..1] };
+                    let is_first = names.iter().any(|name| SPELLING.plain(&format!("DEF {name}( )")) == plain);
+                    let first = || LineFault::expected([format!("DEF {stem}( )")], text);
+                    if is_first { ModuleSection::Body } else { return Err(wrong(first())) }
                 }
-                continue;
-            }
-            if text == "END" {
-                ended = true;
-                continue;
-            }
-            let called = text.strip_suffix("( )").filter(|n| n.starts_with(&format!("{}_", self.kuka.name)));
-            if let Some(name) = called {
-                let reading = calls.ok_or_else(|| wrong(LineFault::NestedCall))?;
-                let name = format!("{name}.src");
-                let Some(text) = (reading.open)(&name) else {
-                    return Err(ReadError::Gone { file: file.name.clone(), line, called: name });
-                };
-                self.module(&ProgramFile { name, text }, None)?;
-                continue;
-            }
-            let what = match (text.strip_prefix("LIN "), self.at) {
-                (None, _) => self.line(text).map_err(wrong)?,
-                (Some(rest), Some(from)) => Some(self.lin(&from, rest).map_err(wrong)?),
-                (Some(_), None) => return Err(unknown_start(&self.out, &file.name, line)),
+                ModuleSection::Body if plain == "END" => ModuleSection::Ended,
+                ModuleSection::Body => {
+                    self.body(file, (line, text), &plain, is_main)?;
+                    ModuleSection::Body
+                }
             };
-            self.out.extend(what.map(|what| ReadLine { file: file.name.clone(), line, what }));
         }
-        if ended { Ok(()) } else { Err(ReadError::CutOff { file: file.name.clone(), expected: "END".into() }) }
+        let expected = "END".into();
+        let is_whole = section == ModuleSection::Ended;
+        if is_whole { Ok(()) } else { Err(ReadError::CutOff { file: file.name.clone(), expected }) }
     }
 
-    /// What a line that is no straight move does; `None` for a speed, which counts in the moves after it.
-    fn line(&mut self, text: &str) -> Result<Option<Statement>, LineFault> {
-        if let Some(rest) = text.strip_prefix("PTP ") {
-            return self.ptp(rest).map(Some);
+    fn push(&mut self, file: &ProgramFile, line: usize, what: Statement) {
+        self.out.push(ReadLine { file: file.name.clone(), line, what });
+    }
+
+    /// Of the data list beside a module the declarations that say which outputs a name stands for. No other is used.
+    fn data_list(&mut self, module: &ProgramFile) {
+        let name = format!("{}.dat", module.name.strip_suffix(".src").unwrap_or(&module.name));
+        let text = (self.reading.open)(&name).unwrap_or_default();
+        let file = ProgramFile { name, text };
+        for (line, text) in non_blank_lines(&file.text) {
+            if SPELLING.plain(text).split(' ').any(|word| word == "SIGNAL") {
+                let known = SPELLING.known(&self.kuka.data, text);
+                self.push(&file, line, known.unwrap_or_else(|| Statement::Other(SPELLING.code(text).into())));
+            }
         }
-        if let Some((name, value)) = text.strip_prefix("$VEL.").and_then(|t| t.split_once('=')) {
+    }
+
+    fn body(
+        &mut self,
+        file: &ProgramFile,
+        (line, text): (usize, &str),
+        plain: &str,
+        is_main: bool,
+    ) -> Result<(), ReadError> {
+        let wrong = |fault: LineFault| fault.at(&file.name, line);
+        let subprogram = SPELLING.plain(&format!("{}_", self.kuka.name));
+        if let Some(number) = plain.strip_suffix("()").and_then(|n| n.strip_prefix(&subprogram)) {
+            if !is_main {
+                return Err(wrong(LineFault::NestedCall));
+            }
+            let name = format!("{}_{number}.src", self.kuka.name);
+            return match (self.reading.open)(&name) {
+                Some(text) => self.module(&ProgramFile { name, text }, false),
+                None => Err(ReadError::Gone { file: file.name.clone(), line, called: name }),
+            };
+        }
+        let what = match (plain.strip_prefix("LIN "), self.at) {
+            (None, _) => self.line(text, plain).map_err(wrong)?,
+            (Some(rest), Some(from)) => self.lin(&from, rest).map_err(wrong)?,
+            (Some(_), None) => return Err(unknown_start(&self.out, &file.name, line)),
+        };
+        self.push(file, line, what);
+        Ok(())
+    }
+
+    /// What a line that is no straight move does. A speed counts in the moves after it.
+    fn line(&mut self, text: &str, plain: &str) -> Result<Statement, LineFault> {
+        if let Some(rest) = plain.strip_prefix("PTP ") {
+            return self.ptp(rest);
+        }
+        if let Some((name, value)) = plain.strip_prefix("$VEL.").and_then(|t| t.split_once('=')) {
             let above_zero = number(value).filter(|v| *v > 0.0);
             let value = above_zero.ok_or_else(|| LineFault::NotAboveZero { found: value.into() })?;
             match name {
@@ -98,17 +148,18 @@ impl KrlReader<'_> {
                 "ORI2" => self.deg_s[1] = Some(value),
                 _ => return Err(LineFault::expected(["$VEL.CP", "$VEL.ORI1", "$VEL.ORI2"], text)),
             }
-            return Ok(None);
+            return Ok(Statement::Other(plain.into()));
         }
-        if let Some(percent) = matched_key(&self.kuka.joint_speed, "percent", text) {
+        let known = SPELLING.known(&self.settings, text).or_else(|| self.signals.read(text));
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        if let Some(percent) = matched_key(&self.joint_speed, "percent", plain) {
             let whole = number(percent).filter(|p| (1.0..=100.0).contains(p) && p.fract() == 0.0);
             self.percent = Some(whole.ok_or_else(|| LineFault::expected(["1 … 100"], percent))?);
-            return Ok(None);
+            return Ok(Statement::Other(plain.into()));
         }
-        if self.settings.iter().any(|s| s == text) {
-            return Ok(Some(Statement::Other(text.into())));
-        }
-        templates(self.kuka).read(text).map(Some).ok_or_else(|| {
+        SPELLING.altered(&self.settings, text).ok_or_else(|| {
             let k = self.kuka;
             let known = [&k.output_on, &k.output_off, &k.wait, &k.comment].map(String::as_str);
             LineFault::expected(["PTP", "LIN", "$VEL."].into_iter().chain(known).map(String::from), text)
@@ -118,28 +169,26 @@ impl KrlReader<'_> {
     fn ptp(&mut self, rest: &str) -> Result<Statement, LineFault> {
         let percent =
             self.percent.ok_or_else(|| LineFault::Before { missing: self.kuka.joint_speed.clone().into() })?;
-        let goal = if let Some(axes) = braced(AXES, rest) {
-            let joints_deg = joints(self.setup, &axes);
-            self.at = self.setup.robot.as_ref().map(|r| r.forward(&joints_deg));
+        let form = || LineFault::expected(["{A1 …,A6 …}", "{X …,C …}"], rest);
+        let (target, blending) = target(rest).ok_or_else(form)?;
+        let setup = self.reading.setup;
+        let goal = if let Some(axes) = braced(AXES, target) {
+            let joints_deg = joints(setup, &axes);
+            self.at = setup.robot.as_ref().map(|r| r.forward(&joints_deg));
             Goal::Joints(joints_deg)
         } else {
-            let form = || LineFault::expected(["{A1 …,A6 …}", "{X …,C …}"], rest);
-            let at = pose(braced(FRAME, rest).ok_or_else(form)?);
+            let at = pose(braced(FRAME, target).ok_or_else(form)?);
             self.at = Some(at);
             Goal::Flange(at)
         };
-        let timing = MoveTiming::Percent(percent);
-        Ok(Statement::Move(ReadMove { interpolation: Interpolation::Joint, goal, timing, rest: String::new() }))
+        let (timing, rest) = (MoveTiming::Percent(percent), blending.to_owned());
+        Ok(Statement::Move(ReadMove { interpolation: Interpolation::Joint, goal, timing, rest }))
     }
 
     fn lin(&mut self, from: &Isometry3<f64>, text: &str) -> Result<Statement, LineFault> {
         let form = || LineFault::expected(["{X …,Y …,Z …,A …,B …,C …}"], text);
-        let (numbers, rest) = text.split_once('}').ok_or_else(form)?;
-        let rest = rest.trim();
-        if !matches!(rest, "" | "C_DIS") {
-            return Err(LineFault::expected(["C_DIS"], rest));
-        }
-        let to = pose(braced(FRAME, &format!("{numbers}}}")).ok_or_else(form)?);
+        let (target, blending) = target(text).ok_or_else(form)?;
+        let to = pose(braced(FRAME, target).ok_or_else(form)?);
         let [Some(ori1), Some(ori2)] = self.deg_s else {
             return Err(LineFault::Before { missing: "$VEL.ORI1, $VEL.ORI2".into() });
         };
@@ -148,8 +197,14 @@ impl KrlReader<'_> {
         let seconds = Travel::between(from, &to).seconds(speeds);
         self.at = Some(to);
         let (goal, timing) = (Goal::Flange(to), MoveTiming::Seconds(seconds));
-        Ok(Statement::Move(ReadMove { interpolation: Interpolation::Linear, goal, timing, rest: rest.into() }))
+        Ok(Statement::Move(ReadMove { interpolation: Interpolation::Linear, goal, timing, rest: blending.into() }))
     }
+}
+
+/// The braces of a move, and how it goes over into the next.
+fn target(text: &str) -> Option<(&str, &str)> {
+    let (target, blending) = text.split_at(text.find('}')? + 1);
+    Some((target, blending.trim()))
 }
 
 /// The numbers of `{X 1.000,Y 2.000,...}`, all six, named in order.

@@ -9,9 +9,10 @@ mod read;
 mod write;
 
 use super::pace;
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Nachi;
-use crate::cell::controllers::templates::fixed;
+use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::lines::ProgramLine;
@@ -44,7 +45,7 @@ impl Dialect for NachiDialect {
     }
 
     fn claims(&self, text: &str) -> bool {
-        text.lines().any(|l| l.trim_start().starts_with("MOVEX ") || l.trim_start().starts_with("CALLP "))
+        non_blank_lines(text).any(|(_, l)| matches!(l.split_whitespace().next(), Some("MOVEX" | "CALLP")))
     }
 
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
@@ -61,6 +62,10 @@ fn numbered(nachi: &Nachi, number: u32) -> String {
     format!("{}-A.{number:03}", nachi.unit)
 }
 
+/// Comments are `REM` or begin with an apostrophe.
+const SPELLING: Spelling =
+    Spelling { folds_case: false, comment: None, names_in_brackets: false, comment_starts: &["REM ", "'"] };
+
 fn templates(nachi: &Nachi) -> SignalTemplates<'_> {
     SignalTemplates {
         dialect: "nachi",
@@ -75,5 +80,6 @@ fn templates(nachi: &Nachi) -> SignalTemplates<'_> {
         comment: &nachi.comment,
         forbidden: &['"'],
         width: None,
+        spelling: SPELLING,
     }
 }

@@ -1,11 +1,12 @@
 //! Reads a NACHI program back: every line has to be one that is understood.
 
-use super::templates;
+use super::{SPELLING, templates};
 use crate::cell::controllers::Nachi;
 use crate::cell::controllers::templates::{matched, matched_key, non_blank_lines, number, numbers};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::pose;
 use crate::program::dialects::reading::Found;
+use crate::program::dialects::signals::SignalReader;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 
@@ -18,20 +19,23 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
 
 fn one_file(file: &ProgramFile, reading: &ReadContext<'_>, found: &mut Found) -> Result<(), ReadError> {
     let nachi = &reading.setup.cell.nachi;
+    let (signals, call) = (SignalReader::new(&templates(nachi)), SPELLING.plain(&nachi.call));
     let mut ended = false;
     for (line, text) in non_blank_lines(&file.text) {
+        let plain = SPELLING.plain(text);
         if ended {
-            return Err(LineFault::BehindEnd { end: "END".into() }.at(&file.name, line));
-        }
-        if text == "END" {
+            let comment = signals.read_comment(text);
+            let what = comment.ok_or_else(|| LineFault::BehindEnd { end: "END".into() }.at(&file.name, line))?;
+            found.lines.push(ReadLine { file: file.name.clone(), line, what });
+        } else if plain == "END" {
             ended = true;
-        } else if let Some(n) = matched_key(&nachi.call, "n", text) {
+        } else if let Some(n) = matched_key(&call, "n", &plain) {
             let name = sub_program(&file.name, n)
                 .ok_or_else(|| LineFault::BadCall { called: n.into() }.at(&file.name, line))?;
             let called = found.called(name, &file.name, line, reading)?;
             found.file(&called, &|file, found| one_file(file, reading, found))?;
         } else {
-            let what = statement(nachi, text).map_err(|fault| fault.at(&file.name, line))?;
+            let what = statement(nachi, &signals, text, &plain).map_err(|fault| fault.at(&file.name, line))?;
             found.lines.push(ReadLine { file: file.name.clone(), line, what });
         }
     }
@@ -45,15 +49,11 @@ fn sub_program(caller: &str, n: &str) -> Option<String> {
     Some(format!("{unit}.{number:03}"))
 }
 
-fn statement(nachi: &Nachi, text: &str) -> Result<Statement, LineFault> {
-    if let Some(rest) = text.strip_prefix("MOVEX ") {
+fn statement(nachi: &Nachi, signals: &SignalReader<'_>, text: &str, plain: &str) -> Result<Statement, LineFault> {
+    if let Some(rest) = plain.strip_prefix("MOVEX ") {
         return movex(rest).map(Statement::Move);
     }
-    // Comments of a hand, whatever the template.
-    let comment = || text.strip_prefix("REM ").map(|t| t.trim().trim_matches('"'));
-    let comment = || comment().or_else(|| text.strip_prefix('\'').map(str::trim));
-    let read = templates(nachi).read(text).or_else(|| Some(Statement::Comment(comment()?.into())));
-    read.ok_or_else(|| {
+    signals.read(text).ok_or_else(|| {
         let known = [&nachi.output_on, &nachi.output_off, &nachi.wait, &nachi.call, &nachi.comment];
         let known = known.into_iter().map(String::as_str);
         LineFault::expected(["MOVEX"].into_iter().chain(known).chain(["END"]).map(String::from), text)

@@ -7,11 +7,12 @@
 mod read;
 mod write;
 
-use super::pace;
-use super::templates::SignalTemplates;
 use crate::cell::controllers::Ur;
-use crate::cell::controllers::templates::fixed;
+use crate::cell::controllers::templates::{fixed, non_blank_lines};
 use crate::cell::{Cell, Setup};
+use super::pace;
+use super::spelling::Spelling;
+use super::templates::SignalTemplates;
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::lines::ProgramLine;
 use crate::program::neutral::steps::MoveTiming;
@@ -43,13 +44,19 @@ impl Dialect for UrDialect {
     }
 
     fn claims(&self, text: &str) -> bool {
-        text.lines().any(|l| l.trim_start().starts_with("def ")) && text.contains("set_tcp(")
+        let code = || non_blank_lines(text).map(|(_, l)| l).filter(|l| !l.starts_with('#'));
+        let is_call = |l: &str| ["movej(", "movel(", "set_tcp("].iter().any(|call| l.starts_with(call));
+        code().any(|l| l.starts_with("def ")) && code().any(is_call)
     }
 
     fn read(&self, file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
         read::read(file, reading)
     }
 }
+
+/// Comments begin with `#`, behind code as well.
+const SPELLING: Spelling =
+    Spelling { folds_case: false, comment: Some('#'), names_in_brackets: false, comment_starts: &["#"] };
 
 fn templates(ur: &Ur) -> SignalTemplates<'_> {
     SignalTemplates {
@@ -65,5 +72,6 @@ fn templates(ur: &Ur) -> SignalTemplates<'_> {
         comment: "# {text}",
         forbidden: &[],
         width: None,
+        spelling: SPELLING,
     }
 }

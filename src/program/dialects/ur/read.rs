@@ -1,9 +1,10 @@
 //! Reads a URScript program back: functions without arguments, moves, outputs, waits, comments.
 
-use super::templates;
+use super::{SPELLING, templates};
 use crate::cell::controllers::Ur;
 use crate::cell::controllers::templates::{matched, matched_key, non_blank_lines, number, numbers};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
+use crate::program::dialects::signals::SignalReader;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
@@ -29,11 +30,12 @@ struct Script {
 
 /// Reads a program.
 pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
-    let ur = bare_templates(&reading.setup.cell.ur);
+    let ur = &reading.setup.cell.ur;
+    let signals = SignalReader::new(&templates(ur));
     let call = format!("{}()", ur.program);
     let mut script = Script::default();
     for (line, text) in non_blank_lines(&file.text) {
-        script.line(&ur, file, line, text).map_err(|fault| fault.at(&file.name, line))?;
+        script.line(ur, &signals, file, (line, text)).map_err(|fault| fault.at(&file.name, line))?;
     }
     let cut = |expected: String| ReadError::CutOff { file: file.name.clone(), expected: expected.into() };
     if !script.open.is_empty() {
@@ -48,18 +50,27 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
 }
 
 impl Script {
-    fn line(&mut self, ur: &Ur, file: &ProgramFile, line: usize, text: &str) -> Result<(), LineFault> {
-        if self.run.is_some() {
-            return Err(LineFault::BehindEnd { end: format!("{}()", ur.program).into() });
-        }
-        if let Some(name) = matched_key("def {name}():", "name", text) {
+    fn line(
+        &mut self,
+        ur: &Ur,
+        signals: &SignalReader<'_>,
+        file: &ProgramFile,
+        (line, text): (usize, &str),
+    ) -> Result<(), LineFault> {
+        let plain = SPELLING.plain(text);
+        if let Some(run) = &mut self.run {
+            let comment = signals.read_comment(text);
+            let what = comment.ok_or_else(|| LineFault::BehindEnd { end: format!("{}()", ur.program).into() })?;
+            run.push(ReadLine { file: file.name.clone(), line, what });
+        } else if let Some(name) = matched_key("def {name}():", "name", &plain) {
             if self.open.iter().chain(&self.done).any(|f| f.name == name) {
                 return Err(LineFault::Twice { name: name.into() });
             }
             self.open.push(Function { name: name.into(), lines: Vec::new() });
-        } else if text == "end" {
+        } else if plain == "end" {
             self.done.push(self.open.pop().ok_or(LineFault::OutsideFunction)?);
-        } else if let Some(i) = text.strip_suffix("()").and_then(|name| self.done.iter().position(|f| f.name == name)) {
+        } else if let Some(i) = plain.strip_suffix("()").and_then(|name| self.done.iter().position(|f| f.name == name))
+        {
             // Each is called once: what would be left over is taken as not said.
             let called = self.done.swap_remove(i).lines;
             match self.open.last_mut() {
@@ -67,7 +78,7 @@ impl Script {
                 None => self.run = Some(called),
             }
         } else {
-            let what = statement(ur, text)?;
+            let what = statement(ur, signals, text, &plain)?;
             let into = match (self.open.last_mut(), &what) {
                 (Some(function), _) => &mut function.lines,
                 (None, Statement::Comment(_)) => &mut self.head,
@@ -79,30 +90,14 @@ impl Script {
     }
 }
 
-fn bare(text: &str) -> String {
-    text.chars().filter(|c| !c.is_whitespace()).collect()
-}
-
-/// The table with templates that have no blanks: those of the script do not count.
-fn bare_templates(ur: &Ur) -> Ur {
-    let [output_on, output_off, analogue, group] =
-        [&ur.output_on, &ur.output_off, &ur.analogue, &ur.group].map(|t| bare(t));
-    Ur { output_on, output_off, analogue, group, ..ur.clone() }
-}
-
-/// What a statement does. `ur`: with bare templates.
-fn statement(ur: &Ur, text: &str) -> Result<Statement, LineFault> {
-    if let Some(comment) = text.strip_prefix('#') {
-        return Ok(Statement::Comment(comment.trim().into()));
+fn statement(ur: &Ur, signals: &SignalReader<'_>, text: &str, plain: &str) -> Result<Statement, LineFault> {
+    if plain.starts_with("movej(") || plain.starts_with("movel(") {
+        return read_move(ur, plain).map(Statement::Move);
     }
-    let line = bare(text);
-    if line.starts_with("movej(") || line.starts_with("movel(") {
-        return read_move(ur, &line).map(Statement::Move);
+    if plain.starts_with("set_tcp(p[") && plain.ends_with("])") {
+        return Ok(Statement::Other(plain.into()));
     }
-    if line.starts_with("set_tcp(p[") && line.ends_with("])") {
-        return Ok(Statement::Other(line));
-    }
-    templates(ur).read(&line).ok_or_else(|| {
+    signals.read(text).ok_or_else(|| {
         let known = ["movej", "movel", &ur.output_on, &ur.output_off, "sleep", "set_tcp", "#", "def", "end"];
         LineFault::expected(known.map(String::from), text)
     })
@@ -132,30 +127,26 @@ fn read_move(ur: &Ur, line: &str) -> Result<ReadMove, LineFault> {
     Ok(ReadMove { interpolation, goal, timing, rest })
 }
 
-/// How fast a move is, by its named arguments, and those that do not say it.
+/// How fast a move is, by its named arguments, and all others in one order. A move without rounding has one of 0.
 fn arguments(text: &str, full: f64) -> Result<(MoveTiming, String), LineFault> {
-    const NAMES: [&str; 4] = ["a=", "v=", "t=", "r="];
-    let (mut time, mut speed, mut others, mut seen) = (None, None, Vec::new(), Vec::new());
+    const NAMES: [&str; 4] = ["a", "v", "t", "r"];
+    let mut said: [Option<&str>; NAMES.len()] = [None; NAMES.len()];
+    let form = |found: &str| LineFault::expected(["a=", "v=", "t=", "r="], found);
     for argument in text.split(',') {
-        let (key, value) = argument.split_once('=').ok_or_else(|| LineFault::expected(NAMES, argument))?;
-        let value = number(value).ok_or_else(|| LineFault::numbers(1, argument))?;
-        if seen.contains(&key) {
+        let (key, value) = argument.split_once('=').ok_or_else(|| form(argument))?;
+        number(value).ok_or_else(|| LineFault::numbers(1, argument))?;
+        let at = NAMES.iter().position(|n| *n == key).ok_or_else(|| form(argument))?;
+        if said[at].replace(value).is_some() {
             return Err(LineFault::Twice { name: format!("{key}=") });
         }
-        seen.push(key);
-        match key {
-            "t" => time = Some(value),
-            "a" | "v" | "r" => {
-                others.push(argument);
-                speed = if key == "v" { Some(value) } else { speed };
-            }
-            _ => return Err(LineFault::expected(NAMES, argument)),
-        }
     }
-    let timing = match (time, speed) {
+    let [a, v, t, r] = said;
+    let timing = match (t.and_then(number), v.and_then(number)) {
         (Some(s), _) => MoveTiming::Seconds(s),
         (None, Some(v)) => MoveTiming::Percent(100.0 * v / full),
         (None, None) => return Err(LineFault::expected(["t=", "v="], text)),
     };
+    let others = [("a", a), ("v", v), ("r", r.or(Some("0")))];
+    let others: Vec<String> = others.iter().filter_map(|(key, value)| Some(format!("{key}={}", (*value)?))).collect();
     Ok((timing, others.join(",")))
 }

@@ -15,6 +15,7 @@ mod read;
 mod write;
 
 use super::flange::joints;
+use super::spelling::Spelling;
 use super::templates::SignalTemplates;
 use crate::cell::controllers::Yaskawa;
 use crate::cell::controllers::templates::{fixed, non_blank_lines};
@@ -56,6 +57,10 @@ impl Dialect for YaskawaDialect {
     }
 }
 
+/// Comments are lines of their own.
+const SPELLING: Spelling =
+    Spelling { folds_case: false, comment: None, names_in_brackets: false, comment_starts: &["'"] };
+
 fn templates(yaskawa: &Yaskawa) -> SignalTemplates<'_> {
     SignalTemplates {
         dialect: "yaskawa",
@@ -70,6 +75,7 @@ fn templates(yaskawa: &Yaskawa) -> SignalTemplates<'_> {
         comment: &yaskawa.comment,
         forbidden: &[],
         width: Some(28),
+        spelling: SPELLING,
     }
 }
 

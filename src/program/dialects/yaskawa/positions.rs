@@ -3,7 +3,7 @@
 use super::from_pulses;
 use crate::cell::Setup;
 use crate::cell::controllers::templates::numbers;
-use crate::program::dialect::Goal;
+use crate::program::dialect::{Goal, Statement};
 use crate::program::dialects::flange::pose;
 use crate::program::read_error::LineFault;
 use nalgebra::Translation3;
@@ -25,7 +25,9 @@ pub struct JobPositions {
     /// Those that were read.
     pub list: Vec<ReadPosition>,
     /// Whether the tool was said, which each kind of positions begins with.
-    tool: bool,
+    is_tool_said: bool,
+    /// The tool of the last positions.
+    tool: Option<String>,
     pulses: Option<bool>,
     /// The line after `///POSTYPE` that says the kind again.
     owed: Option<&'static str>,
@@ -33,34 +35,36 @@ pub struct JobPositions {
 }
 
 impl JobPositions {
-    /// Takes a line.
-    pub fn line(&mut self, setup: &Setup, text: &str) -> Result<(), LineFault> {
-        let yaskawa = &setup.cell.yaskawa;
+    /// Takes a line. Gives what it says that counts for the whole job: another tool than before.
+    pub fn line(&mut self, setup: &Setup, text: &str) -> Result<Option<Statement>, LineFault> {
         if let Some(owed) = self.owed.take() {
-            return if text == owed { Ok(()) } else { Err(LineFault::expected([owed], text)) };
+            return if text == owed { Ok(None) } else { Err(LineFault::expected([owed], text)) };
         }
-        if text.starts_with("///POSTYPE ") && !std::mem::take(&mut self.tool) {
+        if text.starts_with("///POSTYPE ") && !std::mem::take(&mut self.is_tool_said) {
             return Err(LineFault::Before { missing: "///TOOL".into() });
         }
         match text {
             "///POSTYPE BASE" => (self.pulses, self.owed, self.figure) = (Some(false), Some("///RECTAN"), None),
             "///POSTYPE PULSE" => (self.pulses, self.owed) = (Some(true), Some("///PULSE")),
+            _ if text.starts_with("///POSTYPE ") => {
+                return Err(LineFault::expected(["///POSTYPE BASE", "///POSTYPE PULSE"], text));
+            }
             _ => {
                 if let Some(tool) = text.strip_prefix("///TOOL ") {
-                    self.tool = tool == yaskawa.tool.to_string();
-                    let expected = format!("///TOOL {}", yaskawa.tool);
-                    return if self.tool { Ok(()) } else { Err(LineFault::NotAsInCell { expected }) };
+                    self.is_tool_said = true;
+                    let is_another = self.tool.replace(tool.into()).is_none_or(|before| before != tool);
+                    return Ok(is_another.then(|| Statement::Other(text.into())));
                 }
                 if let Some(figure) = text.strip_prefix("///RCONF ") {
                     let is_figure = figure.split(',').all(|f| matches!(f, "0" | "1")) && figure.split(',').count() == 8;
                     self.figure = is_figure.then(|| figure.into());
                     let form = || LineFault::expected(["///RCONF 0,0,0,0,0,0,0,0"], text);
-                    return self.figure.as_ref().map(|_| ()).ok_or_else(form);
+                    return self.figure.as_ref().map(|_| None).ok_or_else(form);
                 }
-                return self.position(setup, text);
+                self.position(setup, text)?;
             }
         }
-        Ok(())
+        Ok(None)
     }
 
     fn position(&mut self, setup: &Setup, text: &str) -> Result<(), LineFault> {

@@ -1,19 +1,21 @@
 //! INFORM jobs as they are written here, read back: positions first, then what is done with them.
 
 use super::positions::{JobPositions, ReadPosition};
-use super::templates;
+use super::{SPELLING, templates};
 use crate::cell::Setup;
 use crate::cell::controllers::templates::{non_blank_lines, number};
 use crate::program::dialect::{Goal, ProgramFile, ReadContext, ReadLine, ReadMove, Statement};
 use crate::program::dialects::flange::Travel;
 use crate::program::dialects::reading::unknown_start;
+use crate::program::dialects::signals::SignalReader;
 use crate::program::neutral::steps::{Interpolation, MoveTiming};
 use crate::program::read_error::{LineFault, ReadError};
 use nalgebra::Isometry3;
 
 /// The lines of a job and of those that it calls.
 pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLine>, ReadError> {
-    let mut reader = JobReader { setup: reading.setup, out: Vec::new(), at: None };
+    let signals = SignalReader::new(&templates(&reading.setup.cell.yaskawa));
+    let mut reader = JobReader { setup: reading.setup, signals, out: Vec::new(), at: None };
     reader.job(file, Some(reading))?;
     Ok(reader.out)
 }
@@ -21,6 +23,7 @@ pub fn read(file: &ProgramFile, reading: &ReadContext<'_>) -> Result<Vec<ReadLin
 /// What was read, and where the arm stands then.
 struct JobReader<'a> {
     setup: &'a Setup,
+    signals: SignalReader<'a>,
     out: Vec<ReadLine>,
     at: Option<Isometry3<f64>>,
 }
@@ -45,33 +48,56 @@ impl JobReader<'_> {
         let mut section = JobSection::Job;
         for (line, text) in non_blank_lines(&file.text) {
             let wrong = |fault: LineFault| fault.at(&file.name, line);
+            let plain = SPELLING.plain(text);
             section = match section {
-                JobSection::Head if text == "NOP" => JobSection::Body,
+                JobSection::Head if plain == "NOP" => JobSection::Body,
                 JobSection::Head => {
-                    if !self.setup.cell.yaskawa.start.iter().any(|s| s == text) {
-                        return Err(wrong(LineFault::NotAsInCell { expected: "yaskawa.start".into() }));
-                    }
-                    self.out.push(ReadLine { file: file.name.clone(), line, what: Statement::Other(text.into()) });
+                    let what = self.attribute(text, &plain).map_err(wrong)?;
+                    self.out.push(ReadLine { file: file.name.clone(), line, what });
                     JobSection::Head
                 }
-                JobSection::Body if text == "END" => JobSection::End,
+                JobSection::Body if plain == "END" => JobSection::End,
                 JobSection::Body => {
-                    self.body(file, line, text, &positions.list, calls)?;
+                    self.body(file, (line, text), &plain, &positions.list, calls)?;
                     JobSection::Body
                 }
                 JobSection::End => return Err(wrong(LineFault::BehindEnd { end: "END".into() })),
-                _ => self.head(section, file, text, &mut positions).map_err(wrong)?,
+                JobSection::Positions if plain != "//INST" => {
+                    let what = positions.line(self.setup, &plain).map_err(wrong)?;
+                    self.out.extend(what.map(|what| ReadLine { file: file.name.clone(), line, what }));
+                    JobSection::Positions
+                }
+                _ => self.head(section, (file, calls.is_some()), &plain, &mut positions).map_err(wrong)?,
             };
         }
         let expected = "END".into();
         if section == JobSection::End { Ok(()) } else { Err(ReadError::CutOff { file: file.name.clone(), expected }) }
     }
 
+    /// A line between `//INST` and `NOP`. The controller sets date, comment and who may edit; whether positions are
+    /// relative (`RJ`), frame and axes have to be as in the cell file.
+    fn attribute(&self, text: &str, plain: &str) -> Result<Statement, LineFault> {
+        let start = &self.setup.cell.yaskawa.start;
+        if let Some(list) = plain.strip_prefix("///ATTR ") {
+            let is_relative = list.split(',').any(|a| a == "RJ");
+            return Ok(if is_relative {
+                Statement::Other("///ATTR RJ".into())
+            } else {
+                Statement::Comment(text.into())
+            });
+        }
+        if ["///DATE", "///COMM"].iter().any(|word| plain.starts_with(word)) {
+            return Ok(Statement::Comment(text.into()));
+        }
+        let known = SPELLING.known(start, text).or_else(|| SPELLING.altered(start, text));
+        known.ok_or(LineFault::NotAsInCell { expected: "yaskawa.start".into() })
+    }
+
     /// A line of names and positions; where the next one stands.
     fn head(
         &self,
         section: JobSection,
-        file: &ProgramFile,
+        (file, is_main): (&ProgramFile, bool),
         text: &str,
         positions: &mut JobPositions,
     ) -> Result<JobSection, LineFault> {
@@ -81,8 +107,11 @@ impl JobReader<'_> {
         match section {
             JobSection::Job => is("/JOB", JobSection::Name),
             JobSection::Name => {
+                // The job that is started may stand in a file of another name; it has its own all the same.
+                let own = &self.setup.cell.yaskawa.name;
                 let stem = file.name.strip_suffix(".JBI").unwrap_or(&file.name);
-                is(&format!("//NAME {stem}"), JobSection::Pos)
+                let is_own = is_main && text.strip_prefix("//NAME ") == Some(own);
+                is(&format!("//NAME {}", if is_own { own } else { stem }), JobSection::Pos)
             }
             JobSection::Pos => is("//POS", JobSection::Count),
             JobSection::Count => {
@@ -91,14 +120,13 @@ impl JobReader<'_> {
                 positions.expected = count.and_then(|c| c.parse().ok()).ok_or_else(form)?;
                 Ok(JobSection::Positions)
             }
-            _ if text == "//INST" => {
+            _ => {
                 let (promised, found) = (positions.expected, positions.list.len());
                 if promised != found {
                     return Err(LineFault::Count { of: "///NPOS", promised: Some(promised.to_string()), found });
                 }
                 Ok(JobSection::Head)
             }
-            _ => positions.line(self.setup, text).map(|()| JobSection::Positions),
         }
     }
 
@@ -106,12 +134,12 @@ impl JobReader<'_> {
     fn body(
         &mut self,
         file: &ProgramFile,
-        line: usize,
-        text: &str,
+        (line, text): (usize, &str),
+        plain: &str,
         positions: &[ReadPosition],
         calls: Option<&ReadContext<'_>>,
     ) -> Result<(), ReadError> {
-        if let Some(name) = text.strip_prefix("CALL JOB:") {
+        if let Some(name) = plain.strip_prefix("CALL JOB:") {
             let reading = calls.ok_or_else(|| LineFault::NestedCall.at(&file.name, line))?;
             let name = format!("{name}.JBI");
             let Some(text) = (reading.open)(&name) else {
@@ -119,7 +147,7 @@ impl JobReader<'_> {
             };
             return self.job(&ProgramFile { name, text }, None);
         }
-        if text.starts_with("MOVL ") && self.at.is_none() {
+        if plain.starts_with("MOVL ") && self.at.is_none() {
             return Err(unknown_start(&self.out, &file.name, line));
         }
         let what = self.instruction(positions, text).map_err(|fault| fault.at(&file.name, line))?;
@@ -128,34 +156,33 @@ impl JobReader<'_> {
     }
 
     fn instruction(&mut self, positions: &[ReadPosition], text: &str) -> Result<Statement, LineFault> {
-        let (interpolation, rest) = if let Some(rest) = text.strip_prefix("MOVJ ") {
+        let code = SPELLING.plain(text);
+        let (interpolation, rest) = if let Some(rest) = code.strip_prefix("MOVJ ") {
             (Interpolation::Joint, rest)
-        } else if let Some(rest) = text.strip_prefix("MOVL ") {
+        } else if let Some(rest) = code.strip_prefix("MOVL ") {
             (Interpolation::Linear, rest)
         } else {
             let yaskawa = &self.setup.cell.yaskawa;
-            return templates(yaskawa).read(text).ok_or_else(|| {
+            return self.signals.read(text).ok_or_else(|| {
                 let known = [&yaskawa.output_on, &yaskawa.output_off, &yaskawa.wait, &yaskawa.comment];
                 let known = known.into_iter().map(String::as_str);
                 LineFault::expected(["MOVJ", "MOVL"].into_iter().chain(known).map(String::from), text)
             });
         };
         let fields: Vec<&str> = rest.split_whitespace().collect();
-        let [position, speed, level] = fields[..] else {
+        let [position, speed, ref settings @ ..] = fields[..] else {
             return Err(LineFault::expected(["MOVJ C00000 VJ= PL=", "MOVL C00000 V= PL="], text));
         };
         let index = position.strip_prefix('C').filter(|n| n.len() == 5).and_then(|n| n.parse::<usize>().ok());
         let undefined = || LineFault::Undefined { name: position.into() };
         let to = index.and_then(|i| positions.get(i)).ok_or_else(undefined)?.clone();
-        let known_level = level.strip_prefix("PL=").filter(|l| matches!(l.as_bytes(), [b'0'..=b'8']));
-        let level = known_level.ok_or_else(|| LineFault::expected(["PL=0 … PL=8"], level))?;
         let at = match to.goal {
             Goal::Joints(joints) => self.setup.robot.as_ref().map(|r| r.forward(&joints)),
             Goal::Flange(at) | Goal::Focus(at) => Some(at),
         };
         let timing = self.timing(interpolation, speed, at.as_ref())?;
         self.at = at;
-        let rest = format!("PL={level} {}", to.figure).trim().into();
+        let rest = format!("{} {}", settings.join(" "), to.figure).trim().into();
         Ok(Statement::Move(ReadMove { interpolation, goal: to.goal, timing, rest }))
     }
 
