@@ -165,6 +165,9 @@ proptest! {
         let (exact, welded) = (Welded::new(&facets, Weld::Exact), auto(&facets));
         prop_assert!(open_edges(&welded) <= open_edges(&exact));
         let (before, after) = (Mesh::from_welded(exact, 1.0), Mesh::from_welded(welded, 1.0));
+        prop_assert!(after.back_count() == before.back_count());
+        let doubled = |mesh: &Mesh| mesh.defects.iter().filter(|d| **d == FacetDefect::Duplicate).count();
+        prop_assert!(doubled(&after) <= doubled(&before));
         for f in (0..facets.len()).filter(|&f| before.defects[f] != FacetDefect::Degenerate) {
             prop_assert!(after.defects[f] != FacetDefect::Degenerate);
             prop_assert!(before.normals[f].dot(&after.normals[f]) >= 0.5);
