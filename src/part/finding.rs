@@ -117,7 +117,7 @@ impl PartFinding {
         });
         let counted = [
             (found.boundary_edges, (|count| PartFinding::OpenEdges { count }) as fn(usize) -> PartFinding),
-            (found.non_manifold_edges, |count| PartFinding::NonManifoldEdges { count }),
+            (found.non_manifold_edges - found.sheet_edges, |count| PartFinding::NonManifoldEdges { count }),
             (part.orientation.flipped_facets, |count| PartFinding::FlippedFacets { count }),
             (found.duplicate_facets - found.back_facets, |count| PartFinding::DuplicateFacets { count }),
             (found.back_facets, |count| PartFinding::TwoSidedFacets { count }),

@@ -17,6 +17,8 @@ pub struct PartFigures {
     pub boundary_edges: usize,
     /// Edges with more than two.
     pub non_manifold_edges: usize,
+    /// Those of them at which sheets with both sides go on, each side for itself.
+    pub sheet_edges: usize,
     /// Facets without area.
     pub degenerate_facets: usize,
     /// Facets with the vertices of an earlier one.
@@ -57,6 +59,7 @@ impl PartFigures {
             invalid: raw.invalid.clone(),
             boundary_edges: facets_at(|n| n == 1),
             non_manifold_edges: facets_at(|n| n > 2),
+            sheet_edges: (0..mesh.edges.len() as u32).filter(|&e| mesh.pairs(e).nth(1).is_some()).count(),
             degenerate_facets: count(FacetDefect::Degenerate),
             duplicate_facets: count(FacetDefect::Duplicate) + back_facets,
             back_facets,

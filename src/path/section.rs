@@ -65,7 +65,8 @@ impl TransversalLine {
 
 /// Cuts a surface by planes `normal · p = height` (heights ascending): all lines, plane by plane.
 ///
-/// Points closer than `merge_mm` are merged; lines shorter than that are dropped.
+/// Points closer than `merge_mm` are merged; lines shorter than that are dropped. A surface that is no higher than that
+/// lies in a plane of the family: what would cut it is the rounding of its corners, so it has no line.
 pub fn sections(
     mesh: &Mesh,
     surface: &Surface,
@@ -76,15 +77,20 @@ pub fn sections(
 ) -> Vec<TransversalLine> {
     let height = |v: u32| mesh.vertices[v as usize].coords.dot(normal);
     let mut per_plane: Vec<Vec<u32>> = vec![Vec::new(); heights_mm.len()];
+    let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
     for &f in surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None) {
         let h = mesh.facets[f as usize].map(height);
         let (lo, hi) = (h[0].min(h[1]).min(h[2]), h[0].max(h[1]).max(h[2]));
+        (lowest, highest) = (lowest.min(lo), highest.max(hi));
         // Crossed where lo < height <= hi.
         let from = heights_mm.partition_point(|&c| c <= lo);
         for facets in per_plane[from..].iter_mut().zip(&heights_mm[from..]).take_while(|(_, c)| **c <= hi).map(|p| p.0)
         {
             facets.push(f);
         }
+    }
+    if highest - lowest < merge_mm {
+        return Vec::new();
     }
     let cut = PlaneCut { mesh, vertex_normals, normal };
     per_plane

@@ -1,5 +1,5 @@
-//! Joins the corners of seams, but for those where a facet would fold: where it would lose a corner, become a line, or
-//! look elsewhere. The end of a real slot is such a place, and what is refused there is refused all along the slot.
+//! Joins the corners of seams, but for those where a facet would fold: where it would lose a corner, become a line, look
+//! elsewhere, or come to lie on another. The end of a real slot is such a place, and what is refused there is refused all along the slot.
 
 use super::seams::{Seam, point};
 use super::{Joined, Welded};
@@ -79,7 +79,23 @@ impl Groups {
                 found.extend(moved);
             }
         }
+        self.add_doubled(facets, &mut found);
         found
+    }
+
+    /// Adds the groups that lay a facet on another.
+    fn add_doubled(&self, facets: &[[u32; 3]], found: &mut BTreeSet<u32>) {
+        let sorted = |mut corners: [u32; 3]| {
+            corners.sort_unstable();
+            corners
+        };
+        let is_near = |corners: &&[u32; 3]| corners.iter().any(|&v| self.size[self.root(v) as usize] > 1);
+        let after = |corners: &[u32; 3]| (sorted(corners.map(|v| self.root(v))), sorted(*corners));
+        let mut near: Vec<([u32; 3], [u32; 3])> = facets.iter().filter(is_near).map(after).collect();
+        near.sort_unstable();
+        for same in near.chunk_by(|a, b| a.0 == b.0).filter(|same| same.iter().any(|f| f.1 != same[0].1)) {
+            found.extend(same.iter().flat_map(|f| f.1).filter(|&v| self.root(v) != v).map(|v| self.root(v)));
+        }
     }
 
     /// The seams that are left when these groups are refused, and what goes with them: the whole run of a seam whose

@@ -7,6 +7,7 @@ use crate::part::raw_part::RawFacet;
 use crate::part::topology::FacetDefect;
 use crate::sample::{SAMPLES, Triangles, solids};
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 
 fn raw(triangles: &Triangles) -> Vec<RawFacet> {
     triangles.iter().map(|t| t.map(|p| p.map(|x| x as f32))).collect()
@@ -165,6 +166,15 @@ proptest! {
         let (exact, welded) = (Welded::new(&facets, Weld::Exact), auto(&facets));
         prop_assert!(open_edges(&welded) <= open_edges(&exact));
         let (before, after) = (Mesh::from_welded(exact, 1.0), Mesh::from_welded(welded, 1.0));
+        let different = |mesh: &Mesh| {
+            let sorted = mesh.facets.iter().map(|f| {
+                let mut corners = *f;
+                corners.sort_unstable();
+                corners
+            });
+            sorted.filter(|c| c[0] != c[1] && c[1] != c[2]).collect::<BTreeSet<_>>().len()
+        };
+        prop_assert_eq!(different(&before), different(&after));
         for f in (0..facets.len()).filter(|&f| before.defects[f] != FacetDefect::Degenerate) {
             prop_assert!(after.defects[f] != FacetDefect::Degenerate);
             prop_assert!(before.normals[f].dot(&after.normals[f]) >= 0.5);
