@@ -6,6 +6,7 @@ mod parts;
 use clearbeam::beam::{Obstacle, Tool};
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, segmented};
+use clearbeam::part::stl::StlError;
 use clearbeam::part::{Part, Placement, Source, Surfaces, Units};
 use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf};
 use clearbeam::planning::{self, Plan, PlanCache, PlanError};
@@ -83,7 +84,7 @@ fn a_part_is_not_built_to_its_end() {
     let source = Source::from_bytes(&stl_bytes(&solids::sphere(10.0, 200, 100))).expect("a readable part");
     at_every_stage(
         "a part",
-        |why| why.is_none(),
+        |why: &Option<StlError>| why.is_none(),
         |progress| {
             let built = source.part(Units::Mm, &Placement::default(), &[], progress);
             built.map_err(Some).and_then(|part| part.ok_or(None))
