@@ -141,9 +141,9 @@ fn the_unit_of_a_3mf_file_is_taken_and_overridden() {
         ("centimeter", 10.0, "mm", &["unit_taken"]),
         ("millimeter", 1.0, "mm", &[]),
     ] {
-        let file = bench.file("part.3mf", threemf(&solids::cube(10.0 / mm), unit));
+        let file = bench.file("part.3mf", threemf(&solids::cube(12.0 / mm), unit));
         let inspected = json(&run(&["inspect", &file, "--json"]));
-        assert!((size(&inspected) - 10.0).abs() < 1e-5, "{unit}");
+        assert!((size(&inspected) - 12.0).abs() < 1e-5, "{unit}");
         assert_eq!(codes(&inspected), told, "{unit}");
         let (_, report, _) = bench.plan(&file, &["--surfaces", "1"]);
         assert_eq!(codes(&report), told, "{unit}");

@@ -2,23 +2,12 @@
 //! index, because its other readers panic on indices of normals that are not there, and so that what it would leave
 //! out without a word (lines, points, curves, surfaces by formulas) is counted.
 
-use super::PartFileError;
 use super::number::has_decimal_comma;
 use super::polygon;
+use super::{ObjFault, PartFileError};
 use crate::part::raw_part::{RawPart, UnreadKind};
 use std::collections::BTreeMap;
 use std::io::Cursor;
-
-/// What is wrong in a line of an OBJ file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ObjFault {
-    /// A vertex is not three numbers.
-    Vertex,
-    /// A face has something that is no index.
-    Face,
-    /// A face has a vertex that is not there.
-    NoSuchVertex,
-}
 
 /// Vertices and faces of a file, a line each.
 #[derive(Default)]

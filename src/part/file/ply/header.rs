@@ -1,7 +1,7 @@
 //! The header of a PLY file: its encoding, and its elements with their properties. It names them all, so a file can be
 //! read without knowing what they mean.
 
-use super::PlyFault;
+use super::super::PlyFault;
 
 /// How the rows behind the header are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 //! by what makes it come out to its end.
 
 use super::super::PartFileError;
-use super::text;
+use super::words;
 use crate::part::raw_part::{CountDiffers, RawFacet, RawPart};
 use std::ops::Range;
 
@@ -52,7 +52,7 @@ fn end_of_solid(bytes: &[u8], at: usize, payload: bool) -> Option<(usize, usize)
 /// has room behind them.
 pub(super) fn solids(bytes: &[u8], at: usize) -> Option<Solids> {
     let [plain, payload] = [false, true].map(|payload| chain(bytes, at, payload));
-    let is_whole = |s: &Solids| s.end == bytes.len() || text::begins(&bytes[s.end..]);
+    let is_whole = |s: &Solids| s.end == bytes.len() || words::begins(&bytes[s.end..]);
     match (plain, payload) {
         (Some(plain), Some(payload)) if !is_whole(&plain) && is_whole(&payload) => Some(payload),
         (plain, payload) => plain.or(payload),
@@ -63,7 +63,7 @@ fn chain(bytes: &[u8], mut at: usize, payload: bool) -> Option<Solids> {
     let mut list = Vec::new();
     loop {
         let rest = bytes.len() - at;
-        if !list.is_empty() && (rest < RECORD || text::begins(&bytes[at..])) {
+        if !list.is_empty() && (rest < RECORD || words::begins(&bytes[at..])) {
             return Some(Solids { list, payload, end: at });
         }
         let (end, count) = end_of_solid(bytes, at, payload)?;

@@ -6,6 +6,7 @@
 
 mod binary;
 mod text;
+mod words;
 
 use super::PartFileError;
 use crate::part::raw_part::RawPart;
@@ -26,7 +27,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
         at = if let Some(found) = binary::solids(bytes, at) {
             binary::read_solids(bytes, &found, &mut part);
             found.end
-        } else if text::begins(&bytes[at..]) {
+        } else if words::begins(&bytes[at..]) {
             text::read(bytes, at, &mut part)?
         } else if at == 0 {
             binary::read_uneven(bytes, &mut part)?;

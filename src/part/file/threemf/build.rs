@@ -1,6 +1,6 @@
 //! What a 3MF file builds: its items, and the objects that those are made of, each where its transforms put it.
 
-use super::ThreeMfFault;
+use super::super::ThreeMfFault;
 use super::model::{IDENTITY, Model, Object, Placed, Transform};
 use super::package::Package;
 use crate::part::raw_part::{RawFacet, RawPart, UnreadKind};

@@ -1,4 +1,4 @@
-use super::super::{FileKind, read};
+use super::super::{FileKind, ThreeMfFault, read};
 use super::*;
 use crate::part::raw_part::{Unread, UnreadKind};
 use crate::part::units::{StatedUnit, Units};
