@@ -3,7 +3,7 @@
 use super::super::ThreeMfFault;
 use super::model::{IDENTITY, Model, Object, Placed, Transform};
 use super::package::Package;
-use crate::part::raw_part::{RawFacet, RawPart, UnreadKind};
+use crate::part::raw_part::{RawPart, UnreadKind};
 use crate::part::units::StatedUnit;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -108,7 +108,7 @@ fn push_mesh(part: &mut RawPart, object: &Object, number: u32, transform: &Trans
         let (Some(a), Some(b), Some(c)) = (vertices.get(a), vertices.get(b), vertices.get(c)) else {
             return Err(ThreeMfFault::NoSuchVertex { object: number, vertices: vertices.len() });
         };
-        part.push_checked([*a, *b, *c] as RawFacet, *byte);
+        part.push_checked([*a, *b, *c], *byte);
     }
     Ok(())
 }
