@@ -1,7 +1,9 @@
 //! Files of parts through the command line: the same part in every form, the unit of a 3MF file, what is told of files
 //! that are not clean, and what is said of files that are no parts.
 
+use clearbeam::beam::{Head, Obstacle};
 use clearbeam::cell::Setup;
+use clearbeam::part::{LoadError, Units};
 use clearbeam::program::{Comment, FileNote, Program, dialects};
 use clearbeam::sample::{Triangles, solids, stl_bytes};
 use clearbeam::text::program_comment;
@@ -158,6 +160,21 @@ fn the_unit_of_a_3mf_file_is_taken_and_overridden() {
     let (output, report, program) = bench.plan(&file, &["--surfaces", "1", "--units", "mm"]);
     assert_eq!((output.status.code(), codes(&report)), (Some(0), vec!["unit_overridden"]));
     assert!(program.contains("the part file states inch, it was read in mm"), "{program}");
+}
+
+#[test]
+fn clamps_and_heads_come_in_the_same_forms_and_in_no_other_unit_than_their_own() {
+    let bench = Bench::new();
+    let file = bench.file("clamp.3mf", threemf(&solids::cube(1.0), "inch"));
+    let height = |clamp: &Obstacle| clamp.solid().mesh.bounds().1.z - clamp.solid().mesh.bounds().0.z;
+    let mut clamp = Obstacle::of_file("clamp.3mf".into(), Path::new(&file));
+    clamp.load(Some(bench.0.path())).expect("loads");
+    assert!((clamp.units, height(&clamp)) == (Units::Inch, 25.4), "{clamp:?}");
+    // A job that says nothing of the unit means millimetres, which this file does not.
+    let refused = Obstacle::named("clamp.3mf".into()).load(Some(bench.0.path()));
+    assert!(matches!(refused, Err(LoadError::OtherUnit { units: Units::Mm, .. })), "{refused:?}");
+    let head = bench.file("head.obj", obj(&solids::cube(10.0)));
+    assert!(Head::load(Path::new(&head)).is_ok_and(|h| h.solid().is_some_and(|s| s.mesh.facets.len() == 12)));
 }
 
 /// A cube with five bytes behind it, one whose header counts half of it, and two behind each other.
