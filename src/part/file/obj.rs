@@ -211,7 +211,8 @@ mod tests {
     use proptest::prelude::*;
 
     const TETRAHEDRON: &str = "# made by hand\nmtllib a.mtl\no part\nv 0 0 0\nv 1 0 0 1.0\nv 0 1 0 0.5 0.5 0.5\n\
-        v 0 0 1\nvn 0 0 1\ng side\nusemtl steel\ns off\nf 1 3 2\nf 1/1/1 2/2/1 4/1/1\nf 1//9 4//1 3//-7\nf -3 -2 \\\n  -1\n";
+        v 0 0 1\nvn 0 0 1\ng side\nusemtl steel\ns off\nf 1 3 2\nf 1/1/1 2/2/1 4/1/1\n\
+         f 1//9 4//1 3//-7\nf -3 -2 \\\n  -1\n";
 
     #[test]
     fn faces_by_any_index_are_read() {

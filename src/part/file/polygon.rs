@@ -159,7 +159,8 @@ mod tests {
             };
             let corners: Vec<[f32; 3]> = radii.iter().enumerate().map(point).collect();
             let flat = flat(&corners);
-            let shoelace: f64 = (0..n).map(|k| area(&[[0.0, 0.0], flat[k], flat[(k + 1) % n]], [0, 1, 2])).sum::<f64>() / 2.0;
+            let side = |k: usize| area(&[[0.0, 0.0], flat[k], flat[(k + 1) % n]], [0, 1, 2]);
+            let shoelace = (0..n).map(side).sum::<f64>() / 2.0;
             let cut = total(&corners);
             prop_assert!(cut.is_ok_and(|a| (a - shoelace).abs() < 1e-9 * shoelace), "{cut:?} {shoelace}");
         }

@@ -175,7 +175,8 @@ mod tests {
         ) {
             let plain = binary(b"x", 6, &[F, G, F, G, F, G], b"");
             let payload = binary(b"x", 3, &[F, G, F], b"\x01\x02");
-            let mut bytes = [plain.clone(), payload.clone(), TEXT.repeat(3), [TEXT, &plain, &payload].concat()][which].clone();
+            let mixed = [TEXT, &plain, &payload].concat();
+            let mut bytes = [plain, payload, TEXT.repeat(3), mixed][which].clone();
             for (at, byte) in changes {
                 let at = at.index(bytes.len());
                 bytes[at] = byte;

@@ -1,5 +1,5 @@
-//! 3MF files: an archive ([`package`]) of models in XML ([`model`]). The part is what the build of the main model names,
-//! each object where its transforms put it; objects that are not built are counted.
+//! 3MF files: an archive ([`package`]) of models in XML ([`model`]). The part is what the build of the main model
+//! names, each object where its transforms put it; objects that are not built are counted.
 
 mod build;
 mod model;
