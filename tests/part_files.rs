@@ -1,7 +1,9 @@
 //! Files of parts through the command line: the same part in every form, the unit of a 3MF file, what is told of files
 //! that are not clean, and what is said of files that are no parts.
 
+use clearbeam::beam::{Head, Obstacle};
 use clearbeam::cell::Setup;
+use clearbeam::part::{LoadError, Units};
 use clearbeam::program::{Comment, FileNote, Program, dialects};
 use clearbeam::sample::{Triangles, solids, stl_bytes};
 use clearbeam::text::program_comment;
@@ -100,8 +102,8 @@ fn threemf(triangles: &Triangles, unit: &str) -> Vec<u8> {
         .collect::<String>();
     let model = format!(
         "<model unit=\"{unit}\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources>\
-         <object id=\"1\"><mesh><vertices>{vertices}</vertices><triangles>{faces}</triangles></mesh></object></resources>\
-         <build><item objectid=\"1\"/></build></model>"
+         <object id=\"1\"><mesh><vertices>{vertices}</vertices><triangles>{faces}</triangles></mesh></object>\
+         </resources><build><item objectid=\"1\"/></build></model>"
     );
     let rels = "<Relationships><Relationship Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\" \
                 Target=\"/3D/3dmodel.model\"/></Relationships>";
@@ -141,9 +143,9 @@ fn the_unit_of_a_3mf_file_is_taken_and_overridden() {
         ("centimeter", 10.0, "mm", &["unit_taken"]),
         ("millimeter", 1.0, "mm", &[]),
     ] {
-        let file = bench.file("part.3mf", threemf(&solids::cube(10.0 / mm), unit));
+        let file = bench.file("part.3mf", threemf(&solids::cube(12.0 / mm), unit));
         let inspected = json(&run(&["inspect", &file, "--json"]));
-        assert!((size(&inspected) - 10.0).abs() < 1e-5, "{unit}");
+        assert!((size(&inspected) - 12.0).abs() < 1e-5, "{unit}");
         assert_eq!(codes(&inspected), told, "{unit}");
         let (_, report, _) = bench.plan(&file, &["--surfaces", "1"]);
         assert_eq!(codes(&report), told, "{unit}");
@@ -158,6 +160,21 @@ fn the_unit_of_a_3mf_file_is_taken_and_overridden() {
     let (output, report, program) = bench.plan(&file, &["--surfaces", "1", "--units", "mm"]);
     assert_eq!((output.status.code(), codes(&report)), (Some(0), vec!["unit_overridden"]));
     assert!(program.contains("the part file states inch, it was read in mm"), "{program}");
+}
+
+#[test]
+fn clamps_and_heads_come_in_the_same_forms_and_in_no_other_unit_than_their_own() {
+    let bench = Bench::new();
+    let file = bench.file("clamp.3mf", threemf(&solids::cube(1.0), "inch"));
+    let height = |clamp: &Obstacle| clamp.solid().mesh.bounds().1.z - clamp.solid().mesh.bounds().0.z;
+    let mut clamp = Obstacle::of_file("clamp.3mf".into(), Path::new(&file));
+    clamp.load(Some(bench.0.path())).expect("loads");
+    assert!((clamp.units, height(&clamp)) == (Units::Inch, 25.4), "{clamp:?}");
+    // A job that says nothing of the unit means millimetres, which this file does not.
+    let refused = Obstacle::named("clamp.3mf".into()).load(Some(bench.0.path()));
+    assert!(matches!(refused, Err(LoadError::OtherUnit { units: Units::Mm, .. })), "{refused:?}");
+    let head = bench.file("head.obj", obj(&solids::cube(10.0)));
+    assert!(Head::load(Path::new(&head)).is_ok_and(|h| h.solid().is_some_and(|s| s.mesh.facets.len() == 12)));
 }
 
 /// A cube with five bytes behind it, one whose header counts half of it, and two behind each other.
@@ -210,18 +227,24 @@ fn every_dialect_says_it_at_the_head() {
     }
 }
 
+const SCAN: &[u8] = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n\
+    end_header\n1 2 3\n";
+
+const COMMA: &[u8] = b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0,5 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n\
+    endfacet\nendsolid a\n";
+
 #[test]
 fn files_that_are_no_parts_are_named_in_one_line() {
     let bench = Bench::new();
     let cube = stl_bytes(&solids::cube(10.0));
     let cases: [(&str, Vec<u8>, &str); 8] = [
-        ("lfs.stl", b"version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 12345\n".to_vec(), "git lfs pull"),
+        ("lfs.stl", b"version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 9\n".to_vec(), "git lfs pull"),
         ("page.stl", b"<!DOCTYPE html><html><head>".to_vec(), "a web page"),
         ("part.stp.stl", b"ISO-10303-21;\nHEADER;".to_vec(), "a STEP file"),
         ("cut.stl", cube[..400].to_vec(), "cut off"),
         ("cut.3mf", threemf(&solids::cube(1.0), "inch")[..300].to_vec(), "cut off"),
-        ("scan.ply", b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n".to_vec(), "a point cloud of 1 point"),
-        ("comma.stl", b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0,5 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n".to_vec(), "decimal comma (byte 45)"),
+        ("scan.ply", SCAN.to_vec(), "a point cloud of 1 point"),
+        ("comma.stl", COMMA.to_vec(), "decimal comma (byte 45)"),
         ("bad.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n".to_vec(), "line 4"),
     ];
     for (name, bytes, said) in cases {

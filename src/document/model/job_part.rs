@@ -41,3 +41,25 @@ impl JobPart {
         !self.sha256.is_empty() && self.sha256 != sha256
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::raw_part::RawPart;
+    use crate::part::units::StatedUnit;
+
+    #[test]
+    fn a_job_that_was_just_made_takes_the_unit_of_the_file() {
+        let raw = RawPart { stated_unit: Some(StatedUnit::Inch), ..RawPart::default() };
+        let source = Source { raw, sha256: "ab".into() };
+        let units = |mut part: JobPart, job_file: Option<&Path>| {
+            part.begin_with(&source, job_file);
+            assert_eq!(part.sha256, "ab");
+            part.units
+        };
+        assert_eq!(units(JobPart::default(), None), Units::Inch);
+        assert_eq!(units(JobPart::default(), Some(Path::new("job.toml"))), Units::Mm);
+        let of_a_part = JobPart { sha256: "ab".into(), units: Units::M, ..JobPart::default() };
+        assert_eq!(units(of_a_part, None), Units::M);
+    }
+}

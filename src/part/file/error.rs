@@ -1,9 +1,7 @@
 //! Why the bytes of a file are no part. Sentences of it stand in `text`.
 
+use super::fault::{ObjFault, PlyFault, ThreeMfFault};
 use super::kind::FileKind;
-use super::obj::ObjFault;
-use super::ply::PlyFault;
-use super::threemf::ThreeMfFault;
 use crate::part::raw_part::FacetFault;
 use thiserror::Error;
 

@@ -119,11 +119,12 @@ fn marked_up(begin: &[u8]) -> Option<FileKind> {
     })
 }
 
-/// A brace or bracket, and then what may follow it in JSON; a table of TOML begins with a letter.
+/// A brace, or brackets, and then what may follow them in JSON; the name of a table of TOML begins with a letter.
 fn is_json(begin: &[u8]) -> bool {
-    match begin.split_first() {
-        Some((b'{', rest)) => matches!(trimmed(rest).first(), Some(b'"' | b'}')),
-        Some((b'[', rest)) => matches!(trimmed(rest).first(), Some(b'{' | b'[' | b']' | b'"' | b'-' | b'0'..=b'9')),
+    let inside = begin.iter().position(|b| *b != b'[' && !b.is_ascii_whitespace()).unwrap_or(begin.len());
+    match (inside, begin[inside..].split_first()) {
+        (_, Some((b'{', rest))) => matches!(trimmed(rest).first(), Some(b'"' | b'}')),
+        (1.., Some((b']' | b'"' | b'-' | b'0'..=b'9', _))) => true,
         _ => false,
     }
 }
@@ -177,7 +178,7 @@ mod tests {
     #[test]
     fn what_people_take_for_a_part_is_named() {
         let iges = format!("{:<72}S{:>7}\n", "exported by a CAD system", 1);
-        let known: [(&[u8], FileKind); 15] = [
+        let known: [(&[u8], FileKind); 16] = [
             (b"version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 12\n", FileKind::GitLfsPointer),
             (b"\x1f\x8b\x08\0\0\0\0\0", FileKind::Gzip),
             (b"\n<!DOCTYPE html><html><body>Sign in</body></html>", FileKind::WebPage),
@@ -187,6 +188,7 @@ mod tests {
             (b"999\nmade by\n0\nSECTION\n", FileKind::OtherModel("DXF")),
             (b"%PDF-1.7\n", FileKind::NoModel("PDF")),
             (b"{ \"asset\": { \"version\": \"2.0\" } }", FileKind::NoModel("JSON")),
+            (b"[[1, 2], [3]]", FileKind::NoModel("JSON")),
             (b"<?xml version=\"1.0\"?>\n<note/>", FileKind::NoModel("XML")),
             (b"<?xml version=\"1.0\"?><amf unit=\"inch\">", FileKind::OtherModel("AMF")),
             (b"\x89PNG\r\n\x1a\n\0\0", FileKind::NoModel("PNG")),
@@ -199,7 +201,13 @@ mod tests {
             let is_archive = kind == FileKind::Zip;
             assert!(is_archive || read(bytes) == Err(PartFileError::Other(kind)), "{kind:?}");
         }
-        let none: [&[u8]; 4] = [b"solid a\nfacet", b"[part]\nfile = \"a.stl\"", b"vertex 1 2 3", b"hello\nv 1 2 3"];
+        let none: [&[u8]; 5] = [
+            b"solid a\nfacet",
+            b"[part]\nfile = \"a.stl\"",
+            b"[[part]]\nr0_mm = 1",
+            b"vertex 1 2 3",
+            b"hello\nv 1 2 3",
+        ];
         for bytes in none {
             assert_eq!(of(bytes), None);
         }

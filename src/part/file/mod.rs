@@ -5,6 +5,7 @@
 
 mod encoding;
 mod error;
+mod fault;
 mod kind;
 mod number;
 mod obj;
@@ -14,10 +15,8 @@ mod stl;
 mod threemf;
 
 pub use error::PartFileError;
+pub use fault::{ObjFault, PlyFault, ThreeMfFault};
 pub use kind::FileKind;
-pub use obj::ObjFault;
-pub use ply::PlyFault;
-pub use threemf::ThreeMfFault;
 
 use super::raw_part::RawPart;
 use encoding::Utf16;

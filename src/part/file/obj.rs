@@ -2,23 +2,12 @@
 //! index, because its other readers panic on indices of normals that are not there, and so that what it would leave
 //! out without a word (lines, points, curves, surfaces by formulas) is counted.
 
-use super::PartFileError;
 use super::number::has_decimal_comma;
 use super::polygon;
+use super::{ObjFault, PartFileError};
 use crate::part::raw_part::{RawPart, UnreadKind};
 use std::collections::BTreeMap;
 use std::io::Cursor;
-
-/// What is wrong in a line of an OBJ file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ObjFault {
-    /// A vertex is not three numbers.
-    Vertex,
-    /// A face has something that is no index.
-    Face,
-    /// A face has a vertex that is not there.
-    NoSuchVertex,
-}
 
 /// Vertices and faces of a file, a line each.
 #[derive(Default)]
@@ -222,7 +211,8 @@ mod tests {
     use proptest::prelude::*;
 
     const TETRAHEDRON: &str = "# made by hand\nmtllib a.mtl\no part\nv 0 0 0\nv 1 0 0 1.0\nv 0 1 0 0.5 0.5 0.5\n\
-        v 0 0 1\nvn 0 0 1\ng side\nusemtl steel\ns off\nf 1 3 2\nf 1/1/1 2/2/1 4/1/1\nf 1//9 4//1 3//-7\nf -3 -2 \\\n  -1\n";
+        v 0 0 1\nvn 0 0 1\ng side\nusemtl steel\ns off\nf 1 3 2\nf 1/1/1 2/2/1 4/1/1\n\
+         f 1//9 4//1 3//-7\nf -3 -2 \\\n  -1\n";
 
     #[test]
     fn faces_by_any_index_are_read() {

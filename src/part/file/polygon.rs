@@ -1,7 +1,7 @@
 //! Cuts polygons into triangles by their corners alone, ears first, whether they are convex or not. Every corner stays
 //! one of a triangle, those on a straight edge too: the neighbour has it as well, and the surface would gape there.
 
-use crate::part::raw_part::{FacetFault, RawFacet, RawPart, fault_of};
+use crate::part::raw_part::{FacetFault, RawPart, fault_of};
 
 /// More corners are not cut: the work grows with their square, and programs that write polygons of thousands of
 /// corners cut them themselves.
@@ -10,7 +10,7 @@ const MOST_CORNERS: usize = 4096;
 /// Adds the triangles of a polygon whose text or record begins at `byte`, or notes why it has none.
 pub(super) fn push(part: &mut RawPart, corners: &[[f32; 3]], byte: usize) {
     match triangles(corners) {
-        Ok(list) => list.iter().for_each(|t| part.push_checked(t.map(|k| corners[k]) as RawFacet, byte)),
+        Ok(list) => list.iter().for_each(|t| part.push_checked(t.map(|k| corners[k]), byte)),
         Err(fault) => part.push_invalid(fault, byte),
     }
 }
@@ -159,7 +159,8 @@ mod tests {
             };
             let corners: Vec<[f32; 3]> = radii.iter().enumerate().map(point).collect();
             let flat = flat(&corners);
-            let shoelace: f64 = (0..n).map(|k| area(&[[0.0, 0.0], flat[k], flat[(k + 1) % n]], [0, 1, 2])).sum::<f64>() / 2.0;
+            let side = |k: usize| area(&[[0.0, 0.0], flat[k], flat[(k + 1) % n]], [0, 1, 2]);
+            let shoelace = (0..n).map(side).sum::<f64>() / 2.0;
             let cut = total(&corners);
             prop_assert!(cut.is_ok_and(|a| (a - shoelace).abs() < 1e-9 * shoelace), "{cut:?} {shoelace}");
         }

@@ -1,7 +1,7 @@
 //! The header of a PLY file: its encoding, and its elements with their properties. It names them all, so a file can be
 //! read without knowing what they mean.
 
-use super::PlyFault;
+use super::super::PlyFault;
 
 /// How the rows behind the header are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,16 +102,13 @@ impl Header {
     /// [`PlyFault::HeaderLine`], [`PlyFault::NoHeaderEnd`].
     pub fn of(bytes: &[u8]) -> Result<Header, PlyFault> {
         let mut lines = Lines { bytes, at: if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }, number: 0 };
-        let first = lines.next().ok_or(PlyFault::NoHeaderEnd)?;
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
-        let mut line = first;
-        let is_mark = |line: &str| line == "ply";
-        if !is_mark(&line) {
+        if lines.next().ok_or(PlyFault::NoHeaderEnd)? != "ply" {
             return Err(PlyFault::HeaderLine { line: 1 });
         }
         loop {
-            line = lines.next().ok_or(PlyFault::NoHeaderEnd)?;
+            let line = lines.next().ok_or(PlyFault::NoHeaderEnd)?;
             let fault = PlyFault::HeaderLine { line: lines.number };
             let words: Vec<&str> = line.split_ascii_whitespace().collect();
             match words[..] {

@@ -4,49 +4,10 @@
 pub mod header;
 pub mod rows;
 
-use super::{PartFileError, polygon};
+use super::{PartFileError, PlyFault, polygon};
 use crate::part::raw_part::{RawPart, UnreadKind};
 use header::{Element, Header, Property};
 use rows::Rows;
-
-/// What is wrong with a PLY file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum PlyFault {
-    /// A line of the header that cannot be read.
-    HeaderLine {
-        /// The line, from 1.
-        line: usize,
-    },
-    /// The header has no end.
-    NoHeaderEnd,
-    /// Vertices have no x, y and z.
-    NoCoordinates,
-    /// Faces have no list of vertices.
-    NoIndices,
-    /// Its faces are strips.
-    Strips,
-    /// It ends before the rows of an element that its header promises.
-    CutOff {
-        /// The element.
-        element: String,
-        /// Rows by the header.
-        promised: u64,
-    },
-    /// Something that should be a number is none, or a list has less than no items.
-    Value {
-        /// The element.
-        element: String,
-        /// Its row, from 0.
-        row: u64,
-    },
-    /// A face has a vertex that is not there.
-    NoSuchVertex {
-        /// The face, from 0.
-        face: usize,
-        /// Vertices that are there.
-        vertices: usize,
-    },
-}
 
 /// Polygons one behind the other.
 #[derive(Default)]

@@ -1,9 +1,8 @@
 //! The rows behind a PLY header: numbers of any type in any encoding, one after the other. Nothing is allocated that a
 //! count promises and the file does not hold.
 
-use super::super::PartFileError;
 use super::super::number::has_decimal_comma;
-use super::PlyFault;
+use super::super::{PartFileError, PlyFault};
 use super::header::{Element, Encoding, Header, Property, Scalar};
 
 /// Why a row cannot be read.

@@ -1,3 +1,5 @@
+//! PLY in all encodings, and what of it is refused.
+
 use super::super::read;
 use super::*;
 use crate::part::raw_part::{FacetFault, PassedOver, RawFacet, Unread};
@@ -92,7 +94,8 @@ fn what_is_no_mesh_is_told_by_name() {
     assert_eq!(refused("vertex 4", "vertex 9000000000000000000"), cut("vertex", 9_000_000_000_000_000_000));
     let byte = TEXT.find("0.5 3").expect("there");
     assert_eq!(refused("0.5 3 0 1 2 0", "0.5 3 0 1,5 2 0"), PartFileError::DecimalComma { byte: byte + 8 });
-    let cloud = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n4 5 6\n";
+    let cloud = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n\
+        end_header\n1 2 3\n4 5 6\n";
     assert_eq!(read(cloud.as_bytes()), Err(PartFileError::PointCloud { points: 2 }));
     let strips = cloud.replace("end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header");
     assert_eq!(read(format!("{strips}3 0 1 0\n").as_bytes()), Err(ply(PlyFault::Strips)));

@@ -3,7 +3,7 @@
 //! by what makes it come out to its end.
 
 use super::super::PartFileError;
-use super::text;
+use super::words;
 use crate::part::raw_part::{CountDiffers, RawFacet, RawPart};
 use std::ops::Range;
 
@@ -52,7 +52,7 @@ fn end_of_solid(bytes: &[u8], at: usize, payload: bool) -> Option<(usize, usize)
 /// has room behind them.
 pub(super) fn solids(bytes: &[u8], at: usize) -> Option<Solids> {
     let [plain, payload] = [false, true].map(|payload| chain(bytes, at, payload));
-    let is_whole = |s: &Solids| s.end == bytes.len() || text::begins(&bytes[s.end..]);
+    let is_whole = |s: &Solids| s.end == bytes.len() || words::begins(&bytes[s.end..]);
     match (plain, payload) {
         (Some(plain), Some(payload)) if !is_whole(&plain) && is_whole(&payload) => Some(payload),
         (plain, payload) => plain.or(payload),
@@ -62,8 +62,8 @@ pub(super) fn solids(bytes: &[u8], at: usize) -> Option<Solids> {
 fn chain(bytes: &[u8], mut at: usize, payload: bool) -> Option<Solids> {
     let mut list = Vec::new();
     loop {
-        let rest = bytes.len() - at;
-        if !list.is_empty() && (rest < RECORD || text::begins(&bytes[at..])) {
+        let rest = bytes.len().checked_sub(at)?;
+        if !list.is_empty() && (rest < RECORD || words::begins(&bytes[at..])) {
             return Some(Solids { list, payload, end: at });
         }
         let (end, count) = end_of_solid(bytes, at, payload)?;
@@ -156,15 +156,17 @@ fn most(bytes: &[u8], records: Range<usize>) -> f32 {
 }
 
 /// Whether 50 bytes are a facet of a part that reaches so far: bytes of anything else, read as numbers, are mostly far
-/// larger than any part, or far smaller than any digit of its coordinates. `reach` 0: nothing is known of the part.
+/// larger than any part (letters are 1e20 and more), or all of them far smaller than it (digits and blanks are 1e-4 and
+/// less). `reach` 0: nothing is known of the part.
 fn is_facet(record: &[u8], reach: f32) -> bool {
     // Behind known facets a part may go on ten times as far; without any, planets end before 1e10 mm.
-    let most = if reach > 0.0 { 10.0 * reach } else { 1e10 };
+    let (most, least) = if reach > 0.0 { (10.0 * reach, 1e-3 * reach) } else { (1e10, 1e-3) };
+    // Noise about zero is smaller than a single digit of any part, but not so small that it could not be added to it.
+    let is_up_to = |x: f32, most: f32| x == 0.0 || (1e-30..=most).contains(&x.abs());
     let numbers = numbers(record);
-    let is_length = |x: f32| x == 0.0 || (most * 1e-20..=most).contains(&x.abs());
-    let is_direction = |x: f32| x.is_nan() || (x.abs() <= 1.001 && (x == 0.0 || x.abs() > 1e-30));
-    let corners = &numbers[3..];
-    corners.iter().all(|x| is_length(*x))
-        && corners.iter().any(|x| *x != 0.0)
-        && numbers[..3].iter().all(|x| is_direction(*x))
+    let (normal, corners) = numbers.split_at(3);
+    // Some programs write normals as long as the facet is large, or none that is a number.
+    normal.iter().all(|x| x.is_nan() || is_up_to(*x, 1e15))
+        && corners.iter().all(|x| is_up_to(*x, most))
+        && corners.iter().any(|x| x.abs() >= least)
 }

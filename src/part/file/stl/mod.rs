@@ -6,6 +6,7 @@
 
 mod binary;
 mod text;
+mod words;
 
 use super::PartFileError;
 use crate::part::raw_part::RawPart;
@@ -26,7 +27,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
         at = if let Some(found) = binary::solids(bytes, at) {
             binary::read_solids(bytes, &found, &mut part);
             found.end
-        } else if text::begins(&bytes[at..]) {
+        } else if words::begins(&bytes[at..]) {
             text::read(bytes, at, &mut part)?
         } else if at == 0 {
             binary::read_uneven(bytes, &mut part)?;
@@ -174,7 +175,8 @@ mod tests {
         ) {
             let plain = binary(b"x", 6, &[F, G, F, G, F, G], b"");
             let payload = binary(b"x", 3, &[F, G, F], b"\x01\x02");
-            let mut bytes = [plain.clone(), payload.clone(), TEXT.repeat(3), [TEXT, &plain, &payload].concat()][which].clone();
+            let mixed = [TEXT, &plain, &payload].concat();
+            let mut bytes = [plain, payload, TEXT.repeat(3), mixed][which].clone();
             for (at, byte) in changes {
                 let at = at.index(bytes.len());
                 bytes[at] = byte;

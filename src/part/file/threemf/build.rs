@@ -1,9 +1,9 @@
 //! What a 3MF file builds: its items, and the objects that those are made of, each where its transforms put it.
 
-use super::ThreeMfFault;
+use super::super::ThreeMfFault;
 use super::model::{IDENTITY, Model, Object, Placed, Transform};
 use super::package::Package;
-use crate::part::raw_part::{RawFacet, RawPart, UnreadKind};
+use crate::part::raw_part::{RawPart, UnreadKind};
 use crate::part::units::StatedUnit;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -108,7 +108,7 @@ fn push_mesh(part: &mut RawPart, object: &Object, number: u32, transform: &Trans
         let (Some(a), Some(b), Some(c)) = (vertices.get(a), vertices.get(b), vertices.get(c)) else {
             return Err(ThreeMfFault::NoSuchVertex { object: number, vertices: vertices.len() });
         };
-        part.push_checked([*a, *b, *c] as RawFacet, *byte);
+        part.push_checked([*a, *b, *c], *byte);
     }
     Ok(())
 }
@@ -121,9 +121,8 @@ fn apply(t: &Transform, p: [f64; 3]) -> [f64; 3] {
 /// First one transform, then another.
 fn after(first: &Transform, then: &Transform) -> Transform {
     // Only the last row is a place, which is moved as well; the others are directions.
-    let turn = Transform::from([
-        then[0], then[1], then[2], then[3], then[4], then[5], then[6], then[7], then[8], 0.0, 0.0, 0.0,
-    ]);
+    let mut turn = *then;
+    turn[9..].fill(0.0);
     let row = |r: usize| [first[3 * r], first[3 * r + 1], first[3 * r + 2]];
     let rows = [apply(&turn, row(0)), apply(&turn, row(1)), apply(&turn, row(2)), apply(then, row(3))];
     std::array::from_fn(|k| rows[k / 3][k % 3])

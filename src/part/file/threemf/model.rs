@@ -1,6 +1,6 @@
 //! A model of a 3MF file: its unit, its objects and what of them is built, as the XML says it.
 
-use super::ThreeMfFault;
+use super::super::ThreeMfFault;
 use super::package::parsed;
 use crate::part::units::StatedUnit;
 use roxmltree::{Document, Node};

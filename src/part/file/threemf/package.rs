@@ -1,8 +1,8 @@
 //! The archive of a 3MF file: its entries as text, unpacked no further than a limit, and which of them is the main
 //! model.
 
+use super::super::ThreeMfFault;
 use super::super::encoding::Utf16;
-use super::ThreeMfFault;
 use std::io::{Cursor, Read as _};
 use zip::ZipArchive;
 

@@ -1,4 +1,6 @@
-use super::super::{FileKind, read};
+//! 3MF archives made here: units, transforms, several models, and what is refused.
+
+use super::super::{FileKind, ThreeMfFault, read};
 use super::*;
 use crate::part::raw_part::{Unread, UnreadKind};
 use crate::part::units::{StatedUnit, Units};
@@ -8,15 +10,18 @@ use proptest::prelude::*;
 use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 
-const RELS: &str = r#"<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
-<Relationship Id="a" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel" Target="/3D/part.model"/></Relationships>"#;
+const RELS: &str = r#"<?xml version="1.0"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Id="a" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel" Target="/3D/part.model"/>
+</Relationships>"#;
 
 /// A tetrahedron of this number with corners at the origin and one along each axis.
 fn object(id: u32, more: &str) -> String {
     format!(
         r#"<object id="{id}" {more}><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
 <vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/>
-<triangle v1="0" v2="1" v3="3"/><triangle v1="0" v2="3" v3="2"/><triangle v1="1" v2="2" v3="3"/></triangles></mesh></object>"#
+<triangle v1="0" v2="1" v3="3"/><triangle v1="0" v2="3" v3="2"/><triangle v1="1" v2="2" v3="3"/></triangles>
+</mesh></object>"#
     )
 }
 
@@ -73,7 +78,8 @@ fn units_are_those_of_the_file() {
 #[test]
 fn items_and_components_stand_where_their_transforms_put_them() {
     // Turned about z by a quarter, which makes y of x; then moved; then mirrored in x by the item.
-    let group = r#"<object id="2"><components><component objectid="1" transform="0 1 0 -1 0 0 0 0 1 10 20 30"/></components></object>"#;
+    let placed = r#"<component objectid="1" transform="0 1 0 -1 0 0 0 0 1 10 20 30"/>"#;
+    let group = format!(r#"<object id="2"><components>{placed}</components></object>"#);
     let items = r#"<item objectid="2" transform="-1 0 0 0 1 0 0 0 1 100 0 0"/><item objectid="1"/>"#;
     let part = read(&file(&model("", &format!("{}{group}", object(1, "")), items))).expect("reads");
     assert_eq!((part.facets.len(), part.solids, part.unread.len()), (8, 2, 0));
