@@ -14,6 +14,13 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/jobs").join(name)
 }
 
+/// What a job file means that names no key.
+fn without_keys() -> Job {
+    let mut job = Job::default();
+    job.layers.direction = Direction::AXES[2].1;
+    job
+}
+
 /// Reads a job of version 1, and holds it against what it meant; saved, it is of version 2 and the same.
 fn means(name: &str, meant: &Job) {
     let job = files::read(&file(name)).expect("opens");
@@ -29,7 +36,7 @@ fn means(name: &str, meant: &Job) {
 
 #[test]
 fn every_list_of_surfaces_is_read() {
-    let mut job = Job::default();
+    let mut job = without_keys();
     job.part.file = "parts/gear.stl".into();
     job.part.sha256 = "0123456789abcdef".repeat(4);
     job.part.units = Units::Inch;
@@ -67,7 +74,7 @@ fn every_list_of_surfaces_is_read() {
 
 #[test]
 fn all_surfaces_after_edits_are_read() {
-    let mut job = Job::default();
+    let mut job = without_keys();
     job.part.file = "cube.stl".into();
     job.surfaces.edits = vec![
         SurfaceEdit::Merge { merge: vec![1, 2] },
@@ -83,7 +90,7 @@ fn all_surfaces_after_edits_are_read() {
 
 #[test]
 fn recipes_are_read() {
-    let mut job = Job::default();
+    let mut job = without_keys();
     job.part.file = "cube.stl".into();
     let values = [("layers.spacing_mm".to_owned(), 0.3), ("beam.power_w".to_owned(), 350.0)].into();
     let fine = Recipe { name: "Fine".into(), note: "sealing face".into(), values, ..Recipe::default() };
@@ -110,14 +117,12 @@ fn a_job_without_keys_is_the_default_one_with_planes_along_z() {
     let folder = tempfile::tempdir().expect("a folder");
     let empty = folder.path().join("empty.toml");
     std::fs::write(&empty, "").expect("writes");
-    let mut job = Job::default();
-    job.layers.direction = Direction::AXES[2].1;
-    assert_eq!(files::read(&empty).expect("opens"), job);
+    assert_eq!(files::read(&empty).expect("opens"), without_keys());
 }
 
 #[test]
 fn starts_of_single_surfaces_are_kept() {
-    let mut job = Job::default();
+    let mut job = without_keys();
     job.settings.change(SurfaceId(3), |s| s.border = Some(StartFrom::Whole));
     job.settings
         .change(SurfaceId(1), |s| (s.border, s.centre_mm) = (Some(StartFrom::Border(4)), Some([1.0, 0.0, 2.5])));
