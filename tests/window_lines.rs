@@ -73,7 +73,8 @@ fn inset_and_shortest_piece_are_cured_as_well() {
     h.state_mut().set("layers.inset_mm", 0.0);
     h.state_mut().set("layers.shortest_mm", 50.0);
     settle(&mut h);
-    assert!(shows(&h, "no piece is as long as the 50 mm from which pieces are kept"));
+    let told = "nothing to do: no line lies on the chosen surfaces: no piece is as long as the 50 mm from which pieces are kept";
+    assert!(shows(&h, told));
     click(&mut h, "Keep pieces from 40 mm");
     assert_eq!(passes(&h), (60, 40.0));
     let cure = LineChange::Shortest(40.0).edit(h.state().document().job(), SurfaceId(2));

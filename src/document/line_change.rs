@@ -108,8 +108,8 @@ mod tests {
             let mut changed = job.clone();
             edit.apply(&mut changed, &[plain, fine]);
             assert_eq!(changed.settings, job.settings, "surfaces keep their recipes");
-            assert_ne!(changed.of_surface(fine), job.of_surface(fine));
-            assert_eq!(changed.of_surface(plain), job.of_surface(plain));
+            assert_ne!(changed.of_surface(fine).layers, job.of_surface(fine).layers);
+            assert_eq!(changed.of_surface(plain).layers, job.of_surface(plain).layers);
         }
     }
 
