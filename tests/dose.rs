@@ -496,7 +496,7 @@ fn where_the_spot_is_slower_more_lands() {
     // The second line takes two and a half times as long.
     let slower = [1.0, 2.5];
     let time = |pass: usize, _| Some(WayTime { seconds: slower[pass] * 10.0 / SPEED, ends_s: 50.0 });
-    let map = dose(&task, Light::new(&passes, &spot(Profile::Gaussian), time), &|| true).expect("a map");
+    let map = dose(&task, Light::new(&passes, &spot(Profile::Gaussian), time), &Progress::default()).expect("a map");
     let at = |y: f64| map.hits_at(&body, &[], 0, &Point3::new(0.0, y, 0.0), &Vector3::z())[0].j_cm2;
     near("dose", at(14.0), 2.5 * at(6.0), 1e-9);
     near("dose", at(6.0), 100.0 * POWER_W / SPEED * gauss(0.0, 0.6), 1e-4);

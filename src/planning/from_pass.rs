@@ -8,9 +8,7 @@ use crate::cell::Setup;
 use crate::cell::collision::Collision;
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{
-    Drive, DriveCache, Go, Shortfall, Steps, Timeline, dialects, pacing, steps_from, way_from_home,
-};
+use crate::program::{Drive, DriveCache, Go, Shortfall, Steps, Timeline, dialects, pacing, steps_from, way_from_home};
 use crate::progress::Progress;
 use thiserror::Error;
 

@@ -63,7 +63,7 @@ fn what_is_no_body_is_named_with_its_key() {
     };
     assert!(file.ends_with("arm.toml") && body.ends_with("j3.stl"), "{gone}");
     let text = refused("j3 = { file = \"arm.toml\" }", ball(), 600.0);
-    assert!(matches!(text, RobotError::Mesh { what: LoadError::Stl { .. }, .. }), "{text:?}");
+    assert!(matches!(text, RobotError::Mesh { what: LoadError::Unusable { .. }, .. }), "{text:?}");
 
     let figure = |body: &str, sphere: Triangles, z: f64| match refused(body, sphere, z) {
         RobotError::Figure { what, .. } => *what,

@@ -142,13 +142,13 @@ mod tests {
             Step::Go(Go { to: at(x), interpolation: Interpolation::Linear, joints_deg: None, timing, target: None })
         };
         let list = vec![
-            Step::Home,
+            Step::Home { percent: 10.0 },
             go(0.0, MoveTiming::Percent(10.0)),
             Step::Process(ProcessSettings::default()),
             Step::Laser(true),
             go(3.0, MoveTiming::Seconds(1.0)),
             Step::Laser(false),
-            Step::Home,
+            Step::Home { percent: 10.0 },
         ];
         let steps = Steps { list, ..Steps::default() };
         let (whole, dry) = (Variant::WHOLE.lines(&steps, &setup), Variant::WHOLE.dry().lines(&steps, &setup));

@@ -4,7 +4,7 @@ use super::super::{FileKind, ThreeMfFault, read};
 use super::*;
 use crate::part::raw_part::{Unread, UnreadKind};
 use crate::part::units::{StatedUnit, Units};
-use crate::part::{Placement, Source};
+use crate::part::{Placement, Source, Weld};
 use crate::progress::Progress;
 use proptest::prelude::*;
 use std::io::{Cursor, Write as _};
@@ -63,7 +63,8 @@ fn units_are_those_of_the_file() {
         assert_eq!((part.facets.len(), part.solids, part.stated_unit), (4, 1, Some(unit)));
         let source = Source { raw: part, sha256: String::new() };
         let size = |units| {
-            let built = source.part(units, &Placement::default(), &[], &Progress::default()).expect("area");
+            let built =
+                source.part(units, Weld::Exact, &Placement::default(), &[], &Progress::default()).expect("area");
             built.expect("not cancelled").mesh.bounds().1.z
         };
         assert_eq!((source.units(), size(units)), (units, mm));

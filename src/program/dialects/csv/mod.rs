@@ -4,13 +4,13 @@
 mod read;
 mod write;
 
+use super::pace;
 use crate::cell::controllers::templates::non_blank_lines;
 use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::lines::ProgramLine;
 use crate::program::neutral::steps::MoveTiming;
 use crate::program::neutral::variant::Variant;
-use super::pace;
 use crate::program::read_error::ReadError;
 use crate::program::write_error::WriteError;
 

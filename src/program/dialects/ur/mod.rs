@@ -7,12 +7,12 @@
 mod read;
 mod write;
 
-use crate::cell::controllers::Ur;
-use crate::cell::controllers::templates::{fixed, non_blank_lines};
-use crate::cell::{Cell, Setup};
 use super::pace;
 use super::spelling::Spelling;
 use super::templates::SignalTemplates;
+use crate::cell::controllers::Ur;
+use crate::cell::controllers::templates::{fixed, non_blank_lines};
+use crate::cell::{Cell, Setup};
 use crate::program::dialect::{Dialect, Program, ProgramFile, ReadContext, ReadLine};
 use crate::program::neutral::lines::ProgramLine;
 use crate::program::neutral::steps::MoveTiming;
