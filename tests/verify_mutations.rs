@@ -189,20 +189,19 @@ impl Mutations<'_> {
         for other in retyped(&line, case.dialect.name()).into_iter().filter(|_| acts) {
             self.add("retyped", i, vec![other], true);
         }
-        for other in other_numbers(&line) {
+        // Moves have the same words: those of the first are enough, and with the robot its numbers.
+        let shape = line.replace(|c: char| c.is_ascii_digit() || c == '-', "");
+        let is_new = !self.seen.contains(&shape);
+        self.seen.push(shape);
+        for other in other_numbers(&line).into_iter().filter(|_| is_new || case.setup.robot.is_none()) {
             let is_idle = names_the_same(case, file, &line, &other) || is_the_controllers(case, &line, &other);
             self.add("number", i, vec![other], acts && !is_idle);
         }
-        // Moves have the same words: those of the first are enough.
-        let shape = line.replace(|c: char| c.is_ascii_digit() || c == '-', "");
-        if !self.seen.contains(&shape) {
-            self.seen.push(shape);
-            for other in other_words(&line) {
-                // The word that makes it a comment.
-                let was_comment = other.starts_with("REMx");
-                let acts = (acts && !is_the_controllers(case, &line, &other)) || was_comment;
-                self.add("word", i, vec![other], acts);
-            }
+        for other in other_words(&line).into_iter().filter(|_| is_new) {
+            // The word that makes it a comment.
+            let was_comment = other.starts_with("REMx");
+            let acts = (acts && !is_the_controllers(case, &line, &other)) || was_comment;
+            self.add("word", i, vec![other], acts);
         }
         self.swapped(i, what);
     }

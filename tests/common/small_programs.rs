@@ -42,7 +42,7 @@ pub fn cases() -> Vec<Case> {
     let mut out = Vec::new();
     for robot in [false, true] {
         let setup = setup(robot);
-        let mut job = on(job("z", 4.0), &[3]);
+        let mut job = on(job("auto", 4.0), &[1]);
         job.path.lead_in_mm = 2.0;
         let planned = planned_in(part(&solids::cube(8.0)), job, &setup);
         let lines = lines(&planned.plan.steps, &setup);

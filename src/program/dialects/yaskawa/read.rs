@@ -61,7 +61,12 @@ impl JobReader<'_> {
                     self.body(file, (line, text), &plain, &positions.list, calls)?;
                     JobSection::Body
                 }
-                JobSection::End => return Err(wrong(LineFault::BehindEnd { end: "END".into() })),
+                JobSection::End => {
+                    let comment = self.signals.read_comment(text);
+                    let what = comment.ok_or_else(|| wrong(LineFault::BehindEnd { end: "END".into() }))?;
+                    self.out.push(ReadLine { file: file.name.clone(), line, what });
+                    JobSection::End
+                }
                 JobSection::Positions if plain != "//INST" => {
                     let what = positions.line(self.setup, &plain).map_err(wrong)?;
                     self.out.extend(what.map(|what| ReadLine { file: file.name.clone(), line, what }));
