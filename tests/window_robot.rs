@@ -5,6 +5,8 @@
 mod common;
 
 use clearbeam::app::App;
+use clearbeam::document::Edit;
+use clearbeam::path::Direction;
 use common::window::{Answers, click, job_on, press, sample, settle, snapshot, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -139,6 +141,7 @@ fn a_robot_is_chosen_and_says_why_it_refuses() {
     let folder = tempfile::tempdir().expect("folder");
     std::fs::copy(sample("acetabular_cup.stl"), folder.path().join("cup.stl")).expect("copies");
     let mut h = window(Some(folder.path().join("cup.stl")), &Answers::default());
+    h.state_mut().send(Edit::Direction(Direction::AXES[2].1));
     click(&mut h, "surface 1 freeform");
     press(&mut h, Modifiers::NONE, Key::Enter);
     assert!(h.query_by_label("time").is_none(), "without a robot passes are stepped through");
