@@ -26,7 +26,9 @@ impl ChainSearch<'_> {
     pub(super) fn costs_of(&self, k: usize) -> LayerCosts {
         let layer = &self.layers[k];
         let mut coarse = BTreeMap::new();
-        let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(|t| self.freedom_of(k, t, &mut coarse)).collect();
+        let is_cancelled = self.beam.check().is_err();
+        let mut ask = |t: &TiltVector| if is_cancelled { (None, false) } else { self.freedom_of(k, t, &mut coarse) };
+        let asked: Vec<(Option<bool>, bool)> = layer.tilts.iter().map(&mut ask).collect();
         let weights = |which: Option<bool>| -> Vec<Option<f64>> {
             asked.iter().map(|(f, _)| (*f == which).then_some(0.0)).collect()
         };
@@ -51,9 +53,6 @@ impl ChainSearch<'_> {
         tilt: &TiltVector,
         coarse: &mut BTreeMap<GridCell, Option<bool>>,
     ) -> (Option<bool>, bool) {
-        if self.beam.check().is_err() {
-            return (None, false);
-        }
         let layer = &self.layers[k];
         let site = &self.track.sites[layer.site];
         let Some(spacing_deg) = layer.coarser_deg.filter(|_| !layer.given && self.track.allows(site, tilt)) else {

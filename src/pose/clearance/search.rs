@@ -61,6 +61,9 @@ pub struct Chain {
 
 /// The best chain through the layers, none of which is empty.
 pub fn best_chain(beam: &BeamInterference<'_>, track: &Track<'_>, layers: &[TiltLayer]) -> Chain {
+    if beam.check().is_err() {
+        return Chain { arrive: vec![None; layers.len()], leave: vec![None; layers.len()], cost: Cost::default() };
+    }
     let mut dp =
         ChainSearch { beam, track, layers, layer_costs: Vec::new(), known: BTreeMap::new(), only_known: false };
     dp.layer_costs = (0..layers.len()).map(|k| dp.costs_of(k)).collect();
@@ -135,8 +138,10 @@ impl ChainSearch<'_> {
                     }
                 }
                 Some(b) => {
-                    for (v, slot) in arrive.iter_mut().enumerate() {
-                        *slot = self.best_arrival(b, v);
+                    if self.beam.check().is_ok() {
+                        for (v, slot) in arrive.iter_mut().enumerate() {
+                            *slot = self.best_arrival(b, v);
+                        }
                     }
                     let before = self.layer_costs[b].off.0;
                     let dark_um = ((self.arc_mm(k) - self.arc_mm(b)) * 1000.0).round() as u64;
@@ -161,7 +166,6 @@ impl ChainSearch<'_> {
 
     /// The best way to a candidate of the layer behind `b`.
     fn best_arrival(&self, b: usize, v: usize) -> Option<(Cost, usize)> {
-        self.beam.check().ok()?;
         let (from, to) = (&self.layer_costs[b], &self.layer_costs[b + 1]);
         let (tilt, weight) = (&self.layers[b + 1].tilts[v], to.weight[v]?);
         let way_mm = self.arc_mm(b + 1) - self.arc_mm(b);
