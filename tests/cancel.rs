@@ -6,9 +6,9 @@ mod parts;
 use clearbeam::beam::{Obstacle, Tool};
 use clearbeam::cell::Setup;
 use clearbeam::document::{Job, segmented};
-use clearbeam::part::stl::StlError;
-use clearbeam::part::{Part, Placement, Source, Surfaces, Units};
-use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf};
+use clearbeam::part::file::PartFileError;
+use clearbeam::part::{Part, Placement, Source, Surfaces, Units, Weld};
+use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf, ExportOptions};
 use clearbeam::planning::{self, Plan, PlanCache, PlanError};
 use clearbeam::pose::Correction;
 use clearbeam::progress::Progress;
@@ -84,9 +84,9 @@ fn a_part_is_not_built_to_its_end() {
     let source = Source::from_bytes(&stl_bytes(&solids::sphere(10.0, 200, 100))).expect("a readable part");
     at_every_stage(
         "a part",
-        |why: &Option<StlError>| why.is_none(),
+        |why: &Option<PartFileError>| why.is_none(),
         |progress| {
-            let built = source.part(Units::Mm, &Placement::default(), &[], progress);
+            let built = source.part(Units::Mm, Weld::Exact, &Placement::default(), &[], progress);
             built.map_err(Some).and_then(|part| part.ok_or(None))
         },
     );
@@ -102,7 +102,8 @@ fn dose_and_export_end_wherever_they_are() {
         |e| *e == PlanError::Cancelled,
         |progress| planning::dose(part, surfaces, &plan, job, setup, progress),
     );
-    let input = ExportInput { job, part, surfaces, setup, plan: &plan, findings: &[], wording: program_comment };
+    let options = ExportOptions { dose: true, ..ExportOptions::default() };
+    let input = ExportInput { job, part, surfaces, setup, plan: &plan, findings: &[], wording: program_comment, options };
     let of = ExportOf { job: "part".into(), part: "part.stl".into() };
     at_every_stage("export", |e| matches!(e, ExportError::Cancelled), |progress| export::files(&input, &of, progress));
 }
