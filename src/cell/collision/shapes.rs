@@ -160,9 +160,7 @@ impl<'a> CollisionSolid<'a> {
 
     /// Whether a point in the base is inside. Rays are dear, and most points are outside the sphere.
     fn holds(&self, p: &Point3<f64>) -> bool {
-        self.closed
-            && (p - self.centre).norm() <= self.radius_mm
-            && self.bvh.holds(&self.at.inverse_transform_point(p))
+        self.closed && (p - self.centre).norm() <= self.radius_mm && self.bvh.holds(&self.at.inverse_transform_point(p))
     }
 
     /// The base's upward direction in the solid's own frame.
