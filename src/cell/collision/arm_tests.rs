@@ -108,9 +108,9 @@ fn a_pose_is_fourteen_looks() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(ProptestConfig::with_cases(4))]
 
-    /// Facets of the capsules' own shape are as near as the capsules are, but for the three thousandths that they lack.
+    /// Facets of the capsules' own shape are as near as the capsules are, but for the hundredth of the radius that they lack.
     #[test]
     fn bodies_of_facets_touch_where_their_capsules_do(seed in 0..10_000u32, drawn in 0..10_000u32, is_in_hand in prop::bool::ANY) {
         let robot = shipped("mz04");
@@ -126,11 +126,11 @@ proptest! {
         let [capsules, facets] = setups.each_ref().map(|s| Collision::new(s, &part).expect("a robot"));
         prop_assert_eq!(&capsules.own_pairs, &facets.own_pairs);
         let limits = setups[0].robot.as_ref().expect("one").limits_deg;
-        for joints in (0..12).map(|i| pose(&limits, seed + i)) {
+        for joints in (0..8).map(|i| pose(&limits, seed + i)) {
             let mm = |c: &Collision<'_>| c.clearance(&joints).map_or(CLEARANCE_REACH_MM, |(mm, _)| mm);
             let (round, flat) = (mm(&capsules), mm(&facets));
-            prop_assert!((round - flat).abs() < 0.7, "{round} mm, in facets {flat} mm");
-            if (round - 5.0).abs() > 0.7 {
+            prop_assert!((round - flat).abs() < 1.5, "{round} mm, in facets {flat} mm");
+            if (round - 5.0).abs() > 1.5 {
                 prop_assert_eq!(capsules.first_contact(&joints).is_some(), facets.first_contact(&joints).is_some());
             }
         }

@@ -8,7 +8,7 @@ use nalgebra::{Point3, Translation3, Vector3};
 use proptest::prelude::*;
 use std::fs;
 
-/// Facets of a capsule, inscribed: two halves of a sphere, drawn apart. Three thousandths of the radius lie outside.
+/// Facets of a capsule, inscribed: two halves of a sphere, drawn apart. A hundredth of the radius lies outside at most.
 fn facets(from: &Point3<f64>, to: &Point3<f64>, radius_mm: f64) -> Triangles {
     let length = (to - from).norm();
     let axis = angle::unit(to - from).unwrap_or_else(Vector3::z);
@@ -17,7 +17,7 @@ fn facets(from: &Point3<f64>, to: &Point3<f64>, radius_mm: f64) -> Triangles {
         let z = if p[2] > 0.0 { p[2] + length } else { p[2] };
         (place * Point3::new(p[0], p[1], z)).coords.into()
     };
-    solids::sphere(radius_mm, 48, 25).into_iter().map(|t| t.map(drawn)).collect()
+    solids::sphere(radius_mm, 32, 17).into_iter().map(|t| t.map(drawn)).collect()
 }
 
 /// The text of a shipped robot's file with bodies.
@@ -102,7 +102,7 @@ fn a_capsule_goes_where_all_of_its_link_has_files() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(8))]
 
     /// However the arm stood when it was drawn, its bodies go where its capsules go, no farther than their levers tell.
     #[test]
