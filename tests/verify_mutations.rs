@@ -101,7 +101,11 @@ fn retyped(line: &str, dialect: &str) -> Vec<String> {
 
 /// Whether the numbers that two names in an instruction stand for are the same: the change then leads nowhere else.
 fn names_the_same(case: &Case, file: &ProgramFile, was: &str, is: &str) -> bool {
+    // A position itself is no name of one.
     let name = |line: &str| -> Option<String> {
+        if line.starts_with("C0") {
+            return None;
+        }
         match case.dialect.name() {
             "fanuc" => Some(format!("P[{}]{{", line.split_once("P[")?.1.split_once(']')?.0)),
             "yaskawa" => Some(format!("{}=", line.split_whitespace().find(|w| w.starts_with("C0"))?)),
@@ -129,13 +133,17 @@ fn runs_the_same(file: &ProgramFile, a: &str, b: &str) -> bool {
         || file.name.ends_with(".erd")
         // The function that is called first, or next, begins around what is run before it.
         || ((a == "end" || a.starts_with("set_tcp")) && b.starts_with("def "))
+        || (a == "def Clean1():" && b.starts_with("set_standard_digital_out"))
         // All positions have the same tool.
         || (a.starts_with("C0") && b.starts_with("///TOOL "))
 }
 
 /// What says again what counts already.
 fn says_nothing_new(line: &str) -> bool {
-    ["///TOOL ", "///RCONF ", "LINE_COUNT", "DEFAULT_GROUP"].iter().any(|word| line.starts_with(word))
+    // The last of a table's conventions, behind which comments may stand.
+    ["///TOOL ", "///RCONF ", "LINE_COUNT", "DEFAULT_GROUP", "# number, value"]
+        .iter()
+        .any(|word| line.starts_with(word))
 }
 
 /// Of Yaskawa's attributes the controller's user sets all but `RJ`; FANUC counts the lines of a program anew whenever it
@@ -184,7 +192,9 @@ impl Mutations<'_> {
         if case.dialect.name() == "csv" && line.contains(",say,") {
             return;
         }
-        self.add("dropped", i, Vec::new(), acts);
+        // Where there are no positions, nothing says where they would begin.
+        let is_empty_section = line == "/POS" && self.lines.get(i + 1).is_some_and(|next| next == "/END");
+        self.add("dropped", i, Vec::new(), acts && !is_empty_section);
         self.add("doubled", i, vec![line.clone(), line.clone()], acts && !says_nothing_new(&line));
         for other in retyped(&line, case.dialect.name()).into_iter().filter(|_| acts) {
             self.add("retyped", i, vec![other], true);

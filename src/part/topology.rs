@@ -251,7 +251,9 @@ mod tests {
             vec![[[0.0, 0.0, 0.0], [1.0, -0.0, 0.0], [0.0, 1.0, 0.0]], [[-0.0; 3], [0.0, 1.0, -0.0], [1.0, 0.0, 0.0]]];
         let mesh = Mesh::weld(&raw, 25.4);
         assert_eq!((mesh.vertices.len(), mesh.edges.len()), (3, 3));
-        assert_eq!(mesh.defects, [FacetDefect::None, FacetDefect::Duplicate]);
+        assert_eq!(mesh.defects, [FacetDefect::None; 2], "the other side of a sheet");
+        let twice = Mesh::weld(&[raw[0], raw[0]], 25.4);
+        assert_eq!(twice.defects, [FacetDefect::None, FacetDefect::Duplicate]);
         assert!((mesh.areas[0] - 0.5 * 25.4 * 25.4).abs() < 1e-9);
         let soup: Vec<RawFacet> =
             (0..500).map(|i| [[i as f32, 0.0, 0.0], [i as f32, 1.0, 0.0], [i as f32, 0.0, 1.0]]).collect();

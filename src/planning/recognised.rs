@@ -71,7 +71,8 @@ fn recognised(
         // All passes have one name: the first that fits is as good as any.
         let is_unnamed = main_name(dialect, setup, of_pass(0)) == main_name(dialect, setup, of_pass(1));
         if is_unnamed && is_named(of_pass(0)) {
-            let found = first_pass(dialect, setup, plan, whole, &ReadContext { setup, open }, first);
+            let named = &dialect.named(setup, of_pass(0));
+            let found = first_pass(dialect, setup, plan, whole, &ReadContext { setup: named, open }, first);
             return found.map_or(whole, of_pass);
         }
         match named {

@@ -35,9 +35,6 @@ impl Sentence for RobotFigureError {
             RobotFigureError::Speed { joint, value, low, high } => {
                 say!(robot_speed, joint = id(joint), value = exact(*value), low = exact(*low), high = exact(*high))
             }
-            RobotFigureError::MeshesAt { value } => {
-                say!(figure_not_finite, key = "links.meshes.at_deg", value = exact(*value))
-            }
             RobotFigureError::MeshFacets { facets, most } => say!(robot_mesh_facets, facets = *facets, most = *most),
             RobotFigureError::MeshOff { key, file, off_mm } => {
                 say!(robot_mesh_off, key = *key, file, off = fixed(*off_mm, 0))

@@ -88,12 +88,6 @@ pub enum RobotFigureError {
         /// The most that may.
         high: f64,
     },
-    /// A joint that the arm stands at in the files of its bodies is infinite, or no number.
-    #[error("links.meshes.at_deg has {value}")]
-    MeshesAt {
-        /// What stands there.
-        value: f64,
-    },
     /// The files of the arm's bodies have more facets than can be looked at.
     #[error("links.meshes: {facets} facets, at most {most}")]
     MeshFacets {
@@ -132,7 +126,6 @@ impl RobotFigureError {
             RobotFigureError::Sign { .. } => "signs",
             RobotFigureError::Limits { .. } => "limits_deg",
             RobotFigureError::Speed { .. } => "speeds_deg_s",
-            RobotFigureError::MeshesAt { .. } => "links.meshes.at_deg",
             RobotFigureError::MeshFacets { .. } => "links.meshes",
             RobotFigureError::MeshOff { key, .. } => key,
             RobotFigureError::Dialect { .. } => "dialect",

@@ -6,6 +6,7 @@
 
 use super::link::Link;
 use super::{Joints, Robot, RobotError, RobotFigureError};
+use crate::cell::check::ranges;
 use crate::part::{self, Part, Placement, Units};
 use nalgebra::Isometry3;
 use serde::Deserialize;
@@ -137,9 +138,7 @@ impl Robot {
     /// They have too many facets, or one lies far from its joint.
     pub(super) fn check_meshes(&self) -> Result<(), RobotFigureError> {
         let meshes = &self.links.meshes;
-        if let Some(&value) = meshes.at_deg.iter().find(|deg| !deg.is_finite()) {
-            return Err(RobotFigureError::MeshesAt { value });
-        }
+        ranges(&meshes.at_deg.map(|deg| ("links.meshes.at_deg", deg, -3600.0, 3600.0)))?;
         let facets = meshes.bodies().map(|(_, _, mesh)| mesh.solid.mesh.facets.len()).sum();
         if facets > MOST_MESH_FACETS {
             return Err(RobotFigureError::MeshFacets { facets, most: MOST_MESH_FACETS });

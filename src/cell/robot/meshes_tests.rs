@@ -1,6 +1,7 @@
 //! An arm whose files hold its capsules: it moves as they do. What cannot be read is told by its key.
 
 use super::*;
+use crate::cell::check::FigureError;
 use crate::cell::robot::LinkCapsule;
 use crate::part::{LoadError, angle};
 use crate::sample::{Triangles, solids, stl_bytes};
@@ -77,8 +78,11 @@ fn what_is_no_body_is_named_with_its_key() {
     );
     let in_metres = standing.replace("\" }", "\", unit = \"m\" }");
     assert!(matches!(figure(&in_metres, ball(), 600.0), RobotFigureError::MeshOff { .. }));
-    let nowhere = figure("at_deg = [0.0, nan, 0.0, 0.0, 0.0, 0.0]", ball(), 0.0);
-    assert!(matches!(nowhere, RobotFigureError::MeshesAt { value } if value.is_nan()));
+    let nowhere = figure("at_deg = [0.0, 4000.0, 0.0, 0.0, 0.0, 0.0]", ball(), 0.0);
+    assert!(
+        matches!(&nowhere, RobotFigureError::Figure(FigureError::Range { key, value: 4000.0, .. }) if key == "links.meshes.at_deg"),
+        "{nowhere}"
+    );
     let twice = format!("{standing}\nj4 = {{ file = \"ball.stl\" }}");
     let most = MOST_MESH_FACETS;
     let fine = figure(&twice, solids::sphere(60.0, 400, 127), 600.0);

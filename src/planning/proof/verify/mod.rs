@@ -69,9 +69,11 @@ pub fn check_variant(
     with_checker: bool,
 ) -> Result<(&'static str, Verdict), VerifyError> {
     let dialect = dialect_of(first)?;
-    let verdict = match dialect.read(first, &ReadContext { setup, open }) {
+    // A program is read under its own name.
+    let named = &dialect.named(setup, variant);
+    let verdict = match dialect.read(first, &ReadContext { setup: named, open }) {
         Ok(read) => {
-            let mut written = AsWritten::new(dialect, variant.lines(&planned.steps, setup), setup)?;
+            let mut written = AsWritten::new(dialect, variant.lines(&planned.steps, setup), named)?;
             if variant.dry_run {
                 take_written_pace(&mut written.lines, &written.read);
             }
@@ -109,8 +111,9 @@ pub fn check_own(
 ) -> Result<Verdict, VerifyError> {
     let Some(first) = written.first() else { return Ok(Verdict::default()) };
     let open = |name: &str| written.iter().find(|f| f.name == name).map(|f| f.text.clone());
-    let read =
-        dialect_of(first)?.read(first, &ReadContext { setup, open: &open }).map_err(VerifyError::OwnUnreadable)?;
+    let dialect = dialect_of(first)?;
+    let named = &dialect.named(setup, variant);
+    let read = dialect.read(first, &ReadContext { setup: named, open: &open }).map_err(VerifyError::OwnUnreadable)?;
     let mut lines = variant.lines(&plan.steps, setup);
     if variant.dry_run {
         take_written_pace(&mut lines, &read);
