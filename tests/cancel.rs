@@ -65,7 +65,7 @@ fn at_every_stage<V, E>(name: &str, is_cancelled: impl Fn(&E) -> bool, work: imp
         cancelled += 1;
         last += 1 + 2 * last;
     }
-    assert!(cancelled > 2, "{name}: cancelled {cancelled} times");
+    assert!(cancelled > 1, "{name}: cancelled {cancelled} times");
 }
 
 #[test]
