@@ -164,15 +164,18 @@ impl Bvh {
 struct Slabs {
     origin: [[f64; 3]; 2],
     inverse: [f64; 3],
+    /// Whether it never leaves a slab that it is in: told apart, because 0·1e300 is 0 for an origin on the slab's side.
+    is_parallel: [bool; 3],
     t0: f64,
 }
 
 impl Slabs {
     fn new(origin: &Point3<f64>, dir: &Vector3<f64>, t0: f64, radius: f64) -> Slabs {
         let at = |off: f64| [0, 1, 2].map(|k| origin[k] + off);
-        // Parallel to a slab: a finite number, because 0·∞ would be NaN for an origin on its side.
+        // Where it is parallel to a slab this is not asked; a number all the same.
         let inverse = [0, 1, 2].map(|k| (1.0 / dir[k]).clamp(-1e300, 1e300));
-        Slabs { origin: [at(radius), at(-radius)], inverse, t0 }
+        let is_parallel = [0, 1, 2].map(|k| dir[k].abs() <= 1e-300);
+        Slabs { origin: [at(radius), at(-radius)], inverse, is_parallel, t0 }
     }
 
     /// Where the ray enters a box before `far`.
@@ -180,6 +183,13 @@ impl Slabs {
     fn entry(&self, b: &Aabb, far: f64) -> Option<f64> {
         let (mut near, mut far) = (self.t0, far);
         for k in 0..3 {
+            if self.is_parallel[k] {
+                // In the slab all the way, its sides included, or never.
+                if b.lo[k] > self.origin[0][k] || b.hi[k] < self.origin[1][k] {
+                    return None;
+                }
+                continue;
+            }
             let x = (b.lo[k] - self.origin[0][k]) * self.inverse[k];
             let y = (b.hi[k] - self.origin[1][k]) * self.inverse[k];
             near = larger(near, smaller(x, y));
@@ -259,5 +269,12 @@ mod tests {
         let hit = bvh.nearest_hit(&Point3::origin(), &Vector3::x(), 0.0, f64::INFINITY);
         assert_eq!(hit, Some(RayHit { facet: 0, t_mm: 5.0 }));
         assert_eq!(bvh.nearest_hit(&Point3::origin(), &Vector3::y(), 0.0, f64::INFINITY), None);
+        // In a side of the box, and whatever the sign of nothing.
+        for zero in [0.0, -0.0] {
+            for (y, z) in [(-1.0, -1.0), (3.0, -1.0), (-1.0, 3.0)] {
+                let hit = bvh.nearest_hit(&Point3::new(0.0, y, z), &Vector3::new(1.0, zero, zero), 0.0, f64::INFINITY);
+                assert_eq!(hit, Some(RayHit { facet: 0, t_mm: 5.0 }), "{y} {z} {zero}");
+            }
+        }
     }
 }
