@@ -11,6 +11,7 @@ pub mod bvh;
 mod digest;
 pub mod distance;
 mod edges;
+pub mod far_from_origin;
 pub mod file;
 pub mod finding;
 pub mod growth;
@@ -28,6 +29,7 @@ pub mod rpy;
 #[cfg(test)]
 mod scale_tests;
 pub mod shape;
+mod shattered;
 mod sides;
 pub mod source;
 mod surface;

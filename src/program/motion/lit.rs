@@ -85,7 +85,8 @@ impl StraightFlange<'_> {
                 Some(Swept { pose, blocker: hit, .. }) => {
                     (RefusalCause::of_blocker(&hit), RefusalReason::HitOnMove { spot_mm: pose.p.into(), hit })
                 }
-                None => (RefusalCause::Singularity, RefusalReason::OffLine { off_mm }),
+                // Only from far away does the turn of the flange move the spot so much.
+                None => (RefusalCause::Reach, RefusalReason::OffLine { off_mm }),
             });
         }
         let (middle, t) = (self.between(from.0, to.0, 0.5, settings), 0.5 * (from.1 + to.1));
