@@ -76,29 +76,12 @@ fn areas(part: &Part, rule: &SurfaceRule) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::part::{Placement, Units};
+    use crate::sample::solids::folded_sheet;
     use crate::sample::{Triangles, stl_bytes};
     use std::f64::consts::PI;
 
     const RULE: SurfaceRule = SurfaceRule { angle_deg: 20.0, min_area_mm2: 0.0, hysteresis_deg: 0.0 };
     const SPOT_MM2: f64 = 0.25 * PI;
-
-    /// A strip of fields 20 mm wide: a flat one of 20 mm, then `count` folds of `width` mm, each 30° to the next, up and
-    /// down in turns, then a flat one.
-    fn folded(count: usize, width: f64) -> Triangles {
-        let mut line = vec![[0.0, 0.0], [20.0, 0.0]];
-        for fold in 0..count {
-            let [x, z] = line[line.len() - 1];
-            let up = if fold % 2 == 0 { 0.5 } else { -0.5 };
-            line.push([x + width * libm::sqrt(0.75), z + up * width]);
-        }
-        let [x, z] = line[line.len() - 1];
-        line.push([x + 20.0, z]);
-        let quad = |w: &[[f64; 2]]| {
-            let p = |i: usize, y: f64| [w[i][0], y, w[i][1]];
-            [[p(0, 0.0), p(1, 0.0), p(1, 20.0)], [p(0, 0.0), p(1, 20.0), p(0, 20.0)]]
-        };
-        line.windows(2).flat_map(quad).collect()
-    }
 
     fn told(triangles: &Triangles, rule: &SurfaceRule, spot_mm2: f64) -> (usize, Option<PartFinding>) {
         let part = Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part");
@@ -111,7 +94,7 @@ mod tests {
     fn it_takes_a_hundred_surfaces_smaller_than_the_spot() {
         // Fields of 20 mm × 0.03 mm have 0.6 mm², and 0.8 mm² with 0.04 mm.
         for (count, width, is_told) in [(99, 0.03, false), (100, 0.03, true), (150, 0.04, false)] {
-            let (surfaces, told) = told(&folded(count, width), &RULE, SPOT_MM2);
+            let (surfaces, told) = told(&folded_sheet(count, width), &RULE, SPOT_MM2);
             assert_eq!((surfaces, told.is_some()), (count + 2, is_told), "{count} of {width}");
         }
     }
@@ -119,7 +102,7 @@ mod tests {
     #[test]
     fn the_value_that_is_offered_leaves_hardly_any_and_the_one_below_it_does_not() {
         // 0.06 mm² each: at 0.05 mm² nothing is an island.
-        let strip = folded(300, 0.003);
+        let strip = folded_sheet(300, 0.003);
         let (surfaces, finding) = told(&strip, &RULE, SPOT_MM2);
         let Some(PartFinding::Shattered { smaller, absorb_below_mm2, surfaces_then, .. }) = finding else {
             panic!("{finding:?}");
