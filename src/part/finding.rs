@@ -155,37 +155,6 @@ impl PartFinding {
         out.extend(unit(part, false));
         out
     }
-
-    /// Findings with one more, which casts doubt on the part as little as one of them may.
-    pub fn with(mut found: Vec<PartFinding>, shattered: Option<PartFinding>) -> Vec<PartFinding> {
-        let at = found.iter().take_while(|f| f.casts_doubt()).count();
-        found.splice(at..at, shattered);
-        found
-    }
-
-    /// Whether it may not be the part that is meant, or not cut as it is meant: somebody has to look at it before
-    /// anything is chosen. All others are no news to whoever has such parts.
-    pub fn casts_doubt(&self) -> bool {
-        match self {
-            PartFinding::ImplausibleSize { .. }
-            | PartFinding::FarFromOrigin(_)
-            | PartFinding::UnitOverridden { .. }
-            | PartFinding::FacetsDropped { .. }
-            | PartFinding::CountDiffers { .. }
-            | PartFinding::NotRead { .. }
-            | PartFinding::BytesPassedOver { .. }
-            | PartFinding::Shattered { .. } => true,
-            PartFinding::OpenEdges { .. }
-            | PartFinding::NonManifoldEdges { .. }
-            | PartFinding::FlippedFacets { .. }
-            | PartFinding::DuplicateFacets { .. }
-            | PartFinding::TwoSidedFacets { .. }
-            | PartFinding::DegenerateFacets { .. }
-            | PartFinding::JoinedCorners { .. }
-            | PartFinding::SolidsJoined { .. }
-            | PartFinding::UnitTaken { .. } => false,
-        }
-    }
 }
 
 /// What is to be known of the unit that the file states. `overridden`: where it is not the one that was taken.

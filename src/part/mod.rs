@@ -10,6 +10,7 @@ mod box_tree;
 pub mod bvh;
 mod digest;
 pub mod distance;
+mod doubt;
 mod edges;
 pub mod far_from_origin;
 pub mod file;

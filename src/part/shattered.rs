@@ -6,7 +6,7 @@ use super::{Part, PartFinding, SurfaceRule, Surfaces};
 use crate::progress::{Cancelled, Progress};
 
 /// So many surfaces smaller than the spot are more than anyone puts on a list by hand. Bracketing cases: an IMU housing
-/// with 76 of them, all letters and pins that are there; a turbine blade of some 450.
+/// with 76 of them, all letters and pins that are there; a robot's base with 529.
 const MANY: usize = 100;
 /// One of so many may be left.
 const LEFT_ONE_IN: usize = 10;
