@@ -11,6 +11,8 @@ pub enum Activity {
     Reading,
     /// Facets are welded, oriented and cut into surfaces.
     BuildingPart,
+    /// Surfaces are cut otherwise, to bring a part to order that shatters.
+    CuttingSurfaces,
     /// Shapes of surfaces are told apart.
     NamingShapes,
     /// Lines are laid on the surfaces.

@@ -4,6 +4,7 @@ use super::App;
 use super::command::Command;
 use super::context::Context;
 use super::dialogs::Purpose;
+use super::file_findings::FileCure;
 use super::questions::Reply;
 use super::recipe_library::LibraryChange;
 use super::session::Session;
@@ -19,6 +20,7 @@ enum Action {
     Edit { edit: Edit, gesture: Option<String> },
     Number(&'static Parameter, f64),
     Weld(Weld),
+    Cure(FileCure),
     Robot(String),
     Library(LibraryChange),
     Open(PathBuf),
@@ -64,6 +66,11 @@ impl Actions {
     /// Welds the corners of the part otherwise.
     pub fn weld(&mut self, weld: Weld) {
         self.0.push(Action::Weld(weld));
+    }
+
+    /// Cures a finding of the part's file.
+    pub fn cure(&mut self, cure: FileCure) {
+        self.0.push(Action::Cure(cure));
     }
 
     /// Chooses a robot by its key or file, with the dialect of its controller; an empty name stands for no robot.
@@ -162,6 +169,7 @@ impl App {
             Action::Edit { edit, gesture } => self.apply(&edit, gesture.as_deref()),
             Action::Number(parameter, value) => self.set_parameter(parameter, value),
             Action::Weld(weld) => self.set_weld(weld),
+            Action::Cure(cure) => self.cure(cure),
             Action::Robot(name) => self.choose_robot(&name),
             Action::Library(change) => self.change_library(change),
             Action::Open(file) => self.open_guarded(file),

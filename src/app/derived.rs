@@ -9,7 +9,7 @@ use super::playback_data::PlaybackData;
 use super::suggestion_search::SuggestionSearch;
 use crate::document::model::JobPart;
 use crate::document::{Document, Job};
-use crate::part::{Digest, Part, Shape, SurfaceId, Surfaces};
+use crate::part::{Digest, Part, PartFinding, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
 use crate::planning::{Executor, Pipeline, PlannedJob, PlanningError, Stage};
 use crate::text::shape_label;
@@ -30,6 +30,8 @@ pub struct Derived {
     pub surfaces: Arc<Surfaces>,
     /// Their shapes, as far as known.
     pub shapes: Stage<BTreeMap<u32, Shape>, Infallible>,
+    /// Whether the part shatters.
+    pub shattered: Stage<Option<PartFinding>, Infallible>,
     /// Buffers of the part.
     pub picture: Option<PartPicture>,
     /// Head, beam and clamps, and the key of the set-up that they were made for.
@@ -57,6 +59,7 @@ impl Derived {
             part_of: JobPart::default(),
             surfaces: Arc::default(),
             shapes: Stage::default(),
+            shattered: Stage::default(),
             picture: None,
             tool_picture: None,
             cell: None,
@@ -132,6 +135,7 @@ impl Derived {
     pub fn is_at_rest(&self) -> bool {
         self.pipeline.is_at_rest()
             && !self.shapes.is_running()
+            && !self.shattered.is_running()
             && !self.playback_data.is_running()
             && self.clearance.is_at_rest()
             && self.suggestions.is_at_rest()

@@ -151,7 +151,7 @@ impl App {
             Ok(exported) => {
                 let reason = exported.report.findings.iter().find_map(|f| match f {
                     PlanFinding::NothingPlanned { reason } => Some(reason),
-                    PlanFinding::SlowMove(_) | PlanFinding::PartChanged { .. } | PlanFinding::InFile(_) => None,
+                    _ => None,
                 });
                 let program = exported.written.get(1).map_or(String::new(), |p| p.display().to_string());
                 let naming = Naming::of(self.document.job());

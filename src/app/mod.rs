@@ -18,6 +18,7 @@ mod derived;
 mod dialogs;
 mod dose;
 mod edits;
+mod file_findings;
 mod files;
 mod going_on;
 mod journal;

@@ -83,9 +83,10 @@ impl App {
         match part {
             PartThere::Same(source, part, stamp) => {
                 self.session.forget_part();
-                self.session.said = PartFinding::of(&part)
-                    .first()
-                    .map_or_else(|| say!(window_facets_read, count = part.mesh.facets.len()), |f| f.sentence());
+                // What casts doubt on the part stands above the view, until it is cured.
+                let told = PartFinding::of(&part).into_iter().next().filter(|worst| !worst.casts_doubt());
+                self.session.said =
+                    told.map_or_else(|| say!(window_facets_read, count = part.mesh.facets.len()), |f| f.sentence());
                 self.show(document, source, Some(*part), stamp, leftover);
             }
             PartThere::Changed(looked) => {

@@ -17,6 +17,7 @@ impl App {
     /// The central panel.
     pub(super) fn view(&mut self, ui: &mut egui::Ui) {
         self.panel(|context, actions| panels::toolbar::ui(ui, context, actions));
+        self.panel(|context, actions| panels::file_banner::ui(ui, context, actions));
         self.panel(|context, actions| panels::better_setup::ui(ui, context, actions));
         self.fit_if_pending();
         self.scene = self.build_scene(ui.visuals().dark_mode);

@@ -8,7 +8,7 @@ use super::playback::Playback;
 use super::program_view::ProgramView;
 use crate::cell::Mount;
 use crate::document::{Forgotten, Job, RecutAnchor};
-use crate::part::{Digest, SurfaceId};
+use crate::part::{Digest, PartFinding, SurfaceId};
 use crate::pose::access::TiltPart;
 use crate::view::Camera;
 use eframe::egui;
@@ -67,6 +67,8 @@ pub struct Session {
     pub forgotten: Option<Forgotten>,
     /// The last message of the status line.
     pub said: String,
+    /// Findings of the part's file that were dismissed from above the view.
+    pub dismissed: Vec<PartFinding>,
     /// An error that must be read.
     pub error: Option<String>,
     /// Facet and point of the part under the cursor.
@@ -210,6 +212,7 @@ impl Default for Session {
             said: String::new(),
             was_focused: true,
             forgotten: None,
+            dismissed: Vec::new(),
             error: None,
             hover_place: None,
             strip_over: TiltPart::Lead,

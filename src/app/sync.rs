@@ -26,6 +26,7 @@ impl App {
             self.take_setup();
         }
         self.sync_shapes();
+        self.sync_shattered();
         if self.derived.part.is_none() {
             return;
         }
@@ -199,6 +200,7 @@ impl App {
         self.look_for_changes();
         self.derived.pipeline.try_again();
         self.derived.shapes.try_again();
+        self.derived.shattered.try_again();
         self.derived.playback_data.try_again();
         self.derived.suggestions.try_again();
         self.derived.dose.try_again();

@@ -41,6 +41,12 @@ pub fn heading(ui: &mut egui::Ui, text: &str) {
     ui.label(egui::RichText::new(text).strong().size(13.5));
 }
 
+/// With a capital, as a sentence and a button begin.
+pub fn capital(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
+
 /// The name of a field, at the left of a column of this width.
 pub fn name(ui: &mut egui::Ui, text: &str, width: f32) -> egui::Response {
     let layout = egui::Layout::left_to_right(egui::Align::Center);

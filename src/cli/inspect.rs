@@ -1,13 +1,13 @@
 //! `clearbeam inspect`: what a part file holds.
 
-use super::{CommandFailure, CommandOutcome, print, print_json, tell};
+use super::{CommandFailure, CommandOutcome, print, print_json, tell_of_file};
 use crate::document::files::build_part;
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
 use crate::part::{Source, Units, Weld};
 use crate::progress::Progress;
 use crate::text::parameter::refused_option;
-use crate::text::{Sentence as _, inspected, say};
+use crate::text::{inspected, say, with_option};
 use std::path::PathBuf;
 
 const ANGLE: &Parameter = Parameter::named("surfaces.angle_deg");
@@ -37,14 +37,14 @@ pub fn run(a: &InspectArguments) -> Result<CommandOutcome, CommandFailure> {
     let built = build_part(&source, &job.part, &a.part, &Progress::default()).map_err(CommandFailure::failed)?;
     // Nobody can have cancelled it.
     let part = built.unwrap_or_default();
-    let report = InspectReport::new(&part, &segmented(&part, &job), a.angle);
+    let report = InspectReport::new(&part, &segmented(&part, &job), &job.surfaces.rule(), job.beam.spot_area_mm2());
     if a.json {
         print_json(&report)?;
-        tell(&a.part, &report.findings);
+        tell_of_file(&a.part, &report.findings);
     } else {
         let mut text = inspected(&report);
         for finding in &report.findings {
-            text.push_str(&format!("! {}\n", finding.sentence()));
+            text.push_str(&format!("! {}\n", with_option(finding)));
         }
         print(&text);
     }

@@ -14,7 +14,8 @@ mod render;
 mod verify;
 mod word_options;
 
-use crate::text::{Sentence, say};
+use crate::part::PartFinding;
+use crate::text::{Sentence, say, with_option};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -99,10 +100,10 @@ pub fn run(command: &CliCommand) -> ExitCode {
     ExitCode::from(status)
 }
 
-/// Says on stderr what was found in a file.
-fn tell<F: Sentence>(file: &Path, findings: &[F]) {
+/// Says on stderr what was found in a part's file.
+fn tell_of_file<'a>(file: &Path, findings: impl IntoIterator<Item = &'a PartFinding>) {
     for finding in findings {
-        eprintln!("{}", say!(in_file, file = file.display().to_string(), what = finding.sentence()));
+        eprintln!("{}", say!(in_file, file = file.display().to_string(), what = with_option(finding)));
     }
 }
 

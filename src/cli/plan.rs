@@ -1,12 +1,12 @@
 //! `clearbeam plan`: from a part or a job to a folder with its program.
 
 use super::changed::part_of;
-use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell};
+use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell_of_file};
 use crate::cell::{Robot, Setup};
 use crate::document::{Chosen, Job, files};
-use crate::part::PartFinding;
 use crate::planning::cures::Cure;
 use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, FileConflict};
+use crate::planning::report::PlanFinding;
 use crate::planning::{self, FromPassError, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::program::{DRY_RUN_PERCENT, Variant};
 use crate::progress::Progress;
@@ -53,7 +53,7 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
     // Nobody cancels it: a key that ends the program ends all.
     let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
     let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-    tell(&a.input, &PartFinding::of(part));
+    tell_of_file(&a.input, planned.report.findings.iter().filter_map(PlanFinding::in_file));
     tell_of_cell(&job, setup);
     let wording = program_comment;
     let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording, options };

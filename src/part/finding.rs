@@ -1,5 +1,6 @@
 //! What an operator should know of a part's file, as data, the worst first; its sentences stand in `text`.
 
+use super::far_from_origin::FarFromOrigin;
 use super::raw_part::{InvalidFacet, UnreadKind};
 use super::units::StatedUnit;
 use super::{Part, Units};
@@ -15,11 +16,15 @@ pub enum PartFinding {
         units: Units,
         /// Size of the box around the part in it, mm.
         size_mm: [f64; 3],
-        /// Unit in which the size would be plausible.
-        better_units: Units,
+        /// Unit in which the size would be plausible; `None`: it is in none.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        better_units: Option<Units>,
         /// Size in that, mm.
-        better_size_mm: [f64; 3],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        better_size_mm: Option<[f64; 3]>,
     },
+    /// The part lies so far from the origin of its file that its coordinates are coarse there.
+    FarFromOrigin(FarFromOrigin),
     /// The file states a unit, and the part is taken in another.
     UnitOverridden {
         /// The unit that the file states.
@@ -54,6 +59,19 @@ pub enum PartFinding {
         count: usize,
         /// Where the first of them stands in the file.
         at: usize,
+    },
+    /// Hundreds of its surfaces are smaller than the spot, and absorbing islands brings them to order.
+    Shattered {
+        /// All surfaces.
+        surfaces: usize,
+        /// Those that are smaller than the spot.
+        smaller: usize,
+        /// Area of the spot, mm².
+        smaller_than_mm2: f64,
+        /// The least area of the ladder below which islands are to be absorbed, mm².
+        absorb_below_mm2: f64,
+        /// All surfaces then.
+        surfaces_then: usize,
     },
     /// Edges with one facet: the surface is not closed there.
     OpenEdges {
@@ -108,7 +126,8 @@ pub enum PartFinding {
 pub const NAMED: usize = 3;
 
 impl PartFinding {
-    /// What there is to say of a part's file, the worst first; empty for a clean one.
+    /// What there is to say of a part's file, the worst first; empty for a clean one. What its surfaces tell is
+    /// [`PartFinding::shattered`], and takes its place by [`PartFinding::with`].
     pub fn of(part: &Part) -> Vec<PartFinding> {
         let found = &part.figures;
         let dropped = (!found.invalid.is_empty()).then(|| PartFinding::FacetsDropped {
@@ -126,6 +145,7 @@ impl PartFinding {
         let counted = counted.into_iter().filter(|(count, _)| *count > 0).map(|(count, finding)| finding(count));
         let (count, within_mm) = (found.joined_corners, found.joined_within_mm);
         let mut out: Vec<PartFinding> = implausible_size(part).into_iter().collect();
+        out.extend(found.far_from_origin.map(PartFinding::FarFromOrigin));
         out.extend(unit(part, true));
         out.extend(dropped);
         out.extend(of_reading(part));
@@ -156,11 +176,14 @@ fn of_reading(part: &Part) -> impl Iterator<Item = PartFinding> {
 }
 
 fn implausible_size(part: &Part) -> Option<PartFinding> {
-    let (units, better_units) = (part.figures.units, part.figures.better_units?);
+    let found = &part.figures;
+    if found.has_plausible_size {
+        return None;
+    }
     let (lo, hi) = part.mesh.bounds();
-    let size = hi - lo;
-    let better = size / units.mm() * better_units.mm();
-    Some(PartFinding::ImplausibleSize { units, size_mm: size.into(), better_units, better_size_mm: better.into() })
+    let (size, units, better_units) = (hi - lo, found.units, found.better_units);
+    let better_size_mm = better_units.map(|better| (size / found.mm_per_unit * better.mm()).into());
+    Some(PartFinding::ImplausibleSize { units, size_mm: size.into(), better_units, better_size_mm })
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 //!
 //! Which of the figures an operator should know about is decided in [`super::finding`].
 
-use super::{Part, PartFinding, Shape, Surfaces};
+use super::{Part, PartFinding, Shape, SurfaceRule, Surfaces};
+use crate::progress::Progress;
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
@@ -76,8 +77,10 @@ fn as_word<S: Serializer>(shape: &Shape, to: S) -> Result<S::Ok, S::Error> {
 }
 
 impl InspectReport {
-    /// The report of a part segmented at `angle_deg`.
-    pub fn new(part: &Part, surfaces: &Surfaces, angle_deg: f64) -> InspectReport {
+    /// The report of a part segmented by a rule. `spot_mm2`: area of the spot that surfaces are to be larger than.
+    pub fn new(part: &Part, surfaces: &Surfaces, rule: &SurfaceRule, spot_mm2: f64) -> InspectReport {
+        // Nobody can cancel it.
+        let shattered = PartFinding::shattered(part, surfaces, rule, spot_mm2, &Progress::default());
         let (mesh, found) = (&part.mesh, &part.figures);
         let (lo, hi) = mesh.bounds();
         InspectReport {
@@ -96,7 +99,7 @@ impl InspectReport {
             area_mm2: mesh.areas.iter().sum(),
             volume_mm3: found.volume_mm3,
             bounds_mm: BoundsMm { min: lo.coords.into(), max: hi.coords.into() },
-            angle_deg,
+            angle_deg: rule.angle_deg,
             surfaces: surfaces
                 .list
                 .par_iter()
@@ -107,7 +110,7 @@ impl InspectReport {
                     shape: Shape::of(mesh, s),
                 })
                 .collect(),
-            findings: PartFinding::of(part),
+            findings: PartFinding::with(PartFinding::of(part), shattered.unwrap_or_default()),
         }
     }
 }

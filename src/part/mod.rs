@@ -10,7 +10,9 @@ mod box_tree;
 pub mod bvh;
 mod digest;
 pub mod distance;
+mod doubt;
 mod edges;
+pub mod far_from_origin;
 pub mod file;
 pub mod finding;
 pub mod growth;
@@ -28,6 +30,7 @@ pub mod rpy;
 #[cfg(test)]
 mod scale_tests;
 pub mod shape;
+mod shattered;
 mod sides;
 pub mod source;
 mod surface;

@@ -2,10 +2,11 @@
 //! degenerate, duplicate and dropped facets, volume and unit.
 
 use super::Units;
+use super::far_from_origin::FarFromOrigin;
 use super::orient::{Orientation, volume};
 use super::raw_part::{CountDiffers, InvalidFacet, PassedOver, RawPart, Unread};
 use super::topology::{FacetDefect, Mesh};
-use super::units::StatedUnit;
+use super::units::{StatedUnit, is_plausible};
 use super::weld::Joined;
 
 /// Figures of a file that do not depend on the crease angle.
@@ -33,8 +34,14 @@ pub struct PartFigures {
     pub volume_mm3: Option<f64>,
     /// The unit that the file was read in.
     pub units: Units,
+    /// Millimetres in one unit of the file's coordinates, before the scale of the placement.
+    pub mm_per_unit: f64,
+    /// Whether it can be as large as it is in that unit.
+    pub has_plausible_size: bool,
     /// A unit that would give a plausible size, where the one above does not.
     pub better_units: Option<Units>,
+    /// Where the part lies so far out that its coordinates are coarse.
+    pub far_from_origin: Option<FarFromOrigin>,
     /// The unit that the file states.
     pub stated_unit: Option<StatedUnit>,
     /// Solids in the file.
@@ -48,13 +55,23 @@ pub struct PartFigures {
 }
 
 impl PartFigures {
-    /// Counts them on the oriented mesh. `joined` is in millimetres.
-    pub fn new(raw: &RawPart, joined: Joined, mesh: &Mesh, orientation: &Orientation, units: Units) -> PartFigures {
+    /// Counts them on the oriented mesh. `joined` is in millimetres; `mm_per_unit`: of the coordinates as they are
+    /// stored, before the `scale` of the placement.
+    pub fn new(
+        raw: &RawPart,
+        joined: Joined,
+        mesh: &Mesh,
+        orientation: &Orientation,
+        units: Units,
+        [mm_per_unit, scale]: [f64; 2],
+    ) -> PartFigures {
         let facets_at =
             |test: fn(usize) -> bool| (0..mesh.edges.len() as u32).filter(|&e| test(mesh.edge_facets(e).len())).count();
         let count = |kind| mesh.defects.iter().filter(|&&d| d == kind).count();
         let back_facets = mesh.back_count();
         let (lo, hi) = mesh.bounds();
+        let longest_mm = (hi - lo).max();
+        let has_plausible_size = is_plausible(longest_mm);
         PartFigures {
             invalid: raw.invalid.clone(),
             boundary_edges: facets_at(|n| n == 1),
@@ -67,7 +84,10 @@ impl PartFigures {
             joined_within_mm: joined.within,
             volume_mm3: orientation.watertight.then(|| volume(mesh)),
             units,
-            better_units: units.better_guess((hi - lo).max() / units.mm()),
+            mm_per_unit,
+            has_plausible_size,
+            better_units: if has_plausible_size { None } else { units.better_guess(longest_mm / mm_per_unit) },
+            far_from_origin: FarFromOrigin::of(&raw.facets, mm_per_unit * scale),
             stated_unit: raw.stated_unit,
             solids: raw.solids,
             passed_over: raw.passed_over,

@@ -32,9 +32,12 @@ fn part(triangles: &Triangles) -> Part {
     Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part")
 }
 
+fn rule(scale: f64) -> SurfaceRule {
+    SurfaceRule { angle_deg: 20.0, min_area_mm2: 12.0 * scale * scale, hysteresis_deg: 10.0 }
+}
+
 fn surfaces(part: &Part, scale: f64) -> Surfaces {
-    let rule = SurfaceRule { angle_deg: 20.0, min_area_mm2: 12.0 * scale * scale, hysteresis_deg: 10.0 };
-    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &rule, &[], &[])
+    Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &rule(scale), &[], &[])
 }
 
 proptest! {
@@ -54,7 +57,7 @@ proptest! {
         prop_assert_eq!(areas, two.mesh.areas.clone());
         let (a, b) = (surfaces(&one, 1.0), surfaces(&two, scale));
         prop_assert_eq!(&a.of_facet, &b.of_facet);
-        let (r, s) = (InspectReport::new(&one, &a, 20.0), InspectReport::new(&two, &b, 20.0));
+        let (r, s) = (InspectReport::new(&one, &a, &rule(1.0), 0.0), InspectReport::new(&two, &b, &rule(scale), 0.0));
         prop_assert!(r.joined_corners > 0);
         let counts = |r: &InspectReport| (r.vertices, r.boundary_edges, r.non_manifold_edges, r.joined_corners, r.shells, r.flipped_facets);
         prop_assert_eq!(counts(&r), counts(&s));

@@ -130,7 +130,7 @@ impl Source {
                 mesh.flip(f);
             }
         }
-        let figures = PartFigures::new(&self.raw, joined, &mesh, &orientation, units);
+        let figures = PartFigures::new(&self.raw, joined, &mesh, &orientation, units, [mm_per_unit, placement.scale]);
         if progress.step().is_err() {
             return Ok(None);
         }

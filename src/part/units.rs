@@ -45,11 +45,10 @@ impl Units {
 
     /// A unit in which the part would have a plausible size, where this one gives none.
     ///
-    /// `largest` is the longest side of the box around the part, in file units. Parts that a robot
-    /// carries measure 10 mm to 3 m. Bracketing cases: an IMU housing of 0.047 (metres), a
-    /// connecting rod of 5.6 (inches), a hip cup of 46 (mm, nothing offered).
+    /// `largest` is the longest side of the box around the part, in file units. Bracketing cases: an IMU housing of
+    /// 0.047 (metres), a connecting rod of 5.6 (inches), a hip cup of 46 (mm, nothing offered).
     pub fn better_guess(self, largest: f64) -> Option<Units> {
-        let plausible = |u: Units| (10.0..=3000.0).contains(&(largest * u.mm()));
+        let plausible = |u: Units| is_plausible(largest * u.mm());
         if plausible(self) {
             return None;
         }
@@ -57,6 +56,11 @@ impl Units {
         let order = if largest < 1.0 { [Units::M, Units::Inch, Units::Mm] } else { [Units::Inch, Units::Mm, Units::M] };
         order.into_iter().find(|&u| u != self && plausible(u))
     }
+}
+
+/// Whether a part can be that large: its longest side, mm. Parts that a robot works on measure 10 mm to 3 m.
+pub fn is_plausible(longest_mm: f64) -> bool {
+    (10.0..=3000.0).contains(&longest_mm)
 }
 
 /// A unit that a file states itself, as 3MF files do.

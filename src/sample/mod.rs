@@ -10,6 +10,7 @@
 mod check;
 mod connecting_rod;
 mod cup;
+mod folds;
 mod front_shaft;
 mod gear_solid;
 mod grooves;

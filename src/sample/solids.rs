@@ -1,11 +1,12 @@
 //! Closed-form solids for tests and benches, sizes in mm: their areas, volumes and sections are known.
 //!
-//! All are closed skins that weld exactly. Round ones are inscribed polyhedra: corners lie on the
+//! All but the folded sheet are closed skins that weld exactly. Round ones are inscribed polyhedra: corners lie on the
 //! true surface. Rows and sides that make no solid (fewer than three sides) are the caller's error.
 
 use super::outline::{at_z, circle, radians, rectangle, revolved, ring};
 use super::shell::{Facing, Point, Shell, Triangles};
 
+pub use super::folds::folded_sheet;
 pub use super::gear_solid::helical_gear;
 pub use super::grooves::{blind_hole, fin_row, v_groove};
 pub use super::plate::{PlateFeature, plate};

@@ -1,7 +1,7 @@
 //! What people are to know of a plan, finding by finding, and what helps.
 
 use super::{NamedSentence, Naming, Sentence, exact, fixed, id, listed, listed_clauses, say, short};
-use crate::cell::motion::RefusalCause;
+use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::part::SurfaceId;
 use crate::planning::report::{BlockedBy, NothingReason, Notice, Unproven};
 use crate::pose::{Correction, ToolBody};
@@ -12,6 +12,10 @@ impl NamedSentence for Notice {
         match self {
             Notice::NotProven(unproven) => not_proven(unproven, naming),
             Notice::NothingPlanned(reason) => reason.sentence_with(naming),
+            Notice::LeftOut { surface, targets, why: Some(RefusalReason::OffLine { .. }), .. } => {
+                let surface = naming.surface(*surface);
+                say!(notice_refused, surface, targets = *targets, why = say!(why_far_from_flange))
+            }
             Notice::LeftOut { surface, cause, by_surface, targets, .. } => {
                 left_out(&naming.surface(*surface), *cause, by_surface.map(|s| naming.surface(s)), *targets)
             }
@@ -41,6 +45,7 @@ pub fn remedy(notice: &Notice) -> Option<String> {
     Some(match notice {
         Notice::NotProven(_) => say!(remedy_not_proven),
         Notice::NothingPlanned(NothingReason::NoLines { taken_by: None, .. }) => say!(remedy_no_lines),
+        Notice::LeftOut { why: Some(RefusalReason::OffLine { .. }), .. } => say!(remedy_far_from_flange),
         Notice::LeftOut { cause, correction, .. } => against(*cause, *correction),
         Notice::Missed { by_planes: true, .. } => say!(remedy_missed_by_planes),
         Notice::Missed { by_planes: false, .. } => say!(remedy_missed_by_lines),

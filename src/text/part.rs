@@ -1,7 +1,8 @@
 //! Why a part cannot be loaded, and what was found in its file. What is wrong with a file that is no part stands in
 //! `part_file`.
 
-use super::{Arg, Sentence, fixed, id, listed_clauses, quoted, rough, say};
+use super::{Arg, Sentence, exact, fixed, id, listed_clauses, quoted, rough, say};
+use crate::part::far_from_origin::FarFromOrigin;
 use crate::part::raw_part::{FacetFault, InvalidFacet, UnreadKind};
 use crate::part::{LoadError, PartFinding};
 
@@ -43,11 +44,26 @@ impl Sentence for PartFinding {
     fn sentence(&self) -> String {
         match self {
             PartFinding::ImplausibleSize { size_mm, better_units, better_size_mm, .. } => {
+                let size_mm = size_mm.map(length).join(" × ");
+                match (better_units, better_size_mm) {
+                    (Some(units), Some(better_mm)) => {
+                        say!(part_implausible_size, size = size_mm, unit = units.word(), other = size(better_mm, 1))
+                    }
+                    _ => say!(part_implausible_in_any_unit, size = size_mm),
+                }
+            }
+            PartFinding::FarFromOrigin(FarFromOrigin { distance_mm, resolution_mm }) => {
+                let distance = length(distance_mm / 1000.0);
+                say!(part_far_from_origin, distance, step = rough(*resolution_mm))
+            }
+            PartFinding::Shattered { surfaces, smaller, smaller_than_mm2, absorb_below_mm2, surfaces_then } => {
                 say!(
-                    part_implausible_size,
-                    size = size(size_mm, 3),
-                    unit = better_units.word(),
-                    other = size(better_size_mm, 1)
+                    part_shattered,
+                    surfaces = *surfaces,
+                    smaller = *smaller,
+                    spot = fixed(*smaller_than_mm2, 2),
+                    below = exact(*absorb_below_mm2),
+                    left = *surfaces_then
                 )
             }
             PartFinding::UnitOverridden { stated, units } => {
@@ -80,6 +96,25 @@ impl Sentence for PartFinding {
             PartFinding::SolidsJoined { count } => say!(part_solids_joined, count = *count),
         }
     }
+}
+
+/// A finding as the command line says it: with the option, or the key of the job, that helps.
+pub(crate) fn with_option(finding: &PartFinding) -> String {
+    let option = match finding {
+        PartFinding::ImplausibleSize { better_units: Some(units), .. } => {
+            Some(say!(part_use_units, units = units.word()))
+        }
+        PartFinding::Shattered { absorb_below_mm2, .. } => {
+            Some(say!(part_absorb_in_job, value = exact(*absorb_below_mm2)))
+        }
+        _ => None,
+    };
+    listed_clauses(std::iter::once(finding.sentence()).chain(option))
+}
+
+/// A length with three decimals, or by its first digits where it has too many before them, or none.
+fn length(value: f64) -> String {
+    if (0.001..1e7).contains(&value) || value == 0.0 { fixed(value, 3) } else { rough(value) }
 }
 
 fn not_read(what: &UnreadKind, count: usize) -> String {

@@ -8,6 +8,7 @@ impl Sentence for Activity {
         match self {
             Activity::Reading => say!(activity_reading),
             Activity::BuildingPart => say!(activity_building_part),
+            Activity::CuttingSurfaces => say!(activity_cutting_surfaces),
             Activity::NamingShapes => say!(activity_naming_shapes),
             Activity::LayingLines => say!(activity_laying_lines),
             Activity::Planning => say!(activity_planning),

@@ -15,8 +15,6 @@ parameters_correction_name = correction { $correction }
 
 parameters_units = Unit of the file
 parameters_weld = Join corners
-parameters_implausible = The size is implausible
-parameters_take_units = Use { $units } instead
 parameters_turn = Turn
 parameters_move = Move
 parameters_place_field = { $name } { $axis }

@@ -1,4 +1,4 @@
-### What is wrong with a plan, and the legend of the achieved spacing.
+### What is wrong with a plan or a part's file, and the legend of the achieved spacing.
 
 ## Problems
 
@@ -12,6 +12,15 @@ problems_beam_hits_something = the beam hits something
 problems_left_out = left out
 problems_go = Go there
 problems_show = Show it
+
+## What casts doubt on the part
+
+file_treat_as_mm = Treat as millimetres
+file_treat_as_m = Treat as metres
+file_treat_as_inch = Treat as inches
+file_absorb = Absorb islands below { $below } mm²
+file_dismiss = Dismiss
+file_dismiss_tip = It stays in the list of problems
 
 ## What would help
 

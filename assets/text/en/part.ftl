@@ -60,7 +60,15 @@ facet_crosses_itself = an outline that crosses itself
 facet_too_many_corners = more than 4096 corners
 
 ## Findings
-part_implausible_size = a size of { $size } mm is implausible; in { $unit } it would be { $other } mm: use --units { $unit }
+part_implausible_size = a size of { $size } mm is implausible; in { $unit } it would be { $other } mm
+part_implausible_in_any_unit = a size of { $size } mm is implausible, and no unit makes it plausible: look at the unit in CAD and export the part again
+part_use_units = use --units { $units }
+part_far_from_origin = the part lies { $distance } m from the origin, where the file's coordinates have steps of { $step } mm: move it to the origin in CAD and export it again
+part_shattered = { $smaller } of { $surfaces } surfaces are smaller than the spot ({ $spot } mm²); with islands below { $below } mm² absorbed { $left ->
+    [one] 1 surface is left
+   *[other] { $left } surfaces are left
+}
+part_absorb_in_job = write min_area_mm2 = { $value } under [surfaces] of the job
 part_facets_dropped = { $count ->
     [one] 1 facet was dropped
    *[other] { $count } facets were dropped

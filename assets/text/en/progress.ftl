@@ -2,6 +2,7 @@
 
 activity_reading = reading
 activity_building_part = building the part
+activity_cutting_surfaces = cutting surfaces
 activity_naming_shapes = naming shapes
 activity_laying_lines = laying lines
 activity_planning = planning

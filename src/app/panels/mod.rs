@@ -11,6 +11,7 @@ pub(super) mod dose;
 mod entry;
 mod export;
 mod fields;
+pub(super) mod file_banner;
 mod frames;
 mod going_on;
 mod later;

@@ -39,13 +39,6 @@ fn units(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
             }
         }
     });
-    let better = context.derived.part.as_ref().and_then(|p| p.figures.better_units);
-    if let Some(better) = better {
-        ui.label(RichText::new(say!(parameters_implausible)).color(theme::ATTENTION));
-        if ui.button(say!(parameters_take_units, units = choices::units(better))).clicked() {
-            actions.edit(Edit::Units(better));
-        }
-    }
 }
 
 fn weld(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {

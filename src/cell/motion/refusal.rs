@@ -162,13 +162,7 @@ impl RefusalReason {
 /// What hits what: `beam` or `head`, the facet or the clamp from 0, and how far along the beam.
 fn blocker<S: Serializer>(b: &Blocker, serializer: S) -> Result<S::Ok, S::Error> {
     let mut map = serializer.serialize_map(Some(3))?;
-    map.serialize_entry(
-        "tool",
-        match b.tool_body {
-            ToolBody::Beam => "beam",
-            ToolBody::Head => "head",
-        },
-    )?;
+    map.serialize_entry("tool", b.tool_body.word())?;
     match b.obstruction {
         Obstruction::Facet(facet) => map.serialize_entry("facet", &facet)?,
         Obstruction::Clamp(clamp) => map.serialize_entry("clamp", &clamp)?,

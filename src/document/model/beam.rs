@@ -2,6 +2,7 @@
 
 use super::declare::parameters;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
 parameters! {
     /// The beam and its speeds (P1 Table 1).
@@ -24,5 +25,12 @@ parameters! {
         pub head: String = String::new(),
         /// What cone and head keep from everything, mm.
         pub margin_mm: f64,
+    }
+}
+
+impl BeamParameters {
+    /// Area of the spot on the part, mm².
+    pub fn spot_area_mm2(&self) -> f64 {
+        0.25 * PI * self.spot_mm * self.spot_mm
     }
 }

@@ -14,7 +14,7 @@ use crate::planning::PlanError;
 use crate::planning::dose::{self, DoseReport, dose};
 use crate::planning::from_pass;
 use crate::planning::plan::Plan;
-use crate::planning::report::{DryRunReport, FileDigest, PlanFinding, Report, StandingProgram, WrittenFiles};
+use crate::planning::report::{DryRunReport, FileDigest, PlanFinding, Report, StandingProgram, WrittenFiles, in_file};
 use crate::program::{Breakdown, DRY_RUN_PERCENT, ProgramFile, Timeline, Variant, Wording};
 use crate::progress::{Activity, Progress};
 use std::path::Path;
@@ -102,7 +102,9 @@ impl MadeFiles {
         let variant = options.variant;
         let left = variant.from_pass.map(|n| from_pass(part, whole, setup, job, n, progress)).transpose()?;
         let plan = left.as_ref().unwrap_or(whole);
-        let mut report = Report::new(plan, surfaces).with_file_of(part);
+        let in_file = in_file(part, surfaces, job, progress)?;
+        let report_of = |plan| Report::new(plan, surfaces).with_inputs(&in_file, job, setup);
+        let mut report = report_of(plan);
         report.findings.splice(0..0, findings.iter().cloned());
         let dose = options.has_dose(job).then(|| DoseFile::new(input, job, progress)).transpose()?;
         let (dose_ply, dose_report) = dose.map_or((None, None), |d| (Some(d.ply), Some(d.report)));
@@ -113,7 +115,7 @@ impl MadeFiles {
         let written = variant_program(variant, (job, of_part, setup), plan, &report, wording)?;
         let all = match variant {
             Variant::WHOLE => None,
-            _ => Some(program(job, of_part, setup, whole, &Report::new(whole, surfaces).with_file_of(part), wording)?),
+            _ => Some(program(job, of_part, setup, whole, &report_of(whole), wording)?),
         };
         let plan_sha256 = sha256_of(all.as_ref().unwrap_or(&written));
         progress.step()?;

@@ -136,6 +136,8 @@ fn file_note(finding: &PlanFinding) -> Option<FileNote> {
         PartFinding::BytesPassedOver { count, at } => FileNote::BytesPassedOver { count, at },
         PartFinding::SolidsJoined { count } => FileNote::SolidsJoined(count),
         PartFinding::ImplausibleSize { .. }
+        | PartFinding::FarFromOrigin(_)
+        | PartFinding::Shattered { .. }
         | PartFinding::OpenEdges { .. }
         | PartFinding::NonManifoldEdges { .. }
         | PartFinding::FlippedFacets { .. }

@@ -7,13 +7,13 @@ use super::super::key::Keys;
 use super::super::making::plan;
 use super::super::planned::PlannedJob;
 use super::super::preview;
-use super::super::report::{Report, notices_worst_first};
+use super::super::report::{Report, in_file, notices_worst_first};
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
 use crate::document::files::{self, JobError};
 use crate::document::stamps::Stamps;
 use crate::document::{Job, segmented};
-use crate::part::{Digest, PartFinding, Source};
+use crate::part::{Digest, Source};
 use crate::progress::Activity;
 use std::path::Path;
 use std::sync::Arc;
@@ -116,8 +116,9 @@ impl Pipeline {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
-                let report = Report::new(&plan, &surfaces).with_file_of(&part);
-                let notices = notices_worst_first(&report, &job, &PartFinding::of(&part));
+                let in_file = in_file(&part, &surfaces, &job, progress)?;
+                let report = Report::new(&plan, &surfaces).with_inputs(&in_file, &job, &setup);
+                let notices = notices_worst_first(&report, &job, &in_file);
                 let cures = cures(&part, &surfaces, &job, &plan, &cache, progress)?;
                 Ok(PlannedJob { key, job, part, surfaces, setup, plan, report, notices, cures })
             });

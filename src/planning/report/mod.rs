@@ -2,6 +2,7 @@
 //! (`notices_worst_first`). Sentences of it stand in `text`.
 
 mod corrections;
+mod in_file;
 mod lengths;
 mod nothing;
 mod notice;
@@ -10,9 +11,11 @@ mod plan_status;
 mod problem;
 mod rows;
 mod unproven;
+mod unverified;
 mod written_files;
 
 pub use corrections::CorrectionOutcome;
+pub use in_file::in_file;
 pub use nothing::{BareSurface, BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, notices_worst_first};
 pub use plan_finding::PlanFinding;
@@ -25,8 +28,10 @@ pub use written_files::{DryRunReport, FileDigest, StandingProgram, WrittenFiles}
 use super::cell_report::CellReport;
 use super::dose::DoseReport;
 use super::plan::Plan;
+use crate::cell::Setup;
+use crate::document::Job;
 use crate::document::files::InputDigest;
-use crate::part::{Part, PartFinding, Surfaces};
+use crate::part::{PartFinding, Surfaces};
 use crate::pose::{Pass, Target, TargetState};
 use crate::program::Timeline;
 use crate::program::sweep::Proof;
@@ -36,6 +41,7 @@ use nothing::nothing_planned;
 use rows::{splits, surface_rows};
 use serde::{Serialize, Serializer};
 use unproven::unproven;
+use unverified::unverified;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
 #[derive(Clone, Debug, Serialize)]
@@ -136,6 +142,7 @@ impl Report {
         let lit = all.iter().flat_map(|p| &p.targets).filter(|t| t.state != TargetState::Blocked);
         let problems = problems(plan, surfaces);
         let nothing = nothing_planned(plan, &problems, &rows);
+        let unproven = plan.proof.as_ref().map_or_else(Vec::new, |p| unproven(p, surfaces));
         Report {
             layers: plan.grown.len().max(1),
             passes: all.iter().filter(|p| !p.targets.is_empty()).count(),
@@ -159,6 +166,7 @@ impl Report {
             findings: nothing
                 .map(|reason| PlanFinding::NothingPlanned { reason })
                 .into_iter()
+                .chain(unproven.iter().cloned().map(PlanFinding::NotProven))
                 .chain(plan.steps.off_speed.iter().copied().map(PlanFinding::SlowMove))
                 .collect(),
             problems,
@@ -166,7 +174,7 @@ impl Report {
             corrections: corrections(plan),
             surfaces: rows,
             proven: plan.proof.as_ref().is_some_and(|p| p.lit_moves > 0 && p.refuted.is_empty()),
-            unproven: plan.proof.as_ref().map_or_else(Vec::new, |p| unproven(p, surfaces)),
+            unproven,
             proof: plan.proof.clone(),
             min_clearance_mm: clearance.reduce(f64::min),
             dose: None,
@@ -176,9 +184,10 @@ impl Report {
         }
     }
 
-    /// Adds what was found in the file of the part.
-    pub fn with_file_of(mut self, part: &Part) -> Report {
-        self.findings.extend(PartFinding::of(part).into_iter().map(PlanFinding::InFile));
+    /// Adds what was found in the part's file, and what of cell and robot nobody has measured or checked.
+    pub fn with_inputs(mut self, in_file: &[PartFinding], job: &Job, setup: &Setup) -> Report {
+        self.findings.extend(in_file.iter().cloned().map(PlanFinding::InFile));
+        self.findings.extend(unverified(job, setup));
         self
     }
 

@@ -161,8 +161,13 @@ fn of_finding(finding: &PlanFinding) -> Option<Notice> {
                 lost: lost.iter().copied().map(SurfaceId).collect(),
             }
         }
-        // Whoever wants them in the list hands them in: the command line has told them by then.
-        PlanFinding::InFile(_) => return None,
+        // Moves that are not proven stand in the list already, and the panel of the cell and the program's head say
+        // what of the robot nobody has checked. Findings of the file are handed in by whoever wants them in the list:
+        // the command line has told them by then.
+        PlanFinding::NotProven(_)
+        | PlanFinding::UnverifiedFrame { .. }
+        | PlanFinding::UnverifiedWord { .. }
+        | PlanFinding::InFile(_) => return None,
     })
 }
 

@@ -1,5 +1,6 @@
 //! What was found on the way to a plan and is no problem of a target: key `findings` of the report.
 
+use super::Unproven;
 use super::nothing::NothingReason;
 use crate::part::PartFinding;
 use crate::program::OffSpeed;
@@ -15,6 +16,8 @@ pub enum PlanFinding {
         #[serde(flatten)]
         reason: NothingReason,
     },
+    /// Moves with the laser on are not proven to touch nothing.
+    NotProven(Unproven),
     /// The spot does not have its speed everywhere on a surface.
     SlowMove(OffSpeed),
     /// The part's file is another one than when the job was saved.
@@ -28,6 +31,20 @@ pub enum PlanFinding {
         /// Surfaces that the job speaks of and that were not found again; none of them was to be cleaned.
         lost: Vec<u32>,
     },
+    /// Frames of the shipped cell are examples: nobody has measured them.
+    UnverifiedFrame {
+        /// Name of the cell.
+        cell: String,
+        /// Keys of the frames in its file.
+        frames: Vec<&'static str>,
+    },
+    /// Words of the robot's file that nobody has checked.
+    UnverifiedWord {
+        /// Name of the robot.
+        robot: String,
+        /// Keys in its file.
+        words: Vec<String>,
+    },
     /// Something that was found in the part's file, or done to it.
     #[serde(untagged)]
     InFile(PartFinding),
@@ -35,11 +52,22 @@ pub enum PlanFinding {
 
 impl PlanFinding {
     /// Whether something is not done as the job was saved. What was found in the file is to be known, no more: the
-    /// plan is made on the part as it was read.
+    /// plan is made on the part as it was read, for the cell as it is told.
     pub fn leaves_undone(&self) -> bool {
         match self {
-            PlanFinding::NothingPlanned { .. } | PlanFinding::SlowMove(_) | PlanFinding::PartChanged { .. } => true,
-            PlanFinding::InFile(_) => false,
+            PlanFinding::NothingPlanned { .. }
+            | PlanFinding::NotProven(_)
+            | PlanFinding::SlowMove(_)
+            | PlanFinding::PartChanged { .. } => true,
+            PlanFinding::UnverifiedFrame { .. } | PlanFinding::UnverifiedWord { .. } | PlanFinding::InFile(_) => false,
+        }
+    }
+
+    /// What was found in the part's file, if it is that.
+    pub fn in_file(&self) -> Option<&PartFinding> {
+        match self {
+            PlanFinding::InFile(finding) => Some(finding),
+            _ => None,
         }
     }
 }
@@ -49,7 +77,9 @@ mod tests {
     use super::super::nothing::{BareSurface, BlockedBy};
     use super::*;
     use crate::cell::motion::RefusalCause;
+    use crate::part::SurfaceId;
     use crate::planning::TakenBy;
+    use crate::pose::ToolBody;
 
     #[test]
     fn findings_carry_their_code_and_their_fields_side_by_side() {
@@ -79,6 +109,12 @@ mod tests {
         );
         let changed =
             PlanFinding::PartChanged { was: "a".into(), is: "b".into(), kept: vec![[1, 1], [2, 5]], lost: vec![3] };
+        let tool_body = ToolBody::Head;
+        let unproven = Unproven { tool_body, surface: Some(SurfaceId(3)), moves: 12 };
+        assert_eq!(
+            json(&PlanFinding::NotProven(unproven)),
+            r#"{"code":"not_proven","tool":"head","surface":3,"moves":12}"#
+        );
         let in_file = PlanFinding::InFile(PartFinding::BytesPassedOver { count: 5, at: 684 });
         assert_eq!(json(&in_file), r#"{"code":"bytes_passed_over","count":5,"at":684}"#);
         assert_eq!(json(&changed), r#"{"code":"part_changed","was":"a","is":"b","kept":[[1,1],[2,5]],"lost":[3]}"#);

@@ -3,16 +3,22 @@
 use crate::part::{SurfaceId, Surfaces};
 use crate::pose::{Obstruction, ToolBody};
 use crate::program::sweep::Proof;
+use serde::{Serialize, Serializer};
 
 /// Moves with the laser on whose same tool body would touch the same obstacle.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Unproven {
-    /// The body of the tool that would touch it.
+    /// The body of the tool that would touch it: `beam` or `head`.
+    #[serde(rename = "tool", serialize_with = "word")]
     pub tool_body: ToolBody,
     /// The surface that would be touched; `None`: a clamp.
     pub surface: Option<SurfaceId>,
     /// How many moves.
     pub moves: usize,
+}
+
+fn word<S: Serializer>(tool_body: &ToolBody, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(tool_body.word())
 }
 
 /// What is not proven, in program order of the first of each.

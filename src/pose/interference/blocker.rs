@@ -9,6 +9,16 @@ pub enum ToolBody {
     Head,
 }
 
+impl ToolBody {
+    /// Its word in `report.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            ToolBody::Beam => "beam",
+            ToolBody::Head => "head",
+        }
+    }
+}
+
 /// What the tool collides with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Obstruction {

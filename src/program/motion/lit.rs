@@ -85,7 +85,8 @@ impl StraightFlange<'_> {
                 Some(Swept { pose, blocker: hit, .. }) => {
                     (RefusalCause::of_blocker(&hit), RefusalReason::HitOnMove { spot_mm: pose.p.into(), hit })
                 }
-                None => (RefusalCause::Singularity, RefusalReason::OffLine { off_mm }),
+                // Only from far away does the turn of the flange move the spot so much.
+                None => (RefusalCause::Reach, RefusalReason::OffLine { off_mm }),
             });
         }
         let (middle, t) = (self.between(from.0, to.0, 0.5, settings), 0.5 * (from.1 + to.1));
@@ -138,6 +139,29 @@ mod tests {
     use crate::sample::{solids, stl_bytes};
     use nalgebra::{Point3, Vector3};
 
+    /// A station above a place of the part, with the path turned about the beam.
+    fn station([x, y]: [f64; 2], deg: f64, settings: &ProcessSettings) -> Station {
+        let (sin, cos) = libm::sincos(deg.to_radians());
+        Station { x: Point3::new(x, y, 20.0 + settings.defocus_mm), a: Vector3::z(), o: Vector3::new(-sin, cos, 0.0) }
+    }
+
+    #[test]
+    fn far_from_the_flange_the_spot_leaves_its_line_and_nothing_is_singular() {
+        let bytes = stl_bytes(&solids::cube(20.0));
+        let part = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]).expect("ok");
+        let (setup, job) = (Setup::shipped().expect("shipped"), Job::default());
+        let prover = prover(&part, &setup, &job);
+        let straight = StraightFlange { prover, deviation_mm: 0.1, least_move_s: 1e-4 };
+        let settings = ProcessSettings { defocus_mm: job.beam.defocus_mm, ..ProcessSettings::default() };
+        // Even of a 64th of the turn the middle is 5e6 mm · (8°/64)²/8 = 3 mm off.
+        let [from, to] = [0.0, 8.0].map(|deg| station([5e6, 5e6], deg, &settings));
+        let refused = straight.stations_between(&from, &to, &settings, 1.0);
+        assert!(
+            matches!(refused, Err((RefusalCause::Reach, RefusalReason::OffLine { off_mm })) if off_mm > 1.0),
+            "{refused:?}"
+        );
+    }
+
     /// A turn about the beam of the part in hand: the flange stands far from the spot, which so leaves its line.
     fn stations(least_move_s: f64, turn_deg: f64, seconds: f64) -> (Vec<f64>, Option<Vec<(f64, Station)>>) {
         let bytes = stl_bytes(&solids::cube(20.0));
@@ -145,15 +169,7 @@ mod tests {
         let (setup, job) = (Setup::shipped().expect("shipped"), Job::default());
         let straight = StraightFlange { prover: prover(&part, &setup, &job), deviation_mm: 0.1, least_move_s };
         let settings = ProcessSettings { defocus_mm: job.beam.defocus_mm, ..ProcessSettings::default() };
-        let station = |x: f64, deg: f64| {
-            let (sin, cos) = libm::sincos(deg.to_radians());
-            Station {
-                x: Point3::new(x, 5.0, 20.0 + settings.defocus_mm),
-                a: Vector3::z(),
-                o: Vector3::new(-sin, cos, 0.0),
-            }
-        };
-        let (from, to) = (station(8.0, 0.0), station(9.0, turn_deg));
+        let (from, to) = (station([8.0, 5.0], 0.0, &settings), station([9.0, 5.0], turn_deg, &settings));
         let between = straight.stations_between(&from, &to, &settings, seconds).expect("free");
         let ends: Vec<f64> = std::iter::once(0.0).chain(between.iter().map(|s| s.0)).chain([1.0]).collect();
         let alike = straight.stations_alike(&from, &to, &settings, (seconds / least_move_s) as usize);

@@ -10,9 +10,10 @@ use super::super::actions::Actions;
 use super::super::command::Toggle;
 use super::super::context::Context;
 use super::super::theme;
+use super::file_banner;
 use crate::planning::PlannedJob;
 use crate::planning::report::{NothingReason, Notice, Severity};
-use crate::text::{NamedSentence as _, Naming, example, remedy, say};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, example, remedy, say};
 use eframe::egui::{self, Color32, RichText};
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
@@ -21,7 +22,10 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         ui.label(RichText::new(why).color(theme::WRONG));
         return;
     }
-    let Some(of) = context.derived.plan() else { return };
+    let Some(of) = context.derived.plan() else {
+        found_in_file(ui, context, actions);
+        return;
+    };
     // That all is left out is told by the rows of what is left out.
     let is_row = |n: &&Notice| !matches!(n, Notice::NothingPlanned(NothingReason::AllBlocked { .. }));
     let rows = of.notices.iter().filter(is_row);
@@ -42,7 +46,24 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     suggestions::ui(ui, context);
     if !found.is_empty() {
         theme::heading(ui, &say!(problems_found));
-        found.iter().for_each(|notice| row(ui, notice, of, actions));
+        for notice in found {
+            row(ui, notice, of, actions);
+            if let Notice::InFile(finding) = notice {
+                file_banner::of_dismissed(ui, finding, context, actions);
+            }
+        }
+    }
+}
+
+/// What is to be known of the part's file while nothing is planned.
+fn found_in_file(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let found = context.file_findings();
+    if !found.is_empty() {
+        theme::heading(ui, &say!(problems_found));
+    }
+    for finding in &found {
+        ui.add(egui::Label::new(finding.sentence()).wrap());
+        file_banner::of_dismissed(ui, finding, context, actions);
     }
 }
 
@@ -93,10 +114,4 @@ fn go_to(notice: &Notice, of: &PlannedJob, actions: &mut Actions) {
         // Wide enough to see the beam and what it hits.
         actions.look_at(t.p, of.job.beam.defocus_mm.abs().max(10.0));
     }
-}
-
-/// With a capital, as a sentence and a button begin.
-fn capital(text: &str) -> String {
-    let mut rest = text.chars();
-    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }

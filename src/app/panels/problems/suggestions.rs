@@ -3,7 +3,6 @@
 use super::super::super::command::Command;
 use super::super::super::context::Context;
 use super::super::super::theme;
-use super::capital;
 use crate::planning::advice::Suggestion;
 use crate::text::{Sentence as _, say};
 use eframe::egui::{self, RichText};
@@ -30,7 +29,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>) {
 fn row(ui: &mut egui::Ui, suggestion: &Suggestion) {
     let text = match suggestion {
         Suggestion::Sampled { .. } => RichText::new(suggestion.sentence()).small().weak(),
-        _ => RichText::new(say!(problems_help_row, advice = capital(&suggestion.sentence()))),
+        _ => RichText::new(say!(problems_help_row, advice = theme::capital(&suggestion.sentence()))),
     };
     ui.add(egui::Label::new(text).wrap());
 }
