@@ -97,7 +97,9 @@ fn many_bodies(c: &mut Criterion) {
         group.bench_function(format!("inspect/{count} bodies"), |b| {
             b.iter(|| {
                 let part = Part::from_bytes(black_box(&bytes), Units::Mm, &Placement::default(), &[]).ok()?;
-                Some(InspectReport::new(&part, &segmented(&part, &Job::default()), 20.0))
+                let job = Job::default();
+                let surfaces = segmented(&part, &job);
+                Some(InspectReport::new(&part, &surfaces, &job.surfaces.rule(), job.beam.spot_area_mm2()))
             });
         });
     }

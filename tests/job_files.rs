@@ -144,7 +144,7 @@ fn what_is_no_job_is_refused_with_file_key_reason_and_remedy() {
         ("[clean]\nsurfaces = [4, 4]\n", ["clean.surfaces", "surface 4 is listed twice", "name it once"]),
         ("version = 7\n", ["version = 7", "made by a later clearbeam", "open it with a newer clearbeam"]),
         ("[recipe_of]\nfour = \"Fine\"\n", ["recipe_of", "\"four\" is not a surface number", "give a number"]),
-        ("[clean]\nsurface = [4]\n", ["line 2", "unknown field `surface`", "`surfaces`"]),
+        ("[clean]\nsurface = [4]\n", ["line 2", "clean.surface: there is no such key", "did you mean surfaces?"]),
     ] {
         std::fs::write(&bad, text).expect("writes");
         let refused = files::read(&bad).expect_err(text);

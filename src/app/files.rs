@@ -117,7 +117,7 @@ impl App {
             self.session.error = Some(say!(window_no_finished_plan));
             return;
         };
-        let variant = Variant { dry_run, from_pass: self.context().from_pass() };
+        let variant = Variant { dry_run, from_pass: self.context().going_on_from() };
         self.session.exported_dry_run = dry_run;
         // A dose that is looked at is written as well.
         let options = ExportOptions { dose: self.session.show.is_on(Toggle::Dose), variant };

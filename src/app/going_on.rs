@@ -8,7 +8,7 @@ use super::session::GoingOn;
 
 impl Context<'_> {
     /// The pass that the plan goes on from; those before it are done.
-    pub fn from_pass(self) -> Option<usize> {
+    pub fn going_on_from(self) -> Option<usize> {
         let key = self.derived.plan()?.key;
         self.session.going_on.filter(|g| g.plan == key).map(|g| g.pass)
     }

@@ -113,7 +113,7 @@ impl<'a> Context<'a> {
             air: self.session.show.is_on(Toggle::ConnectingMoves),
             before: self.session.show.is_on(Toggle::BeforeCorrection),
             only_pass: None,
-            done: self.from_pass().unwrap_or(0),
+            done: self.going_on_from().unwrap_or(0),
             frame_mm: 0.014 * size,
         }
     }

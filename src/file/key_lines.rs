@@ -28,7 +28,7 @@ pub fn line_of(text: &str, way: &[Step<'_>]) -> Option<usize> {
         let next = match (step, inside) {
             (Step::Key(key), None) => entry(root.get_ref(), key),
             (Step::Key(key), Some(DeValue::Table(table))) => entry(table, key),
-            (Step::Entry(n), Some(DeValue::Array(list))) => list.iter().nth(*n).map(|v| (v.span(), v.get_ref())),
+            (Step::Entry(n), Some(DeValue::Array(list))) => list.get(*n).map(|v| (v.span(), v.get_ref())),
             _ => None,
         };
         let Some((at, value)) = next else { break };

@@ -104,7 +104,7 @@ fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
 
 fn off_speed(off: &OffSpeed, naming: &Naming<'_>) -> String {
     let (surface, moves, wanted) = (naming.surface(SurfaceId(off.surface)), off.moves, exact(off.wanted_mm_s));
-    let (possible, pass, point) = (short(off.possible_mm_s), id(&off.pass), id(&off.point));
+    let (possible, pass, point) = (short(off.possible_mm_s), id(off.pass), id(off.point));
     match off.possible_mm_s < off.wanted_mm_s {
         true => say!(notice_slow, surface, moves, wanted, possible, pass, point),
         false => say!(notice_fast, surface, moves, wanted, possible, pass, point),

@@ -21,7 +21,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 fn button(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     ui.add_space(2.0);
     let ready = context.plan().is_some();
-    let text = match context.from_pass() {
+    let text = match context.going_on_from() {
         None => say!(cell_panel_export),
         Some(pass) => say!(cell_panel_export_from_pass, pass = id(pass)),
     };

@@ -38,7 +38,7 @@ pub(super) fn menu(response: &egui::Response, context: Context<'_>, actions: &mu
 
 /// What counts as done, and the button that ends that.
 pub(super) fn chip(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let Some(pass) = context.from_pass() else { return };
+    let Some(pass) = context.going_on_from() else { return };
     let text = RichText::new(say!(going_on_chip, pass = id(pass))).strong();
     if ui.button(text).on_hover_text(say!(going_on_chip_tip, pass = id(pass))).clicked() {
         actions.session(|s| s.going_on = None);

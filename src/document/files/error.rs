@@ -21,7 +21,7 @@ pub enum JobError {
         /// The file.
         file: String,
         /// What is wrong with it.
-        source: JobFileError,
+        source: Box<JobFileError>,
     },
     /// The part is not where the job says.
     #[error("{file}: part gone")]

@@ -9,7 +9,7 @@ use crate::document::model::Job;
 use crate::file::bytes;
 use crate::part::digest_of;
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What a file is to a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -63,7 +63,7 @@ pub fn inputs(job: &Job, job_file: Option<&Path>) -> Vec<InputDigest> {
     [part, cell, robot, head].into_iter().flatten().chain(clamps).chain(obstacles).collect()
 }
 
-fn of_file(kind: InputKind, file: &PathBuf) -> Option<InputDigest> {
+fn of_file(kind: InputKind, file: &Path) -> Option<InputDigest> {
     let name = file.file_name()?.to_string_lossy().into_owned();
     Some(InputDigest { kind, name, sha256: digest_of(&bytes(file).ok()?) })
 }

@@ -62,7 +62,7 @@ impl JobFile {
 /// It cannot be read, or is no job (with line and column).
 pub fn open(path: &Path) -> Result<(Job, JobFile), JobError> {
     let bytes = file::bytes(path)?;
-    let no_job = |source| JobError::NoJob { file: path.display().to_string(), source };
+    let no_job = |e| JobError::NoJob { file: path.display().to_string(), source: Box::new(e) };
     let job = job_file::from_bytes(&bytes).map_err(no_job)?;
     Ok((job, JobFile { path: path.to_path_buf(), sha256: digest_of(&bytes) }))
 }

@@ -15,7 +15,7 @@ pub enum JobFileError {
     NoText(#[from] NoText),
     /// It is no TOML, or has a key or value that no job has.
     #[error(transparent)]
-    Toml(#[from] TomlError),
+    Toml(#[from] Box<TomlError>),
     /// A table is none of a job, where its text is not at hand.
     #[error(transparent)]
     Table(#[from] toml::de::Error),
@@ -24,7 +24,7 @@ pub enum JobFileError {
     Parameter(#[from] ParameterError),
     /// A value of a recipe cannot be.
     #[error(transparent)]
-    Recipe(#[from] RecipeError),
+    Recipe(#[from] Box<RecipeError>),
     /// Another number is out of its range.
     #[error("{key} = {value}, range {low} to {high}")]
     Range {

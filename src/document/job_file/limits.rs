@@ -30,7 +30,10 @@ pub(super) fn check(job: &Job, text: &str) -> Result<(), JobFileError> {
                 RecipeError::NotForRecipes { key, .. } => key,
                 _ => "",
             };
-            at(line_of(text, &[Key("recipes"), Entry(i), Key("values"), Key(key)]), e.clone().into())
+            at(
+                line_of(text, &[Key("recipes"), Entry(i), Key("values"), Key(key)]),
+                JobFileError::Recipe(Box::new(e.clone())),
+            )
         })?;
     }
     let listed = [

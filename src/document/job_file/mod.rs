@@ -71,12 +71,12 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Job, JobFileError> {
 /// Where in the text what is wrong; a number that is out of its range as well. What numbers must be together is looked
 /// at when the job is planned: a job may be saved before it is whole.
 pub fn parse(text: &str) -> Result<Job, JobFileError> {
-    let table: toml::Table = file::read_toml(text)?;
+    let table: toml::Table = file::read_toml(text).map_err(Box::new)?;
     let in_line = |e: JobFileError| limits::in_line(text, e);
     version::of(&table).map_err(in_line)?;
     table.get("cell").and_then(toml::Value::as_table).map_or(Ok(()), frame::check).map_err(|e| in_line(e.into()))?;
     // The text knows its lines, which the table does not.
-    file::read_toml::<JobTables>(text)?;
+    file::read_toml::<JobTables>(text).map_err(Box::new)?;
     let job = Job::try_from(table).map_err(in_line)?;
     limits::check(&job, text)?;
     Ok(job)
