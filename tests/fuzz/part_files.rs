@@ -163,7 +163,7 @@ fn archive(bundled: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn stl_bytes_of_facets() {
+fn stl_binary() {
     let cube = stl_bytes(&solids::cube(10.0));
     let more = [cube.clone(), stl_bytes(&solids::cone(3.0, 4.0, 5))].concat();
     let with_attributes = cube.chunks(50).flat_map(|c| [c, b"abc"].concat()).collect();
@@ -172,7 +172,7 @@ fn stl_bytes_of_facets() {
 }
 
 #[test]
-fn stl_words() {
+fn stl_text_files() {
     let own = [solids::cube(10.0), solids::cylinder(2.0, 5.0, 4)].map(|t| stl_text(&t).into_bytes()).to_vec();
     let words = [
         "solid ",
@@ -231,7 +231,12 @@ fn ply_files() {
 #[test]
 fn archives_of_3mf() {
     let own = vec![archive(&models())];
-    run(&Kind { name: "3mf", own, words: &["PK\x03\x04", "PK\x01\x02", "PK\x05\x06"], read: &|b| read(b, false) });
+    run(&Kind {
+        name: "archives_of_3mf",
+        own,
+        words: &["PK\x03\x04", "PK\x01\x02", "PK\x05\x06"],
+        read: &|b| read(b, false),
+    });
 }
 
 #[test]
@@ -263,5 +268,5 @@ fn models_of_3mf() {
         "objectid=\"3\"",
         "id=\"2\"",
     ];
-    run(&Kind { name: "3mf_models", own: vec![models()], words: &words, read: &|b| read(&archive(b), false) });
+    run(&Kind { name: "models_of_3mf", own: vec![models()], words: &words, read: &|b| read(&archive(b), false) });
 }
