@@ -44,7 +44,7 @@ pub fn language() -> Language {
 /// The value of a variable of a message.
 #[derive(Clone, Debug)]
 pub(crate) enum Arg<'a> {
-    /// Text that is put into the message as it is.
+    /// Text that is put into the message as it is, but for what would break its line.
     Words(Cow<'a, str>),
     /// A count: its digits are grouped, and the message may depend on it. Numbers of facets, lines and surfaces are
     /// no counts: see [`id`].
@@ -115,12 +115,23 @@ pub(crate) fn render<const N: usize>(language: Language, key: &str, arguments: [
     let mut args = FluentArgs::with_capacity(N);
     for (name, arg) in arguments {
         let value = match arg {
-            Arg::Words(words) => FluentValue::String(words),
+            Arg::Words(words) => FluentValue::String(on_one_line(words)),
             Arg::Count(count) => FluentValue::from(count as f64),
         };
         args.set(name, value);
     }
     pattern(language, key, None, &args)
+}
+
+/// Words with signs that break lines escaped, as in code: names from files may hold them (`"a\nb" = 1` is TOML), and a
+/// sentence is one line.
+fn on_one_line(words: Cow<'_, str>) -> Cow<'_, str> {
+    let breaks = |c: char| (c.is_control() && c != '\t') || matches!(c, '\u{2028}' | '\u{2029}');
+    if !words.contains(breaks) {
+        return words;
+    }
+    let escaped = |c: char| if breaks(c) { c.escape_default().to_string() } else { c.to_string() };
+    words.chars().map(escaped).collect::<String>().into()
 }
 
 /// The words of a message, or of one of its attributes, by its key; the key itself where there is none, which a test
@@ -170,6 +181,13 @@ mod tests {
     use super::*;
     use fluent_syntax::ast::Entry;
     use std::collections::{BTreeMap, BTreeSet};
+
+    #[test]
+    fn words_of_a_file_break_no_line() {
+        let said = |words: &str| render(Language::english(), "in_file", [("file", words.into()), ("what", "b".into())]);
+        assert_eq!(said("größe\t.toml"), "größe\t.toml: b");
+        assert_eq!(said("a\nb\r\u{2028}\u{1}"), "a\\nb\\r\\u{2028}\\u{1}: b");
+    }
 
     /// Each message's variables, attributes named as `key.attribute`.
     fn keys(files: &[(&str, &str)]) -> BTreeMap<String, BTreeSet<String>> {

@@ -8,9 +8,7 @@ cell_panel_robot_tip = With a robot, reach, limits and time are known, and its m
 cell_panel_no_robot = None: poses only
 cell_panel_robot_file = Robot file…
 cell_panel_unverified = Some figures of this robot are not verified
-cell_panel_unverified_tip =
-    Check them in a robot file of your own:
-    { $figures }
+cell_panel_unverified_tip = Check them in a robot file of your own:
 cell_panel_carries = Carries
 cell_panel_carries_tip = The part under a fixed laser, or the laser head over a fixed part
 cell_panel_the_part = the part
@@ -56,13 +54,9 @@ frames_three_points = measured by three points
 frames_three_points_tip = Three points leave no residuals to judge them by
 frames_measured = measured: rms { $rms } mm, worst { $worst } mm
 frames_point_off = point { $number }: { $off } mm
-frames_points_off =
-    How far each point is off
-    { $each }
+frames_points_off = How far each point is off
 frames_pose_off = pose { $number }: { $off } mm
-frames_poses_off =
-    How far each pose is off
-    { $each }
+frames_poses_off = How far each pose is off
 
 ## A better set-up
 

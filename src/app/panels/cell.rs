@@ -56,7 +56,7 @@ fn robot(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let unverified = setup.robot.as_ref().map_or(&[][..], |r| &r.unverified);
     if !unverified.is_empty() {
         let text = RichText::new(say!(cell_panel_unverified)).small().color(theme::ATTENTION);
-        ui.label(text).on_hover_text(say!(cell_panel_unverified_tip, figures = unverified.join("\n")));
+        ui.label(text).on_hover_text(format!("{}\n{}", say!(cell_panel_unverified_tip), unverified.join("\n")));
     }
 }
 

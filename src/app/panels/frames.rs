@@ -79,7 +79,8 @@ fn fit(note: &CalibrationNote) -> (String, String) {
     });
     let each = each.collect::<Vec<_>>().join("\n");
     let text = say!(frames_measured, rms = fixed(note.rms_mm, 2), worst = fixed(note.worst_mm, 2));
-    (text, if is_of_poses { say!(frames_poses_off, each) } else { say!(frames_points_off, each) })
+    let head = if is_of_poses { say!(frames_poses_off) } else { say!(frames_points_off) };
+    (text, format!("{head}\n{each}"))
 }
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {

@@ -63,7 +63,7 @@ impl<'p, 'a> Build<'p, 'a> {
         }
         push_mesh(&mut self.part, object, placed.object, &transform)?;
         let components = object.components.clone();
-        for component in &components {
+        for component in components.iter() {
             self.add(component, &entry, &transform, depth + 1)?;
         }
         Ok(())
@@ -100,15 +100,15 @@ fn push_mesh(part: &mut RawPart, object: &Object, number: u32, transform: &Trans
     if part.facets.len() + part.invalid.len() + object.triangles.len() > MOST_FACETS {
         return Err(ThreeMfFault::TooManyFacets { most: MOST_FACETS });
     }
-    let place = |v: &[f64; 3]| apply(transform, *v).map(|x| x as f32);
-    let vertices: Vec<[f32; 3]> = object.vertices.iter().map(place).collect();
+    // Only those of triangles, whose number is bounded: one triangle may stand there with millions of vertices.
+    let place = |v: usize| object.vertices.get(v).map(|p| apply(transform, *p).map(|x| x as f32));
     let mirrors = determinant(transform) < 0.0;
     for (corners, byte) in &object.triangles {
         let [a, b, c] = if mirrors { [corners[0], corners[2], corners[1]] } else { *corners };
-        let (Some(a), Some(b), Some(c)) = (vertices.get(a), vertices.get(b), vertices.get(c)) else {
-            return Err(ThreeMfFault::NoSuchVertex { object: number, vertices: vertices.len() });
+        let (Some(a), Some(b), Some(c)) = (place(a), place(b), place(c)) else {
+            return Err(ThreeMfFault::NoSuchVertex { object: number, vertices: object.vertices.len() });
         };
-        part.push_checked([*a, *b, *c], *byte);
+        part.push_checked([a, b, c], *byte);
     }
     Ok(())
 }

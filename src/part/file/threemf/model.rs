@@ -5,6 +5,7 @@ use super::package::parsed;
 use crate::part::units::StatedUnit;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Namespace of the extension by which objects stand in several models.
 const PRODUCTION: &str = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
@@ -45,8 +46,8 @@ pub(super) struct Object {
     pub triangles: Vec<([usize; 3], usize)>,
     /// Beams of its lattice.
     pub beams: usize,
-    /// Objects that it is made of.
-    pub components: Vec<Placed>,
+    /// Objects that it is made of; shared, because an object may be placed many times.
+    pub components: Rc<[Placed]>,
 }
 
 /// A model.
@@ -130,10 +131,9 @@ impl Reader<'_, '_> {
 
     fn object(&self, node: &Node<'_, '_>) -> Result<Object, ThreeMfFault> {
         let is_support = matches!(node.attribute("type"), Some("support" | "solidsupport"));
-        let mut object = Object { is_support, ..Object::default() };
-        for component in elements(node, "components").flat_map(|c| c.children()).filter(|n| is(n, "component")) {
-            object.components.push(self.placed(&component)?);
-        }
+        let components = elements(node, "components").flat_map(|c| c.children()).filter(|n| is(n, "component"));
+        let components: Result<Rc<[Placed]>, ThreeMfFault> = components.map(|c| self.placed(&c)).collect();
+        let mut object = Object { is_support, components: components?, ..Object::default() };
         let Some(mesh) = elements(node, "mesh").next() else { return Ok(object) };
         for v in elements(&mesh, "vertices").flat_map(|l| l.children()).filter(|n| is(n, "vertex")) {
             object.vertices.push([self.number(&v, "x")?, self.number(&v, "y")?, self.number(&v, "z")?]);
