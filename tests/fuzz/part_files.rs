@@ -69,7 +69,7 @@ fn made(bytes: &[u8], raw: &RawPart) -> String {
     let listed: usize = surfaces.list.iter().map(|s| s.facets.len()).sum();
     assert_eq!(listed, mesh.facets.len(), "each facet is of one surface");
     assert!(surfaces.list.iter().all(|s| s.area_mm2.is_finite()));
-    let report = InspectReport::new(&part, &surfaces, job.surfaces.angle_deg);
+    let report = InspectReport::new(&part, &surfaces, &job.surfaces.rule(), job.beam.spot_area_mm2());
     serde_json::to_string(&report).expect("written");
     let findings = PartFinding::of(&part);
     findings.iter().for_each(|f| check_sentence(&f.sentence()));
