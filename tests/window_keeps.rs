@@ -9,7 +9,7 @@ use clearbeam::part::SurfaceId;
 use clearbeam::sample::{Triangles, solids, stl_bytes};
 use common::glow_renderer::GlowTestRenderer;
 use common::window::{Answers, click, press, reveal, settle, window};
-use eframe::egui::{self, Key, Modifiers};
+use eframe::egui::{self, Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use std::path::{Path, PathBuf};
@@ -268,8 +268,10 @@ fn corners_are_joined_otherwise_with_what_is_said_of_surfaces_and_back() {
     std::fs::write(&file, text).expect("writes");
     let mut h = window(Some(file), &Answers::default());
     assert_eq!(h.state().surfaces().len(), 7, "a job of before welds equal corners alone");
-    // The menu of that name stands before the group.
-    h.query_all_by_label("Part").last().expect("a group").click();
+    // A menu has the same name.
+    h.get_by_role_and_label(Role::DisclosureTriangle, "Part").scroll_to_me();
+    settle(&mut h);
+    h.get_by_role_and_label(Role::DisclosureTriangle, "Part").click();
     settle(&mut h);
     reveal(&mut h, "a rounding apart");
     click(&mut h, "a rounding apart");

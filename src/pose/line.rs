@@ -170,7 +170,7 @@ fn planned_piece(
         }
     };
     planned.test_motion(&beam, rules.chord.max_turn_deg);
-    let kept = planned.reduce(&beam, &rules.chord, rules.least_step_mm);
+    let kept = planned.reduce(&beam, &rules.chord);
     beam.check()?;
     let pass = Pass {
         surface: *surface,

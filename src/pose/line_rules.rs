@@ -13,8 +13,6 @@ pub struct LineRules {
     pub max_dense_turn_deg: f64,
     /// What a chord may span.
     pub chord: ChordLimits,
-    /// How far apart lit targets should stand where nothing else asks for more of them, mm.
-    pub least_step_mm: f64,
     /// What is done about interference.
     pub correction: Correction,
     /// Greatest angle between beam and normal, degrees.
@@ -31,7 +29,6 @@ crate::part::keyed!(LineRules {
     max_gap_mm,
     max_dense_turn_deg,
     chord,
-    least_step_mm,
     correction,
     max_tilt_deg,
     tilt_rate_deg_mm,

@@ -64,7 +64,7 @@ pub fn go_on(w: &mut Window) {
     assert!(w.says("Export from pass 2 on") && w.picture() != before);
     w.give(Command::ExportDryRun, &[]);
     assert!(w.file("program/MZ04-01-A.601").exists(), "what is left can be tried dry");
-    click(&mut w.h, "From pass 2 on ✕");
+    click(&mut w.h, "From pass 2 on ×");
     assert!(!w.says("Export from pass 2 on"));
     w.give(Command::Go(Jump::FirstPoint), &[]);
     assert!(w.picture() == before, "all passes are shown as before");

@@ -79,5 +79,5 @@ program_panel_none = There is no program to show
 ## Going on after a stop
 going_on_tip = Passes before pass { $pass } count as done; what is left becomes a program of its own
 going_on_no_pass = No line was planned on this surface
-going_on_chip = From pass { $pass } on ✕
+going_on_chip = From pass { $pass } on ×
 going_on_chip_tip = Passes before pass { $pass } count as done, and exports begin with it. Click to take all passes again.

@@ -122,7 +122,7 @@ pub(in super::super) fn plan_layer(
         .into_par_iter()
         .map(|(key, from, toolpath, ordered)| {
             let job = job_of(toolpath.surface);
-            let rules = rules_of(toolpath.surface, job, setup.cell.timing.least_move_s);
+            let rules = rules_of(toolpath.surface, job);
             let from = from.filter(|_| job.layers.order == Order::Shortest);
             let key = poses_key(key, from, job, &rules, tool);
             let ways_mm = (ordered.way_mm, ordered.zigzag_way_mm);

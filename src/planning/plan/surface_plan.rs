@@ -105,8 +105,8 @@ pub(in super::super) fn raster(surface: u32, job: &Job) -> Raster {
     Raster { surface, direction: l.direction, spacing_mm: l.spacing_mm, offset_mm: l.offset_mm.mm() }
 }
 
-/// What the lines of a surface are planned by. `least_move_s`: what a lit move should take at least.
-pub(in super::super) fn rules_of(surface: u32, job: &Job, least_move_s: f64) -> LineRules {
+/// What the lines of a surface are planned by.
+pub(in super::super) fn rules_of(surface: u32, job: &Job) -> LineRules {
     let own = job.settings.of(SurfaceId(surface));
     LineRules {
         max_gap_mm: max_gap_mm(job),
@@ -116,7 +116,6 @@ pub(in super::super) fn rules_of(surface: u32, job: &Job, least_move_s: f64) -> 
             max_step_mm: job.path.max_step_mm,
             max_turn_deg: job.path.max_turn_deg,
         },
-        least_step_mm: job.beam.speed_mm_s * least_move_s,
         correction: job.path.correction,
         max_tilt_deg: job.path.max_tilt_deg,
         tilt_rate_deg_mm: job.path.tilt_rate_deg_mm.min(job.path.tilt_rate_deg_s / job.beam.speed_mm_s),
@@ -131,8 +130,7 @@ pub(in super::super) fn max_gap_mm(job: &Job) -> f64 {
 }
 
 /// A surface's plan with the process settings of its job. They are not in the key of its poses: power changes no pose,
-/// speed only through tilt rate and least step of [`rules_of`], which are in the key, and without a head neither does
-/// the defocus.
+/// speed only through the tilt rate of [`rules_of`], which is in the key, and without a head neither does the defocus.
 pub(in super::super) fn with_process_settings(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
     let wanted = process_settings(job);
     let own = |w: &ProcessSettings| match tool.head {
@@ -236,8 +234,8 @@ struct PosingRules<'a> {
 
 keyed!(PosingRules<'_> { spot, spacing_mm, rules, standoff_mm, tool, width });
 
-/// How wide the beam is, where it has a width: a ray has no focus. Power changes no pose, and speed only through
-/// tilt rate and least step of the rules.
+/// How wide the beam is, where it has a width: a ray has no focus. Power changes no pose, and speed only through the
+/// tilt rate of the rules.
 struct BeamWidth<'a> {
     defocus_mm: f64,
     spot_mm: f64,

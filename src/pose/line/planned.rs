@@ -103,30 +103,18 @@ impl Planned {
         self.splits.push(is_split);
     }
 
-    /// The places that become targets. `least_step_mm`: how far apart lit ones should stand.
-    pub(super) fn reduce(
-        &self,
-        beam: &BeamInterference<'_>,
-        limits: &ChordLimits,
-        least_step_mm: f64,
-    ) -> Vec<LinePlace> {
+    /// The places that become targets.
+    pub(super) fn reduce(&self, beam: &BeamInterference<'_>, limits: &ChordLimits) -> Vec<LinePlace> {
         let last = self.points.len() - 1;
         // Points at which the state changes stay, on both sides; and those of a split.
         let fixed: Vec<bool> = (0..=last)
             .map(|i| {
-                i > 0 && self.changes(i - 1, i, least_step_mm) || i < last && self.changes(i + 1, i, least_step_mm)
+                let state = self.state(i);
+                i > 0 && (self.state(i - 1) != state || self.splits[i])
+                    || i < last && (self.state(i + 1) != state || self.splits[i + 1])
             })
             .collect();
         simplify(&self.points, &fixed, limits, |from, to| self.may_span(beam, from, to, limits.max_turn_deg))
-    }
-
-    /// Whether something changes between two neighbours that the second has to stay for. Where a correction begins so
-    /// near to it that no move should be that short, a free one need not.
-    fn changes(&self, other: usize, i: usize, least_step_mm: f64) -> bool {
-        let (there, here) = (self.state(other), self.state(i));
-        let is_near = (self.points[other].p - self.points[i].p).norm() < least_step_mm;
-        let need_not = is_near && (there, here) == (TargetState::Corrected, TargetState::Free);
-        self.splits[i.max(other)] || there != here && !need_not
     }
 
     /// Axis at a place; between two points of one state.

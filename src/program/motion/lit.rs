@@ -179,7 +179,7 @@ mod tests {
     #[test]
     fn pieces_are_as_long_as_a_move_should_take_where_the_spot_keeps_to_its_line() {
         let (mut shorter, mut alike) = (0, 0);
-        for turn_deg in [14.0, 20.0, 26.0, 32.0] {
+        for turn_deg in [20.0, 26.0, 32.0, 40.0] {
             let halves = stations(1e-4, turn_deg, 1.0).0.len();
             assert!(halves.is_power_of_two() && halves > 1, "an even turn is halved evenly: {halves}");
             for pieces in 2..=halves {
