@@ -203,7 +203,6 @@ fn line_rules(correction: Correction) -> LineRules {
         max_gap_mm: dense::max_gap_mm(GAP_SPACING_MM),
         max_dense_turn_deg: dense::MAX_TURN_DEG,
         chord: ChordLimits { chord_error_mm: 0.02, max_step_mm: 5.0, max_turn_deg: 5.0 },
-        least_step_mm: 0.06,
         correction,
         max_tilt_deg: 45.0,
         tilt_rate_deg_mm: 5.0,

@@ -117,7 +117,7 @@ impl<'a> Collision<'a> {
         nearest
     }
 
-    /// The distance that everything keeps, mm; links keep [`MOST_OWN_MARGIN_MM`] of each other at most.
+    /// The distance that everything keeps, mm; links keep `MOST_OWN_MARGIN_MM` of each other at most.
     pub fn margin_mm(&self) -> f64 {
         self.margin_mm
     }

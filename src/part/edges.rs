@@ -1,7 +1,7 @@
 //! The edges of facets: numbered by their lower vertex, with the facets at each; and, by the same lists, the facets
 //! at each vertex. Numbers alone: nothing here knows where vertices are.
 
-/// In [`Edges::of_facet`]: the two corners are one vertex.
+/// In `Edges::of_facet`: the two corners are one vertex.
 pub const NO_EDGE: u32 = u32::MAX;
 
 /// Edges of facets over numbered vertices.

@@ -1,5 +1,5 @@
 //! Reads a part's file: STL in both forms, OBJ, PLY or 3MF, told by what is in it and not by its name. What is none of
-//! them is named ([`kind`]), and what a reader drops, joins or passes over stands in the [`RawPart`].
+//! them is named (`kind`), and what a reader drops, joins or passes over stands in the [`RawPart`].
 //!
 //! Coordinates of all of them are single precision, as those of STL are.
 

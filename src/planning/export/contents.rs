@@ -88,7 +88,7 @@ impl MadeFiles {
     /// Makes them. `inputs`: what is to be reported of the files that the plan was made from.
     ///
     /// # Errors
-    /// As [`files`].
+    /// As [`files()`].
     pub(super) fn new(
         input: &ExportInput<'_>,
         of: &ExportOf,
