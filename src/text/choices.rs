@@ -96,7 +96,7 @@ pub(crate) fn weld(weld: Weld) -> String {
     }
 }
 
-/// The same in a sentence.
+/// What a way of welding does, in a sentence.
 pub(crate) fn about_weld(weld: Weld) -> String {
     match weld {
         Weld::Auto => say!(choice_weld_auto_about),

@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 /// programs compute in between loses a digit. Below: corners of a cylinder of 64 mm whose last digits differ by facet
 /// (1e-7). Beyond: a slot of 0.01 mm in a part of 1 m (1e-5).
 const SHARE_OF_DIAGONAL: f64 = 1e-6;
-/// The same in steps of f32 at the largest coordinate, for parts far from the origin.
+/// How far apart such corners may lie, in steps of f32 at the largest coordinate, for parts far from the origin.
 const ULPS: f64 = 4.0;
 /// Two facets at an edge lie on top of each other below this angle. See [`crate::part::Mesh::is_fold`].
 const FOLD_DEG: f64 = 1.0;

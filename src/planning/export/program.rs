@@ -30,7 +30,7 @@ pub fn program(
     variant_program(Variant::WHOLE, (job, part_name, setup), plan, report, wording)
 }
 
-/// The same of a variant. `plan`: what it has of the plan.
+/// The files of a variant of the program, the one to start first. `plan`: what the variant has of the plan.
 ///
 /// # Errors
 /// [`ExportError::Unwritable`]: what the controller could not take.

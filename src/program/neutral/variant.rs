@@ -15,7 +15,7 @@ pub const DRY_RUN_PERCENT: f64 = 25.0;
 /// Which program of a plan is meant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Variant {
-    /// The same motion, slower and with every output off.
+    /// It makes the program's motion slower and with every output off.
     pub dry_run: bool,
     /// It begins with this pass, those before it are done; `None`: with the first.
     pub from_pass: Option<usize>,

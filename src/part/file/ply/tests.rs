@@ -18,7 +18,7 @@ fn expected() -> Vec<RawFacet> {
     vec![[P[0], P[1], P[2]], [P[0], P[2], P[3]], [P[3], P[2], P[1]], [P[3], P[1], P[0]]]
 }
 
-/// The same in binary. `big`: bytes the highest first.
+/// The file in binary form. `big`: bytes the highest first.
 fn binary(big: bool) -> Vec<u8> {
     let (header, _) = TEXT.split_at(TEXT.find("4.5\n").expect("there"));
     let word = if big { "binary_big_endian" } else { "binary_little_endian" };

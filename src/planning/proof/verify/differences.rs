@@ -15,7 +15,7 @@ pub struct AsWritten<'a> {
     setup: &'a Setup,
     /// The plan's lines.
     pub(super) lines: Vec<ProgramLine>,
-    /// The same, written and read again.
+    /// The plan's lines, written and read again.
     pub(super) read: Vec<ReadLine>,
 }
 

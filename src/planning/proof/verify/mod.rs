@@ -55,7 +55,7 @@ pub fn check(
     check_variant(part, (planned, Variant::WHOLE), setup, job, first, open, with_checker)
 }
 
-/// The same for a variant, and what that has of the plan.
+/// Reads a variant of the program from its first file and compares it with `planned`, what the variant has of the plan.
 ///
 /// # Errors
 /// As [`check`].
