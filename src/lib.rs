@@ -84,5 +84,6 @@ pub mod process;
 pub mod program;
 pub mod progress;
 pub mod sample;
+pub mod scan;
 pub mod text;
 pub mod view;

@@ -5,6 +5,7 @@
 
 mod aabb;
 mod build;
+pub mod closest;
 mod prepared;
 mod proximity;
 

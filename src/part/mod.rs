@@ -25,6 +25,7 @@ mod numbering;
 pub mod orient;
 pub mod part_figures;
 pub mod placement;
+mod pseudonormals;
 pub mod raw_part;
 pub mod rpy;
 #[cfg(test)]
@@ -51,6 +52,7 @@ pub use growth::{GrownPart, grown};
 pub use load::load;
 pub use merge_tree::MergeTree;
 pub use placement::Placement;
+pub use pseudonormals::PseudoNormals;
 pub use shape::Shape;
 pub use source::{LoadError, Source};
 pub use surface_rule::{SurfaceEdit, SurfaceRule};

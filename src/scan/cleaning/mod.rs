@@ -1,0 +1,1 @@
+//! Takes out of a cloud what is none of the part.

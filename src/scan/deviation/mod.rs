@@ -1,0 +1,1 @@
+//! How far the part as it is lies off the model.

@@ -1,0 +1,1 @@
+//! Files that clouds come in.

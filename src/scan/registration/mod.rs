@@ -1,0 +1,1 @@
+//! Finds the motion that lays a scan on the model.
