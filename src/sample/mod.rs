@@ -10,18 +10,21 @@
 mod check;
 mod connecting_rod;
 mod cup;
+mod fixed_numbers;
 mod folds;
 mod front_shaft;
 mod gear_solid;
 mod grooves;
 mod outline;
 mod plate;
+pub mod scan_maker;
 mod shell;
 pub mod solids;
 mod tooth_gap;
 mod workpiece;
 mod worm_gear;
 
+pub use fixed_numbers::FixedNumbers;
 pub use shell::Triangles;
 use stl_io::{Normal, Triangle, Vertex};
 
