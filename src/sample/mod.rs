@@ -6,6 +6,9 @@
 //! closed skins that weld exactly, except the cup, which is an open sheet. Nothing here reads
 //! files, and nothing of the planner is used. Same bytes on every machine: `libm` only, no hashing.
 
+mod cam_lobe;
+pub mod camshaft;
+pub mod camshaft_scan;
 #[cfg(test)]
 mod check;
 mod connecting_rod;
@@ -41,6 +44,8 @@ pub enum SamplePart {
     ConnectingRod,
     /// The front shaft of P1 (Fig. 2b).
     FrontShaft,
+    /// The camshaft of P3.
+    Camshaft,
 }
 
 /// A sample part.
@@ -55,12 +60,13 @@ pub struct ShippedSample {
 }
 
 /// All sample parts.
-pub const SAMPLES: [ShippedSample; 5] = [
+pub const SAMPLES: [ShippedSample; 6] = [
     ShippedSample { name: "workpiece", part: SamplePart::Workpiece, triangles: workpiece::triangles },
     ShippedSample { name: "worm_gear", part: SamplePart::WormGear, triangles: worm_gear::triangles },
     ShippedSample { name: "acetabular_cup", part: SamplePart::AcetabularCup, triangles: cup::triangles },
     ShippedSample { name: "connecting_rod", part: SamplePart::ConnectingRod, triangles: connecting_rod::triangles },
     ShippedSample { name: "front_shaft", part: SamplePart::FrontShaft, triangles: front_shaft::triangles },
+    ShippedSample { name: "camshaft", part: SamplePart::Camshaft, triangles: camshaft::triangles },
 ];
 
 /// Binary STL. Corners are exact (they are f32 already); normals are computed from them.
