@@ -52,7 +52,7 @@ pub use finding::PartFinding;
 pub use growth::{GrownPart, grown};
 pub use load::load;
 pub use merge_tree::MergeTree;
-pub use patched::{PatchCut, PatchSurface, PatchedPart, RefinedFacets, with_patches};
+pub use patched::{PatchCut, PatchSurface, PatchedPart, RefinedFacets, patch_layers, with_patches};
 pub use placement::Placement;
 pub use pseudonormals::PseudoNormals;
 pub use shape::Shape;

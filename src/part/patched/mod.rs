@@ -1,10 +1,11 @@
 //! A part on which patches are feature surfaces of their own: its facets are cut along the contour of a depth, and what
 //! lies deeper gets numbers behind all others. What is planned on a patch alone ends at its outline.
 //!
-//! The shape of the part stays: every piece lies in the plane of the facet it comes of. Which patches there are, and
+//! `layers` tells how many beads fill a patch, and where. The shape of the part stays: every piece lies in the plane of the facet it comes of. Which patches there are, and
 //! where the part is refined, is told by whoever measured the depths; here nothing is measured.
 
 mod contour;
+mod layers;
 
 use super::merge_tree::dihedral_angles;
 use super::orient::Orientation;
@@ -14,6 +15,8 @@ use crate::progress::{Cancelled, Progress};
 use contour::{NO_PATCH, Piece, Pieces};
 use nalgebra::Point3;
 use std::collections::BTreeMap;
+
+pub use layers::{LayersError, PatchLayer, patch_layers};
 
 /// Depths over a refined piece of a part, mm, linear within each triangle.
 ///

@@ -1,6 +1,9 @@
+use crate::part::patched::{LayersError, PatchLayer};
 use crate::part::surfaces::Surface;
 use crate::part::topology::FacetDefect;
-use crate::part::{Part, PatchCut, PatchedPart, Placement, RefinedFacets, SurfaceRule, Surfaces, Units, with_patches};
+use crate::part::{
+    Part, PatchCut, PatchedPart, Placement, RefinedFacets, SurfaceRule, Surfaces, Units, patch_layers, with_patches,
+};
 use crate::progress::Progress;
 use crate::sample::{Triangles, solids, stl_bytes};
 use nalgebra::{Point3, Vector3};
@@ -249,7 +252,70 @@ fn a_surface_that_is_worked_on_from_its_other_side_has_patches_there() {
     assert!(patched.surfaces.normals.iter().zip(&patched.part.mesh.normals).all(|(a, b)| *a == -*b));
 }
 
+/// The round wear on a plane.
+struct Worn {
+    refined: Refined,
+    depth_mm: Vec<f64>,
+}
+
+impl Worn {
+    const CENTRE: Point3<f64> = Point3::new(4.3, 5.2, 10.0);
+
+    fn new(cell_mm: f64) -> Worn {
+        let (part, _) = made(&solids::cube(10.0));
+        let refined = refined(&part, cell_mm, near(Worn::CENTRE, WEAR_RADIUS_MM));
+        let depth_mm = refined.vertices.iter().map(|p| wear((p - Worn::CENTRE).norm())).collect();
+        Worn { refined, depth_mm }
+    }
+
+    fn layers(&self, depth_mm: f64, bead_mm: f64) -> Result<Vec<PatchLayer>, LayersError> {
+        let (r, all) = (&self.refined, (0..self.refined.triangles.len() as u32).collect::<Vec<u32>>());
+        let of = RefinedFacets {
+            vertices: &r.vertices,
+            triangles: &r.triangles,
+            parent: &r.parent,
+            depth_mm: &self.depth_mm,
+        };
+        patch_layers(&of, &all, THRESHOLD_MM, depth_mm, bead_mm, &Progress::default())
+    }
+}
+
+#[test]
+fn a_patch_has_as_many_layers_as_beads_fill_it_each_within_the_one_before() {
+    let layers = Worn::new(0.4).layers(WEAR_MM, 0.075).expect("layers");
+    let heights: Vec<f64> = layers.iter().map(|l| l.height_mm).collect();
+    assert_eq!(heights.len(), 3);
+    assert!((heights[0] - 0.075).abs() + (heights[1] - 0.075).abs() + (heights[2] - 0.05).abs() < 1e-12, "{heights:?}");
+    for (layer, above_mm) in layers.iter().zip([THRESHOLD_MM, 0.075, 0.15]) {
+        assert_eq!(layer.above_mm, above_mm);
+        // A circle: its radius is where the wear is as deep as the contour.
+        let radius_mm = WEAR_RADIUS_MM * (1.0 - (above_mm / WEAR_MM).sqrt()).sqrt();
+        let [rim] = &layer.outlines[..] else { panic!("{} outlines", layer.outlines.len()) };
+        let centre = Worn::CENTRE;
+        assert!(rim.iter().all(|p| ((p - centre).norm() - radius_mm).abs() < 0.04));
+        let twice_mm2: f64 =
+            (0..rim.len()).map(|i| (rim[i] - centre).cross(&(rim[(i + 1) % rim.len()] - centre)).z).sum();
+        assert!((0.5 * twice_mm2 - layer.area_mm2).abs() < 1e-9, "counter-clockwise, all of it within");
+        assert!((layer.area_mm2 / (PI * radius_mm * radius_mm) - 1.0).abs() < 0.02);
+    }
+}
+
+#[test]
+fn whole_beads_are_no_bead_more_and_absurd_ones_none() {
+    let worn = Worn::new(1.5);
+    let count = |depth_mm: f64, bead_mm| worn.layers(depth_mm, bead_mm).map(|l| l.len());
+    // 1.1 / 0.1 is 11.000000000000002 and 0.7 / 0.1 is 6.999999999999999.
+    assert_eq!([count(1.1, 0.1), count(0.7, 0.1), count(0.2, 0.5), count(0.2, 0.1)], [Ok(11), Ok(7), Ok(1), Ok(2)]);
+    assert_eq!(count(0.2001, 0.1), Ok(3));
+    assert_eq!([count(0.0, 0.1), count(-1.0, 0.1)], [Ok(0), Ok(0)]);
+    assert_eq!(count(0.2, 0.0), Err(LayersError::NoHeight { height_mm: 0.0 }));
+    assert!(matches!(count(0.2, f64::NAN), Err(LayersError::NoHeight { .. })));
+    assert!(matches!(count(0.2, 1e-9), Err(LayersError::TooMany { .. })));
+    assert!(matches!(count(f64::NAN, 0.1), Err(LayersError::TooMany { .. })));
+}
+
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
     /// Whatever the depths are, and wherever they are not known, the pieces make the same body.
     #[test]
     fn pieces_hang_together_whatever_the_depths(depths in prop::collection::vec(
