@@ -1,0 +1,128 @@
+//! Poses that a scan may have, from anywhere: turns everywhere, each walked in the field, the best of what differs laid
+//! on the mesh. Flips and symmetries come out as poses beside the best, never in its place unseen.
+
+use super::super::Cloud;
+use super::field::Field;
+use super::in_field::Walk;
+use super::plane_fit::{Model, Schedule, capped_rms_mm, plane_fit};
+use super::starts::{SHIFTS, Skin, turns};
+use super::thinned::Thinned;
+use crate::progress::{Cancelled, Progress};
+use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
+use rayon::prelude::*;
+
+/// Points walked with. 200 lose 1 camshaft pose in 10, 800 find no more.
+const WALKED_POINTS: usize = 400;
+/// Steps of all starts, and steps in all; after the former the best go on.
+const FIRST_STEPS: i32 = 8;
+const STEPS: i32 = 20;
+const GO_ON: usize = 400;
+/// Poses laid on the mesh, points of that, and how many of them once more.
+const LAID: usize = 24;
+const LAID_POINTS: usize = 1000;
+const LAID_TWICE: usize = 8;
+const LAID_STEPS: usize = 14;
+/// First widths of the two, shares of the model's diagonal; a third of it caps the score.
+const LAID_WIDTHS: [f64; 2] = [1.0 / 20.0, 1.0 / 60.0];
+/// Motions less held than this stay: nothing but rounding moves them. Not as strict as in the fine fit, since a thousand
+/// points may by chance miss what holds the part.
+const LEAST_HELD: f64 = 1e-6;
+/// From which turn, and which share of the diagonal, two poses are others. A gear of 40 teeth turns by 0.157.
+const OTHER_TURN: f64 = 0.1;
+const OTHER_SHIFT: f64 = 0.03;
+
+/// A pose, and how good it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Candidate {
+    pub(super) model_from_scan: Isometry3<f64>,
+    /// rms of min(d, D/180), mm; of those laid only once with D/60, and so never less.
+    pub(super) score_mm: f64,
+}
+
+/// Tells poses apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Apart {
+    /// Middle of the scan, scan frame.
+    pub(super) middle: Point3<f64>,
+    pub(super) diagonal_mm: f64,
+}
+
+impl Apart {
+    /// Whether two poses are others, and not one that has not quite arrived.
+    pub(super) fn are_others(&self, a: &Isometry3<f64>, b: &Isometry3<f64>) -> bool {
+        a.rotation.angle_to(&b.rotation) > OTHER_TURN
+            || (a * self.middle - b * self.middle).norm() > OTHER_SHIFT * self.diagonal_mm
+    }
+
+    /// The first of each pose, in order.
+    pub(super) fn distinct<T>(&self, all: Vec<T>, pose: impl Fn(&T) -> Isometry3<f64>, most: usize) -> Vec<T> {
+        let mut out: Vec<T> = Vec::new();
+        for one in all {
+            if out.len() < most && out.iter().all(|o| self.are_others(&pose(o), &pose(&one))) {
+                out.push(one);
+            }
+        }
+        out
+    }
+}
+
+/// The poses found, the best first; none where there is no scan or no model.
+///
+/// # Errors
+/// [`Cancelled`].
+pub(super) fn candidates(
+    model: &Model<'_>,
+    cloud: &Cloud,
+    thinned: &Thinned,
+    apart: &Apart,
+    progress: &Progress,
+) -> Result<Vec<Candidate>, Cancelled> {
+    let field = Field::new(model.part, progress)?;
+    let poses = walked(model, &field, thinned, apart, progress)?;
+    // Points as they were measured: the middle of a voxel lies inside what is round.
+    let points: Vec<Point3<f64>> = thinned.spread(LAID_POINTS).iter().map(|s| cloud.point(s.1 as usize)).collect();
+    let laid = |poses: Vec<Isometry3<f64>>, width: f64| -> Result<Vec<Candidate>, Cancelled> {
+        let first_width_mm = width * apart.diagonal_mm;
+        let schedule = Schedule { steps: LAID_STEPS, first_width_mm, least_held: LEAST_HELD };
+        let one = |pose: &Isometry3<f64>| {
+            let fit = plane_fit(model, &points, &[], pose, &schedule, progress)?;
+            let score_mm = capped_rms_mm(&fit.rows, first_width_mm / 3.0);
+            Ok(Candidate { model_from_scan: fit.model_from_scan, score_mm })
+        };
+        let mut all = poses.par_iter().map(one).collect::<Result<Vec<Candidate>, Cancelled>>()?;
+        all.sort_by(|a, b| a.score_mm.total_cmp(&b.score_mm));
+        Ok(apart.distinct(all, |c| c.model_from_scan, LAID_TWICE))
+    };
+    let once = laid(poses, LAID_WIDTHS[0])?;
+    laid(once.into_iter().map(|c| c.model_from_scan).collect(), LAID_WIDTHS[1])
+}
+
+/// Walks from all starts; the best poses that differ.
+fn walked(
+    model: &Model<'_>,
+    field: &Field,
+    thinned: &Thinned,
+    apart: &Apart,
+    progress: &Progress,
+) -> Result<Vec<Isometry3<f64>>, Cancelled> {
+    let middle = apart.middle.coords;
+    let points: Vec<Vector3<f64>> = thinned.spread_middles(WALKED_POINTS).map(|p| p.coords - middle).collect();
+    let skin = Skin::of(&model.part.mesh);
+    let mut walks: Vec<Walk> = Vec::new();
+    for share in SHIFTS {
+        let shift = skin.middle - field.lo + skin.axis * (share * skin.extent_mm);
+        let start = |turn: Matrix3<f64>| Walk { turn, shift, score: f64::INFINITY };
+        walks.extend(turns().iter().map(|t| start(t.to_rotation_matrix().into_inner())));
+    }
+    for steps in [0..FIRST_STEPS, FIRST_STEPS..STEPS] {
+        walks.par_iter_mut().try_for_each(|w| {
+            *w = w.walked(field, &points, steps.clone(), apart.diagonal_mm);
+            progress.check()
+        })?;
+        // Stable, so of equal ones the earlier start.
+        walks.sort_by(|a, b| a.score.total_cmp(&b.score));
+        walks.truncate(GO_ON);
+    }
+    let poses = walks.iter().map(|w| w.model_from_scan(field, &middle)).collect();
+    Ok(apart.distinct(poses, |p| *p, LAID))
+}

@@ -1,0 +1,26 @@
+//! Parts for the tests of registration, and points measured on them.
+
+use super::scan_for_tests::{ScanOf, measured};
+use crate::part::{Part, Placement, Units};
+use crate::sample::{Triangles, stl_bytes};
+use crate::scan::Cloud;
+use nalgebra::{Isometry3, Point3};
+
+pub(super) fn part_of(triangles: &Triangles) -> Part {
+    Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part")
+}
+
+/// A scan of a part, and where it truly lies.
+pub(super) fn scan(part: &Part, of: &ScanOf) -> (Cloud, Isometry3<f64>) {
+    let facets: Vec<[Point3<f64>; 3]> = (0..part.mesh.facets.len()).map(|f| part.mesh.corners(f)).collect();
+    let (points, model_from_scan) = measured(&facets, of);
+    (Cloud::of_points(&points), model_from_scan)
+}
+
+/// The greatest way that a corner of the part's box goes from one pose to the other, mm.
+pub(super) fn off_mm(part: &Part, found: &Isometry3<f64>, truth: &Isometry3<f64>) -> f64 {
+    let (lo, hi) = part.mesh.bounds();
+    let corner = |i: usize| Point3::from([0, 1, 2].map(|k| if i >> k & 1 == 0 { lo[k] } else { hi[k] }));
+    let between = found * truth.inverse();
+    (0..8).map(|i| (between * corner(i) - corner(i)).norm()).fold(0.0, f64::max)
+}

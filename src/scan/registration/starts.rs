@@ -1,0 +1,95 @@
+//! From where the search sets out: turns all over, the scan's middle on the model's, and shifted along its main axis.
+//!
+//! No features and no axes of the scan: plane faces have none of the former, and half a scan has others than the whole.
+
+use crate::part::Mesh;
+use nalgebra::{Matrix3, Point3, SymmetricEigen, UnitQuaternion, Vector3};
+use std::f64::consts::{PI, TAU};
+
+/// Directions of the turned z axis, and turns about each: neighbours lie 24° and 22.5° apart, and 20 steps from twice
+/// that far still arrive. Half of both loses 1 camshaft pose in 10.
+const DIRECTIONS: usize = 72;
+const TURNS: usize = 16;
+/// Shifts along the model's main axis, as shares of its extent. A scan of half a shaft has its middle up to a quarter off;
+/// without these 3 of 9 camshaft poses with half missing end up half a turn wrong.
+pub(super) const SHIFTS: [f64; 3] = [0.0, -0.15, 0.15];
+
+/// The turns: Fibonacci directions, equal turns about each.
+pub(super) fn turns() -> Vec<UnitQuaternion<f64>> {
+    let golden = PI * (3.0 - 5.0f64.sqrt());
+    let mut out = Vec::with_capacity(DIRECTIONS * TURNS);
+    for i in 0..DIRECTIONS {
+        let z = 1.0 - (2 * i + 1) as f64 / DIRECTIONS as f64;
+        let (r, angle) = ((1.0 - z * z).sqrt(), golden * i as f64);
+        let axis = Vector3::new(r * libm::cos(angle), r * libm::sin(angle), z);
+        // No direction is exactly −z, so a shortest turn there exists.
+        let there = UnitQuaternion::rotation_between(&Vector3::z(), &axis).unwrap_or_default();
+        out.extend(
+            (0..TURNS)
+                .map(|k| there * UnitQuaternion::from_scaled_axis(Vector3::z() * (TAU * k as f64 / TURNS as f64))),
+        );
+    }
+    out
+}
+
+/// Where the skin of a model lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Skin {
+    /// Its middle by area.
+    pub(super) middle: Point3<f64>,
+    /// The unit direction along which it spreads most.
+    pub(super) axis: Vector3<f64>,
+    /// Its extent along that, mm.
+    pub(super) extent_mm: f64,
+}
+
+impl Skin {
+    /// By the moments of its facets (exact: of a triangle with corners a, b, c and area A,
+    /// ∫ x xᵀ = A/12 (a aᵀ + b bᵀ + c cᵀ + (a + b + c)(a + b + c)ᵀ)).
+    pub(super) fn of(mesh: &Mesh) -> Skin {
+        let (lo, _) = mesh.bounds();
+        let (mut area, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
+        for f in 0..mesh.facets.len() {
+            let corners = mesh.corners(f).map(|p| p - lo);
+            let sum = corners[0] + corners[1] + corners[2];
+            let squares = corners.iter().fold(sum * sum.transpose(), |s, c| s + c * c.transpose());
+            area += mesh.areas[f];
+            first += sum * (mesh.areas[f] / 3.0);
+            second += squares * (mesh.areas[f] / 12.0);
+        }
+        let share = if area > 0.0 { 1.0 / area } else { 0.0 };
+        let middle = first * share;
+        let spread = SymmetricEigen::new(second * share - middle * middle.transpose());
+        let axis: Vector3<f64> = spread.eigenvectors.column(spread.eigenvalues.imax()).into_owned();
+        let along = mesh.vertices.iter().map(|v| (v - lo).dot(&axis));
+        let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (l.min(x), m.max(x)));
+        Skin { middle: lo + middle, axis, extent_mm: (most - least).max(0.0) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::parts_for_tests::part_of;
+    use super::*;
+    use crate::sample::solids;
+
+    #[test]
+    fn every_turn_is_near_one_of_them() {
+        let all = turns();
+        assert_eq!(all.len(), 1152);
+        for i in 0..500 {
+            let x = |k: f64| libm::sin(f64::from(i) * k);
+            let turn = UnitQuaternion::from_scaled_axis(Vector3::new(x(1.3), x(2.1), x(3.7)) * 3.0);
+            let nearest = all.iter().map(|t| t.angle_to(&turn)).fold(f64::INFINITY, f64::min);
+            assert!(nearest.to_degrees() < 24.0, "{}", nearest.to_degrees());
+        }
+    }
+
+    #[test]
+    fn the_middle_of_a_cylinders_skin_is_its_own_and_its_axis_the_long_one() {
+        let skin = Skin::of(&part_of(&solids::cylinder(5.0, 40.0, 48)).mesh);
+        assert!((skin.middle - Point3::new(0.0, 0.0, 20.0)).norm() < 1e-5, "{}", skin.middle);
+        assert!((skin.axis.z.abs() - 1.0).abs() < 1e-9);
+        assert!((skin.extent_mm - 40.0).abs() < 1e-6);
+    }
+}
