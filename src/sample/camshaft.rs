@@ -1,4 +1,4 @@
-//! Sample `camshaft`: a camshaft of an engine with four valves' lobes (P3), lying along x.
+//! Sample `camshaft`: a camshaft with four lobes (P3), lying along x.
 //!
 //! From the nose with its keyway (x = 0) over a thrust collar to three journals, four lobes of which the noses stand 90°
 //! apart (firing order 1-3-4-2: up, +y, −y, down), and a hexagon for the spanner. Both ends have centre holes. Lobes are
@@ -8,20 +8,20 @@
 //! Most of its skin turns about its axis into itself: noses, keyway and hexagon alone tell its turn, and collar and
 //! spacing which end is which.
 //!
-//! Surfaces at 20°: see [`WORN_SURFACE`] for that which the job repairs.
+//! Surfaces at 20°: 25, 31, 52 and 58 are the running surfaces of the lobes, 19, 46 and 64 the journals, 9 the nose, 36 to
+//! 41 the hexagon, 15 the collar's thrust face; [`WORN_SURFACE`] is what the job repairs.
 
 use super::cam_lobe::CamLobe;
-use super::outline::{Flat, arc, at_x, circle, radians};
-use super::shell::{Facing, Point, Shell, Triangles};
+use super::outline::{Flat, arc, at_x, circle, degrees, radians};
+use super::shell::{Facing, Triangles};
+use super::turning::Turning;
 
 /// The outline of all lobes. Its nose has a radius of 4.1 mm, the flanks at most 53 mm.
 pub(super) const LOBE: CamLobe = CamLobe { base_mm: 15.0, lift_mm: 8.0, half_rad: 1.3 };
 /// Corners of a lobe's outline: chords within 0.002 mm of it.
 pub(super) const LOBE_SIDES: usize = 256;
-/// Corners of circles: chords within 0.005 mm of them, .
+/// Corners of circles: chords within 0.005 mm of them.
 const SIDES: usize = 144;
-/// Rows of facets are about this long, mm.
-const ROW_MM: f64 = 3.0;
 
 /// Radii, mm.
 const CORE: f64 = 9.5;
@@ -39,13 +39,6 @@ const KEY_FLOOR: f64 = 5.5;
 const KEY_END: f64 = 17.0;
 /// Where the nose ends, mm.
 const NOSE_END: f64 = 24.0;
-
-/// Centre holes: radii at the mouth and of the pilot, depths of cone (60°), pilot and point, mm.
-const MOUTH: f64 = 3.5;
-const PILOT: f64 = 1.6;
-const CONE_DEPTH: f64 = 3.29;
-const PILOT_DEPTH: f64 = 7.5;
-const POINT_DEPTH: f64 = 8.4;
 
 /// What a stretch of the shaft is in section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,7 +105,7 @@ impl Section {
 
 /// The nose's outline round to the keyway's edges, counter-clockwise from the one at −y.
 fn nose_arc(radius: f64) -> Vec<Flat> {
-    let edge = super::outline::degrees(libm::asin(HALF_KEY / radius));
+    let edge = degrees(libm::asin(HALF_KEY / radius));
     arc([0.0, 0.0], radius, 90.0 + edge, 450.0 - edge, SIDES - 12)
 }
 
@@ -125,56 +118,14 @@ fn keyed(radius: f64) -> Vec<Flat> {
 
 /// The part of the nose's circle that the keyway takes, without its ends, from +y to −y.
 fn over_key() -> Vec<Flat> {
-    let edge = super::outline::degrees(libm::asin(HALF_KEY / NOSE));
+    let edge = degrees(libm::asin(HALF_KEY / NOSE));
     let whole = arc([0.0, 0.0], NOSE, 90.0 - edge, 90.0 + edge, 12);
     whole[1..12].to_vec()
 }
 
-/// A shaft in the making, from low to high x.
-struct Turning {
-    shell: Shell,
-    /// Where the skin ends as yet, and the outline there.
-    x: f64,
-    outline: Vec<Flat>,
-}
-
-impl Turning {
-    /// A wall to another outline of as many points.
-    fn wall(&mut self, x: f64, outline: Vec<Flat>) {
-        let rows = ((x - self.x) / ROW_MM).round().max(1.0) as usize;
-        self.shell.wall(&at_x(&self.outline, self.x), &at_x(&outline, x), rows);
-        (self.x, self.outline) = (x, outline);
-    }
-
-    /// A shoulder to another outline that lies wholly outside or inside of this one.
-    fn shoulder(&mut self, outline: Vec<Flat>) {
-        let (here, next) = (at_x(&self.outline, self.x), at_x(&outline, self.x));
-        let reach = |points: &[Flat]| points.iter().map(|p| p[0] * p[0] + p[1] * p[1]).fold(0.0, f64::max);
-        if reach(&outline) > reach(&self.outline) {
-            self.shell.face(Facing::MinusX, &next, &[&here]);
-        } else {
-            self.shell.face(Facing::PlusX, &here, &[&next]);
-        }
-        self.outline = outline;
-    }
-}
-
-/// Loops of a centre hole from its mouth at `x` inwards, and its point; `inwards` is 1 where x rises into the shaft.
-fn centre_hole(x: f64, inwards: f64) -> ([Vec<Point>; 3], Point) {
-    let at = |radius: f64, depth: f64| at_x(&circle([0.0, 0.0], radius, 48), x + inwards * depth);
-    ([at(MOUTH, 0.0), at(PILOT, CONE_DEPTH), at(PILOT, PILOT_DEPTH)], [x + inwards * POINT_DEPTH, 0.0, 0.0])
-}
-
 /// The nose with its keyway and centre hole.
 fn nose() -> Turning {
-    let mut shell = Shell::new();
-    let ([mouth, throat, bottom], point) = centre_hole(0.0, 1.0);
-    shell.fan_from(point, &bottom);
-    shell.wall(&bottom, &throat, 2);
-    shell.wall(&throat, &mouth, 2);
-    let outline = keyed(NOSE - CHAMFER);
-    shell.face(Facing::MinusX, &at_x(&outline, 0.0), &[&mouth]);
-    let mut turning = Turning { shell, x: 0.0, outline };
+    let mut turning = Turning::begun(keyed(NOSE - CHAMFER));
     turning.wall(CHAMFER, keyed(NOSE));
     turning.wall(KEY_END, keyed(NOSE));
     let (round, over) = (nose_arc(NOSE), over_key());
@@ -183,8 +134,8 @@ fn nose() -> Turning {
     end.extend(&over);
     end.extend(round.first());
     turning.shell.face(Facing::MinusX, &at_x(&end, KEY_END), &[]);
-    turning.outline = [round, over].concat();
-    let whole = turning.outline.clone();
+    let whole = [round, over].concat();
+    turning.outline = whole.clone();
     turning.wall(NOSE_END, whole);
     turning
 }
@@ -203,18 +154,14 @@ pub(super) fn triangles() -> Triangles {
             turning.wall(end, section.outline(chamfer));
         }
     }
-    let Turning { mut shell, x, outline } = turning;
-    let ([mouth, throat, bottom], point) = centre_hole(x, -1.0);
-    shell.face(Facing::PlusX, &at_x(&outline, x), &[&mouth]);
-    shell.wall(&mouth, &throat, 2);
-    shell.wall(&throat, &bottom, 2);
-    shell.fan(&bottom, point);
-    shell.into_triangles()
+    turning.ended()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::check::{centroid, closed, normal, surfaces};
+    use super::super::check::{self, closed, surfaces};
+    use super::super::shell::Point;
+    use super::super::turning::{CONE_DEPTH, MOUTH, PILOT, PILOT_DEPTH, POINT_DEPTH};
     use super::*;
     use std::f64::consts::PI;
 
@@ -232,12 +179,25 @@ mod tests {
             assert!((reach - nose).abs() < 1e-4, "{skin:?}");
         }
         let surfaces = surfaces(&part, 20.0);
-        println!("{skin:?} {} surfaces", surfaces.len());
+        let first = |number: usize| part[surfaces[number - 1][0]];
+        let area = |number: usize| -> f64 {
+            let cross = |t: &[Point; 3]| check::cross(check::sub(t[1], t[0]), check::sub(t[2], t[0]));
+            surfaces[number - 1].iter().map(|&f| check::dot(cross(&part[f]), cross(&part[f])).sqrt() / 2.0).sum()
+        };
+        assert_eq!(surfaces.len(), 69);
         let [from, to] = worn_span();
-        for (i, surface) in surfaces.iter().enumerate() {
-            let first = (centroid(&part[surface[0]]), normal(&part[surface[0]]));
-            let worn = first.1[0].abs() < 0.1 && (from..to).contains(&first.0[0]);
-            assert_eq!(worn, i as u32 + 1 == WORN_SURFACE, "surface {}", i + 1);
+        for number in 1..=surfaces.len() {
+            let (x, n) = (check::centroid(&first(number))[0], check::normal(&first(number)));
+            let worn = n[0].abs() < 0.1 && (from..to).contains(&x);
+            assert_eq!(worn, number as u32 == WORN_SURFACE, "surface {number}");
+        }
+        let running = |around: f64, width: f64| around * (width - 2.0 * CHAMFER);
+        let lobe = running(LOBE.length_mm(), LOBE_WIDTH);
+        let journal = running(2.0 * PI * JOURNAL, 18.0);
+        for (numbers, expected) in [(vec![25, 31, 52, 58], lobe), (vec![19, 46, 64], journal)] {
+            for number in numbers {
+                assert!((area(number) / expected - 1.0).abs() < 1e-3, "{number}: {} {expected}", area(number));
+            }
         }
     }
 

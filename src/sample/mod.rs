@@ -1,7 +1,7 @@
-//! The sample parts of the papers, made from formulas, and closed-form solids for tests and benches.
+//! The sample parts of the papers, made from formulas, closed-form solids for tests and benches, and scans of either.
 //!
-//! P1 and P2 show a test workpiece, a worm gear, a connecting rod, a front shaft and an acetabular
-//! cup, but give no files. These are parts of the same kinds with dimensions of our own, so that
+//! P1 to P3 show a test workpiece, a worm gear, a connecting rod, a front shaft, an acetabular cup
+//! and a worn camshaft, but give no files. These are parts of the same kinds with dimensions of our own, so that
 //! every claim of the papers (the crater beside the plate, the tooth gaps) can be tried. All are
 //! closed skins that weld exactly, except the cup, which is an open sheet. Nothing here reads
 //! files, and nothing of the planner is used. Same bytes on every machine: `libm` only, no hashing.
@@ -24,6 +24,7 @@ pub mod scan_maker;
 mod shell;
 pub mod solids;
 mod tooth_gap;
+mod turning;
 mod workpiece;
 mod worm_gear;
 
