@@ -46,10 +46,7 @@ impl Halving<'_> {
 }
 
 fn halve(of: &Halving, node: Node, entries: &mut [Entry], boxes: &mut [Bounds]) -> Result<(), Cancelled> {
-    let bounds = entries.iter().fold(Bounds::NONE, |b, e| Bounds {
-        lo: std::array::from_fn(|k| b.lo[k].min(e.place[k])),
-        hi: std::array::from_fn(|k| b.hi[k].max(e.place[k])),
-    });
+    let bounds = entries.iter().fold(Bounds::NONE, |b, e| b.with(&e.place));
     let Some((own, below)) = boxes.split_first_mut() else { return Ok(()) };
     *own = bounds;
     if node.height == 0 {
