@@ -62,6 +62,7 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
         list: list.collect(),
         normals,
         last_number: surfaces.last_number,
+        vertex_normals: surfaces.vertex_normals.clone(),
     };
     let mut hasher = Hasher::default().digest(part.digest);
     for f in 0..is_grown.len() {

@@ -36,6 +36,20 @@ pub struct Surfaces {
     pub normals: Vec<Vector3<f64>>,
     /// The highest number that was ever given out: the next surface gets the one after it.
     pub last_number: u32,
+    /// Normals at vertices that say more than the facets around them do, by surface and vertex: see
+    /// [`Surfaces::vertex_normal`].
+    pub vertex_normals: Vec<VertexNormal>,
+}
+
+/// The normal that a surface has at a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VertexNormal {
+    /// Number of the surface.
+    pub surface: u32,
+    /// The vertex.
+    pub vertex: u32,
+    /// Of unit length, on the side to be worked on.
+    pub normal: Vector3<f64>,
 }
 
 impl Surfaces {
@@ -60,7 +74,7 @@ impl Surfaces {
             }
         }
         let list = listed(mesh, &of_facet);
-        Surfaces { of_facet, list, normals, last_number }
+        Surfaces { of_facet, list, normals, last_number, vertex_normals: Vec::new() }
     }
 
     /// Their numbers, ascending.
@@ -71,6 +85,13 @@ impl Surfaces {
     /// The surface of that number.
     pub fn get(&self, number: u32) -> Option<&Surface> {
         self.list.binary_search_by_key(&number, |s| s.number).ok().map(|i| &self.list[i])
+    }
+
+    /// The normal of a surface at a vertex, where facets there are pieces of others that were cut and not moved: what it
+    /// was before. `None`: as the facets of the surface around the vertex have it.
+    pub fn vertex_normal(&self, surface: u32, vertex: u32) -> Option<Vector3<f64>> {
+        let at = self.vertex_normals.binary_search_by_key(&(surface, vertex), |n| (n.surface, n.vertex)).ok()?;
+        Some(self.vertex_normals[at].normal)
     }
 
     /// Numbers of the surfaces that share an edge with this one, ascending.

@@ -2,7 +2,8 @@
 //!
 //! P2's formula weighs facets by area; by the corner angle the normal does not depend on how the
 //! face was cut into triangles. Only facets of the same surface count: across a crease the mean
-//! would tilt the beam by 45° at a cube's edge.
+//! would tilt the beam by 45° at a cube's edge. Where a facet was cut into pieces, the normals are those that it had
+//! before.
 
 use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::FacetDefect};
 use nalgebra::Vector3;
@@ -35,8 +36,11 @@ impl VertexNormals {
             }
         }
         // Facets that cancel out (a blade's edge within one surface): any one of them.
-        let normals =
-            sums.into_iter().zip(last).map(|(s, l)| if s.norm() < 1e-6 { l } else { s.normalize() }).collect();
+        let mean = |s: Vector3<f64>, last| if s.norm() < 1e-6 { last } else { s.normalize() };
+        let normals = vertices.iter().zip(sums.into_iter().zip(last));
+        let normals = normals
+            .map(|(&v, (s, l))| surfaces.vertex_normal(surface.number, v).unwrap_or_else(|| mean(s, l)))
+            .collect();
         VertexNormals { vertices, normals }
     }
 
@@ -53,6 +57,12 @@ impl VertexNormals {
         let side = if turned.is_some_and(|f| surfaces.normals[f] != mesh.normals[f]) { -1.0 } else { 1.0 };
         for &f in beyond.iter().filter(|&&f| is_live(f as usize)) {
             for v in mesh.facets[f as usize].into_iter().filter(|v| vertices.binary_search(v).is_err()) {
+                if let Some(normal) = surfaces.vertex_normal(surfaces.of_facet[f as usize], v) {
+                    // On the worked side of its own surface; here that of the one whose lines run on.
+                    let own = if surfaces.normals[f as usize] != mesh.normals[f as usize] { -1.0 } else { 1.0 };
+                    all.push((v, normal * (own * side)));
+                    continue;
+                }
                 let mut sum = Vector3::zeros();
                 let same = |g: &usize| is_live(*g) && surfaces.of_facet[*g] == surfaces.of_facet[f as usize];
                 for g in mesh.vertex_facets(v).iter().map(|&g| g as usize).filter(same) {

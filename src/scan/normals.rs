@@ -17,7 +17,7 @@ pub struct FittedPlane {
     pub middle: Point3<f64>,
     /// Unit normal; its side says nothing.
     pub normal: Vector3<f64>,
-    /// Mean squared distance of the points, mm².
+    /// Weighted mean squared distance of the points, mm².
     pub variance_mm2: f64,
 }
 
@@ -50,17 +50,23 @@ pub fn plane_around(cloud: &Cloud, index: u32, near: &[Neighbour]) -> Option<Fit
 
 /// The plane through points; `None` where they lie on a line, within the rounding of f32 places, or are too few.
 pub fn plane_through(points: impl Iterator<Item = Point3<f64>>) -> Option<FittedPlane> {
-    let (mut count, mut sum, mut squares) = (0.0, Vector3::zeros(), Matrix3::zeros());
+    plane_weighted(points.map(|p| (p, 1.0)))
+}
+
+/// The plane through points that count with their weights, 0 or more.
+pub fn plane_weighted(points: impl Iterator<Item = (Point3<f64>, f64)>) -> Option<FittedPlane> {
+    let (mut whole, mut sum, mut squares) = (0.0, Vector3::zeros(), Matrix3::zeros());
     let mut first = None;
-    for p in points {
+    for (p, weight) in points {
         // From one of them: far from nought squares would lose all digits.
         let d: Vector3<f64> = p - *first.get_or_insert(p);
-        count += 1.0;
-        sum += d;
-        squares += d * d.transpose();
+        let weighed = d * weight;
+        whole += weight;
+        sum += weighed;
+        squares += d * weighed.transpose();
     }
-    let (first, middle) = (first?, sum / count);
-    let scatter = squares / count - middle * middle.transpose();
+    let (first, middle) = (first?, sum / whole);
+    let scatter = squares / whole - middle * middle.transpose();
     let (normal, variance_mm2) = smallest(&scatter)?;
     Some(FittedPlane { middle: first + middle, normal, variance_mm2 })
 }

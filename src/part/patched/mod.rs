@@ -6,6 +6,7 @@
 
 mod contour;
 mod layers;
+mod normals;
 
 use super::merge_tree::dihedral_angles;
 use super::orient::Orientation;
@@ -14,6 +15,7 @@ use super::{Bvh, Hasher, MergeTree, Mesh, Part, SurfaceId, Surfaces};
 use crate::progress::{Cancelled, Progress};
 use contour::{NO_PATCH, Piece, Pieces};
 use nalgebra::Point3;
+use normals::kept_normals;
 use std::collections::BTreeMap;
 
 pub use layers::{LayersError, PatchLayer, patch_layers};
@@ -101,11 +103,14 @@ pub fn with_patches(
         }
         rest = &rest[own..];
     }
-    let digest = Hasher::default().digest(part.digest).of(&vertices[added_from..]);
-    let digest = digest.u32s(facets.as_flattened()).u32s(&patch_of).finish();
     let mesh = Mesh::from_indexed(vertices, facets);
     progress.check()?;
     let (surfaces, patches) = numbered(&mesh, part, surfaces, &parent, &patch_of, cut.triangles.len());
+    let mut digest = Hasher::default().digest(part.digest).of(&mesh.vertices[added_from..]);
+    digest = digest.u32s(mesh.facets.as_flattened()).u32s(&patch_of);
+    for n in &surfaces.vertex_normals {
+        digest = digest.u32s(&[n.surface, n.vertex]).of(&n.normal);
+    }
     let orientation = Orientation {
         shell_of: parent.iter().map(|&f| part.orientation.shell_of[f as usize]).collect(),
         watertight: (0..mesh.edges.len() as u32).all(|e| mesh.edge_facets(e).len() == 2),
@@ -116,7 +121,7 @@ pub fn with_patches(
     let tree = MergeTree::new(&mesh, &dihedral_deg);
     progress.check()?;
     let bvh = Bvh::built(&mesh, progress)?;
-    let (figures, sha256) = (part.figures.clone(), part.sha256.clone());
+    let (figures, sha256, digest) = (part.figures.clone(), part.sha256.clone(), digest.finish());
     let part = Part { mesh, orientation, figures, dihedral_deg, tree, bvh, digest, sha256 };
     Ok(PatchedPart { part, surfaces, parent, patches })
 }
@@ -169,8 +174,11 @@ fn numbered(
         let is_turned = surfaces.normals[f as usize] != bare.mesh.normals[f as usize];
         if is_turned { -n } else { *n }
     });
-    let list = listed(mesh, &of_facet);
-    let surfaces = Surfaces { normals: normals.collect(), list, of_facet, last_number };
+    let is_cut = |f: &usize| mesh.facets[*f] != bare.mesh.facets[parent[*f] as usize];
+    let pieces = (0..parent.len()).filter(is_cut).map(|f| (parent[f], of_facet[f], mesh.facets[f]));
+    let vertex_normals = kept_normals(bare, surfaces, &mesh.vertices, pieces);
+    let (normals, list) = (normals.collect(), listed(mesh, &of_facet));
+    let surfaces = Surfaces { normals, list, of_facet, last_number, vertex_normals };
     let mut patches = vec![Vec::new(); patch_count];
     for ((patch, cut_from), number) in numbers {
         let area_mm2 = surfaces.get(number).map_or(0.0, |s| s.area_mm2);
@@ -180,5 +188,7 @@ fn numbered(
     (surfaces, patches)
 }
 
+#[cfg(test)]
+mod plan_tests;
 #[cfg(test)]
 mod tests;

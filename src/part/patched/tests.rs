@@ -27,6 +27,11 @@ fn worn_mm2() -> f64 {
     PI * WEAR_RADIUS_MM * WEAR_RADIUS_MM * (1.0 - (THRESHOLD_MM / WEAR_MM).sqrt())
 }
 
+/// Where the wear is as deep as the threshold: `R·√(1 − √(t/h))`.
+pub(super) fn rim_mm() -> f64 {
+    WEAR_RADIUS_MM * (1.0 - (THRESHOLD_MM / WEAR_MM).sqrt()).sqrt()
+}
+
 struct Refined {
     vertices: Vec<Point3<f64>>,
     triangles: Vec<[u32; 3]>,
@@ -130,11 +135,10 @@ fn facing(part: &Part, surfaces: &Surfaces, way: Vector3<f64>) -> u32 {
 
 #[test]
 fn a_round_patch_on_a_face_has_its_area_and_leaves_the_rest() {
-    let (part, surfaces) = made(&solids::cube(10.0));
-    let centre = Point3::new(4.3, 5.2, 10.0);
-    let r = refined(&part, 0.4, near(centre, WEAR_RADIUS_MM));
-    let patched = one_patch(&part, &surfaces, &r, |p| wear((p - centre).norm()));
-    check(&part, &surfaces, &patched);
+    let worn = Worn::new(0.4);
+    let patched = worn.patched();
+    let (Worn { part, surfaces, refined: r, .. }, centre) = (&worn, Worn::CENTRE);
+    check(part, surfaces, &patched);
     let [piece] = patched.patches[0][..] else { panic!("{:?}", patched.patches) };
     assert_eq!((piece.surface.0, piece.cut_from.0), (7, facing(&part, &surfaces, Vector3::z())));
     assert!((piece.area_mm2 / worn_mm2() - 1.0).abs() < 0.01, "{} of {}", piece.area_mm2, worn_mm2());
@@ -149,7 +153,7 @@ fn a_round_patch_on_a_face_has_its_area_and_leaves_the_rest() {
         assert_eq!(patched.part.mesh.normals[now], part.mesh.normals[f]);
     }
     // The rim of the patch is where the wear is as deep as the threshold.
-    let rim_mm = WEAR_RADIUS_MM * (1.0 - (THRESHOLD_MM / WEAR_MM).sqrt()).sqrt();
+    let rim_mm = rim_mm();
     let mesh = &patched.part.mesh;
     let mut ends = 0;
     for e in 0..mesh.edges.len() as u32 {
@@ -252,20 +256,61 @@ fn a_surface_that_is_worked_on_from_its_other_side_has_patches_there() {
     assert!(patched.surfaces.normals.iter().zip(&patched.part.mesh.normals).all(|(a, b)| *a == -*b));
 }
 
+#[test]
+fn the_beam_turns_over_pieces_as_it_did_over_their_facets() {
+    // Twelve sides: their normals differ by 30°, and between two sides the normal turns evenly.
+    let part = Part::from_bytes(&stl_bytes(&solids::cylinder(6.0, 8.0, 12)), Units::Mm, &Placement::default(), &[]);
+    let part = part.expect("a part");
+    let rule = SurfaceRule { angle_deg: 40.0, min_area_mm2: 0.0, hysteresis_deg: 0.0 };
+    let surfaces = Surfaces::new(&part.mesh, &part.tree, &part.dihedral_deg, &rule, &[], &[]);
+    assert_eq!(surfaces.list.len(), 3);
+    let centre = Point3::new(6.0, 0.0, 4.0);
+    let r = refined(&part, 0.7, near(centre, WEAR_RADIUS_MM));
+    let patched = one_patch(&part, &surfaces, &r, |p| wear((p - centre).norm()));
+    check(&part, &surfaces, &patched);
+    let [patch] = patched.patches[0][..] else { panic!("{:?}", patched.patches) };
+    let mut vertices: Vec<u32> = patched
+        .surfaces
+        .get(patch.surface.0)
+        .expect("there")
+        .facets
+        .iter()
+        .flat_map(|&f| patched.part.mesh.facets[f as usize])
+        .collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    for v in vertices {
+        let p = patched.part.mesh.vertices[v as usize];
+        let normal = patched.surfaces.vertex_normal(patch.surface.0, v).expect("it is on a piece");
+        // Corners have radial normals, and between the corners of a chord the sum of two points in the direction of the
+        // point itself: the normal is radial everywhere.
+        let radial = Vector3::new(p.x, p.y, 0.0).normalize();
+        assert!((normal - radial).norm() < 1e-3, "{p}: {normal}");
+    }
+    let untouched = part.mesh.vertices.iter().position(|v| v.x < -5.0).expect("the other side") as u32;
+    assert_eq!(patched.surfaces.vertex_normal(patch.cut_from.0, untouched), None);
+}
+
 /// The round wear on a plane.
-struct Worn {
+pub(super) struct Worn {
+    part: Part,
+    surfaces: Surfaces,
     refined: Refined,
     depth_mm: Vec<f64>,
 }
 
 impl Worn {
-    const CENTRE: Point3<f64> = Point3::new(4.3, 5.2, 10.0);
+    pub(super) const CENTRE: Point3<f64> = Point3::new(4.3, 5.2, 10.0);
 
-    fn new(cell_mm: f64) -> Worn {
-        let (part, _) = made(&solids::cube(10.0));
+    pub(super) fn new(cell_mm: f64) -> Worn {
+        let (part, surfaces) = made(&solids::cube(10.0));
         let refined = refined(&part, cell_mm, near(Worn::CENTRE, WEAR_RADIUS_MM));
         let depth_mm = refined.vertices.iter().map(|p| wear((p - Worn::CENTRE).norm())).collect();
-        Worn { refined, depth_mm }
+        Worn { part, surfaces, refined, depth_mm }
+    }
+
+    pub(super) fn patched(&self) -> PatchedPart {
+        one_patch(&self.part, &self.surfaces, &self.refined, |p| wear((p - Worn::CENTRE).norm()))
     }
 
     fn layers(&self, depth_mm: f64, bead_mm: f64) -> Result<Vec<PatchLayer>, LayersError> {
