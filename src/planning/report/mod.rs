@@ -21,7 +21,7 @@ pub use nothing::{BareSurface, BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, notices_worst_first};
 pub use plan_finding::PlanFinding;
 pub use plan_status::{Grade, PlanStatus};
-pub use registration::{MarkerResidual, PlacedScan, RegistrationReport, SlidingReport};
+pub use registration::{MarkerResidual, PlacedScan, RegistrationReport, RivalReport, SlidingReport};
 pub use problem::{NotDone, Problem, problems};
 pub use rows::{OrderReport, SplitReport, SurfaceReport};
 pub use unproven::Unproven;
