@@ -46,6 +46,7 @@ mod remark;
 mod report;
 mod robot;
 mod sample;
+mod scan_file;
 mod values;
 mod verify;
 mod view;

@@ -116,6 +116,9 @@ fn rows_that_do_not_fit_are_counted_with_the_first_line() {
         assumed(Assumed::XyzIntensity),
     ];
     assert_eq!(found.findings, expected);
+    let cut = scan("a.xyz", b"0 0 0\n1 1,5 0,25\n2 2 2\n1");
+    assert_eq!(cut.cloud.bounds().map(|(_, hi)| hi.y), Some(2.0));
+    assert_eq!(cut.findings, [ScanFinding::ShortRows { count: 1, line: 4 }, ScanFinding::DecimalCommas]);
     let lacking = scan("a.csv", b"x,y,z,intensity\n1,2,3,4\n1,2,3,\n2,2,2,x\n");
     assert_eq!(lacking.findings[0], ScanFinding::NotForAll { what: Attribute::Intensities, without: 1 });
 }
