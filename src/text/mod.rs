@@ -47,6 +47,7 @@ mod report;
 mod robot;
 mod sample;
 mod scan;
+mod scan_file;
 mod values;
 mod verify;
 mod view;

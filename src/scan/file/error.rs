@@ -159,9 +159,7 @@ pub enum E57Fault {
         /// Bytes there are.
         present: u64,
     },
-    /// Its header is none, or of another version.
-    Header,
-    /// What it says of itself (its XML) cannot be read, or is none of E57.
+    /// What it says of itself (header and XML) cannot be read, or is of a version that is not.
     Description,
     /// Points of a scan cannot be read.
     Points {

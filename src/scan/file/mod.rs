@@ -27,7 +27,7 @@ mod units;
 pub use error::{E57Fault, PcdFault, PtxFault, ScanFileError};
 pub use finding::{Assumed, Attribute, ScanFinding};
 pub use form::{ENDINGS, ScanKind};
-pub use units::{UnitDoubt, unit_doubt};
+pub use units::{UnitDoubt, UnitFit, unit_doubt};
 
 use super::Cloud;
 use crate::part::units::StatedUnit;

@@ -48,6 +48,9 @@ impl<'a> Stream<'a> {
             stream.window.clear();
             stream.utf16 = Some(form);
             stream.put(&units);
+        } else if stream.window.starts_with(b"\xef\xbb\xbf") {
+            // The mark of UTF-8.
+            stream.taken = 3;
         }
         Ok(stream)
     }
@@ -171,13 +174,14 @@ impl<'a> Stream<'a> {
         }
     }
 
-    /// Bytes that nothing took: how many, and where they begin; white space at their beginning is none.
+    /// Bytes that nothing took: how many, and where they begin. White space at their beginning is none, nor
+    /// are zeros: the Point Cloud Library fills its last page with them.
     ///
     /// # Errors
     /// As [`Stream::fill`].
     pub fn left(&mut self) -> Result<Option<(u64, u64)>, ScanFileError> {
         loop {
-            let blank = self.bytes().iter().take_while(|b| b.is_ascii_whitespace()).count();
+            let blank = self.bytes().iter().take_while(|b| b.is_ascii_whitespace() || **b == 0).count();
             self.take(blank);
             if !self.bytes().is_empty() {
                 return Ok(Some((self.remaining(), self.place(0))));

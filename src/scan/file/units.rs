@@ -8,12 +8,25 @@ use serde::Serialize;
 pub struct UnitDoubt {
     /// Diagonal of the part's box by that of the cloud's.
     pub ratio: f64,
-    /// The unit in which the cloud would be as large as the part.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub cloud_units: Option<Units>,
-    /// The unit in which the part would be as large as the cloud.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub part_units: Option<Units>,
+    /// What would bring them together.
+    pub fits: UnitFit,
+}
+
+/// A unit in which cloud and part would be alike large.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum UnitFit {
+    /// Of the cloud.
+    Cloud(Units),
+    /// Of the part.
+    Part(Units),
+    /// Of the one or of the other.
+    Either {
+        /// Of the cloud.
+        cloud: Units,
+        /// Of the part.
+        part: Units,
+    },
 }
 
 /// Sizes that differ by less are taken for the same. A scan sees a share of the part, and its box's diagonal is that
@@ -41,8 +54,13 @@ pub fn unit_doubt(
     if apart(ratio) <= SAME {
         return None;
     }
-    let (cloud_units, part_units) = (better(cloud_units, ratio), better(part_units, 1.0 / ratio));
-    (cloud_units.is_some() || part_units.is_some()).then_some(UnitDoubt { ratio, cloud_units, part_units })
+    let fits = match (better(cloud_units, ratio), better(part_units, 1.0 / ratio)) {
+        (Some(cloud), Some(part)) => UnitFit::Either { cloud, part },
+        (Some(cloud), None) => UnitFit::Cloud(cloud),
+        (None, Some(part)) => UnitFit::Part(part),
+        (None, None) => return None,
+    };
+    Some(UnitDoubt { ratio, fits })
 }
 
 #[cfg(test)]
@@ -53,10 +71,11 @@ mod tests {
     fn metres_and_inches_taken_for_millimetres_are_asked_about() {
         let doubt = |cloud: f64, part: f64| unit_doubt([cloud, part], [Units::Mm; 2]);
         let metres = doubt(0.17, 200.0).expect("1176 times");
-        assert_eq!((metres.cloud_units, metres.part_units), (Some(Units::M), None));
+        assert_eq!(metres.fits, UnitFit::Cloud(Units::M));
         assert!((metres.ratio - 200.0 / 0.17).abs() < 1e-9);
-        assert_eq!(doubt(6.0, 200.0).and_then(|d| d.cloud_units), Some(Units::Inch));
-        assert_eq!(doubt(200.0, 0.2).map(|d| (d.cloud_units, d.part_units)), Some((None, Some(Units::M))));
+        assert_eq!(doubt(6.0, 200.0).map(|d| d.fits), Some(UnitFit::Cloud(Units::Inch)));
+        assert_eq!(doubt(200.0, 0.2).map(|d| d.fits), Some(UnitFit::Part(Units::M)));
+        assert_eq!(doubt(254.0, 10.0).map(|d| d.fits), Some(UnitFit::Part(Units::Inch)));
         for (cloud, part) in [(200.0, 200.0), (120.0, 200.0), (60.0, 200.0), (2.0, 200.0), (0.0, 5.0), (f64::NAN, 1.0)]
         {
             assert_eq!(doubt(cloud, part), None, "{cloud} {part}");
@@ -66,6 +85,6 @@ mod tests {
     #[test]
     fn a_cloud_in_metres_that_holds_millimetres_is_asked_about() {
         let doubt = unit_doubt([200_000.0, 210.0], [Units::M, Units::Mm]).expect("a thousandth");
-        assert_eq!((doubt.cloud_units, doubt.part_units), (Some(Units::Mm), Some(Units::M)));
+        assert_eq!(doubt.fits, UnitFit::Either { cloud: Units::Mm, part: Units::M });
     }
 }

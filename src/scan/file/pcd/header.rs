@@ -42,8 +42,8 @@ pub(super) struct Header {
 }
 
 /// Words that lines of a header begin with.
-const WORDS: [&str; 12] =
-    ["VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA", "#"];
+const WORDS: [&str; 11] =
+    ["VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA"];
 
 /// Whether a file begins as PCD files do: comments apart, with a word of their header.
 pub(in super::super) fn is_pcd(begin: &[u8]) -> bool {

@@ -74,13 +74,13 @@ impl Unpacker {
 }
 
 #[cfg(test)]
-pub(in super::super) mod tests {
+pub(super) mod tests {
     use super::*;
     use proptest::prelude::*;
     use std::collections::HashMap;
 
     /// Packs by the last place where the next three bytes stood.
-    pub(in super::super::super) fn pack(bytes: &[u8]) -> Vec<u8> {
+    pub(in crate::scan::file) fn pack(bytes: &[u8]) -> Vec<u8> {
         let (mut out, mut run, mut at) = (Vec::new(), Vec::new(), 0);
         let mut seen: HashMap<[u8; 3], usize> = HashMap::new();
         let flush = |run: &mut Vec<u8>, out: &mut Vec<u8>| {

@@ -9,6 +9,8 @@ mod packed;
 mod rows;
 
 pub(super) use header::is_pcd;
+#[cfg(test)]
+pub(super) use lzf::tests::pack;
 
 use super::gather::Gather;
 use super::role::Roles;

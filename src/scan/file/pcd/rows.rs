@@ -25,8 +25,11 @@ pub(super) fn read(
     if header.points > room {
         return Err(ScanFileError::CutOff { promised: header.points, present: room });
     }
+    if header.points == 0 {
+        return Ok(());
+    }
     gather.reserve(header.points)?;
-    let mut of: Vec<Option<(Role, Number)>> = Vec::with_capacity(columns);
+    let mut of: Vec<Option<(Role, Number)>> = Vec::new();
     for (field, role) in header.fields.iter().zip(&roles.of) {
         of.extend((0..field.count).map(|_| role.map(|r| (r, field.number))));
     }

@@ -71,6 +71,9 @@ impl Layout {
         };
         let (row, comma, rows) = first;
         let width = row.width;
+        // A row of whole numbers does not tell what a comma is.
+        let with_comma = Lines(rows).take(LOOKED_AT).find(|l| !is_comment(l) && l.contains(&b','));
+        let comma = with_comma.map_or(comma, comma_of);
         let seen = Lines(rows).filter(|l| !is_comment(l)).map(|l| Row::of(l, comma));
         let seen: Vec<Row> = seen.filter(|r| r.width == width).take(LOOKED_AT).collect();
         // A comment that happens to hold these words, among others, names nothing.

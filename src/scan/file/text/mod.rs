@@ -82,7 +82,9 @@ impl Reading {
         if row.width == 0 {
             return Ok(());
         }
-        if let (Some(count), true) = (row.count(), layout.width > 1) {
+        // Further on it is a row that was cut off, if no count stands at the beginning.
+        let may_be_count = self.rows == 0 || self.promised.is_some();
+        if let (Some(count), true) = (row.count(), may_be_count) {
             self.promised = Some(self.promised.unwrap_or(0).saturating_add(count));
             return Ok(());
         }
