@@ -71,7 +71,10 @@ enum Outcome {
     /// Which points are left, ascending.
     Kept(Vec<u32>),
     /// Fewer points, and of each the first one that it stands for.
-    Thinned { thinned: Cloud, first: Vec<u32> },
+    Thinned {
+        thinned: Cloud,
+        first: Vec<u32>,
+    },
     /// Each point in another place.
     Moved(Vec<[f32; 3]>),
 }

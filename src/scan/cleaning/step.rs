@@ -62,6 +62,6 @@ pub enum Keep {
 }
 
 impl Step {
-    /// Outliers by 20 neighbours and 2 standard deviations: what Open3D's and PCL's examples take.
+    /// Outliers by 20 neighbours and 2 standard deviations, as Open3D's tutorial has it.
     pub const OUTLIERS: Step = Step::Outliers { neighbours: 20, sigma: 2.0 };
 }
