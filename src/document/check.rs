@@ -15,6 +15,7 @@ impl Job {
         PARAMETERS.iter().try_for_each(|p| p.check(self.number(p)))?;
         self.check_recipes()?;
         bead::check(self)?;
+        self.scan.model_from_scan().map_err(ValueError::Transform)?;
         dialects::known(&self.cell.dialect)?;
         let spacing_mm = self.layers.spacing_mm;
         match self.layers.offset_mm.mm() {

@@ -6,6 +6,7 @@ use super::parameter::Parameter;
 use super::recipe::Recipe;
 use super::renumber::LostSettings;
 use super::reshape::Cut;
+use super::scan_edit::ScanEdit;
 use super::settings::Settings;
 use super::start_from::StartFrom;
 use crate::beam::Obstacle;
@@ -148,6 +149,8 @@ pub enum Edit {
     Pins(SurfaceId, Vec<Pin>),
     /// How the power is spread over the spot.
     Profile(Profile),
+    /// The scan of the part.
+    Scan(Box<ScanEdit>),
 }
 
 /// What an edit changes a property of.
@@ -158,6 +161,7 @@ enum Subject<'a> {
     Recipe(&'a str),
     Surfaces(&'a [SurfaceId]),
     Shell(u32),
+    Scan(&'a ScanEdit),
 }
 
 impl Edit {
@@ -165,6 +169,7 @@ impl Edit {
     pub(super) fn goes_on_from(&self, earlier: &Edit) -> bool {
         match (self.subject(), earlier.subject()) {
             // Some values cut the surfaces anew, others do not.
+            (Subject::Scan(now), Subject::Scan(before)) => now.goes_on_from(before),
             (now @ Subject::Parameter(_), before @ Subject::Parameter(_)) => now == before,
             (now, before) => discriminant(self) == discriminant(earlier) && now == before,
         }
@@ -193,6 +198,7 @@ impl Edit {
             | Edit::Tilt(id, _)
             | Edit::Pins(id, _) => Subject::Surfaces(std::slice::from_ref(id)),
             Edit::FlipShell(shell) => Subject::Shell(*shell),
+            Edit::Scan(edit) => Subject::Scan(edit),
             Edit::Direction(_)
             | Edit::Offset(_)
             | Edit::Order(_)
@@ -283,6 +289,7 @@ impl Edit {
             Edit::Head(file) => job.beam.head.clone_from(file),
             Edit::Clamps(clamps) => job.clamps.clone_from(clamps),
             Edit::Profile(profile) => job.dose.profile = *profile,
+            Edit::Scan(edit) => edit.apply(&mut job.scan),
         }
         Vec::new()
     }

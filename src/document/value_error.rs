@@ -3,6 +3,7 @@
 use super::parameter::ParameterError;
 use crate::part::SurfaceId;
 use crate::program::UnknownDialect;
+use crate::scan::transform_file::MatrixFault;
 use thiserror::Error;
 
 /// Why nothing can be computed from the values of a job.
@@ -20,6 +21,9 @@ pub enum ValueError {
     /// A dialect that does not exist.
     #[error(transparent)]
     Dialect(#[from] UnknownDialect),
+    /// The transform of the scan is no rigid motion.
+    #[error("scan.transform: {0:?}")]
+    Transform(MatrixFault),
     /// The first plane lies outside the first spacing: a wider strip at the rim would stay uncleaned.
     #[error("offset {offset_mm} outside the spacing {spacing_mm}")]
     OffsetOutside {

@@ -31,7 +31,7 @@ impl Keys {
     /// The keys of a job that stands in `job_file`, on a part as read. `reading` counts how often cell, robot,
     /// head and clamps were read: their files may change while their names stay.
     pub fn new(source: &Source, job: &Job, job_file: Option<&Path>, reading: u64) -> Keys {
-        let Job { part, surfaces, settings, layers, beam, optics, path, bead, dose, cell, clamps, recipes } = job;
+        let Job { part, scan, surfaces, settings, layers, beam, optics, path, bead, dose, cell, clamps, recipes } = job;
         let part = part_key(source, part);
         let surfaces = surfaces_key(part, surfaces, settings);
         let folder = job_file.and_then(Path::parent).map(|f| f.to_string_lossy().into_owned());
@@ -40,8 +40,16 @@ impl Keys {
         let cell_key = Hasher::default().of(&files).of(&cell.file).of(&cell.robot).finish();
         // Whether something stands in the beam's way is asked of beam and optics too.
         let setup = Hasher::default().of(&tool).of(&cell_key).of(cell).of(beam).of(optics).finish();
-        let plan =
-            Hasher::default().of(&surfaces).of(&setup).of(settings).of(layers).of(path).of(bead).of(recipes).finish();
+        let plan = Hasher::default()
+            .of(&surfaces)
+            .of(scan)
+            .of(&setup)
+            .of(settings)
+            .of(layers)
+            .of(path)
+            .of(bead)
+            .of(recipes)
+            .finish();
         let dose = Hasher::default().of(&plan).of(dose).finish();
         Keys { part, surfaces, tool, cell: cell_key, setup, plan, dose }
     }

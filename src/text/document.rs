@@ -45,6 +45,7 @@ impl Sentence for JobFileError {
             }
             JobFileError::InLine { line, what } => say!(in_line, line = id(line), what = what.sentence()),
             JobFileError::Frame(e) => e.sentence(),
+            JobFileError::Transform(fault) => say!(transform_of_scan, what = fault.sentence()),
             JobFileError::Later(version) => say!(job_file_later, version = id(version), known = id(WRITTEN)),
             JobFileError::NoVersion(version) => say!(job_file_no_version, version, known = id(WRITTEN)),
             JobFileError::Twice { key, surface } => say!(job_file_twice, key = *key, surface = id(surface)),

@@ -2,7 +2,7 @@
 
 use super::parameter::label;
 use super::{Arg, Sentence, id, say};
-use crate::document::{Edit, Parameter, UndoStep};
+use crate::document::{Edit, Parameter, ScanEdit, UndoStep};
 use crate::part::SurfaceId;
 
 impl Sentence for UndoStep {
@@ -45,6 +45,7 @@ impl Sentence for Edit {
             Edit::Head(file) if file.is_empty() => say!(edit_no_head),
             Edit::Head(_) => say!(edit_head),
             Edit::Clamps(_) => say!(edit_clamps),
+            Edit::Scan(edit) => edit.sentence(),
             Edit::FlipShell(shell) => say!(edit_flip_shell, shell = id(shell)),
             Edit::GiveRecipe(list, Some(recipe)) => {
                 say!(edit_give_recipe, count = list.len(), surface = first(list), name = &recipe.name)
@@ -69,6 +70,25 @@ impl Sentence for Edit {
     }
 }
 
+impl Sentence for ScanEdit {
+    /// Cleaning steps count from 1.
+    fn sentence(&self) -> String {
+        match self {
+            ScanEdit::Files(files, _) if files.is_empty() => say!(edit_no_scan),
+            ScanEdit::Files(..) => say!(edit_scan),
+            ScanEdit::AddStep(_) => say!(edit_add_step),
+            ScanEdit::RemoveStep(at) => say!(edit_remove_step, step = id(at.saturating_add(1))),
+            ScanEdit::AlterStep(at, _) => say!(edit_alter_step, step = id(at.saturating_add(1))),
+            ScanEdit::Transform(None) => say!(edit_no_transform),
+            ScanEdit::Transform(Some(_)) => say!(edit_transform),
+            ScanEdit::Pairs(_) => say!(edit_pairs),
+            ScanEdit::LeftOut(_) => say!(edit_left_out),
+            ScanEdit::Patches(_) => say!(edit_patches),
+            ScanEdit::BaseFromScan(_) => say!(edit_base_from_scan),
+        }
+    }
+}
+
 /// The number of the first surface, which a message names if there is only one.
 fn first(list: &[SurfaceId]) -> Arg<'static> {
     list.first().map_or_else(|| "".into(), id)
@@ -83,6 +103,7 @@ fn parameter(key: &str) -> String {
 mod tests {
     use super::*;
     use crate::document::{Cut, Recipe};
+    use crate::part::Units;
     use crate::path::Strategy;
 
     #[test]
@@ -105,6 +126,8 @@ mod tests {
             (Edit::Clean(ids(&[1204])), "move surface 1204 to clean"),
             (Edit::Split { surface: SurfaceId(1), angle_deg: 9.0, made: Vec::new() }, "split surface 1"),
             (Edit::Cut(Cut { of: SurfaceId(1), facets, piece: SurfaceId(2) }), "cut 1 200 facets off surface 1"),
+            (Edit::Scan(Box::new(ScanEdit::Files(Vec::new(), Units::Mm))), "take the scan away"),
+            (Edit::Scan(Box::new(ScanEdit::RemoveStep(1))), "remove cleaning step 2"),
             (Edit::Head(String::new()), "take the head away"),
             (Edit::Head("head.toml".into()), "change head"),
         ] {

@@ -88,7 +88,8 @@ impl Sentence for SlidingReport {
             "shift" => say!(motion_shift),
             _ => say!(motion_screw),
         };
-        let ([x, y, z], [px, py, pz]) = (self.axis.direction.map(|c| fixed(c, 3)), self.axis.point_mm.map(|c| fixed(c, 1)));
+        let ([x, y, z], [px, py, pz]) =
+            (self.axis.direction.map(|c| fixed(c, 3)), self.axis.point_mm.map(|c| fixed(c, 1)));
         let axis = say!(scan_axis, x, y, z, px, py, pz);
         match self.slack_mm {
             None => say!(register_slides, motion, axis),

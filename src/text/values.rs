@@ -12,6 +12,7 @@ impl Sentence for ValueError {
             ValueError::Recipe(e) => e.sentence(),
             ValueError::Bead(e) => e.sentence(),
             ValueError::Dialect(e) => e.sentence(),
+            ValueError::Transform(fault) => say!(transform_of_scan, what = fault.sentence()),
             ValueError::OffsetOutside { offset_mm, spacing_mm } => {
                 say!(offset_outside, offset = exact(*offset_mm), spacing = exact(*spacing_mm))
             }

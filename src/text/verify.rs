@@ -39,6 +39,7 @@ impl Sentence for InputChange {
 fn input_word(kind: InputKind) -> String {
     match kind {
         InputKind::Part => say!(input_part),
+        InputKind::Scan => say!(input_scan),
         InputKind::Cell => say!(input_cell),
         InputKind::Robot => say!(input_robot),
         InputKind::Head => say!(input_head),

@@ -86,3 +86,17 @@ edit_spin = change spin
 edit_no_head = take the head away
 edit_head = change head
 edit_clamps = change clamps
+
+## Scan
+
+edit_no_scan = take the scan away
+edit_scan = change scan
+edit_add_step = add cleaning step
+edit_remove_step = remove cleaning step { $step }
+edit_alter_step = change cleaning step { $step }
+edit_no_transform = look for the scan's place again
+edit_transform = place the scan on the model
+edit_pairs = change picked pairs
+edit_left_out = change what is left out of the fit
+edit_patches = choose patches
+edit_base_from_scan = change the scanner's frame

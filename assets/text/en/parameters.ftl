@@ -98,3 +98,10 @@ dose_collateral_j_cm2 = Collateral dose
     .meaning = What may land on surfaces that were not chosen; 0 = a tenth of P/(v·d)
 cell_deviation_mm = Deviation of the spot
     .meaning = How far the spot may leave its line where the flange moves straight; where it would go further, targets are added
+
+## Scan
+
+scan_min_depth_mm = Patches from
+    .meaning = Where more than this is missing from the model, or too much on it, the part has a patch
+scan_tolerance_mm = Tolerance
+    .meaning = Points that lie off the model by no more than this, to either side, are where they ought to be

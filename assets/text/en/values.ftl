@@ -23,6 +23,7 @@ bead_layers_of_nothing = bead.layers = { $layers }: give bead.width_mm and bead.
 ## The rest of a job
 dialect_unknown = dialect = "{ $name }": give one of { $known }
 offset_outside = offset = { $offset }: give a number from 0 to the spacing ({ $spacing } mm), or centred; a wider strip at the rim would stay uncleaned
+transform_of_scan = scan.transform { $what }
 
 ## Recipes side by side
 compared_strategy = Strategy

@@ -12,6 +12,7 @@ verify_input_changed = { $name }: the { $what } has changed since the program wa
 verify_input_gone = { $name }: the program was made with this { $what }, and now there is none; SHA-256 was { $was }
 verify_input_new = { $name }: the program was made without this { $what }; SHA-256 is { $is }
 input_part = part
+input_scan = scan
 input_cell = cell
 input_robot = robot
 input_head = head

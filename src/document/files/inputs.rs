@@ -1,4 +1,4 @@
-//! The files that a job is planned from, told by their bytes: part, cell, robot, head, clamps, and the obstacles of the
+//! The files that a job is planned from, told by their bytes: part, scans, cell, robot, head, clamps, and the obstacles of the
 //! cell. Whoever plans again later sees by them whether it is the same.
 
 use super::part_file::part_file;
@@ -17,6 +17,8 @@ use std::path::Path;
 pub enum InputKind {
     /// The workpiece.
     Part,
+    /// A scan of it.
+    Scan,
     /// The robot cell.
     Cell,
     /// The robot.
@@ -54,13 +56,15 @@ pub fn inputs(job: &Job, job_file: Option<&Path>) -> Vec<InputDigest> {
         None => named(&job.cell.robot).and_then(|file| of_file(InputKind::Robot, &file)),
     };
     let part = part_file(job, job_file).ok().and_then(|file| of_file(InputKind::Part, &file));
+    let scans = job.scan.files.iter().filter_map(|s| of_file(InputKind::Scan, &named(&s.file)?));
     let head = named(&job.beam.head).and_then(|file| of_file(InputKind::Head, &file));
     let clamps = job.clamps.iter().filter_map(|c| of_file(InputKind::Clamp, &named(&c.file)?));
     let obstacles = load_cell(job, job_file).map(|cell| cell.bodies.obstacles).unwrap_or_default();
     let cell_file = named(&job.cell.file);
     let obstacles =
         obstacles.iter().filter_map(|o| of_file(InputKind::Obstacle, &resolved(cell_file.as_deref(), &o.file)));
-    [part, cell, robot, head].into_iter().flatten().chain(clamps).chain(obstacles).collect()
+    let set_up = [cell, robot, head].into_iter().flatten();
+    part.into_iter().chain(scans).chain(set_up).chain(clamps).chain(obstacles).collect()
 }
 
 fn of_file(kind: InputKind, file: &Path) -> Option<InputDigest> {
@@ -71,6 +75,7 @@ fn of_file(kind: InputKind, file: &Path) -> Option<InputDigest> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::model::ScanFile;
 
     #[test]
     fn every_file_of_a_job_is_told_by_its_bytes() {
@@ -90,6 +95,11 @@ mod tests {
         let after = inputs(&job, Some(&job_file));
         assert_eq!(before[..2], after[..2]);
         assert_ne!(before[2], after[2]);
+        write("worn.ply", "points");
+        job.scan.files = vec![ScanFile { file: "worn.ply".into(), ..ScanFile::default() }];
+        let scanned = inputs(&job, Some(&job_file));
+        assert_eq!((scanned[1].kind, scanned[1].name.as_str()), (InputKind::Scan, "worn.ply"));
+        job.scan.files.clear();
         job.cell.robot = "gp7".into();
         assert_eq!(inputs(&job, Some(&job_file))[1].name, "gp7");
         assert_eq!(kinds(&job)[2], InputKind::Robot);

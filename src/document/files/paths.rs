@@ -49,7 +49,8 @@ fn with_paths(job: &Job, change: impl Fn(&str) -> Result<String, JobError>) -> R
     let robot = has_robot_file.then_some(&mut job.cell.robot);
     let clamps = job.clamps.iter_mut().map(|c| &mut c.file);
     let files = [&mut job.part.file, &mut job.cell.file, &mut job.beam.head];
-    for path in files.into_iter().chain(robot).chain(clamps) {
+    let scans = job.scan.files.iter_mut().map(|s| &mut s.file);
+    for path in files.into_iter().chain(robot).chain(clamps).chain(scans) {
         if !path.is_empty() {
             *path = change(path)?;
         }

@@ -1,5 +1,5 @@
-//! Whether files have changed since they were read, told by their time and size: the part's, and those of cell, robot
-//! with its bodies, head and obstacles that a job names.
+//! Whether files have changed since they were read, told by their time and size: the part's, and those of scan, cell,
+//! robot with its bodies, head and obstacles that a job names.
 
 use super::paths::resolved;
 use crate::cell::{Cell, Robot};
@@ -28,6 +28,7 @@ impl Stamps {
         let robot_file = Some(&job.cell.robot).filter(|r| !Robot::is_shipped(r));
         let named = [Some(&job.cell.file), Some(&job.beam.head), robot_file];
         let named = named.into_iter().flatten().chain(job.clamps.iter().map(|c| &c.file));
+        let named = named.chain(job.scan.files.iter().map(|s| &s.file));
         let mut files: Vec<PathBuf> = named.filter(|f| !f.is_empty()).map(|f| resolved(job_file, f)).collect();
         let cell_file = resolved(job_file, &job.cell.file);
         let obstacles = cell.into_iter().flat_map(|c| &c.bodies.obstacles);

@@ -5,6 +5,7 @@ use crate::document::parameter::ParameterError;
 use crate::document::value_error::RecipeError;
 use crate::file::{NoText, TomlError};
 use crate::part::SurfaceId;
+use crate::scan::transform_file::MatrixFault;
 use thiserror::Error;
 
 /// Why a text is no job.
@@ -48,6 +49,9 @@ pub enum JobFileError {
     /// A frame of the job's own cannot be told from what stands there.
     #[error(transparent)]
     Frame(#[from] FrameError),
+    /// The transform of the scan is no rigid motion.
+    #[error("scan.transform: {0:?}")]
+    Transform(MatrixFault),
     /// It is of a version that is not known yet.
     #[error("version {0} is unknown")]
     Later(i64),

@@ -1,11 +1,13 @@
 //! Whether the numbers of a job file can be, each by itself, and the line of what cannot.
 
 use super::error::JobFileError;
+use crate::cell::frame::OF_SCANNER;
 use crate::document::PARAMETERS;
-use crate::document::model::Job;
+use crate::document::model::{Job, LeftOutRegion, PatchChoice};
 use crate::document::value_error::RecipeError;
-use crate::file::{Step, line_of, way_of};
-use Step::{Entry, Key};
+use crate::file::Step::{self as WayStep, Entry, Key};
+use crate::file::{line_of, way_of};
+use crate::scan::cleaning::Step;
 
 /// So far a part, a clamp or a place may lie from the origin, mm: 10 000 km, which is what coordinates of a survey come
 /// to. Beyond, a double has steps of thousandths, and no robot has any business.
@@ -13,6 +15,12 @@ pub const FARTHEST_MM: f64 = 1e10;
 
 /// So far a part or a clamp may be turned, degrees: ten times round, to either side.
 pub const MOST_TURNS_DEG: f64 = 3600.0;
+
+/// More neighbours than this tell no more of noise and cost memory; 20 are usual.
+const MOST_NEIGHBOURS: f64 = 1000.0;
+
+/// Nothing lies so many standard deviations off.
+const MOST_SIGMA: f64 = 1e6;
 
 /// Nothing leans farther from the normal than this, degrees.
 const MOST_TILT_DEG: f64 = 90.0;
@@ -36,10 +44,12 @@ pub(super) fn check(job: &Job, text: &str) -> Result<(), JobFileError> {
             )
         })?;
     }
+    job.scan.model_from_scan().map_err(|e| in_line(text, JobFileError::Transform(e)))?;
     let listed = [
         place(job),
         tilts(job),
         clamps(job),
+        scan(job),
         job.layers.centre_mm.map_or_else(Vec::new, |c| far("layers.centre_mm", &way_of("layers.centre_mm"), c)),
     ];
     let bad = listed.into_iter().flatten().find(|n| !(n.low..=n.high).contains(&n.value));
@@ -51,17 +61,17 @@ pub(super) fn check(job: &Job, text: &str) -> Result<(), JobFileError> {
 /// A number with its key and the way to it.
 struct Numbered<'k> {
     key: &'static str,
-    way: Vec<Step<'k>>,
+    way: Vec<WayStep<'k>>,
     value: f64,
     low: f64,
     high: f64,
 }
 
-fn within<'k>(key: &'static str, way: &[Step<'k>], values: &[f64], low: f64, high: f64) -> Vec<Numbered<'k>> {
+fn within<'k>(key: &'static str, way: &[WayStep<'k>], values: &[f64], low: f64, high: f64) -> Vec<Numbered<'k>> {
     values.iter().map(|&value| Numbered { key, way: way.to_vec(), value, low, high }).collect()
 }
 
-fn far<'k>(key: &'static str, way: &[Step<'k>], point: [f64; 3]) -> Vec<Numbered<'k>> {
+fn far<'k>(key: &'static str, way: &[WayStep<'k>], point: [f64; 3]) -> Vec<Numbered<'k>> {
     within(key, way, &point, -FARTHEST_MM, FARTHEST_MM)
 }
 
@@ -104,6 +114,59 @@ fn clamps(job: &Job) -> Vec<Numbered<'static>> {
     job.clamps.iter().enumerate().flat_map(one).collect()
 }
 
+fn scan(job: &Job) -> Vec<Numbered<'static>> {
+    let of_list = |list, i| [Key("scan"), Key(list), Entry(i)];
+    let way = way_of("scan.transform");
+    let mut out = job.scan.transform.map_or_else(Vec::new, |t| far("scan.transform", &way, [t[3], t[7], t[11]]));
+    for (i, pair) in job.scan.pairs.iter().enumerate() {
+        out.extend(far("scan.pairs", &of_list("pairs", i), pair.model_mm));
+        out.extend(far("scan.pairs", &of_list("pairs", i), pair.scan_mm));
+    }
+    for (i, region) in job.scan.left_out.iter().enumerate() {
+        let way = of_list("left_out", i);
+        match *region {
+            LeftOutRegion::Sphere { centre_mm, radius_mm } => {
+                out.extend(far("scan.left_out", &way, centre_mm));
+                out.extend(within("scan.left_out", &way, &[radius_mm], 0.0, FARTHEST_MM));
+            }
+            LeftOutRegion::Box { min_mm, max_mm } => {
+                out.extend(far("scan.left_out", &way, min_mm));
+                out.extend(far("scan.left_out", &way, max_mm));
+            }
+        }
+    }
+    for (i, step) in job.scan.steps.iter().enumerate() {
+        out.extend(cleaning(step, &of_list("steps", i)));
+    }
+    if let PatchChoice::At(places) = &job.scan.patches {
+        let way = |i| of_list("patches", i);
+        out.extend(places.iter().enumerate().flat_map(|(i, place)| far("scan.patches", &way(i), *place)));
+    }
+    out
+}
+
+/// The numbers of a cleaning step.
+fn cleaning<'k>(step: &Step, way: &[WayStep<'k>]) -> Vec<Numbered<'k>> {
+    let size = |mm: f64| within("scan.steps", way, &[mm], 0.0, FARTHEST_MM);
+    let place = |p: &[f64; 3]| far("scan.steps", way, *p);
+    match step {
+        Step::Outliers { neighbours, sigma } => {
+            let mut out = within("scan.steps", way, &[f64::from(*neighbours)], 1.0, MOST_NEIGHBOURS);
+            out.extend(within("scan.steps", way, &[*sigma], 0.0, MOST_SIGMA));
+            out
+        }
+        Step::Thin { voxel_mm } => size(*voxel_mm),
+        Step::Smooth { radius_mm, noise_mm } => {
+            [Some(*radius_mm), *noise_mm].into_iter().flatten().flat_map(size).collect()
+        }
+        Step::CutBox { min, max, keep: _ } => [min, max].into_iter().flat_map(place).collect(),
+        Step::CutPlane { point, normal } => [point, normal].into_iter().flat_map(place).collect(),
+        Step::Erase { centres, radius_mm } => {
+            size(*radius_mm).into_iter().chain(centres.iter().flat_map(place)).collect()
+        }
+    }
+}
+
 /// What is wrong, with the line of the key that it names.
 pub(super) fn in_line(text: &str, what: JobFileError) -> JobFileError {
     let key = match &what {
@@ -114,7 +177,11 @@ pub(super) fn in_line(text: &str, what: JobFileError) -> JobFileError {
             return at(line_of(text, &way), what);
         }
         JobFileError::Twice { key, .. } | JobFileError::Range { key, .. } => key,
-        JobFileError::Frame(e) => return at(line_of(text, &[Key("cell"), Key(e.frame)]), what),
+        JobFileError::Frame(e) => {
+            let table = if e.frame == OF_SCANNER { "scan" } else { "cell" };
+            return at(line_of(text, &[Key(table), Key(e.frame)]), what);
+        }
+        JobFileError::Transform(_) => "scan.transform",
         JobFileError::NoText(_) | JobFileError::Toml(_) | JobFileError::Table(_) => return what,
         JobFileError::Recipe(_) | JobFileError::InLine { .. } => return what,
     };
@@ -158,6 +225,15 @@ mod tests {
                 5,
                 "clamps.position_mm",
             ),
+            ("[scan]\n[[scan.pairs]]\nmodel_mm = [0, 0, 0]\nscan_mm = [0, 1e11, 0]", 2, "scan.pairs"),
+            ("[[scan.left_out]]\nshape = \"sphere\"\ncentre_mm = [0, 0, 0]\nradius_mm = -1", 1, "scan.left_out"),
+            ("[scan]\npatches = [[0, 0, 0],\n[0, 0, 1e11]]", 3, "scan.patches"),
+            (
+                "[[scan.steps]]\nstep = \"thin\"\nvoxel_mm = 1\n[[scan.steps]]\nstep = \"outliers\"\nneighbours = 0\nsigma = 2",
+                4,
+                "scan.steps",
+            ),
+            ("[scan]\nmin_depth_mm = 0", 2, "scan.min_depth_mm"),
             ("[layers]\nspacing_mm = 0", 2, "layers.spacing_mm"),
             ("[layers]\ncentre_mm = [1e11, 0, 0]", 2, "layers.centre_mm"),
         ] {

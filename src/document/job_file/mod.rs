@@ -14,7 +14,7 @@ pub use version::WRITTEN;
 
 use super::chosen::Chosen;
 use super::model::{
-    BeadParameters, BeamParameters, Job, JobCell, JobPart, LineParameters, PathParameters, SurfaceTable,
+    BeadParameters, BeamParameters, Job, JobCell, JobPart, JobScan, LineParameters, PathParameters, SurfaceTable,
 };
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
@@ -34,6 +34,7 @@ use tables::{CleanTable, PinRow, StartRow, TiltRow};
 struct JobTables {
     version: i64,
     part: JobPart,
+    scan: JobScan,
     surfaces: SurfaceTable,
     clean: CleanTable,
     layers: LineParameters,
@@ -74,7 +75,9 @@ pub fn parse(text: &str) -> Result<Job, JobFileError> {
     let table: toml::Table = file::read_toml(text).map_err(Box::new)?;
     let in_line = |e: JobFileError| limits::in_line(text, e);
     version::of(&table).map_err(in_line)?;
-    table.get("cell").and_then(toml::Value::as_table).map_or(Ok(()), frame::check).map_err(|e| in_line(e.into()))?;
+    for with_frames in ["cell", "scan"].into_iter().filter_map(|key| table.get(key)?.as_table()) {
+        frame::check(with_frames).map_err(|e| in_line(e.into()))?;
+    }
     // The text knows its lines, which the table does not.
     file::read_toml::<JobTables>(text).map_err(Box::new)?;
     let job = Job::try_from(table).map_err(in_line)?;
@@ -92,6 +95,7 @@ impl TryFrom<toml::Table> for Job {
         let settings = file.settings(version)?;
         Ok(Job {
             part: file.part,
+            scan: file.scan,
             surfaces: file.surfaces.into_parameters(),
             settings,
             layers: file.layers,
@@ -187,6 +191,7 @@ impl From<Job> for JobTables {
             pins: all.iter().flat_map(|(id, s)| s.pins.iter().map(move |p| pin(id, p))).collect(),
             starts: starts.map(|(surface, s)| StartRow { surface, border: s.border, centre_mm: s.centre_mm }).collect(),
             part: job.part,
+            scan: job.scan,
             layers: job.layers,
             beam: job.beam,
             optics: job.optics,

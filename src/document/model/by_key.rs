@@ -8,8 +8,9 @@ impl Job {
     /// The number of a parameter, in its unit.
     pub fn number(&self, parameter: &Parameter) -> f64 {
         let (table, field) = parameter.table_and_field();
-        let tables: [(&str, &dyn NumberFields); 9] = [
+        let tables: [(&str, &dyn NumberFields); 10] = [
             ("part.placement", &self.part.placement),
+            ("scan", &self.scan),
             ("surfaces", &self.surfaces),
             ("layers", &self.layers),
             ("beam", &self.beam),
@@ -28,8 +29,9 @@ impl Job {
     /// takes the nearest whole one.
     pub fn set_number(&mut self, parameter: &Parameter, value: f64) {
         let (table, field) = parameter.table_and_field();
-        let tables: [(&str, &mut dyn NumberFields); 9] = [
+        let tables: [(&str, &mut dyn NumberFields); 10] = [
             ("part.placement", &mut self.part.placement),
+            ("scan", &mut self.scan),
             ("surfaces", &mut self.surfaces),
             ("layers", &mut self.layers),
             ("beam", &mut self.beam),

@@ -4,11 +4,13 @@
 mod bead;
 mod beam;
 mod by_key;
+mod cleaning_steps;
 mod declare;
 mod job_cell;
 mod job_part;
 mod lines;
 mod path;
+mod scan;
 mod surfaces;
 
 pub use bead::BeadParameters;
@@ -17,6 +19,7 @@ pub use job_cell::JobCell;
 pub use job_part::JobPart;
 pub use lines::{FirstPlane, LineParameters};
 pub use path::PathParameters;
+pub use scan::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile};
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
 
@@ -31,6 +34,8 @@ use crate::process::DoseParameters;
 pub struct Job {
     /// The part's file and how it stands.
     pub part: JobPart,
+    /// The scan of the part as it is.
+    pub scan: JobScan,
     /// How facets become feature surfaces.
     pub surfaces: SurfaceParameters,
     /// What is said of single surfaces: whether they are cleaned and in which order, names, sides, recipes, tilts.

@@ -38,6 +38,8 @@ pub enum Group {
     Cell,
     /// The part as a whole.
     Part,
+    /// The scan of the part, and its patches.
+    Scan,
 }
 
 /// Whether single surfaces can have a value of their own, by a recipe.
@@ -56,6 +58,8 @@ pub enum Scope {
 pub enum Affects {
     /// The part.
     Part,
+    /// What the scan says of it, and its patches.
+    Scan,
     /// Its feature surfaces: their numbers mean other ones.
     Surfaces,
     /// Robot, head and clamps as they stand.

@@ -64,6 +64,8 @@ pub const PARAMETERS: &[Parameter] = &[
     optics("optics.wavelength_nm", Wavelength, from(100.0, 20000.0), Optics::DEFAULT.wavelength_nm).symbol("λ"),
     plan("path.lead_in_mm", Length, from(0.0, 1000.0), 0.0, Group::Targets).in_recipes(),
     plan("path.lead_out_mm", Length, from(0.0, 1000.0), 0.0, Group::Targets).in_recipes(),
+    scan("scan.min_depth_mm", above(0.0, 100.0), 0.05).option("min-depth"),
+    scan("scan.tolerance_mm", above(0.0, 100.0), 0.1),
     part("part.placement.scale", Factor, above(0.0, 100_000.0), Placement::DEFAULT.scale),
     dose("dose.line_mm", Length, above(0.0, 500.0), DoseParameters::DEFAULT.line_mm, Group::ScannedLine),
     dose("dose.low_j_cm2", Fluence, from(0.0, 1e9), DoseParameters::DEFAULT.low_j_cm2, Group::Dose),
@@ -85,6 +87,10 @@ const fn row(
 
 const fn part(key: &'static str, kind: NumberKind, limits: Limits, default: f64) -> Parameter {
     row(key, kind, limits, default, Group::Part, Affects::Part)
+}
+
+const fn scan(key: &'static str, limits: Limits, default: f64) -> Parameter {
+    row(key, Length, limits, default, Group::Scan, Affects::Scan)
 }
 
 const fn surfaces(key: &'static str, kind: NumberKind, limits: Limits, default: f64, group: Group) -> Parameter {
