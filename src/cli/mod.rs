@@ -1,4 +1,4 @@
-//! The command line: `inspect`, `plan`, `verify`, `render`. Names, files and exit statuses are a contract.
+//! The command line: `inspect`, `plan`, `verify`, `render`, `register`. Names, files and exit statuses are a contract.
 //!
 //! Exit status: 0 done · 3 done, but something is blocked, missed or found · 2 wrong usage · 1 failed,
 //! with one line that says what, where and what to do.
@@ -10,7 +10,9 @@ mod legend;
 mod number_options;
 mod options;
 mod plan;
+mod register;
 mod render;
+mod scans;
 mod verify;
 mod word_options;
 
@@ -49,6 +51,9 @@ pub enum CliCommand {
     /// Draws a part or a planned job.
     #[command(about = say!(cli_render))]
     Render(render::RenderArguments),
+    /// Finds where a scan lies on its part.
+    #[command(about = say!(cli_register))]
+    Register(register::RegisterArguments),
 }
 
 /// How a command ended.
@@ -89,6 +94,7 @@ pub fn run(command: &CliCommand) -> ExitCode {
         CliCommand::Plan(a) => plan::run(a),
         CliCommand::Verify(a) => verify::run(a),
         CliCommand::Render(a) => render::run(a),
+        CliCommand::Register(a) => register::run(a),
     };
     let (status, why) = match result {
         Ok(CommandOutcome::Done) => return ExitCode::SUCCESS,

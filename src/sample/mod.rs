@@ -1,27 +1,34 @@
-//! The sample parts of the papers, made from formulas, and closed-form solids for tests and benches.
+//! The sample parts of the papers, made from formulas, closed-form solids for tests and benches, and scans of either.
 //!
-//! P1 and P2 show a test workpiece, a worm gear, a connecting rod, a front shaft and an acetabular
-//! cup, but give no files. These are parts of the same kinds with dimensions of our own, so that
+//! P1 to P3 show a test workpiece, a worm gear, a connecting rod, a front shaft, an acetabular cup
+//! and a worn camshaft, but give no files. These are parts of the same kinds with dimensions of our own, so that
 //! every claim of the papers (the crater beside the plate, the tooth gaps) can be tried. All are
 //! closed skins that weld exactly, except the cup, which is an open sheet. Nothing here reads
 //! files, and nothing of the planner is used. Same bytes on every machine: `libm` only, no hashing.
 
+mod cam_lobe;
+pub mod camshaft;
+pub mod camshaft_scan;
 #[cfg(test)]
 mod check;
 mod connecting_rod;
 mod cup;
+mod fixed_numbers;
 mod folds;
 mod front_shaft;
 mod gear_solid;
 mod grooves;
 mod outline;
 mod plate;
+pub mod scan_maker;
 mod shell;
 pub mod solids;
 mod tooth_gap;
+mod turning;
 mod workpiece;
 mod worm_gear;
 
+pub use fixed_numbers::FixedNumbers;
 pub use shell::Triangles;
 use stl_io::{Normal, Triangle, Vertex};
 
@@ -38,6 +45,8 @@ pub enum SamplePart {
     ConnectingRod,
     /// The front shaft of P1 (Fig. 2b).
     FrontShaft,
+    /// The camshaft of P3.
+    Camshaft,
 }
 
 /// A sample part.
@@ -52,12 +61,13 @@ pub struct ShippedSample {
 }
 
 /// All sample parts.
-pub const SAMPLES: [ShippedSample; 5] = [
+pub const SAMPLES: [ShippedSample; 6] = [
     ShippedSample { name: "workpiece", part: SamplePart::Workpiece, triangles: workpiece::triangles },
     ShippedSample { name: "worm_gear", part: SamplePart::WormGear, triangles: worm_gear::triangles },
     ShippedSample { name: "acetabular_cup", part: SamplePart::AcetabularCup, triangles: cup::triangles },
     ShippedSample { name: "connecting_rod", part: SamplePart::ConnectingRod, triangles: connecting_rod::triangles },
     ShippedSample { name: "front_shaft", part: SamplePart::FrontShaft, triangles: front_shaft::triangles },
+    ShippedSample { name: "camshaft", part: SamplePart::Camshaft, triangles: camshaft::triangles },
 ];
 
 /// Binary STL. Corners are exact (they are f32 already); normals are computed from them.

@@ -8,7 +8,9 @@ pub mod cleaning;
 pub mod cloud;
 pub mod deviation;
 pub mod file;
+pub mod marker_file;
 pub mod neighbours;
 pub mod registration;
+pub mod transform_file;
 
 pub use cloud::Cloud;

@@ -46,6 +46,7 @@ mod remark;
 mod report;
 mod robot;
 mod sample;
+mod scan;
 mod values;
 mod verify;
 mod view;
@@ -64,6 +65,7 @@ pub(crate) use picture::{legend_entry, spacing_labels};
 pub use program_comment::program_comment;
 pub use report::report_lines;
 pub(crate) use sample::about_sample;
+pub use scan::{registration_lines, unit_doubt_sentence};
 pub(crate) use view::name_view;
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.

@@ -11,5 +11,6 @@ pub(crate) fn about_sample(part: SamplePart) -> String {
         SamplePart::AcetabularCup => say!(sample_acetabular_cup),
         SamplePart::ConnectingRod => say!(sample_connecting_rod),
         SamplePart::FrontShaft => say!(sample_front_shaft),
+        SamplePart::Camshaft => say!(sample_camshaft),
     }
 }

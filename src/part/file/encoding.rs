@@ -4,6 +4,36 @@
 use super::PartFileError;
 use crate::part::raw_part::RawPart;
 
+/// How a text is UTF-16.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Utf16Form {
+    /// Bytes before the first unit.
+    pub begin: usize,
+    /// The high byte comes first.
+    pub is_big: bool,
+}
+
+impl Utf16Form {
+    /// The form, if the bytes are such a text: by their mark, or where every other byte of the beginning is zero and
+    /// no other.
+    pub fn of(bytes: &[u8]) -> Option<Utf16Form> {
+        let (begin, is_big) = match bytes {
+            [0xff, 0xfe, ..] => (2, false),
+            [0xfe, 0xff, ..] => (2, true),
+            _ => (0, is_unmarked(bytes)?),
+        };
+        Some(Utf16Form { begin, is_big })
+    }
+
+    /// Its units as single bytes; half a unit at the end is none.
+    pub fn ascii(self, units: &[u8]) -> impl Iterator<Item = u8> + '_ {
+        units.chunks_exact(2).map(move |pair| match (pair[usize::from(!self.is_big)], pair[usize::from(self.is_big)]) {
+            (0, low) if low.is_ascii() => low,
+            _ => b'?',
+        })
+    }
+}
+
 /// A text that was UTF-16.
 pub(super) struct Utf16 {
     /// Its units as single bytes.
@@ -13,19 +43,10 @@ pub(super) struct Utf16 {
 }
 
 impl Utf16 {
-    /// The text, if the bytes are one: by their mark, or where every other byte of the beginning is zero and no other.
+    /// The text, if the bytes are one.
     pub fn of(bytes: &[u8]) -> Option<Utf16> {
-        let (begin, big) = match bytes {
-            [0xff, 0xfe, ..] => (2, false),
-            [0xfe, 0xff, ..] => (2, true),
-            _ => (0, is_unmarked(bytes)?),
-        };
-        let unit = |pair: &[u8]| if big { [pair[0], pair[1]] } else { [pair[1], pair[0]] };
-        let ascii = |pair: &[u8]| match unit(pair) {
-            [0, low] if low.is_ascii() => low,
-            _ => b'?',
-        };
-        Some(Utf16 { ascii: bytes[begin..].chunks_exact(2).map(ascii).collect(), begin })
+        let form = Utf16Form::of(bytes)?;
+        Some(Utf16 { ascii: form.ascii(&bytes[form.begin..]).collect(), begin: form.begin })
     }
 
     /// What was read of the text, with its places as they are in the file.

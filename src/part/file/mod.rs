@@ -14,6 +14,7 @@ mod polygon;
 mod stl;
 mod threemf;
 
+pub use encoding::Utf16Form;
 pub use error::PartFileError;
 pub use fault::{ObjFault, PlyFault, ThreeMfFault};
 pub use kind::FileKind;
@@ -27,6 +28,11 @@ pub const ENDINGS: [&str; 4] = ["stl", "obj", "ply", "3mf"];
 /// Whether a file has the name of one that can be a part.
 pub fn is_named_as_part(file: &std::path::Path) -> bool {
     file.extension().is_some_and(|e| ENDINGS.iter().any(|known| e.eq_ignore_ascii_case(known)))
+}
+
+/// What a file is by its beginning; `None`: it has no mark.
+pub fn kind_of(beginning: &[u8]) -> Option<FileKind> {
+    kind::of(beginning)
 }
 
 /// Parses the bytes of a part's file.

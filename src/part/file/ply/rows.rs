@@ -44,7 +44,12 @@ impl<'a> Rows<'a> {
         Rows { bytes, at: header.body, encoding: header.encoding }
     }
 
-    /// Where the next number begins in the file.
+    /// Goes through rows that stand alone, a part of those behind a header.
+    pub fn over(bytes: &'a [u8], encoding: Encoding) -> Rows<'a> {
+        Rows { bytes, at: 0, encoding }
+    }
+
+    /// Where the next number begins in the file, or in the rows that stand alone.
     pub fn at(&self) -> usize {
         self.at
     }

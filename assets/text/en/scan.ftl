@@ -1,0 +1,48 @@
+### Where a scan lies on the model, and how far the part is off it.
+
+## The file of a transform
+transform_json = { $file }: line { $line }: { $reason }; give JSON with model_from_scan, sixteen numbers row by row, as register --json prints it
+transform_matrix = { $file }: model_from_scan { $fault }
+matrix_not_finite = has a number that is not finite
+matrix_last_row = does not end with 0 0 0 1; write it row by row
+matrix_scales = scales by { $factor }; give scan and part in the same unit first
+matrix_shears = is no rotation: its rows are not at right angles, or have too few digits; give at least seven
+matrix_mirrors = mirrors; turn the sign of one axis in the program it comes from
+
+## Why a scan lies nowhere
+register_no_model = the part has no facet with an area to lay the scan on
+register_too_few_points = { $found } points take part, { $needed } are needed; leave out less, or scan again
+register_pairs = { $pairs ->
+    [one] one pair tells
+   *[other] { $pairs } pairs tell
+} no position: give three or more that are not on one line
+register_not_same_part = this is not a scan of the part: at the best position its points are { $sigma } mm off (up to { $limit } mm would be its noise), and { $overlap } % of them lie on the part; give the right part, or three pairs of points if it is the right one
+scan_unit_doubt = the scan's diagonal is { $cloud } mm, the part's { $part } mm: one of them is in another unit; { $advice }
+scan_unit_cloud = the scan would fit in { $units }
+scan_unit_part = the part would fit in { $units }
+scan_unit_both = the scan would fit in { $cloud_units }, or the part in { $part_units }
+
+## How it lies
+register_found = { $rms } mm rms, noise { $noise } mm; { $overlap } % of the points lie on the part, { $coverage } % of the part is scanned
+register_slides = slides: nothing holds its { $motion } { $axis }; it stays as it was, so give pairs of points, or scan what holds it
+register_weak = weakly held: { $motion } { $axis }, may be off by { $slack } mm
+motion_turn = turn about
+motion_shift = shift along
+motion_screw = screw about
+scan_axis = the axis ({ $x }, { $y }, { $z }) through ({ $px }, { $py }, { $pz })
+register_rivals_same = { $rivals ->
+    [one] one other position is
+   *[other] { $rivals } other positions are
+} the same, because the part is symmetric
+register_rival = another position fits as well ({ $rms } mm rms)
+register_rival_telling = another position fits as well ({ $rms } mm rms); they differ most around ({ $x }, { $y }, { $z }), by { $difference } mm
+register_wear = worn places are left out; with them the fit would be off by { $moved } mm
+register_not_placed = nothing is known of where the scanner stands in the robot's base: give markers that the robot has touched
+register_placed = the part stands in the base by { $markers } markers, { $worst } mm off at most
+
+## Markers
+markers_few = { $file }: { $found ->
+    [one] one marker
+   *[other] { $found } markers
+} of { $scan } with { $key }; give three or more that are not on one line
+markers_key_base = base_mm

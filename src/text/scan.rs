@@ -1,0 +1,107 @@
+//! Where a scan lies on the model: why it lies nowhere, and how well it lies.
+
+use super::number::percent;
+use super::{Sentence, exact, fixed, id, say};
+use crate::planning::report::{RegistrationReport, RivalReport, SlidingReport};
+use crate::scan::file::UnitDoubt;
+use crate::scan::registration::RegistrationError;
+use crate::scan::transform_file::{MatrixFault, TransformError};
+
+impl Sentence for TransformError {
+    fn sentence(&self) -> String {
+        match self {
+            TransformError::File(e) => e.sentence(),
+            TransformError::Json { file, line, reason } => say!(transform_json, file, line = id(*line), reason),
+            TransformError::Matrix { file, fault } => say!(transform_matrix, file, fault = fault.sentence()),
+        }
+    }
+}
+
+impl Sentence for MatrixFault {
+    fn sentence(&self) -> String {
+        match self {
+            MatrixFault::NotFinite => say!(matrix_not_finite),
+            MatrixFault::LastRow => say!(matrix_last_row),
+            MatrixFault::Scales(factor) => say!(matrix_scales, factor = exact(*factor)),
+            MatrixFault::Shears => say!(matrix_shears),
+            MatrixFault::Mirrors => say!(matrix_mirrors),
+        }
+    }
+}
+
+impl Sentence for RegistrationError {
+    fn sentence(&self) -> String {
+        match self {
+            RegistrationError::NoModel => say!(register_no_model),
+            RegistrationError::TooFewPoints { found, needed } => {
+                say!(register_too_few_points, found = *found, needed = *needed)
+            }
+            RegistrationError::PairsTellNoMotion { pairs } => say!(register_pairs, pairs = *pairs),
+            RegistrationError::NotSamePart { sigma_mm, limit_mm, overlap, .. } => {
+                let [sigma, limit] = [*sigma_mm, *limit_mm].map(|x| fixed(x, 3));
+                say!(register_not_same_part, sigma, limit, overlap = percent(*overlap, 1))
+            }
+            RegistrationError::Cancelled => say!(text_cancelled),
+        }
+    }
+}
+
+/// What is in doubt of the unit of a scan or a part, whose diagonals are these, mm.
+pub fn unit_doubt_sentence(doubt: &UnitDoubt, [cloud_mm, part_mm]: [f64; 2]) -> String {
+    let advice = match (doubt.cloud_units, doubt.part_units) {
+        (Some(cloud), Some(part)) => say!(scan_unit_both, cloud_units = cloud.word(), part_units = part.word()),
+        (Some(units), None) => say!(scan_unit_cloud, units = units.word()),
+        (None, units) => say!(scan_unit_part, units = units.unwrap_or_default().word()),
+    };
+    let [cloud, part] = [cloud_mm, part_mm].map(|x| fixed(x, 1));
+    say!(scan_unit_doubt, cloud, part, advice)
+}
+
+/// How a scan lies, a line each.
+pub fn registration_lines(report: &RegistrationReport) -> Vec<String> {
+    let [rms, noise] = [report.rms_mm, report.noise_mm].map(|x| fixed(x, 3));
+    let (overlap, coverage) = (percent(report.overlap, 1), percent(report.coverage, 1));
+    let mut lines = vec![say!(register_found, rms, noise, overlap, coverage)];
+    lines.extend(report.sliding.iter().map(Sentence::sentence));
+    let (same, other): (Vec<_>, Vec<_>) = report.rivals.iter().partition(|r| r.same_by_symmetry);
+    if !same.is_empty() {
+        lines.push(say!(register_rivals_same, rivals = same.len()));
+    }
+    lines.extend(other.into_iter().map(Sentence::sentence));
+    if let Some(moved) = report.moved_by_wear_mm {
+        lines.push(say!(register_wear, moved = fixed(moved, 3)));
+    }
+    lines.push(match &report.base_from_scan {
+        None => say!(register_not_placed),
+        Some(placed) => {
+            let worst = placed.residuals_mm.iter().map(|r| r.residual_mm).fold(0.0, f64::max);
+            say!(register_placed, markers = placed.residuals_mm.len(), worst = fixed(worst, 3))
+        }
+    });
+    lines
+}
+
+impl Sentence for SlidingReport {
+    fn sentence(&self) -> String {
+        let motion = match self.motion {
+            "turn" => say!(motion_turn),
+            "shift" => say!(motion_shift),
+            _ => say!(motion_screw),
+        };
+        let ([x, y, z], [px, py, pz]) = (self.axis.direction.map(|c| fixed(c, 3)), self.axis.point_mm.map(|c| fixed(c, 1)));
+        let axis = say!(scan_axis, x, y, z, px, py, pz);
+        match self.slack_mm {
+            None => say!(register_slides, motion, axis),
+            Some(slack) => say!(register_weak, motion, axis, slack = fixed(slack, 2)),
+        }
+    }
+}
+
+impl Sentence for RivalReport {
+    fn sentence(&self) -> String {
+        let rms = fixed(self.rms_mm, 3);
+        let Some(telling) = &self.telling else { return say!(register_rival, rms) };
+        let [x, y, z] = telling.centre_mm.map(|c| fixed(c, 1));
+        say!(register_rival_telling, rms, x, y, z, difference = fixed(telling.difference_mm, 2))
+    }
+}
