@@ -4,18 +4,15 @@
 //! (20), `--points N` (200000), `--others`: each part's scan on each other part instead, all of which have to be refused.
 //! Each pose once with 30 % missing and once with half, noise 0.02 % of the diagonal, 1 % outliers.
 
-#[path = "../src/scan/registration/scan_for_tests.rs"]
-mod scan_for_tests;
-
 use clearbeam::part::{Part, Placement, Units};
 use clearbeam::progress::Progress;
-use clearbeam::sample::{SAMPLES, solids, stl_bytes};
+use clearbeam::sample::scan_maker::{ScanRecipe, made_scan};
+use clearbeam::sample::{SAMPLES, Triangles, solids, stl_bytes};
 use clearbeam::scan::Cloud;
 use clearbeam::scan::registration::{
     Registration, RegistrationError, RegistrationOptions, SlidingKind, SurfaceNormals, register,
 };
 use nalgebra::{Isometry3, Point3};
-use scan_for_tests::{ScanOf, measured};
 use std::time::Instant;
 
 /// Noise, and within what a pose counts as found, as shares of the part's diagonal: 0.03 and 0.5 mm on 150 mm.
@@ -76,11 +73,12 @@ fn named(path: &str, bytes: &[u8]) -> Option<Named> {
     Some(Named { name, part, normals })
 }
 
-fn scan(part: &Part, pose: u64, missing: f64, points: usize) -> (Cloud, Isometry3<f64>) {
-    let facets: Vec<[Point3<f64>; 3]> = (0..part.mesh.facets.len()).map(|f| part.mesh.corners(f)).collect();
-    let of = ScanOf { points, missing, noise_mm: NOISE * part.mesh.diagonal(), outliers: 0.01, pose };
-    let (points, truth) = measured(&facets, &of);
-    (Cloud::of_points(&points), truth)
+fn scan(part: &Part, seed: u64, missing_share: f64, points: usize) -> (Cloud, Isometry3<f64>) {
+    let facets: Triangles =
+        (0..part.mesh.facets.len()).map(|f| part.mesh.corners(f).map(|p| [p.x, p.y, p.z])).collect();
+    let noise_mm = NOISE * part.mesh.diagonal();
+    let made = made_scan(&facets, &ScanRecipe { noise_mm, missing_share, ..ScanRecipe::of(points, seed) });
+    (Cloud::of_points(&made.points), made.model_from_scan)
 }
 
 fn found(of: &Named, cloud: &Cloud) -> Result<Registration, RegistrationError> {
@@ -133,10 +131,8 @@ fn on_themselves(asked: &Asked) {
                         } else if r.rivals.iter().any(|r| is_rival(&r)) {
                             as_rival += 1;
                         } else {
-                            eprintln!(
-                                "{} {missing} pose {pose}: off {off:.3} mm, {:?} rivals {:?}",
-                                of.name, r.sliding, r.rivals
-                            );
+                            let score = (r.rms_mm, r.sigma_mm, r.rivals.len());
+                            eprintln!("{} {missing} pose {pose}: off {off:.3} mm, rms, sigma, rivals {score:?}", of.name);
                         }
                         last = Some(r);
                     }

@@ -64,17 +64,16 @@ fn off_plane_mm(at: &Point3<f64>, points: &[Point3<f64>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::parts_for_tests::{part_of, scan};
-    use super::super::scan_for_tests::ScanOf;
     use super::*;
     use crate::progress::Progress;
+    use crate::sample::scan_maker::ScanRecipe;
     use crate::sample::solids;
 
     #[test]
     fn the_noise_put_on_is_found() {
         let part = part_of(&solids::cube(40.0));
         for (noise_mm, points) in [(0.02, 60_000), (0.06, 400_000)] {
-            let of = ScanOf { points, missing: 0.3, noise_mm, outliers: 0.01, pose: 1 };
-            let (cloud, _) = scan(&part, &of);
+            let (cloud, _) = scan(&part, &ScanRecipe { noise_mm, ..ScanRecipe::of(points, 1) });
             let thinned = Thinned::new(&cloud, &[], 40.0 * 3f64.sqrt() / 75.0, &Progress::default());
             let found = noise_mm_of(&cloud, &thinned.expect("not cancelled"));
             assert!((found / noise_mm - 1.0).abs() < 0.15, "{found} of {noise_mm}");
