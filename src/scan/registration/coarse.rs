@@ -5,7 +5,7 @@ use super::super::Cloud;
 use super::field::Field;
 use super::in_field::Walk;
 use super::plane_fit::{Model, Schedule, capped_rms_mm, plane_fit};
-use super::starts::{SHIFTS, Skin, turns};
+use super::starts::{Skin, turns};
 use super::thinned::Thinned;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
@@ -109,10 +109,10 @@ fn walked(
     let points: Vec<Vector3<f64>> = thinned.spread_middles(WALKED_POINTS).map(|p| p.coords - middle).collect();
     let skin = Skin::of(&model.part.mesh);
     let mut walks: Vec<Walk> = Vec::new();
-    for share in SHIFTS {
-        let shift = skin.middle - field.lo + skin.axis * (share * skin.extent_mm);
-        let start = |turn: Matrix3<f64>| Walk { turn, shift, score: f64::INFINITY };
-        walks.extend(turns().iter().map(|t| start(t.to_rotation_matrix().into_inner())));
+    let starts = turns();
+    for place in skin.middles(apart.diagonal_mm) {
+        let start = |turn: Matrix3<f64>| Walk { turn, shift: place - field.lo, score: f64::INFINITY };
+        walks.extend(starts.iter().map(|t| start(t.to_rotation_matrix().into_inner())));
     }
     for steps in [0..FIRST_STEPS, FIRST_STEPS..STEPS] {
         walks.par_iter_mut().try_for_each(|w| {

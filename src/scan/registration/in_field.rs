@@ -80,10 +80,11 @@ fn nearest_turn(both: &Matrix3<f64>) -> Matrix3<f64> {
 #[cfg(test)]
 mod tests {
     use super::super::parts_for_tests::{off_mm, part_of, scan};
-    use super::super::scan_for_tests::ScanOf;
     use super::*;
     use crate::progress::Progress;
+    use crate::sample::scan_maker::ScanRecipe;
     use crate::sample::solids;
+    use nalgebra::Point3;
 
     #[test]
     fn a_turn_is_found_again_and_never_a_mirror() {
@@ -101,17 +102,16 @@ mod tests {
             [60.0, 40.0, 8.0],
             &[solids::PlateFeature { centre: [15.0, 12.0], diameter: 16.0, sides: 48, height: 20.0 }],
         ));
-        let (cloud, truth) = scan(&part, &ScanOf { points: 500, missing: 0.0, noise_mm: 0.02, outliers: 0.0, pose: 3 });
+        let recipe = ScanRecipe { missing_share: 0.0, outlier_share: 0.0, ..ScanRecipe::of(500, 3) };
+        let (cloud, truth) = scan(&part, &recipe);
         let field = Field::new(&part, &Progress::default()).expect("not cancelled");
         let middle = cloud.points().fold(Vector3::zeros(), |s: Vector3<f64>, p| s + p.coords) / 500.0;
         let points: Vec<Vector3<f64>> = cloud.points().map(|p| p.coords - middle).collect();
-        let off = UnitQuaternion::from_scaled_axis(Vector3::new(0.2, -0.15, 0.25));
+        let off = UnitQuaternion::from_scaled_axis(Vector3::new(0.1, -0.15, 0.1));
         let turn = (off * truth.rotation).to_rotation_matrix().into_inner();
         let shift = (truth * Point3::from(middle)) - field.lo + Vector3::new(2.0, -3.0, 1.0);
         let walk = Walk { turn, shift, score: 0.0 }.walked(&field, &points, 0..20, part.mesh.diagonal());
         let found = off_mm(&part, &walk.model_from_scan(&field, &middle), &truth);
         assert!(found < 1.5 && walk.score.sqrt() < 1.0, "{found} {}", walk.score.sqrt());
     }
-
-    use nalgebra::Point3;
 }

@@ -19,8 +19,6 @@ mod parts_for_tests;
 mod plane_fit;
 mod rivals;
 mod samples;
-#[cfg(test)]
-mod scan_for_tests;
 mod search;
 mod sliding;
 mod starts;

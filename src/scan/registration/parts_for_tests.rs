@@ -1,7 +1,7 @@
 //! Parts for the tests of registration, and points measured on them.
 
-use super::scan_for_tests::{ScanOf, measured};
 use crate::part::{Part, Placement, Units};
+use crate::sample::scan_maker::{ScanRecipe, made_scan};
 use crate::sample::{Triangles, stl_bytes};
 use crate::scan::Cloud;
 use nalgebra::{Isometry3, Point3};
@@ -11,10 +11,11 @@ pub(super) fn part_of(triangles: &Triangles) -> Part {
 }
 
 /// A scan of a part, and where it truly lies.
-pub(super) fn scan(part: &Part, of: &ScanOf) -> (Cloud, Isometry3<f64>) {
-    let facets: Vec<[Point3<f64>; 3]> = (0..part.mesh.facets.len()).map(|f| part.mesh.corners(f)).collect();
-    let (points, model_from_scan) = measured(&facets, of);
-    (Cloud::of_points(&points), model_from_scan)
+pub(super) fn scan(part: &Part, recipe: &ScanRecipe<'_>) -> (Cloud, Isometry3<f64>) {
+    let facets: Triangles =
+        (0..part.mesh.facets.len()).map(|f| part.mesh.corners(f).map(|p| [p.x, p.y, p.z])).collect();
+    let made = made_scan(&facets, recipe);
+    (Cloud::of_points(&made.points), made.model_from_scan)
 }
 
 /// The greatest way that a corner of the part's box goes from one pose to the other, mm.

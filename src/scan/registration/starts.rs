@@ -10,9 +10,11 @@ use std::f64::consts::{PI, TAU};
 /// that far still arrive. Half of both loses 1 camshaft pose in 10.
 const DIRECTIONS: usize = 72;
 const TURNS: usize = 16;
-/// Shifts along the model's main axis, as shares of its extent. A scan of half a shaft has its middle up to a quarter off;
+/// Shifts along the model's axes, as shares of its extent there. A scan of half a part has its middle up to a quarter off;
 /// without these 3 of 9 camshaft poses with half missing end up half a turn wrong.
-pub(super) const SHIFTS: [f64; 3] = [0.0, -0.15, 0.15];
+const SHIFT: f64 = 0.15;
+/// An axis with less than this share of the diagonal needs no shift: 15 % of it are less than a third of the first width.
+const SHIFTED_FROM: f64 = 0.3;
 
 /// The turns: Fibonacci directions, equal turns about each.
 pub(super) fn turns() -> Vec<UnitQuaternion<f64>> {
@@ -33,14 +35,12 @@ pub(super) fn turns() -> Vec<UnitQuaternion<f64>> {
 }
 
 /// Where the skin of a model lies.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Skin {
     /// Its middle by area.
     pub(super) middle: Point3<f64>,
-    /// The unit direction along which it spreads most.
-    pub(super) axis: Vector3<f64>,
-    /// Its extent along that, mm.
-    pub(super) extent_mm: f64,
+    /// Its axes, each as long as its extent there, mm.
+    pub(super) axes: [Vector3<f64>; 3],
 }
 
 impl Skin {
@@ -60,10 +60,20 @@ impl Skin {
         let share = if area > 0.0 { 1.0 / area } else { 0.0 };
         let middle = first * share;
         let spread = SymmetricEigen::new(second * share - middle * middle.transpose());
-        let axis: Vector3<f64> = spread.eigenvectors.column(spread.eigenvalues.imax()).into_owned();
-        let along = mesh.vertices.iter().map(|v| (v - lo).dot(&axis));
-        let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (l.min(x), m.max(x)));
-        Skin { middle: lo + middle, axis, extent_mm: (most - least).max(0.0) }
+        let axes = [0, 1, 2].map(|k| {
+            let axis: Vector3<f64> = spread.eigenvectors.column(k).into_owned();
+            let along = mesh.vertices.iter().map(|v| (v - lo).dot(&axis));
+            let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (l.min(x), m.max(x)));
+            axis * (most - least).max(0.0)
+        });
+        Skin { middle: lo + middle, axes }
+    }
+
+    /// Where the scan's middle may lie: on the skin's, and to both sides of it along each long axis.
+    pub(super) fn middles(&self, diagonal_mm: f64) -> Vec<Point3<f64>> {
+        let long = self.axes.iter().filter(|a| a.norm() >= SHIFTED_FROM * diagonal_mm);
+        let sides = long.flat_map(|a| [self.middle - a * SHIFT, self.middle + a * SHIFT]);
+        std::iter::once(self.middle).chain(sides).collect()
     }
 }
 
@@ -87,9 +97,13 @@ mod tests {
 
     #[test]
     fn the_middle_of_a_cylinders_skin_is_its_own_and_its_axis_the_long_one() {
-        let skin = Skin::of(&part_of(&solids::cylinder(5.0, 40.0, 48)).mesh);
+        let part = part_of(&solids::cylinder(5.0, 40.0, 48));
+        let skin = Skin::of(&part.mesh);
         assert!((skin.middle - Point3::new(0.0, 0.0, 20.0)).norm() < 1e-5, "{}", skin.middle);
-        assert!((skin.axis.z.abs() - 1.0).abs() < 1e-9);
-        assert!((skin.extent_mm - 40.0).abs() < 1e-6);
+        let longest = skin.axes.iter().fold(Vector3::zeros(), |l: Vector3<f64>, a| if a.norm() > l.norm() { *a } else { l });
+        assert!((longest.z.abs() - 40.0).abs() < 1e-6 && longest.xy().norm() < 1e-6, "{longest}");
+        let middles = skin.middles(part.mesh.diagonal());
+        let heights: Vec<i64> = middles.iter().map(|m| m.z.round() as i64).collect();
+        assert!(heights == [20, 14, 26] || heights == [20, 26, 14], "{heights:?}");
     }
 }

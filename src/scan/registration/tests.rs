@@ -1,22 +1,178 @@
-//! Scans of parts with known poses, laid on them again.
+//! Scans of parts with known poses, laid on them again; what slides, what fits as well, what is refused.
 
 use super::parts_for_tests::{off_mm, part_of, scan};
-use super::scan_for_tests::ScanOf;
 use super::*;
-use crate::sample::solids::{PlateFeature, plate};
+use crate::fit::PlacedPair;
+use crate::sample::scan_maker::{ScanRecipe, SkinPoint};
+use crate::sample::solids::{PlateFeature, cube, cylinder, plate};
+use crate::scan::Cloud;
+use nalgebra::Vector3;
+
+fn feature(x: f64, y: f64, diameter: f64, height: f64) -> PlateFeature {
+    PlateFeature { centre: [x, y], diameter, sides: 48, height }
+}
+
+/// A plate with a boss and a hole: nothing of it is symmetric.
+fn bracket() -> Part {
+    part_of(&plate([80.0, 50.0, 12.0], &[feature(20.0, 18.0, 24.0, 25.0), feature(60.0, 30.0, 10.0, 0.0)]))
+}
+
+fn laid(part: &Part, cloud: &Cloud, options: &RegistrationOptions) -> Result<Registration, RegistrationError> {
+    register(part, &SurfaceNormals::at_usual_creases(part), cloud, options, &Progress::default())
+}
+
+/// A start that is off by a few degrees and millimetres.
+fn near(part: &Part, truth: &Isometry3<f64>) -> Isometry3<f64> {
+    let middle = part.mesh.bounds().0.coords;
+    let off = Isometry3::new(Vector3::new(1.0, -0.8, 0.6), Vector3::new(0.03, -0.02, 0.02));
+    Isometry3::translation(middle.x, middle.y, middle.z) * off * Isometry3::translation(-middle.x, -middle.y, -middle.z) * truth
+}
 
 #[test]
-fn a_plate_with_a_boss_is_found_from_anywhere() {
-    let feature =
-        |x: f64, y: f64, diameter: f64, height: f64| PlateFeature { centre: [x, y], diameter, sides: 48, height };
-    let part = part_of(&plate([80.0, 50.0, 12.0], &[feature(20.0, 18.0, 24.0, 25.0), feature(60.0, 30.0, 10.0, 0.0)]));
-    let normals = SurfaceNormals::at_usual_creases(&part);
-    for pose in 0..3 {
-        let of = ScanOf { points: 30_000, missing: 0.3, noise_mm: 0.03, outliers: 0.01, pose };
-        let (cloud, truth) = scan(&part, &of);
-        let found =
-            register(&part, &normals, &cloud, &RegistrationOptions::default(), &Progress::default()).expect("found");
+fn a_bracket_is_found_from_anywhere_and_any_number_of_threads_gives_the_same_bytes() {
+    let part = bracket();
+    let on = |threads: usize, cloud: &Cloud| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| laid(&part, cloud, &RegistrationOptions::default())).expect("found")
+    };
+    for seed in 0..2 {
+        let (cloud, truth) = scan(&part, &ScanRecipe { missing_share: 0.4, ..ScanRecipe::of(20_000, seed) });
+        let found = on(4, &cloud);
         let off = off_mm(&part, &found.model_from_scan, &truth);
-        assert!(off < 0.03, "{off} {found:?}");
+        assert!(off < 0.01, "{off}");
+        assert!(found.rivals.is_empty() && found.sliding.iter().all(|s| s.kind != SlidingKind::Slides));
+        assert!(found.overlap > 0.98 && found.coverage > 0.45 && found.coverage < 0.8, "{}", found.coverage);
+        assert!((found.sigma_mm / 0.03 - 1.0).abs() < 0.1, "{}", found.sigma_mm);
+        assert_eq!(format!("{:?}", on(1, &cloud)), format!("{found:?}"));
     }
+}
+
+#[test]
+fn worn_material_does_not_pull_and_both_fits_are_kept() {
+    let part = bracket();
+    let worn = |at: &SkinPoint| {
+        let off = (at.place - Point3::new(48.0, 25.0, 12.0)).norm() / 18.0;
+        if at.normal.z > 0.9 && off < 1.0 { 0.4 * (1.0 - off * off) * (1.0 - off * off) } else { 0.0 }
+    };
+    let recipe = ScanRecipe { wear_mm: Some(&worn), missing_share: 0.0, ..ScanRecipe::of(60_000, 4) };
+    let (cloud, truth) = scan(&part, &recipe);
+    let options = RegistrationOptions { start: Start::From(near(&part, &truth)), ..RegistrationOptions::default() };
+    let found = laid(&part, &cloud, &options).expect("found");
+    let with = found.with_worn.expect("worn");
+    let off = off_mm(&part, &found.model_from_scan, &truth);
+    assert!(off < 0.005 && off < off_mm(&part, &with.model_from_scan, &truth), "{off} {with:?}");
+    // The disc on which it is deeper than 3 σ: (1 − q²)² > 0.09 / 0.4, q < 0.725.
+    let area: f64 = part.mesh.areas.iter().sum();
+    let expected = std::f64::consts::PI * (18.0 * 0.725f64).powi(2) / area;
+    assert!((with.share / expected - 1.0).abs() < 0.2, "{} {expected}", with.share);
+}
+
+#[test]
+fn pairs_and_a_near_pose_lead_there_and_pairs_on_a_line_are_refused() {
+    let part = bracket();
+    let (cloud, truth) = scan(&part, &ScanRecipe::of(20_000, 9));
+    let picked = |at: [f64; 3]| {
+        let onto = Point3::from(at);
+        PlacedPair { from: truth.inverse() * (onto + Vector3::new(0.7, -0.6, 0.5)), onto, weight: 1.0 }
+    };
+    let corners = [[0.0, 0.0, 0.0], [80.0, 0.0, 0.0], [80.0, 50.0, 12.0]].map(picked);
+    for start in [Start::Pairs(corners.to_vec()), Start::From(near(&part, &truth))] {
+        let found = laid(&part, &cloud, &RegistrationOptions { start, ..Default::default() }).expect("found");
+        assert!(off_mm(&part, &found.model_from_scan, &truth) < 0.01);
+    }
+    for pairs in [corners[..2].to_vec(), [0.0, 30.0, 80.0].map(|x| picked([x, 0.3, 0.0])).to_vec()] {
+        let count = pairs.len();
+        let refused = laid(&part, &cloud, &RegistrationOptions { start: Start::Pairs(pairs), ..Default::default() });
+        assert_eq!(refused, Err(RegistrationError::PairsTellNoMotion { pairs: count }));
+    }
+}
+
+/// A part of which only some facets are scanned; what slides at the true pose.
+fn sliding_on(part: &Part, scanned: impl Fn(&Vector3<f64>) -> bool) -> Vec<Sliding> {
+    let of = |f: usize| part.mesh.corners(f).map(|p| [p.x, p.y, p.z]);
+    let facets: Vec<[[f64; 3]; 3]> =
+        (0..part.mesh.facets.len()).filter(|&f| scanned(&part.mesh.normals[f])).map(of).collect();
+    let recipe = ScanRecipe { missing_share: 0.0, outlier_share: 0.0, ..ScanRecipe::of(20_000, 2) };
+    let made = crate::sample::scan_maker::made_scan(&facets, &recipe);
+    let options = RegistrationOptions { start: Start::From(made.model_from_scan), ..Default::default() };
+    let found = laid(part, &Cloud::of_points(&made.points), &options).expect("found");
+    // What slides stays where it was, and nothing else was off.
+    assert!(off_mm(part, &found.model_from_scan, &made.model_from_scan) < 0.01);
+    found.sliding.into_iter().filter(|s| s.kind == SlidingKind::Slides).collect()
+}
+
+#[test]
+fn a_plane_slides_three_ways_a_cylinder_two_and_an_extrusion_one() {
+    let is_along = |s: &Sliding, axis: Vector3<f64>| s.direction.cross(&axis).norm() < 1e-3;
+    let plane = sliding_on(&part_of(&cube(40.0)), |n| n.z > 0.9);
+    assert_eq!(plane.iter().filter(|s| s.motion == SlidingMotion::Shift).count(), 2);
+    let turns: Vec<&Sliding> = plane.iter().filter(|s| s.motion == SlidingMotion::Turn).collect();
+    assert!(plane.len() == 3 && turns.len() == 1 && is_along(turns[0], Vector3::z()), "{plane:?}");
+    let round = sliding_on(&part_of(&cylinder(10.0, 50.0, 48)), |n| n.z.abs() < 0.1);
+    assert!(round.len() == 2 && round.iter().all(|s| is_along(s, Vector3::z()) && s.slack_mm.is_none()), "{round:?}");
+    assert!(round.iter().any(|s| s.motion == SlidingMotion::Shift));
+    let turn = round.iter().find(|s| s.motion == SlidingMotion::Turn).expect("it turns");
+    assert!(turn.point.x.hypot(turn.point.y) < 0.05, "{turn:?}");
+    let extruded = sliding_on(&part_of(&plate([40.0, 25.0, 30.0], &[feature(12.0, 11.0, 9.0, 0.0)])), |n| n.z.abs() < 0.1);
+    assert!(extruded.len() == 1 && extruded[0].motion == SlidingMotion::Shift, "{extruded:?}");
+    assert!(is_along(&extruded[0], Vector3::z()));
+}
+
+#[test]
+fn a_symmetric_part_has_rivals_that_are_the_same_and_a_mark_tells_them_apart() {
+    let slots = [feature(15.0, 25.0, 12.0, 0.0), feature(65.0, 25.0, 12.0, 0.0)];
+    let same = part_of(&plate([80.0, 50.0, 12.0], &slots));
+    let (cloud, _) = scan(&same, &ScanRecipe::of(20_000, 5));
+    let found = laid(&same, &cloud, &RegistrationOptions::default()).expect("found");
+    assert_eq!(found.rivals.len(), 3, "two half turns and both");
+    assert!(found.rivals.iter().all(|r| r.same_by_symmetry && r.telling.is_none()));
+    // A hole of 5 mm: 1 % of the points.
+    let mark = Point3::new(40.0, 40.0, 6.0);
+    let marked = part_of(&plate([80.0, 50.0, 12.0], &[slots[0], slots[1], feature(mark.x, mark.y, 5.0, 0.0)]));
+    let (cloud, truth) = scan(&marked, &ScanRecipe { missing_share: 0.0, ..ScanRecipe::of(40_000, 6) });
+    let found = laid(&marked, &cloud, &RegistrationOptions::default()).expect("found");
+    assert!(off_mm(&marked, &found.model_from_scan, &truth) < 0.01);
+    for rival in &found.rivals {
+        let patch = rival.telling.expect("the hole tells");
+        assert!(!rival.same_by_symmetry && patch.difference_mm > 0.0);
+        let elsewhere = Point3::new(80.0 - mark.x, 50.0 - mark.y, mark.z);
+        let off = [mark, elsewhere].iter().map(|m| (patch.centre - m).norm()).fold(f64::INFINITY, f64::min);
+        assert!(off < 8.0, "{patch:?}");
+    }
+}
+
+#[test]
+fn another_part_too_few_points_and_a_wish_to_end_are_told() {
+    let part = bracket();
+    let other = part_of(&plate([70.0, 60.0, 20.0], &[feature(40.0, 30.0, 30.0, 15.0)]));
+    let (cloud, _) = scan(&other, &ScanRecipe::of(20_000, 1));
+    let refused = laid(&part, &cloud, &RegistrationOptions::default());
+    assert!(matches!(refused, Err(RegistrationError::NotSamePart { .. })), "{refused:?}");
+    let few = laid(&part, &cloud.picked(&[1, 2, 3]), &RegistrationOptions::default());
+    assert_eq!(few, Err(RegistrationError::TooFewPoints { found: 3, needed: 100 }));
+    let none = laid(&Part::default(), &cloud, &RegistrationOptions::default());
+    assert_eq!(none, Err(RegistrationError::NoModel));
+    for looks in [1, 3, 40, 400] {
+        let progress = Progress::ending_after(looks);
+        let ended = register(&part, &SurfaceNormals::at_usual_creases(&part), &cloud, &Default::default(), &progress);
+        assert_eq!(ended, Err(RegistrationError::Cancelled));
+    }
+}
+
+#[test]
+fn what_is_left_out_does_not_take_part() {
+    let part = bracket();
+    let (mut cloud, truth) = scan(&part, &ScanRecipe { missing_share: 0.0, ..ScanRecipe::of(20_000, 8) });
+    // A clamp across the plate: a sheet of points 4 mm above it.
+    let clamp: Vec<Point3<f64>> = (0..8000)
+        .map(|i| truth.inverse() * Point3::new(40.0 + 0.2 * f64::from(i % 80), 0.5 * f64::from(i / 80), 16.0))
+        .collect();
+    let all: Vec<Point3<f64>> = cloud.points().chain(clamp).collect();
+    cloud = Cloud::of_points(&all);
+    let points: Vec<bool> = (0..all.len()).map(|i| i >= 20_000).collect();
+    let facets = part.mesh.normals.iter().map(|n| n.x > 0.9).collect();
+    let options = RegistrationOptions { start: Start::Anywhere, left_out: LeftOut { points, facets } };
+    let found = laid(&part, &cloud, &options).expect("found");
+    assert!(found.overlap > 0.98, "{}", found.overlap);
+    assert!(off_mm(&part, &found.model_from_scan, &truth) < 0.01);
 }
