@@ -4,11 +4,16 @@
 //! none of the part, [`registration`] finds `model_from_scan`, [`deviation`] tells how far the part as it is lies off
 //! the model, and where that is wear: a patch. Lengths mm. Nothing here knows of section planes, beams or robots.
 
+pub mod assessment;
 pub mod cleaning;
 pub mod cloud;
 pub mod deviation;
 pub mod file;
+#[cfg(test)]
+mod made_up;
+pub mod merging;
 pub mod neighbours;
+pub mod normals;
 pub mod registration;
 
 pub use cloud::Cloud;

@@ -1,0 +1,1 @@
+//! Which area of the model has no points.

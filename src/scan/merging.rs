@@ -1,0 +1,1 @@
+//! Brings several scans into one frame.
