@@ -6,6 +6,8 @@
 mod aabb;
 mod build;
 pub mod closest;
+pub mod closest_search;
+mod facet_block;
 mod prepared;
 mod proximity;
 

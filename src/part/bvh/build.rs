@@ -4,7 +4,7 @@ use super::aabb::Aabb;
 use crate::progress::Progress;
 
 /// Most facets of a leaf.
-const LEAF: usize = 4;
+pub(super) const LEAF: usize = 4;
 /// Bins of the surface area heuristic.
 const BINS: usize = 16;
 
