@@ -2,8 +2,8 @@
 
 use super::{CommandFailure, CommandOutcome, print};
 use crate::document::{files, segmented};
-use crate::picture::dose::{Legend, legend};
-use crate::picture::{DoseLook, PartLook, PartPicture, PathLook, dose_item, paths};
+use crate::picture::dose::legend;
+use crate::picture::{DoseLook, Legend, PartLook, PartPicture, PathLook, dose_item, paths};
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
 use crate::text::{listed, say};

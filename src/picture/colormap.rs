@@ -1,6 +1,7 @@
-//! Colours for numbers: viridis, which is even to the eye, to colour-blind eyes, and in grey.
+//! Colours for numbers: along any row of colours, and viridis, which is even to the eye, to colour-blind eyes, and in
+//! grey.
 
-use super::palette::Rgb;
+use super::palette::{Rgb, mixed};
 
 /// Viridis at eighths of its way (Smith and van der Walt, CC0).
 const VIRIDIS: [Rgb; 9] = [
@@ -17,10 +18,16 @@ const VIRIDIS: [Rgb; 9] = [
 
 /// The colour at a share of the way, 0 to 1; what is beyond takes the end's.
 pub fn viridis(share: f64) -> Rgb {
-    let last = VIRIDIS.len() - 1;
+    along(&VIRIDIS, share)
+}
+
+/// The colour at a share of the way through colours at equal distances; what is beyond takes the end's, and so does NaN
+/// the first.
+pub fn along<const N: usize>(colors: &[Rgb; N], share: f64) -> Rgb {
+    let last = N - 1;
     let at = if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) * last as f64 };
-    let k = (at as usize).min(last - 1);
-    super::palette::mixed(VIRIDIS[k], VIRIDIS[k + 1], (at - k as f64) as f32)
+    let k = at as usize;
+    mixed(colors[k], colors[(k + 1).min(last)], (at - k as f64) as f32)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! and `render` share it.
 
 use super::colormap::viridis;
+use super::legend::{Legend, LegendEntry, Quantity};
 use super::palette::{Rgb, mixed, state};
 use crate::part::{Hasher, Surfaces};
 use crate::process::{DoseMap, DoseSample, DoseVerdict};
@@ -27,68 +28,27 @@ pub const UNDER: Rgb = [30, 32, 36];
 /// A chosen surface that gets too little because something shades it.
 pub const SHADED: Rgb = state::MISSED;
 
-/// What a colour beside a scale stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LegendEntry {
-    /// More light than is allowed.
-    Over,
-    /// Too little, for want of light.
-    Under,
-    /// Too little, because something shades it.
-    Shaded,
-    /// No light lands there.
-    NoLight,
-}
-
-impl LegendEntry {
-    /// Its colour.
-    pub fn color(self) -> Rgb {
-        match self {
-            LegendEntry::Over => OVER,
-            LegendEntry::Under => UNDER,
-            LegendEntry::Shaded => SHADED,
-            LegendEntry::NoLight => UNLIT,
-        }
-    }
-}
-
-/// A colour scale, and what has a colour beside it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Legend {
-    /// What the numbers are: J/cm², or degrees.
-    pub look: DoseLook,
-    /// The ends of the scale.
-    pub range: [f64; 2],
-    /// Numbers to be marked on it: the thresholds.
-    pub marks: Vec<f64>,
-    /// Bright is low, dark is high.
-    pub falls: bool,
-    /// Colours beside the scale.
-    pub entries: &'static [LegendEntry],
-}
-
-impl Legend {
-    /// Share of the colour map at a share of the scale.
-    pub fn share(&self, share: f64) -> f64 {
-        if self.falls { 1.0 - share } else { share }
-    }
-}
-
 /// The legend of a look.
 pub fn legend(map: &DoseMap, look: DoseLook) -> Legend {
-    use LegendEntry::{NoLight, Over, Shaded, Under};
     let t = &map.thresholds;
+    let no_light = (LegendEntry::NoLight, UNLIT);
     match look {
         DoseLook::Dose => Legend {
-            look,
-            range: [0.0, t.high_j_cm2],
             marks: vec![0.0, t.low_j_cm2, t.high_j_cm2],
-            falls: false,
-            entries: &[Over, Under, Shaded, NoLight],
+            entries: vec![
+                (LegendEntry::Over, OVER),
+                (LegendEntry::Under, UNDER),
+                (LegendEntry::Shaded, SHADED),
+                no_light,
+            ],
+            ..Legend::new(Quantity::Dose, [0.0, t.high_j_cm2], |dose| viridis(share(map, dose)))
         },
-        DoseLook::Incidence => {
-            Legend { look, range: [0.0, 90.0], marks: vec![0.0, 30.0, 60.0, 90.0], falls: true, entries: &[NoLight] }
-        }
+        // Bright is upright.
+        DoseLook::Incidence => Legend {
+            marks: vec![0.0, 30.0, 60.0, 90.0],
+            entries: vec![no_light],
+            ..Legend::new(Quantity::Incidence, [0.0, 90.0], |deg| viridis(1.0 - deg / 90.0))
+        },
     }
 }
 

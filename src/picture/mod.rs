@@ -1,15 +1,19 @@
 //! What is shown of a part and its plan, as plain [`Scene`](crate::view::Scene) data: the part in
-//! surface colours, path lines, frames, beams, air moves, the robot cell. The window and `render` share it.
+//! surface colours, path lines, frames, beams, air moves, the robot cell, scans. The window and `render` share it.
 
 mod arm;
 pub mod beads;
 pub mod border;
 pub mod cell;
 mod colormap;
+pub mod deviation;
 pub mod dose;
+pub mod legend;
 pub mod palette;
 pub mod part;
+pub mod patches;
 pub mod paths;
+pub mod scan;
 pub mod section;
 pub mod solid;
 pub mod spacing;
@@ -18,9 +22,12 @@ pub mod trail;
 
 pub use cell::CellPicture;
 pub use colormap::viridis;
+pub use deviation::DeviationScale;
 pub use dose::{DoseLook, dose_item};
+pub use legend::{Legend, LegendEntry, Quantity};
 pub use palette::Palette;
 pub use part::{PartLook, PartPicture};
 pub use paths::{PathLook, paths};
+pub use scan::{ScanLook, ScanPicture};
 pub use tool::ToolPicture;
 pub use trail::Trail;

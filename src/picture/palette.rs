@@ -41,6 +41,34 @@ pub mod state {
     pub const PLAIN: Rgb = [92, 94, 98];
 }
 
+/// Colours of scans, and of how they lie off the model. Missing, surplus, within the tolerance and not scanned are at
+/// least 8 of OKLab's hundredths apart to every kind of colour blindness, and all stand out from the dark view.
+pub mod scan {
+    use super::Rgb;
+    /// Points without colours of their own.
+    pub const POINTS: Rgb = [184, 194, 208];
+    /// Points that cleaning drops.
+    pub const DROPPED: Rgb = [255, 128, 0];
+    /// As the model.
+    pub const WITHIN: Rgb = [196, 214, 196];
+    /// No point there, or no model near the point.
+    pub const NOT_SCANNED: Rgb = [112, 114, 120];
+    /// Less than the model, from the tolerance to the limit.
+    pub const MISSING: [Rgb; 3] = [[250, 198, 64], [242, 132, 30], [222, 52, 30]];
+    /// Less than the limit.
+    pub const MORE_MISSING: Rgb = [214, 70, 184];
+    /// More than the model, from the tolerance to the limit.
+    pub const SURPLUS: [Rgb; 3] = [[120, 196, 244], [72, 146, 255], [66, 102, 246]];
+    /// More than the limit.
+    pub const MORE_SURPLUS: Rgb = [172, 130, 244];
+    /// Outlines of patches.
+    pub const OUTLINE: Rgb = [244, 246, 250];
+    /// What sets them off from bright colours.
+    pub const OUTLINE_RIM: Rgb = [20, 22, 26];
+    /// The outline of a chosen patch.
+    pub const CHOSEN_OUTLINE: Rgb = [255, 240, 90];
+}
+
 /// Colour of each surface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Palette(BTreeMap<u32, usize>);

@@ -62,7 +62,7 @@ pub use naming::{NamedSentence, Naming};
 pub use notice::{example, notice_line, remedy};
 pub(crate) use number::{clock, exact, fixed, hour_and_minute, percent, rough, short};
 pub(crate) use part::with_option;
-pub(crate) use picture::{legend_entry, spacing_labels};
+pub(crate) use picture::{legend_entry, legend_mark, spacing_labels};
 pub use program_comment::program_comment;
 pub use report::report_lines;
 pub(crate) use sample::about_sample;

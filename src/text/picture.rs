@@ -1,18 +1,31 @@
 //! Words of the scales in pictures.
 
-use super::messages::{legend_no_light, legend_over, legend_shaded, legend_under};
+use super::messages::{
+    legend_missing, legend_no_light, legend_not_scanned, legend_over, legend_shaded, legend_surplus, legend_under,
+    legend_within,
+};
 use super::{Language, Message as _, fixed, say};
-use crate::picture::dose::LegendEntry;
 use crate::picture::spacing::SpacingScale;
+use crate::picture::{Legend, LegendEntry, Quantity};
 
-/// What a colour beside the scale of the dose stands for.
+/// What a colour beside a scale stands for.
 pub(crate) fn legend_entry(entry: LegendEntry, language: Language) -> String {
     match entry {
         LegendEntry::Over => legend_over {}.text_in(language),
         LegendEntry::Under => legend_under {}.text_in(language),
         LegendEntry::Shaded => legend_shaded {}.text_in(language),
         LegendEntry::NoLight => legend_no_light {}.text_in(language),
+        LegendEntry::Surplus => legend_surplus {}.text_in(language),
+        LegendEntry::Within => legend_within {}.text_in(language),
+        LegendEntry::Missing => legend_missing {}.text_in(language),
+        LegendEntry::NotScanned => legend_not_scanned {}.text_in(language),
     }
+}
+
+/// A number on a scale, without its unit. What may lie on either side of nought has its sign.
+pub(crate) fn legend_mark(legend: &Legend, mark: f64) -> String {
+    let told = fixed(mark, legend.decimals);
+    if legend.quantity == Quantity::Deviation && mark > 0.0 { format!("+{told}") } else { told }
 }
 
 /// The ends and the middle of the scale of the spacing.

@@ -61,5 +61,6 @@ fn object(what: DriverObject) -> String {
         DriverObject::FacetShader => say!(view_facet_shader),
         DriverObject::LineShader => say!(view_line_shader),
         DriverObject::DotShader => say!(view_dot_shader),
+        DriverObject::CloudShader => say!(view_cloud_shader),
     }
 }

@@ -75,4 +75,6 @@ pub enum DriverObject {
     LineShader,
     /// The shader that draws dots.
     DotShader,
+    /// The shader that draws clouds.
+    CloudShader,
 }

@@ -1,6 +1,8 @@
 //! The buffers on the graphics card, by key: uploaded when an item is first seen, dropped when it is no longer in
 //! the scene.
 
+use super::cloud::CloudItem;
+use super::gpu_cloud::{CloudColors, CloudPlaces};
 use super::gpu_mesh::{MeshColors, MeshGeometry};
 use super::gpu_strokes::{Dots, Lines, QuadIndices};
 use super::scene::{LineSegment, MeshItem, Rgba, Scene};
@@ -20,6 +22,9 @@ pub(super) struct GpuCache {
     pub edges: HashMap<u64, Lines>,
     pub lines: HashMap<u64, Lines>,
     pub dots: HashMap<u64, Dots>,
+    pub cloud_places: HashMap<u64, CloudPlaces>,
+    /// By geometry and colour key.
+    pub cloud_colors: HashMap<(u64, u64), CloudColors>,
     pub indices: QuadIndices,
     /// Buffers made so far, for tests of the reuse.
     pub uploads: u64,
@@ -34,6 +39,8 @@ impl GpuCache {
             edges: HashMap::new(),
             lines: HashMap::new(),
             dots: HashMap::new(),
+            cloud_places: HashMap::new(),
+            cloud_colors: HashMap::new(),
             indices: QuadIndices::new(context),
             uploads: 0,
         }
@@ -42,7 +49,8 @@ impl GpuCache {
     /// Brings the buffers in line with the scene: uploads what is missing, drops what is no longer in it.
     pub fn follow(&mut self, scene: &Scene) {
         self.drop_unused(scene);
-        let Self { context, geometry, colors, edges, lines, dots, indices, uploads } = self;
+        self.follow_clouds(scene);
+        let Self { context, geometry, colors, edges, lines, dots, indices, uploads, .. } = self;
         for item in &scene.meshes {
             geometry.entry(item.geometry_key).or_insert_with(|| {
                 *uploads += 1;
@@ -74,6 +82,20 @@ impl GpuCache {
         }
     }
 
+    fn follow_clouds(&mut self, scene: &Scene) {
+        let Self { context, cloud_places, cloud_colors, uploads, .. } = self;
+        for item in &scene.clouds {
+            cloud_places.entry(item.geometry_key).or_insert_with(|| {
+                *uploads += 1;
+                CloudPlaces::upload(context, item)
+            });
+            cloud_colors.entry(cloud_color_key(item)).or_insert_with(|| {
+                *uploads += 1;
+                CloudColors::upload(context, item)
+            });
+        }
+    }
+
     /// First, so that a new part never needs room beside the old one.
     fn drop_unused(&mut self, scene: &Scene) {
         let meshes = || scene.meshes.iter();
@@ -86,10 +108,19 @@ impl GpuCache {
         self.lines.retain(|key, _| shown.contains(key));
         let shown: HashSet<_> = scene.points.iter().map(|item| item.key).collect();
         self.dots.retain(|key, _| shown.contains(key));
+        let shown: HashSet<_> = scene.clouds.iter().map(|item| item.geometry_key).collect();
+        self.cloud_places.retain(|key, _| shown.contains(key));
+        let shown: HashSet<_> = scene.clouds.iter().map(cloud_color_key).collect();
+        self.cloud_colors.retain(|key, _| shown.contains(key));
     }
 }
 
 /// Names the colours of an item among all items.
 pub(super) fn color_key(item: &MeshItem) -> (u64, u64) {
+    (item.geometry_key, item.colors_key)
+}
+
+/// Names the colours of a cloud among all clouds.
+pub(super) fn cloud_color_key(item: &CloudItem) -> (u64, u64) {
     (item.geometry_key, item.colors_key)
 }

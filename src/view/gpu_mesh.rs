@@ -18,6 +18,8 @@ pub(super) struct MeshColors {
     colors: VertexBuffer<Rgba>,
     has_opaque: bool,
     has_see_through: bool,
+    /// One colour per corner.
+    run_together: bool,
 }
 
 /// Which facets a pass draws.
@@ -44,15 +46,15 @@ impl MeshColors {
     pub fn upload(context: &Context, item: &MeshItem) -> Self {
         // Facets without a colour are a mistake of the caller; they are shown in mid grey
         // rather than read beyond the end of the buffer.
-        let colors: Vec<Rgba> = item
-            .facet_colors
-            .iter()
-            .copied()
-            .chain(std::iter::repeat([128, 128, 128, 255]))
-            .take(item.facet_count())
-            .flat_map(|color| [color; 3])
-            .collect();
+        let (facets, given) = (item.facet_count(), &item.facet_colors);
+        let run_together = given.len() == 3 * facets;
+        let filled = given.iter().copied().chain(std::iter::repeat([128, 128, 128, 255]));
+        let colors: Vec<Rgba> = match run_together {
+            true => filled.take(3 * facets).collect(),
+            false => filled.take(facets).flat_map(|color| [color; 3]).collect(),
+        };
         Self {
+            run_together,
             has_opaque: colors.iter().any(|color| color[3] == 255),
             has_see_through: colors.iter().any(|color| (1..255).contains(&color[3])),
             colors: VertexBuffer::new_with_data(context, &colors),
@@ -60,15 +62,21 @@ impl MeshColors {
     }
 }
 
-/// The program that draws facets.
-pub(super) struct MeshProgram(Program);
+/// The programs that draw facets.
+pub(super) struct MeshPrograms {
+    per_facet: Program,
+    per_corner: Program,
+}
 
-impl MeshProgram {
+impl MeshPrograms {
     pub fn new(context: &Context) -> Result<Self, ViewError> {
         let [vertex, fragment] = [include_str!("shaders/mesh.vert"), include_str!("shaders/mesh.frag")];
-        let program = Program::from_source(context, vertex, fragment)
-            .map_err(|error| ViewError::Driver { what: DriverObject::FacetShader, reason: error.to_string() })?;
-        Ok(Self(program))
+        let program = |shaded: &str| {
+            let [vertex, fragment] = [vertex, fragment].map(|source| format!("#define SHADED {shaded}\n{source}"));
+            Program::from_source(context, &vertex, &fragment)
+                .map_err(|error| ViewError::Driver { what: DriverObject::FacetShader, reason: error.to_string() })
+        };
+        Ok(Self { per_facet: program("flat")?, per_corner: program("smooth")? })
     }
 
     pub fn draw(
@@ -96,7 +104,7 @@ impl MeshProgram {
         if !wanted || geometry.corner_count == 0 {
             return;
         }
-        let program = &self.0;
+        let program = if colors.run_together { &self.per_corner } else { &self.per_facet };
         program.use_uniform("eye_from_item", camera.eye_from_item);
         program.use_uniform("clip_from_eye", camera.clip_from_eye);
         program.use_uniform("up_in_item", camera.up_in_item);

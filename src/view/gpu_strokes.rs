@@ -164,7 +164,7 @@ impl StrokePrograms {
 /// How far a stroke is moved toward the viewer, in sizes of a pixel. The half that lies on the
 /// far side of its axis is buried by half the width times the slope of the surface: three half
 /// widths show it whole up to a slope of 3 (72°). More would shine through thin walls.
-fn bias_px(half_width_px: f32) -> f32 {
+pub(super) fn bias_px(half_width_px: f32) -> f32 {
     1.0 + 3.0 * half_width_px
 }
 

@@ -1,6 +1,6 @@
 //! Draws 3D: a scene of plain data, seen by a camera, becomes pixels.
 //!
-//! - [`scene`] says *what* is shown (meshes, lines, dots) without knowing OpenGL;
+//! - [`scene`] says *what* is shown (meshes, lines, dots, a [`cloud`] of points) without knowing OpenGL;
 //! - [`camera`] and its [`lens`] say *from where*, [`bounds`] how large the shown things are,
 //!   [`flight`] how one view glides into the next;
 //! - [`renderer`] draws one into the other with three-d on a glow context that somebody else
@@ -13,6 +13,7 @@
 
 pub mod bounds;
 pub mod camera;
+pub mod cloud;
 pub mod error;
 pub mod flight;
 pub mod headless;
@@ -26,14 +27,18 @@ pub mod widget;
 
 mod gl_state;
 mod gpu_cache;
+mod gpu_cloud;
 mod gpu_mesh;
 mod gpu_strokes;
+mod motion;
 mod projecting;
 mod target;
+mod thinning;
 mod to_three_d;
 
 pub use bounds::Bounds;
 pub use camera::Camera;
+pub use cloud::{CloudDetail, CloudItem, Places};
 pub use error::{DeviceAnswer, DriverObject, NoEgl, ViewError};
 pub use flight::Flight;
 pub use headless::HeadlessGl;

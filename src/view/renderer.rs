@@ -6,10 +6,12 @@
 //! while the context still lives (eframe: in `App::on_exit`).
 
 use super::camera::Camera;
+use super::cloud::CloudDetail;
 use super::error::{DriverObject, ViewError};
 use super::gl_state::SavedState;
-use super::gpu_cache::{GpuCache, color_key};
-use super::gpu_mesh::{DrawPass, MeshProgram};
+use super::gpu_cache::{GpuCache, cloud_color_key, color_key};
+use super::gpu_cloud::CloudProgram;
+use super::gpu_mesh::{DrawPass, MeshPrograms};
 use super::gpu_strokes::StrokePrograms;
 use super::lens::ViewSize;
 use super::scene::{Depth, Scene};
@@ -28,13 +30,14 @@ pub struct Renderer {
     background: Program,
     /// One triangle that covers the view.
     background_corners: VertexBuffer<[f32; 2]>,
-    meshes: MeshProgram,
+    meshes: MeshPrograms,
     strokes: StrokePrograms,
+    clouds: CloudProgram,
     cache: GpuCache,
     largest_side_px: u32,
     target: Option<RenderTarget>,
     /// What the picture in `target` shows.
-    drawn: Option<(Vec<u64>, Camera)>,
+    drawn: Option<(Vec<u64>, Camera, CloudDetail)>,
 }
 
 impl std::fmt::Debug for Renderer {
@@ -66,8 +69,9 @@ impl Renderer {
         Ok(Self {
             background_corners: VertexBuffer::new_with_data(&context, &covering),
             background,
-            meshes: MeshProgram::new(&context)?,
+            meshes: MeshPrograms::new(&context)?,
             strokes: StrokePrograms::new(&context)?,
+            clouds: CloudProgram::new(&context)?,
             cache: GpuCache::new(&context),
             largest_side_px,
             target: None,
@@ -82,12 +86,34 @@ impl Renderer {
     /// # Errors
     /// When the driver has no memory for a picture of this size.
     pub fn draw(&mut self, scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Result<bool, ViewError> {
+        self.draw_in_detail(scene, camera, size_px, CloudDetail::default())
+    }
+
+    /// Whether a moving camera sees fewer points of the scene than one at rest.
+    pub fn thins(&self, scene: &Scene) -> bool {
+        self.clouds.thins(scene.cloud_points())
+    }
+
+    /// Draws as [`Self::draw`] does, clouds as they are wanted this time.
+    ///
+    /// # Errors
+    /// As [`Self::draw`].
+    pub fn draw_in_detail(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        size_px: [u32; 2],
+        detail: CloudDetail,
+    ) -> Result<bool, ViewError> {
         if size_px.contains(&0) {
             return Ok(false);
         }
         let size_px = size_px.map(|px| px.min(self.largest_side_px));
         let same_size = self.target.as_ref().is_some_and(|target| target.size_px() == size_px);
-        let wanted = (scene.stamp(), *camera);
+        // Where no cloud shows it, detail makes no other picture.
+        let detail = if scene.clouds.is_empty() { CloudDetail::default() } else { detail };
+        let detail = CloudDetail { thinned: detail.thinned && self.thins(scene), ..detail };
+        let wanted = (scene.stamp(), *camera, detail);
         if same_size && self.drawn.as_ref() == Some(&wanted) {
             return Ok(false);
         }
@@ -100,7 +126,7 @@ impl Renderer {
         };
         self.cache.follow(scene);
         target.begin();
-        self.draw_layers(scene, camera, size_px);
+        self.draw_layers(scene, camera, size_px, detail);
         target.resolve();
         self.target = Some(target);
         self.drawn = Some(wanted);
@@ -134,12 +160,13 @@ impl Renderer {
         self.cache.uploads
     }
 
-    fn draw_layers(&self, scene: &Scene, camera: &Camera, [width_px, height_px]: [u32; 2]) {
+    fn draw_layers(&self, scene: &Scene, camera: &Camera, [width_px, height_px]: [u32; 2], detail: CloudDetail) {
         let size = ViewSize::new(f64::from(width_px), f64::from(height_px));
         let uniforms = CameraUniforms::new(camera, size);
         let viewport = Viewport::new_at_origo(width_px, height_px);
         self.draw_background(scene, viewport);
         self.draw_meshes(scene, DrawPass::Opaque, &uniforms, viewport);
+        self.draw_clouds(scene, detail, &uniforms, viewport);
         self.draw_edges(scene, &uniforms, viewport);
         self.draw_strokes(scene, Depth::Tested, &uniforms, viewport);
         // After all that can be seen through it.
@@ -163,6 +190,18 @@ impl Renderer {
             let colors = self.cache.colors.get(&color_key(item));
             if let (Some(geometry), Some(colors)) = (geometry, colors) {
                 self.meshes.draw(geometry, colors, pass, &camera.of_item(&item.scene_from_item), viewport);
+            }
+        }
+    }
+
+    fn draw_clouds(&self, scene: &Scene, detail: CloudDetail, camera: &CameraUniforms, viewport: Viewport) {
+        let all = scene.cloud_points();
+        for item in &scene.clouds {
+            let places = self.cache.cloud_places.get(&item.geometry_key);
+            let colors = self.cache.cloud_colors.get(&cloud_color_key(item));
+            if let (Some(places), Some(colors)) = (places, colors) {
+                let camera = camera.of_item(&item.scene_from_item);
+                self.clouds.draw(item, places, colors, (detail, all), &camera, viewport);
             }
         }
     }

@@ -6,13 +6,14 @@
 //! of the inputs; two items of one kind may share a key only if they share the data. Where an item
 //! stands is no part of its data: what moves keeps its key.
 
+use super::cloud::CloudItem;
 use nalgebra::Isometry3;
 use std::sync::Arc;
 
 /// 8-bit sRGB colour and straight (not premultiplied) alpha.
 pub type Rgba = [u8; 4];
 
-/// Everything in one picture, drawn in this order: background, meshes with their crease lines,
+/// Everything in one picture, drawn in this order: background, meshes, clouds, crease lines of the meshes,
 /// tested lines and points, then lines and points on top.
 #[derive(Debug, Clone)]
 pub struct Scene {
@@ -26,9 +27,11 @@ pub struct Scene {
     pub lines: Vec<LineItem>,
     /// Round dots of constant size on the screen.
     pub points: Vec<PointItem>,
+    /// Measured points by the million.
+    pub clouds: Vec<CloudItem>,
 }
 
-/// Triangles with one colour per facet.
+/// Triangles with one colour per facet, or per corner.
 #[derive(Debug, Clone)]
 pub struct MeshItem {
     /// Names `positions` and `edges`.
@@ -38,8 +41,8 @@ pub struct MeshItem {
     pub positions: Arc<Vec<[f32; 3]>>,
     /// Names `facet_colors` for this geometry; a new key uploads colours only.
     pub colors_key: u64,
-    /// One colour per facet. Alpha 0 hides the facet, alpha below 255 lets shine through
-    /// (unsorted: meant for envelopes and beams, not for parts).
+    /// One colour per facet; or one per corner, which then run into each other. Alpha 0 hides the facet (all
+    /// corners the same), alpha below 255 lets shine through (unsorted: meant for envelopes and beams, not for parts).
     pub facet_colors: Arc<Vec<Rgba>>,
     /// Crease lines, drawn thin and dark over the facets. Switching between `None` and `Some`
     /// needs no new key.
@@ -108,6 +111,7 @@ impl Default for Scene {
             meshes: Vec::new(),
             lines: Vec::new(),
             points: Vec::new(),
+            clouds: Vec::new(),
         }
     }
 }
@@ -120,12 +124,18 @@ impl MeshItem {
 }
 
 impl Scene {
+    /// Number of points in all clouds.
+    pub fn cloud_points(&self) -> u64 {
+        self.clouds.iter().map(|cloud| u64::from(cloud.count())).sum()
+    }
+
     /// One number per thing that decides the picture: equal stamps, equal pictures (as long as
     /// keys keep their promise). Compared as a whole, so that no two scenes can be confused.
     pub(super) fn stamp(&self) -> Vec<u64> {
         let [top, bottom] =
             [self.background_top, self.background_bottom].map(|[r, g, b]| u64::from(u32::from_be_bytes([0, r, g, b])));
-        let mut stamp = vec![top, bottom, self.meshes.len() as u64, self.lines.len() as u64];
+        let counts = [self.meshes.len(), self.lines.len(), self.points.len()].map(|count| count as u64);
+        let mut stamp = [[top, bottom].as_slice(), &counts].concat();
         for mesh in &self.meshes {
             stamp.extend([mesh.geometry_key, mesh.colors_key, u64::from(mesh.edges.is_some())]);
             stamp.extend(place(&mesh.scene_from_item));
@@ -137,6 +147,10 @@ impl Scene {
         for dots in &self.points {
             stamp.extend([dots.key, size_and_depth(dots.size_px, dots.depth)]);
             stamp.extend(place(&dots.scene_from_item));
+        }
+        for cloud in &self.clouds {
+            stamp.extend(cloud.stamp());
+            stamp.extend(place(&cloud.scene_from_item));
         }
         stamp
     }

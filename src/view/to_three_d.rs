@@ -17,6 +17,8 @@ pub(super) struct CameraUniforms {
     pub clip_from_eye: Mat4,
     /// Half the size of the view.
     pub half_view_px: Vec2,
+    /// Millimetres across one pixel at the depth of the camera's target.
+    pub mm_per_px: f64,
     /// Eye z of the near plane, where lines are cut; out of the way in parallel projection,
     /// where nothing lies behind the viewer.
     pub near_z: f32,
@@ -41,6 +43,7 @@ impl CameraUniforms {
             up_in_item: Vec3::new(0.0, 0.0, 1.0),
             clip_from_eye: mat4(&camera.clip_from_eye(size)),
             half_view_px: Vec2::new(size.width_px as f32, size.height_px as f32) / 2.0,
+            mm_per_px,
             near_z,
             nearer_by_one_px,
         }

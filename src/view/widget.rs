@@ -6,9 +6,11 @@
 
 use super::bounds::Bounds;
 use super::camera::Camera;
+use super::cloud::CloudDetail;
 use super::error::ViewError;
 use super::flight::Flight;
 use super::lens::{Projection, ViewSize};
+use super::motion::Motion;
 use super::overlay::{self, CubeLabels};
 use super::renderer::Renderer;
 use super::scene::Scene;
@@ -18,6 +20,7 @@ use eframe::egui::{self, PointerButton, Response, Sense};
 use eframe::{egui_glow, glow};
 use nalgebra::{Point3, Vector3};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
 /// Zoom per point of wheel travel: one notch (40 to 50 points) is about a sixth.
 const ZOOM_PER_POINT: f64 = 0.0035;
@@ -39,6 +42,7 @@ pub struct Viewport {
     /// Accessible name of the view; empty until its owner gives one.
     pub name: String,
     flight: Option<Flight>,
+    motion: Motion,
     moves: Vec<CameraMove>,
     size: Option<ViewSize>,
     drawing: Option<Arc<Mutex<Drawing>>>,
@@ -80,6 +84,7 @@ impl Viewport {
             labels: CubeLabels::default(),
             name: String::new(),
             flight: None,
+            motion: Motion::default(),
             moves: Vec::new(),
             size: None,
             drawing: None,
@@ -160,7 +165,8 @@ impl Viewport {
         self.apply_gestures(ui, &response, &frame, pick);
         self.fly(ui);
 
-        self.paint(ui, scene, &frame);
+        let thinned = self.thins(ui, scene);
+        self.paint(ui, scene, &frame, thinned);
         let cube = overlay::view_cube(ui, rect, &self.camera, &self.labels);
         overlay::triad(&ui.painter_at(rect), rect, &self.camera);
         if let Some(view) = cube.chosen {
@@ -198,6 +204,7 @@ impl Viewport {
         if jump {
             self.camera = to;
             self.flight = None;
+            self.motion.jump(&to);
         } else {
             self.flight = Some(Flight::new(self.camera, to, ui.input(|input| input.time)));
         }
@@ -245,7 +252,18 @@ impl Viewport {
         }
     }
 
-    fn paint(&self, ui: &egui::Ui, scene: &Arc<Scene>, frame: &PixelRect) {
+    /// Whether clouds are thinned in this frame because the camera moves; the one that shows them whole is asked for.
+    fn thins(&mut self, ui: &egui::Ui, scene: &Scene) -> bool {
+        let rest_in_s = self.motion.follow(&self.camera, ui.input(|input| input.time));
+        let Some((rest_in_s, drawing)) = rest_in_s.zip(self.drawing.as_ref()) else { return false };
+        let thins = drawing.lock().unwrap_or_else(PoisonError::into_inner).renderer.thins(scene);
+        if thins {
+            ui.ctx().request_repaint_after(Duration::from_secs_f64(rest_in_s));
+        }
+        thins
+    }
+
+    fn paint(&self, ui: &egui::Ui, scene: &Arc<Scene>, frame: &PixelRect, thinned: bool) {
         let Some(drawing) = &self.drawing else {
             let [r, g, b] = scene.background_bottom;
             ui.painter().rect_filled(frame.rect, 0.0, egui::Color32::from_rgb(r, g, b));
@@ -256,7 +274,8 @@ impl Viewport {
         let callback = egui_glow::CallbackFn::new(move |info, _painter| {
             let mut drawing = drawing.lock().unwrap_or_else(PoisonError::into_inner);
             let size_px = [size.width_px as u32, size.height_px as u32];
-            let drawn = drawing.renderer.draw(&scene, &camera, size_px);
+            let detail = CloudDetail { px_per_point: info.pixels_per_point, thinned };
+            let drawn = drawing.renderer.draw_in_detail(&scene, &camera, size_px, detail);
             drawing.failure = drawn.err();
             // Not `info.viewport_in_pixels()`: that one shrinks at the window's edge.
             let left_px = (rect.min.x * info.pixels_per_point).round() as i32;

@@ -26,11 +26,16 @@ view_background_shader = the shader for the background
 view_facet_shader = the shader for facets
 view_line_shader = the shader for lines
 view_dot_shader = the shader for dots
+view_cloud_shader = the shader for scans
 
 ## Legends
 legend_over = over
 legend_under = under
 legend_shaded = shaded
 legend_no_light = no light
+legend_surplus = surplus
+legend_within = within
+legend_missing = missing
+legend_not_scanned = not scanned
 legend_spacing = { $mm } mm
 legend_spacing_share = { $percent } %

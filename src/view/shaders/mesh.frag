@@ -1,5 +1,5 @@
-flat in vec4 front_color;
-flat in vec3 back_color;
+SHADED in vec4 front_color;
+SHADED in vec3 back_color;
 
 layout(location = 0) out vec4 pixel;
 

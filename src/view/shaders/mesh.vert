@@ -1,5 +1,6 @@
-// Facets, lit once per corner: colour and normal are the same at all three corners of a facet,
-// so the fragments have nothing left to compute. That keeps software OpenGL quick.
+// Facets, lit once per corner: the normal is the same at all three corners of a facet, and so is the
+// colour (SHADED is flat) unless colours run together (smooth). The fragments have nothing left to
+// compute; that keeps software OpenGL quick.
 
 uniform mat4 eye_from_item;
 uniform mat4 clip_from_eye;
@@ -10,8 +11,8 @@ in vec3 position;
 in uint packed_normal;
 in uvec4 color;
 
-flat out vec4 front_color;
-flat out vec3 back_color;
+SHADED out vec4 front_color;
+SHADED out vec3 back_color;
 
 // Over the viewer's left shoulder.
 const vec3 KEY = normalize(vec3(-0.45, 0.55, 0.90));

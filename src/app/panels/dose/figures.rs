@@ -2,8 +2,8 @@
 
 use super::super::super::dose::DoseView;
 use super::super::super::theme;
-use crate::picture::dose::{DoseLook, Legend, OVER, SHADED, UNDER};
-use crate::picture::viridis;
+use crate::picture::dose::{OVER, SHADED, UNDER};
+use crate::picture::{Legend, Quantity, viridis};
 use crate::process::Thresholds;
 use crate::text::{fixed, language, legend_entry, percent, say};
 use eframe::egui::{self, Color32, Rect, RichText, Sense, Stroke, pos2, vec2};
@@ -40,7 +40,7 @@ pub(in super::super) fn bar(ui: &mut egui::Ui, width: f32, told: impl Fn() -> St
 pub(super) fn scale(ui: &mut egui::Ui, legend: &Legend) {
     let width = ui.available_width().min(260.0);
     // Incidence is lightest where the light stands upright.
-    let is_angle = legend.look == DoseLook::Incidence;
+    let is_angle = legend.quantity == Quantity::Incidence;
     bar(ui, width, || say!(dose_panel_scale), |share| if is_angle { 1.0 - share } else { share });
     ui.horizontal(|ui| {
         let [low, high] = legend.range;
@@ -51,8 +51,8 @@ pub(super) fn scale(ui: &mut egui::Ui, legend: &Legend) {
         });
     });
     ui.horizontal_wrapped(|ui| {
-        for entry in legend.entries {
-            theme::swatch(ui, entry.color());
+        for (entry, color) in &legend.entries {
+            theme::swatch(ui, *color);
             ui.label(RichText::new(legend_entry(*entry, language())).small());
         }
     });
