@@ -159,6 +159,11 @@ pub trait Dialect: Sync {
         None
     }
 
+    /// What no public source confirms of what it writes for a setup: words of the controller, and figures of its table
+    /// of the cell file with the table's name before them. Words that are written otherwise by a cell file are those of
+    /// its templates.
+    fn unverified(&self, setup: &Setup) -> Vec<&'static str>;
+
     /// Whether a text is of this dialect.
     fn claims(&self, text: &str) -> bool;
 
