@@ -64,6 +64,10 @@ pub struct Progress {
     ends: Option<(usize, AtomicUsize)>,
 }
 
+/// Pieces between two looks of [`Progress::check_at`]: at a microsecond each some milliseconds, of the hundred within
+/// which an operator expects an answer.
+const PIECES_BETWEEN_LOOKS: usize = 4096;
+
 /// The work was cancelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cancelled;
@@ -107,6 +111,14 @@ impl Progress {
     /// [`Cancelled`] when the work should end.
     pub fn check(&self) -> Result<(), Cancelled> {
         if self.goes_on() { Ok(()) } else { Err(Cancelled) }
+    }
+
+    /// Looks at every few thousandth of pieces that are numbered on: they take a microsecond or less each.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when the work should end.
+    pub fn check_at(&self, piece: usize) -> Result<(), Cancelled> {
+        if piece.is_multiple_of(PIECES_BETWEEN_LOOKS) { self.check() } else { Ok(()) }
     }
 
     /// Whether nobody asked the work to end.

@@ -4,49 +4,35 @@
 mod parts;
 
 use clearbeam::beam::{Obstacle, Tool};
-use clearbeam::cell::Setup;
-use clearbeam::document::{Job, segmented};
+use clearbeam::document::segmented;
 use clearbeam::part::file::PartFileError;
-use clearbeam::part::{Part, Placement, Source, Surfaces, Units, Weld};
+use clearbeam::part::{Placement, Source, Units, Weld};
 use clearbeam::planning::export::{self, ExportError, ExportInput, ExportOf, ExportOptions};
-use clearbeam::planning::{self, Plan, PlanCache, PlanError};
+use clearbeam::planning::{self, PlanCache, PlanError};
 use clearbeam::pose::Correction;
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
 use clearbeam::text::program_comment;
-use parts::{block, cylinder, job, on, part, setup, surface_at};
+use parts::{Case, block, cylinder, job, on, part, setup, surface_at};
 
 /// Looks that work may still make after it was cancelled: none of them does more than test one pose.
 const MOST_LOOKS: usize = 200_000;
 
-struct Case {
-    part: Part,
-    surfaces: Surfaces,
-    job: Job,
-    setup: Setup,
-}
-
-impl Case {
-    /// The floor between fins, with a clamp above it.
-    fn new(correction: Correction, with_head: bool) -> Case {
-        let part = part(&solids::fin_row(3, 2.0, 4.0, 15.0, 12.0, 7.0));
-        let mut job = job("x", 2.0);
-        job.path.correction = correction;
-        let surfaces = segmented(&part, &job);
-        let job = on(job, &[surface_at(&part, &surfaces, [4.0, 6.0, 0.0])]);
-        let mut setup = setup();
-        let dir = tempfile::tempdir().expect("a folder");
-        std::fs::write(dir.path().join("clamp.stl"), stl_bytes(&block([-3.0; 3], [3.0; 3]))).expect("written");
-        let mut clamp = Obstacle::named("clamp.stl".into());
-        clamp.position_mm = [4.0, 6.0, 40.0];
-        clamp.load(Some(dir.path())).expect("an STL");
-        setup.tool = Tool { head: with_head.then(|| cylinder(6.0).head).flatten(), clamps: vec![clamp] };
-        Case { part, surfaces, job, setup }
-    }
-
-    fn plan(&self, progress: &Progress) -> Result<Plan, PlanError> {
-        planning::plan(&self.part, &self.surfaces, &self.job, &self.setup, &PlanCache::default(), progress)
-    }
+/// The floor between fins, with a clamp above it.
+fn finned(correction: Correction, with_head: bool) -> Case {
+    let part = part(&solids::fin_row(3, 2.0, 4.0, 15.0, 12.0, 7.0));
+    let mut job = job("x", 2.0);
+    job.path.correction = correction;
+    let surfaces = segmented(&part, &job);
+    let job = on(job, &[surface_at(&part, &surfaces, [4.0, 6.0, 0.0])]);
+    let mut setup = setup();
+    let dir = tempfile::tempdir().expect("a folder");
+    std::fs::write(dir.path().join("clamp.stl"), stl_bytes(&block([-3.0; 3], [3.0; 3]))).expect("written");
+    let mut clamp = Obstacle::named("clamp.stl".into());
+    clamp.position_mm = [4.0, 6.0, 40.0];
+    clamp.load(Some(dir.path())).expect("an STL");
+    setup.tool = Tool { head: with_head.then(|| cylinder(6.0).head).flatten(), clamps: vec![clamp] };
+    Case { part, surfaces, job, setup }
 }
 
 /// Runs work that is cancelled earlier and later, up to where it is done before.
@@ -73,9 +59,13 @@ fn planning_ends_wherever_it_is() {
     for (correction, with_head) in
         [(Correction::None, false), (Correction::SectionPlane, true), (Correction::Clearance, true)]
     {
-        let case = Case::new(correction, with_head);
+        let case = finned(correction, with_head);
         let name = format!("{correction:?}");
-        at_every_stage(&name, |e| *e == PlanError::Cancelled, |progress| case.plan(progress));
+        at_every_stage(
+            &name,
+            |e| *e == PlanError::Cancelled,
+            |progress| case.plan_with(&PlanCache::default(), progress),
+        );
     }
 }
 
@@ -94,8 +84,8 @@ fn a_part_is_not_built_to_its_end() {
 
 #[test]
 fn dose_and_export_end_wherever_they_are() {
-    let case = Case::new(Correction::SectionPlane, false);
-    let plan = case.plan(&Progress::default()).expect("a plan");
+    let case = finned(Correction::SectionPlane, false);
+    let plan = case.plan();
     let Case { part, surfaces, job, setup } = &case;
     at_every_stage(
         "dose",

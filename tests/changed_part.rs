@@ -43,10 +43,10 @@ fn plan(job: &Path, out: &Path) -> (i32, String, serde_json::Value) {
     (output.status.code().expect("ends"), told, serde_json::from_str(&report).expect("JSON"))
 }
 
-/// Findings, but for the frames of the shipped cell, which are examples.
+/// Findings, but for what nobody has checked of cell and controller, which is no matter of the part.
 fn of_job(report: &serde_json::Value) -> usize {
     let all = report["findings"].as_array().expect("a list");
-    all.iter().filter(|f| f["code"] != "unverified_frame").count()
+    all.iter().filter(|f| !f["code"].as_str().is_some_and(|code| code.starts_with("unverified"))).count()
 }
 
 #[test]

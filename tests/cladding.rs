@@ -1,32 +1,28 @@
 //! Beads in layers: each on the part as those before have made it, proven on that part, and read back.
 
-use clearbeam::cell::Setup;
+#[path = "common/parts.rs"]
+mod parts;
+
 use clearbeam::document::{Job, files, segmented};
-use clearbeam::part::{Part, Placement, SurfaceId, Surfaces, Units, angle};
+use clearbeam::part::{SurfaceId, angle};
 use clearbeam::path::AxisSource;
 use clearbeam::planning::proof::prover;
 use clearbeam::planning::report::Report;
-use clearbeam::planning::{self, Plan, PlanCache, PlanError, export, verify};
+use clearbeam::planning::{Plan, PlanCache, PlanError, export, verify};
 use clearbeam::pose::Correction;
 use clearbeam::program::{ProgramLine, lines};
 use clearbeam::progress::Progress;
-use clearbeam::sample::{Triangles, solids, stl_bytes};
+use clearbeam::sample::{Triangles, solids};
 use clearbeam::text::program_comment;
 use nalgebra::Vector3;
+use parts::{Case, setup};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-struct Case {
-    part: Part,
-    surfaces: Surfaces,
-    job: Job,
-    setup: Setup,
-}
-
 impl Case {
     /// A solid of which the surface that looks along `n` is clad with beads of 2 × 0.5 mm.
-    fn new(solid: &Triangles, n: [f64; 3], layers: u32) -> Case {
-        let part = Part::from_bytes(&stl_bytes(solid), Units::Mm, &Placement::default(), &[]).expect("a part");
+    fn clad(solid: &Triangles, n: [f64; 3], layers: u32) -> Case {
+        let part = parts::part(solid);
         let mut job = Job::default();
         let surfaces = segmented(&part, &job);
         let off = |f: u32| (part.mesh.normals[f as usize] - Vector3::from(n)).norm();
@@ -35,15 +31,12 @@ impl Case {
         job.layers.direction = "x".parse().expect("a direction");
         (job.bead.width_mm, job.bead.height_mm, job.bead.layers) = (2.0, 0.5, layers);
         job.layers.spacing_mm = job.bead_spacing_mm().expect("a bead");
-        Case { part, surfaces, job, setup: Setup::shipped().expect("a cell") }
+        Case { part, surfaces, job, setup: setup() }
     }
 
-    fn plan_with(&self, cache: &PlanCache) -> Result<Plan, PlanError> {
-        planning::plan(&self.part, &self.surfaces, &self.job, &self.setup, cache, &Progress::default())
-    }
-
-    fn plan(&self) -> Plan {
-        self.plan_with(&PlanCache::default()).expect("plans")
+    /// Plans it with what is known already.
+    fn plan_knowing(&self, cache: &PlanCache) -> Result<Plan, PlanError> {
+        self.plan_with(cache, &Progress::default())
     }
 
     /// The program, written and verified by the reader with the second opinion.
@@ -58,7 +51,7 @@ impl Case {
 
 #[test]
 fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
-    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3);
+    let mut case = Case::clad(&solids::cube(10.0), [0.0, 0.0, 1.0], 3);
     case.job.bead.alternate = true;
     let plan = case.plan();
     let report = Report::new(&plan, &case.surfaces);
@@ -91,7 +84,7 @@ fn layers_rise_by_the_bead_and_are_proven_where_they_lie() {
 
 #[test]
 fn a_move_below_the_metal_of_its_layer_is_refuted() {
-    let case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 3);
+    let case = Case::clad(&solids::cube(10.0), [0.0, 0.0, 1.0], 3);
     let plan = case.plan();
     let moves = plan.steps.lit_moves(&case.setup.mounted());
     let prover = prover(&case.part, &case.setup, &case.job).on_layers(&plan.grown);
@@ -105,7 +98,7 @@ fn a_move_below_the_metal_of_its_layer_is_refuted() {
 
 #[test]
 fn closed_lines_begin_elsewhere_in_each_layer() {
-    let mut case = Case::new(&solids::cylinder(15.0, 12.0, 120), [1.0, 0.0, 0.0], 3);
+    let mut case = Case::clad(&solids::cylinder(15.0, 12.0, 120), [1.0, 0.0, 0.0], 3);
     case.job.layers.direction = "z".parse().expect("a direction");
     let start = |plan: &Plan, layer: u32| {
         let lowest = plan
@@ -131,31 +124,31 @@ fn closed_lines_begin_elsewhere_in_each_layer() {
 
 #[test]
 fn a_bore_that_would_close_is_refused() {
-    let mut case = Case::new(&solids::cylinder(3.0, 12.0, 60), [1.0, 0.0, 0.0], 4);
+    let mut case = Case::clad(&solids::cylinder(3.0, 12.0, 60), [1.0, 0.0, 0.0], 4);
     let flipped = case.job.chosen(&case.surfaces);
     case.job.settings.change(SurfaceId(flipped[0]), |s| s.flipped = true);
     case.surfaces = segmented(&case.part, &case.job);
     case.job.path.correction = Correction::None;
-    assert!(case.plan_with(&PlanCache::default()).is_ok(), "2 of 3 mm");
+    assert!(case.plan_knowing(&PlanCache::default()).is_ok(), "2 of 3 mm");
     case.job.bead.layers = 9;
-    let refused = case.plan_with(&PlanCache::default()).expect_err("4.5 of 3 mm");
+    let refused = case.plan_knowing(&PlanCache::default()).expect_err("4.5 of 3 mm");
     let PlanError::Folds { surface, layers } = refused else { panic!("{refused}") };
     assert_eq!((surface, layers), (flipped[0], 6), "3 mm");
 }
 
 #[test]
 fn another_layer_leaves_those_below_as_they_are() {
-    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2);
+    let mut case = Case::clad(&solids::cube(10.0), [0.0, 0.0, 1.0], 2);
     let cache = PlanCache::default();
-    let two = case.plan_with(&cache).expect("plans");
+    let two = case.plan_knowing(&cache).expect("plans");
     case.job.bead.layers = 3;
-    let three = case.plan_with(&cache).expect("plans");
+    let three = case.plan_knowing(&cache).expect("plans");
     assert_eq!((two.surfaces.len(), three.surfaces.len()), (2, 3));
     assert!(two.surfaces.iter().zip(&three.surfaces).all(|(a, b)| Arc::ptr_eq(a, b)));
     let fresh = case.plan();
     assert!(fresh.passes == three.passes && fresh.steps == three.steps, "and nothing depends on the cache");
     case.job.bead = Default::default();
-    let bare = case.plan_with(&cache).expect("plans");
+    let bare = case.plan_knowing(&cache).expect("plans");
     assert!(bare.grown.is_empty() && bare.passes.iter().all(|p| p.settings.layer == 0));
 }
 
@@ -200,7 +193,7 @@ fn axes_from_neighbours_stand_on_the_cup_as_its_radii_do() {
 
 #[test]
 fn a_least_tilt_lets_nothing_return_into_the_head() {
-    let mut case = Case::new(&solids::cube(10.0), [0.0, 0.0, 1.0], 2);
+    let mut case = Case::clad(&solids::cube(10.0), [0.0, 0.0, 1.0], 2);
     case.job.path.correction = Correction::Clearance;
     let surface = SurfaceId(case.job.chosen(&case.surfaces)[0]);
     case.job.settings.change(surface, |s| s.tilt.least_deg = 5.0);

@@ -539,7 +539,8 @@ fn roofed() -> Triangles {
 fn patches_of(planned: &parts::Planned) -> Vec<Patch> {
     let (p, setup) = (planned, parts::setup());
     let map = planning::dose(&p.part, &p.surfaces, &p.plan, &p.job, &setup, &Progress::default()).expect("a dose");
-    planning::dose::not_cleanable(&p.part, &p.surfaces, &p.plan, &p.job, &map)
+    let progress = Progress::default();
+    planning::dose::not_cleanable((&p.part, &p.surfaces), &p.plan, &p.job, &map, &progress).expect("patches")
 }
 
 #[test]
@@ -588,7 +589,7 @@ fn what_stays_unclean_has_its_cause() {
         own: BTreeMap::new(),
     };
     let map = dose(&task, light(&passes, spot(Profile::Gaussian)), &Progress::default()).expect("a map");
-    let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6)[0];
+    let patch = &map.not_cleanable(&body.mesh, &surfaces, &passes, 0.6, &Progress::default()).expect("patches")[0];
     assert_eq!(patch.cause, PatchCause::Shaded);
     near("area", patch.area_mm2, 128.0, 0.05);
     assert!(matches!(patch.shaded_by, Some(Obstruction::Facet(f)) if surfaces.of_facet[f as usize] != plate));

@@ -5,6 +5,9 @@
 //! the same steps on a mirror, and compares what lies on the disk with the state behind the last
 //! acknowledged step, or behind the one that was in flight.
 
+#[path = "common/random.rs"]
+mod random;
+
 use clearbeam::document::journal::{Journal, left_behind};
 use clearbeam::document::save::backup_of;
 use clearbeam::document::{Chosen, Document, Edit, IfChanged, Job, files, save, segmented};
@@ -14,6 +17,7 @@ use clearbeam::planning::{self, PlanCache};
 use clearbeam::progress::Progress;
 use clearbeam::sample::{solids, stl_bytes};
 use clearbeam::text::program_comment;
+use random::Random;
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -24,19 +28,6 @@ const FOLDER: &str = "CLEARBEAM_KILLS_FOLDER";
 const SEED: &str = "CLEARBEAM_KILLS_SEED";
 /// Opens the child's lines among those of the test harness.
 const MARK: &str = "@kills ";
-
-/// Splitmix64: the same steps in parent and child.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) % n
-    }
-}
 
 /// What the operator does.
 enum Step {
@@ -271,7 +262,7 @@ fn a_program_killed_at_any_moment_loses_nothing_that_it_has_acknowledged() {
     let mut random = Random(1);
     let (mut steps, mut dirty, mut in_flight, mut writing, mut unsaved) = (0, 0, 0, 0, None);
     for seed in 0..KILLS {
-        let (lines, pause) = (random.below(160), Duration::from_micros(random.below(4000)));
+        let (lines, pause) = (random.below(160), Duration::from_micros(random.below(4000) as u64));
         let (begun, done) = killed(&desk, seed, if seed == 0 { 0 } else { lines }, pause);
         now.started(&mirror, unsaved.as_ref());
         let mut theirs = Random(seed);

@@ -3,11 +3,15 @@
 //!
 //! `CLEARBEAM_RAYS=10000000 cargo test --test rays` looks at as many.
 
+#[path = "common/random.rs"]
+mod random;
+
 use clearbeam::part::topology::FacetDefect;
 use clearbeam::part::{Bvh, Mesh};
 use clearbeam::sample::{Triangles, solids};
 use nalgebra::{Isometry3, Point3, Rotation3, Vector3};
 use proptest::prelude::*;
+use random::Random;
 use rayon::prelude::*;
 
 /// Rays that are looked at without the variable.
@@ -145,33 +149,12 @@ fn meets(o: Vector, d: Vector, facet: [Vector; 3]) -> bool {
     all != 0 && first * third >= 0 && second * third >= 0 && all.signum() * beyond(o, facet) >= 0
 }
 
-/// Splitmix64: the same rays everywhere.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to 1, 1 excluded.
-    fn share(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
-    }
-
-    fn direction(&mut self) -> Vector3<f64> {
-        loop {
-            let v = Vector3::from_fn(|_, _| 2.0 * self.share() - 1.0);
-            if (0.01..=1.0).contains(&v.norm_squared()) {
-                return v.normalize();
-            }
+/// A direction, each as likely as the others.
+fn direction(random: &mut Random) -> Vector3<f64> {
+    loop {
+        let v = Vector3::from_fn(|_, _| 2.0 * random.share() - 1.0);
+        if (0.01..=1.0).contains(&v.norm_squared()) {
+            return v.normalize();
         }
     }
 }
@@ -232,7 +215,7 @@ impl Solid {
                 let along = along.try_normalize(1e-12).unwrap_or_else(Vector3::x);
                 (along + self.mesh.normals[facet] * steep).normalize()
             }
-            _ => random.direction(),
+            _ => direction(random),
         };
         let origin = target + back * away;
         // Aimed anew from where rounding has put the origin.

@@ -161,11 +161,13 @@ impl<'a> Context<'a> {
         self.session.show.is_on(Toggle::Cell) && self.derived.cell.is_some()
     }
 
-    /// What can be cancelled, and its share done: planning, an export, a search for what would help, the dose.
+    /// What can be cancelled, and its share done: the opening of a document, planning, an export, a search for what would
+    /// help, the dose.
     pub fn progress(self) -> Option<(Activity, f32)> {
         let d = self.derived;
-        let works = [d.pipeline.progress(), self.exporting.progress(), d.suggestions.progress(), d.dose.progress()];
-        works.into_iter().flatten().find_map(Progress::now)
+        let computed = [d.pipeline.progress(), self.exporting.progress(), d.suggestions.progress(), d.dose.progress()];
+        let works = std::iter::once(self.reading.progress()).chain(computed);
+        works.flatten().find_map(Progress::now)
     }
 
     /// Name of the part without folder and ending.

@@ -95,8 +95,7 @@ impl DoseView {
         let PlannedJob { part, surfaces, plan, setup, .. } = of;
         let map = dose(part, surfaces, plan, job, setup, progress)?;
         progress.check()?;
-        let patches = not_cleanable(part, surfaces, plan, job, &map);
-        progress.check()?;
+        let patches = not_cleanable((part, surfaces), plan, job, &map, progress)?;
         let report = DoseReport::new(&map, &patches, surfaces);
         progress.check()?;
         let items = [DoseLook::Dose, DoseLook::Incidence].map(|look| dose_item(&map, surfaces, look));

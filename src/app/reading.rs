@@ -66,7 +66,7 @@ impl Reading {
                 job.part.landmarks = Remembered::of(&job, &part, &built);
             }
             let stamp = stamp_of(&file);
-            let source = Arc::new(Source::read(&file).map_err(|e| refused(e.into()))?);
+            let source = read(&file, progress)?;
             looked_at(&job, file, source, stamp, progress)
         });
     }
@@ -84,6 +84,16 @@ impl Reading {
     /// Whether a file is being looked at.
     pub fn is_looking(&self) -> bool {
         self.looking.is_running()
+    }
+
+    /// How far the document that is being opened is.
+    pub fn progress(&self) -> Option<&Progress> {
+        self.opening.progress()
+    }
+
+    /// Asks the opening to end.
+    pub fn cancel(&mut self) {
+        self.opening.cancel();
     }
 
     /// Whether nothing is being read.
@@ -153,6 +163,11 @@ fn refused(e: JobError) -> Refused {
     Failure::Refused(Arc::new(e))
 }
 
+fn read(file: &Path, progress: &Progress) -> Result<Arc<Source>, Refused> {
+    let read = Source::read_under(progress, file).map_err(|e| refused(e.into()))?;
+    read.map(Arc::new).ok_or(Failure::Cancelled)
+}
+
 /// The job of a job file, or one for a part.
 fn job_of(path: &Path) -> Result<(Job, Option<JobFile>), Refused> {
     if files::is_job(path) {
@@ -172,7 +187,7 @@ fn part_there(job: &mut Job, job_file: Option<&Path>, progress: &Progress) -> Re
         Err(e) => return Err(refused(e)),
     };
     let stamp = stamp_of(&file);
-    let source = Arc::new(Source::read(&file).map_err(|e| refused(e.into()))?);
+    let source = read(&file, progress)?;
     if job.part.is_of_another_file(&source.sha256) {
         return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
     }

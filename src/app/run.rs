@@ -179,7 +179,9 @@ impl App {
 
     /// Ends what is being computed: what the status line shows first.
     fn cancel(&mut self) {
-        if self.derived.pipeline.progress().is_some() {
+        if self.reading.progress().is_some() {
+            self.reading.cancel();
+        } else if self.derived.pipeline.progress().is_some() {
             self.derived.pipeline.cancel();
         } else if self.exporting.is_running() {
             self.exporting.cancel();

@@ -108,16 +108,7 @@ fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Le
         return Ok((scene, Some(legend(&map, look))));
     }
     let chosen = job.chosen(surfaces);
-    let path_look = PathLook {
-        lines: true,
-        frames: false,
-        beams: false,
-        air: false,
-        before: false,
-        only_pass: None,
-        done: 0,
-        frame_mm: 0.02 * part.mesh.diagonal(),
-    };
+    let path_look = PathLook { lines: true, frame_mm: 0.02 * part.mesh.diagonal(), ..PathLook::default() };
     scene.lines = paths(plan, &path_look, 1);
     scene.meshes.push(picture.item(surfaces, &PartLook { chosen, ..PartLook::default() }));
     Ok((scene, None))

@@ -8,7 +8,7 @@ use super::remembered::Remembered;
 use super::renumber::Renumbering;
 use crate::part::identity::{LostReason, find};
 use crate::part::{LoadError, Part, Source, SurfaceId};
-use crate::progress::Progress;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Isometry3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -63,11 +63,14 @@ impl CarriedOver {
         progress: &Progress,
     ) -> Result<Option<CarriedOver>, LoadError> {
         let part = build_part(source, &without_turned_shells(&job.part), file, progress)?;
-        Ok(part.map(|part| CarriedOver::new(job, &part)))
+        Ok(part.and_then(|part| CarriedOver::on(job, &part, progress).ok()))
     }
 
     /// Carries a job over. `part` is built from the changed file as the job says, but with no shell turned.
-    pub fn new(job: &Job, part: &Part) -> CarriedOver {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    fn on(job: &Job, part: &Part, progress: &Progress) -> Result<CarriedOver, Cancelled> {
         let landmarks = job.part.landmarks.landmarks().cloned().unwrap_or_default();
         let mut needed = surfaces_named_in(job);
         if job.settings.cleans_all() {
@@ -75,7 +78,7 @@ impl CarriedOver {
         }
         let s = &job.surfaces;
         let loaded = without_turned_shells(&job.part);
-        let found = find(&landmarks, part, &loaded_as(&loaded), &s.rule(), &s.edits, &needed);
+        let found = find(&landmarks, part, &loaded_as(&loaded), &s.rule(), (&s.edits, &needed), progress)?;
         let numbers: BTreeMap<SurfaceId, SurfaceId> = found
             .numbers
             .iter()
@@ -93,7 +96,7 @@ impl CarriedOver {
         after.part.sha256.clone_from(&part.sha256);
         // Those of the file that is no more would find nothing in the next one.
         after.part.landmarks = Remembered::default();
-        CarriedOver {
+        Ok(CarriedOver {
             job: after,
             kept: numbers.into_iter().collect(),
             lost,
@@ -104,7 +107,7 @@ impl CarriedOver {
             scale: found.scale,
             was: job.part.sha256.clone(),
             is: part.sha256.clone(),
-        }
+        })
     }
 
     /// Whether nothing was lost.
@@ -172,6 +175,10 @@ mod tests {
         (area, facets.iter().map(of).sum::<nalgebra::Vector3<f64>>() / area)
     }
 
+    fn carried_over(job: &Job, part: &Part) -> CarriedOver {
+        CarriedOver::on(job, part, &Progress::default()).expect("nobody ends it")
+    }
+
     #[test]
     fn another_order_of_facets_loses_nothing() {
         let before = part(&groove());
@@ -181,7 +188,7 @@ mod tests {
         turned.rotate_left(7);
         let after = part(&turned);
         assert_ne!(before.sha256, after.sha256);
-        let carried = CarriedOver::new(&job, &after);
+        let carried = carried_over(&job, &after);
         assert!(carried.is_complete() && carried.is_work_in_place(), "{carried:?}");
         assert_eq!(carried.job.part.sha256, after.sha256);
         for (old, new) in &carried.kept {
@@ -199,7 +206,7 @@ mod tests {
         let job = job(&before);
         // A steeper groove: its flanks are others, the rest of the block is wider.
         let after = part(&solids::v_groove(30.0, 8.0, 9.0, 40.0));
-        let carried = CarriedOver::new(&job, &after);
+        let carried = carried_over(&job, &after);
         assert!(!carried.is_work_in_place());
         assert!(carried.lost.iter().all(|l| (l.name == "Flank") == (l.surface == SurfaceId(4))), "{carried:?}");
     }
@@ -209,7 +216,7 @@ mod tests {
         let before = part(&groove());
         let job = job(&before);
         let shifted: Triangles = groove().into_iter().map(|t| t.map(|[x, y, z]| [x + 100.0, y, z])).collect();
-        let carried = CarriedOver::new(&job, &part(&shifted));
+        let carried = carried_over(&job, &part(&shifted));
         let motion = carried.motion.expect("moved");
         assert!((motion.translation.vector.x - 100.0).abs() < 0.01, "{carried:?}");
         assert!(carried.is_complete() && !carried.is_work_in_place());
@@ -222,14 +229,14 @@ mod tests {
         job.part.landmarks = Remembered::default();
         let mut turned = groove();
         turned.reverse();
-        let carried = CarriedOver::new(&job, &part(&turned));
+        let carried = carried_over(&job, &part(&turned));
         assert_eq!((carried.kept.len(), carried.lost.len()), (0, 3));
         assert!(carried.lost.iter().all(|l| l.why == LostReason::NotRemembered), "{carried:?}");
         let none = Job { settings: Default::default(), ..job.clone() };
-        assert!(CarriedOver::new(&none, &part(&turned)).is_complete(), "there is nothing to lose");
+        assert!(carried_over(&none, &part(&turned)).is_complete(), "there is nothing to lose");
         let mut all = none;
         all.settings.choose(Chosen::All);
-        assert!(!CarriedOver::new(&all, &part(&turned)).is_work_in_place(), "all of what?");
+        assert!(!carried_over(&all, &part(&turned)).is_work_in_place(), "all of what?");
     }
 
     #[test]
@@ -241,10 +248,10 @@ mod tests {
         all.part.landmarks = Remembered::of(&all, &before, &all.part);
         let mut turned = groove();
         turned.reverse();
-        let carried = CarriedOver::new(&all, &part(&turned));
+        let carried = carried_over(&all, &part(&turned));
         assert!(carried.is_work_in_place() && carried.job.settings.cleans_all(), "{carried:?}");
         assert_eq!(carried.kept.len(), segmented(&before, &all).list.len());
-        let other = CarriedOver::new(&all, &part(&solids::v_groove(20.0, 8.0, 9.0, 40.0)));
+        let other = carried_over(&all, &part(&solids::v_groove(20.0, 8.0, 9.0, 40.0)));
         assert!(!other.is_work_in_place() && other.lost.iter().any(|l| l.is_chosen), "{other:?}");
     }
 }

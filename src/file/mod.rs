@@ -9,7 +9,7 @@ mod toml_text;
 
 pub use encoding::NoText;
 pub use key_lines::{Step, line_of, way_of};
-pub use toml_text::{TomlError, TomlFault, read as read_toml};
+pub use toml_text::{TomlError, TomlFault, one_line, read as read_toml};
 
 use serde::de::DeserializeOwned;
 use std::path::Path;

@@ -121,7 +121,8 @@ fn letters_apart(one: &str, other: &str) -> usize {
     row.last().copied().unwrap_or_default()
 }
 
-fn one_line(message: &str) -> String {
+/// What the reader of TOML says of a fault, on one line.
+pub fn one_line(message: &str) -> String {
     message.trim_end().replace('\n', ", ")
 }
 

@@ -4,6 +4,7 @@
 //! A type says by [`Keyed`] which of its fields a result can depend on. `keyed!` and `keyed_words!` write that from a
 //! list of its fields or variants, and do not compile where one was forgotten.
 
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use sha2::{Digest as _, Sha256};
 use std::collections::BTreeMap;
@@ -209,7 +210,27 @@ impl<K: Keyed, V: Keyed> Keyed for BTreeMap<K, V> {
 
 /// SHA-256 of a file's bytes, hexadecimal, as kept in a job.
 pub fn file_sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+    hexadecimal(Sha256::digest(bytes).as_slice())
+}
+
+/// The same, as long as nobody wants that to end.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn file_sha256_under(progress: &Progress, bytes: &[u8]) -> Result<String, Cancelled> {
+    let mut hash = Sha256::new();
+    for block in bytes.chunks(HASHED_AT_ONCE) {
+        progress.check()?;
+        hash.update(block);
+    }
+    Ok(hexadecimal(hash.finalize().as_slice()))
+}
+
+/// So many bytes are hashed between two looks whether that should end: some milliseconds.
+const HASHED_AT_ONCE: usize = 1 << 20;
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
 #[cfg(test)]
@@ -219,6 +240,8 @@ mod tests {
     #[test]
     fn known_digest_and_no_run_together() {
         assert!(file_sha256(b"abc").starts_with("ba7816bf8f01cfea414140de5dae2223"));
+        let long = vec![7; 5 * HASHED_AT_ONCE / 2];
+        assert_eq!(file_sha256_under(&Progress::default(), &long), Ok(file_sha256(&long)));
         let ab = Hasher::default().bytes(b"a").bytes(b"b").finish();
         assert_ne!(ab, Hasher::default().bytes(b"ab").bytes(b"").finish());
     }

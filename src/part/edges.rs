@@ -1,6 +1,8 @@
 //! The edges of facets: numbered by their lower vertex, with the facets at each; and, by the same lists, the facets
 //! at each vertex. Numbers alone: nothing here knows where vertices are.
 
+use crate::progress::{Cancelled, Progress};
+
 /// In `Edges::of_facet`: the two corners are one vertex.
 pub const NO_EDGE: u32 = u32::MAX;
 
@@ -17,10 +19,13 @@ pub(super) struct Edges {
 
 impl Edges {
     /// The edges of facets whose corners are below `vertex_count`.
-    pub fn new(vertex_count: usize, facets: &[[u32; 3]]) -> Edges {
-        let (ends, of_facet) = unique_edges(vertex_count, facets);
-        let facets = Incidence::new(ends.len(), &of_facet);
-        Edges { ends, of_facet, facets }
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(vertex_count: usize, facets: &[[u32; 3]], progress: &Progress) -> Result<Edges, Cancelled> {
+        let (ends, of_facet) = unique_edges(vertex_count, facets, progress)?;
+        let facets = Incidence::built(ends.len(), &of_facet, progress)?;
+        Ok(Edges { ends, of_facet, facets })
     }
 }
 
@@ -33,9 +38,12 @@ pub(super) struct Incidence {
 
 impl Incidence {
     /// `names`: of each facet what it names, below `count`, or [`NO_EDGE`].
-    pub fn new(count: usize, names: &[[u32; 3]]) -> Incidence {
-        let (start, list) = incidence(count, names);
-        Incidence { start, list }
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(count: usize, names: &[[u32; 3]], progress: &Progress) -> Result<Incidence, Cancelled> {
+        let (start, list) = incidence(count, names, progress)?;
+        Ok(Incidence { start, list })
     }
 
     /// The facets that name a thing.
@@ -45,7 +53,11 @@ impl Incidence {
 }
 
 /// Unique edges by lower and higher vertex, grouped by the lower; and the edges of each facet.
-fn unique_edges(vertex_count: usize, facets: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
+fn unique_edges(
+    vertex_count: usize,
+    facets: &[[u32; 3]],
+    progress: &Progress,
+) -> Result<(Vec<[u32; 2]>, Vec<[u32; 3]>), Cancelled> {
     // All half edges, bucketed by their lower vertex; equal ones are then few steps apart.
     let ends = |f: &[u32; 3], k: usize| {
         let (a, b) = (f[k], f[(k + 1) % 3]);
@@ -63,6 +75,7 @@ fn unique_edges(vertex_count: usize, facets: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec
     let mut fill = start.clone();
     let mut half = vec![(0u32, 0u32); facets.len() * 3];
     for (i, f) in facets.iter().enumerate() {
+        progress.check_at(i)?;
         for k in 0..3 {
             let (lo, hi) = ends(f, k);
             half[fill[lo as usize] as usize] = (hi, (3 * i + k) as u32);
@@ -72,6 +85,7 @@ fn unique_edges(vertex_count: usize, facets: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec
     let mut edges: Vec<[u32; 2]> = Vec::with_capacity(facets.len() * 3 / 2 + 3);
     let mut facet_edges = vec![[NO_EDGE; 3]; facets.len()];
     for lo in 0..vertex_count {
+        progress.check_at(lo)?;
         let bucket = &mut half[start[lo] as usize..start[lo + 1] as usize];
         bucket.sort_unstable();
         let mut last = None;
@@ -83,11 +97,11 @@ fn unique_edges(vertex_count: usize, facets: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec
             facet_edges[corner as usize / 3][corner as usize % 3] = edges.len() as u32 - 1;
         }
     }
-    (edges, facet_edges)
+    Ok((edges, facet_edges))
 }
 
 /// For each of `count` things the facets that name it, each facet once.
-fn incidence(count: usize, names: &[[u32; 3]]) -> (Vec<u32>, Vec<u32>) {
+fn incidence(count: usize, names: &[[u32; 3]], progress: &Progress) -> Result<(Vec<u32>, Vec<u32>), Cancelled> {
     let once = |f: &[u32; 3], k: usize| f[k] != NO_EDGE && !f[..k].contains(&f[k]);
     let mut start = vec![0u32; count + 1];
     for f in names {
@@ -101,10 +115,11 @@ fn incidence(count: usize, names: &[[u32; 3]]) -> (Vec<u32>, Vec<u32>) {
     let mut fill = start.clone();
     let mut list = vec![0u32; start[count] as usize];
     for (i, f) in names.iter().enumerate() {
+        progress.check_at(i)?;
         for k in (0..3).filter(|&k| once(f, k)) {
             list[fill[f[k] as usize] as usize] = i as u32;
             fill[f[k] as usize] += 1;
         }
     }
-    (start, list)
+    Ok((start, list))
 }

@@ -7,8 +7,10 @@
 use super::surfaces::Surfaces;
 use super::topology::{FacetDefect, Mesh};
 use super::{Bvh, Hasher, Part, angle};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use std::collections::BTreeMap;
+use thiserror::Error;
 
 /// A part and its surfaces with metal on them.
 #[derive(Clone, Debug, Default)]
@@ -23,15 +25,38 @@ pub struct GrownPart {
 /// and its vertex moves along their mean: creases from some 25° on are met exactly.
 const ROUND: f64 = 0.05;
 
+/// Why metal cannot be laid on surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum GrowthError {
+    /// A surface folds, by its number.
+    #[error("surface {0} folds")]
+    Folds(u32),
+    /// The work was cancelled.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl From<Cancelled> for GrowthError {
+    fn from(_: Cancelled) -> GrowthError {
+        GrowthError::Cancelled
+    }
+}
+
 /// Lays metal on surfaces: their numbers and heights, mm.
 ///
 /// # Errors
-/// The surface that folds.
-pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) -> Result<GrownPart, u32> {
+/// The surface that folds; [`GrowthError::Cancelled`] when `progress` says so.
+pub fn grown(
+    part: &Part,
+    surfaces: &Surfaces,
+    heights_mm: &BTreeMap<u32, f64>,
+    progress: &Progress,
+) -> Result<GrownPart, GrowthError> {
     let height = |f: u32| heights_mm.get(&surfaces.of_facet[f as usize]).copied().filter(|h| *h > 0.0);
     let is_grown: Vec<bool> = (0..part.mesh.facets.len() as u32).map(|f| height(f).is_some()).collect();
     let mut mesh = part.mesh.clone();
     for (v, at) in mesh.vertices.iter_mut().enumerate() {
+        progress.check_at(v)?;
         let (mut spread, mut wanted) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
         let facets = part.mesh.vertex_facets(v as u32).iter().copied();
         for f in facets.filter(|&f| part.mesh.defects[f as usize] == FacetDefect::None) {
@@ -42,10 +67,11 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
         }
         *at += vertex_shift(spread, &wanted);
     }
-    mesh.update_geometry();
+    mesh.update_geometry_under(progress)?;
     if let Some(surface) = folded(&part.mesh, &mesh, |f| is_grown[f as usize].then(|| surfaces.of_facet[f as usize])) {
-        return Err(surface);
+        return Err(GrowthError::Folds(surface));
     }
+    progress.check()?;
     let mut normals = mesh.normals.clone();
     for (f, n) in normals.iter_mut().enumerate() {
         // A surface that is worked on from its other side stays so.
@@ -70,8 +96,8 @@ pub fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) 
             hasher = hasher.u32s(&[f as u32]).f64s(&[h]);
         }
     }
-    let dihedral_deg = super::merge_tree::dihedral_angles(&mesh);
-    let part = Part { bvh: Bvh::new(&mesh), dihedral_deg, digest: hasher.finish(), mesh, ..part.clone() };
+    let dihedral_deg = super::merge_tree::dihedral_angles_under(progress, &mesh)?;
+    let part = Part { bvh: Bvh::built(&mesh, progress)?, dihedral_deg, digest: hasher.finish(), mesh, ..part.clone() };
     Ok(GrownPart { part, surfaces })
 }
 
@@ -123,6 +149,10 @@ mod tests {
         let part = Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part");
         let surfaces = crate::document::segmented(&part, &crate::document::Job::default());
         (part, surfaces)
+    }
+
+    fn grown(part: &Part, surfaces: &Surfaces, heights_mm: &BTreeMap<u32, f64>) -> Result<GrownPart, GrowthError> {
+        super::grown(part, surfaces, heights_mm, &Progress::default())
     }
 
     fn on(numbers: &[u32], height_mm: f64) -> BTreeMap<u32, f64> {
@@ -178,7 +208,7 @@ mod tests {
         let within = grown(&part, &surfaces, &on(&[1], 3.0)).expect("grows");
         assert!(within.part.mesh.vertices.iter().all(|v| (v.coords.norm() - 2.0).abs() < 0.01));
         assert!(within.surfaces.normals.iter().zip(&within.part.mesh.normals).all(|(a, b)| *a == -*b));
-        assert_eq!(grown(&part, &surfaces, &on(&[1], 6.0)).err(), Some(1));
+        assert_eq!(grown(&part, &surfaces, &on(&[1], 6.0)).err(), Some(GrowthError::Folds(1)));
         // A pocket is full when its floor comes to the rim.
         let (part, surfaces) = made(&solids::blind_hole(20.0, 4.0, 6.0, 40));
         let up = |s: &&crate::part::surfaces::Surface| {
@@ -187,6 +217,6 @@ mod tests {
         };
         let floor = surfaces.list.iter().find(up).expect("a floor").number;
         assert!(grown(&part, &surfaces, &on(&[floor], 5.9)).is_ok());
-        assert_eq!(grown(&part, &surfaces, &on(&[floor], 6.1)).err(), Some(floor));
+        assert_eq!(grown(&part, &surfaces, &on(&[floor], 6.1)).err(), Some(GrowthError::Folds(floor)));
     }
 }

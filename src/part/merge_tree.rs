@@ -7,6 +7,7 @@
 use super::angle;
 use super::topology::{FacetDefect, Mesh};
 use super::union_find::UnionFind;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -17,17 +18,25 @@ use rayon::prelude::*;
 /// A facet without area has no normal; it takes that of the facet across its longest edge, whose
 /// sliver it is, so that it neither joins what it lies between nor shatters it.
 pub fn dihedral_angles(mesh: &Mesh) -> Vec<f64> {
-    let normals: Vec<Vector3<f64>> = (0..mesh.facets.len()).into_par_iter().map(|f| lent_normal(mesh, f)).collect();
-    (0..mesh.edges.len() as u32)
-        .into_par_iter()
-        .map(|e| match mesh.pairs(e).next() {
-            // Both sides of a sheet bend by the same angle.
-            Some([f, g]) if mesh.is_smooth([f, g], e) || mesh.is_fold([f, g], e) => {
-                angle::between_deg(&normals[f as usize], &normals[g as usize])
-            }
-            _ => f64::INFINITY,
-        })
-        .collect()
+    // Nobody else holds this progress, so it is not cancelled.
+    dihedral_angles_under(&Progress::default(), mesh).unwrap_or_default()
+}
+
+/// The same, as long as nobody wants that to end.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn dihedral_angles_under(progress: &Progress, mesh: &Mesh) -> Result<Vec<f64>, Cancelled> {
+    let lent = |f: usize| progress.check_at(f).map(|()| lent_normal(mesh, f));
+    let normals = (0..mesh.facets.len()).into_par_iter().map(lent).collect::<Result<Vec<Vector3<f64>>, Cancelled>>()?;
+    let angle = |e: u32| match mesh.pairs(e).next() {
+        // Both sides of a sheet bend by the same angle.
+        Some([f, g]) if mesh.is_smooth([f, g], e) || mesh.is_fold([f, g], e) => {
+            angle::between_deg(&normals[f as usize], &normals[g as usize])
+        }
+        _ => f64::INFINITY,
+    };
+    (0..mesh.edges.len() as u32).into_par_iter().map(|e| progress.check_at(e as usize).map(|()| angle(e))).collect()
 }
 
 fn lent_normal(mesh: &Mesh, facet: usize) -> Vector3<f64> {
@@ -64,6 +73,15 @@ pub struct MergeTree {
 impl MergeTree {
     /// Builds the tree from the dihedral angle of each edge.
     pub fn new(mesh: &Mesh, dihedral_deg: &[f64]) -> MergeTree {
+        // Nor this.
+        MergeTree::built(mesh, dihedral_deg, &Progress::default()).unwrap_or_default()
+    }
+
+    /// Builds the tree from the dihedral angle of each edge, as long as nobody wants that to end.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(mesh: &Mesh, dihedral_deg: &[f64], progress: &Progress) -> Result<MergeTree, Cancelled> {
         let count = mesh.facets.len();
         let mut order: Vec<u32> =
             (0..dihedral_deg.len() as u32).filter(|&e| dihedral_deg[e as usize].is_finite()).collect();
@@ -75,7 +93,9 @@ impl MergeTree {
         let mut sets = UnionFind::new(count);
         // Topmost join of each set, kept at its representative.
         let mut top: Vec<u32> = (0..count as u32).collect();
-        for e in order {
+        progress.check()?;
+        for (number, e) in order.into_iter().enumerate() {
+            progress.check_at(number)?;
             for [f, g] in mesh.pairs(e) {
                 let (a, b) = (sets.root(f), sets.root(g));
                 if a == b {
@@ -90,7 +110,7 @@ impl MergeTree {
                 top[a.min(b) as usize] = join;
             }
         }
-        MergeTree { facets: count, parent, height_deg }
+        Ok(MergeTree { facets: count, parent, height_deg })
     }
 
     /// Surface of each facet at angle α, numbered from 1 in the order of their lowest facet; and

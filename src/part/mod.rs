@@ -49,7 +49,7 @@ pub use bvh::Bvh;
 pub use digest::{Digest, Hasher, Keyed, file_sha256 as digest_of};
 pub(crate) use digest::{keyed, keyed_words};
 pub use finding::PartFinding;
-pub use growth::{GrownPart, grown};
+pub use growth::{GrownPart, GrowthError, grown};
 pub use load::load;
 pub use merge_tree::MergeTree;
 pub use patched::{PatchCut, PatchSurface, PatchedPart, RefinedFacets, patch_layers, with_patches};

@@ -4,8 +4,8 @@ use super::bounds::bounds_of;
 use super::box_tree::{Bounds, BoxTree};
 use super::bvh::Bvh;
 use super::topology::Mesh;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
-use std::cell::OnceCell;
 
 /// Rays by which it is told whether a point lies within a sheet: two of them decide where one happens to run through
 /// an edge.
@@ -18,7 +18,7 @@ pub(super) struct Nesting<'a> {
     sheet_of: &'a [u32],
     tree: BoxTree,
     /// Rays are needed by few parts.
-    bvh: OnceCell<Bvh>,
+    bvh: Option<Bvh>,
 }
 
 impl<'a> Nesting<'a> {
@@ -27,34 +27,46 @@ impl<'a> Nesting<'a> {
         // Fewer facets than a tetrahedron has hold nothing.
         let holding = closed.filter(|(_, facets)| facets.len() >= 4);
         let tree = BoxTree::new(holding.map(|(s, facets)| (bounds(mesh, facets), s)).collect());
-        Nesting { mesh, sheet_of, tree, bvh: OnceCell::new() }
+        Nesting { mesh, sheet_of, tree, bvh: None }
     }
 
     /// Number of other closed sheets around the sheet of these facets.
-    pub fn depth(&self, sheet: u32, facets: &[u32]) -> usize {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn depth(&mut self, sheet: u32, facets: &[u32], progress: &Progress) -> Result<usize, Cancelled> {
         let mut around = self.tree.around(&bounds(self.mesh, facets), || {});
         around.retain(|&t| t != sheet);
-        let (false, Some(&first)) = (around.is_empty(), facets.first()) else { return 0 };
+        let (false, Some(&first)) = (around.is_empty(), facets.first()) else { return Ok(0) };
         let point = self.mesh.centroid(first as usize);
         let mut votes = vec![0; around.len()];
         for ray in &RAYS {
-            let crossings = self.crossings(&around, &point, ray);
+            let crossings = self.crossings(&around, &point, ray, progress)?;
             votes.iter_mut().zip(crossings).for_each(|(votes, n)| *votes += n % 2);
         }
-        votes.iter().filter(|&&v| v >= 2).count()
+        Ok(votes.iter().filter(|&&v| v >= 2).count())
     }
 
     /// How often a ray crosses each of these sheets.
-    fn crossings(&self, sheets: &[u32], point: &Point3<f64>, ray: &Vector3<f64>) -> Vec<u32> {
+    fn crossings(
+        &mut self,
+        sheets: &[u32],
+        point: &Point3<f64>,
+        ray: &Vector3<f64>,
+        progress: &Progress,
+    ) -> Result<Vec<u32>, Cancelled> {
         let mut count = vec![0; sheets.len()];
-        let bvh = self.bvh.get_or_init(|| Bvh::new(self.mesh));
+        let bvh = match &mut self.bvh {
+            Some(bvh) => bvh,
+            none => none.insert(Bvh::built(self.mesh, progress)?),
+        };
         bvh.visit_ray(point, ray, 0.0, f64::INFINITY, 0.0, |facet, corners| {
             if let Ok(i) = sheets.binary_search(&self.sheet_of[facet as usize]) {
                 count[i] += u32::from(crosses(corners, point, ray));
             }
             f64::INFINITY
         });
-        count
+        Ok(count)
     }
 }
 

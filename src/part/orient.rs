@@ -8,6 +8,7 @@
 use super::nesting::Nesting;
 use super::topology::Mesh;
 use super::union_find::UnionFind;
+use crate::progress::{Cancelled, Progress};
 
 /// What was found and turned.
 #[derive(Clone, Debug, Default)]
@@ -25,8 +26,18 @@ pub struct Orientation {
 
 /// Orients the facets in place.
 pub fn orient(mesh: &mut Mesh) -> Orientation {
-    let (sheet_of, turned, torn) = agree(mesh);
+    // Nobody else holds this progress, so it is not cancelled.
+    orient_under(&Progress::default(), mesh).unwrap_or_default()
+}
+
+/// Orients the facets in place, as long as nobody wants that to end.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so; none is turned then.
+pub fn orient_under(progress: &Progress, mesh: &mut Mesh) -> Result<Orientation, Cancelled> {
+    let (sheet_of, turned, torn) = agree(mesh, progress)?;
     let sheets = gather(&sheet_of);
+    progress.check()?;
     let mut flip = turned;
     let closed: Vec<bool> = sheets
         .iter()
@@ -34,14 +45,16 @@ pub fn orient(mesh: &mut Mesh) -> Orientation {
         .map(|(s, facets)| !torn[s] && facets.iter().all(|&f| is_closed_at(mesh, f)))
         .collect();
     let closed_ones = sheets.iter().enumerate().filter(|(s, _)| closed[*s]).map(|(s, f)| (s as u32, f.as_slice()));
-    let nesting = Nesting::new(mesh, &sheet_of, closed_ones);
+    progress.check()?;
+    let mut nesting = Nesting::new(mesh, &sheet_of, closed_ones);
     for (s, facets) in sheets.iter().enumerate() {
+        progress.check()?;
         let wrong = if facets.iter().any(|&f| mesh.back_of(f).is_some()) {
             false
         } else if closed[s] {
             // Volume with the turned facets counted as turned.
             let outward = signed_volume(mesh, facets, &flip) > 0.0;
-            outward == (nesting.depth(s as u32, facets) % 2 == 1)
+            outward == (nesting.depth(s as u32, facets, progress)? % 2 == 1)
         } else {
             let area = |want: bool| -> f64 {
                 facets.iter().filter(|&&f| flip[f as usize] == want).map(|&f| mesh.areas[f as usize]).sum()
@@ -54,18 +67,18 @@ pub fn orient(mesh: &mut Mesh) -> Orientation {
             }
         }
     }
+    let (shell_of, shells) = shells(mesh, progress)?;
     for (f, &turn) in flip.iter().enumerate() {
         if turn {
             mesh.flip(f);
         }
     }
-    let (shell_of, shells) = shells(mesh);
-    Orientation {
+    Ok(Orientation {
         flipped_facets: flip.iter().filter(|&&t| t).count(),
         shell_of,
         shells,
         watertight: (0..mesh.edges.len() as u32).all(|e| mesh.edge_facets(e).len() == 2),
-    }
+    })
 }
 
 fn is_closed_at(mesh: &Mesh, f: u32) -> bool {
@@ -73,7 +86,7 @@ fn is_closed_at(mesh: &Mesh, f: u32) -> bool {
 }
 
 /// Sheet of each facet, whether it must turn to agree with the sheet's first, and torn sheets.
-fn agree(mesh: &Mesh) -> (Vec<u32>, Vec<bool>, Vec<bool>) {
+fn agree(mesh: &Mesh, progress: &Progress) -> Result<(Vec<u32>, Vec<bool>, Vec<bool>), Cancelled> {
     let count = mesh.facets.len();
     let (mut sheet_of, mut turn, mut torn) = (vec![u32::MAX; count], vec![false; count], Vec::new());
     let mut stack = Vec::new();
@@ -86,6 +99,7 @@ fn agree(mesh: &Mesh) -> (Vec<u32>, Vec<bool>, Vec<bool>) {
         sheet_of[first as usize] = sheet;
         stack.push(first);
         while let Some(f) = stack.pop() {
+            progress.check()?;
             for e in mesh.facet_edges[f as usize] {
                 let Some(g) = mesh.across(f, e) else { continue };
                 if mesh.is_fold([f, g], e) {
@@ -104,7 +118,7 @@ fn agree(mesh: &Mesh) -> (Vec<u32>, Vec<bool>, Vec<bool>) {
             }
         }
     }
-    (sheet_of, turn, torn)
+    Ok((sheet_of, turn, torn))
 }
 
 fn gather(sheet_of: &[u32]) -> Vec<Vec<u32>> {
@@ -138,9 +152,10 @@ pub fn volume(mesh: &Mesh) -> f64 {
 }
 
 /// Shells by union over shared edges.
-fn shells(mesh: &Mesh) -> (Vec<u32>, usize) {
+fn shells(mesh: &Mesh, progress: &Progress) -> Result<(Vec<u32>, usize), Cancelled> {
     let mut sets = UnionFind::new(mesh.facets.len());
     for e in 0..mesh.edges.len() as u32 {
+        progress.check_at(e as usize)?;
         for pair in mesh.edge_facets(e).windows(2) {
             sets.join(pair[0], pair[1]);
         }
@@ -156,7 +171,7 @@ fn shells(mesh: &Mesh) -> (Vec<u32>, usize) {
             *number
         })
         .collect();
-    (shell_of, count as usize)
+    Ok((shell_of, count as usize))
 }
 
 #[cfg(test)]

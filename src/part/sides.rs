@@ -6,6 +6,7 @@
 
 use super::edges::{Edges, NO_EDGE};
 use super::union_find::UnionFind;
+use crate::progress::{Cancelled, Progress};
 
 /// No facet.
 const NONE: u32 = u32::MAX;
@@ -21,9 +22,13 @@ pub(super) struct Sides {
 
 impl Sides {
     /// Looks at facets and their edges.
-    pub fn new(facets: &[[u32; 3]], edges: &Edges) -> Sides {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(facets: &[[u32; 3]], edges: &Edges, progress: &Progress) -> Result<Sides, Cancelled> {
         let (mut repeated, mut backs) = (Vec::new(), Vec::new());
         for f in 0..facets.len() {
+            progress.check_at(f)?;
             let earlier = earlier_with_the_same_vertices(facets, edges, f);
             if earlier.iter().any(|&g| is_wound_alike(&facets[g as usize], &facets[f])) {
                 repeated.push(f as u32);
@@ -32,7 +37,7 @@ impl Sides {
             }
         }
         if backs.is_empty() {
-            return Sides { repeated, back: Vec::new() };
+            return Ok(Sides { repeated, back: Vec::new() });
         }
         let mut back = vec![NONE; facets.len()];
         for &[f, g] in &backs {
@@ -40,6 +45,7 @@ impl Sides {
         }
         let mut shells = UnionFind::new(facets.len());
         for e in 0..edges.ends.len() as u32 {
+            progress.check_at(e as usize)?;
             edges.facets.of(e).windows(2).for_each(|pair| shells.join(pair[0], pair[1]));
         }
         let mut is_sheet = vec![true; facets.len()];
@@ -53,7 +59,7 @@ impl Sides {
         repeated.sort_unstable();
         back.iter_mut().zip(&is_sheet).filter(|(_, is_sheet)| !**is_sheet).for_each(|(b, _)| *b = NONE);
         let back = if back.iter().all(|&b| b == NONE) { Vec::new() } else { back };
-        Sides { repeated, back }
+        Ok(Sides { repeated, back })
     }
 
     /// Facets that an earlier one makes needless, ascending.

@@ -13,6 +13,7 @@ use super::raw_part::RawFacet;
 use super::sides::Sides;
 use super::triangle::normal_and_area;
 use super::weld::{Weld, Welded};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 
 pub use super::bounds::bounds_of;
@@ -60,28 +61,58 @@ impl Mesh {
 
     /// Builds the topology over welded facets.
     pub fn from_welded(welded: Welded, mm_per_unit: f64) -> Mesh {
+        // Nobody else holds this progress, so it is not cancelled.
+        Mesh::built(welded, mm_per_unit, &Progress::default()).unwrap_or_default()
+    }
+
+    /// Builds the topology over welded facets, as long as nobody wants that to end.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(welded: Welded, mm_per_unit: f64, progress: &Progress) -> Result<Mesh, Cancelled> {
         let at = |p: &[f32; 3]| Point3::from(p.map(f64::from)) * mm_per_unit;
-        Mesh::over(welded.points.iter().map(at).collect(), welded.facets, welded.edges)
+        Mesh::over(welded.points.iter().map(at).collect(), welded.facets, welded.edges, progress)
     }
 
     /// Builds the topology over vertices and facets that are already unique (indices in range).
     pub fn from_indexed(vertices: Vec<Point3<f64>>, facets: Vec<[u32; 3]>) -> Mesh {
-        let edges = Edges::new(vertices.len(), &facets);
-        Mesh::over(vertices, facets, edges)
+        // Nor this.
+        Mesh::from_indexed_under(&Progress::default(), vertices, facets).unwrap_or_default()
     }
 
-    fn over(vertices: Vec<Point3<f64>>, facets: Vec<[u32; 3]>, edges: Edges) -> Mesh {
-        let at_vertex = Incidence::new(vertices.len(), &facets);
-        let sides = Sides::new(&facets, &edges);
+    /// The same, as long as nobody wants that to end.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn from_indexed_under(
+        progress: &Progress,
+        vertices: Vec<Point3<f64>>,
+        facets: Vec<[u32; 3]>,
+    ) -> Result<Mesh, Cancelled> {
+        let edges = Edges::built(vertices.len(), &facets, progress)?;
+        Mesh::over(vertices, facets, edges, progress)
+    }
+
+    fn over(
+        vertices: Vec<Point3<f64>>,
+        facets: Vec<[u32; 3]>,
+        edges: Edges,
+        progress: &Progress,
+    ) -> Result<Mesh, Cancelled> {
+        let at_vertex = Incidence::built(vertices.len(), &facets, progress)?;
+        let sides = Sides::built(&facets, &edges, progress)?;
         let Edges { ends, of_facet, facets: at_edge } = edges;
         let (edges, facet_edges) = (ends, of_facet);
         let mut mesh = Mesh { vertices, facets, edges, facet_edges, at_edge, at_vertex, sides, ..Mesh::default() };
-        mesh.update_geometry();
-        mesh
+        mesh.update_geometry_under(progress)?;
+        Ok(mesh)
     }
 
     /// Computes normals, areas and defects from the vertices; to be called when those have moved.
-    pub fn update_geometry(&mut self) {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so; they are not all there then.
+    pub fn update_geometry_under(&mut self, progress: &Progress) -> Result<(), Cancelled> {
         let count = self.facets.len();
         (self.normals, self.areas) = (Vec::with_capacity(count), Vec::with_capacity(count));
         self.defects = vec![FacetDefect::None; count];
@@ -89,6 +120,7 @@ impl Mesh {
             self.defects[f as usize] = FacetDefect::Duplicate;
         }
         for f in 0..count {
+            progress.check_at(f)?;
             let (normal, area) = normal_and_area(&self.corners(f)).unwrap_or_default();
             self.normals.push(normal);
             self.areas.push(area);
@@ -96,6 +128,7 @@ impl Mesh {
                 self.defects[f] = FacetDefect::Degenerate;
             }
         }
+        Ok(())
     }
 
     /// Corner points of a facet.

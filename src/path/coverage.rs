@@ -7,6 +7,7 @@ use super::live_facets::{PARALLEL_DEG, live};
 use super::planes::SurfacePlanes;
 use super::section::TransversalLine;
 use crate::part::{Mesh, surfaces::Surface};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
 use std::collections::BTreeMap;
 
@@ -28,22 +29,27 @@ pub struct Coverage {
 /// the surface is missed.
 ///
 /// The spacing is that of planes at equal distances; other strategies measure it.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
 pub fn coverage(
     mesh: &Mesh,
     surface: &Surface,
     planes: &[SurfacePlanes],
     spacing_mm: f64,
     lines: &[TransversalLine],
-) -> Coverage {
+    progress: &Progress,
+) -> Result<Coverage, Cancelled> {
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let mut grid: Option<PointGrid> = None;
     let mut out = Coverage::default();
     if lines.is_empty() {
         // Planes that cross it have no line on it.
         let missed_facets = live(mesh, surface).map(|f| f as u32).collect();
-        return Coverage { missed_area_mm2: surface.area_mm2, missed_facets, ..out };
+        return Ok(Coverage { missed_area_mm2: surface.area_mm2, missed_facets, ..out });
     }
     for f in live(mesh, surface) {
+        progress.check()?;
         let sine = |planes: &SurfacePlanes| mesh.normals[f].cross(&planes.normal).norm();
         let crosses = |planes: &SurfacePlanes| {
             let heights = mesh.corners(f).map(|p| p.coords.dot(&planes.normal));
@@ -67,7 +73,7 @@ pub fn coverage(
             out.spacing_max_mm = Some(out.spacing_max_mm.map_or(on_surface, |s| s.max(on_surface)));
         }
     }
-    out
+    Ok(out)
 }
 
 /// Pieces of lines by the cell they pass, cells of one spacing.

@@ -6,6 +6,7 @@
 
 use super::normals::{VertexNormals, between};
 use crate::part::{Mesh, surfaces::Surface, topology::FacetDefect};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -75,10 +76,28 @@ pub fn sections(
     heights_mm: &[f64],
     merge_mm: f64,
 ) -> Vec<TransversalLine> {
+    // Nobody else holds this progress, so it is not cancelled.
+    let progress = Progress::default();
+    sections_under(&progress, (mesh, surface, vertex_normals), normal, heights_mm, merge_mm).unwrap_or_default()
+}
+
+/// The same, as long as nobody wants that to end. `of`: the surface as [`sections`] has it.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn sections_under(
+    progress: &Progress,
+    (mesh, surface, vertex_normals): (&Mesh, &Surface, &VertexNormals),
+    normal: &Vector3<f64>,
+    heights_mm: &[f64],
+    merge_mm: f64,
+) -> Result<Vec<TransversalLine>, Cancelled> {
     let height = |v: u32| mesh.vertices[v as usize].coords.dot(normal);
     let mut per_plane: Vec<Vec<u32>> = vec![Vec::new(); heights_mm.len()];
     let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
-    for &f in surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None) {
+    let live = surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None);
+    for (number, &f) in live.enumerate() {
+        progress.check_at(number)?;
         let h = mesh.facets[f as usize].map(height);
         let (lo, hi) = (h[0].min(h[1]).min(h[2]), h[0].max(h[1]).max(h[2]));
         (lowest, highest) = (lowest.min(lo), highest.max(hi));
@@ -90,12 +109,13 @@ pub fn sections(
         }
     }
     if highest - lowest < merge_mm {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let cut = PlaneCut { mesh, vertex_normals, normal };
-    per_plane
+    let lines = per_plane
         .par_iter()
         .enumerate()
+        .take_any_while(|_| progress.goes_on())
         .flat_map_iter(|(plane, facets)| {
             let lines = cut.lines(facets, heights_mm[plane]);
             lines.into_iter().filter_map(move |(points, closed)| {
@@ -103,7 +123,9 @@ pub fn sections(
                 Some(TransversalLine { plane, points, closed, dark: Vec::new() })
             })
         })
-        .collect()
+        .collect();
+    // What is missing after a cancel is not handed out.
+    progress.check().map(|()| lines)
 }
 
 struct PlaneCut<'a> {

@@ -11,8 +11,8 @@ use crate::view::{Depth, LineItem, LineSegment, PointItem};
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::sync::Arc;
 
-/// What is shown of a plan.
-#[derive(Clone, Debug, PartialEq)]
+/// What is shown of a plan; nothing by default.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PathLook {
     /// Path lines.
     pub lines: bool,
@@ -212,16 +212,7 @@ mod tests {
             splits: Vec::new(),
         };
         let plan = Plan { passes: vec![pass; 3], ..Plan::default() };
-        let look = |done| PathLook {
-            lines: true,
-            frames: false,
-            beams: false,
-            air: false,
-            before: false,
-            only_pass: None,
-            done,
-            frame_mm: 1.0,
-        };
+        let look = |done| PathLook { lines: true, done, frame_mm: 1.0, ..PathLook::default() };
         let drawn = |done| {
             let item = paths(&plan, &look(done), 7).remove(0);
             let colors: Vec<Rgb> = item.segments.iter().map(|s| [s.color[0], s.color[1], s.color[2]]).collect();

@@ -11,7 +11,7 @@ use crate::path::Strategy;
 use crate::pose::{Obstruction, Pass};
 use crate::process::{DoseInput, DoseMap, Light, Patch, PatchCause, Spot, Thresholds, WayTime, dose as computed};
 use crate::program::{MoveTiming, Step};
-use crate::progress::Progress;
+use crate::progress::{Cancelled, Progress};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
@@ -199,12 +199,22 @@ impl PatchReport {
 }
 
 /// What a plan leaves unclean, by its dose.
-pub fn not_cleanable(part: &Part, surfaces: &Surfaces, plan: &Plan, job: &Job, map: &DoseMap) -> Vec<Patch> {
-    let mut patches = map.not_cleanable(&part.mesh, surfaces, on_the_part(plan), job.layers.spacing_mm);
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn not_cleanable(
+    (part, surfaces): (&Part, &Surfaces),
+    plan: &Plan,
+    job: &Job,
+    map: &DoseMap,
+    progress: &Progress,
+) -> Result<Vec<Patch>, Cancelled> {
+    let mut patches = map.not_cleanable(&part.mesh, surfaces, on_the_part(plan), job.layers.spacing_mm, progress)?;
     for patch in patches.iter_mut().filter(|p| p.cause == PatchCause::Thin) {
+        progress.check()?;
         patch.closer_than_mm = closer_than_mm(&job.of_surface(SurfaceId(patch.surface)), patch.gap_mm);
     }
-    patches
+    Ok(patches)
 }
 
 /// The spacing below which enough would land in a gap between lines. Where that is wider on the surface than between
@@ -222,7 +232,10 @@ fn closer_than_mm(job: &Job, gap_mm: f64) -> Option<f64> {
 }
 
 /// `dose.ply`: the samples as polygons, binary little endian; the values stand at their corners.
-pub fn ply(map: &DoseMap, surfaces: &Surfaces) -> Vec<u8> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn ply(map: &DoseMap, surfaces: &Surfaces, progress: &Progress) -> Result<Vec<u8>, Cancelled> {
     let count = map.samples.len();
     let mut out = format!(
         "ply\nformat binary_little_endian 1.0\ncomment mm; J/cm2; -1 degrees where nothing lands\n\
@@ -233,7 +246,8 @@ pub fn ply(map: &DoseMap, surfaces: &Surfaces) -> Vec<u8> {
     )
     .into_bytes();
     out.reserve(map.corners.len() * (24 + 4) + count);
-    for s in &map.samples {
+    for (number, s) in map.samples.iter().enumerate() {
+        progress.check_at(number)?;
         let surface = surfaces.of_facet.get(s.facet as usize).map_or(0, |n| *n as i32);
         for corner in map.corners_of(s) {
             for x in corner.iter().chain([&s.fluence_j_cm2, &s.incidence_deg]) {
@@ -242,11 +256,12 @@ pub fn ply(map: &DoseMap, surfaces: &Surfaces) -> Vec<u8> {
             out.extend(surface.to_le_bytes());
         }
     }
-    for s in &map.samples {
+    for (number, s) in map.samples.iter().enumerate() {
+        progress.check_at(number)?;
         out.push(s.corner_count);
         for k in 0..u32::from(s.corner_count) {
             out.extend((s.first_corner + k).to_le_bytes());
         }
     }
-    out
+    Ok(out)
 }

@@ -9,7 +9,8 @@ use crate::cell::motion::{Arm, Refusal, SearchHooks, TargetStateCache, choose_ag
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{Drive, DriveCache, Steps};
+use crate::program::lit::StraightFlange;
+use crate::program::{Cuts, Drive, DriveCache, Steps};
 use crate::progress::{Activity, Progress};
 use std::collections::BTreeSet;
 
@@ -39,17 +40,8 @@ pub(super) fn drive(
     let mut closed: BTreeSet<(usize, u8)> = BTreeSet::new();
     let mut known = EarlierRounds::default();
     let mut best: Option<Plan> = None;
-    let drive = Drive {
-        setup,
-        mounted: setup.mounted(),
-        robot,
-        air_mm_s: job.beam.air_speed_mm_s,
-        straight: straight(part, &grown, setup, job, progress),
-        collision: collision.as_ref(),
-        go_on: &go_on,
-        cuts: &cuts,
-        cache: DriveCache::default(),
-    };
+    let straight = straight(part, &grown, setup, job, progress);
+    let drive = driver((setup, robot), job, straight, collision.as_ref(), &cuts, progress);
     for round in 0.. {
         plan.passes.clone_from(&beam_free);
         let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
@@ -68,6 +60,19 @@ pub(super) fn drive(
         *plan = best;
     }
     Ok(())
+}
+
+/// What drives the passes of a job, nothing worked out yet.
+pub(super) fn driver<'a>(
+    (setup, robot): (&'a Setup, &'a Robot),
+    job: &Job,
+    straight: StraightFlange<'a>,
+    collision: Option<&'a Collision<'a>>,
+    cuts: &'a Cuts,
+    progress: &'a Progress,
+) -> Drive<'a> {
+    let (mounted, air_mm_s, cache) = (setup.mounted(), job.beam.air_speed_mm_s, DriveCache::default());
+    Drive { setup, mounted, robot, air_mm_s, straight, collision, progress, cuts, cache }
 }
 
 /// What was found out in the rounds before.

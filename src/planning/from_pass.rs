@@ -1,6 +1,7 @@
 //! What is left of a plan after a stop: passes before the one to go on with count as done, and what comes behind stays as
 //! it was, on the part as it has grown. Only the way in from home is new, and looked for as a plan's own is.
 
+use super::driving::driver;
 use super::plan::Plan;
 use super::proof::as_written::proven_as_written;
 use super::proof::straight;
@@ -8,7 +9,7 @@ use crate::cell::Setup;
 use crate::cell::collision::Collision;
 use crate::document::model::Job;
 use crate::part::Part;
-use crate::program::{Drive, DriveCache, Go, Shortfall, Steps, Timeline, dialects, pacing, steps_from, way_from_home};
+use crate::program::{Go, Shortfall, Steps, Timeline, dialects, pacing, steps_from, way_from_home};
 use crate::progress::Progress;
 use thiserror::Error;
 
@@ -70,25 +71,15 @@ fn steps(
     progress: &Progress,
 ) -> Result<Steps, FromPassError> {
     let straight = straight(part, &plan.grown, setup, job, progress);
-    let air_mm_s = job.beam.air_speed_mm_s;
     let left = match &setup.robot {
         None => {
+            let air_mm_s = job.beam.air_speed_mm_s;
             let way_in = |entry: &Go| Some(way_from_home(&straight, setup, &plan.passes, entry, air_mm_s));
             steps_from(&plan.steps, &plan.passes, first, &way_in)
         }
         Some(robot) => {
             let collision = Collision::new(setup, plan.grown.last().map_or(part, |g| &g.part));
-            let drive = Drive {
-                setup,
-                mounted: setup.mounted(),
-                robot,
-                air_mm_s,
-                straight,
-                collision: collision.as_ref(),
-                go_on: &|| progress.goes_on(),
-                cuts: &plan.cuts,
-                cache: DriveCache::default(),
-            };
+            let drive = driver((setup, robot), job, straight, collision.as_ref(), &plan.cuts, progress);
             let way_in = |entry: &Go| drive.way_from_home(&plan.passes, entry);
             steps_from(&plan.steps, &plan.passes, first, &way_in)
         }

@@ -61,7 +61,8 @@ fn recognised(
     first: &ProgramFile,
     open: &dyn Fn(&str) -> Option<String>,
 ) -> Variant {
-    let is_named = |variant: Variant| main_name(dialect, setup, variant).is_some_and(|n| n == first.name);
+    let main_name = |variant: Variant| dialect.file_names(setup, variant).into_iter().next();
+    let is_named = |variant: Variant| main_name(variant).is_some_and(|n| n == first.name);
     // Figures of the name may be those of a pass.
     let figures = first.name.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok());
     let named_passes: Vec<usize> = figures.filter(|n| *n < plan.passes.len()).collect();
@@ -69,7 +70,7 @@ fn recognised(
         let of_pass = |n: usize| Variant { from_pass: Some(n), ..whole };
         let named = named_passes.iter().map(|n| of_pass(*n)).find(|v| is_named(*v));
         // All passes have one name: the first that fits is as good as any.
-        let is_unnamed = main_name(dialect, setup, of_pass(0)) == main_name(dialect, setup, of_pass(1));
+        let is_unnamed = main_name(of_pass(0)) == main_name(of_pass(1));
         if is_unnamed && is_named(of_pass(0)) {
             let named = &dialect.named(setup, of_pass(0));
             let found = first_pass(dialect, setup, plan, whole, &ReadContext { setup: named, open }, first);
@@ -84,13 +85,6 @@ fn recognised(
     Variant::WHOLE
 }
 
-/// The first file's name of a variant's program.
-fn main_name(dialect: &dyn Dialect, setup: &Setup, variant: Variant) -> Option<String> {
-    let setup = &dialect.named(setup, variant);
-    let nothing = Program { head: Vec::new(), lines: Vec::new(), setup, wording: WITHOUT_WORDS };
-    Some(dialect.write(&nothing).ok()?.into_iter().next()?.name)
-}
-
 /// The pass that a program begins with, by its moves: behind it as many are left as in the plan. Of a program that lacks
 /// some, the pass that it goes to first. `None`: none of them.
 fn first_pass(
@@ -101,7 +95,7 @@ fn first_pass(
     reading: &ReadContext<'_>,
     first: &ProgramFile,
 ) -> Option<usize> {
-    let lines = whole.lines(&plan.steps, setup);
+    let lines = dialect.lines(whole, &plan.steps, setup);
     let mut begins: BTreeMap<usize, usize> = BTreeMap::new();
     let moves = lines.iter().filter_map(|l| if let ProgramLine::Move(m) = l { Some(m.target) } else { None });
     for (number, target) in moves.enumerate() {

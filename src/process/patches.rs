@@ -4,6 +4,7 @@ use super::dose_map::DoseMap;
 use super::statistics::DoseVerdict;
 use crate::part::{Mesh, Surfaces, union_find::UnionFind};
 use crate::pose::{Blocker, Obstruction, Pass, TargetState};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
 
@@ -73,12 +74,23 @@ struct PassStretch {
 
 impl DoseMap {
     /// Patches larger than a spot, the largest first. A line nearer than `spacing_mm` reaches a sample.
-    pub fn not_cleanable(&self, mesh: &Mesh, surfaces: &Surfaces, passes: &[Pass], spacing_mm: f64) -> Vec<Patch> {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn not_cleanable(
+        &self,
+        mesh: &Mesh,
+        surfaces: &Surfaces,
+        passes: &[Pass],
+        spacing_mm: f64,
+        progress: &Progress,
+    ) -> Result<Vec<Patch>, Cancelled> {
         let low: Vec<(usize, u32)> = self
             .chosen_samples(surfaces)
             .filter(|(_, s, _)| matches!(self.verdict(s), DoseVerdict::Under | DoseVerdict::Shaded))
             .map(|(i, _, surface)| (i, surface))
             .collect();
+        progress.check()?;
         let mut stretches: BTreeMap<u32, Vec<PassStretch>> = BTreeMap::new();
         for pass in passes {
             stretches.entry(pass.surface).or_default().extend(stretches_of_pass(pass));
@@ -87,22 +99,22 @@ impl DoseMap {
         let spot_mm2 = 0.25 * std::f64::consts::PI * spot_mm * spot_mm;
         let reach_mm = spacing_mm.max(0.5 * spot_mm);
         let mut patches: Vec<Patch> = self
-            .connected(&low)
+            .connected(&low, progress)?
             .into_iter()
             .filter(|group| group.iter().map(|i| f64::from(self.samples[*i].area_mm2)).sum::<f64>() >= spot_mm2)
             .map(|group| {
                 let surface = surfaces.of_facet[self.samples[group[0]].facet as usize];
                 let lines = stretches.get(&surface).map_or(&[][..], Vec::as_slice);
-                self.patch(mesh, surface, &group, lines, reach_mm)
+                self.patch((mesh, surface), &group, lines, reach_mm, progress)
             })
-            .collect();
+            .collect::<Result<_, Cancelled>>()?;
         patches.sort_by(|a, b| b.area_mm2.total_cmp(&a.area_mm2));
-        patches
+        Ok(patches)
     }
 
     /// Groups of samples of one surface that hang together: none of a group has its middle further from
     /// another's than their widths.
-    fn connected(&self, low: &[(usize, u32)]) -> Vec<Vec<usize>> {
+    fn connected(&self, low: &[(usize, u32)], progress: &Progress) -> Result<Vec<Vec<usize>>, Cancelled> {
         // Large samples are where no light comes; they are as wide as the widest of them.
         let width = |i: usize| f64::from(self.samples[i].area_mm2).sqrt().max(0.5 * self.sample_mm);
         let widest = low.iter().map(|(i, _)| width(*i)).fold(self.sample_mm, f64::max);
@@ -110,10 +122,12 @@ impl DoseMap {
         let place = |i: usize| self.samples[i].centre.map(|x| (f64::from(x) / pitch).floor() as i64);
         let mut grid: BTreeMap<(u32, [i64; 3]), Vec<u32>> = BTreeMap::new();
         for (k, (i, surface)) in low.iter().enumerate() {
+            progress.check_at(k)?;
             grid.entry((*surface, place(*i))).or_default().push(k as u32);
         }
         let mut sets = UnionFind::new(low.len());
         for ((surface, [x, y, z]), members) in &grid {
+            progress.check()?;
             for step in 0..27 {
                 let next = [x + step % 3 - 1, y + step / 3 % 3 - 1, z + step / 9 - 1];
                 let Some(others) = grid.get(&(*surface, next)).filter(|_| next >= [*x, *y, *z]) else { continue };
@@ -134,14 +148,21 @@ impl DoseMap {
         for (k, (i, _)) in low.iter().enumerate() {
             groups.entry(sets.root(k as u32)).or_default().push(*i);
         }
-        groups.into_values().collect()
+        Ok(groups.into_values().collect())
     }
 
     fn middle(&self, i: usize) -> Point3<f64> {
         Point3::from(Vector3::from(self.samples[i].centre.map(f64::from)))
     }
 
-    fn patch(&self, mesh: &Mesh, surface: u32, group: &[usize], lines: &[PassStretch], reach_mm: f64) -> Patch {
+    fn patch(
+        &self,
+        (mesh, surface): (&Mesh, u32),
+        group: &[usize],
+        lines: &[PassStretch],
+        reach_mm: f64,
+        progress: &Progress,
+    ) -> Result<Patch, Cancelled> {
         let mut causes: BTreeMap<PatchCause, f64> = BTreeMap::new();
         let mut walls: BTreeMap<Obstruction, f64> = BTreeMap::new();
         let mut blockers: Vec<(Option<Blocker>, f64)> = Vec::new();
@@ -155,9 +176,11 @@ impl DoseMap {
             area_mm2 += area;
             sum += self.middle(i).coords * area;
             *of_facet.entry(s.facet).or_default() += area;
+            progress.check_at(k)?;
             if k % stride != 0 {
                 continue;
             }
+            progress.check()?;
             let near = nearest(&self.middle(i), lines);
             gap_mm = gap_mm.max(near.map_or(f64::INFINITY, |(mm, _)| 2.0 * mm));
             let (cause, blocker) = self.cause(i, near.filter(|(mm, _)| *mm <= reach_mm).map(|(_, line)| line));
@@ -173,7 +196,7 @@ impl DoseMap {
         }
         let cause = causes.iter().max_by(|a, b| a.1.total_cmp(b.1)).map_or(PatchCause::Thin, |c| *c.0);
         let half = |f: &u32, a: &f64| *a >= 0.5 * mesh.areas.get(*f as usize).copied().unwrap_or(f64::INFINITY);
-        Patch {
+        Ok(Patch {
             surface,
             area_mm2,
             centre: Point3::from(sum / area_mm2),
@@ -191,7 +214,7 @@ impl DoseMap {
             gap_mm,
             closer_than_mm: None,
             facets: of_facet.iter().filter(|(f, a)| half(f, a)).map(|(f, _)| *f).collect(),
-        }
+        })
     }
 
     /// Why a sample gets too little, by the line that it lies near.

@@ -2,9 +2,9 @@
 //!
 //! A dialect neither plans nor judges: what it reads is compared with the plan elsewhere.
 
-use super::neutral::comment::{Comment, Wording};
+use super::neutral::comment::{Comment, WITHOUT_WORDS, Wording};
 use super::neutral::lines::ProgramLine;
-use super::neutral::steps::{Interpolation, MoveTiming};
+use super::neutral::steps::{Interpolation, MoveTiming, Steps};
 use super::neutral::variant::Variant;
 use super::read_error::ReadError;
 use super::write_error::WriteError;
@@ -127,15 +127,42 @@ pub trait Dialect: Sync {
         named
     }
 
+    /// Names of the files that a variant of any program has, however long it is, the one to start first; none where the
+    /// cell's words cannot be written.
+    fn file_names(&self, setup: &Setup, variant: Variant) -> Vec<String> {
+        let setup = &self.named(setup, variant);
+        let nothing = Program { head: Vec::new(), lines: Vec::new(), setup, wording: WITHOUT_WORDS };
+        self.write(&nothing).unwrap_or_default().into_iter().map(|f| f.name).collect()
+    }
+
     /// How fast its words make the moves of a program, in their order: as they were to be or a little slower, to the
     /// words' last digit and within their greatest speeds. Moves that are so already stay.
     fn paces(&self, lines: &[ProgramLine], setup: &Setup) -> Vec<MoveTiming>;
+
+    /// The lines of a variant of the program, of the steps that it has, with paces that its words can say: the program's
+    /// were planned so, and a dry run's are so low that some controllers write them with one digit.
+    fn lines(&self, variant: Variant, steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
+        let mut lines = variant.lines(steps, setup);
+        if variant.dry_run {
+            let paces = self.paces(&lines, setup);
+            let moves = lines.iter_mut().filter_map(|l| if let ProgramLine::Move(m) = l { Some(m) } else { None });
+            for (m, pace) in moves.zip(paces) {
+                m.timing = pace;
+            }
+        }
+        lines
+    }
 
     /// How many moves the laser may stay on for; `None`: as many as there are. A longer program than its controller takes
     /// is cut where the laser is off.
     fn most_lit_moves(&self, _setup: &Setup) -> Option<usize> {
         None
     }
+
+    /// What no public source confirms of what it writes for a setup: words of the controller, and figures of its table
+    /// of the cell file with the table's name before them. Words that are written otherwise by a cell file are those of
+    /// its templates.
+    fn unverified(&self, setup: &Setup) -> Vec<&'static str>;
 
     /// Whether a text is of this dialect.
     fn claims(&self, text: &str) -> bool;

@@ -1,9 +1,9 @@
 //! Why a job cannot be read or saved, and what its surfaces start from or lose.
 
-use super::file::one_line;
 use super::{Sentence, exact, id, say};
 use crate::document::job_file::{JobFileError, WRITTEN};
 use crate::document::{JobError, LostSettings, StartFrom};
+use crate::file::one_line;
 use crate::pose::ToolBody;
 use std::path::Path;
 

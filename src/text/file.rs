@@ -46,11 +46,6 @@ pub(super) fn in_line_of(file: &str, line: Option<usize>, what: String) -> Strin
     }
 }
 
-/// What the reader of TOML says of a fault, on one line.
-pub(super) fn one_line(message: &str) -> String {
-    message.trim_end().replace('\n', " ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,6 +6,7 @@ use crate::part::file::{FileKind, ObjFault, PartFileError, PlyFault, ThreeMfFaul
 impl Sentence for PartFileError {
     fn sentence(&self) -> String {
         match self {
+            PartFileError::Cancelled => say!(text_cancelled),
             PartFileError::Empty => say!(part_file_empty),
             PartFileError::Other(kind) => kind.sentence(),
             PartFileError::Unknown => say!(part_file_unknown),

@@ -11,7 +11,7 @@ use clearbeam::path::section::sections;
 use clearbeam::path::{SurfacePlanes, TransversalLine, planes};
 use clearbeam::planning::export::{self, ExportInput, ExportOf, ExportOptions, OutputFile};
 use clearbeam::planning::report::Report;
-use clearbeam::planning::{self, Plan, PlanCache};
+use clearbeam::planning::{self, Plan, PlanCache, PlanError};
 use clearbeam::pose::checker::Checker;
 use clearbeam::pose::{Pass, Target};
 use clearbeam::progress::Progress;
@@ -25,6 +25,26 @@ pub struct Planned {
     pub surfaces: Surfaces,
     pub job: Job,
     pub plan: Plan,
+}
+
+/// What a plan is made of.
+pub struct Case {
+    pub part: Part,
+    pub surfaces: Surfaces,
+    pub job: Job,
+    pub setup: Setup,
+}
+
+impl Case {
+    /// Plans it with what is known already.
+    pub fn plan_with(&self, cache: &PlanCache, progress: &Progress) -> Result<Plan, PlanError> {
+        planning::plan(&self.part, &self.surfaces, &self.job, &self.setup, cache, progress)
+    }
+
+    /// Plans it afresh.
+    pub fn plan(&self) -> Plan {
+        self.plan_with(&PlanCache::default(), &Progress::default()).expect("a plan")
+    }
 }
 
 /// The part of these facets, as it is read from their STL file.

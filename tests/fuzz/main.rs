@@ -12,6 +12,8 @@ mod documents;
 mod mutation;
 mod part_files;
 mod programs;
+#[path = "../common/random.rs"]
+mod random;
 mod run;
 mod setups;
 #[path = "../common/small_programs.rs"]

@@ -1,5 +1,6 @@
 //! Changes of a file: bits and bytes, chunks, lines, words and numbers, and pieces of another file of its kind.
 
+use crate::random::Random;
 use std::ops::Range;
 
 /// No changed file is longer, bytes: what is wrong with a long file is wrong with a short one, and many are tried.
@@ -63,28 +64,7 @@ const ODD_BYTES: [u32; 14] = [
     0x0080_0000,
 ];
 
-/// Numbers that are the same in every run (SplitMix64).
-pub struct Random(u64);
-
 impl Random {
-    /// Those of this seed.
-    pub fn new(seed: u64) -> Random {
-        Random(seed)
-    }
-
-    /// The next one.
-    pub fn draw(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// One below `end`; 0, where that is 0.
-    pub fn below(&mut self, end: usize) -> usize {
-        if end == 0 { 0 } else { (self.draw() % end as u64) as usize }
-    }
-
     /// One of a list that is not empty.
     pub fn one<'l, T>(&mut self, list: &'l [T]) -> &'l T {
         &list[self.below(list.len())]

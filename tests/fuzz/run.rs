@@ -1,7 +1,8 @@
 //! Runs a kind: its own files, those that are kept, and changes of both. What comes out in a way not seen before is
 //! changed further.
 
-use crate::mutation::{Random, changed};
+use crate::mutation::changed;
+use crate::random::Random;
 use clearbeam::part::digest_of;
 use std::collections::BTreeSet;
 use std::fmt::Debug;
@@ -80,7 +81,7 @@ impl Trial<'_> {
         self.check_memory("its files");
         let of_kind = self.kind.name.bytes().fold(0u64, |h, b| h.wrapping_mul(131).wrapping_add(u64::from(b)));
         for n in 0..count {
-            let mut random = Random::new(of_kind.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(n));
+            let mut random = Random(of_kind.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(n));
             let (file, other) = (random.one(&self.files), random.one(&self.files));
             let new = changed(file, other, self.kind.words, &mut random);
             if self.once(&new) && self.files.len() < MOST_FILES {

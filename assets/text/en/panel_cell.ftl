@@ -20,6 +20,7 @@ cell_panel_spin_tip = Rotation about the beam: free, as suits the arm, or fixed 
 cell_panel_spin_name = spin { $spin }
 cell_panel_program_for = Program for
 cell_panel_program_for_tip = The controller's language
+cell_panel_words_unverified = No public source confirms these words and figures of it:
 cell_panel_frames = Frames
 cell_panel_frames_tip = Where laser, part and flange stand; connecting moves, outputs
 cell_panel_cell_file = Cell file…

@@ -9,7 +9,7 @@ use super::{frames, numbers};
 use crate::cell::{Mount, Robot, Spin};
 use crate::document::Edit;
 use crate::document::parameter::Group;
-use crate::program::dialects::DIALECTS;
+use crate::program::dialects::{self, DIALECTS};
 use crate::text::{Sentence, choices, say};
 use eframe::egui::{self, ComboBox, RichText};
 
@@ -92,7 +92,15 @@ fn dialect(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
                 }
             }
         });
-        combo.response.labelled_by(label.id).on_hover_text(say!(cell_panel_program_for_tip));
+        let mut tip = say!(cell_panel_program_for_tip);
+        let unverified = match (dialects::by_name(now), context.derived.pipeline.setup()) {
+            (Some(dialect), Some(Ok(setup))) => dialect.unverified(setup),
+            _ => Vec::new(),
+        };
+        if !unverified.is_empty() {
+            tip = format!("{tip}\n{}\n{}", say!(cell_panel_words_unverified), unverified.join("\n"));
+        }
+        combo.response.labelled_by(label.id).on_hover_text(tip);
     });
 }
 

@@ -3,11 +3,15 @@
 use super::fault::{ObjFault, PlyFault, ThreeMfFault};
 use super::kind::FileKind;
 use crate::part::raw_part::FacetFault;
+use crate::progress::Cancelled;
 use thiserror::Error;
 
 /// Why a file cannot be used at all.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum PartFileError {
+    /// The work was cancelled.
+    #[error("cancelled")]
+    Cancelled,
     /// Nothing in it.
     #[error("empty file")]
     Empty,
@@ -88,5 +92,11 @@ impl From<PlyFault> for PartFileError {
 impl From<ThreeMfFault> for PartFileError {
     fn from(fault: ThreeMfFault) -> Self {
         PartFileError::ThreeMf(fault)
+    }
+}
+
+impl From<Cancelled> for PartFileError {
+    fn from(_: Cancelled) -> PartFileError {
+        PartFileError::Cancelled
     }
 }

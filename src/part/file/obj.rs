@@ -6,8 +6,9 @@ use super::number::has_decimal_comma;
 use super::polygon;
 use super::{ObjFault, PartFileError};
 use crate::part::raw_part::{RawPart, UnreadKind};
+use crate::progress::Progress;
 use std::collections::BTreeMap;
-use std::io::Cursor;
+use std::io::{BufRead, Cursor, Read};
 
 /// Vertices and faces of a file, a line each.
 #[derive(Default)]
@@ -33,13 +34,14 @@ enum Beside {
 /// Parses an OBJ file.
 ///
 /// # Errors
-/// A line that cannot be read, or points without faces.
-pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
-    let mut geometry = Geometry::of(bytes)?;
+/// A line that cannot be read, or points without faces; [`PartFileError::Cancelled`] when `progress` says so.
+pub(super) fn read(bytes: &[u8], progress: &Progress) -> Result<RawPart, PartFileError> {
+    let mut geometry = Geometry::of(bytes, progress)?;
     let options = tobj::LoadOptions { single_index: true, ..Default::default() };
-    let mut lines = Cursor::new(geometry.text.as_bytes());
+    let mut lines = Watched { text: Cursor::new(geometry.text.as_bytes()), progress };
     let read = tobj::load_obj_buf(&mut lines, &options, |_| Ok(Default::default()));
-    let reached = usize::try_from(lines.position()).unwrap_or(usize::MAX);
+    let reached = usize::try_from(lines.text.position()).unwrap_or(usize::MAX);
+    progress.check()?;
     let (models, _) = read.map_err(|e| geometry.told(e, reached))?;
     let mut part = RawPart { solids: 1, ..RawPart::default() };
     let face_bytes = std::mem::take(&mut geometry.face_bytes);
@@ -53,6 +55,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
         let arities = if mesh.face_arities.is_empty() { &triangles } else { &mesh.face_arities };
         let mut rest = &mesh.indices[..];
         for (arity, byte) in arities.iter().zip(&mut faces) {
+            progress.check()?;
             let (face, behind) = rest.split_at((*arity as usize).min(rest.len()));
             rest = behind;
             match face.len() {
@@ -78,10 +81,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
 }
 
 impl Geometry {
-    fn of(bytes: &[u8]) -> Result<Geometry, PartFileError> {
+    fn of(bytes: &[u8], progress: &Progress) -> Result<Geometry, PartFileError> {
         let mut out = Geometry::default();
         let lines = Lines { bytes, at: if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }, number: 0 };
         for line in lines {
+            progress.check()?;
             let text = String::from_utf8_lossy(&line.text);
             let mut words = text.split_whitespace();
             match words.next().unwrap_or_default() {
@@ -164,6 +168,30 @@ impl Geometry {
     }
 }
 
+/// A text that ends with an error when its reading should end: `tobj` is not asked otherwise.
+struct Watched<'a> {
+    text: Cursor<&'a [u8]>,
+    progress: &'a Progress,
+}
+
+impl Read for Watched<'_> {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        self.progress.check().map_err(|_| std::io::Error::from(std::io::ErrorKind::Other))?;
+        self.text.read(into)
+    }
+}
+
+impl BufRead for Watched<'_> {
+    fn fill_buf(&mut self) -> std::io::Result<&[u8]> {
+        self.progress.check().map_err(|_| std::io::Error::from(std::io::ErrorKind::Other))?;
+        self.text.fill_buf()
+    }
+
+    fn consume(&mut self, count: usize) {
+        self.text.consume(count);
+    }
+}
+
 /// A line with those that it goes on in, without comment.
 struct Line {
     text: Vec<u8>,
@@ -205,6 +233,7 @@ impl Iterator for Lines<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::changed_bytes::ChangedBytes;
     use super::super::read;
     use super::*;
     use crate::part::raw_part::{FacetFault, Unread};
@@ -256,17 +285,9 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
         #[test]
-        fn changed_bytes_are_read_or_refused(
-            changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..8),
-            cut in any::<prop::sample::Index>(),
-        ) {
-            let mut bytes = TETRAHEDRON.as_bytes().to_vec();
-            for (at, byte) in changes {
-                let at = at.index(bytes.len());
-                bytes[at] = byte;
-            }
-            bytes.truncate(cut.index(bytes.len()) + 1);
-            let (_, _) = (super::read(&bytes), read(&bytes));
+        fn changed_bytes_are_read_or_refused(changed in ChangedBytes::any()) {
+            let bytes = changed.of(TETRAHEDRON);
+            let (_, _) = (super::read(&bytes, &Progress::default()), read(&bytes));
         }
     }
 }

@@ -12,6 +12,7 @@ use super::fingerprint::{Fingerprint, Landmark};
 use super::landmarks::Landmarks;
 use super::pairing::Lineup;
 use crate::fit::{PlacedPair, rigid};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Point3, Similarity3, Translation3, UnitQuaternion, Vector3};
 use std::collections::BTreeSet;
 
@@ -43,10 +44,18 @@ struct Assumed {
 }
 
 /// Shifts of the file, those first that more anchors agree with.
-pub(super) fn shifts(landmarks: &Landmarks, new: &Lineup) -> Vec<Isometry3<f64>> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn shifts(
+    landmarks: &Landmarks,
+    new: &Lineup,
+    progress: &Progress,
+) -> Result<Vec<Isometry3<f64>>, Cancelled> {
     let anchors = anchors(landmarks, new, unturned);
     let mut found = Vec::new();
     for (anchor, candidate) in anchors.iter().flat_map(|a| a.candidates.iter().map(move |c| (a, c))) {
+        progress.check()?;
         let shift = Isometry3::from(Translation3::from(candidate.centroid - anchor.print.centroid));
         let fitted = |voters: &[PlacedPair]| {
             let weight: f64 = voters.iter().map(|p| p.weight).sum();
@@ -55,11 +64,18 @@ pub(super) fn shifts(landmarks: &Landmarks, new: &Lineup) -> Vec<Isometry3<f64>>
         };
         found.extend(assumed(&anchors, &shift, landmarks, fitted));
     }
-    best(found, landmarks, new)
+    best(found, landmarks, new, progress)
 }
 
 /// Turns with a shift, those first that more anchors agree with.
-pub(super) fn turns(landmarks: &Landmarks, new: &Lineup) -> Vec<Isometry3<f64>> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn turns(
+    landmarks: &Landmarks,
+    new: &Lineup,
+    progress: &Progress,
+) -> Result<Vec<Isometry3<f64>>, Cancelled> {
     let anchors = anchors(landmarks, new, unlikeness_anywhere);
     let mut found = Vec::new();
     for triple in triples(&anchors, landmarks.diagonal) {
@@ -67,13 +83,14 @@ pub(super) fn turns(landmarks: &Landmarks, new: &Lineup) -> Vec<Isometry3<f64>> 
             break;
         }
         for onto in placements(&triple, landmarks.diagonal) {
+            progress.check()?;
             let pairs: Vec<PlacedPair> = triple.iter().zip(onto).map(|(a, c)| pair(&a.print, c)).collect();
             if let Some(turn) = rigid(&pairs) {
                 found.extend(assumed(&anchors, &turn, landmarks, rigid));
             }
         }
     }
-    best(found, landmarks, new)
+    best(found, landmarks, new, progress)
 }
 
 /// Points around the part, by which motions are compared.
@@ -160,7 +177,12 @@ fn assumed(
 
 /// The motions that bring the most surfaces onto alike ones, each once: nearer than a five hundredth
 /// of the part they are one.
-fn best(mut found: Vec<Assumed>, landmarks: &Landmarks, new: &Lineup) -> Vec<Isometry3<f64>> {
+fn best(
+    mut found: Vec<Assumed>,
+    landmarks: &Landmarks,
+    new: &Lineup,
+    progress: &Progress,
+) -> Result<Vec<Isometry3<f64>>, Cancelled> {
     // Stable: of those with equally many votes the one found first.
     found.sort_by_key(|a| std::cmp::Reverse(a.votes));
     let (mut kept, surround): (Vec<Isometry3<f64>>, _) = (Vec::new(), Surround::new(landmarks));
@@ -171,13 +193,15 @@ fn best(mut found: Vec<Assumed>, landmarks: &Landmarks, new: &Lineup) -> Vec<Iso
         }
     }
     let prints = before_edits(landmarks);
-    kept.sort_by_cached_key(|motion| {
-        let motion = Similarity3::from_isometry(*motion, 1.0);
+    let mut held = Vec::with_capacity(kept.len());
+    for motion in kept {
+        progress.check()?;
+        let moved = Similarity3::from_isometry(motion, 1.0);
         let by = prints.iter().take(COMPARED_BY);
-        std::cmp::Reverse(by.filter(|l| new.holds(&l.print.moved(&motion), landmarks.diagonal)).count())
-    });
-    kept.truncate(MOTIONS);
-    kept
+        held.push((by.filter(|l| new.holds(&l.print.moved(&moved), landmarks.diagonal)).count(), motion));
+    }
+    held.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    Ok(held.into_iter().take(MOTIONS).map(|(_, motion)| motion).collect())
 }
 
 /// Three anchors each that tell a turn: not on a line by a twentieth of the part.

@@ -8,6 +8,7 @@ use super::segmentation::Segmentation;
 use super::shells::shells;
 use super::trial::{LostEdit, SurfaceSearch, Trial};
 use crate::part::{Part, SurfaceEdit, SurfaceRule};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Similarity3};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -57,25 +58,28 @@ impl FoundAgain {
 
 /// Looks for remembered surfaces in a new part. `edits` are those that the landmarks were made with,
 /// `needed` the old numbers that must be found; `loaded` is how the *new* part was read.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
 pub fn find(
     landmarks: &Landmarks,
     part: &Part,
     loaded: &LoadedAs,
     rule: &SurfaceRule,
-    edits: &[SurfaceEdit],
-    needed: &BTreeSet<u32>,
-) -> FoundAgain {
-    let mut base = Segmentation::new(part, loaded, rule);
-    let new = Lineup::new(base.landmarks());
-    let shells = Lineup::new(shells(part, loaded));
-    let search = SurfaceSearch { landmarks, loaded: *loaded, base, shells, edits, needed };
-    let in_place = search.trial(&Similarity3::identity());
+    (edits, needed): (&[SurfaceEdit], &BTreeSet<u32>),
+    progress: &Progress,
+) -> Result<FoundAgain, Cancelled> {
+    let mut base = Segmentation::new(part, loaded, rule, progress)?;
+    let new = Lineup::new(base.landmarks()?);
+    let shells = Lineup::new(shells(part, loaded, progress)?);
+    let search = SurfaceSearch { landmarks, loaded: *loaded, base, shells, edits, needed, progress };
+    let in_place = search.trial(&Similarity3::identity())?;
     if in_place.complete && search.is_borne_out(&in_place) {
-        return search.found_again(in_place, None);
+        return Ok(search.found_again(in_place, None));
     }
-    let mut outcome = search.best_of(&shifts(landmarks, &new), &in_place);
+    let mut outcome = search.best_of(&shifts(landmarks, &new, progress)?, &in_place)?;
     if let BestMotion::None { missed } = outcome {
-        outcome = match search.best_of(&turns(landmarks, &new), &in_place) {
+        outcome = match search.best_of(&turns(landmarks, &new, progress)?, &in_place)? {
             BestMotion::None { missed: turned } => BestMotion::None { missed: missed.min(turned) },
             told => told,
         };
@@ -83,19 +87,19 @@ pub fn find(
     match outcome {
         BestMotion::One(trial) => {
             let motion = trial.new_from_old.isometry;
-            return search.found_again(*trial, Some(motion));
+            return Ok(search.found_again(*trial, Some(motion)));
         }
-        BestMotion::Several => return search.nothing_found(LostReason::SeveralMotions),
+        BestMotion::Several => return Ok(search.nothing_found(LostReason::SeveralMotions)),
         // What was found in place may be another hole of a row, the file having moved by one pitch.
         BestMotion::None { missed } if !search.is_borne_out(&in_place) && clearly_fewer(missed, in_place.missed) => {
-            return search.nothing_found(LostReason::PartMoved);
+            return Ok(search.nothing_found(LostReason::PartMoved));
         }
         BestMotion::None { .. } => {}
     }
-    match search.scale(part).filter(|_| !in_place.complete) {
+    Ok(match search.scale(part)?.filter(|_| !in_place.complete) {
         Some(scale) => FoundAgain { scale: Some(scale), ..search.nothing_found(LostReason::NothingAlike) },
         None => search.found_again(in_place, None),
-    }
+    })
 }
 
 /// The best of several assumed motions.
@@ -121,34 +125,35 @@ impl SurfaceSearch<'_> {
     }
 
     /// The motion that explains what is not found in place.
-    fn best_of(&self, motions: &[Isometry3<f64>], in_place: &Trial) -> BestMotion {
+    fn best_of(&self, motions: &[Isometry3<f64>], in_place: &Trial) -> Result<BestMotion, Cancelled> {
         let of = |m: &Isometry3<f64>| Similarity3::from_isometry(*m, 1.0);
-        let trials: Vec<Trial> = motions.iter().map(|m| self.trial(&of(m))).collect();
+        let trials = motions.iter().map(|m| self.trial(&of(m))).collect::<Result<Vec<Trial>, Cancelled>>()?;
         let missed = trials.iter().map(|t| t.missed).min().unwrap_or(self.landmarks.surfaces.len());
         let counts = |t: &Trial| t.complete && self.is_borne_out(t) && clearly_fewer(t.missed, in_place.missed);
         let mut good: Vec<Trial> = trials.into_iter().filter(counts).collect();
         good.sort_by_key(|t| t.missed);
-        let Some((best, others)) = good.split_first() else { return BestMotion::None { missed } };
+        let Some((best, others)) = good.split_first() else { return Ok(BestMotion::None { missed }) };
         let surround = Surround::new(self.landmarks);
         let as_good = |t: &Trial| {
             let apart = surround.apart(&best.new_from_old.isometry, &t.new_from_old.isometry);
             let other = apart > SAME_MOTION * self.landmarks.diagonal || t.surfaces.numbers != best.surfaces.numbers;
             other && !clearly_fewer(best.missed, t.missed)
         };
-        if others.iter().any(as_good) { BestMotion::Several } else { BestMotion::One(Box::new(best.clone())) }
+        let is_one = !others.iter().any(as_good);
+        Ok(if is_one { BestMotion::One(Box::new(best.clone())) } else { BestMotion::Several })
     }
 
     /// The scale about the file's origin, if it explains everything.
-    fn scale(&self, part: &Part) -> Option<f64> {
+    fn scale(&self, part: &Part) -> Result<Option<f64>, Cancelled> {
         let area = FileFrame::new(&self.loaded).area(part.mesh.areas.iter().sum());
         let ratio = (area / self.landmarks.area).sqrt();
         // Tessellation changes the area by a per cent: what is meant is the ratio of two units.
         let scale = UNIT_RATIOS.into_iter().find(|r| (ratio / r - 1.0).abs() < 0.01).unwrap_or(ratio);
         if !(1e-6..1e6).contains(&scale) || (scale - 1.0).abs() < 0.02 {
-            return None;
+            return Ok(None);
         }
-        let trial = self.trial(&Similarity3::from_scaling(scale));
-        (trial.complete && self.is_borne_out(&trial)).then_some(scale)
+        let trial = self.trial(&Similarity3::from_scaling(scale))?;
+        Ok((trial.complete && self.is_borne_out(&trial)).then_some(scale))
     }
 
     fn found_again(&self, trial: Trial, motion: Option<Isometry3<f64>>) -> FoundAgain {

@@ -6,6 +6,7 @@ use super::fingerprint::{Landmark, short};
 use super::segmentation::{Segmentation, operands};
 use super::shells::shells;
 use crate::part::{Part, SurfaceEdit, SurfaceRule};
+use crate::progress::{Cancelled, Progress};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
@@ -61,25 +62,37 @@ impl Landmarks {
         edits: &[SurfaceEdit],
         needed: &BTreeSet<u32>,
     ) -> Landmarks {
+        // Nobody else holds this progress, so it is not cancelled.
+        Landmarks::made(part, loaded, rule, edits, needed, &Progress::default()).unwrap_or_default()
+    }
+
+    fn made(
+        part: &Part,
+        loaded: &LoadedAs,
+        rule: &SurfaceRule,
+        edits: &[SurfaceEdit],
+        needed: &BTreeSet<u32>,
+        progress: &Progress,
+    ) -> Result<Landmarks, Cancelled> {
         let frame = FileFrame::new(loaded);
         let diagonal = frame.length(part.mesh.diagonal());
         let farthest = part.mesh.vertices.iter().map(|p| frame.point(p).coords.amax()).fold(0.0, f64::max);
         let grid = short(cut_facets::grid(diagonal, farthest));
-        let mut now = Segmentation::new(part, loaded, rule);
+        let mut now = Segmentation::new(part, loaded, rule, progress)?;
         let last_number = now.last_number();
-        let edits = edits.iter().map(|edit| EditMark::new(&mut now, edit, grid)).collect();
+        let edits = edits.iter().map(|edit| EditMark::new(&mut now, edit, grid)).collect::<Result<_, Cancelled>>()?;
         let mut numbers = needed.clone();
         numbers.extend(now.largest_first().into_iter().take(WITNESSES));
-        Landmarks {
+        Ok(Landmarks {
             area: short(frame.area(part.mesh.areas.iter().sum())),
             diagonal: short(diagonal),
             grid,
             last_number,
             flipped_shells: loaded.flipped_shells.to_vec(),
             surfaces: numbers.into_iter().filter_map(|n| now.landmark(n)).collect(),
-            shells: remembered_shells(part, loaded),
+            shells: remembered_shells(part, loaded, progress)?,
             edits,
-        }
+        })
     }
 
     /// Numbers of the surfaces that are remembered.
@@ -96,7 +109,7 @@ impl Landmarks {
 
 impl EditMark {
     /// Remembers what the edit is made on, and makes it.
-    fn new(now: &mut Segmentation, edit: &SurfaceEdit, grid: f64) -> EditMark {
+    fn new(now: &mut Segmentation, edit: &SurfaceEdit, grid: f64) -> Result<EditMark, Cancelled> {
         let numbers: BTreeSet<u32> = operands(edit).iter().copied().collect();
         let operands = numbers.into_iter().filter_map(|n| now.landmark(n)).collect();
         let facets = match edit {
@@ -107,14 +120,14 @@ impl EditMark {
             }
             _ => String::new(),
         };
-        now.apply(edit);
-        EditMark { operands, facets, last_number: now.last_number() }
+        now.apply(edit)?;
+        Ok(EditMark { operands, facets, last_number: now.last_number() })
     }
 }
 
 /// The flipped ones and the largest.
-fn remembered_shells(part: &Part, loaded: &LoadedAs) -> Vec<Landmark> {
-    let mut all = shells(part, loaded);
+fn remembered_shells(part: &Part, loaded: &LoadedAs, progress: &Progress) -> Result<Vec<Landmark>, Cancelled> {
+    let mut all = shells(part, loaded, progress)?;
     let is_flipped = |l: &Landmark| loaded.flipped_shells.contains(&l.number);
     all.sort_by(|a, b| {
         is_flipped(b).cmp(&is_flipped(a)).then(b.print.area.total_cmp(&a.print.area)).then(a.number.cmp(&b.number))
@@ -122,5 +135,5 @@ fn remembered_shells(part: &Part, loaded: &LoadedAs) -> Vec<Landmark> {
     let count = all.iter().filter(|l| is_flipped(l)).count() + WITNESSES;
     all.truncate(count);
     all.sort_by_key(|l| l.number);
-    all
+    Ok(all)
 }

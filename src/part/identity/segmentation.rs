@@ -6,6 +6,7 @@ use crate::part::numbering::Numbering;
 use crate::part::shape::Shape;
 use crate::part::surface::{Surface, listed};
 use crate::part::{Part, SurfaceEdit, SurfaceRule};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -22,11 +23,20 @@ pub(super) struct Segmentation<'a> {
     neighbours: Vec<(u32, f64)>,
     /// Of surfaces whose facets have not changed since: what costs most.
     known: BTreeMap<u32, Fingerprint>,
+    progress: &'a Progress,
 }
 
 impl<'a> Segmentation<'a> {
     /// Before the first edit.
-    pub(super) fn new(part: &'a Part, loaded: &LoadedAs<'a>, rule: &SurfaceRule) -> Segmentation<'a> {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so, now or later.
+    pub(super) fn new(
+        part: &'a Part,
+        loaded: &LoadedAs<'a>,
+        rule: &SurfaceRule,
+        progress: &'a Progress,
+    ) -> Result<Segmentation<'a>, Cancelled> {
         let mut new = Segmentation {
             part,
             frame: FileFrame::new(loaded),
@@ -35,18 +45,19 @@ impl<'a> Segmentation<'a> {
             list: Vec::new(),
             neighbours: Vec::new(),
             known: BTreeMap::new(),
+            progress,
         };
-        new.list_again();
-        new
+        new.list_again()?;
+        Ok(new)
     }
 
     /// Makes one edit.
-    pub(super) fn apply(&mut self, edit: &SurfaceEdit) {
+    pub(super) fn apply(&mut self, edit: &SurfaceEdit) -> Result<(), Cancelled> {
         self.numbering.apply(&self.part.mesh, &self.part.dihedral_deg, edit);
         for number in operands(edit) {
             self.known.remove(number);
         }
-        self.list_again();
+        self.list_again()
     }
 
     /// The highest number that was ever given out.
@@ -80,28 +91,33 @@ impl<'a> Segmentation<'a> {
     }
 
     /// All surfaces as they are now; what was measured is kept.
-    pub(super) fn landmarks(&mut self) -> Vec<Landmark> {
+    pub(super) fn landmarks(&mut self) -> Result<Vec<Landmark>, Cancelled> {
         let numbers: Vec<u32> = self.list.iter().map(|s| s.number).collect();
-        let all: Vec<Landmark> = numbers.par_iter().filter_map(|&n| self.landmark(n)).collect();
+        let now = |&n: &u32| self.progress.check().map(|()| self.landmark(n)).transpose();
+        let all = numbers.par_iter().filter_map(now).collect::<Result<Vec<Landmark>, Cancelled>>()?;
         self.known = all.iter().map(|l| (l.number, l.print)).collect();
-        all
+        Ok(all)
     }
 
     fn position(&self, number: u32) -> Option<usize> {
         self.list.binary_search_by_key(&number, |s| s.number).ok()
     }
 
-    fn list_again(&mut self) {
+    fn list_again(&mut self) -> Result<(), Cancelled> {
         let (mesh, of_facet) = (&self.part.mesh, &self.numbering.of_facet);
+        self.progress.check()?;
         self.list = listed(mesh, of_facet);
+        self.progress.check()?;
         let mut borders: Vec<(u32, u32)> = (0..mesh.edges.len() as u32)
             .flat_map(|e| mesh.edge_facets(e).windows(2))
             .map(|pair| (of_facet[pair[0] as usize], of_facet[pair[1] as usize]))
             .filter(|(a, b)| a != b)
             .flat_map(|(a, b)| [(a, b), (b, a)])
             .collect();
-        borders.sort_unstable();
+        self.progress.check()?;
+        borders.par_sort_unstable();
         borders.dedup();
+        self.progress.check()?;
         self.neighbours = vec![(0, 0.0); self.list.len()];
         for (a, b) in borders {
             if let (Some(i), Some(j)) = (self.position(a), self.position(b)) {
@@ -109,6 +125,7 @@ impl<'a> Segmentation<'a> {
                 self.neighbours[i].1 += self.list[j].area_mm2;
             }
         }
+        Ok(())
     }
 
     /// All but the neighbours.

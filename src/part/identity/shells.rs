@@ -3,10 +3,14 @@
 use super::file_frame::{FileFrame, LoadedAs};
 use super::fingerprint::{Fingerprint, FormWord, Landmark};
 use crate::part::Part;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 
 /// All shells of a part in the order of their numbers, as they were before any was flipped.
-pub(super) fn shells(part: &Part, loaded: &LoadedAs) -> Vec<Landmark> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn shells(part: &Part, loaded: &LoadedAs, progress: &Progress) -> Result<Vec<Landmark>, Cancelled> {
     let (frame, mesh) = (FileFrame::new(loaded), &part.mesh);
     let mut facets: Vec<Vec<usize>> = vec![Vec::new(); part.orientation.shells];
     for (f, &shell) in part.orientation.shell_of.iter().enumerate() {
@@ -17,6 +21,7 @@ pub(super) fn shells(part: &Part, loaded: &LoadedAs) -> Vec<Landmark> {
     let numbered = (1u32..).zip(&facets);
     numbered
         .map(|(number, facets)| {
+            progress.check()?;
             let area: f64 = facets.iter().map(|&f| mesh.areas[f]).sum();
             let over = if area > 0.0 { area } else { 1.0 };
             let moment: Vector3<f64> = facets.iter().map(|&f| mesh.centroid(f).coords * mesh.areas[f]).sum();
@@ -39,7 +44,7 @@ pub(super) fn shells(part: &Part, loaded: &LoadedAs) -> Vec<Landmark> {
                 neighbours: 0,
                 neighbour_area: 0.0,
             };
-            Landmark { number, print }
+            Ok(Landmark { number, print })
         })
         .collect()
 }

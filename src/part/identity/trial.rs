@@ -7,6 +7,7 @@ use super::landmarks::{EditMark, Landmarks};
 use super::pairing::{Lineup, LostReason, Paired, paired};
 use super::segmentation::{Segmentation, operands};
 use crate::part::SurfaceEdit;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Similarity3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -30,6 +31,7 @@ pub(super) struct SurfaceSearch<'a> {
     pub shells: Lineup,
     pub edits: &'a [SurfaceEdit],
     pub needed: &'a BTreeSet<u32>,
+    pub progress: &'a Progress,
 }
 
 /// The result of one assumed motion.
@@ -59,16 +61,20 @@ impl LostNumbers {
 
 impl SurfaceSearch<'_> {
     /// Tries a motion of the file.
-    pub(super) fn trial(&self, new_from_old: &Similarity3<f64>) -> Trial {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when the search should end.
+    pub(super) fn trial(&self, new_from_old: &Similarity3<f64>) -> Result<Trial, Cancelled> {
         let moved = |l: &Landmark| Landmark { number: l.number, print: l.print.moved(new_from_old) };
         let diagonal = self.landmarks.diagonal * new_from_old.scaling();
         let mut now = self.base.clone();
         let (mut edits, mut lost_edits, mut lost_numbers) = (Vec::new(), Vec::new(), LostNumbers::default());
         for (index, edit) in self.edits.iter().enumerate() {
-            match self.repeated(&mut now, index, &lost_numbers, new_from_old) {
+            self.progress.check()?;
+            match self.repeated(&mut now, index, &lost_numbers, new_from_old)? {
                 Ok(None) => {}
                 Ok(Some(edit)) => {
-                    now.apply(&edit);
+                    now.apply(&edit)?;
                     edits.push(edit);
                 }
                 Err(why) => {
@@ -78,7 +84,7 @@ impl SurfaceSearch<'_> {
                 }
             }
         }
-        let mut surfaces = paired(self.landmarks.surfaces.iter().map(moved), &Lineup::new(now.landmarks()), diagonal);
+        let mut surfaces = paired(self.landmarks.surfaces.iter().map(moved), &Lineup::new(now.landmarks()?), diagonal);
         let asked = self.landmarks.surfaces.iter().map(|l| l.number).chain(self.needed.iter().copied());
         for number in asked.filter(|n| lost_numbers.contains(*n)) {
             surfaces.numbers.remove(&number);
@@ -88,7 +94,7 @@ impl SurfaceSearch<'_> {
         let gone = |l: &&Landmark| {
             matches!(surfaces.lost.get(&l.number), Some(LostReason::NothingAlike | LostReason::EditNotRepeated))
         };
-        Trial {
+        Ok(Trial {
             new_from_old: *new_from_old,
             complete: lost_edits.is_empty()
                 && self.needed.iter().all(|n| surfaces.numbers.contains_key(n))
@@ -98,7 +104,7 @@ impl SurfaceSearch<'_> {
             shells,
             edits,
             lost_edits,
-        }
+        })
     }
 
     /// An edit in the new numbers; `None` if its surfaces never existed.
@@ -108,21 +114,24 @@ impl SurfaceSearch<'_> {
         index: usize,
         lost_numbers: &LostNumbers,
         new_from_old: &Similarity3<f64>,
-    ) -> Result<Option<SurfaceEdit>, LostReason> {
+    ) -> Result<Result<Option<SurfaceEdit>, LostReason>, Cancelled> {
         let edit = &self.edits[index];
-        let mark = self.landmarks.edits.get(index).ok_or(LostReason::NotRemembered)?;
+        let Some(mark) = self.landmarks.edits.get(index) else { return Ok(Err(LostReason::NotRemembered)) };
         if mark.operands.is_empty() {
-            return Ok(None);
+            return Ok(Ok(None));
         }
         if mark.operands.iter().any(|o| !operands(edit).contains(&o.number)) {
-            return Err(LostReason::NotRemembered);
+            return Ok(Err(LostReason::NotRemembered));
         }
         if mark.operands.iter().any(|o| lost_numbers.contains(o.number)) {
-            return Err(LostReason::EditNotRepeated);
+            return Ok(Err(LostReason::EditNotRepeated));
         }
-        let numbers = self.operands_now(now, mark, new_from_old)?;
+        let numbers = match self.operands_now(now, mark, new_from_old)? {
+            Ok(numbers) => numbers,
+            Err(why) => return Ok(Err(why)),
+        };
         let number = |old: &u32| numbers.get(old).copied();
-        Ok(match edit {
+        Ok(Ok(match edit {
             SurfaceEdit::Merge { merge } => {
                 Some(SurfaceEdit::Merge { merge: merge.iter().filter_map(number).collect() })
             }
@@ -132,11 +141,12 @@ impl SurfaceSearch<'_> {
             SurfaceEdit::Cut { cut, .. } => match number(cut) {
                 Some(cut) => {
                     let facets = cut_facets::find_facets(now, cut, &mark.facets, self.landmarks.grid, new_from_old);
-                    Some(SurfaceEdit::Cut { cut, facets: facets.ok_or(LostReason::OtherFacets)? })
+                    let Some(facets) = facets else { return Ok(Err(LostReason::OtherFacets)) };
+                    Some(SurfaceEdit::Cut { cut, facets })
                 }
                 None => None,
             },
-        })
+        }))
     }
 
     /// The new numbers of all operands, or why one has none.
@@ -145,10 +155,10 @@ impl SurfaceSearch<'_> {
         now: &mut Segmentation,
         mark: &EditMark,
         new_from_old: &Similarity3<f64>,
-    ) -> Result<BTreeMap<u32, u32>, LostReason> {
+    ) -> Result<Result<BTreeMap<u32, u32>, LostReason>, Cancelled> {
         let moved = mark.operands.iter().map(|l| Landmark { number: l.number, print: l.print.moved(new_from_old) });
         let diagonal = self.landmarks.diagonal * new_from_old.scaling();
-        let Paired { numbers, lost } = paired(moved, &Lineup::new(now.landmarks()), diagonal);
-        lost.values().next().map_or(Ok(numbers), |why| Err(*why))
+        let Paired { numbers, lost } = paired(moved, &Lineup::new(now.landmarks()?), diagonal);
+        Ok(lost.values().next().map_or(Ok(numbers), |why| Err(*why)))
     }
 }

@@ -1,15 +1,23 @@
 //! Corners with equal coordinates become one vertex.
 
 use crate::part::raw_part::RawFacet;
+use crate::progress::{Cancelled, Progress};
 
 /// Unique corners by equal coordinates, numbered in order of first appearance.
-pub(super) fn weld_corners(raw: &[RawFacet]) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn weld_corners(raw: &[RawFacet], progress: &Progress) -> Result<(Vec<[f32; 3]>, Vec<[u32; 3]>), Cancelled> {
     let mut welder = Welder {
         slots: vec![EMPTY; (raw.len() * 2).next_power_of_two().max(16)],
         points: Vec::with_capacity(raw.len() / 2 + 3),
     };
-    let facets = raw.iter().map(|corners| corners.map(|c| welder.index_of(c))).collect();
-    (welder.points, facets)
+    let index = |(number, corners): (usize, &RawFacet)| {
+        progress.check_at(number)?;
+        Ok(corners.map(|c| welder.index_of(c)))
+    };
+    let facets = raw.iter().enumerate().map(index).collect::<Result<_, Cancelled>>()?;
+    Ok((welder.points, facets))
 }
 
 /// A hash table with open addressing: twice as fast here as the standard map, whose keys would be

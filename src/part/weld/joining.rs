@@ -6,6 +6,8 @@ use super::{Joined, Welded};
 use crate::part::edges::Edges;
 use crate::part::triangle::normal_and_area;
 use crate::part::union_find::UnionFind;
+use crate::progress::{Cancelled, Progress};
+use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// A facet whose normal turns by more than 60° looks elsewhere: the cosine. So much do slivers turn whose height is
@@ -15,21 +17,29 @@ const TURN_COSINE: f64 = 0.5;
 const ROUNDS: usize = 4;
 
 /// The facets after the seams are closed; `None` where none can be.
-pub(super) fn joined(points: &[[f32; 3]], facets: &[[u32; 3]], mut seams: Vec<Seam>) -> Option<Welded> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn joined(
+    points: &[[f32; 3]],
+    facets: &[[u32; 3]],
+    mut seams: Vec<Seam>,
+    progress: &Progress,
+) -> Result<Option<Welded>, Cancelled> {
     let mut round = 0;
     let root_of = loop {
         if seams.is_empty() {
-            return None;
+            return Ok(None);
         }
         let groups = Groups::new(points.len(), &seams);
-        let folding = groups.folding(points, facets);
+        let folding = groups.folding(points, facets, progress)?;
         if folding.is_empty() {
             break groups.root_of;
         }
         seams = groups.without(folding, &seams, round >= ROUNDS);
         round += 1;
     };
-    Some(renumbered(points, facets, &root_of))
+    renumbered(points, facets, &root_of, progress).map(Some)
 }
 
 /// Vertices that are to be one, by the lowest of them.
@@ -56,9 +66,15 @@ impl Groups {
     }
 
     /// The groups that make a facet fold.
-    fn folding(&self, points: &[[f32; 3]], facets: &[[u32; 3]]) -> BTreeSet<u32> {
+    fn folding(
+        &self,
+        points: &[[f32; 3]],
+        facets: &[[u32; 3]],
+        progress: &Progress,
+    ) -> Result<BTreeSet<u32>, Cancelled> {
         let mut found = BTreeSet::new();
-        for corners in facets {
+        for (number, corners) in facets.iter().enumerate() {
+            progress.check_at(number)?;
             let after = corners.map(|v| self.root(v));
             if after == *corners {
                 continue;
@@ -80,7 +96,8 @@ impl Groups {
             }
         }
         self.add_doubled(facets, &mut found);
-        found
+        progress.check()?;
+        Ok(found)
     }
 
     /// Adds the groups that lay a facet on another.
@@ -92,7 +109,7 @@ impl Groups {
         let is_near = |corners: &&[u32; 3]| corners.iter().any(|&v| self.size[self.root(v) as usize] > 1);
         let after = |corners: &[u32; 3]| (sorted(corners.map(|v| self.root(v))), sorted(*corners));
         let mut near: Vec<([u32; 3], [u32; 3])> = facets.iter().filter(is_near).map(after).collect();
-        near.sort_unstable();
+        near.par_sort_unstable();
         for same in near.chunk_by(|a, b| a.0 == b.0).filter(|same| same.iter().any(|f| f.1 != same[0].1)) {
             found.extend(same.iter().flat_map(|f| f.1).filter(|&v| self.root(v) != v).map(|v| self.root(v)));
         }
@@ -124,7 +141,12 @@ impl Groups {
 }
 
 /// Vertices in the order of first appearance, without those that went into another.
-fn renumbered(points: &[[f32; 3]], facets: &[[u32; 3]], root_of: &[u32]) -> Welded {
+fn renumbered(
+    points: &[[f32; 3]],
+    facets: &[[u32; 3]],
+    root_of: &[u32],
+    progress: &Progress,
+) -> Result<Welded, Cancelled> {
     let mut joined = Joined::default();
     let (mut kept, mut number) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
     for (v, (p, &root)) in points.iter().zip(root_of).enumerate() {
@@ -138,6 +160,6 @@ fn renumbered(points: &[[f32; 3]], facets: &[[u32; 3]], root_of: &[u32]) -> Weld
         }
     }
     let facets: Vec<[u32; 3]> = facets.iter().map(|f| f.map(|v| number[v as usize])).collect();
-    let edges = Edges::new(kept.len(), &facets);
-    Welded { points: kept, facets, joined, edges }
+    let edges = Edges::built(kept.len(), &facets, progress)?;
+    Ok(Welded { points: kept, facets, joined, edges })
 }

@@ -9,6 +9,7 @@ mod tests;
 
 use super::edges::Edges;
 use super::raw_part::RawFacet;
+use crate::progress::{Cancelled, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Which corners become one vertex.
@@ -66,13 +67,22 @@ pub struct Welded {
 impl Welded {
     /// Welds facets as stored (−0 = 0).
     pub fn new(raw: &[RawFacet], weld: Weld) -> Welded {
-        let (points, facets) = exact::weld_corners(raw);
-        let edges = Edges::new(points.len(), &facets);
+        // Nobody else holds this progress, so it is not cancelled.
+        Welded::built(raw, weld, &Progress::default()).unwrap_or_default()
+    }
+
+    /// Welds facets as stored (−0 = 0), as long as nobody wants that to end.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn built(raw: &[RawFacet], weld: Weld, progress: &Progress) -> Result<Welded, Cancelled> {
+        let (points, facets) = exact::weld_corners(raw, progress)?;
+        let edges = Edges::built(points.len(), &facets, progress)?;
         let exact = Welded { points, facets, joined: Joined::default(), edges };
         if weld == Weld::Exact {
-            return exact;
+            return Ok(exact);
         }
-        let seams = seams::matched(&exact.points, &exact.facets, &exact.edges);
-        joining::joined(&exact.points, &exact.facets, seams).unwrap_or(exact)
+        let seams = seams::matched(&exact.points, &exact.facets, &exact.edges, progress)?;
+        Ok(joining::joined(&exact.points, &exact.facets, seams, progress)?.unwrap_or(exact))
     }
 }

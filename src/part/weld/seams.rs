@@ -5,7 +5,9 @@
 
 use crate::part::angle::between_deg;
 use crate::part::edges::{Edges, NO_EDGE};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 use std::cmp::Ordering;
 
 /// Corners count as a rounding apart within this share of the part's diagonal: f32 keeps 6e-8 of a coordinate, and what
@@ -59,14 +61,22 @@ impl OpenEdge {
 
 /// The open edges that are one, each with at most one other. Independent of the order of facets, but for edges that
 /// are equal in all.
-pub(super) fn matched(points: &[[f32; 3]], facets: &[[u32; 3]], edges: &Edges) -> Vec<Seam> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn matched(
+    points: &[[f32; 3]],
+    facets: &[[u32; 3]],
+    edges: &Edges,
+    progress: &Progress,
+) -> Result<Vec<Seam>, Cancelled> {
     if !(0..edges.ends.len() as u32).any(|e| edges.facets.of(e).len() == 1) {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let within = tolerance(points);
-    let open = open_edges(points, facets, edges, within);
-    let mut all = candidates(&open, within);
-    all.sort_by(|a, b| a.compare(b, &open));
+    let open = open_edges(points, facets, edges, within, progress)?;
+    let mut all = candidates(&open, within, progress)?;
+    all.par_sort_by(|a, b| a.compare(b, &open));
     let mut taken = vec![false; open.len()];
     let mut seams = Vec::new();
     for Candidate { edges: [i, j], is_turned, .. } in all {
@@ -77,12 +87,22 @@ pub(super) fn matched(points: &[[f32; 3]], facets: &[[u32; 3]], edges: &Edges) -
         let [a, b] = open[j].ends;
         seams.push(Seam { ends: [open[i].ends, if is_turned { [a, b] } else { [b, a] }] });
     }
-    seams
+    Ok(seams)
 }
 
-fn open_edges(points: &[[f32; 3]], facets: &[[u32; 3]], edges: &Edges, within: f64) -> Vec<OpenEdge> {
+fn open_edges(
+    points: &[[f32; 3]],
+    facets: &[[u32; 3]],
+    edges: &Edges,
+    within: f64,
+    progress: &Progress,
+) -> Result<Vec<OpenEdge>, Cancelled> {
     let mut open = Vec::new();
-    for (corners, of) in facets.iter().zip(&edges.of_facet).filter(|(_, of)| !of.contains(&NO_EDGE)) {
+    for (number, (corners, of)) in facets.iter().zip(&edges.of_facet).enumerate() {
+        progress.check_at(number)?;
+        if of.contains(&NO_EDGE) {
+            continue;
+        }
         for k in (0..3).filter(|&k| edges.facets.of(of[k]).len() == 1) {
             let ends = [corners[k], corners[(k + 1) % 3]];
             let [from, to, third] = [ends[0], ends[1], corners[(k + 2) % 3]].map(|v| point(&points[v as usize]));
@@ -95,7 +115,7 @@ fn open_edges(points: &[[f32; 3]], facets: &[[u32; 3]], edges: &Edges, within: f
             open.push(OpenEdge { ends, from, to, inward, cell });
         }
     }
-    open
+    Ok(open)
 }
 
 fn on_grid(x: f64, within: f64) -> i32 {
@@ -133,16 +153,20 @@ fn by_coordinates(a: &[[f64; 3]; 2], b: &[[f64; 3]; 2]) -> Ordering {
 }
 
 /// All pairs of open edges that lie along each other, looked for by their middles on a grid.
-fn candidates(open: &[OpenEdge], within: f64) -> Vec<Candidate> {
+fn candidates(open: &[OpenEdge], within: f64, progress: &Progress) -> Result<Vec<Candidate>, Cancelled> {
     let mut by_cell: Vec<usize> = (0..open.len()).collect();
-    by_cell.sort_unstable_by_key(|&i| (open[i].cell, i));
+    by_cell.par_sort_unstable_by_key(|&i| (open[i].cell, i));
     let in_cell = |cell: [i32; 3]| {
         let from = by_cell.partition_point(|&i| open[i].cell < cell);
         let there = by_cell[from..].iter().take(CROWD + 1).take_while(|&&i| open[i].cell == cell).count();
         &by_cell[from..from + if there > CROWD { 0 } else { there }]
     };
     let mut all = Vec::new();
-    for (i, edge) in open.iter().enumerate().filter(|(_, edge)| !in_cell(edge.cell).is_empty()) {
+    for (i, edge) in open.iter().enumerate() {
+        progress.check()?;
+        if in_cell(edge.cell).is_empty() {
+            continue;
+        }
         let middle = edge.middle();
         let [x, y, z]: [[i32; 2]; 3] =
             std::array::from_fn(|k| [-within, within].map(|off| on_grid(middle[k] + off, within)));
@@ -150,9 +174,9 @@ fn candidates(open: &[OpenEdge], within: f64) -> Vec<Candidate> {
             all.extend(in_cell(cell).iter().filter(|&&j| j > i).filter_map(|&j| candidate(open, [i, j], within)));
         }
     }
-    all.sort_unstable_by_key(|c| c.edges);
+    all.par_sort_unstable_by_key(|c| c.edges);
     all.dedup_by_key(|c| c.edges);
-    all
+    Ok(all)
 }
 
 /// Two open edges as a candidate, if they lie along each other and their facets do not lie on one side.

@@ -8,6 +8,7 @@
 //! the unfolding of obtuse facets.
 
 use super::surface_mesh::SurfaceMesh;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -36,7 +37,15 @@ const MOST_TURNS: u8 = 4;
 
 impl DistanceField {
     /// Distances from these edges of the surface mesh. Ways shorter by less than `grain_mm` are not followed.
-    pub fn new(surface_mesh: &SurfaceMesh, from: &[u32], grain_mm: f64) -> DistanceField {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new(
+        surface_mesh: &SurfaceMesh,
+        from: &[u32],
+        grain_mm: f64,
+        progress: &Progress,
+    ) -> Result<DistanceField, Cancelled> {
         let count = surface_mesh.mesh.vertices.len();
         let mut field = DistanceField {
             mm: vec![f64::INFINITY; count],
@@ -57,6 +66,7 @@ impl DistanceField {
         let mut turns = vec![0u8; count];
         // Distances are not negative: their bits sort as they do.
         while let Some(Reverse((bits, v))) = heap.pop() {
+            progress.check()?;
             if f64::from_bits(bits) > field.mm[v as usize] {
                 continue;
             }
@@ -80,7 +90,7 @@ impl DistanceField {
                 }
             }
         }
-        field
+        Ok(field)
     }
 
     /// Slopes along the edges that leave a border vertex, by their angle to one border edge there.

@@ -18,8 +18,9 @@ mod winding;
 use super::live_facets::{extent, live};
 use super::normals::VertexNormals;
 use super::planes::{self, SurfacePlanes};
-use super::section::{TransversalLine, sections};
+use super::section::{TransversalLine, sections_under};
 use crate::part::{Mesh, angle, surfaces::Surface};
+use crate::progress::{Cancelled, Progress};
 pub use finding::LinesFinding;
 use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -116,22 +117,40 @@ pub fn lines(
     family: &SurfacePlanes,
     merge_mm: f64,
 ) -> SurfaceLines {
+    // Nobody else holds this progress, so it is not cancelled.
+    let progress = Progress::default();
+    lines_under(&progress, (mesh, surface, normals), rule, family, merge_mm).unwrap_or_default()
+}
+
+/// The same, as long as nobody wants that to end. `of`: the surface as [`lines()`] has it.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn lines_under(
+    progress: &Progress,
+    of: (&Mesh, &Surface, &VertexNormals),
+    rule: &Layout,
+    family: &SurfacePlanes,
+    merge_mm: f64,
+) -> Result<SurfaceLines, Cancelled> {
+    let (mesh, surface, normals) = of;
     if !(rule.spacing_mm.is_finite() && rule.spacing_mm > 0.0) {
-        return none(LinesFinding::SpacingNotPositive);
+        return Ok(none(LinesFinding::SpacingNotPositive));
     }
     let number = surface.number;
     if live(mesh, surface).next().is_none() {
-        return none(LinesFinding::NoProperFacet { surface: number });
+        return Ok(none(LinesFinding::NoProperFacet { surface: number }));
     }
-    let cut = |planes: &SurfacePlanes| sections(mesh, surface, normals, &planes.normal, &planes.heights_mm, merge_mm);
+    let cut = |planes: &SurfacePlanes| sections_under(progress, of, &planes.normal, &planes.heights_mm, merge_mm);
     let raster = |planes: SurfacePlanes| {
-        let lines = cut(&planes);
-        SurfaceLines {
+        let lines = cut(&planes)?;
+        progress.check()?;
+        Ok(SurfaceLines {
             achieved: spacing::achieved(&lines, Some(&planes.normal), rule.spacing_mm),
             finding: lines.is_empty().then_some(LinesFinding::NoPlaneCrosses { surface: number }),
             lines,
             planes: vec![planes],
-        }
+        })
     };
     match rule.strategy {
         Strategy::Planes => raster(family.clone()),
@@ -139,14 +158,14 @@ pub fn lines(
             heights_mm: adaptive::heights_mm(mesh, surface, &family.normal, rule.spacing_mm),
             ..family.clone()
         }),
-        Strategy::Offset => offset::lines(mesh, surface, normals, rule, merge_mm),
-        Strategy::Spiral => spiral::lines(mesh, surface, normals, rule, merge_mm),
+        Strategy::Offset => offset::lines(mesh, surface, normals, rule, merge_mm, progress),
+        Strategy::Spiral => spiral::lines(mesh, surface, normals, rule, merge_mm, progress),
         Strategy::Cross => {
             let Some(second) = across(mesh, surface, family, rule.spacing_mm, rule.cross_deg) else {
                 let finding = Some(LinesFinding::NoMeanNormal { surface: number });
-                return SurfaceLines { finding, ..raster(family.clone()) };
+                return Ok(SurfaceLines { finding, ..raster(family.clone())? });
             };
-            crossed(raster(family.clone()), raster(second))
+            Ok(crossed(raster(family.clone())?, raster(second)?))
         }
     }
 }

@@ -14,6 +14,7 @@ use super::surface_mesh::SurfaceMesh;
 use super::{Layout, LinesFinding, SurfaceLines, none, spacing};
 use crate::part::union_find::UnionFind;
 use crate::part::{Mesh, surfaces::Surface};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -29,7 +30,9 @@ pub struct Border {
 /// The loops of a surface's outline, the longest first: what [`Layout::border`] chooses from. Loops
 /// that touch are one.
 pub fn borders(mesh: &Mesh, surface: &Surface) -> Vec<Border> {
-    let surface_mesh = SurfaceMesh::new(mesh, surface, &VertexNormals::default());
+    // Nobody else holds this progress, so it is not cancelled.
+    let made = SurfaceMesh::new(mesh, surface, &VertexNormals::default(), &Progress::default());
+    let Ok(surface_mesh) = made else { return Vec::new() };
     let edge = |e: &u32| surface_mesh.mesh.edges[*e as usize].map(|v| surface_mesh.mesh.vertices[v as usize]);
     let border = |(length_mm, edges): (f64, Vec<u32>)| Border { length_mm, edges: edges.iter().map(edge).collect() };
     surface_mesh.loops().into_iter().map(border).collect()
@@ -44,24 +47,25 @@ pub(super) fn lines(
     normals: &VertexNormals,
     rule: &Layout,
     merge_mm: f64,
-) -> SurfaceLines {
-    let surface_mesh = SurfaceMesh::new(mesh, surface, normals);
+    progress: &Progress,
+) -> Result<SurfaceLines, Cancelled> {
+    let surface_mesh = SurfaceMesh::new(mesh, surface, normals, progress)?;
     let count = surface_mesh.loops().len();
     if count == 0 {
-        return none(LinesFinding::NoBorder { surface: surface.number });
+        return Ok(none(LinesFinding::NoBorder { surface: surface.number }));
     }
     if let Some(border) = rule.border.filter(|&b| b >= count) {
-        return none(LinesFinding::NoSuchBorder { surface: surface.number, border, borders: count });
+        return Ok(none(LinesFinding::NoSuchBorder { surface: surface.number, border, borders: count }));
     }
     let size_mm = (PIECE * rule.spacing_mm).min(0.15 * surface.area_mm2.sqrt());
-    let surface_mesh = surface_mesh.refined(true, |_| size_mm);
+    let surface_mesh = surface_mesh.refined(true, |_| size_mm, progress)?;
     let from = match rule.border {
         Some(chosen) => surface_mesh.loops().into_iter().nth(chosen).map(|l| l.1).unwrap_or_default(),
         None => surface_mesh.rim(),
     };
-    let field = DistanceField::new(&surface_mesh, &from, 1e-6 * rule.spacing_mm);
-    let levels = Levels::new(&surface_mesh, &field);
-    let lines = levels.lines(rule.spacing_mm, merge_mm);
+    let field = DistanceField::new(&surface_mesh, &from, 1e-6 * rule.spacing_mm, progress)?;
+    let levels = Levels::new(&surface_mesh, &field, progress)?;
+    let lines = levels.lines(rule.spacing_mm, merge_mm, progress)?;
     let unreached: f64 = (0..surface_mesh.mesh.facets.len())
         .filter(|&f| surface_mesh.mesh.facets[f].iter().any(|&v| !field.mm[v as usize].is_finite()))
         .map(|f| surface_mesh.mesh.areas[f])
@@ -73,7 +77,9 @@ pub(super) fn lines(
     } else {
         None
     };
-    SurfaceLines { achieved: spacing::achieved(&lines, None, rule.spacing_mm), lines, planes: Vec::new(), finding }
+    progress.check()?;
+    let achieved = spacing::achieved(&lines, None, rule.spacing_mm);
+    Ok(SurfaceLines { achieved, lines, planes: Vec::new(), finding })
 }
 
 /// Rank, distance and facets of one level.
@@ -88,7 +94,7 @@ struct Levels {
 }
 
 impl Levels {
-    fn new(surface_mesh: &SurfaceMesh, field: &DistanceField) -> Levels {
+    fn new(surface_mesh: &SurfaceMesh, field: &DistanceField, progress: &Progress) -> Result<Levels, Cancelled> {
         let along: Vec<Option<Along>> = (0..surface_mesh.mesh.edges.len() as u32)
             .into_par_iter()
             .map(|e| {
@@ -98,6 +104,7 @@ impl Levels {
                 known.then(|| field.along(surface_mesh, facet, e, a, b))
             })
             .collect();
+        progress.check()?;
         let mut mm = field.mm.clone();
         let mut cuts = Vec::new();
         for (e, along) in along.iter().enumerate() {
@@ -106,8 +113,8 @@ impl Levels {
                 mm.push(peak);
             }
         }
-        let (mut cut, first) = surface_mesh.cut(&cuts);
-        summits(surface_mesh, field, &mut cut, first, &mut mm);
+        let (mut cut, first) = surface_mesh.cut(&cuts, progress)?;
+        summits(surface_mesh, field, &mut cut, first, &mut mm, progress)?;
         // Both lists of edges are sorted by their vertices, and old vertices keep their numbers.
         let mut old = surface_mesh.mesh.edges.iter().zip(along).peekable();
         let along = cut
@@ -119,10 +126,10 @@ impl Levels {
                 old.next_if(|(o, _)| *o == edge).and_then(|(_, along)| along)
             })
             .collect();
-        Levels { surface_mesh: cut, mm, along }
+        Ok(Levels { surface_mesh: cut, mm, along })
     }
 
-    fn lines(&self, spacing_mm: f64, merge_mm: f64) -> Vec<TransversalLine> {
+    fn lines(&self, spacing_mm: f64, merge_mm: f64, progress: &Progress) -> Result<Vec<TransversalLine>, Cancelled> {
         let facets = &self.surface_mesh.mesh.facets;
         let band = |mm: f64| (mm / spacing_mm - 0.5).floor();
         let most = self.mm.iter().copied().filter(|d| d.is_finite()).fold(0.0, f64::max);
@@ -133,6 +140,7 @@ impl Levels {
             jobs.clear();
         }
         for (f, corners) in facets.iter().enumerate() {
+            progress.check_at(f)?;
             let d = corners.map(|v| self.mm[v as usize]);
             let (low, high) = (d[0].min(d[1]).min(d[2]), d[0].max(d[1]).max(d[2]));
             if high.is_finite() {
@@ -143,8 +151,11 @@ impl Levels {
             }
         }
         jobs.extend(self.leftovers(spacing_mm, band));
+        progress.check()?;
         jobs.sort_by_key(|j| j.0);
-        jobs.par_iter()
+        let lines = jobs
+            .par_iter()
+            .take_any_while(|_| progress.goes_on())
             .flat_map_iter(|(rank, level, facets)| {
                 let gates: Vec<(u32, u32)> = facets.iter().filter_map(|&f| self.gates(f, *level)).collect();
                 chained(&gates).into_iter().filter_map(move |(edges, closed)| {
@@ -153,7 +164,9 @@ impl Levels {
                     Some(TransversalLine { plane: *rank, points, closed, dark: Vec::new() })
                 })
             })
-            .collect()
+            .collect();
+        // What is missing after a cancel is not handed out.
+        progress.check().map(|()| lines)
     }
 
     /// Rank, distance and facets of the lines around greatest distances that would be left too wide.
@@ -216,11 +229,18 @@ impl Levels {
 
 /// Facets in which three fronts meet are left with a piece between three ridges: the place of its
 /// greatest distance becomes a vertex.
-fn summits(surface_mesh: &SurfaceMesh, field: &DistanceField, cut: &mut SurfaceMesh, first: u32, mm: &mut Vec<f64>) {
+fn summits(
+    surface_mesh: &SurfaceMesh,
+    field: &DistanceField,
+    cut: &mut SurfaceMesh,
+    first: u32,
+    mm: &mut Vec<f64>,
+    progress: &Progress,
+) -> Result<(), Cancelled> {
     let between: Vec<usize> =
         (0..cut.mesh.facets.len()).filter(|&f| cut.mesh.facets[f].iter().all(|&v| v >= first)).collect();
     if between.is_empty() {
-        return;
+        return Ok(());
     }
     // The facets that were cut at all three edges, in the same order.
     let ridge = |e: u32, f: usize| {
@@ -234,6 +254,7 @@ fn summits(surface_mesh: &SurfaceMesh, field: &DistanceField, cut: &mut SurfaceM
     let mut facets = cut.mesh.facets.clone();
     let mut vertices = cut.mesh.vertices.clone();
     for (f, parent) in between.into_iter().zip(parents) {
+        progress.check()?;
         let [a, b, c] = cut.mesh.corners(f);
         // Uphill from the middle of the three, in steps that halve.
         let mut at = (1.0 / 3.0, 1.0 / 3.0);
@@ -263,5 +284,6 @@ fn summits(surface_mesh: &SurfaceMesh, field: &DistanceField, cut: &mut SurfaceM
         facets[f] = [p, q, centre];
         facets.extend([[q, r, centre], [r, p, centre]]);
     }
-    cut.mesh = Mesh::from_indexed(vertices, facets);
+    cut.mesh = Mesh::from_indexed_under(progress, vertices, facets)?;
+    Ok(())
 }

@@ -3,6 +3,7 @@
 use super::super::normals::between;
 use super::surface_mesh::{SurfaceMesh, split};
 use crate::part::Mesh;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -15,19 +16,28 @@ impl SurfaceMesh {
     /// Cuts facets until no edge is longer than `size_mm` at its middle. Where that takes more pieces
     /// than there is time for, all sizes grow alike. `even`: slivers in one plane are turned into better
     /// facets on the way.
-    pub fn refined(self, even: bool, size_mm: impl Fn(&Point3<f64>) -> f64 + Sync) -> SurfaceMesh {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn refined(
+        self,
+        even: bool,
+        size_mm: impl Fn(&Point3<f64>) -> f64 + Sync,
+        progress: &Progress,
+    ) -> Result<SurfaceMesh, Cancelled> {
         let most = MOST_PIECES.max(1.2 * self.mesh.facets.len() as f64);
         let mut scale = 1.0;
         while self.pieces(&size_mm, scale) > most {
+            progress.check()?;
             scale *= 1.2;
         }
         if !even {
-            return self.halved(most, |p| scale * size_mm(p));
+            return self.halved(most, |p| scale * size_mm(p), progress);
         }
         let mut surface_mesh = self;
         // Slivers between coplanar facets first: what they are cut into would be slivers too.
         for _ in 0..60 {
-            let Some(turned) = surface_mesh.flipped() else { break };
+            let Some(turned) = surface_mesh.flipped(progress)? else { break };
             surface_mesh = turned;
         }
         for _ in 0..PASSES {
@@ -37,20 +47,26 @@ impl SurfaceMesh {
             if long.is_empty() || surface_mesh.mesh.facets.len() as f64 > 4.0 * most {
                 break;
             }
-            surface_mesh = surface_mesh.cut(&long.iter().map(|&e| (e, 0.5)).collect::<Vec<_>>()).0;
-            surface_mesh = surface_mesh.flipped().unwrap_or(surface_mesh);
+            surface_mesh = surface_mesh.cut(&long.iter().map(|&e| (e, 0.5)).collect::<Vec<_>>(), progress)?.0;
+            surface_mesh = surface_mesh.flipped(progress)?.unwrap_or(surface_mesh);
         }
-        surface_mesh
+        Ok(surface_mesh)
     }
 
     /// Halves edges that are longer than a size at their middle, and cuts the facets beside them, until none is
     /// left. The topology is built once, behind the last pass.
-    fn halved(self, most: f64, size_mm: impl Fn(&Point3<f64>) -> f64 + Sync) -> SurfaceMesh {
+    fn halved(
+        self,
+        most: f64,
+        size_mm: impl Fn(&Point3<f64>) -> f64 + Sync,
+        progress: &Progress,
+    ) -> Result<SurfaceMesh, Cancelled> {
         let SurfaceMesh { mesh, mut normals } = self;
         let Mesh { mut vertices, mut facets, .. } = mesh;
         // A facet that was not cut has no long edge: only the pieces of the last pass are looked at.
         let mut fresh: Vec<u32> = (0..facets.len() as u32).collect();
         for _ in 0..PASSES {
+            progress.check()?;
             let long_edges = |&f: &u32| {
                 let corners = facets[f as usize];
                 let long = [0, 1, 2].map(|k| {
@@ -78,7 +94,8 @@ impl SurfaceMesh {
                 normals.push(between(&normals[a as usize], &normals[b as usize], 0.5));
             }
             fresh.clear();
-            for (f, long) in found {
+            for (number, (f, long)) in found.into_iter().enumerate() {
+                progress.check_at(number)?;
                 let corners = facets[f as usize];
                 let middle = |k: usize| cuts.binary_search(&ends(&corners, k)).ok().map(|i| first + i as u32);
                 let cut = [0, 1, 2].map(|k| long[k].then(|| middle(k)).flatten());
@@ -90,17 +107,18 @@ impl SurfaceMesh {
                 fresh.extend(from..facets.len() as u32);
             }
         }
-        SurfaceMesh { mesh: Mesh::from_indexed(vertices, facets), normals }
+        Ok(SurfaceMesh { mesh: Mesh::from_indexed_under(progress, vertices, facets)?, normals })
     }
 
     /// The other diagonal for pairs of facets in one plane, where it makes their angles wider (Delaunay);
     /// no facet twice. `None` where there is nothing to turn.
-    fn flipped(&self) -> Option<SurfaceMesh> {
+    fn flipped(&self, progress: &Progress) -> Result<Option<SurfaceMesh>, Cancelled> {
         let mesh = &self.mesh;
         let mut facets = mesh.facets.clone();
         let mut touched = vec![false; facets.len()];
         let mut any = false;
         for e in 0..mesh.edges.len() as u32 {
+            progress.check_at(e as usize)?;
             let Some([f, g]) = mesh.smooth_pair(e).map(|p| p.map(|f| f as usize)) else { continue };
             if touched[f] || touched[g] || mesh.normals[f].dot(&mesh.normals[g]) < 1.0 - 1e-9 {
                 continue;
@@ -125,10 +143,11 @@ impl SurfaceMesh {
                 any = true;
             }
         }
-        any.then(|| SurfaceMesh {
-            mesh: Mesh::from_indexed(mesh.vertices.clone(), facets),
-            normals: self.normals.clone(),
-        })
+        if !any {
+            return Ok(None);
+        }
+        let mesh = Mesh::from_indexed_under(progress, mesh.vertices.clone(), facets)?;
+        Ok(Some(SurfaceMesh { mesh, normals: self.normals.clone() }))
     }
 
     /// About how many pieces that takes.

@@ -11,6 +11,7 @@ use super::winding::Winding;
 use super::{Layout, LinesFinding, SurfaceLines, mean_normal, spacing};
 use crate::part::{Mesh, angle, surfaces::Surface};
 use crate::path::live_facets::live;
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 
 /// A chord within a facet is at most so far from the spiral, mm.
@@ -22,12 +23,16 @@ pub(super) fn lines(
     normals: &VertexNormals,
     rule: &Layout,
     merge_mm: f64,
-) -> SurfaceLines {
-    let (surface_mesh, axis) = centred(mesh, surface, SurfaceMesh::new(mesh, surface, normals), rule);
+    progress: &Progress,
+) -> Result<SurfaceLines, Cancelled> {
+    let surface_mesh = SurfaceMesh::new(mesh, surface, normals, progress)?;
+    let (surface_mesh, axis) = centred(mesh, surface, surface_mesh, rule, progress)?;
     let finest = rule.spacing_mm / 24.0;
-    let surface_mesh = surface_mesh.refined(false, |p| libm::sqrt(8.0 * CHORD_MM * axis.radius_mm(p)).max(finest));
+    let size_mm = |p: &Point3<f64>| libm::sqrt(8.0 * CHORD_MM * axis.radius_mm(p)).max(finest);
+    let surface_mesh = surface_mesh.refined(false, size_mm, progress)?;
     let winding = Winding::new(&surface_mesh, &axis, rule.spacing_mm);
-    let (mut lines, mut turns) = winding.lines(merge_mm);
+    progress.check()?;
+    let (mut lines, mut turns) = winding.lines(merge_mm, progress)?;
     // Near the axis a spiral leads outwards more than around, and turns lie nearer.
     let around = |p: &Point3<f64>| axis.radius_mm(p) >= 2.5 * rule.spacing_mm;
     let achieved = spacing::measured(&lines, &turns, None, around, rule.spacing_mm);
@@ -45,14 +50,20 @@ pub(super) fn lines(
     } else {
         None
     };
-    SurfaceLines { lines, achieved, planes: Vec::new(), finding }
+    Ok(SurfaceLines { lines, achieved, planes: Vec::new(), finding })
 }
 
 /// Where the spiral turns about, its centre a vertex of the surface mesh.
 ///
 /// The middle is the centroid of the area, or the given point; its normal line meets the surface in the
 /// centre. Where it meets nothing, the centre is a hole. A closed surface has no mean normal; then it is z.
-fn centred(mesh: &Mesh, surface: &Surface, surface_mesh: SurfaceMesh, rule: &Layout) -> (SurfaceMesh, SpiralAxis) {
+fn centred(
+    mesh: &Mesh,
+    surface: &Surface,
+    surface_mesh: SurfaceMesh,
+    rule: &Layout,
+    progress: &Progress,
+) -> Result<(SurfaceMesh, SpiralAxis), Cancelled> {
     let (sum, area) = live(mesh, surface)
         .fold((Vector3::zeros(), 0.0), |(s, a), f| (s + mesh.centroid(f).coords * mesh.areas[f], a + mesh.areas[f]));
     let middle = rule.centre.unwrap_or(Point3::from(sum / f64::max(area, 1e-300)));
@@ -68,14 +79,14 @@ fn centred(mesh: &Mesh, surface: &Surface, surface_mesh: SurfaceMesh, rule: &Lay
         let u = angle::any_square_to(&along);
         SpiralAxis { at, along, u, v: along.cross(&u), vertex }
     };
-    let Some((_, facet, weights)) = hit else { return (surface_mesh, axis(middle, along, None)) };
+    let Some((_, facet, weights)) = hit else { return Ok((surface_mesh, axis(middle, along, None))) };
     let own = surface_mesh.mesh.normals[facet as usize];
-    let (surface_mesh, vertex) = surface_mesh.with_vertex(facet, weights);
+    let (surface_mesh, vertex) = surface_mesh.with_vertex(facet, weights, progress)?;
     // Vertex normals look to the side that is worked on; the curves need that of the facets.
     let there = surface_mesh.normals[vertex as usize];
     let there = if there.dot(&own) < 0.0 { -there } else { there };
     let at = surface_mesh.mesh.vertices[vertex as usize];
-    (surface_mesh, axis(at, angle::unit(there).unwrap_or(own), Some(vertex)))
+    Ok((surface_mesh, axis(at, angle::unit(there).unwrap_or(own), Some(vertex))))
 }
 
 /// Where a line meets a facet: weights of its corners, and height along the line.

@@ -7,6 +7,7 @@ use super::super::section::SectionPoint;
 use crate::part::angle::unit;
 use crate::part::union_find::UnionFind;
 use crate::part::{Mesh, surfaces::Surface};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 
 /// A copy of one surface.
@@ -19,7 +20,15 @@ pub(super) struct SurfaceMesh {
 
 impl SurfaceMesh {
     /// The surface as it is.
-    pub fn new(mesh: &Mesh, surface: &Surface, normals: &VertexNormals) -> SurfaceMesh {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new(
+        mesh: &Mesh,
+        surface: &Surface,
+        normals: &VertexNormals,
+        progress: &Progress,
+    ) -> Result<SurfaceMesh, Cancelled> {
         let mut vertices: Vec<u32> = live(mesh, surface).flat_map(|f| mesh.facets[f]).collect();
         vertices.sort_unstable();
         vertices.dedup();
@@ -29,15 +38,16 @@ impl SurfaceMesh {
         }
         let facets = live(mesh, surface).map(|f| mesh.facets[f].map(|v| local[v as usize])).collect();
         let points = vertices.iter().map(|&v| mesh.vertices[v as usize]).collect();
-        SurfaceMesh {
-            mesh: Mesh::from_indexed(points, facets),
-            normals: vertices.iter().map(|&v| normals.at(v)).collect(),
-        }
+        let mesh = Mesh::from_indexed_under(progress, points, facets)?;
+        Ok(SurfaceMesh { mesh, normals: vertices.iter().map(|&v| normals.at(v)).collect() })
     }
 
     /// Cuts edges, each at a share of the way from its lower vertex, and the facets beside them. Also
     /// the number of the first new vertex: they follow in the order of `cuts` (ascending by edge).
-    pub fn cut(&self, cuts: &[(u32, f64)]) -> (SurfaceMesh, u32) {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn cut(&self, cuts: &[(u32, f64)], progress: &Progress) -> Result<(SurfaceMesh, u32), Cancelled> {
         let first = self.mesh.vertices.len() as u32;
         let mut middle = vec![u32::MAX; self.mesh.edges.len()];
         let (mut vertices, mut normals) = (self.mesh.vertices.clone(), self.normals.clone());
@@ -52,21 +62,29 @@ impl SurfaceMesh {
             let cut = edges.map(|e| middle.get(e as usize).copied().filter(|&v| v != u32::MAX));
             split(corners, cut, &vertices, &mut facets);
         }
-        (SurfaceMesh { mesh: Mesh::from_indexed(vertices, facets), normals }, first)
+        Ok((SurfaceMesh { mesh: Mesh::from_indexed_under(progress, vertices, facets)?, normals }, first))
     }
 
     /// Makes a point of a facet, told by its three weights, a vertex, unless it is one; and its number.
-    pub fn with_vertex(self, facet: u32, weights: [f64; 3]) -> (SurfaceMesh, u32) {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn with_vertex(
+        self,
+        facet: u32,
+        weights: [f64; 3],
+        progress: &Progress,
+    ) -> Result<(SurfaceMesh, u32), Cancelled> {
         let corners = self.mesh.facets[facet as usize];
         let near = 1e-6;
         if let Some(k) = (0..3).find(|&k| weights[k] > 1.0 - near) {
-            return (self, corners[k]);
+            return Ok((self, corners[k]));
         }
         if let Some(k) = (0..3).find(|&k| weights[(k + 2) % 3] < near) {
             let edge = self.mesh.facet_edges[facet as usize][k];
             let share = weights[(k + 1) % 3] / (weights[k] + weights[(k + 1) % 3]);
             let forward = self.mesh.edges[edge as usize][0] == corners[k];
-            return self.cut(&[(edge, if forward { share } else { 1.0 - share })]);
+            return self.cut(&[(edge, if forward { share } else { 1.0 - share })], progress);
         }
         let SurfaceMesh { mesh, mut normals } = self;
         let mut p = Vector3::zeros();
@@ -82,7 +100,7 @@ impl SurfaceMesh {
         let [a, b, c] = corners;
         facets[facet as usize] = [a, b, new];
         facets.extend([[b, c, new], [c, a, new]]);
-        (SurfaceMesh { mesh: Mesh::from_indexed(vertices, facets), normals }, new)
+        Ok((SurfaceMesh { mesh: Mesh::from_indexed_under(progress, vertices, facets)?, normals }, new))
     }
 
     /// Length of an edge, mm.

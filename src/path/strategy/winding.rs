@@ -5,6 +5,7 @@
 use super::super::section::{SectionPoint, TransversalLine, chained, merged};
 use super::radial::{SpiralAxis, excess, wrapped};
 use super::surface_mesh::SurfaceMesh;
+use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -115,7 +116,14 @@ impl Winding<'_> {
     }
 
     /// The pieces in the order of the spiral, with the turns at their points.
-    pub fn lines(&self, merge_mm: f64) -> (Vec<TransversalLine>, Vec<Vec<f64>>) {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn lines(
+        &self,
+        merge_mm: f64,
+        progress: &Progress,
+    ) -> Result<(Vec<TransversalLine>, Vec<Vec<f64>>), Cancelled> {
         let places: Vec<(SectionPoint, f64)> = (0..self.surface_mesh.mesh.edges.len() as u32)
             .into_par_iter()
             .flat_map_iter(|e| {
@@ -123,10 +131,12 @@ impl Winding<'_> {
                 (a.min(b) + 1..=a.max(b)).map(move |level| self.place(e, level))
             })
             .collect();
+        progress.check()?;
         // One more than the last crossing: the centre, where the spiral begins.
         let centre = places.len() as u32;
         let gates: Vec<(u32, u32)> =
             (0..self.surface_mesh.mesh.facets.len()).into_par_iter().flat_map_iter(|f| self.gates(f, centre)).collect();
+        progress.check()?;
         let start = SectionPoint {
             p: self.axis.at,
             n: self.axis.vertex.map_or(self.axis.along, |v| self.surface_mesh.normals[v as usize]),
@@ -142,9 +152,10 @@ impl Winding<'_> {
                 Some((TransversalLine { plane: 0, points, closed, dark: Vec::new() }, turns))
             })
             .collect();
+        progress.check()?;
         let begin = |turns: &[f64]| turns.first().copied().unwrap_or(0.0);
         found.sort_by(|a, b| begin(&a.1).total_cmp(&begin(&b.1)));
-        found.into_iter().unzip()
+        Ok(found.into_iter().unzip())
     }
 
     /// Where the spiral comes into a facet and leaves it, on all its turns there.

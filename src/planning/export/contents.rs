@@ -180,8 +180,9 @@ impl DoseFile {
             PlanError::Cancelled => ExportError::Cancelled,
             other => ExportError::Dose(other),
         })?;
-        let patches = dose::not_cleanable(part, surfaces, plan, job, &map);
-        Ok(DoseFile { ply: dose::ply(&map, surfaces), report: DoseReport::new(&map, &patches, surfaces) })
+        let patches = dose::not_cleanable((part, surfaces), plan, job, &map, progress)?;
+        let ply = dose::ply(&map, surfaces, progress)?;
+        Ok(DoseFile { ply, report: DoseReport::new(&map, &patches, surfaces) })
     }
 }
 

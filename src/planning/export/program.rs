@@ -10,7 +10,7 @@ use crate::planning::report::{PlanFinding, Report, is_dark};
 use crate::planning::verify::{self, VerifyError};
 use crate::program::{
     Comment, DRY_RUN_PERCENT, DialectError, FileNote, ProcessFigures, Program, ProgramFile, Step, Steps, Variant,
-    WITHOUT_WORDS, Wording, dialects,
+    Wording, dialects,
 };
 use crate::progress::Progress;
 
@@ -46,7 +46,7 @@ pub(super) fn variant_program(
     }
     let (job, _, setup) = of;
     let dialect = dialects::known(&job.cell.dialect).map_err(DialectError::from)?;
-    let (lines, head) = (variant.lines(&plan.steps, setup), head(variant, of, &plan.steps, report));
+    let (lines, head) = (dialect.lines(variant, &plan.steps, setup), head(variant, of, &plan.steps, report));
     let setup = &dialect.named(setup, variant);
     let program = Program { head, lines, setup, wording };
     Ok(dialect.write(&program).map_err(DialectError::from)?)
@@ -54,10 +54,7 @@ pub(super) fn variant_program(
 
 /// Names of the files that a program of this job has, however long it is; none where it cannot be written.
 pub(super) fn names_ahead(job: &Job, setup: &Setup, variant: Variant) -> Vec<String> {
-    let Some(dialect) = dialects::by_name(&job.cell.dialect) else { return Vec::new() };
-    let setup = &dialect.named(setup, variant);
-    let nothing = Program { head: Vec::new(), lines: Vec::new(), setup, wording: WITHOUT_WORDS };
-    dialect.write(&nothing).unwrap_or_default().into_iter().map(|f| f.name).collect()
+    dialects::by_name(&job.cell.dialect).map_or_else(Vec::new, |dialect| dialect.file_names(setup, variant))
 }
 
 /// Reads the program's own text, and refuses to hand out one that would not do what was planned.

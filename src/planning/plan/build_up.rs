@@ -10,7 +10,7 @@ use super::surface_plan::{
 use super::toolpath::{self, Toolpath};
 use crate::cell::Setup;
 use crate::document::model::Job;
-use crate::part::{Digest, GrownPart, Part, Surfaces, grown};
+use crate::part::{Digest, GrownPart, GrowthError, Part, Surfaces, grown};
 use crate::path::planes::{self, Raster};
 use crate::path::{Order, SurfacePlanes};
 use crate::planning::error::PlanError;
@@ -46,8 +46,10 @@ pub(in super::super) fn grown_parts(
             progress.check()?;
             let height_mm = |j: &Job| j.bead.height_mm * f64::from(layer.min(j.layer_count()));
             let heights_mm = own.iter().map(|(n, j)| (*n, height_mm(j))).collect();
-            let folds = |surface| PlanError::Folds { surface, layers: layer };
-            grown(part, surfaces, &heights_mm).map(Arc::new).map_err(folds)
+            grown(part, surfaces, &heights_mm, progress).map(Arc::new).map_err(|e| match e {
+                GrowthError::Folds(surface) => PlanError::Folds { surface, layers: layer },
+                GrowthError::Cancelled => PlanError::Cancelled,
+            })
         })
         .collect();
     // The lowest layer that folds is the one to tell, whichever thread was first.
@@ -91,8 +93,9 @@ pub(in super::super) fn layer_toolpaths(
     let families = families(of);
     progress.begin(Activity::LayingLines, families.len());
     let toolpaths = families.into_par_iter().map(|family| {
+        let toolpath = cache.toolpath((part, surfaces), family, job_of, layer, progress)?;
         progress.step()?;
-        Ok(cache.toolpath(part, surfaces, family, job_of, layer))
+        Ok(toolpath)
     });
     Ok(toolpaths.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
 }

@@ -49,21 +49,27 @@ impl PlanCache {
         self.0.lock().ok()?.plans.get(key).cloned()
     }
 
-    /// The lines of the surface of a family in a layer, by the job of that surface.
+    /// The lines of the surface of a family in a layer, by the job of that surface; `None`: there is no such surface.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
     pub(in super::super) fn toolpath<'a>(
         &self,
-        part: &Part,
-        surfaces: &Surfaces,
+        (part, surfaces): (&Part, &Surfaces),
         family: SurfacePlanes,
         job_of: impl Fn(u32) -> &'a Job,
         layer: u32,
-    ) -> Option<(Digest, Arc<Toolpath>)> {
-        let surface = surfaces.get(family.surface)?;
+        progress: &Progress,
+    ) -> Result<Option<(Digest, Arc<Toolpath>)>, Cancelled> {
+        let Some(surface) = surfaces.get(family.surface) else { return Ok(None) };
         let by = ToolpathRules::new(surface.number, job_of(surface.number), layer);
         let key = toolpath_key(part, surfaces, surface, &family, &by);
         let known = self.0.lock().ok().and_then(|kept| kept.toolpaths.get(&key).cloned());
-        let toolpath = known.unwrap_or_else(|| Arc::new(plan_toolpath(part, surfaces, surface, family, &by)));
-        Some((key, toolpath))
+        let toolpath = match known {
+            Some(known) => known,
+            None => Arc::new(plan_toolpath(part, surfaces, surface, family, &by, progress)?),
+        };
+        Ok(Some((key, toolpath)))
     }
 
     /// Keeps toolpaths for the plan to come.

@@ -14,6 +14,7 @@ use crate::path::normals::VertexNormals;
 use crate::path::strategy::{self, Achieved, Layout, Strategy, SurfaceLines};
 use crate::path::tour::{Sense, shift_seams, toured, way_mm};
 use crate::path::{AxisSource, Order, SurfacePlanes, TransversalLine, order};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 
 /// The lines of one surface, not yet in order.
@@ -73,13 +74,17 @@ impl<'a> ToolpathRules<'a> {
 
 /// The lines of a surface by its job; `family`: its planes. Part and surfaces are as they have grown when the layer
 /// begins.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
 pub fn plan_toolpath(
     part: &Part,
     surfaces: &Surfaces,
     surface: &Surface,
     family: SurfacePlanes,
     by: &ToolpathRules<'_>,
-) -> Toolpath {
+    progress: &Progress,
+) -> Result<Toolpath, Cancelled> {
     let (mesh, l, layer) = (&part.mesh, by.layers, by.layer);
     let mut remarks = Vec::new();
     let is_across = layer % 2 == 1 && by.is_alternate;
@@ -91,7 +96,8 @@ pub fn plan_toolpath(
         }
         None => family,
     };
-    let (found, mut taken_by) = lines_to_rim(part, surfaces, surface, &family, by, &mut remarks);
+    let (found, mut taken_by) = lines_to_rim(part, surfaces, surface, (&family, by), &mut remarks, progress)?;
+    progress.check()?;
     let lines = if l.join_mm > 0.0 { ends::joined(found.lines, l.join_mm) } else { found.lines };
     let (lines, DroppedLines { count, length_mm }) = ends::without_short(lines, l.shortest_mm);
     if count > 0 {
@@ -102,12 +108,12 @@ pub fn plan_toolpath(
         remarks.push(ToolpathRemark::NoLines { taken_by, area_mm2: surface.area_mm2, layer });
     }
     remarks.extend(found.finding.map(ToolpathRemark::Lines));
-    let mut coverage = coverage(mesh, surface, &found.planes, l.spacing_mm, &lines);
+    let mut coverage = coverage(mesh, surface, &found.planes, l.spacing_mm, &lines, progress)?;
     if l.strategy != Strategy::Planes {
         coverage.spacing_min_mm = found.achieved.as_ref().map(|a| a.min_mm);
         coverage.spacing_max_mm = found.achieved.as_ref().map(|a| a.max_mm);
     }
-    Toolpath {
+    Ok(Toolpath {
         surface: surface.number,
         normal: family.normal,
         planes: found.planes,
@@ -117,7 +123,7 @@ pub fn plan_toolpath(
         remarks,
         layer,
         start_shift_mm: f64::from(layer) * by.start_shift_mm,
-    }
+    })
 }
 
 /// The lines of a strategy with their axes, ended where the job wants them at the rim: within it, on it or beyond it;
@@ -126,10 +132,10 @@ fn lines_to_rim(
     part: &Part,
     surfaces: &Surfaces,
     surface: &Surface,
-    family: &SurfacePlanes,
-    by: &ToolpathRules<'_>,
+    (family, by): (&SurfacePlanes, &ToolpathRules<'_>),
     remarks: &mut Vec<ToolpathRemark>,
-) -> (SurfaceLines, Option<TakenBy>) {
+    progress: &Progress,
+) -> Result<(SurfaceLines, Option<TakenBy>), Cancelled> {
     let (mesh, l) = (&part.mesh, by.layers);
     let merge_mm = 1e-6 * mesh.diagonal();
     let over_mm = (-l.inset_mm).max(0.0);
@@ -143,28 +149,31 @@ fn lines_to_rim(
     };
     if over_mm > 0.0 {
         let grown = ends::extended(mesh, surface, over_mm);
+        progress.check()?;
         let normals = VertexNormals::extended(mesh, surfaces, surface, &grown.beyond);
         let family = widened(mesh, &grown.surface, family.clone(), l.spacing_mm);
-        let mut found = strategy::lines(mesh, &grown.surface, &normals, &rule, &family, merge_mm);
+        let mut found = strategy::lines_under(progress, (mesh, &grown.surface, &normals), &rule, &family, merge_mm)?;
         let taken_by = TakenBy::strategy(&found, mesh, surface, &family, l);
         apply_axes(&mut found.lines, by);
+        progress.check()?;
         let (lines, stopped) = ends::run_over(mesh, surface, &grown, found.lines);
         found.lines = lines;
         if stopped > 0 {
             remarks.push(ToolpathRemark::StopsAtRim { ends: stopped });
         }
         let is_none = found.lines.is_empty();
-        (found, taken_by.or(is_none.then_some(TakenBy::Inset { inset_mm: l.inset_mm })))
+        Ok((found, taken_by.or(is_none.then_some(TakenBy::Inset { inset_mm: l.inset_mm }))))
     } else {
         let normals = VertexNormals::new(mesh, surfaces, surface);
-        let mut found = strategy::lines(mesh, surface, &normals, &rule, family, merge_mm);
+        let mut found = strategy::lines_under(progress, (mesh, surface, &normals), &rule, family, merge_mm)?;
         let taken_by = TakenBy::strategy(&found, mesh, surface, family, l);
         apply_axes(&mut found.lines, by);
         if l.inset_mm > 0.0 && taken_by.is_none() {
+            progress.check()?;
             let taken_by = inset(part, surface, &mut found, l);
-            return (found, taken_by);
+            return Ok((found, taken_by));
         }
-        (found, taken_by)
+        Ok((found, taken_by))
     }
 }
 

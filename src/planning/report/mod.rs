@@ -19,7 +19,7 @@ pub use corrections::CorrectionOutcome;
 pub use in_file::in_file;
 pub use nothing::{BareSurface, BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, notices_worst_first};
-pub use plan_finding::PlanFinding;
+pub use plan_finding::{PlanFinding, UnverifiedOf};
 pub use plan_status::{Grade, PlanStatus};
 pub use registration::{MarkerResidual, PlacedScan, RegistrationReport, RivalReport, SlidingReport};
 pub use problem::{NotDone, Problem, problems};
@@ -186,7 +186,7 @@ impl Report {
         }
     }
 
-    /// Adds what was found in the part's file, and what of cell and robot nobody has measured or checked.
+    /// Adds what was found in the part's file, and what of cell, robot and dialect nobody has measured or checked.
     pub fn with_inputs(mut self, in_file: &[PartFinding], job: &Job, setup: &Setup) -> Report {
         self.findings.extend(in_file.iter().cloned().map(PlanFinding::InFile));
         self.findings.extend(unverified(job, setup));

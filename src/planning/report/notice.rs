@@ -162,7 +162,7 @@ fn of_finding(finding: &PlanFinding) -> Option<Notice> {
             }
         }
         // Moves that are not proven stand in the list already, and the panel of the cell and the program's head say
-        // what of the robot nobody has checked. Findings of the file are handed in by whoever wants them in the list:
+        // what of robot and dialect nobody has checked. Findings of the file are handed in by whoever wants them in the list:
         // the command line has told them by then.
         PlanFinding::NotProven(_)
         | PlanFinding::UnverifiedFrame { .. }

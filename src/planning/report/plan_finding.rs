@@ -38,16 +38,27 @@ pub enum PlanFinding {
         /// Keys of the frames in its file.
         frames: Vec<&'static str>,
     },
-    /// Words of the robot's file that nobody has checked.
+    /// Words that nobody has checked.
     UnverifiedWord {
-        /// Name of the robot.
-        robot: String,
-        /// Keys in its file.
+        /// Whose words they are.
+        #[serde(flatten)]
+        of: UnverifiedOf,
+        /// Keys of the robot's file; words of the controller, and keys of the cell file.
         words: Vec<String>,
     },
     /// Something that was found in the part's file, or done to it.
     #[serde(untagged)]
     InFile(PartFinding),
+}
+
+/// Whose words nobody has checked.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum UnverifiedOf {
+    /// The robot's, by its name.
+    Robot(String),
+    /// The dialect's, by its name.
+    Dialect(&'static str),
 }
 
 impl PlanFinding {

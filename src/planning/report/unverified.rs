@@ -1,11 +1,12 @@
-//! What of cell and robot nobody has measured or checked, as far as the files tell.
+//! What of cell, robot and dialect nobody has measured or checked, as far as files and public sources tell.
 
-use super::PlanFinding;
+use super::{PlanFinding, UnverifiedOf};
 use crate::cell::{Mount, Setup};
 use crate::document::Job;
+use crate::program::dialects;
 
-/// Frames of the shipped cell that the plan is made for, where the job has none of its own; and figures that the robot's
-/// file calls unchecked.
+/// Frames of the shipped cell that the plan is made for, where the job has none of its own; figures that the robot's
+/// file calls unchecked; and what no public source confirms of the words that the program is written in.
 pub(super) fn unverified(job: &Job, setup: &Setup) -> Vec<PlanFinding> {
     let own = &job.cell;
     let used = match setup.mount {
@@ -18,9 +19,16 @@ pub(super) fn unverified(job: &Job, setup: &Setup) -> Vec<PlanFinding> {
     let frames: Vec<&str> = used.into_iter().filter(|(_, own)| is_shipped && !own).map(|(frame, _)| frame).collect();
     let frames = (!frames.is_empty()).then(|| PlanFinding::UnverifiedFrame { cell: setup.cell.name.clone(), frames });
     let robot = setup.robot.as_ref().filter(|robot| !robot.unverified.is_empty());
-    let words =
-        robot.map(|robot| PlanFinding::UnverifiedWord { robot: robot.name.clone(), words: robot.unverified.clone() });
-    frames.into_iter().chain(words).collect()
+    let of_robot = robot.map(|robot| PlanFinding::UnverifiedWord {
+        of: UnverifiedOf::Robot(robot.name.clone()),
+        words: robot.unverified.clone(),
+    });
+    let of_dialect = dialects::by_name(&job.cell.dialect).and_then(|dialect| {
+        let words: Vec<String> = dialect.unverified(setup).into_iter().map(String::from).collect();
+        let of = UnverifiedOf::Dialect(dialect.name());
+        (!words.is_empty()).then_some(PlanFinding::UnverifiedWord { of, words })
+    });
+    frames.into_iter().chain(of_robot).chain(of_dialect).collect()
 }
 
 #[cfg(test)]
@@ -48,7 +56,7 @@ mod tests {
         let mut job = Job::default();
         let of = |told: &[String]| told.iter().filter(|t| t.contains("unverified_frame")).count();
         let all = told(&job, Mount::PartInHand, None);
-        assert!(all.len() == 1 && all[0].ends_with(r#""frames":["base_from_laser","flange_from_part"]}"#), "{all:?}");
+        assert!(all.len() == 2 && all[0].ends_with(r#""frames":["base_from_laser","flange_from_part"]}"#), "{all:?}");
         let tool = told(&job, Mount::ToolInHand, Some("ur5e"));
         assert!(tool[0].ends_with(r#""frames":["base_from_part","flange_from_tool"]}"#), "{tool:?}");
         assert!(tool[1].starts_with(r#"{"code":"unverified_word","robot":"Universal Robots UR5e","words":["links""#));
@@ -60,6 +68,32 @@ mod tests {
         job = Job::default();
         job.cell.file = "cell.toml".into();
         assert_eq!(of(&told(&job, Mount::PartInHand, Some("ur5e"))), 0, "the user's own");
+    }
+
+    #[test]
+    fn words_of_each_dialect_are_told_but_for_the_table() {
+        let mut job = Job::default();
+        for dialect in dialects::DIALECTS {
+            job.cell.dialect = dialect.name().into();
+            let told = told(&job, Mount::PartInHand, Some("mz04"));
+            let own = format!(r#"{{"code":"unverified_word","dialect":"{}","words":["#, dialect.name());
+            let count = told.iter().filter(|t| t.starts_with(&own)).count();
+            assert_eq!(count, usize::from(dialect.name() != "csv"), "{told:?}");
+        }
+    }
+
+    /// A key that is told is one of the cell file.
+    #[test]
+    fn keys_among_the_words_stand_in_the_cell_file() {
+        let setup = Setup::shipped().expect("shipped");
+        let cell = toml::Value::try_from(&setup.cell).expect("TOML");
+        for dialect in dialects::DIALECTS {
+            for word in dialect.unverified(&setup) {
+                let key = word.strip_prefix(dialect.name()).and_then(|rest| rest.strip_prefix('.'));
+                let stands = |key: &str| cell.get(dialect.name()).is_some_and(|table| table.get(key).is_some());
+                assert!(key.is_none_or(stands), "{word}");
+            }
+        }
     }
 
     #[test]

@@ -19,6 +19,7 @@ use crate::cell::motion::{Choice, Refusal};
 use crate::cell::mounting::Mounted;
 use crate::cell::{Robot, Setup};
 use crate::pose::Pass;
+use crate::progress::Progress;
 use lit_pieces::DrivenPiece;
 
 /// What the driven program is made from.
@@ -36,7 +37,7 @@ pub struct Drive<'a> {
     /// What the arm and all it carries may touch; `None`: nothing.
     pub collision: Option<&'a Collision<'a>>,
     /// Whether to go on; the steps of a stopped drive are refused without a reason.
-    pub go_on: &'a (dyn Fn() -> bool + Sync),
+    pub progress: &'a Progress,
     /// Where lit pieces are cut.
     pub cuts: &'a Cuts,
     /// What was found out so far.

@@ -30,7 +30,7 @@ impl Drive<'_> {
         let space = TransferSpace::of(&self.straight, self.setup, passes);
         let mut whole = self.pieces(&space, passes, choice, &ranges)?;
         let ways = self.ways_without_leads(&space, &mut whole);
-        if !(self.go_on)() {
+        if !self.progress.goes_on() {
             return Err(Undriven::default());
         }
         if let (Some(None), false) = (ways.first(), whole.is_empty()) {
@@ -76,10 +76,10 @@ impl Drive<'_> {
     ) -> Result<Vec<DrivenPiece>, Undriven> {
         let driven: Vec<Result<DrivenPiece, Refusal>> = ranges
             .par_iter()
-            .take_any_while(|_| (self.go_on)())
+            .take_any_while(|_| self.progress.goes_on())
             .map(|&of| self.driven_piece(space, passes, choice, of))
             .collect();
-        if !(self.go_on)() {
+        if !self.progress.goes_on() {
             return Err(Undriven::default());
         }
         let (mut whole, mut refused) = (Vec::new(), Vec::new());
@@ -109,7 +109,7 @@ impl Drive<'_> {
         (0..=whole.len())
             .into_par_iter()
             .map(|i| {
-                if !(self.go_on)() {
+                if !self.progress.goes_on() {
                     return None;
                 }
                 let from = i.checked_sub(1).map(|i| whole[i].exit());

@@ -30,8 +30,8 @@ impl Variant {
         Variant { dry_run: true, ..self }
     }
 
-    /// Its lines, of the steps that it has.
-    pub fn lines(self, steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
+    /// Its lines, of the steps that it has, before any controller's words.
+    pub(in super::super) fn lines(self, steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
         let all = lines(steps, setup);
         if self.dry_run { all.into_iter().filter_map(dry).collect() } else { all }
     }

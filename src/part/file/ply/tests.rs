@@ -1,5 +1,6 @@
 //! PLY in all encodings, and what of it is refused.
 
+use super::super::changed_bytes::ChangedBytes;
 use super::super::read;
 use super::*;
 use crate::part::raw_part::{FacetFault, PassedOver, RawFacet, Unread};
@@ -122,17 +123,8 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
     #[test]
-    fn changed_bytes_are_read_or_refused(
-        which in 0..3usize,
-        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..8),
-        cut in any::<prop::sample::Index>(),
-    ) {
-        let mut bytes = [TEXT.into(), binary(false), binary(true)][which].clone();
-        for (at, byte) in changes {
-            let at = at.index(bytes.len());
-            bytes[at] = byte;
-        }
-        bytes.truncate(cut.index(bytes.len()) + 1);
-        let (_, _) = (super::read(&bytes), read(&bytes));
+    fn changed_bytes_are_read_or_refused(which in 0..3usize, changed in ChangedBytes::any()) {
+        let bytes = changed.of([TEXT.into(), binary(false), binary(true)][which].clone());
+        let (_, _) = (super::read(&bytes, &Progress::default()), read(&bytes));
     }
 }

@@ -5,6 +5,7 @@
 use super::super::PartFileError;
 use super::words;
 use crate::part::raw_part::{CountDiffers, RawFacet, RawPart};
+use crate::progress::{Cancelled, Progress};
 use std::ops::Range;
 
 const HEADER: usize = 84;
@@ -73,16 +74,26 @@ fn chain(bytes: &[u8], mut at: usize, payload: bool) -> Option<Solids> {
 }
 
 /// Reads solids.
-pub(super) fn read_solids(bytes: &[u8], found: &Solids, part: &mut RawPart) {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn read_solids(
+    bytes: &[u8],
+    found: &Solids,
+    part: &mut RawPart,
+    progress: &Progress,
+) -> Result<(), Cancelled> {
     for (begin, count) in &found.list {
         part.solids += 1;
         let mut at = begin + HEADER;
-        for _ in 0..*count {
+        for record in 0..*count {
+            progress.check_at(record)?;
             push_record(bytes, at, part);
             let Some(end) = end_of_record(bytes, at, found.payload) else { break };
             at = end;
         }
     }
+    Ok(())
 }
 
 fn push_record(bytes: &[u8], at: usize, part: &mut RawPart) {
@@ -102,8 +113,9 @@ fn numbers(record: &[u8]) -> [f32; 12] {
 /// something else, and if that is facets they belong to the part.
 ///
 /// # Errors
-/// Fewer facets than promised, or bytes behind them of which only some are facets.
-pub(super) fn read_uneven(bytes: &[u8], part: &mut RawPart) -> Result<(), PartFileError> {
+/// Fewer facets than promised, or bytes behind them of which only some are facets; [`PartFileError::Cancelled`] when
+/// `progress` says so.
+pub(super) fn read_uneven(bytes: &[u8], part: &mut RawPart, progress: &Progress) -> Result<(), PartFileError> {
     let promised = count_at(bytes, 0).ok_or(PartFileError::Unknown)?;
     let needed = HEADER as u64 + RECORD as u64 * u64::from(promised);
     let present = bytes.len() as u64;
@@ -123,7 +135,10 @@ pub(super) fn read_uneven(bytes: &[u8], part: &mut RawPart) -> Result<(), PartFi
     }
     let read = promised + more;
     part.solids = 1;
-    (0..read).for_each(|k| push_record(bytes, HEADER + RECORD * k, part));
+    for k in 0..read {
+        progress.check_at(k)?;
+        push_record(bytes, HEADER + RECORD * k, part);
+    }
     if more > 0 {
         part.count_differs = Some(CountDiffers { promised, read });
     }

@@ -10,6 +10,7 @@ mod words;
 
 use super::PartFileError;
 use crate::part::raw_part::RawPart;
+use crate::progress::Progress;
 
 /// Whether the bytes are binary solids by their counts, as far as their end or a text.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
@@ -19,18 +20,18 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
 /// Parses an STL file.
 ///
 /// # Errors
-/// It is cut off, or no STL.
-pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
+/// It is cut off, or no STL; [`PartFileError::Cancelled`] when `progress` says so.
+pub(super) fn read(bytes: &[u8], progress: &Progress) -> Result<RawPart, PartFileError> {
     let mut part = RawPart::default();
     let mut at = 0;
     while at < bytes.len() {
         at = if let Some(found) = binary::solids(bytes, at) {
-            binary::read_solids(bytes, &found, &mut part);
+            binary::read_solids(bytes, &found, &mut part, progress)?;
             found.end
         } else if words::begins(&bytes[at..]) {
-            text::read(bytes, at, &mut part)?
+            text::read(bytes, at, &mut part, progress)?
         } else if at == 0 {
-            binary::read_uneven(bytes, &mut part)?;
+            binary::read_uneven(bytes, &mut part, progress)?;
             bytes.len()
         } else {
             part.pass_over(bytes.len() - at, at);
@@ -42,6 +43,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawPart, PartFileError> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::changed_bytes::ChangedBytes;
     use super::super::read;
     use super::*;
     use crate::part::raw_part::{CountDiffers, FacetFault, InvalidFacet, PassedOver, RawFacet};
@@ -168,20 +170,11 @@ mod tests {
 
         /// No bytes make a reader panic, and what it reads is finite.
         #[test]
-        fn changed_bytes_are_read_or_refused(
-            which in 0..4usize,
-            changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..12),
-            cut in any::<prop::sample::Index>(),
-        ) {
+        fn changed_bytes_are_read_or_refused(which in 0..4usize, changed in ChangedBytes::any()) {
             let plain = binary(b"x", 6, &[F, G, F, G, F, G], b"");
             let payload = binary(b"x", 3, &[F, G, F], b"\x01\x02");
             let mixed = [TEXT, &plain, &payload].concat();
-            let mut bytes = [plain, payload, TEXT.repeat(3), mixed][which].clone();
-            for (at, byte) in changes {
-                let at = at.index(bytes.len());
-                bytes[at] = byte;
-            }
-            bytes.truncate(cut.index(bytes.len()) + 1);
+            let bytes = changed.of([plain, payload, TEXT.repeat(3), mixed][which].clone());
             if let Ok(part) = read(&bytes) {
                 prop_assert!(part.facets.iter().all(|f| f.as_flattened().iter().all(|x| x.is_finite())));
             }

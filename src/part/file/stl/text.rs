@@ -6,6 +6,7 @@ use super::super::number::has_decimal_comma;
 use super::binary;
 use super::words::{NAME, Tokens, Word, bom_len};
 use crate::part::raw_part::{FacetFault, RawFacet, RawPart};
+use crate::progress::Progress;
 
 /// Where a binary solid begins behind an `endsolid`, its name or the end of its line.
 fn binary_behind(tokens: &Tokens<'_>) -> Option<usize> {
@@ -18,11 +19,13 @@ fn binary_behind(tokens: &Tokens<'_>) -> Option<usize> {
 /// Parses the text form from `at` on; returns where something else begins.
 ///
 /// # Errors
-/// [`PartFileError::TextCutOff`] when a solid has no `endsolid`, [`PartFileError::DecimalComma`].
-pub(super) fn read(bytes: &[u8], at: usize, part: &mut RawPart) -> Result<usize, PartFileError> {
+/// [`PartFileError::TextCutOff`] when a solid has no `endsolid`, [`PartFileError::DecimalComma`];
+/// [`PartFileError::Cancelled`] when `progress` says so.
+pub(super) fn read(bytes: &[u8], at: usize, part: &mut RawPart, progress: &Progress) -> Result<usize, PartFileError> {
     let mut tokens = Tokens { bytes, at: at + bom_len(&bytes[at..]) };
     let mut inside = false;
     while let Some(token) = tokens.next() {
+        progress.check()?;
         match token.word {
             Word::Solid => {
                 part.solids += 1;

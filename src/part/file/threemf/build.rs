@@ -1,10 +1,11 @@
 //! What a 3MF file builds: its items, and the objects that those are made of, each where its transforms put it.
 
-use super::super::ThreeMfFault;
+use super::super::{PartFileError, ThreeMfFault};
 use super::model::{IDENTITY, Model, Object, Placed, Transform};
 use super::package::Package;
 use crate::part::raw_part::{RawPart, UnreadKind};
 use crate::part::units::StatedUnit;
+use crate::progress::Progress;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Objects are made of others in no more steps; programs use one or two.
@@ -29,9 +30,9 @@ pub(super) struct Build<'p, 'a> {
 
 impl<'p, 'a> Build<'p, 'a> {
     /// Builds what the main model, by its entry, asks for.
-    pub fn of(package: &'p mut Package<'a>, main: &str) -> Result<RawPart, ThreeMfFault> {
+    pub fn of(package: &'p mut Package<'a>, main: &str) -> Result<RawPart, PartFileError> {
         let main = main.trim_start_matches('/').to_owned();
-        let model = Model::of(&package.text(&main)?, &main)?;
+        let model = package.model(&main)?;
         let (unit, items) = (model.unit, model.items.clone());
         let part = RawPart { solids: items.len(), stated_unit: Some(unit), ..RawPart::default() };
         let models = BTreeMap::from([(main.clone(), model)]);
@@ -43,16 +44,16 @@ impl<'p, 'a> Build<'p, 'a> {
     }
 
     /// Adds an object of the model in `entry`, or of the one that it names itself.
-    fn add(&mut self, placed: &Placed, entry: &str, by: &Transform, depth: usize) -> Result<(), ThreeMfFault> {
+    fn add(&mut self, placed: &Placed, entry: &str, by: &Transform, depth: usize) -> Result<(), PartFileError> {
         let entry = placed.entry.as_deref().map_or(entry, |e| e.trim_start_matches('/')).to_owned();
         let transform = after(&placed.transform, by);
         self.load(&entry)?;
         if depth > DEEPEST {
-            return Err(ThreeMfFault::TooDeep);
+            return Err(ThreeMfFault::TooDeep.into());
         }
         self.placed += 1;
         if self.placed > MOST_OBJECTS {
-            return Err(ThreeMfFault::TooManyObjects { most: MOST_OBJECTS });
+            return Err(ThreeMfFault::TooManyObjects { most: MOST_OBJECTS }.into());
         }
         self.used.insert((entry.clone(), placed.object));
         let missing = ThreeMfFault::NoSuchObject { object: placed.object };
@@ -61,7 +62,7 @@ impl<'p, 'a> Build<'p, 'a> {
             self.part.solids -= usize::from(depth == 0);
             return Ok(());
         }
-        push_mesh(&mut self.part, object, placed.object, &transform)?;
+        push_mesh(&mut self.part, object, placed.object, &transform, self.package.progress)?;
         let components = object.components.clone();
         for component in components.iter() {
             self.add(component, &entry, &transform, depth + 1)?;
@@ -69,11 +70,11 @@ impl<'p, 'a> Build<'p, 'a> {
         Ok(())
     }
 
-    fn load(&mut self, entry: &str) -> Result<(), ThreeMfFault> {
+    fn load(&mut self, entry: &str) -> Result<(), PartFileError> {
         if !self.models.contains_key(entry) {
-            let model = Model::of(&self.package.text(entry)?, entry)?;
+            let model = self.package.model(entry)?;
             if model.unit != self.unit {
-                return Err(ThreeMfFault::UnitsDiffer);
+                return Err(ThreeMfFault::UnitsDiffer.into());
             }
             self.models.insert(entry.to_owned(), model);
         }
@@ -96,17 +97,24 @@ impl<'p, 'a> Build<'p, 'a> {
 
 /// Adds the triangles of an object where the transform puts it. A mirror turns them inside out, so their winding is
 /// turned as well.
-fn push_mesh(part: &mut RawPart, object: &Object, number: u32, transform: &Transform) -> Result<(), ThreeMfFault> {
+fn push_mesh(
+    part: &mut RawPart,
+    object: &Object,
+    number: u32,
+    transform: &Transform,
+    progress: &Progress,
+) -> Result<(), PartFileError> {
     if part.facets.len() + part.invalid.len() + object.triangles.len() > MOST_FACETS {
-        return Err(ThreeMfFault::TooManyFacets { most: MOST_FACETS });
+        return Err(ThreeMfFault::TooManyFacets { most: MOST_FACETS }.into());
     }
     // Only those of triangles, whose number is bounded: one triangle may stand there with millions of vertices.
     let place = |v: usize| object.vertices.get(v).map(|p| apply(transform, *p).map(|x| x as f32));
     let mirrors = determinant(transform) < 0.0;
     for (corners, byte) in &object.triangles {
+        progress.check()?;
         let [a, b, c] = if mirrors { [corners[0], corners[2], corners[1]] } else { *corners };
         let (Some(a), Some(b), Some(c)) = (place(a), place(b), place(c)) else {
-            return Err(ThreeMfFault::NoSuchVertex { object: number, vertices: object.vertices.len() });
+            return Err(ThreeMfFault::NoSuchVertex { object: number, vertices: object.vertices.len() }.into());
         };
         part.push_checked([a, b, c], *byte);
     }

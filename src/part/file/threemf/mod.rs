@@ -7,6 +7,7 @@ mod package;
 
 use super::PartFileError;
 use crate::part::raw_part::RawPart;
+use crate::progress::Progress;
 use build::Build;
 use package::Package;
 
@@ -17,9 +18,9 @@ const MOST_MIB: u64 = 256;
 /// Parses an archive as a 3MF file; `None`: it is another archive.
 ///
 /// # Errors
-/// It is damaged, or a model that cannot be read.
-pub(super) fn read(bytes: &[u8]) -> Result<Option<RawPart>, PartFileError> {
-    let mut package = Package::open(bytes, MOST_MIB)?;
+/// It is damaged, or a model that cannot be read; [`PartFileError::Cancelled`] when `progress` says so.
+pub(super) fn read(bytes: &[u8], progress: &Progress) -> Result<Option<RawPart>, PartFileError> {
+    let mut package = Package::open(bytes, MOST_MIB, progress)?;
     let Some(main) = package.main_model()? else { return Ok(None) };
     Ok(Some(Build::of(&mut package, &main)?))
 }

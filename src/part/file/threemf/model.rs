@@ -5,7 +5,7 @@ use super::package::parsed;
 use crate::part::units::StatedUnit;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Namespace of the extension by which objects stand in several models.
 const PRODUCTION: &str = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
@@ -47,7 +47,7 @@ pub(super) struct Object {
     /// Beams of its lattice.
     pub beams: usize,
     /// Objects that it is made of; shared, because an object may be placed many times.
-    pub components: Rc<[Placed]>,
+    pub components: Arc<[Placed]>,
 }
 
 /// A model.
@@ -132,7 +132,7 @@ impl Reader<'_, '_> {
     fn object(&self, node: &Node<'_, '_>) -> Result<Object, ThreeMfFault> {
         let is_support = matches!(node.attribute("type"), Some("support" | "solidsupport"));
         let components = elements(node, "components").flat_map(|c| c.children()).filter(|n| is(n, "component"));
-        let components: Result<Rc<[Placed]>, ThreeMfFault> = components.map(|c| self.placed(&c)).collect();
+        let components: Result<Arc<[Placed]>, ThreeMfFault> = components.map(|c| self.placed(&c)).collect();
         let mut object = Object { is_support, components: components?, ..Object::default() };
         let Some(mesh) = elements(node, "mesh").next() else { return Ok(object) };
         for v in elements(&mesh, "vertices").flat_map(|l| l.children()).filter(|n| is(n, "vertex")) {

@@ -1,13 +1,26 @@
 //! The archive of a 3MF file: its entries as text, unpacked no further than a limit, and which of them is the main
 //! model.
 
-use super::super::ThreeMfFault;
 use super::super::encoding::Utf16;
+use super::super::{PartFileError, ThreeMfFault};
+use super::model::Model;
+use crate::progress::Progress;
 use std::io::{Cursor, Read as _};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 use zip::ZipArchive;
 
 /// Says which entry is what.
 const RELATIONSHIPS: &str = "_rels/.rels";
+
+/// So many bytes are unpacked between two looks whether that should end: a few milliseconds.
+const UNPACKED_AT_ONCE: u64 = 1 << 20;
+
+/// A text that takes longer to parse than the operator should wait: some 10 ms.
+const LONG: usize = 1 << 20;
+
+/// Between two looks while a long text is parsed.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(20);
 
 /// The archive.
 pub(super) struct Package<'a> {
@@ -15,13 +28,15 @@ pub(super) struct Package<'a> {
     /// Bytes that may still be unpacked, and all that might, MiB.
     left: u64,
     most_mib: u64,
+    /// Whether its reading should end.
+    pub progress: &'a Progress,
 }
 
 impl<'a> Package<'a> {
     /// Opens an archive, of which so much may be unpacked.
-    pub fn open(bytes: &'a [u8], most_mib: u64) -> Result<Package<'a>, ThreeMfFault> {
+    pub fn open(bytes: &'a [u8], most_mib: u64, progress: &'a Progress) -> Result<Package<'a>, ThreeMfFault> {
         let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| ThreeMfFault::Archive)?;
-        Ok(Package { archive, left: most_mib << 20, most_mib })
+        Ok(Package { archive, left: most_mib << 20, most_mib, progress })
     }
 
     /// The name of an entry as the archive has it: capitals do not count.
@@ -32,14 +47,21 @@ impl<'a> Package<'a> {
     }
 
     /// An entry as text.
-    pub fn text(&mut self, name: &str) -> Result<String, ThreeMfFault> {
+    pub fn text(&mut self, name: &str) -> Result<String, PartFileError> {
         let entry = || name.trim_start_matches('/').to_owned();
         let index = self.entry(name).ok_or_else(|| ThreeMfFault::NoEntry { entry: entry() })?;
         let unreadable = || ThreeMfFault::Unreadable { entry: entry() };
         let file = self.archive.by_index(index).map_err(|_| unreadable())?;
-        let mut bytes = Vec::new();
-        let read = file.take(self.left + 1).read_to_end(&mut bytes).map_err(|_| unreadable())? as u64;
-        self.left = self.left.checked_sub(read).ok_or(ThreeMfFault::TooLarge { most_mib: self.most_mib })?;
+        let (mut bytes, mut unpacked) = (Vec::new(), file.take(self.left + 1));
+        loop {
+            self.progress.check()?;
+            let read = (&mut unpacked).take(UNPACKED_AT_ONCE).read_to_end(&mut bytes).map_err(|_| unreadable())?;
+            if read == 0 {
+                break;
+            }
+        }
+        self.left =
+            self.left.checked_sub(bytes.len() as u64).ok_or(ThreeMfFault::TooLarge { most_mib: self.most_mib })?;
         if let Some(utf16) = Utf16::of(&bytes) {
             bytes = utf16.ascii;
         }
@@ -50,8 +72,30 @@ impl<'a> Package<'a> {
         })
     }
 
+    /// An entry as a model. A long one is read on a thread of its own, because nothing ends the parser before its end:
+    /// cancelled, it is left to itself, and what it reads is dropped.
+    pub fn model(&mut self, name: &str) -> Result<Model, PartFileError> {
+        let text = self.text(name)?;
+        if text.len() < LONG {
+            return Ok(Model::of(&text, name)?);
+        }
+        let (done, model) = channel();
+        let name = name.to_owned();
+        std::thread::spawn(move || {
+            // Nobody waits for it any more where this fails.
+            let _ = done.send(Model::of(&text, &name));
+        });
+        loop {
+            match model.recv_timeout(BETWEEN_LOOKS) {
+                Ok(read) => return Ok(read?),
+                Err(RecvTimeoutError::Timeout) => self.progress.check()?,
+                Err(RecvTimeoutError::Disconnected) => return Err(ThreeMfFault::Archive.into()),
+            }
+        }
+    }
+
     /// The name of the main model; `None`: the archive is no 3MF file.
-    pub fn main_model(&mut self) -> Result<Option<String>, ThreeMfFault> {
+    pub fn main_model(&mut self) -> Result<Option<String>, PartFileError> {
         if self.entry(RELATIONSHIPS).is_none() {
             return Ok(None);
         }

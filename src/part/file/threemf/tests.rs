@@ -1,5 +1,6 @@
 //! 3MF archives made here: units, transforms, several models, and what is refused.
 
+use super::super::changed_bytes::ChangedBytes;
 use super::super::{FileKind, ThreeMfFault, read};
 use super::*;
 use crate::part::raw_part::{Unread, UnreadKind};
@@ -154,8 +155,8 @@ fn archives_that_are_no_3mf_damaged_or_far_too_large() {
     let whole = file(&model("", &object(1, ""), r#"<item objectid="1"/>"#));
     assert_eq!(read(&whole[..whole.len() / 2]), Err(ThreeMfFault::Archive.into()));
     // Blanks pack to a thousandth; the second time nothing is left to unpack.
-    let packed = file(&" ".repeat(600 << 10));
-    let mut package = Package::open(&packed, 1).expect("opens");
+    let (packed, progress) = (file(&" ".repeat(600 << 10)), Progress::default());
+    let mut package = Package::open(&packed, 1, &progress).expect("opens");
     assert_eq!(package.text("3D/part.model").map(|t| t.len()), Ok(600 << 10));
     assert_eq!(package.text("3D/part.model"), Err(ThreeMfFault::TooLarge { most_mib: 1 }));
 }
@@ -164,26 +165,13 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn changed_bytes_are_read_or_refused(
-        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..8),
-        cut in any::<prop::sample::Index>(),
-        packed: bool,
-    ) {
-        let mut model = model("", &object(1, ""), r#"<item objectid="1"/>"#).into_bytes();
-        let mut whole = file(&String::from_utf8(model.clone()).expect("text"));
-        let change = |bytes: &mut Vec<u8>| {
-            for (at, byte) in &changes {
-                let at = at.index(bytes.len());
-                bytes[at] = *byte;
-            }
-            bytes.truncate(cut.index(bytes.len()) + 1);
-        };
-        if packed {
-            change(&mut whole);
+    fn changed_bytes_are_read_or_refused(changed in ChangedBytes::any(), packed: bool) {
+        let model = model("", &object(1, ""), r#"<item objectid="1"/>"#);
+        let whole = if packed {
+            changed.of(file(&model))
         } else {
-            change(&mut model);
-            whole = file(&String::from_utf8_lossy(&model));
-        }
-        let (_, _) = (super::read(&whole), read(&whole));
+            file(&String::from_utf8_lossy(&changed.of(model)))
+        };
+        let (_, _) = (super::read(&whole, &Progress::default()), read(&whole));
     }
 }

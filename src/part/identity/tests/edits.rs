@@ -97,7 +97,7 @@ fn what_was_not_remembered_is_said_to_be_so() {
     let old = loaded(&bracket(48), &AS_IS);
     let landmarks = Landmarks::new(&old, &AS_IS, &RULE, &[], &BTreeSet::from([1]));
     let edits = [SurfaceEdit::Split { split: 7, angle_deg: 2.0 }];
-    let found = find(&landmarks, &old, &AS_IS, &RULE, &edits, &BTreeSet::from([1, 99]));
+    let found = look_for(&landmarks, &old, &AS_IS, &RULE, &edits, &BTreeSet::from([1, 99]));
     assert_eq!(found.lost_edits, [LostEdit { index: 0, why: LostReason::NotRemembered }]);
     assert_eq!(found.lost.iter().map(|l| (l.number, l.why)).collect::<Vec<_>>(), [(99, LostReason::NotRemembered)]);
 }
@@ -120,7 +120,7 @@ fn landmarks_that_make_no_sense_lose_surfaces_and_confuse_none() {
         let spoilt = text.replacen(what, with, 1);
         assert_ne!(spoilt, text, "{what}");
         let spoilt: Landmarks = toml::from_str(&spoilt).expect("still landmarks");
-        let found = find(&spoilt, &part, &AS_IS, &RULE, &edits, &needed);
+        let found = look_for(&spoilt, &part, &AS_IS, &RULE, &edits, &needed);
         assert!(found.numbers.iter().all(|(old, new)| old == new), "{what}: {:?}", found.numbers);
     }
     assert!(toml::from_str::<Landmarks>(&text.replacen("plane", "plain", 1)).is_err());

@@ -7,6 +7,7 @@ mod order;
 
 use super::{FoundAgain, Landmarks, LoadedAs, LostEdit, LostReason, find};
 use crate::part::{Part, Placement, SurfaceEdit, SurfaceRule, Surfaces, Units};
+use crate::progress::Progress;
 use crate::sample::solids::{PlateFeature, plate};
 use crate::sample::{Triangles, stl_bytes};
 use nalgebra::{Isometry3, Point3};
@@ -29,10 +30,22 @@ fn all(part: &Part, edits: &[SurfaceEdit]) -> BTreeSet<u32> {
     surfaces(part, edits).list.iter().map(|s| s.number).collect()
 }
 
+/// Looks for what is remembered, to the end.
+fn look_for(
+    landmarks: &Landmarks,
+    part: &Part,
+    how: &LoadedAs,
+    rule: &SurfaceRule,
+    edits: &[SurfaceEdit],
+    needed: &BTreeSet<u32>,
+) -> FoundAgain {
+    find(landmarks, part, how, rule, (edits, needed), &Progress::default()).expect("nobody ends it")
+}
+
 /// Remembers `old` and looks for these surfaces in `new`, both as they stand in the file.
 fn sought(old: &Triangles, new: &Triangles, edits: &[SurfaceEdit], needed: &BTreeSet<u32>) -> FoundAgain {
     let landmarks = Landmarks::new(&loaded(old, &AS_IS), &AS_IS, &RULE, edits, needed);
-    find(&landmarks, &loaded(new, &AS_IS), &AS_IS, &RULE, edits, needed)
+    look_for(&landmarks, &loaded(new, &AS_IS), &AS_IS, &RULE, edits, needed)
 }
 
 /// Looks for all surfaces of one part on another.

@@ -70,10 +70,10 @@ fn unit_placement_and_a_stay_in_a_job_file_do_not_matter() {
     let read: Landmarks = toml::from_str(&text).expect("and read");
     assert_eq!(toml::to_string(&read).expect("written again"), text);
     let new = shuffled(&old, 3);
-    let found = find(&read, &loaded(&new, &AS_IS), &AS_IS, &RULE, &edits, &needed);
+    let found = look_for(&read, &loaded(&new, &AS_IS), &AS_IS, &RULE, &edits, &needed);
     // In the other direction too: the new part as an inch one.
     let plain = Landmarks::new(&loaded(&old, &AS_IS), &AS_IS, &RULE, &edits, &needed);
-    assert_eq!(find(&plain, &loaded(&new, &how), &how, &RULE, &edits, &needed).numbers, found.numbers);
+    assert_eq!(look_for(&plain, &loaded(&new, &how), &how, &RULE, &edits, &needed).numbers, found.numbers);
     let shells = FoundAgain { shells: BTreeMap::new(), ..found.clone() };
     assert_eq!(found.shells, BTreeMap::from([(1, 1)]));
     assert_same(&old, &new, &edits, &shells);
@@ -95,7 +95,7 @@ fn flipped_shells_are_found_by_what_they_are() {
     let landmarks = Landmarks::new(&loaded(&old, &how), &how, &RULE, &[], &needed);
     // The new part may be read with the old numbers or none.
     for how in [how, AS_IS] {
-        let found = find(&landmarks, &loaded(&new, &how), &how, &RULE, &[], &needed);
+        let found = look_for(&landmarks, &loaded(&new, &how), &how, &RULE, &[], &needed);
         assert!(found.is_complete());
         assert_eq!(found.shells, BTreeMap::from([(1, 2), (2, 1)]));
         assert_eq!(found.numbers[&1], 7);

@@ -9,7 +9,6 @@
 mod compare;
 mod differences;
 mod driven;
-mod dry_pace;
 mod error;
 mod expected;
 mod inputs;
@@ -35,7 +34,6 @@ use crate::program::{Dialect, ProgramFile, ReadError, Variant, dialects};
 use crate::progress::{Cancelled, Progress};
 use compare::compare;
 use driven::interference;
-use dry_pace::take_written_pace;
 use std::sync::Arc;
 
 /// Reads a program from its first file and compares it with the plan. `open` gives the text of another
@@ -73,10 +71,7 @@ pub fn check_variant(
     let named = &dialect.named(setup, variant);
     let verdict = match dialect.read(first, &ReadContext { setup: named, open }) {
         Ok(read) => {
-            let mut written = AsWritten::new(dialect, variant.lines(&planned.steps, setup), named)?;
-            if variant.dry_run {
-                take_written_pace(&mut written.lines, &written.read);
-            }
+            let written = AsWritten::new(dialect, dialect.lines(variant, &planned.steps, setup), named)?;
             let prover = prover(part, setup, job).on_layers(&planned.grown);
             let (moves, defocus_mm) = (moves(&written.lines), job.beam.defocus_mm);
             let expected = Expected { part, setup, defocus_mm, prover, moves, written: &written.read };
@@ -114,10 +109,7 @@ pub fn check_own(
     let dialect = dialect_of(first)?;
     let named = &dialect.named(setup, variant);
     let read = dialect.read(first, &ReadContext { setup: named, open: &open }).map_err(VerifyError::OwnUnreadable)?;
-    let mut lines = variant.lines(&plan.steps, setup);
-    if variant.dry_run {
-        take_written_pace(&mut lines, &read);
-    }
+    let lines = dialect.lines(variant, &plan.steps, setup);
     let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
     let defocus_mm = job.beam.defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };

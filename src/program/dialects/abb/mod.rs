@@ -54,6 +54,10 @@ impl Dialect for AbbDialect {
         })
     }
 
+    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
+        vec!["confdata", "speeddata", "zonedata", "robhold"]
+    }
+
     fn claims(&self, text: &str) -> bool {
         let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !is_attribute(l) && !l.starts_with('!'));
         first.is_some_and(|l| SPELLING.plain(l).starts_with("MODULE "))

@@ -42,6 +42,26 @@ impl Dialect for EstunDialect {
         words(&setup.cell.estun).paces(lines, setup)
     }
 
+    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
+        // No controller of this make is known here: all of it.
+        vec![
+            "estun.version",
+            "estun.start",
+            "MovJ",
+            "MovL",
+            "APOS",
+            "CPOS",
+            "SPEED",
+            "estun.zone",
+            "estun.output_on",
+            "estun.output_off",
+            "estun.analogue",
+            "estun.group",
+            "estun.wait",
+            "estun.comment",
+        ]
+    }
+
     fn claims(&self, text: &str) -> bool {
         let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with("//") && !l.starts_with("/*"));
         first == Some("Start:")

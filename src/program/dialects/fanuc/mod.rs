@@ -48,6 +48,10 @@ impl Dialect for FanucDialect {
         Some((setup.cell.fanuc.max_lines as usize).saturating_sub(LINES_OF_SWITCHING))
     }
 
+    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
+        vec!["/POS", "UFRAME_NUM", "UTOOL_NUM"]
+    }
+
     fn claims(&self, text: &str) -> bool {
         non_blank_lines(text).next().is_some_and(|(_, l)| SPELLING.plain(l).starts_with("/PROG"))
     }

@@ -44,6 +44,12 @@ impl Dialect for KukaDialect {
         words(&setup.cell.kuka).paces(lines, setup)
     }
 
+    fn unverified(&self, setup: &Setup) -> Vec<&'static str> {
+        // Joint moves to poses have no status and turn; with a robot they go to axis values.
+        let to_poses = setup.robot.is_none().then_some("PTP");
+        ["BAS", "INTERRUPT", "C_DIS", "$VEL.ORI1", "$VEL.ORI2"].into_iter().chain(to_poses).collect()
+    }
+
     fn claims(&self, text: &str) -> bool {
         let first = non_blank_lines(text).map(|(_, l)| l).find(|l| !l.starts_with(['&', ';']));
         first.map(|l| SPELLING.plain(l)).is_some_and(|l| l.starts_with("DEF ") && l.ends_with(')'))

@@ -44,6 +44,10 @@ impl Dialect for NachiDialect {
         })
     }
 
+    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
+        vec!["nachi.output_on", "nachi.output_off", "nachi.wait", "nachi.max_moves", "nachi.form"]
+    }
+
     fn claims(&self, text: &str) -> bool {
         non_blank_lines(text).any(|(_, l)| matches!(l.split_whitespace().next(), Some("MOVEX" | "CALLP")))
     }

@@ -43,6 +43,10 @@ impl Dialect for UrDialect {
         })
     }
 
+    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
+        vec!["ur.max_moves", "ur.blend_mm"]
+    }
+
     fn claims(&self, text: &str) -> bool {
         let code = || non_blank_lines(text).map(|(_, l)| l).filter(|l| !l.starts_with('#'));
         let is_call = |l: &str| ["movej(", "movel(", "set_tcp("].iter().any(|call| l.starts_with(call));

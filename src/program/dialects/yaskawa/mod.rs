@@ -48,6 +48,10 @@ impl Dialect for YaskawaDialect {
         write::paces(lines, setup)
     }
 
+    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
+        vec!["RCONF", "VR", "PL", "///ATTR", "yaskawa.base_height_mm"]
+    }
+
     fn claims(&self, text: &str) -> bool {
         non_blank_lines(text).next().is_some_and(|(_, l)| l == "/JOB")
     }
