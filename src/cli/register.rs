@@ -2,20 +2,19 @@
 
 use super::{CommandFailure, CommandOutcome, print, print_json, scans};
 use crate::document::{Job, segmented};
-use crate::fit::PlacedPair;
 use crate::planning::report::{MarkerResidual, PlacedScan, RegistrationReport};
 use crate::progress::Progress;
-use crate::scan::marker_file::{self, Marker};
+use crate::scan::marker_file::{self, SeenMarker};
 use crate::scan::registration::{RegistrationOptions, Start, SurfaceNormals, register};
 use crate::text::{registration_lines, say};
-use nalgebra::{Isometry3, Point3};
+use nalgebra::Isometry3;
 use std::path::{Path, PathBuf};
 
 /// Options of `register`.
 #[derive(clap::Args, Debug)]
 pub struct RegisterArguments {
-    #[arg(help = say!(cli_register_scans))]
-    scan: PathBuf,
+    #[arg(value_name = "SCAN", required = true, help = say!(cli_register_scans))]
+    scans: Vec<PathBuf>,
     #[arg(long, value_name = "PART", help = say!(cli_register_part))]
     part: PathBuf,
     #[arg(long, value_name = "FILE", help = say!(cli_register_markers))]
@@ -33,17 +32,17 @@ pub fn run(a: &RegisterArguments) -> Result<CommandOutcome, CommandFailure> {
         None => Start::Anywhere,
     };
     let markers = a.markers.as_deref().map(marker_file::read).transpose().map_err(CommandFailure::failed)?;
-    let cloud = scans::read(&a.scan)?;
+    let named = markers.as_deref().zip(a.markers.as_deref());
+    let cloud = scans::read_all(&a.scans, named)?;
     let part = scans::part(&a.part)?;
     scans::check_units(&cloud, &part)?;
     let surfaces = segmented(&part, &Job::default());
     let normals = SurfaceNormals::new(&part.mesh, &surfaces.of_facet);
     let options = RegistrationOptions { start, ..RegistrationOptions::default() };
-    let found =
-        register(&part, &normals, &cloud, &options, &Progress::default()).map_err(CommandFailure::failed)?;
+    let found = register(&part, &normals, &cloud, &options, &Progress::default()).map_err(CommandFailure::failed)?;
     let mut report = RegistrationReport::new(&found);
-    if let (Some(markers), Some(file)) = (&markers, &a.markers) {
-        report.base_from_scan = Some(placed(markers, &a.scan, file, &found.model_from_scan)?);
+    if let Some((markers, file)) = named {
+        report.base_from_scan = placed(markers, a, file, &found.model_from_scan)?;
     }
     if a.json {
         print_json(&report)?;
@@ -55,22 +54,19 @@ pub fn run(a: &RegisterArguments) -> Result<CommandOutcome, CommandFailure> {
 
 /// Where markers that the robot touched put the scan.
 fn placed(
-    markers: &[Marker],
-    scan: &Path,
+    markers: &[SeenMarker],
+    a: &RegisterArguments,
     file: &Path,
     model_from_scan: &Isometry3<f64>,
-) -> Result<PlacedScan, CommandFailure> {
-    let touched = |m: &Marker| m.base_mm.map(|base| (m.name.clone(), m.scan_mm, base));
-    let touched: Vec<_> = marker_file::of_scan(markers, scan, true).filter_map(touched).collect();
-    let pairs: Vec<PlacedPair> = touched
-        .iter()
-        .map(|(_, scan, base)| PlacedPair { from: Point3::from(*scan), onto: Point3::from(*base), weight: 1.0 })
-        .collect();
-    let fit = crate::scan::merging::by_markers(&pairs).map_err(|_| {
-        let (file, scan) = (file.display().to_string(), scan.display().to_string());
-        CommandFailure::Failed(say!(markers_few, file, found = pairs.len(), scan, key = say!(markers_key_base)))
-    })?;
-    let residuals = touched.into_iter().zip(fit.residuals_mm);
-    let residuals = residuals.map(|((marker, ..), residual_mm)| MarkerResidual { marker, residual_mm }).collect();
-    Ok(PlacedScan::new(&fit.motion, model_from_scan, residuals))
+) -> Result<Option<PlacedScan>, CommandFailure> {
+    let Some(scan) = a.scans.first() else { return Ok(None) };
+    let (names, pairs): (Vec<_>, Vec<_>) = marker_file::touched(markers, scan, a.scans.len() == 1).into_iter().unzip();
+    // Markers may be there for the scans alone.
+    if pairs.is_empty() {
+        return Ok(None);
+    }
+    let fit = scans::by_markers(&pairs, file, scan)?;
+    let residuals = names.into_iter().zip(fit.residuals_mm);
+    let residuals = residuals.map(|(marker, residual_mm)| MarkerResidual { marker, residual_mm }).collect();
+    Ok(Some(PlacedScan::new(&fit.common_from_scan, model_from_scan, residuals)))
 }

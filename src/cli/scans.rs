@@ -4,10 +4,11 @@ use super::CommandFailure;
 use crate::part::{Part, Placement, Units, Weld};
 use crate::progress::Progress;
 use crate::scan::file::{self, RawScan, unit_doubt};
-use crate::scan::{Cloud, transform_file};
+use crate::scan::marker_file::{self, SeenMarker};
+use crate::scan::{Cloud, merging, transform_file};
 use crate::text::{Sentence as _, say, unit_doubt_sentence};
 use nalgebra::Isometry3;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Reads a scan, in the unit that its file states, else millimetres; what was found in it goes to stderr.
 pub fn read(path: &Path) -> Result<Cloud, CommandFailure> {
@@ -18,6 +19,32 @@ pub fn read(path: &Path) -> Result<Cloud, CommandFailure> {
         eprintln!("{}", say!(in_file, file = &*name, what = finding.sentence()));
     }
     Ok(cloud.scaled(stated_unit.map_or(1.0, |unit| unit.taken().mm() * unit.in_taken())))
+}
+
+/// Reads scans, and brings them into the frame of the first by the markers that they share.
+pub fn read_all(paths: &[PathBuf], markers: Option<(&[SeenMarker], &Path)>) -> Result<Cloud, CommandFailure> {
+    let clouds = paths.iter().map(|p| read(p)).collect::<Result<Vec<_>, _>>()?;
+    let (Some(first), true) = (paths.first(), paths.len() > 1) else {
+        return Ok(clouds.into_iter().next().unwrap_or_default());
+    };
+    let (markers, file) = markers.ok_or_else(|| CommandFailure::Usage(say!(cli_register_needs_markers)))?;
+    let mut placed = Vec::with_capacity(clouds.len());
+    for (path, cloud) in paths.iter().zip(&clouds) {
+        let shared = marker_file::shared(markers, path, first);
+        let is_first = path == first;
+        let motion = if is_first { Isometry3::identity() } else { by_markers(&shared, file, path)?.common_from_scan };
+        placed.push((cloud, motion));
+    }
+    // Nobody can have cancelled it.
+    Ok(merging::merged(&placed, &Progress::default()).unwrap_or_default())
+}
+
+/// The motion that the markers of a scan tell; `file` holds them.
+pub fn by_markers(shared: &[merging::Marker], file: &Path, scan: &Path) -> Result<merging::MarkerFit, CommandFailure> {
+    merging::by_markers(shared).map_err(|e| {
+        let (file, scan) = (file.display().to_string(), scan.display().to_string());
+        CommandFailure::Failed(say!(cli_markers_of, file, scan, what = e.sentence()))
+    })
 }
 
 /// Reads the part that scans are laid on, in the unit that its file states.

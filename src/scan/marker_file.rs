@@ -10,14 +10,16 @@
 //!
 //! What follows from them (scans in one frame, the scan in the robot's base) is for others; here they are read.
 
+use super::merging::Marker;
 use crate::file::{self, FileError};
+use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// A marker as one scan shows it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Marker {
+pub struct SeenMarker {
     /// Its name.
     pub name: String,
     /// The scan's file; empty: of the only one.
@@ -33,25 +35,44 @@ pub struct Marker {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct MarkerText {
-    marker: Vec<Marker>,
+    marker: Vec<SeenMarker>,
 }
 
 /// Reads the markers of a file.
 ///
 /// # Errors
 /// It cannot be read, or a marker is not as above; with file, line and key.
-pub fn read(path: &Path) -> Result<Vec<Marker>, FileError> {
+pub fn read(path: &Path) -> Result<Vec<SeenMarker>, FileError> {
     let name = path.display().to_string();
     let bytes = file::bytes(path)?;
     Ok(file::toml::<MarkerText>(file::text(&bytes, &name)?, &name)?.marker)
 }
 
 /// The markers of one scan, by the file that it came in. A marker that names no scan is of the only one.
-pub fn of_scan<'a>(markers: &'a [Marker], scan: &Path, is_only: bool) -> impl Iterator<Item = &'a Marker> {
+pub fn of_scan<'a>(markers: &'a [SeenMarker], scan: &Path, is_only: bool) -> impl Iterator<Item = &'a SeenMarker> {
     let name = scan.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     markers.iter().filter(move |m| {
         if m.scan.is_empty() { is_only } else { Path::new(&m.scan).file_name().is_some_and(|n| *n == *name) }
     })
+}
+
+/// The markers that a scan shares with another one, by their names.
+pub fn shared(markers: &[SeenMarker], scan: &Path, common: &Path) -> Vec<Marker> {
+    let in_common: Vec<&SeenMarker> = of_scan(markers, common, false).collect();
+    let pair = |m: &SeenMarker| {
+        let other = in_common.iter().find(|o| o.name == m.name)?;
+        Some(Marker { in_scan: Point3::from(m.scan_mm), in_common: Point3::from(other.scan_mm) })
+    };
+    of_scan(markers, scan, false).filter_map(pair).collect()
+}
+
+/// The markers of a scan that the robot has touched, with their names: its base is the common frame.
+pub fn touched(markers: &[SeenMarker], scan: &Path, is_only: bool) -> Vec<(String, Marker)> {
+    let touched = |m: &SeenMarker| {
+        let in_common = Point3::from(m.base_mm?);
+        Some((m.name.clone(), Marker { in_scan: Point3::from(m.scan_mm), in_common }))
+    };
+    of_scan(markers, scan, is_only).filter_map(touched).collect()
 }
 
 #[cfg(test)]
@@ -69,6 +90,8 @@ mod tests {
         assert_eq!(names("left.ply", true), ["A", "B"]);
         assert_eq!(names("left.ply", false), ["A"]);
         assert_eq!(names("right.ply", true), ["B"]);
-        assert_eq!(markers[0].base_mm, Some([4.0, 5.0, 6.0]));
+        let touched = touched(&markers, Path::new("left.ply"), true);
+        assert_eq!(touched.len(), 1, "B was not touched");
+        assert_eq!((touched[0].0.as_str(), touched[0].1.in_common), ("A", Point3::new(4.0, 5.0, 6.0)));
     }
 }

@@ -3,7 +3,8 @@
 use super::number::percent;
 use super::{Sentence, exact, fixed, id, say};
 use crate::planning::report::{RegistrationReport, RivalReport, SlidingReport};
-use crate::scan::file::UnitDoubt;
+use crate::scan::file::{UnitDoubt, UnitFit};
+use crate::scan::merging::MarkerError;
 use crate::scan::registration::RegistrationError;
 use crate::scan::transform_file::{MatrixFault, TransformError};
 
@@ -29,6 +30,16 @@ impl Sentence for MatrixFault {
     }
 }
 
+impl Sentence for MarkerError {
+    fn sentence(&self) -> String {
+        match self {
+            MarkerError::TooFew { count } => say!(markers_too_few, count = *count),
+            MarkerError::OnALine => say!(markers_on_a_line),
+            MarkerError::NoNumber { marker } => say!(marker_no_number, marker = id(marker + 1)),
+        }
+    }
+}
+
 impl Sentence for RegistrationError {
     fn sentence(&self) -> String {
         match self {
@@ -48,10 +59,10 @@ impl Sentence for RegistrationError {
 
 /// What is in doubt of the unit of a scan or a part, whose diagonals are these, mm.
 pub fn unit_doubt_sentence(doubt: &UnitDoubt, [cloud_mm, part_mm]: [f64; 2]) -> String {
-    let advice = match (doubt.cloud_units, doubt.part_units) {
-        (Some(cloud), Some(part)) => say!(scan_unit_both, cloud_units = cloud.word(), part_units = part.word()),
-        (Some(units), None) => say!(scan_unit_cloud, units = units.word()),
-        (None, units) => say!(scan_unit_part, units = units.unwrap_or_default().word()),
+    let advice = match doubt.fits {
+        UnitFit::Either { cloud, part } => say!(scan_unit_both, cloud_units = cloud.word(), part_units = part.word()),
+        UnitFit::Cloud(units) => say!(scan_unit_cloud, units = units.word()),
+        UnitFit::Part(units) => say!(scan_unit_part, units = units.word()),
     };
     let [cloud, part] = [cloud_mm, part_mm].map(|x| fixed(x, 1));
     say!(scan_unit_doubt, cloud, part, advice)

@@ -41,8 +41,10 @@ register_not_placed = nothing is known of where the scanner stands in the robot'
 register_placed = the part stands in the base by { $markers } markers, { $worst } mm off at most
 
 ## Markers
-markers_few = { $file }: { $found ->
-    [one] one marker
-   *[other] { $found } markers
-} of { $scan } with { $key }; give three or more that are not on one line
-markers_key_base = base_mm
+markers_too_few = { $count ->
+    [0] no marker is shared
+    [one] one marker is shared
+   *[other] { $count } markers are shared
+}: give three or more that are not on one line
+markers_on_a_line = its markers are on one line, so the turn about it is open; add one beside the line
+marker_no_number = marker { $marker } has a place that is no number
