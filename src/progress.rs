@@ -9,6 +9,16 @@ use std::sync::{Arc, Mutex};
 pub enum Activity {
     /// A part's or a job's file is read.
     Reading,
+    /// The files of a scan are read.
+    ReadingScan,
+    /// Its points are cleaned.
+    CleaningScan,
+    /// It is laid on the part.
+    LayingScan,
+    /// It is compared with the part.
+    ComparingScan,
+    /// Patches become surfaces.
+    CuttingPatches,
     /// Facets are welded, oriented and cut into surfaces.
     BuildingPart,
     /// Surfaces are cut otherwise, to bring a part to order that shatters.

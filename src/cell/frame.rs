@@ -87,6 +87,12 @@ impl Frame {
         Frame { position_mm, rz_ry_rx_deg, measured: None }
     }
 
+    /// The frame of a transformation.
+    pub fn of(motion: &Isometry3<f64>) -> Frame {
+        let rotation = motion.rotation.to_rotation_matrix();
+        Frame::new(motion.translation.vector.into(), rpy::from_rotation(&rotation))
+    }
+
     /// As a transformation.
     pub fn isometry(&self) -> Isometry3<f64> {
         let rotation = UnitQuaternion::from_rotation_matrix(&rpy::to_rotation(self.rz_ry_rx_deg));

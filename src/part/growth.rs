@@ -88,6 +88,7 @@ pub fn grown(
         list: list.collect(),
         normals,
         last_number: surfaces.last_number,
+        worked: surfaces.worked.clone(),
         vertex_normals: surfaces.vertex_normals.clone(),
     };
     let mut hasher = Hasher::default().digest(part.digest);

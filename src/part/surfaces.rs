@@ -36,6 +36,8 @@ pub struct Surfaces {
     pub normals: Vec<Vector3<f64>>,
     /// The highest number that was ever given out: the next surface gets the one after it.
     pub last_number: u32,
+    /// Those that a scan tells to work, in place of those that a job chooses; `None` where no scan does.
+    pub worked: Option<Vec<SurfaceId>>,
     /// Normals at vertices that say more than the facets around them do, by surface and vertex: see
     /// [`Surfaces::vertex_normal`].
     pub vertex_normals: Vec<VertexNormal>,
@@ -74,7 +76,7 @@ impl Surfaces {
             }
         }
         let list = listed(mesh, &of_facet);
-        Surfaces { of_facet, list, normals, last_number, vertex_normals: Vec::new() }
+        Surfaces { of_facet, list, normals, last_number, worked: None, vertex_normals: Vec::new() }
     }
 
     /// Their numbers, ascending.

@@ -1,6 +1,7 @@
 //! Why there is no part and no plan. Sentences of it stand in `text`.
 
 use super::failure::Failure;
+use super::scanned::ScanError;
 use crate::document::{JobError, ValueError};
 use crate::part::file::PartFileError;
 use crate::program::DialectError;
@@ -80,6 +81,9 @@ pub enum PlanningError {
     /// The part cannot be built.
     #[error(transparent)]
     Part(#[from] Failure<PartError>),
+    /// The scan says nothing of the part.
+    #[error(transparent)]
+    Scan(#[from] Failure<ScanError>),
     /// Cell, robot or head cannot be used.
     #[error(transparent)]
     Setup(#[from] Failure<Arc<JobError>>),
@@ -109,6 +113,7 @@ impl PlanningError {
         matches!(
             self,
             PlanningError::Part(Failure::Cancelled)
+                | PlanningError::Scan(Failure::Cancelled)
                 | PlanningError::Setup(Failure::Cancelled)
                 | PlanningError::Plan(Failure::Cancelled)
         )

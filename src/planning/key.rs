@@ -3,10 +3,49 @@
 //! A job is taken apart field by field, so that a new one does not compile until it is said here which
 //! stages it makes stale. Names, notes and places of files are in no key; what the files hold is.
 
-use crate::document::model::{JobPart, SurfaceParameters};
+use crate::document::model::{JobPart, JobScan, SurfaceParameters};
 use crate::document::{Job, Settings};
 use crate::part::{Digest, Hasher, Source};
 use std::path::Path;
+
+/// The keys of the stages of a scan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScanKeys {
+    /// Key of its points: the files and their unit.
+    pub read: Digest,
+    /// Key of the cleaned points.
+    pub cleaned: Digest,
+    /// Key of where it lies.
+    pub laid: Digest,
+    /// Key of what it is off the part.
+    pub compared: Digest,
+    /// Key of the part with patches.
+    pub worn: Digest,
+}
+
+impl ScanKeys {
+    fn new(files: Digest, part: Digest, surfaces: Digest, scan: &JobScan) -> ScanKeys {
+        let JobScan {
+            units,
+            min_depth_mm,
+            tolerance_mm: _,
+            transform,
+            patches,
+            files: named,
+            steps,
+            pairs,
+            left_out,
+            base_from_scan: _,
+        } = scan;
+        let read = Hasher::default().of(&files).of(named).of(units).finish();
+        let cleaned = Hasher::default().of(&read).of(steps).finish();
+        // Normals are interpolated within surfaces.
+        let laid = Hasher::default().of(&cleaned).of(&part).of(&surfaces).of(transform).of(pairs).of(left_out).finish();
+        let compared = Hasher::default().of(&laid).of(min_depth_mm).finish();
+        let worn = Hasher::default().of(&compared).of(patches).finish();
+        ScanKeys { read, cleaned, laid, compared, worn }
+    }
+}
 
 /// The keys of everything that is computed from one job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +54,8 @@ pub struct Keys {
     pub part: Digest,
     /// Key of its feature surfaces: the part, and the rules and edits that make them.
     pub surfaces: Digest,
+    /// Keys of the scan; `None` where the job has none.
+    pub scan: Option<ScanKeys>,
     /// Key of head and clamps.
     pub tool: Digest,
     /// Key of the cell with the frames of its file.
@@ -36,10 +77,14 @@ impl Keys {
         let surfaces = surfaces_key(part, surfaces, settings);
         let folder = job_file.and_then(Path::parent).map(|f| f.to_string_lossy().into_owned());
         let files = Hasher::default().of(&folder).of(&reading).finish();
+        let scan_keys = scan.is_there().then(|| ScanKeys::new(files, part, surfaces, scan));
         let tool = Hasher::default().of(&files).of(&beam.head).of(clamps).finish();
         let cell_key = Hasher::default().of(&files).of(&cell.file).of(&cell.robot).finish();
         // Whether something stands in the beam's way is asked of beam and optics too.
-        let setup = Hasher::default().of(&tool).of(&cell_key).of(cell).of(beam).of(optics).finish();
+        let setup = Hasher::default().of(&tool).of(&cell_key).of(cell).of(beam).of(optics);
+        // Where the part stands follows from the scan, where it is known where the scanner stands.
+        let placed = scan_keys.filter(|_| scan.base_from_scan.is_some()).map(|k| k.laid);
+        let setup = setup.of(&placed).of(&scan.base_from_scan).finish();
         let plan = Hasher::default()
             .of(&surfaces)
             .of(scan)
@@ -51,7 +96,7 @@ impl Keys {
             .of(recipes)
             .finish();
         let dose = Hasher::default().of(&plan).of(dose).finish();
-        Keys { part, surfaces, tool, cell: cell_key, setup, plan, dose }
+        Keys { part, surfaces, scan: scan_keys, tool, cell: cell_key, setup, plan, dose }
     }
 }
 

@@ -23,6 +23,7 @@ pub mod pool;
 pub mod proof;
 mod recognised;
 pub mod report;
+pub mod scanned;
 pub mod stage;
 #[cfg(test)]
 mod stage_tests;

@@ -78,6 +78,7 @@ impl NamedSentence for NothingReason {
             NothingReason::NoLines { taken_by: Some(why), area_mm2, .. } => {
                 say!(notice_no_lines_for, area = fixed(*area_mm2, 2), why = why.sentence())
             }
+            NothingReason::NoWear => say!(notice_no_wear),
             NothingReason::AllBlocked { by } => {
                 say!(notice_all_left_out, list = listed(by.iter().map(|b| blocked_by(b, naming))))
             }

@@ -47,6 +47,7 @@ impl Sentence for PlanningError {
     fn sentence(&self) -> String {
         match self {
             PlanningError::Part(e) => e.sentence(),
+            PlanningError::Scan(e) => e.sentence(),
             PlanningError::Setup(e) => e.sentence(),
             PlanningError::Plan(e) => e.sentence(),
         }

@@ -7,6 +7,11 @@ impl Sentence for Activity {
     fn sentence(&self) -> String {
         match self {
             Activity::Reading => say!(activity_reading),
+            Activity::ReadingScan => say!(activity_reading_scan),
+            Activity::CleaningScan => say!(activity_cleaning_scan),
+            Activity::LayingScan => say!(activity_laying_scan),
+            Activity::ComparingScan => say!(activity_comparing_scan),
+            Activity::CuttingPatches => say!(activity_cutting_patches),
             Activity::BuildingPart => say!(activity_building_part),
             Activity::CuttingSurfaces => say!(activity_cutting_surfaces),
             Activity::NamingShapes => say!(activity_naming_shapes),

@@ -3,6 +3,7 @@
 use super::number::percent;
 use super::{Sentence, exact, fixed, id, say};
 use crate::planning::report::{RegistrationReport, RivalReport, SlidingReport};
+use crate::planning::scanned::ScanError;
 use crate::scan::file::{UnitDoubt, UnitFit};
 use crate::scan::merging::MarkerError;
 use crate::scan::registration::RegistrationError;
@@ -26,6 +27,18 @@ impl Sentence for MatrixFault {
             MatrixFault::Scales(factor) => say!(matrix_scales, factor = exact(*factor)),
             MatrixFault::Shears => say!(matrix_shears),
             MatrixFault::Mirrors => say!(matrix_mirrors),
+        }
+    }
+}
+
+impl Sentence for ScanError {
+    fn sentence(&self) -> String {
+        match self {
+            ScanError::File { file, source } => say!(in_file, file, what = source.sentence()),
+            ScanError::Changed { file } => say!(scan_changed, file),
+            ScanError::Units { doubt, diagonals_mm } => unit_doubt_sentence(doubt, *diagonals_mm),
+            ScanError::Matrix(fault) => say!(scan_matrix, fault = fault.sentence()),
+            ScanError::Registration(e) => e.sentence(),
         }
     }
 }

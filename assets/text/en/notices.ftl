@@ -20,6 +20,7 @@ notice_unproven_head_clamp = { $moves ->
 remedy_not_proven = do not run the program; `clearbeam verify` names the lines; try another correction, or leave the surface out
 
 ## Not done
+notice_no_wear = the scan shows no patch to work: nothing is missing by more than the least depth
 notice_no_lines = nothing to do, so there is no program: no line lies on the chosen surfaces
 notice_no_lines_for = nothing to do, so there is no program: no line lies on the chosen surfaces ({ $area } mm²): { $why }
 notice_no_lines_on = { $surface }: no line on its { $area } mm²: { $why }

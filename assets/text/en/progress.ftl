@@ -25,3 +25,8 @@ activity_planning_samples = planning some passes
 
 ## In the status line
 progress = { $activity } { $percent } %
+activity_reading_scan = reading the scan
+activity_cleaning_scan = cleaning the scan
+activity_laying_scan = laying the scan on the part
+activity_comparing_scan = comparing scan and part
+activity_cutting_patches = cutting out worn patches

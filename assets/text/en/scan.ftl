@@ -22,6 +22,9 @@ scan_unit_cloud = the scan would fit in { $units }
 scan_unit_part = the part would fit in { $units }
 scan_unit_both = the scan would fit in { $cloud_units }, or the part in { $part_units }
 
+scan_changed = { $file }: this is another scan than the job was saved with; add it again to take it
+scan_matrix = transform in [scan] { $fault }
+
 ## How it lies
 register_found = { $rms } mm rms, noise { $noise } mm; { $overlap } % of the points lie on the part, { $coverage } % of the part is scanned
 register_slides = slides: nothing holds its { $motion } { $axis }; it stays as it was, so give pairs of points, or scan what holds it

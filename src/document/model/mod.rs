@@ -68,8 +68,12 @@ pub fn segmented(part: &Part, job: &Job) -> Surfaces {
 }
 
 impl Job {
-    /// Numbers of the surfaces to clean in the order of work, given all that exist: see [`Settings::chosen`].
+    /// Numbers of the surfaces to clean in the order of work, given all that exist: see [`Settings::chosen`]. Where a
+    /// scan tells them, those.
     pub fn chosen(&self, surfaces: &Surfaces) -> Vec<u32> {
+        if let Some(worked) = &surfaces.worked {
+            return worked.iter().map(|id| id.0).collect();
+        }
         self.settings.chosen(surfaces.ids()).into_iter().map(|id| id.0).collect()
     }
 }

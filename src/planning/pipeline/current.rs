@@ -5,9 +5,10 @@ use super::super::error::PlanningError;
 use super::super::failure::Failure;
 use super::super::key::Keys;
 use super::super::planned::PlannedJob;
+use super::super::scanned::WornPart;
 use super::super::stage::Stage;
 use super::super::toolpath::Toolpath;
-use super::Pipeline;
+use super::{Pipeline, Scanned};
 use crate::cell::{Cell, Setup};
 use crate::document::files::JobError;
 use crate::part::{Digest, Part, Source, Surfaces};
@@ -29,15 +30,37 @@ impl Pipeline {
         self.plan.newest().map(|(_, planned)| planned)
     }
 
-    /// Part and surfaces of the job that was synced last; `None` while they are being made.
+    /// Part and surfaces of the job that was synced last; `None` while they are being made. With a scan those with its
+    /// patches, as soon as they are there: see [`Pipeline::waits_for_scan`].
     pub fn surfaces(&self) -> Option<(&Arc<Part>, &Arc<Surfaces>)> {
         let keys = self.keys()?;
-        Some((self.part.of(keys.part)?, self.surfaces.of(keys.surfaces)?))
+        let bare = (self.part.of(keys.part)?, self.surfaces.of(keys.surfaces)?);
+        // While other patches are looked for nobody is shown a part without any.
+        let is_between = self.waits_for_scan() && self.scan.is_running() && self.scan.worn.newest().is_some();
+        if is_between {
+            return None;
+        }
+        Some(self.worn(keys).map_or(bare, |worn| (&worn.part, &worn.surfaces)))
     }
 
-    /// Key of its surfaces.
+    /// Key of those.
     pub fn surfaces_key(&self) -> Option<Digest> {
-        self.keys().map(|keys| keys.surfaces)
+        let keys = self.keys()?;
+        Some(keys.scan.filter(|_| self.worn(keys).is_some()).map_or(keys.surfaces, |scan| scan.worn))
+    }
+
+    fn worn(&self, keys: &Keys) -> Option<&Arc<WornPart>> {
+        keys.scan.and_then(|scan| self.scan.worn.of(scan.worn))
+    }
+
+    /// Whether the job has a scan whose patches are not there yet: what is planned then would be another job.
+    pub fn waits_for_scan(&self) -> bool {
+        self.keys().is_some_and(|keys| keys.scan.is_some() && self.worn(keys).is_none())
+    }
+
+    /// What is known of its scan; `None` where it has none, or it is not read yet.
+    pub fn scanned(&self) -> Option<Scanned> {
+        self.scan.of(&self.keys()?.scan?)
     }
 
     /// The cell of the job that was synced last, with its file's frames, or why there is none.
@@ -77,6 +100,9 @@ impl Pipeline {
         if let Some(why) = self.part.failure(keys.part) {
             return Some(why.clone().into());
         }
+        if let Some(why) = keys.scan.and_then(|scan| self.scan.failure(&scan)) {
+            return Some(why.clone().into());
+        }
         if let Some(Err(why)) = self.setup() {
             return Some(why.clone().into());
         }
@@ -85,12 +111,12 @@ impl Pipeline {
 
     /// Whether nothing is being computed.
     pub fn is_at_rest(&self) -> bool {
-        !self.part.is_running() && !self.lines.is_running() && !self.plan.is_running()
+        !self.part.is_running() && !self.scan.is_running() && !self.lines.is_running() && !self.plan.is_running()
     }
 
     /// How far the work is that is going on.
     pub fn progress(&self) -> Option<&Progress> {
-        self.part.progress().or(self.lines.progress()).or(self.plan.progress())
+        self.part.progress().or(self.scan.progress()).or(self.lines.progress()).or(self.plan.progress())
     }
 }
 

@@ -5,7 +5,9 @@
 //! what belongs together. `syncing` takes and starts work, `current` tells what there is.
 
 mod current;
+mod scan_stages;
 mod syncing;
+
 
 use super::error::{PartError, PlanError, PlanningError};
 use super::executor::Executor;
@@ -22,10 +24,13 @@ use crate::document::Job;
 use crate::document::files::JobError;
 use crate::document::model::JobPart;
 use crate::document::stamps::Stamps;
-use crate::part::{Part, Source, Surfaces};
+use crate::part::{Digest, Part, Source, Surfaces};
+use scan_stages::ScanStages;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+pub use scan_stages::Scanned;
 
 /// What changed while the pipeline was brought up to date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,6 +61,9 @@ pub struct Pipeline {
     pub cache: Arc<PlanCache>,
     part: Stage<Part, PartError>,
     surfaces: Stage<Surfaces, Infallible>,
+    scan: ScanStages,
+    /// Key of the part and surfaces that were told last.
+    told: Option<Digest>,
     tool: Stage<Tool, Arc<JobError>>,
     cell: Stage<Cell, Arc<JobError>>,
     /// By the key of the cell, which is made of the robot's name as well.
@@ -79,6 +87,8 @@ impl Pipeline {
             cache: Arc::default(),
             part: Stage::default(),
             surfaces: Stage::default(),
+            scan: ScanStages::default(),
+            told: None,
             tool: Stage::default(),
             cell: Stage::default(),
             robot: Stage::default(),
@@ -111,6 +121,7 @@ impl Pipeline {
         self.reading += 1;
         self.wanted = None;
         self.part.try_again();
+        self.scan.try_again();
         self.lines.try_again();
         self.plan.try_again();
     }
@@ -126,6 +137,7 @@ impl Pipeline {
     /// Ends the work that is going on; the plan is as good as failed then.
     pub fn cancel(&mut self) {
         self.part.cancel();
+        self.scan.cancel();
         if let Some(keys) = self.wanted.as_ref().map(|w| w.keys)
             && (self.lines.is_running() || self.plan.is_running())
         {

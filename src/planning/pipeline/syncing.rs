@@ -10,11 +10,14 @@ use super::super::preview;
 use super::super::report::{Report, in_file, notices_worst_first};
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
+use crate::cell::Frame;
 use crate::document::files::{self, JobError};
 use crate::document::stamps::Stamps;
 use crate::document::{Job, segmented};
 use crate::part::{Digest, Source};
 use crate::progress::Activity;
+use nalgebra::Isometry3;
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -29,7 +32,12 @@ impl Pipeline {
         let mut changes = Changes::default();
         let Some(source) = self.source.clone() else { return changes };
         let keys = self.keys_for(&source, job, job_file);
-        self.sync_part(&source, job, &keys, &mut changes);
+        self.sync_part(&source, job, &keys);
+        self.sync_scan(job, job_file, &keys);
+        if let Some(key) = self.surfaces_key().filter(|key| self.told != Some(*key) && self.surfaces().is_some()) {
+            self.told = Some(key);
+            changes.surfaces = true;
+        }
         self.sync_setup(job, job_file, &keys, &mut changes);
         self.sync_plan(job, &keys);
         changes
@@ -45,7 +53,7 @@ impl Pipeline {
         keys
     }
 
-    fn sync_part(&mut self, source: &Arc<Source>, job: &Job, keys: &Keys, changes: &mut Changes) {
+    fn sync_part(&mut self, source: &Arc<Source>, job: &Job, keys: &Keys) {
         self.part.poll();
         if self.part.lacks(keys.part) {
             let (source, of) = (source.clone(), job.part.clone());
@@ -60,16 +68,29 @@ impl Pipeline {
         let Some(part) = self.part.of(keys.part) else { return };
         if self.surfaces.lacks(keys.surfaces) {
             self.surfaces.fill(keys.surfaces, || Ok(segmented(part, job)));
-            changes.surfaces = true;
         }
+    }
+
+    /// Work that is done at once brings the next stage in the same sync, so that whoever waits gets all.
+    fn sync_scan(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys) {
+        let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
+        let Some(scan) = &keys.scan else {
+            self.scan.cancel();
+            return;
+        };
+        self.scan.sync(part, surfaces, job, job_file, scan, &*self.executor);
     }
 
     /// Files are small and read at once; each is read again only where its own key changes, as frames are
     /// dragged.
     fn sync_setup(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys, changes: &mut Changes) {
-        if !self.setup.lacks(keys.setup) {
+        // Where the scanner's place is known the part's follows from the scan.
+        let is_placed = keys.scan.is_some() && job.scan.base_from_scan.is_some();
+        let laid = keys.scan.filter(|_| is_placed).and_then(|scan| self.scan.laid.of(scan.laid));
+        if !self.setup.lacks(keys.setup) || is_placed && laid.is_none() {
             return;
         }
+        let job = &placed_by_scan(job, laid.map(|laid| laid.model_from_scan));
         let refused = |e: JobError| Failure::Refused(Arc::new(e));
         let is_read = self.tool.lacks(keys.tool) || self.cell.lacks(keys.cell);
         if self.tool.lacks(keys.tool) {
@@ -96,14 +117,20 @@ impl Pipeline {
     fn sync_plan(&mut self, job: &Job, keys: &Keys) {
         self.lines.poll();
         self.plan.poll();
-        let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
-        if job.chosen(surfaces).is_empty() {
+        if self.waits_for_scan() {
+            self.lines.clear();
+            self.plan.only(keys.plan);
+            return;
+        }
+        let Some((part, surfaces)) = self.surfaces() else { return };
+        let (part, surfaces) = (part.clone(), surfaces.clone());
+        if job.chosen(&surfaces).is_empty() && surfaces.worked.is_none() {
             self.lines.clear();
             self.plan.clear();
             return;
         }
         let Some(setup) = self.setup.of(keys.setup) else { return };
-        let (part, surfaces, setup) = (part.clone(), surfaces.clone(), setup.clone());
+        let setup = setup.clone();
         if self.with_lines && self.lines.lacks(keys.plan) {
             let (part, surfaces, job, cache) = (part.clone(), surfaces.clone(), job.clone(), self.cache.clone());
             self.plan.only(keys.plan);
@@ -124,6 +151,17 @@ impl Pipeline {
             });
         }
     }
+}
+
+/// The job with the part where scanner and scan put it (P3 4.4): `base_from_part = base_from_scan · model_from_scan⁻¹`.
+fn placed_by_scan<'a>(job: &'a Job, model_from_scan: Option<Isometry3<f64>>) -> Cow<'a, Job> {
+    let (Some(frame), Some(model_from_scan)) = (&job.scan.base_from_scan, model_from_scan) else {
+        return Cow::Borrowed(job);
+    };
+    let base_from_part = frame.isometry() * model_from_scan.inverse();
+    let mut placed = job.clone();
+    placed.cell.base_from_part = Some(Frame::of(&base_from_part));
+    Cow::Owned(placed)
 }
 
 fn current<V, E: Clone>(stage: &Stage<V, E>, key: Digest) -> Result<Arc<V>, Failure<E>> {

@@ -28,7 +28,8 @@ pub(in super::super) fn prepare<'a>(
 /// Numbers of the surfaces to clean, checked.
 fn chosen(surfaces: &Surfaces, job: &Job) -> Result<Vec<u32>, PlanError> {
     let list = job.chosen(surfaces);
-    if list.is_empty() {
+    // Where a scan shows no wear there is nothing to do, and that is no mistake.
+    if list.is_empty() && surfaces.worked.is_none() {
         return Err(PlanError::Nothing);
     }
     if let Some(&surface) = list.iter().find(|n| surfaces.get(**n).is_none()) {

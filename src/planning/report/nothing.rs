@@ -22,6 +22,8 @@ pub enum NothingReason {
         /// What takes the last one on each surface, in the order of work.
         by: Vec<BareSurface>,
     },
+    /// The scan shows no patch to work.
+    NoWear,
     /// Every line is blocked.
     AllBlocked {
         /// By what, in the order in which it was met.
@@ -62,6 +64,10 @@ pub fn is_dark(plan: &Plan) -> bool {
 pub(super) fn nothing_planned(plan: &Plan, problems: &[Problem], rows: &[SurfaceReport]) -> Option<NothingReason> {
     if !is_dark(plan) {
         return None;
+    }
+    // Surfaces are chosen, or a scan tells them.
+    if rows.is_empty() {
+        return Some(NothingReason::NoWear);
     }
     let mut by: Vec<BlockedBy> = Vec::new();
     for p in problems {

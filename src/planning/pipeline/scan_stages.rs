@@ -1,0 +1,140 @@
+//! The stages of a job's scan: read, cleaned, laid on the part, compared with it, and the part with what is worn. Each
+//! waits for the one before; without a scan they are idle.
+
+use super::super::executor::Executor;
+use super::super::failure::Failure;
+use super::super::key::ScanKeys;
+use super::super::scanned::{ComparedScan, LaidScan, ReadScan, ScanError, WornPart, compare, lay, read_scan, worn};
+use super::super::stage::Stage;
+use crate::document::Job;
+use crate::part::{Part, Surfaces};
+use crate::progress::{Activity, Progress};
+use crate::scan::cleaning::{Cleaned, clean};
+use std::path::Path;
+use std::sync::Arc;
+
+/// The stages of a scan.
+#[derive(Default)]
+pub(super) struct ScanStages {
+    pub(super) read: Stage<ReadScan, ScanError>,
+    pub(super) cleaned: Stage<Cleaned, ScanError>,
+    pub(super) laid: Stage<LaidScan, ScanError>,
+    pub(super) compared: Stage<ComparedScan, ScanError>,
+    pub(super) worn: Stage<WornPart, ScanError>,
+}
+
+/// What is known of the scan of the job that was synced last, as far as it has come.
+#[derive(Clone, Debug)]
+pub struct Scanned {
+    /// As read.
+    pub read: Arc<ReadScan>,
+    /// Cleaned.
+    pub cleaned: Option<Arc<Cleaned>>,
+    /// On the part.
+    pub laid: Option<Arc<LaidScan>>,
+    /// Compared with it.
+    pub compared: Option<Arc<ComparedScan>>,
+    /// The part with its patches.
+    pub worn: Option<Arc<WornPart>>,
+}
+
+impl ScanStages {
+    /// Takes what has arrived and starts what can be. Work that is done at once brings the next stage along.
+    pub(super) fn sync(
+        &mut self,
+        part: &Arc<Part>,
+        surfaces: &Arc<Surfaces>,
+        job: &Job,
+        job_file: Option<&Path>,
+        keys: &ScanKeys,
+        executor: &dyn Executor,
+    ) {
+        let scan = || job.scan.clone();
+        self.read.poll();
+        if self.read.lacks(keys.read) {
+            let (scan, job_file) = (scan(), job_file.map(Path::to_path_buf));
+            self.read.start(keys.read, Activity::ReadingScan, executor, move |progress| {
+                Ok(read_scan(&scan, job_file.as_deref(), progress)?)
+            });
+        }
+        let Some(read) = self.read.of(keys.read) else { return };
+        self.cleaned.poll();
+        if self.cleaned.lacks(keys.cleaned) {
+            let (scan, read) = (scan(), read.clone());
+            self.cleaned.start(keys.cleaned, Activity::CleaningScan, executor, move |progress| {
+                Ok(clean(&read.cloud, &scan.steps, progress)?)
+            });
+        }
+        let Some(cleaned) = self.cleaned.of(keys.cleaned) else { return };
+        self.laid.poll();
+        if self.laid.lacks(keys.laid) {
+            let (scan, cleaned, part, surfaces) = (scan(), cleaned.clone(), part.clone(), surfaces.clone());
+            self.laid.start(keys.laid, Activity::LayingScan, executor, move |progress| {
+                Ok(lay(&part, &surfaces, &cleaned.cloud, &scan, progress)?)
+            });
+        }
+        let Some(laid) = self.laid.of(keys.laid) else { return };
+        self.compared.poll();
+        if self.compared.lacks(keys.compared) {
+            let (scan, laid, part) = (scan(), laid.clone(), part.clone());
+            self.compared.start(keys.compared, Activity::ComparingScan, executor, move |progress| {
+                Ok(compare(&part, &laid, &scan, progress)?)
+            });
+        }
+        let Some(compared) = self.compared.of(keys.compared) else { return };
+        self.worn.poll();
+        if self.worn.lacks(keys.worn) {
+            let (scan, compared, part, surfaces) = (scan(), compared.clone(), part.clone(), surfaces.clone());
+            self.worn.start(keys.worn, Activity::CuttingPatches, executor, move |progress| {
+                Ok(worn(&part, &surfaces, &compared, &scan, progress)?)
+            });
+        }
+    }
+
+    /// What there is for these keys; `None` while nothing was read.
+    pub(super) fn of(&self, keys: &ScanKeys) -> Option<Scanned> {
+        Some(Scanned {
+            read: self.read.of(keys.read)?.clone(),
+            cleaned: self.cleaned.of(keys.cleaned).cloned(),
+            laid: self.laid.of(keys.laid).cloned(),
+            compared: self.compared.of(keys.compared).cloned(),
+            worn: self.worn.of(keys.worn).cloned(),
+        })
+    }
+
+    /// Why the scan says nothing.
+    pub(super) fn failure(&self, keys: &ScanKeys) -> Option<&Failure<ScanError>> {
+        let before = self.read.failure(keys.read).or_else(|| self.cleaned.failure(keys.cleaned));
+        let then = before.or_else(|| self.laid.failure(keys.laid)).or_else(|| self.compared.failure(keys.compared));
+        then.or_else(|| self.worn.failure(keys.worn))
+    }
+
+    /// Whether work is going on.
+    pub(super) fn is_running(&self) -> bool {
+        self.progress().is_some()
+    }
+
+    /// How far it is.
+    pub(super) fn progress(&self) -> Option<&Progress> {
+        let before = self.read.progress().or(self.cleaned.progress()).or(self.laid.progress());
+        before.or(self.compared.progress()).or(self.worn.progress())
+    }
+
+    /// Ends the work.
+    pub(super) fn cancel(&mut self) {
+        self.read.cancel();
+        self.cleaned.cancel();
+        self.laid.cancel();
+        self.compared.cancel();
+        self.worn.cancel();
+    }
+
+    /// Tries again what failed.
+    pub(super) fn try_again(&mut self) {
+        self.read.try_again();
+        self.cleaned.try_again();
+        self.laid.try_again();
+        self.compared.try_again();
+        self.worn.try_again();
+    }
+}
