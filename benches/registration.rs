@@ -132,7 +132,10 @@ fn on_themselves(asked: &Asked) {
                             as_rival += 1;
                         } else {
                             let score = (r.rms_mm, r.sigma_mm, r.rivals.len());
-                            eprintln!("{} {missing} pose {pose}: off {off:.3} mm, rms, sigma, rivals {score:?}", of.name);
+                            eprintln!(
+                                "{} {missing} pose {pose}: off {off:.3} mm, rms, sigma, rivals {score:?}",
+                                of.name
+                            );
                         }
                         last = Some(r);
                     }

@@ -9,9 +9,10 @@ use rayon::prelude::*;
 const REACH: f64 = 1.5;
 const LEAST_COSINE: f64 = 0.5;
 
-/// The share of points nearer to the model than `within_mm`; 0 without points.
+/// The share of the points that take part which are nearer to the model than `within_mm`; 0 without points.
 pub(super) fn overlap(rows: &[Row], within_mm: f64) -> f64 {
-    rows.iter().filter(|r| r.distance_mm < within_mm).count() as f64 / rows.len().max(1) as f64
+    let all = rows.iter().filter(|r| r.distance_mm.is_finite()).count();
+    rows.iter().filter(|r| r.distance_mm < within_mm).count() as f64 / all.max(1) as f64
 }
 
 /// The share of the model's samples with a point near; 0 without samples. A point's normal is that of its foot.

@@ -66,14 +66,13 @@ pub fn register(
     if !part.mesh.defects.contains(&FacetDefect::None) {
         return Err(RegistrationError::NoModel);
     }
-    let model = Model { part, normals, left_out: &options.left_out.facets };
+    let model = Model { part, normals, left_out: &options.left_out.facets, crease_mm: 0.0 };
     let search = Search::new(model, cloud, &options.left_out.points, progress)?;
     let (best, others) = search.ways(&options.start, progress)?;
-    let fine = fine::end(&model, cloud, &search.thinned, &best, progress)?;
+    let fine = fine::end(&search.model, cloud, &search.thinned, &best, progress)?;
     let (fit, sigma_mm) = (&fine.fit, fine.sigma_mm);
     let floor_mm = MODEL_FLOOR * part.mesh.diagonal();
-    let noise_mm = noise::noise_mm(cloud, &search.thinned);
-    progress.check()?;
+    let noise_mm = search.noise_mm;
     let within_mm = WITHIN_SIGMAS * sigma_mm.max(floor_mm);
     let overlap = measures::overlap(&fit.rows, within_mm);
     let limit_mm = MOST_SIGMA * noise_mm.max(floor_mm);

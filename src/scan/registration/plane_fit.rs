@@ -3,6 +3,10 @@
 //!
 //! Weights are Tukey's, of a width that shrinks from the outside: a width from the median at the first step lets a shaft
 //! slide, since most of its points lie on cylinders and the walls that hold it along its axis would count for nothing.
+//! Where a foot lies on a crease no plane tells how far the point is. Far off, the way to the foot does, and it is what
+//! pulls a thin plate back that was laid over its rim. Within the noise a point beside a crease may be of either side of
+//! it, and such points do not count: along its rim they would hold a plane face that slides.
+//!
 //! Sums go in blocks of a fixed size that are added in order, so any number of threads gives the same bytes.
 
 use super::SurfaceNormals;
@@ -33,6 +37,8 @@ pub(super) struct Model<'a> {
     pub(super) normals: &'a SurfaceNormals,
     /// Facets whose points do not count; those beyond its end do.
     pub(super) left_out: &'a [bool],
+    /// Points as near to the model, with a foot as near to a crease, may belong to either side of it, mm.
+    pub(super) crease_mm: f64,
 }
 
 /// How a fit goes.
@@ -50,12 +56,14 @@ pub(super) struct Schedule {
 pub(super) struct Row {
     /// Where the point is, part frame.
     pub(super) at: Point3<f64>,
-    /// Normal at its foot.
+    /// Normal at its foot; on a crease the direction from there to the point.
     pub(super) normal: Vector3<f64>,
-    /// How far it stands off the plane there, mm.
+    /// How far it stands off the plane square to that, mm.
     pub(super) off_mm: f64,
     /// How far it is from the model, mm; infinite for points that are nearest to facets left out.
     pub(super) distance_mm: f64,
+    /// How far its foot is from a crease or rim of its facet, mm.
+    to_crease_mm: f64,
     facet: u32,
 }
 
@@ -113,7 +121,7 @@ pub(super) fn plane_fit(
         let by_median = (TUKEY * SIGMA_OF_MEDIAN * median).max(LEAST_WIDTH_MM);
         let width_mm = by_median.max(shrunk_mm);
         let centre = pose * middle;
-        let sums = summed(&rows, &counts, &centre, length_mm, width_mm);
+        let sums = summed(&rows, &counts, &centre, length_mm, [model.crease_mm, width_mm]);
         convergence_mm.push((sums.squares / sums.weight).sqrt());
         let held = sums.left / sums.weight;
         let step = step_of(&held, &(sums.right / sums.weight), schedule.least_held, width_mm);
@@ -144,6 +152,7 @@ fn placed(
         normal: Vector3::zeros(),
         off_mm: f64::INFINITY,
         distance_mm: f64::INFINITY,
+        to_crease_mm: f64::INFINITY,
         facet: 0,
     };
     let mut rows = vec![none; points.len()];
@@ -158,11 +167,17 @@ fn placed(
                 (foot - at).norm() * (1.0 + 1e-9) + 1e-9
             });
             let Some(closest) = model.part.bvh.closest(&at, within) else { continue };
-            let normal = model.normals.at(&model.part.mesh, &closest);
-            let off_mm = (at - closest.foot).dot(&normal);
+            let to_crease_mm = model.normals.to_crease_mm(&model.part.mesh, &closest);
+            let to_point = at - closest.foot;
+            let normal = if to_crease_mm == 0.0 {
+                to_point.try_normalize(0.0).unwrap_or_else(Vector3::zeros)
+            } else {
+                model.normals.at(&model.part.mesh, &closest)
+            };
+            let off_mm = to_point.dot(&normal);
             let counts = !is_in(model.left_out, closest.facet as usize);
             let distance_mm = if counts { closest.distance_mm } else { f64::INFINITY };
-            *row = Row { at, normal, off_mm, distance_mm, facet: closest.facet };
+            *row = Row { at, normal, off_mm, distance_mm, to_crease_mm, facet: closest.facet };
         }
         progress.check()
     })?;
@@ -183,10 +198,18 @@ pub(super) fn capped_rms_mm(rows: &[Row], cap_mm: f64) -> f64 {
     if count == 0 { f64::INFINITY } else { (sum / count as f64).sqrt() }
 }
 
-fn summed(rows: &[Row], counts: &[bool], centre: &Point3<f64>, length_mm: f64, width_mm: f64) -> Sums {
+/// `crease_mm`: so near to a crease points count only from as far off on; `width_mm`: where weights end.
+fn summed(
+    rows: &[Row],
+    counts: &[bool],
+    centre: &Point3<f64>,
+    length_mm: f64,
+    [crease_mm, width_mm]: [f64; 2],
+) -> Sums {
+    let weighs = |r: &Row| r.distance_mm < width_mm && r.to_crease_mm.max(r.distance_mm) > crease_mm;
     let of_block = |(rows, counts): (&[Row], &[bool])| {
         let mut sums = Sums::default();
-        for (row, _) in rows.iter().zip(counts).filter(|(r, counts)| **counts && r.distance_mm < width_mm) {
+        for (row, _) in rows.iter().zip(counts).filter(|(r, counts)| **counts && weighs(r)) {
             let share = row.distance_mm / width_mm;
             let weight = (1.0 - share * share) * (1.0 - share * share);
             let lever = (row.at - centre).cross(&row.normal) / length_mm;

@@ -3,10 +3,11 @@
 use super::super::Cloud;
 use super::coarse::{Apart, candidates};
 use super::fine::{Fine, way};
+use super::noise::noise_mm;
 use super::options::Start;
 use super::outcome::RegistrationError;
 use super::pairs::start_of;
-use super::plane_fit::{Model, PlaneFit, capped_rms_mm};
+use super::plane_fit::{Model, PlaneFit, TUKEY, capped_rms_mm};
 use super::rivals::{Alike, Rival, telling_patch};
 use super::thinned::Thinned;
 use crate::progress::{Cancelled, Progress};
@@ -29,22 +30,28 @@ const RIVAL: f64 = 1.2;
 /// What scores are told apart by at the least, as a share of the diagonal: data without noise.
 const SCORE_FLOOR: f64 = 1e-5;
 
+/// The strip along creases that does not count is no wider than this share of a voxel: a sparse cloud's noise is said too
+/// large, and a shaft's shoulders are only a voxel wide.
+const MOST_CREASE: f64 = 0.25;
+
 /// A scan that is looked for on a model.
 #[derive(Clone, Debug)]
 pub(super) struct Search<'a> {
-    model: Model<'a>,
+    pub(super) model: Model<'a>,
     cloud: &'a Cloud,
     pub(super) thinned: Thinned,
+    /// Of the scan by itself, as a standard deviation.
+    pub(super) noise_mm: f64,
     apart: Apart,
 }
 
 impl<'a> Search<'a> {
-    /// Thins the scan.
+    /// Thins the scan, and looks how noisy it is.
     ///
     /// # Errors
     /// [`RegistrationError::TooFewPoints`], [`RegistrationError::Cancelled`].
     pub(super) fn new(
-        model: Model<'a>,
+        mut model: Model<'a>,
         cloud: &'a Cloud,
         left_out: &[bool],
         progress: &Progress,
@@ -57,7 +64,10 @@ impl<'a> Search<'a> {
         }
         let sum = thinned.middles.iter().fold(Vector3::zeros(), |s: Vector3<f64>, p| s + (p - cloud.origin));
         let middle = cloud.origin + sum / thinned.middles.len() as f64;
-        Ok(Search { model, cloud, thinned, apart: Apart { middle, diagonal_mm } })
+        let noise_mm = noise_mm(cloud, &thinned);
+        progress.check()?;
+        model.crease_mm = (TUKEY * noise_mm).min(MOST_CREASE * thinned.cell_mm);
+        Ok(Search { model, cloud, thinned, noise_mm, apart: Apart { middle, diagonal_mm } })
     }
 
     /// The best pose, and others that may be as good.

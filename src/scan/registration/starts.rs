@@ -100,7 +100,8 @@ mod tests {
         let part = part_of(&solids::cylinder(5.0, 40.0, 48));
         let skin = Skin::of(&part.mesh);
         assert!((skin.middle - Point3::new(0.0, 0.0, 20.0)).norm() < 1e-5, "{}", skin.middle);
-        let longest = skin.axes.iter().fold(Vector3::zeros(), |l: Vector3<f64>, a| if a.norm() > l.norm() { *a } else { l });
+        let longest =
+            skin.axes.iter().fold(Vector3::zeros(), |l: Vector3<f64>, a| if a.norm() > l.norm() { *a } else { l });
         assert!((longest.z.abs() - 40.0).abs() < 1e-6 && longest.xy().norm() < 1e-6, "{longest}");
         let middles = skin.middles(part.mesh.diagonal());
         let heights: Vec<i64> = middles.iter().map(|m| m.z.round() as i64).collect();
