@@ -11,6 +11,7 @@ mod of_all;
 use super::cloud::Cloud;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
+use std::collections::BinaryHeap;
 
 /// Most points of a leaf: with 32 all takes a sixth longer, with 8 the tree grows and little is won.
 const LEAF: usize = 16;
@@ -79,8 +80,8 @@ impl Neighbours {
         self.index.is_empty()
     }
 
-    /// The `k` nearest points to a place in the cloud's frame, by distance, then index; fewer where the cloud has fewer.
-    /// A point of the cloud is its own nearest one.
+    /// The `k` nearest points to a place in the cloud's frame, by distance, then index; fewer where the cloud has
+    /// fewer. A point of the cloud is its own nearest one.
     pub fn nearest(&self, point: &Point3<f64>, k: usize, out: &mut Vec<Neighbour>) {
         self.nearest_from(&self.offset(point), k, out);
     }
@@ -90,15 +91,16 @@ impl Neighbours {
         if k == 0 {
             return;
         }
+        // The last of the nearest ones on top.
+        let mut found = BinaryHeap::with_capacity(k.min(self.len()) + 1);
         self.search(from, f32::INFINITY, |squared, index| {
-            let before = |n: &Neighbour| n.squared < squared || n.squared == squared && n.index < index;
-            let at = out.iter().rposition(before).map_or(0, |last| last + 1);
-            if at < k {
-                out.truncate(k - 1);
-                out.insert(at, Neighbour { index, squared });
+            found.push(key(squared, index));
+            if found.len() > k {
+                found.pop();
             }
-            if out.len() < k { f32::INFINITY } else { out[k - 1].squared }
+            found.peek().filter(|_| found.len() == k).map_or(f32::INFINITY, |&last| neighbour(last).squared)
         });
+        out.extend(found.into_sorted_vec().into_iter().map(neighbour));
     }
 
     /// The nearest point not further than `within_mm`; of several the one with the lowest index.
@@ -201,6 +203,15 @@ impl Bounds {
         let side = |k: usize| (self.lo[k] - hi[k]).max(lo[k] - self.hi[k]).max(0.0);
         squared_norm([side(0), side(1), side(2)])
     }
+}
+
+/// Orders by distance, then index: bits of floats that are not below 0 are ordered as they are.
+fn key(squared: f32, index: u32) -> u64 {
+    u64::from(squared.to_bits()) << 32 | u64::from(index)
+}
+
+fn neighbour(key: u64) -> Neighbour {
+    Neighbour { index: key as u32, squared: f32::from_bits((key >> 32) as u32) }
 }
 
 fn squared_norm([x, y, z]: [f32; 3]) -> f32 {

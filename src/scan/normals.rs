@@ -1,8 +1,8 @@
 //! Normals from the points themselves: of each point the normal of the plane through it and its nearest others, by
 //! least squares (smallest eigenvector of their scatter), closed form.
 //!
-//! At a sharp edge the plane lies across it: see `cleaning::smooth` for normals that keep edges. Which side is outward
-//! the points do not tell; the normals that a cloud has decide, and without them there is only a guess.
+//! At a sharp edge the plane lies across it. Which side is outward the points do not tell; the normals that a cloud has
+//! decide, and without them there is only a guess.
 
 use super::cloud::Cloud;
 use super::neighbours::{Neighbour, Neighbours};
@@ -22,8 +22,8 @@ pub struct FittedPlane {
 }
 
 /// Unit normals of all points of a cloud, each by the plane through it and its `k` nearest others; zero where those lie
-/// on a line or are fewer than two. On the side of the cloud's own normal where it has one, else away from the middle of
-/// the cloud's box: outward on a convex part only.
+/// on a line or are fewer than two. On the side of the cloud's own normal where it has one, else away from the middle
+/// of the cloud's box: outward on a convex part only.
 ///
 /// # Errors
 /// [`Cancelled`] when the work should end.
@@ -71,13 +71,14 @@ pub fn plane_weighted(points: impl Iterator<Item = (Point3<f64>, f64)>) -> Optio
     Some(FittedPlane { middle: first + middle, normal, variance_mm2 })
 }
 
-/// Points are on a line where the middle eigenvalue is so small a share of the largest: their width is then a thousandth
-/// of their length. Scan lines half a point spacing apart are far above (0.01), rounding of f32 places far below (1e-9).
+/// Points are on a line where the middle eigenvalue is so small a share of the largest: their width is then a
+/// thousandth of their length. Scan lines half a point spacing apart are far above (0.01), rounding of f32 places far
+/// below (1e-9).
 const ON_A_LINE: f64 = 1e-6;
 
 /// The eigenvector of the smallest eigenvalue, and that eigenvalue; `None` where the two smaller ones are next to
-/// nothing, or all three the same (Eberly, "A robust eigensolver for 3 × 3 symmetric matrices", 2014: the best separated one first, then those
-/// of the 2 × 2 matrix across it).
+/// nothing, or all three the same (Eberly, "A robust eigensolver for 3 × 3 symmetric matrices", 2014: the best
+/// separated one first, then those of the 2 × 2 matrix across it).
 fn smallest(a: &Matrix3<f64>) -> Option<(Vector3<f64>, f64)> {
     let scale = a.amax();
     if !(scale > 0.0 && scale.is_finite()) {

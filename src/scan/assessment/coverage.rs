@@ -10,6 +10,7 @@ use crate::part::Mesh;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// A point covers what is so many voxels away: the diagonal of a voxel's face and a little.
 const REACH_VOXELS: f64 = 1.5;
@@ -104,27 +105,33 @@ struct Sample {
     is_covered: bool,
 }
 
+/// Area of a surface, its samples, and how many of them have no points.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    area_mm2: f64,
+    seen: u32,
+    missed: u32,
+}
+
 fn summed(samples: &[Sample], areas: &[f64], surface_of_facet: &[u32]) -> Coverage {
-    let surfaces = surface_of_facet.iter().map(|&s| s as usize + 1).max().unwrap_or(0);
-    let (mut area, mut seen, mut missed) = (vec![0.0; surfaces], vec![0u32; surfaces], vec![0u32; surfaces]);
-    for (&surface, facet) in surface_of_facet.iter().zip(areas) {
-        area[surface as usize] += facet;
+    let mut sums: BTreeMap<u32, Sum> = BTreeMap::new();
+    for (&surface, area) in surface_of_facet.iter().zip(areas) {
+        sums.entry(surface).or_default().area_mm2 += area;
     }
     for sample in samples {
-        let Some(&surface) = surface_of_facet.get(sample.facet) else { continue };
-        seen[surface as usize] += 1;
-        missed[surface as usize] += u32::from(!sample.is_covered);
+        let Some(sum) = surface_of_facet.get(sample.facet).and_then(|s| sums.get_mut(s)) else { continue };
+        sum.seen += 1;
+        sum.missed += u32::from(!sample.is_covered);
     }
-    let of = |n: usize| SurfaceCoverage {
-        number: n as u32,
-        area_mm2: area[n],
-        uncovered_mm2: (seen[n] > 0).then(|| area[n] * f64::from(missed[n]) / f64::from(seen[n])),
+    let of = |(&number, s): (&u32, &Sum)| SurfaceCoverage {
+        number,
+        area_mm2: s.area_mm2,
+        uncovered_mm2: (s.seen > 0).then(|| s.area_mm2 * f64::from(s.missed) / f64::from(s.seen)),
     };
     let uncovered: Vec<_> = samples.iter().filter(|s| !s.is_covered).map(|s| s.place).collect();
     let area_mm2 = areas.iter().sum::<f64>();
     let share = if samples.is_empty() { 1.0 } else { uncovered.len() as f64 / samples.len() as f64 };
-    let surfaces = (0..surfaces).filter(|&n| area[n] > 0.0).map(of).collect();
-    Coverage { area_mm2, uncovered_mm2: area_mm2 * share, surfaces, uncovered }
+    Coverage { area_mm2, uncovered_mm2: area_mm2 * share, surfaces: sums.iter().map(of).collect(), uncovered }
 }
 
 /// The k-th place of a sequence that fills triangles evenly: Roberts' R2 (fractions of the plastic number's inverse

@@ -1,7 +1,7 @@
 //! Noise, spacing and density of a cloud, from a sample of its points and their nearest others.
 //!
-//! Medians all of them, so that outliers and rims do not count. They are of the whole cloud: one number where a cloud is
-//! dense here and thin there says little.
+//! Medians all of them, so that outliers and rims do not count. They are of the whole cloud: one number where a cloud
+//! is dense here and thin there says little.
 
 use super::super::cloud::Cloud;
 use super::super::neighbours::{Neighbour, Neighbours};
@@ -23,9 +23,9 @@ const SIGMA_OF_MEDIAN: f64 = 1.4826;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointFigures {
     /// Standard deviation of the points across the surface, mm: 1.4826 × median of the distances to the plane through
-    /// 20 neighbours, less the plane's own share. Curvature counts as noise: radius R adds about a²/4R, where 20 points
-    /// lie within a. Where a is not far above the noise it is told too low: by 1.5 % at a = 8 σ,
-    /// by 10 % at a = 4 σ.
+    /// 20 neighbours, less the plane's own share. Where those lie within a, curvature adds up to a²/8R on a cylinder of
+    /// radius R, a²/4R on a ball; where a is not far above the noise it is told too low: by 1.5 % at a = 8 σ, by 10 %
+    /// at a = 4 σ.
     pub noise_mm: f64,
     /// Median distance to the nearest other point, mm.
     pub spacing_mm: f64,

@@ -1,8 +1,8 @@
 //! Takes out of a cloud what is none of the part, step by step: outliers, too many points, noise, what was cut off.
 //!
 //! Each step works on what the one before it left. Places in steps are in the scan's frame, so a cut or a stroke of the
-//! brush means the same whatever stands before it. A step whose numbers make no sense (a voxel of 0 mm) changes nothing;
-//! the counts show it.
+//! brush means the same whatever stands before it. A step whose numbers make no sense (a voxel of 0 mm) changes
+//! nothing; the counts show it.
 
 mod cut;
 mod outliers;

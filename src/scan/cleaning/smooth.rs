@@ -22,8 +22,8 @@ const WIDTH_OF_NOISE: f64 = 3.0;
 /// The width in which points count starts at so much of the radius: an edge's other side lies up to a whole radius off.
 const FIRST_WIDTH: f64 = 0.5;
 
-/// Each step of the plane narrows the width so much. With 0.4 a third more of the noise is left beside an edge; 0.8 wins
-/// little and takes longer.
+/// Each step of the plane narrows the width so much. With 0.4 a third more of the noise is left beside an edge; 0.8
+/// wins little and takes longer.
 const NARROWER: f64 = 0.7;
 
 /// Least share of the neighbours, by weight, that a plane must hold. A face under noise holds 0.8 of its points; with
@@ -45,22 +45,37 @@ pub(super) fn smoothed(
     if !(width > 0.0 && radius_mm > 0.0 && width.is_finite() && radius_mm.is_finite()) {
         return Ok(Outcome::Unchanged);
     }
-    let planes = tree.map_within(radius_mm, progress, |i, near| one_sided(cloud, i, near, radius_mm, width))?;
+    let faces = tree.map_within(radius_mm, progress, |i, near| face_of(cloud, i, near, radius_mm, width))?;
     let moved = tree.map_within(radius_mm, progress, |index, near| {
-        let point = cloud.point(index as usize);
-        let own = Neighbour { index, squared: 0.0 };
-        let (mut sum, mut whole) = (nalgebra::Vector3::zeros(), 0.0);
-        for plane in near.iter().chain([&own]).filter_map(|n| planes[n.index as usize]) {
-            let off = (plane.middle - point).dot(&plane.normal);
-            let weight = biweight(off, width);
-            sum += plane.normal * (off * weight);
+        let place = cloud.offsets[index as usize];
+        let (mut sum, mut whole) = ([0.0f32; 3], 0.0);
+        for other in near.iter().map(|n| n.index).chain([index]) {
+            let (face, from) = (&faces[other as usize], cloud.offsets[other as usize]);
+            let across = |k: usize| face.normal[k] * (from[k] - place[k]);
+            let off = face.off_mm + (across(0) + across(1) + across(2));
+            let weight = biweight(f64::from(off), width) as f32 * face.counts;
+            sum = std::array::from_fn(|k| sum[k] + face.normal[k] * (off * weight));
             whole += weight;
         }
-        let by = if whole > 0.0 { sum / whole } else { sum };
-        let offset = cloud.offsets[index as usize];
-        std::array::from_fn(|k| (f64::from(offset[k]) + by[k]) as f32)
+        if whole > 0.0 { std::array::from_fn(|k| place[k] + sum[k] / whole) } else { place }
     })?;
     Ok(Outcome::Moved(moved))
+}
+
+/// The face on which a point lies, as a plane. In f32: millions of them are read in no order.
+#[derive(Clone, Copy, Default)]
+struct Face {
+    normal: [f32; 3],
+    /// How far the plane is from the point along the normal.
+    off_mm: f32,
+    /// 1; 0 where there is none.
+    counts: f32,
+}
+
+fn face_of(cloud: &Cloud, index: u32, near: &[Neighbour], radius_mm: f64, least: f64) -> Face {
+    let Some(plane) = one_sided(cloud, index, near, radius_mm, least) else { return Face::default() };
+    let off = (plane.middle - cloud.point(index as usize)).dot(&plane.normal);
+    Face { normal: plane.normal.map(|c| c as f32).into(), off_mm: off as f32, counts: 1.0 }
 }
 
 /// The plane of the face on which the point lies; `None` where no plane holds enough of its neighbours.

@@ -44,15 +44,18 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
     /// One point for each voxel that has some, the mean of those in it; nothing gained or lost.
     #[test]
-    fn thinning_keeps_the_mean_of_each_voxel(points in prop::collection::vec(prop::array::uniform3(0.0..4.0f64), 1..200),
-                                             voxel_mm in 0.3..5.0f64) {
+    fn thinning_keeps_the_mean_of_each_voxel(
+        points in prop::collection::vec(prop::array::uniform3(0.0..4.0f64), 1..200),
+        voxel_mm in 0.3..5.0f64,
+    ) {
         let points: Vec<Point3<f64>> = points.into_iter().map(Point3::from).collect();
         let cloud = Cloud {
             intensities: Some((0..points.len()).map(|i| i as f32).collect()),
             ..Cloud::of_points(&points)
         };
-        let lo = (0..3).map(|k| cloud.offsets.iter().map(|o| f64::from(o[k])).fold(f64::INFINITY, f64::min)).collect::<Vec<_>>();
-        let voxel = |i: usize| -> [i64; 3] { std::array::from_fn(|k| ((f64::from(cloud.offsets[i][k]) - lo[k]) / voxel_mm).floor() as i64) };
+        let side = |k: usize| cloud.offsets.iter().map(move |o| f64::from(o[k]));
+        let lo = [0, 1, 2].map(|k| side(k).fold(f64::INFINITY, f64::min));
+        let voxel = |i: usize| [0, 1, 2].map(|k| ((f64::from(cloud.offsets[i][k]) - lo[k]) / voxel_mm).floor() as i64);
         let mut groups: Vec<([i64; 3], Vec<usize>)> = Vec::new();
         for i in 0..points.len() {
             match groups.iter_mut().find(|g| g.0 == voxel(i)) {
@@ -154,7 +157,8 @@ fn smoothing_keeps_a_right_angle() {
     assert!(moves.iter().sum::<f64>() / (moves.len() as f64) < 0.002);
 }
 
-/// The mean of n neighbours has a noise of σ/√n: 40 points lie within 0.8 mm on a face, 0.16 σ; at the edge less is won.
+/// The mean of n neighbours has a noise of σ/√n: 40 points lie within 0.8 mm on a face, 0.16 σ; at the edge less is
+/// won.
 #[test]
 fn smoothing_takes_noise_off_both_faces_up_to_the_edge() {
     let (sharp, noisy) = (right_angle(0.0), right_angle(0.03));
@@ -171,8 +175,8 @@ fn smoothing_takes_noise_off_both_faces_up_to_the_edge() {
     }
 }
 
-/// On a cylinder of radius R a plane's middle lies r²/4R inside: 0.016 mm at r = 0.8 mm, R = 10 mm. Smoothed, the points
-/// keep nine tenths of that.
+/// On a cylinder of radius R a plane's middle lies r²/8R inside: 0.008 mm at r = 0.8 mm, R = 10 mm. Put there by the
+/// planes of all neighbours, points go in by less than a fifth of that.
 #[test]
 fn smoothing_does_not_shrink_a_cylinder() {
     let mut sequence = Sequence::new(3);
@@ -188,7 +192,7 @@ fn smoothing_does_not_shrink_a_cylinder() {
     let off: Vec<f64> =
         moved.points().filter(|p| (1.0..9.0).contains(&p.z)).map(|p| p.coords.xy().norm() - 10.0).collect();
     let mean = off.iter().sum::<f64>() / off.len() as f64;
-    assert!(mean.abs() < 0.1 * 0.8 * 0.8 / 40.0, "{mean}");
+    assert!(mean.abs() < 0.2 * 0.8 * 0.8 / 80.0, "{mean}");
 }
 
 #[test]

@@ -1,18 +1,18 @@
 //! Neighbours of all points of the cloud itself, leaf by leaf: the points of a leaf share one walk through the tree.
 //!
 //! The walk gathers all points within a reach of the leaf's box. For the `k` nearest ones the reach is a guess from the
-//! leaf before; a point that finds fewer than `k` within it (a lonely one, or where the cloud thins out) walks alone. So
-//! the guess decides on the time that is taken, never on what is found.
+//! leaf before; a point that finds fewer than `k` within it (a lonely one, or where the cloud thins out) walks alone.
+//! So the guess decides on the time that is taken, never on what is found.
 
-use super::{Neighbour, Neighbours, Node, squared_limit, squared_norm};
+use super::{Neighbour, Neighbours, Node, key, neighbour, squared_limit, squared_norm};
 use crate::progress::{Cancelled, Progress};
 use rayon::prelude::*;
 
 /// Leaves that are one piece of work, as a power of two: a guess is carried from leaf to leaf within it.
 const PIECE_HEIGHT: u32 = 6;
 
-/// The reach of a leaf, from the middle one of the squared distances to the k-th neighbour in the leaf before. With 1.25
-/// more points walk alone: a third slower; 1.5 lies between.
+/// The reach of a leaf, from the middle one of the squared distances to the k-th neighbour in the leaf before. With
+/// 1.25 more points walk alone: a third slower; 1.5 lies between.
 const REACH_OF_MIDDLE: f32 = 2.0;
 
 /// Candidates from which on the points of a leaf walk alone: its box is so large because one of them is lonely.
@@ -21,8 +21,9 @@ fn too_many(k: usize) -> usize {
 }
 
 impl Neighbours {
-    /// What `of` makes of each point and its `k` nearest others (fewer where the cloud has fewer), in the cloud's order.
-    /// The neighbours come in the same order each time, but not by distance; ties at the k-th go to the lower index.
+    /// What `of` makes of each point and its `k` nearest others (fewer where the cloud has fewer), in the cloud's
+    /// order. The neighbours come in the same order each time, but not by distance; ties at the k-th go to the lower
+    /// index.
     ///
     /// # Errors
     /// [`Cancelled`] when the work should end.
@@ -38,6 +39,7 @@ impl Neighbours {
             work.last.clear();
             for slot in self.slots(leaf) {
                 if !(shared && self.choose_nearest(slot, k, work)) {
+                    progress.check()?;
                     self.nearest_others(slot, k, &mut work.chosen);
                 }
                 let last = work.chosen.iter().map(|n| n.squared.to_bits()).max();
@@ -46,6 +48,7 @@ impl Neighbours {
             }
             let middle = work.last.len() / 2;
             work.guess = REACH_OF_MIDDLE * f32::from_bits(*work.last.select_nth_unstable(middle).1);
+            Ok(())
         })
     }
 
@@ -68,6 +71,7 @@ impl Neighbours {
                 work.choose();
                 made.push(of(self.index[slot], &work.chosen));
             }
+            Ok(())
         })
     }
 
@@ -75,7 +79,7 @@ impl Neighbours {
     fn map_leaves<T: Clone + Default + Send + Sync>(
         &self,
         progress: &Progress,
-        make: impl Fn(Node, &mut Work, &mut Vec<T>) + Sync,
+        make: impl Fn(Node, &mut Work, &mut Vec<T>) -> Result<(), Cancelled> + Sync,
     ) -> Result<Vec<T>, Cancelled> {
         let leaves = if self.is_empty() { 0 } else { 1u32 << self.height };
         let piece = 1u32 << PIECE_HEIGHT.min(self.height);
@@ -86,7 +90,7 @@ impl Neighbours {
                 let mut made = Vec::new();
                 for leaf in at * piece..(at + 1) * piece {
                     progress.check()?;
-                    make(self.leaf(leaf), work, &mut made);
+                    make(self.leaf(leaf), work, &mut made)?;
                 }
                 Ok(made)
             })
@@ -173,14 +177,6 @@ impl Neighbours {
         out.retain(|n| n.index != own);
         out.truncate(k);
     }
-}
-
-fn key(squared: f32, index: u32) -> u64 {
-    u64::from(squared.to_bits()) << 32 | u64::from(index)
-}
-
-fn neighbour(key: u64) -> Neighbour {
-    Neighbour { index: key as u32, squared: f32::from_bits((key >> 32) as u32) }
 }
 
 /// Room that one thread uses again and again.
