@@ -1,9 +1,10 @@
-//! The command line: `inspect`, `plan`, `verify`, `render`, `register`. Names, files and exit statuses are a contract.
+//! The command line: `inspect`, `plan`, `verify`, `render`, `register`, `deviation`. Names, files and exit statuses are a contract.
 //!
 //! Exit status: 0 done · 3 done, but something is blocked, missed or found · 2 wrong usage · 1 failed,
 //! with one line that says what, where and what to do.
 
 mod changed;
+mod deviation;
 mod inspect;
 mod language;
 mod legend;
@@ -54,6 +55,9 @@ pub enum CliCommand {
     /// Finds where a scan lies on its part.
     #[command(about = say!(cli_register))]
     Register(register::RegisterArguments),
+    /// Compares a scan with its part.
+    #[command(about = say!(cli_deviation))]
+    Deviation(deviation::DeviationArguments),
 }
 
 /// How a command ended.
@@ -95,6 +99,7 @@ pub fn run(command: &CliCommand) -> ExitCode {
         CliCommand::Verify(a) => verify::run(a),
         CliCommand::Render(a) => render::run(a),
         CliCommand::Register(a) => register::run(a),
+        CliCommand::Deviation(a) => deviation::run(a),
     };
     let (status, why) = match result {
         Ok(CommandOutcome::Done) => return ExitCode::SUCCESS,

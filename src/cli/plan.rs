@@ -3,7 +3,8 @@
 use super::changed::part_of;
 use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell_of_file};
 use crate::cell::{Robot, Setup};
-use crate::document::{Chosen, Job, files};
+use crate::document::model::ScanFile;
+use crate::document::{Chosen, Edit, Job, ScanEdit, files};
 use crate::planning::cures::Cure;
 use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, FileConflict};
 use crate::planning::report::PlanFinding;
@@ -23,6 +24,8 @@ pub struct PlanArguments {
     out: PathBuf,
     #[command(flatten)]
     options: PlanOptions,
+    #[arg(long, value_name = "SCAN", help = say!(cli_plan_scan))]
+    scan: Option<PathBuf>,
     #[arg(long, help = say!(cli_plan_dose))]
     dose: bool,
     #[arg(long, help = say!(cli_plan_dry_run, percent = exact(DRY_RUN_PERCENT)))]
@@ -42,7 +45,7 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
     // Under the job's own numbers, before options give others.
     let (mut job, source, findings) = part_of(job, job_file)?;
     a.options.apply(&mut job, &source)?;
-    take_files(&a.options, &mut job)?;
+    take_files(a, &mut job)?;
     // Known before the work is done, as far as names are.
     let setup = files::load_setup(&job, job_file).map_err(CommandFailure::failed)?;
     let variant = Variant { dry_run: a.dry_run, from_pass: a.from_pass };
@@ -80,14 +83,20 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
     Ok(if report.is_complete() { CommandOutcome::Done } else { CommandOutcome::Found })
 }
 
-/// Cell, head and robot that are named on the command line, by their full paths.
-fn take_files(options: &PlanOptions, job: &mut Job) -> Result<(), CommandFailure> {
+/// Scan, cell, head and robot that are named on the command line, by their full paths.
+fn take_files(a: &PlanArguments, job: &mut Job) -> Result<(), CommandFailure> {
     let full = |path: &Path| match std::path::absolute(path) {
         Ok(full) => Ok(full.display().to_string()),
         Err(e) => {
             Err(CommandFailure::Failed(say!(cli_no_path, file = path.display().to_string(), reason = e.to_string())))
         }
     };
+    let options = &a.options;
+    if let Some(scan) = &a.scan {
+        // Another scan of the same part: where the last one lay says nothing of it.
+        let files = vec![ScanFile { file: full(scan)?, ..ScanFile::default() }];
+        Edit::Scan(Box::new(ScanEdit::Files(files, job.scan.units))).apply(job, &[]);
+    }
     if let Some(cell) = options.cell() {
         job.cell.file = full(cell)?;
     }

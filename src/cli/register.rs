@@ -2,7 +2,7 @@
 
 use super::{CommandFailure, CommandOutcome, print, print_json, scans};
 use crate::document::{Job, segmented};
-use crate::planning::report::{MarkerResidual, PlacedScan, RegistrationReport};
+use crate::planning::scanned::{MarkerResidual, PlacedScan, RegistrationReport};
 use crate::progress::Progress;
 use crate::scan::marker_file::{self, SeenMarker};
 use crate::scan::registration::{RegistrationOptions, Start, SurfaceNormals, register};

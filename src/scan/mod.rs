@@ -15,6 +15,7 @@ pub mod marker_file;
 pub mod merging;
 pub mod neighbours;
 pub mod normals;
+pub mod ply_file;
 pub mod registration;
 pub mod transform_file;
 

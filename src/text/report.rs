@@ -2,6 +2,7 @@
 
 use super::dose::dose_lines;
 use super::notice::notice_line;
+use super::scan::scan_lines;
 use super::{Naming, Sentence, clock, fixed, say};
 use crate::document::Job;
 use crate::part::SurfaceId;
@@ -14,6 +15,9 @@ pub fn report_lines(report: &Report, job: &Job) -> String {
     let mut lines: Vec<String> = report.status().iter().map(Sentence::sentence).collect();
     lines.extend(notices_worst_first(report, job, &[]).iter().map(|notice| notice_line(notice, &naming)));
     lines.extend(figures(report));
+    if let Some(scan) = &report.scan {
+        lines.extend(scan_lines(scan));
+    }
     match &report.dose {
         Some(dose) => lines.extend(dose_lines(dose, &naming)),
         None => lines.push(say!(report_no_dose)),

@@ -2,8 +2,9 @@
 
 use super::number::percent;
 use super::{Sentence, exact, fixed, id, say};
-use crate::planning::report::{RegistrationReport, RivalReport, SlidingReport};
-use crate::planning::scanned::ScanError;
+use crate::planning::scanned::{
+    DeviationReport, RegistrationReport, RivalReport, ScanError, ScanReport, SlidingReport, WornPatch,
+};
 use crate::scan::file::{UnitDoubt, UnitFit};
 use crate::scan::merging::MarkerError;
 use crate::scan::registration::RegistrationError;
@@ -81,8 +82,20 @@ pub fn unit_doubt_sentence(doubt: &UnitDoubt, [cloud_mm, part_mm]: [f64; 2]) -> 
     say!(scan_unit_doubt, cloud, part, advice)
 }
 
-/// How a scan lies, a line each.
+/// How a scan lies, and where that puts the part, a line each.
 pub fn registration_lines(report: &RegistrationReport) -> Vec<String> {
+    let mut lines = how_it_lies(report);
+    lines.push(match &report.base_from_scan {
+        None => say!(register_not_placed),
+        Some(placed) => {
+            let worst = placed.residuals_mm.iter().map(|r| r.residual_mm).fold(0.0, f64::max);
+            say!(register_placed, markers = placed.residuals_mm.len(), worst = fixed(worst, 3))
+        }
+    });
+    lines
+}
+
+fn how_it_lies(report: &RegistrationReport) -> Vec<String> {
     let [rms, noise] = [report.rms_mm, report.noise_mm].map(|x| fixed(x, 3));
     let (overlap, coverage) = (percent(report.overlap, 1), percent(report.coverage, 1));
     let mut lines = vec![say!(register_found, rms, noise, overlap, coverage)];
@@ -95,13 +108,6 @@ pub fn registration_lines(report: &RegistrationReport) -> Vec<String> {
     if let Some(moved) = report.moved_by_wear_mm {
         lines.push(say!(register_wear, moved = fixed(moved, 3)));
     }
-    lines.push(match &report.base_from_scan {
-        None => say!(register_not_placed),
-        Some(placed) => {
-            let worst = placed.residuals_mm.iter().map(|r| r.residual_mm).fold(0.0, f64::max);
-            say!(register_placed, markers = placed.residuals_mm.len(), worst = fixed(worst, 3))
-        }
-    });
     lines
 }
 
@@ -128,5 +134,46 @@ impl Sentence for RivalReport {
         let Some(telling) = &self.telling else { return say!(register_rival, rms) };
         let [x, y, z] = telling.centre_mm.map(|c| fixed(c, 1));
         say!(register_rival_telling, rms, x, y, z, difference = fixed(telling.difference_mm, 2))
+    }
+}
+
+/// What a scan says of a planned part, a line each.
+pub(super) fn scan_lines(scan: &ScanReport) -> Vec<String> {
+    let mut lines: Vec<String> =
+        scan.findings.iter().map(|f| say!(in_file, file = &*f.file, what = f.finding.sentence())).collect();
+    let placed = if scan.is_placed { None } else { Some(say!(scan_not_placed)) };
+    if let Some(registration) = &scan.registration {
+        lines.extend(how_it_lies(registration));
+    }
+    lines.extend(scan.patches.iter().map(Sentence::sentence));
+    lines.extend(placed);
+    lines
+}
+
+/// How far a part is off its model, a line each; each patch is one.
+pub fn deviation_lines(report: &DeviationReport) -> Vec<String> {
+    let [rms, mean] = [report.rms_mm, report.mean_mm].map(|x| fixed(x, 3));
+    let mut lines = vec![say!(deviation_points, points = report.points, rms, mean, off = report.points_off_model)];
+    if report.unscanned_mm2 > 0.0 {
+        lines.push(say!(deviation_unscanned, area = fixed(0.01 * report.unscanned_mm2, 1)));
+    }
+    lines.extend(report.patches.iter().map(Sentence::sentence));
+    if report.patches.is_empty() {
+        lines.push(say!(deviation_none, threshold = exact(report.threshold_mm)));
+    }
+    if report.too_small > 0 {
+        lines.push(say!(deviation_too_small, patches = report.too_small));
+    }
+    lines
+}
+
+impl Sentence for WornPatch {
+    fn sentence(&self) -> String {
+        let [x, y, z] = self.deepest_at.map(|c| fixed(c, 1));
+        let (depth, area, volume) = (fixed(self.depth_mm, 2), fixed(self.area_mm2, 1), fixed(self.volume_mm3, 2));
+        match self.kind {
+            "missing" => say!(deviation_missing, depth, x, y, z, area, volume),
+            _ => say!(deviation_surplus, depth, x, y, z, area, volume),
+        }
     }
 }

@@ -13,6 +13,7 @@ cli_inspect_weld = Corners that become one: auto (equal ones; to close open edge
 cli_plan = Plan a job and write job, program, report and path into a folder
 cli_plan_input = Part or job
 cli_plan_out = Folder for the files of the plan
+cli_plan_scan = Scan of the part as it is: it is laid on the part, and patches where more than --min-depth is missing are planned
 cli_plan_dose = Compute the dose and write dose.ply; a job with a threshold of [dose] has it without this
 cli_plan_dry_run = Write the dry run in place of the program: the same motion at { $percent } % of its speed, every output off, names of its own
 cli_plan_from_pass = Write the program from pass N on, as path.csv counts them from 0, to go on after a stop; names of its own
@@ -32,6 +33,11 @@ cli_register_scans = Scan: PLY, PCD, XYZ, TXT, CSV, PTS, PTX, E57 or a mesh; sev
 cli_register_part = Part that was scanned
 cli_register_markers = File of [[marker]] with name, scan_mm, base_mm: where the robot touched what the scan shows
 cli_register_transform = Start from the model_from_scan of this file, in place of any position
+cli_deviation = Compare a scan with its part: how far the part is off, and where that is wear
+cli_deviation_scan = Scan: PLY, PCD, XYZ, TXT, CSV, PTS, PTX, E57 or a mesh
+cli_deviation_out = PLY to write: the points on the part, with deviation_mm (above 0 outside) and depth_mm (smoothed, above 0 where material is missing)
+cli_deviation_min_depth = What is missing, or too much, by more than this is a patch
+cli_deviation_transform = Take model_from_scan from this file, in place of looking for it
 cli_render_color = What the colours show: surface, dose or incidence
 
 ## Values that are refused

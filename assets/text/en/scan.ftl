@@ -51,3 +51,15 @@ markers_too_few = { $count ->
 }: give three or more that are not on one line
 markers_on_a_line = its markers are on one line, so the turn about it is open; add one beside the line
 marker_no_number = marker { $marker } has a place that is no number
+
+## How far the part is off
+deviation_points = { $points } points on the part, { $rms } mm rms, mean { $mean } mm; { $off } points are none of it
+deviation_unscanned = { $area } cm² of the part has no points; what is there is unknown
+deviation_none = nothing is off by more than { $threshold } mm
+deviation_missing = deepest { $depth } mm at ({ $x }, { $y }, { $z }): { $area } mm², { $volume } mm³ missing
+deviation_surplus = highest { $depth } mm at ({ $x }, { $y }, { $z }): { $area } mm², { $volume } mm³ too much
+deviation_too_small = { $patches ->
+    [one] one patch is
+   *[other] { $patches } patches are
+} too small for the density of the scan
+scan_not_placed = nothing is known of where the scanner stands, so the part stands in the cell as the cell file says, not as it was scanned

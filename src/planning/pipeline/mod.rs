@@ -8,7 +8,6 @@ mod current;
 mod scan_stages;
 mod syncing;
 
-
 use super::error::{PartError, PlanError, PlanningError};
 use super::executor::Executor;
 use super::failure::Failure;
@@ -29,8 +28,6 @@ use scan_stages::ScanStages;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-pub use scan_stages::Scanned;
 
 /// What changed while the pipeline was brought up to date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

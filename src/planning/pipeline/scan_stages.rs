@@ -4,7 +4,9 @@
 use super::super::executor::Executor;
 use super::super::failure::Failure;
 use super::super::key::ScanKeys;
-use super::super::scanned::{ComparedScan, LaidScan, ReadScan, ScanError, WornPart, compare, lay, read_scan, worn};
+use super::super::scanned::{
+    ComparedScan, LaidScan, ReadScan, ScanError, Scanned, WornPart, compare, lay, read_scan, worn,
+};
 use super::super::stage::Stage;
 use crate::document::Job;
 use crate::part::{Part, Surfaces};
@@ -21,21 +23,6 @@ pub(super) struct ScanStages {
     pub(super) laid: Stage<LaidScan, ScanError>,
     pub(super) compared: Stage<ComparedScan, ScanError>,
     pub(super) worn: Stage<WornPart, ScanError>,
-}
-
-/// What is known of the scan of the job that was synced last, as far as it has come.
-#[derive(Clone, Debug)]
-pub struct Scanned {
-    /// As read.
-    pub read: Arc<ReadScan>,
-    /// Cleaned.
-    pub cleaned: Option<Arc<Cleaned>>,
-    /// On the part.
-    pub laid: Option<Arc<LaidScan>>,
-    /// Compared with it.
-    pub compared: Option<Arc<ComparedScan>>,
-    /// The part with its patches.
-    pub worn: Option<Arc<WornPart>>,
 }
 
 impl ScanStages {

@@ -8,9 +8,10 @@ use super::super::making::plan;
 use super::super::planned::PlannedJob;
 use super::super::preview;
 use super::super::report::{Report, in_file, notices_worst_first};
+use super::super::scanned::ScanReport;
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
-use crate::cell::Frame;
+use crate::cell::{Frame, Mount};
 use crate::document::files::{self, JobError};
 use crate::document::stamps::Stamps;
 use crate::document::{Job, segmented};
@@ -141,8 +142,11 @@ impl Pipeline {
         let is_laid = !self.with_lines || !self.lines.is_running();
         if is_laid && self.plan.lacks(keys.plan) {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
+            let scanned = self.scanned();
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
-                let plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
+                let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
+                let is_placed = job.scan.base_from_scan.is_some() && setup.mount == Mount::ToolInHand;
+                plan.scan = scanned.and_then(|s| ScanReport::new(&s, is_placed));
                 let in_file = in_file(&part, &surfaces, &job, progress)?;
                 let report = Report::new(&plan, &surfaces).with_inputs(&in_file, &job, &setup);
                 let notices = notices_worst_first(&report, &job, &in_file);

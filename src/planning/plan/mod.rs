@@ -9,6 +9,7 @@ pub mod surface_plan;
 pub mod taken_by;
 pub mod toolpath;
 
+use super::scanned::ScanReport;
 use crate::cell::motion::{Choice, Refusal};
 use crate::part::{GrownPart, SurfaceId};
 use crate::pose::{Pass, TargetState};
@@ -44,6 +45,8 @@ pub struct Plan {
     pub proof: Option<Proof>,
     /// The frames it was made for.
     pub cell: Option<CellReport>,
+    /// The scan whose patches it works; `None`: it works surfaces of the model.
+    pub scan: Option<ScanReport>,
 }
 
 impl Plan {

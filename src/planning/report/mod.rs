@@ -9,7 +9,6 @@ mod notice;
 mod plan_finding;
 mod plan_status;
 mod problem;
-mod registration;
 mod rows;
 mod unproven;
 mod unverified;
@@ -21,7 +20,6 @@ pub use nothing::{BareSurface, BlockedBy, NothingReason, is_dark};
 pub use notice::{Notice, Severity, notices_worst_first};
 pub use plan_finding::{PlanFinding, UnverifiedOf};
 pub use plan_status::{Grade, PlanStatus};
-pub use registration::{MarkerResidual, PlacedScan, RegistrationReport, RivalReport, SlidingReport};
 pub use problem::{NotDone, Problem, problems};
 pub use rows::{OrderReport, SplitReport, SurfaceReport};
 pub use unproven::Unproven;
@@ -30,6 +28,7 @@ pub use written_files::{DryRunReport, FileDigest, StandingProgram, WrittenFiles}
 use super::cell_report::CellReport;
 use super::dose::DoseReport;
 use super::plan::Plan;
+use super::scanned::{ScanReport, WornPatch};
 use crate::cell::Setup;
 use crate::document::Job;
 use crate::document::files::InputDigest;
@@ -112,6 +111,12 @@ pub struct Report {
     /// The frames that were used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<CellReport>,
+    /// How the scan lies on the part; `None` where the job has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scan: Option<ScanReport>,
+    /// What is worn or built up by the scan, the farthest off first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub patches: Option<Vec<WornPatch>>,
     /// The files that it was planned from, as they were when it was exported; only what is exported has them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<InputDigest>,
@@ -181,6 +186,8 @@ impl Report {
             min_clearance_mm: clearance.reduce(f64::min),
             dose: None,
             cell: plan.cell.clone(),
+            scan: plan.scan.clone(),
+            patches: plan.scan.as_ref().map(|s| s.patches.clone()),
             inputs: Vec::new(),
             written: None,
         }

@@ -7,7 +7,9 @@ use crate::part::patched::{PatchCut, PatchSurface, PatchedPart, RefinedFacets, w
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::progress::{Cancelled, Progress};
 use crate::scan::deviation::unscanned::unscanned_mm2;
-use crate::scan::deviation::{Deviation, DeviationRules, DeviationStatistics, PatchKind, PatchRules, Patches, SmoothedDepths};
+use crate::scan::deviation::{
+    Deviation, DeviationRules, DeviationStatistics, PatchKind, PatchRules, Patches, SmoothedDepths,
+};
 use nalgebra::Point3;
 use std::sync::Arc;
 

@@ -56,11 +56,8 @@ fn options(part: &Part, scan: &JobScan) -> RegistrationOptions {
         onto: Point3::from(p.model_mm),
         weight: 1.0,
     };
-    let start = if scan.pairs.is_empty() {
-        Start::Anywhere
-    } else {
-        Start::Pairs(scan.pairs.iter().map(pair).collect())
-    };
+    let start =
+        if scan.pairs.is_empty() { Start::Anywhere } else { Start::Pairs(scan.pairs.iter().map(pair).collect()) };
     let is_left_out = |f: usize| scan.left_out.iter().any(|region| region.contains(&part.mesh.centroid(f)));
     let facets = match scan.left_out.is_empty() {
         true => Vec::new(),

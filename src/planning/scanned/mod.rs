@@ -2,11 +2,19 @@
 //! compared with it. Each step is a stage of the pipeline; here is what each does, and why it has no value.
 
 mod comparing;
+mod deviation_report;
 mod error;
 mod laying;
 mod reading;
+mod registration_report;
+mod scan_report;
+mod so_far;
 
 pub use comparing::{ComparedScan, WornPart, compare, worn};
+pub use deviation_report::{DeviationReport, WornPatch};
 pub use error::ScanError;
 pub use laying::{LaidScan, lay};
 pub use reading::{ReadScan, read_scan};
+pub use registration_report::{MarkerResidual, PlacedScan, RegistrationReport, RivalReport, SlidingReport};
+pub use scan_report::ScanReport;
+pub use so_far::Scanned;
