@@ -47,12 +47,14 @@ fn cloud(places: Vec<[f32; 3]>) -> CloudItem {
     }
 }
 
-/// Points on a sphere around the origin, evenly, in rows as a scanner has them (Fibonacci's spiral).
+/// Points on a sphere around the origin, evenly, in rows as a scanner has them.
 fn sphere(count: usize, radius_mm: f64) -> Vec<[f32; 3]> {
-    let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+    let rows = (count as f64).sqrt();
     let at = |i: usize| {
-        let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
-        let (sin, cos) = libm::sincos(golden * i as f64);
+        let share = (i as f64 + 0.5) / count as f64;
+        let z = 1.0 - 2.0 * share;
+        // So many turns of a spiral as there are rows.
+        let (sin, cos) = libm::sincos(libm::acos(z) * rows * 2.0);
         let r = (1.0 - z * z).sqrt();
         [r * cos, r * sin, z].map(|x| (radius_mm * x) as f32)
     };
@@ -122,6 +124,7 @@ fn points_in_a_surface_are_seen_and_those_behind_it_as_far_as_they_are_lifted() 
 fn dots_grow_with_the_displays_scale_and_a_little_with_zoom() {
     let gl = thread_gl();
     let mut renderer = Renderer::new(gl.gl()).expect("OpenGL 3.3");
+    let empty = drawn(&mut renderer, &Scene::default(), &Camera::default());
     // Two far ones give the cloud its size.
     let scene = Scene { clouds: vec![cloud(vec![[0.0; 3], [-20.0; 3], [20.0; 3]])], ..Scene::default() };
     let mut side_px = |zoom: f64, px_per_point: f32| {
@@ -132,10 +135,11 @@ fn dots_grow_with_the_displays_scale_and_a_little_with_zoom() {
         renderer.draw_in_detail(&scene, &camera, SIZE_PX, detail).expect("draws");
         let picture = renderer.read_rgba();
         // The middle one alone, by the light it gives: it may lie between pixels.
-        let (x, y) = (130..190, 90..150);
-        let ground = f64::from(renderer.read_rgba().get_pixel(100, 120)[0]);
-        let share = |x, y| (f64::from(picture.get_pixel(x, y)[0]) - ground).max(0.0) / (f64::from(RED[0]) - ground);
-        y.flat_map(|y| x.clone().map(move |x| (x, y))).map(|(x, y)| share(x, y)).sum::<f64>().sqrt()
+        let share = |x, y| {
+            let [seen, ground] = [&picture, &empty].map(|p| f64::from(p.get_pixel(x, y)[0]));
+            (seen - ground) / (f64::from(RED[0]) - ground)
+        };
+        (90..150).flat_map(|y| (130..190).map(move |x| (x, y))).map(|(x, y)| share(x, y)).sum::<f64>().sqrt()
     };
     let fitted = side_px(1.0, 1.0);
     assert!((1.7..2.8).contains(&fitted), "{fitted}");
@@ -182,7 +186,7 @@ fn colours_travel_alone_and_turning_uploads_nothing() {
 fn fewer_points_cover_the_part_as_evenly_as_all() {
     let gl = thread_gl();
     let mut renderer = Renderer::new(gl.gl()).expect("OpenGL 3.3");
-    let scene = Scene { clouds: vec![cloud(sphere(1_000_000, 20.0))], ..Scene::default() };
+    let scene = Scene { clouds: vec![cloud(sphere(600_000, 20.0))], ..Scene::default() };
     let camera = camera(StandardView::Iso, 20.0, SIZE_PX);
     let whole = drawn(&mut renderer, &scene, &camera);
     let moving = CloudDetail { thinned: true, ..CloudDetail::default() };
@@ -196,7 +200,8 @@ fn fewer_points_cover_the_part_as_evenly_as_all() {
     };
     for quarter in 0..4 {
         let share = in_quarter(&thinned, quarter) / in_quarter(&whole, quarter);
-        assert!((0.97..1.03).contains(&share), "{share} of quarter {quarter}");
+        // Larger dots reach farther over the rim, and it is not smoothed.
+        assert!((0.98..1.06).contains(&share), "{share} of quarter {quarter}");
     }
 }
 
@@ -229,15 +234,21 @@ fn the_view_is_thinned_while_it_turns_and_whole_once_it_rests() {
         .renderer(GlowTestRenderer::new())
         .build_eframe(|cc| {
             let mut viewport = Viewport::new(cc.gl.clone().expect("a context")).expect("OpenGL 3.3");
+            viewport.labels.name = "View cube".to_owned();
+            viewport.name = "3D view".to_owned();
             viewport.reset(bounds(20.0));
-            // Far fewer dots than pixels, so that each one less is seen.
-            let mut places = sphere(400_000, 0.05);
-            places.extend(sphere(2000, 20.0));
+            // The visible ones are far fewer dots than pixels, so that each one less is seen.
+            let mut places = vec![[0.0; 3]; 600_000];
+            places.iter_mut().step_by(300).zip(sphere(2000, 20.0)).for_each(|(place, on_sphere)| *place = on_sphere);
             let item = CloudItem { size_points: 1.0, ..cloud(places) };
             CloudApp { viewport, scene: Arc::new(Scene { clouds: vec![item], ..Scene::default() }) }
         });
     app.run();
-    let before = red_pixels(&app.render().expect("renders"));
+    // How red the whole picture is: single dots are smoothed.
+    let redness = |picture: image::RgbaImage| {
+        picture.pixels().map(|p| f64::from(p[0]) - 0.5 * (f64::from(p[1]) + f64::from(p[2]))).map(|r| r.max(0.0)).sum()
+    };
+    let before: f64 = redness(app.render().expect("renders"));
     let pointer = |app: &mut Harness<'_, CloudApp>, x: f32, pressed: Option<bool>| {
         let pos = Pos2::new(x, 200.0);
         app.event(Event::PointerMoved(pos));
@@ -251,23 +262,23 @@ fn the_view_is_thinned_while_it_turns_and_whole_once_it_rests() {
     for step in 1..5 {
         pointer(&mut app, 100.0 + 7.0 * step as f32, None);
     }
-    let turning = red_pixels(&app.render().expect("renders"));
-    assert!(turning < before * 9 / 10, "{turning} of {before}");
+    let turning = redness(app.render().expect("renders"));
+    assert!(turning < before * 0.8, "{turning} of {before}");
     // A short halt of the hand changes nothing; a longer one does, with the button still down.
     app.run_steps(4);
-    let halted = red_pixels(&app.render().expect("renders"));
-    assert!(halted < before * 9 / 10, "{halted} of {before}");
+    let halted = redness(app.render().expect("renders"));
+    assert!(halted < before * 0.8, "{halted} of {before}");
     assert!(repaint_in(&app) < Duration::from_secs(1), "the whole picture is asked for");
     app.run_steps(12);
-    let rested = red_pixels(&app.render().expect("renders"));
-    assert!(rested > before * 9 / 10, "{rested} of {before}");
+    let rested = redness(app.render().expect("renders"));
+    assert!(rested > before * 0.95, "{rested} of {before}");
     pointer(&mut app, 128.0, Some(false));
     app.run_steps(3);
     assert!(repaint_in(&app) > Duration::from_secs(60), "an idle window repaints nothing");
     // A cut is whole at once.
     app.state_mut().viewport.reset(bounds(20.0));
     app.run();
-    assert_eq!(red_pixels(&app.render().expect("renders")), before);
+    assert_eq!(redness(app.render().expect("renders")), before);
 }
 
 /// A plate of 40 mm with a worn hollow, as a model with a finer middle, and a scan of it.
@@ -371,6 +382,14 @@ fn wear_is_seen_on_the_points_and_on_the_model() {
     }
 }
 
+/// Processor time of this process so far, all threads, ms: on a machine that is shared, wall time says little.
+fn cpu_ms() -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let after_name = stat.rsplit(')').next().unwrap_or_default();
+    let ticks = after_name.split_whitespace().skip(11).take(2).filter_map(|t| t.parse::<f64>().ok());
+    ticks.sum::<f64>() * 10.0
+}
+
 /// `cargo test --release --test cloud figures -- --ignored --nocapture`: pictures a second of a million points.
 #[test]
 #[ignore = "figures, not a check"]
@@ -378,31 +397,30 @@ fn figures() {
     let gl = thread_gl();
     let mut renderer = Renderer::new(gl.gl()).expect("OpenGL 3.3");
     let size_px = [1600, 1000];
-    for count in [1_000_000, 5_000_000] {
+    let counts = std::env::var("CLEARBEAM_POINTS").ok().and_then(|n| n.parse().ok()).unwrap_or(1_000_000);
+    for count in [1, counts] {
         let scene = Scene { clouds: vec![cloud(sphere(count, 20.0))], ..Scene::default() };
         let mut camera = camera(StandardView::Iso, 20.0, size_px);
-        let started = Instant::now();
+        let (started, before) = (Instant::now(), cpu_ms());
         renderer.draw(&scene, &camera, size_px).expect("draws");
         renderer.read_rgba();
-        println!("{count} points, first picture: {:.0} ms", started.elapsed().as_secs_f64() * 1e3);
-        for zoom in [1.0, 4.0] {
-            for thinned in [true, false] {
-                let detail = CloudDetail { px_per_point: 1.0, thinned };
-                camera.distance_mm /= zoom;
-                let (started, rounds) = (Instant::now(), 20);
-                for _ in 0..rounds {
-                    camera.orbit(5.0, 1.0);
-                    renderer.draw_in_detail(&scene, &camera, size_px, detail).expect("draws");
-                    // As the window does; and until it is read, a picture may not be there yet.
-                    renderer.read_rgba();
-                }
-                let each_ms = started.elapsed().as_secs_f64() * 1e3 / f64::from(rounds);
-                println!(
-                    "{count} points, zoom {zoom}, thinned {thinned}: {each_ms:.1} ms, {:.0} a second",
-                    1e3 / each_ms
-                );
-                camera.distance_mm *= zoom;
+        let wall_ms = started.elapsed().as_secs_f64() * 1e3;
+        println!("{count} points, first picture: {wall_ms:.0} ms, {:.0} ms of processor", cpu_ms() - before);
+        for (zoom, thinned) in [(1.0, true), (1.0, false), (4.0, true), (4.0, false)] {
+            camera.distance_mm /= zoom;
+            let detail = CloudDetail { px_per_point: 1.0, thinned };
+            let (started, before, rounds) = (Instant::now(), cpu_ms(), 10);
+            for _ in 0..rounds {
+                camera.orbit(5.0, 1.0);
+                renderer.draw_in_detail(&scene, &camera, size_px, detail).expect("draws");
+                // One pixel of it: until something is read, the picture may not be there yet.
+                // SAFETY: a query of a context that is current.
+                unsafe { egui_glow::glow::HasContext::finish(&*gl.gl()) };
             }
+            let [wall_ms, cpu_ms] =
+                [started.elapsed().as_secs_f64() * 1e3, cpu_ms() - before].map(|ms| ms / f64::from(rounds));
+            println!("{count} points, zoom {zoom}, thinned {thinned}: {wall_ms:.1} ms, {cpu_ms:.1} ms of processor");
+            camera.distance_mm *= zoom;
         }
     }
 }

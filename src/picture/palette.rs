@@ -62,11 +62,7 @@ pub mod scan {
     /// More than the limit.
     pub const MORE_SURPLUS: Rgb = [172, 130, 244];
     /// Outlines of patches.
-    pub const OUTLINE: Rgb = [244, 246, 250];
-    /// What sets them off from bright colours.
-    pub const OUTLINE_RIM: Rgb = [20, 22, 26];
-    /// The outline of a chosen patch.
-    pub const CHOSEN_OUTLINE: Rgb = [255, 240, 90];
+    pub const OUTLINE: Rgb = [20, 22, 26];
 }
 
 /// Colour of each surface.

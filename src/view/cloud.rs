@@ -59,7 +59,7 @@ impl CloudItem {
 pub struct CloudDetail {
     /// Pixels a point of the display.
     pub px_per_point: f32,
-    /// Only so many points as can be drawn again at once, because the camera moves.
+    /// Only so many points as can be drawn again at once, because the camera moves; the whole picture is coarser then.
     pub thinned: bool,
 }
 

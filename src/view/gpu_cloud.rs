@@ -11,7 +11,7 @@ use three_d::{Context, DepthTest, Program, RenderStates, Vec2, Vec3, Vec4, Verte
 
 /// Points that a moving camera may see where a processor stands in for the graphics card. See `tests/cloud.rs` for what
 /// they cost.
-const MOVING_IN_SOFTWARE: u32 = 250_000;
+const MOVING_IN_SOFTWARE: u32 = 150_000;
 /// The same on a graphics card: any of the last ten years draws so many twenty times a second.
 const MOVING_IN_HARDWARE: u32 = 4_000_000;
 /// How much a dot grows at most by zooming in: more would be tiles.

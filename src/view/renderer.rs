@@ -15,7 +15,7 @@ use super::gpu_mesh::{DrawPass, MeshPrograms};
 use super::gpu_strokes::StrokePrograms;
 use super::lens::ViewSize;
 use super::scene::{Depth, Scene};
-use super::target::RenderTarget;
+use super::target::{RenderTarget, Smoothing};
 use super::to_three_d::CameraUniforms;
 use std::sync::Arc;
 use three_d::context::{self as gl, HasContext as _};
@@ -109,20 +109,21 @@ impl Renderer {
             return Ok(false);
         }
         let size_px = size_px.map(|px| px.min(self.largest_side_px));
-        let same_size = self.target.as_ref().is_some_and(|target| target.size_px() == size_px);
         // Where no cloud shows it, detail makes no other picture.
         let detail = if scene.clouds.is_empty() { CloudDetail::default() } else { detail };
         let detail = CloudDetail { thinned: detail.thinned && self.thins(scene), ..detail };
+        let smoothing = if detail.thinned { Smoothing::One } else { Smoothing::Four };
+        let fits = self.target.as_ref().is_some_and(|target| target.is(size_px, smoothing));
         let wanted = (scene.stamp(), *camera, detail);
-        if same_size && self.drawn.as_ref() == Some(&wanted) {
+        if fits && self.drawn.as_ref() == Some(&wanted) {
             return Ok(false);
         }
         let _restored_on_return = SavedState::save(&self.context);
         self.drawn = None;
-        let kept = self.target.take().filter(|_| same_size);
+        let kept = self.target.take().filter(|_| fits);
         let target = match kept {
             Some(target) => target,
-            None => RenderTarget::new(&self.context, size_px)?,
+            None => RenderTarget::new(&self.context, size_px, smoothing)?,
         };
         self.cache.follow(scene);
         target.begin();

@@ -1,4 +1,4 @@
-//! Where a picture is drawn: a multisampled framebuffer and the plain one it is resolved into.
+//! Where a picture is drawn: a framebuffer, multisampled unless it is in a hurry, and the plain one it is resolved into.
 //!
 //! Plain glow instead of three-d's render targets: those make and delete a framebuffer object
 //! at every use and hide the one that the window must copy from.
@@ -7,13 +7,20 @@ use super::error::{DriverObject, ViewError};
 use std::sync::Arc;
 use three_d::context::{self as gl, HasContext as _};
 
-/// Samples per pixel. Four make edges and thin lines calm; more cost software OpenGL dearly.
-const SAMPLES: i32 = 4;
+/// Samples per pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Smoothing {
+    /// Four make edges and thin lines calm; more cost software OpenGL dearly.
+    Four,
+    /// One: in a third of the time, for pictures that are gone in a moment.
+    One,
+}
 
 /// One size of picture.
 pub(super) struct RenderTarget {
     gl: Arc<gl::Context>,
     size_px: [u32; 2],
+    smoothing: Smoothing,
     drawn: gl::Framebuffer,
     resolved: gl::Framebuffer,
     renderbuffers: [gl::Renderbuffer; 3],
@@ -21,12 +28,15 @@ pub(super) struct RenderTarget {
 
 impl RenderTarget {
     /// Allocates; the size must be at least 1 × 1 and within the driver's limit.
-    pub fn new(gl: &Arc<gl::Context>, size_px: [u32; 2]) -> Result<Self, ViewError> {
+    pub fn new(gl: &Arc<gl::Context>, size_px: [u32; 2], smoothing: Smoothing) -> Result<Self, ViewError> {
         let refuse = |reason: String| ViewError::Driver { what: DriverObject::Framebuffer, reason };
         // SAFETY: fresh objects of a current context; the caller holds a SavedState, which
         // undoes the bindings. Objects leak on the error path, which ends the 3D view anyway.
         unsafe {
-            let samples = gl.get_parameter_i32(gl::MAX_SAMPLES).min(SAMPLES);
+            let samples = match smoothing {
+                Smoothing::Four => gl.get_parameter_i32(gl::MAX_SAMPLES).min(4),
+                Smoothing::One => 0,
+            };
             let drawn = gl.create_framebuffer().map_err(refuse)?;
             let resolved = gl.create_framebuffer().map_err(refuse)?;
             let [color, depth, plain] = [
@@ -46,7 +56,8 @@ impl RenderTarget {
                 gl.bind_framebuffer(gl::FRAMEBUFFER, Some(framebuffer));
                 gl.framebuffer_renderbuffer(gl::FRAMEBUFFER, attachment, gl::RENDERBUFFER, Some(buffer));
             }
-            let target = Self { gl: Arc::clone(gl), size_px, drawn, resolved, renderbuffers: [color, depth, plain] };
+            let renderbuffers = [color, depth, plain];
+            let target = Self { gl: Arc::clone(gl), size_px, smoothing, drawn, resolved, renderbuffers };
             for framebuffer in [drawn, resolved] {
                 gl.bind_framebuffer(gl::FRAMEBUFFER, Some(framebuffer));
                 let status = gl.check_framebuffer_status(gl::FRAMEBUFFER);
@@ -60,6 +71,10 @@ impl RenderTarget {
 
     pub fn size_px(&self) -> [u32; 2] {
         self.size_px
+    }
+
+    pub fn is(&self, size_px: [u32; 2], smoothing: Smoothing) -> bool {
+        (self.size_px, self.smoothing) == (size_px, smoothing)
     }
 
     /// Makes the multisampled framebuffer the one that is drawn into, with depth cleared. The
