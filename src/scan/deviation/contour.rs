@@ -16,6 +16,8 @@ pub(super) struct Deep {
     pub(super) area_mm2: f64,
     /// Integral of the depth over it, mm³.
     pub(super) volume_mm3: f64,
+    /// Slope of the depth across the threshold, summed along that, mm: how fast the depth ends there.
+    pub(super) slope_mm: f64,
     /// Integral of the place over it, mm³.
     pub(super) moment: Vector3<f64>,
     /// Its sides in order, wound as the triangle is, and whether each runs through the triangle (where the
@@ -51,19 +53,30 @@ pub(super) fn deep_part(field: &DepthField, triangle: u32, sign: f64, least_mm: 
         }
     }
     let (origin, first_depth) = (nodes[0].1, nodes[0].2);
-    let mut deep = Deep { triangle, area_mm2: 0.0, volume_mm3: 0.0, moment: Vector3::zeros(), sides: Vec::new() };
+    let mut deep =
+        Deep { triangle, area_mm2: 0.0, volume_mm3: 0.0, slope_mm: 0.0, moment: Vector3::zeros(), sides: Vec::new() };
     for pair in nodes[1..].windows(2) {
         let area = 0.5 * (pair[0].1 - origin).cross(&(pair[1].1 - origin)).norm();
         deep.area_mm2 += area;
         deep.volume_mm3 += area * (first_depth + pair[0].2 + pair[1].2) / 3.0;
         deep.moment += (origin.coords + pair[0].1.coords + pair[1].1.coords) * (area / 3.0);
     }
-    for (i, (node, ..)) in nodes.iter().enumerate() {
-        let next = nodes[(i + 1) % nodes.len()].0;
+    for (i, (node, at, _)) in nodes.iter().enumerate() {
+        let (next, onto, _) = nodes[(i + 1) % nodes.len()];
         let through = node[0] != node[1] && next[0] != next[1];
+        if through {
+            deep.slope_mm += slope(&corners.map(|v| field.vertices[v as usize]), &depth) * (onto - at).norm();
+        }
         deep.sides.push((*node, next, through));
     }
     Some(deep)
+}
+
+/// Steepness of a depth that is linear on a triangle, mm/mm; 0 on one without area.
+fn slope([a, b, c]: &[Point3<f64>; 3], depth: &[f64; 3]) -> f64 {
+    let twice_area = (b - a).cross(&(c - a)).norm();
+    let turned = (b - a) * (depth[2] - depth[0]) - (c - a) * (depth[1] - depth[0]);
+    if twice_area > 0.0 { turned.norm() / twice_area } else { 0.0 }
 }
 
 #[cfg(test)]

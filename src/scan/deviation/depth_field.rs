@@ -4,6 +4,7 @@
 
 use super::SmoothedDepths;
 use super::refined::refined;
+use super::smoothing::Room;
 use crate::part::Part;
 use crate::part::topology::FacetDefect;
 use crate::progress::{Cancelled, Progress};
@@ -11,8 +12,9 @@ use crate::scan::neighbours::Neighbours;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Longest side of a triangle, in radii of the disc that a depth is smoothed over. Half of it changes area and volume
-/// of a patch by less than 0.1 %, twice of it by 1 % (wear 20 mm wide at 10 points/mm²).
+/// Longest side of a triangle, in radii of the disc that a depth is smoothed over: finer than anything that is left in
+/// the depths. At 10 points/mm² 0.4 mm; without noise area and volume of wear 0.2 mm deep and 20 mm wide come out within
+/// 0.1 %.
 const CELL: f64 = 0.35;
 /// Triangles of a field, about; where more would be needed they are made larger. 60 MB.
 const MOST: usize = 500_000;
@@ -74,15 +76,15 @@ impl DepthField {
         progress.check()?;
         let made = refined(part, taken.into_iter(), 2 * MOST, is_too_large, progress)?;
         let normals = normals_at(part, made.vertices.len(), &made.triangles, &made.parent);
-        let depth_at = |near: &mut Vec<_>, at: usize| {
+        let depth_at = |room: &mut Room, at: usize| {
             if at % 64 == 0 {
                 progress.check()?;
             }
             let place = &made.vertices[at];
-            Ok(depths.depth_with(place, &normals[at], near).unwrap_or(f64::NAN))
+            Ok(depths.depth_with(place, &normals[at], room).unwrap_or(f64::NAN))
         };
         let vertices = (0..made.vertices.len()).into_par_iter();
-        let depth_mm = vertices.map_init(Vec::new, depth_at).collect::<Result<_, Cancelled>>()?;
+        let depth_mm = vertices.map_init(Room::default, depth_at).collect::<Result<_, Cancelled>>()?;
         Ok(DepthField { vertices: made.vertices, triangles: made.triangles, parent: made.parent, depth_mm })
     }
 

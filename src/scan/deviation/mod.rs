@@ -7,6 +7,7 @@
 
 mod contour;
 pub mod depth_field;
+mod local_fit;
 mod order;
 mod outline;
 pub mod patches;

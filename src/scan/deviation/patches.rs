@@ -95,7 +95,7 @@ impl Patches {
                     too_small += 1;
                 } else {
                     progress.check()?;
-                    patches.extend(patch(&field, kind, &parts, rules.min_depth_mm));
+                    patches.extend(patch(&field, kind, &parts, rules.min_depth_mm, depths.radius_mm()));
                 }
             }
         }
@@ -135,7 +135,10 @@ fn connected(part: &Part, field: &DepthField, kind: PatchKind, least_mm: f64) ->
     found.into_values().collect()
 }
 
-fn patch(field: &DepthField, kind: PatchKind, parts: &[Deep], least_mm: f64) -> Option<Patch> {
+/// What smoothing takes off the volume is given back: it lowers a depth by r²/8 × the sum of
+/// its second derivatives, and the integral of that over an area is the slope summed along its outline (Gauss). Of wear
+/// 0.2 mm deep and 20 mm wide it is 1 %.
+fn patch(field: &DepthField, kind: PatchKind, parts: &[Deep], least_mm: f64, radius_mm: f64) -> Option<Patch> {
     let sum = |of: fn(&Deep) -> f64| parts.iter().map(of).sum::<f64>();
     let area_mm2 = sum(|p| p.area_mm2);
     let moment = parts.iter().fold(Vector3::zeros(), |sum, p| sum + p.moment);
@@ -156,7 +159,7 @@ fn patch(field: &DepthField, kind: PatchKind, parts: &[Deep], least_mm: f64) -> 
         area_mm2,
         depth_mm: amount(deepest),
         deepest_at: field.vertices[deepest as usize],
-        volume_mm3: sum(|p| p.volume_mm3),
+        volume_mm3: sum(|p| p.volume_mm3) + 0.125 * radius_mm * radius_mm * sum(|p| p.slope_mm),
         centre: Point3::from(moment / area_mm2),
         facets,
         triangles,

@@ -1,11 +1,9 @@
 //! What all distances say together: mean, spread, percentiles, shares, histogram. Of the points on the model alone; how
 //! many are not is told beside it.
 
+use super::smoothing::SIGMA_OF_MEDIAN;
 use super::{Deviation, Footing};
 use rayon::prelude::*;
-
-/// The standard deviation of normally distributed numbers, from the median of their amounts: 1 / Φ⁻¹(3/4).
-const SIGMA_OF_MEDIAN: f64 = 1.4826;
 
 /// Figures of the signed distances, mm. Without points on the model the figures are 0.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,6 +1,7 @@
 //! How much of the model was not scanned: its facets are looked at in pieces not larger than the scan resolves.
 
 use super::SmoothedDepths;
+use super::smoothing::Room;
 use crate::part::Part;
 use crate::part::topology::FacetDefect;
 use crate::progress::{Cancelled, Progress};
@@ -9,6 +10,8 @@ use rayon::prelude::*;
 
 /// Pieces of all facets together, about: beyond it they are made larger.
 const MOST: f64 = 2e6;
+/// Halvings of a facet at most: a square metre in pieces of a millimetre takes 20.
+const HALVINGS: u32 = 24;
 
 /// Area of the model without points, mm². Exact to the size of a piece along the rims of what was scanned.
 ///
@@ -18,51 +21,31 @@ pub fn unscanned_mm2(part: &Part, depths: &SmoothedDepths, progress: &Progress) 
     let mesh = &part.mesh;
     let proper: Vec<usize> = (0..mesh.facets.len()).filter(|&f| mesh.defects[f] == FacetDefect::None).collect();
     let whole: f64 = proper.iter().map(|&f| mesh.areas[f]).sum();
-    // Two triangles a square.
     let side_mm = depths.reach_mm().max((2.0 * whole / MOST).sqrt());
-    let of_facet = |near: &mut Vec<_>, &f: &usize| {
-        let corners = mesh.corners(f);
-        let longest = (0..3).map(|k| (corners[(k + 1) % 3] - corners[k]).norm()).fold(0.0, f64::max);
-        // As many parts of a side as are needed, and never more than what the area asks for a hundred times over: a
-        // needle is long, and has no area.
-        let parts = if side_mm > 0.0 { (longest / side_mm).ceil().clamp(1.0, 2000.0) as usize } else { 1 };
-        let mut open = 0usize;
-        for centre in centres(&corners, parts) {
-            if open % 256 == 0 {
+    let of_facet = |room: &mut Room, &f: &usize| {
+        let mut open_mm2 = 0.0;
+        let mut waiting = vec![(mesh.corners(f), 0)];
+        let mut looks = 0u32;
+        while let Some((corners, halvings)) = waiting.pop() {
+            let length2 = |k: usize| (corners[(k + 1) % 3] - corners[k]).norm_squared();
+            let k = (1..3).fold(0, |longest, k| if length2(k) > length2(longest) { k } else { longest });
+            if length2(k) > side_mm * side_mm && halvings < HALVINGS {
+                let [a, b, c] = [0, 1, 2].map(|i| corners[(k + i) % 3]);
+                let middle = a + (b - a) * 0.5;
+                waiting.extend([([a, middle, c], halvings + 1), ([middle, b, c], halvings + 1)]);
+                continue;
+            }
+            if looks % 256 == 0 {
                 progress.check()?;
             }
-            open += usize::from(!depths.is_scanned(&centre, &mesh.normals[f], near));
+            looks += 1;
+            let centre = Point3::from((corners[0].coords + corners[1].coords + corners[2].coords) / 3.0);
+            if !depths.is_scanned(&centre, &mesh.normals[f], room) {
+                open_mm2 += mesh.areas[f] / f64::from(1u32 << halvings);
+            }
         }
-        Ok(mesh.areas[f] * open as f64 / (parts * parts) as f64)
+        Ok(open_mm2)
     };
-    let areas: Vec<f64> = proper.par_iter().map_init(Vec::new, of_facet).collect::<Result<_, Cancelled>>()?;
+    let areas: Vec<f64> = proper.par_iter().map_init(Room::default, of_facet).collect::<Result<_, Cancelled>>()?;
     Ok(areas.iter().sum())
-}
-
-/// Middles of the `parts`² equal triangles that a triangle is cut into.
-fn centres([a, b, c]: &[Point3<f64>; 3], parts: usize) -> impl Iterator<Item = Point3<f64>> {
-    let (u, v) = ((b - a) / parts as f64, (c - a) / parts as f64);
-    let a = *a;
-    (0..parts).flat_map(move |i| {
-        (0..parts - i).flat_map(move |j| {
-            let third = [Some(1.0 / 3.0), (i + j + 1 < parts).then_some(2.0 / 3.0)];
-            third.into_iter().flatten().map(move |t| a + u * (i as f64 + t) + v * (j as f64 + t))
-        })
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_pieces_share_the_middle_of_the_whole_and_are_as_many_as_they_should_be() {
-        let corners = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 6.0, 3.0]].map(Point3::from);
-        for parts in [1, 2, 7] {
-            let all: Vec<Point3<f64>> = centres(&corners, parts).collect();
-            assert_eq!(all.len(), parts * parts);
-            let mean = all.iter().map(|p| p.coords).sum::<nalgebra::Vector3<f64>>() / all.len() as f64;
-            assert!((mean - nalgebra::Vector3::new(3.0, 2.0, 1.0)).norm() < 1e-12);
-        }
-    }
 }
