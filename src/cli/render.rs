@@ -1,13 +1,15 @@
 //! `clearbeam render`: a picture without a screen.
 
 use super::{CommandFailure, CommandOutcome, print};
-use crate::document::{files, segmented};
+use crate::document::{Job, files, segmented};
 use crate::picture::dose::legend;
-use crate::picture::{DoseLook, Legend, PartLook, PartPicture, PathLook, dose_item, paths};
+use crate::picture::{DeviationScale, DoseLook, Legend, PartLook, PartPicture, PathLook, ScanLook, ScanPicture, dose_item, paths};
+use crate::planning::scanned::Scanned;
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
 use crate::text::{listed, say};
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
+use nalgebra::Isometry3;
 use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -61,10 +63,13 @@ pub fn run(a: &RenderArguments) -> Result<CommandOutcome, CommandFailure> {
     job.part.begin_with(&source, job_file.as_deref());
     // A part alone is drawn as it is; what lands on it needs a plan.
     let wants_plan = job_file.is_some() || matches!(a.color, Color::Dose(_));
-    let (scene, legend, (min, max)) = if wants_plan && !job.settings.cleans_nothing() {
-        let (_, planned) =
+    let (scene, legend, (min, max)) = if wants_plan && (job.scan.is_there() || !job.settings.cleans_nothing()) {
+        let (pipeline, planned) =
             Pipeline::planned(Arc::new(source), &job, job_file.as_deref()).map_err(CommandFailure::failed)?;
-        let (scene, legend) = planned_scene(&planned, a.color)?;
+        let (mut scene, mut legend) = planned_scene(&planned, a.color)?;
+        if let (Color::Surface, Some(scanned)) = (a.color, pipeline.scanned()) {
+            legend = scan_on(&mut scene, &scanned, &job);
+        }
         (scene, legend, planned.part.mesh.bounds())
     } else {
         let built =
@@ -112,4 +117,16 @@ fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Le
     scene.lines = paths(plan, &path_look, 1);
     scene.meshes.push(picture.item(surfaces, &PartLook { chosen, ..PartLook::default() }));
     Ok((scene, None))
+}
+
+/// Puts the points of a scan on the part, in colours of how far they are off it.
+fn scan_on(scene: &mut Scene, scanned: &Scanned, job: &Job) -> Option<Legend> {
+    let (laid, compared) = (scanned.laid.as_ref()?, scanned.compared.as_ref()?);
+    let farthest_mm = compared.patches.patches.iter().map(|p| p.depth_mm).fold(0.0, f64::max);
+    let scale = DeviationScale::of_patches(job.scan.min_depth_mm, job.scan.tolerance_mm, farthest_mm);
+    let cloud = Arc::new(laid.cloud_in_part.clone());
+    let off_mm = compared.smoothed_mm();
+    let look = ScanLook::Deviation { deviation_mm: &off_mm, scale };
+    scene.clouds.push(ScanPicture::new(cloud, 1).item(look, &Isometry3::identity()));
+    Some(scale.legend())
 }

@@ -33,6 +33,11 @@ impl DeviationScale {
         DeviationScale { limit_mm, tolerance_mm: tolerance_mm.max(0.0).min(limit_mm) }
     }
 
+    /// The scale on which patches from a depth on are told apart and the farthest one ends it, mm.
+    pub fn of_patches(min_depth_mm: f64, tolerance_mm: f64, farthest_mm: f64) -> DeviationScale {
+        DeviationScale::new(farthest_mm.max(2.0 * min_depth_mm), tolerance_mm.min(min_depth_mm))
+    }
+
     /// Where the scale ends, mm.
     pub fn limit_mm(&self) -> f64 {
         self.limit_mm

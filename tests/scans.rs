@@ -1,0 +1,116 @@
+//! Scans by command: the sample camshaft as it came from the bench is laid on its model, its wear is found, and a
+//! program is made for the worn place alone.
+
+use nalgebra::{Matrix4, Point3};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn clearbeam(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_clearbeam")).args(arguments).output().expect("runs")
+}
+
+fn sample(name: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/samples").join(name);
+    path.display().to_string()
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {}", String::from_utf8_lossy(&output.stderr)))
+}
+
+fn read(path: &Path) -> Value {
+    serde_json::from_slice(&std::fs::read(path).expect("there")).expect("JSON")
+}
+
+fn matrix(value: &Value) -> Matrix4<f64> {
+    let rows: Vec<f64> = value.as_array().expect("rows").iter().map(|x| x.as_f64().expect("a number")).collect();
+    Matrix4::from_row_slice(&rows)
+}
+
+/// How far two positions of the scan are apart at the corner of the shaft's box where that is most, mm.
+fn apart_mm(one: &Value, other: &Value) -> f64 {
+    let part = clearbeam(&["inspect", &sample("camshaft.stl"), "--json"]);
+    let bounds = &json(&part)["bounds_mm"];
+    let end = |k: usize, side: &str| bounds[side][k].as_f64().expect("a number");
+    let difference = matrix(one) * matrix(other).try_inverse().expect("a motion");
+    let corner = |i: usize| Point3::from([0, 1, 2].map(|k| end(k, if i >> k & 1 == 0 { "min" } else { "max" })));
+    (0..8).map(|i| (difference.transform_point(&corner(i)) - corner(i)).norm()).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_camshafts_scan_is_laid_where_it_was_taken() {
+    let run = clearbeam(&["register", &sample("camshaft_scan.ply"), "--part", &sample("camshaft.stl"), "--json"]);
+    let found = json(&run);
+    assert_eq!(run.status.code(), Some(0), "{found}");
+    let truth = read(Path::new(&sample("camshaft_truth.json")));
+    let off_mm = apart_mm(&found["model_from_scan"], &truth["model_from_scan"]);
+    assert!(off_mm < 0.03, "{off_mm} mm off");
+    // A shaft is weakly held, and that is said with its axis.
+    let weak: Vec<&Value> = found["sliding"].as_array().expect("a list").iter().collect();
+    assert!(weak.iter().any(|s| s["kind"] == "weakly_held" && s["axis"]["direction"][0].as_f64().is_some()), "{found}");
+    assert!(found["overlap"].as_f64().expect("a share") > 0.9);
+    assert!((found["noise_mm"].as_f64().expect("mm") - 0.03).abs() < 0.006, "{}", found["noise_mm"]);
+}
+
+#[test]
+fn another_parts_scan_is_refused() {
+    let run = clearbeam(&["register", &sample("camshaft_scan.ply"), "--part", &sample("connecting_rod.stl")]);
+    assert_eq!(run.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert!(said.contains("not a scan of the part") || said.contains("another unit"), "{said}");
+}
+
+#[test]
+fn wear_is_told_as_it_was_made() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("off.ply");
+    let given = sample("camshaft_truth.json");
+    let arguments = ["deviation", &sample("camshaft_scan.ply"), "--part", &sample("camshaft.stl"), "--json", "--out"];
+    let run = clearbeam(&[&arguments[..], &[out.to_str().expect("a name"), "--transform", &given]].concat());
+    assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
+    let (found, truth) = (json(&run), read(Path::new(&given)));
+    let number = |v: &Value, key: &str| v[key].as_f64().unwrap_or_else(|| panic!("{key} in {v}"));
+    assert_eq!(found["threshold_mm"], truth["threshold_mm"]);
+    assert!((number(&found, "deepest_mm") - number(&truth, "deepest_mm")).abs() < 0.01, "{found}");
+    let patches = found["patches"].as_array().expect("a list");
+    let missing: Vec<&Value> = patches.iter().filter(|p| p["kind"] == "missing").collect();
+    assert_eq!(missing.len(), 1, "{found}");
+    for (key, of_truth) in [("area_mm2", "worn_area_mm2"), ("volume_mm3", "worn_volume_mm3")] {
+        let ratio = number(missing[0], key) / number(&truth, of_truth);
+        assert!((ratio - 1.0).abs() < 0.03, "{key}: {ratio}");
+    }
+    // Every point is there, in the part frame, with what it is off.
+    let head = String::from_utf8_lossy(&std::fs::read(&out).expect("written")[..400]).into_owned();
+    assert!(head.contains("property float deviation_mm"), "{head}");
+}
+
+#[test]
+fn the_worn_place_alone_is_planned_and_its_program_is_read_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a name");
+    let scan = sample("camshaft_scan.ply");
+    let run = clearbeam(&["plan", &sample("camshaft.toml"), "--scan", &scan, "--min-depth", "0.05", "--out", out]);
+    let said = format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+    assert!(matches!(run.status.code(), Some(0 | 3)), "{said}");
+    let report = read(&folder.path().join("report.json"));
+    assert!(report["passes"].as_u64().expect("a count") > 3, "{said}");
+    assert_eq!(report["proven"], true, "{said}");
+    assert_eq!(report["patches"].as_array().map(Vec::len), Some(1), "{said}");
+    // Without a place of the scanner in the base nothing of the scan goes to the cell, and that is said.
+    assert_eq!(report["scan"]["is_placed"], false);
+    assert!(said.contains("where the scanner stands"), "{said}");
+    // All targets lie within the worn disc of 7 mm about its middle; the way over the flank is longer than straight.
+    let centre: Vec<f64> =
+        report["patches"][0]["centre"].as_array().expect("three").iter().map(|x| x.as_f64().expect("mm")).collect();
+    let path = std::fs::read_to_string(folder.path().join("path.csv")).expect("there");
+    for row in path.lines().skip(1) {
+        let p: Vec<f64> = row.split(',').skip(5).take(3).map(|x| x.parse().expect("mm")).collect();
+        let off = (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();
+        assert!(off < 7.0, "{row}");
+    }
+    let program = report["programs"][0]["names"][0].as_str().expect("a name");
+    let (program, job) = (folder.path().join(program), folder.path().join("job.toml"));
+    let verified = clearbeam(&["verify", program.to_str().expect("a name"), "--job", job.to_str().expect("a name")]);
+    assert_eq!(verified.status.code(), Some(0), "{}", String::from_utf8_lossy(&verified.stdout));
+}
