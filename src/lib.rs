@@ -6,6 +6,8 @@
 //!   winding, the merge tree that gives *feature surfaces* at any crease angle, named shapes, and
 //!   rays against all facets.
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
+//! - [`scan`]: the part as it is. A [`scan::Cloud`] is cleaned, laid on the model ([`scan::registration`]) and compared with
+//!   it ([`scan::deviation`]): what is worn is a patch, which [`part::patched`] makes a surface of.
 //! - [`path`]: where the spot travels. Families of section planes, transversal lines walked along
 //!   the topology, normals, the dense line, chord error, order, and what no line reaches.
 //! - [`beam`]: the tool. Optics, the head, the space they take up at a pose, and clamps, which stand in their way.
