@@ -34,7 +34,7 @@ struct Asked {
     others: bool,
 }
 
-pub fn main() {
+fn main() {
     let Some(asked) = asked() else { return };
     if asked.others {
         on_others(&asked);

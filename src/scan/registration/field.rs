@@ -9,8 +9,7 @@ use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Cells along the longest side of the model's box. At 32 a camshaft's lobes of 7 mm on 150 mm are a cell and a half and
-/// half turns are no longer told apart; 96 costs three times as much and finds no more.
+/// Cells along the longest side of the field: of 3 mm on a camshaft of 140 mm, whose lobes stand out by 7 mm.
 const CELLS: f64 = 64.0;
 /// How far the field reaches beyond the box, as a share of its longest side: half a scan laid middle on middle sticks
 /// out by so much. What lies further is looked up at the border.
@@ -18,7 +17,7 @@ const MARGIN: f64 = 0.2;
 /// Half the diagonal of a cell, in cells: cells that the skin passes are no further from it.
 const HALF_DIAGONAL: f64 = 0.867;
 
-/// Walks through all cells, each forward and back. After two no cell is unknown, and a third changes next to none.
+/// Walks through all cells, each forward and back. The first may leave cells unknown, the second none.
 const ROUNDS: usize = 2;
 /// The thirteen neighbours that come before a cell.
 const BEFORE: [[isize; 3]; 13] = [

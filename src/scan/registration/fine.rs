@@ -13,11 +13,11 @@ use nalgebra::{Isometry3, Point3};
 /// weakest; 15 000 leave 4.
 const WAY: (usize, usize) = (5_000, 30);
 const END: (usize, usize) = (60_000, 8);
-/// Motions with a lesser eigenvalue slide, and stay as they are: of all that was tried, faceted cylinders and extrusions
-/// with interpolated normals have 1e-5 at most, a camshaft's axis has 3e-3.
+/// Motions with a lesser eigenvalue slide, and stay as they are: those of plane, cylinder and extrusion, faceted too, are
+/// below it (interpolated normals), a camshaft's axis has 3e-3.
 pub(super) const SLIDES_BELOW: f64 = 3e-4;
-/// A voxel's median beyond so many standard deviations is wear: that of five points of noise alone is beyond it once in
-/// a million voxels.
+/// A voxel's median beyond so many standard deviations is wear: three of five points of noise alone lie there, on one
+/// side, once in 20 million voxels.
 pub(super) const WORN_SIGMAS: f64 = 3.0;
 /// Fewest points of a median; of a voxel with fewer those around it count with it.
 const FEWEST_OF_MEDIAN: usize = 5;

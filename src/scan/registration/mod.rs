@@ -44,8 +44,12 @@ use sliding::Held;
 /// What a model is off the part that it was made for at the least, as a share of the diagonal: chords of its facets,
 /// data without noise.
 const MODEL_FLOOR: f64 = 1e-4;
-/// Not the same part: points scatter by so many times the noise, or fewer than this share of them lie within 3 σ.
+/// Not the same part: points scatter by more than so many times the noise and this share of the diagonal, or fewer than
+/// so many lie within 3 σ. Scans of the samples scatter by 0.7 to 1.1 of their noise on their own model, with an overlap
+/// above 0.94, and by nearly a hundredth of the diagonal at the least on another's. A thousandth is what scanners, whose noise
+/// is less than their error over the whole part, and cast parts need.
 const MOST_SIGMA: f64 = 3.0;
+const MOST_OFF: f64 = 1e-3;
 const LEAST_OVERLAP: f64 = 0.6;
 /// Points within so many standard deviations lie on the model.
 const WITHIN_SIGMAS: f64 = 3.0;
@@ -75,7 +79,7 @@ pub fn register(
     let noise_mm = search.noise_mm;
     let within_mm = WITHIN_SIGMAS * sigma_mm.max(floor_mm);
     let overlap = measures::overlap(&fit.rows, within_mm);
-    let limit_mm = MOST_SIGMA * noise_mm.max(floor_mm);
+    let limit_mm = (MOST_SIGMA * noise_mm).max(MOST_OFF * part.mesh.diagonal());
     if sigma_mm > limit_mm || overlap < LEAST_OVERLAP {
         return Err(RegistrationError::NotSamePart { sigma_mm, noise_mm, limit_mm, overlap });
     }

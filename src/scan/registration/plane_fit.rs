@@ -247,8 +247,13 @@ fn step_of(held: &Matrix6<f64>, pull: &Vector6<f64>, least_held: f64, width_mm: 
     if length > width_mm { step * (width_mm / length) } else { step }
 }
 
-/// The pose after a step (Rodrigues).
-fn moved(pose: &Isometry3<f64>, step: &Vector6<f64>, centre: &Point3<f64>, length_mm: f64) -> Isometry3<f64> {
+/// The pose after a step (turn · L, shift) about `centre` (Rodrigues).
+pub(super) fn moved(
+    pose: &Isometry3<f64>,
+    step: &Vector6<f64>,
+    centre: &Point3<f64>,
+    length_mm: f64,
+) -> Isometry3<f64> {
     let turn = Vector3::new(step[0], step[1], step[2]) / length_mm;
     let shift = Vector3::new(step[3], step[4], step[5]);
     let turn = Unit::try_new_and_get(turn, f64::MIN_POSITIVE).map_or_else(UnitQuaternion::identity, |(axis, angle)| {

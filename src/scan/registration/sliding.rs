@@ -111,7 +111,7 @@ fn screw_of(motion: &Isometry3<f64>, centre: &Point3<f64>, length_mm: f64) -> Ve
 }
 
 /// All motions with their eigenvalues, the least first.
-fn motions(held: &Matrix6<f64>) -> Vec<(f64, Vector6<f64>)> {
+pub(super) fn motions(held: &Matrix6<f64>) -> Vec<(f64, Vector6<f64>)> {
     if !held.iter().all(|x| x.is_finite()) {
         return Vec::new();
     }

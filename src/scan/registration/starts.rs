@@ -6,8 +6,7 @@ use crate::part::Mesh;
 use nalgebra::{Matrix3, Point3, SymmetricEigen, UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 
-/// Directions of the turned z axis, and turns about each: neighbours lie 24° and 22.5° apart, and 20 steps from twice
-/// that far still arrive. Half of both loses 1 camshaft pose in 10.
+/// Directions of the turned z axis, and turns about each: no turn is further than 24° from one of them.
 const DIRECTIONS: usize = 72;
 const TURNS: usize = 16;
 /// Shifts along the model's axes, as shares of its extent there. A scan of half a part has its middle up to a quarter off;
