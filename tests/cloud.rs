@@ -390,7 +390,8 @@ fn cpu_ms() -> f64 {
     ticks.sum::<f64>() * 10.0
 }
 
-/// `cargo test --release --test cloud figures -- --ignored --nocapture`: pictures a second of a million points.
+/// `cargo test --release --test cloud figures -- --ignored --nocapture`: what a picture of a million points
+/// (`CLEARBEAM_POINTS`: of so many) costs, beside one of a single point.
 #[test]
 #[ignore = "figures, not a check"]
 fn figures() {
@@ -413,8 +414,7 @@ fn figures() {
             for _ in 0..rounds {
                 camera.orbit(5.0, 1.0);
                 renderer.draw_in_detail(&scene, &camera, size_px, detail).expect("draws");
-                // One pixel of it: until something is read, the picture may not be there yet.
-                // SAFETY: a query of a context that is current.
+                // Without it the picture may not be there yet. SAFETY: the context is current on this thread.
                 unsafe { egui_glow::glow::HasContext::finish(&*gl.gl()) };
             }
             let [wall_ms, cpu_ms] =
