@@ -160,6 +160,10 @@ pub enum Toggle {
     Dose,
     /// The spacing that lines really have.
     Spacing,
+    /// The points of the scan, by how far they are off the model.
+    Scan,
+    /// The points of the scan that cleaning took out.
+    DroppedPoints,
 }
 
 /// Where a command stands in the menu bar.
@@ -295,6 +299,8 @@ table! {
     Toggle(Toggle::AccessMap) => command_access_map, View, key(Key::T);
     Toggle(Toggle::Dose) => command_dose, View, key(Key::D);
     Toggle(Toggle::Spacing) => command_spacing, View, key(Key::I);
+    Toggle(Toggle::Scan) => command_scan, View, key(Key::W);
+    Toggle(Toggle::DroppedPoints) => command_dropped_points, View, None;
     Theme => command_theme, View, None;
     Plan => command_plan, Plan, ctrl(Key::R);
     Cancel => command_cancel, Plan, None;

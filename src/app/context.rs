@@ -24,6 +24,7 @@ use super::dialogs::Answers;
 use super::dose::DoseView;
 use super::questions::Question;
 use super::reading::Reading;
+use super::scan_view::ScanView;
 use super::session::Session;
 use super::spacing::{SpacingPicture, SpacingView};
 use super::suggestion_search::BetterSetupPreview;
@@ -56,6 +57,8 @@ pub(super) struct Context<'a> {
     pub spacing: &'a SpacingView,
     /// Borders that offset lines may start from.
     pub borders: &'a Borders,
+    /// The points of the scan.
+    pub scan: &'a ScanView,
     /// The access map of the current place, and the strip of its line.
     pub access: &'a AccessViews,
     /// The question that waits for the operator's answer.
@@ -78,6 +81,7 @@ impl App {
             recipes: &self.recipes,
             spacing: &self.spacing,
             borders: &self.borders,
+            scan: &self.scan,
             access: &self.access,
             question: self.question.as_ref(),
             answers: &self.answers,
@@ -118,8 +122,17 @@ impl<'a> Context<'a> {
         self.derived.clearance.of(self.derived.plan()?.key)
     }
 
-    /// Surfaces to clean, in the order of work.
+    /// Whether a scan tells what is worked: then nobody chooses surfaces, and the facets of those that are shown are not
+    /// the ones of the part's file.
+    pub fn is_worked_by_scan(self) -> bool {
+        self.document.job().scan.is_there()
+    }
+
+    /// Surfaces to clean, in the order of work. While a scan's patches are looked for there are none.
     pub fn clean_list(self) -> Vec<u32> {
+        if self.is_worked_by_scan() && self.derived.surfaces.worked.is_none() {
+            return Vec::new();
+        }
         self.document.job().chosen(&self.derived.surfaces)
     }
 

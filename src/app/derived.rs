@@ -12,7 +12,7 @@ use crate::document::{Document, Job};
 use crate::part::{Digest, Part, PartFinding, Shape, SurfaceId, Surfaces};
 use crate::picture::{CellPicture, PartPicture, ToolPicture};
 use crate::planning::{Executor, Pipeline, PlannedJob, PlanningError, Stage};
-use crate::text::shape_label;
+use crate::text::{id, say, shape_label};
 use crate::view::LineItem;
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -22,8 +22,10 @@ use std::sync::Arc;
 pub struct Derived {
     /// From the part's file to the plan.
     pub pipeline: Pipeline,
-    /// The part that is shown.
+    /// The part that is shown; with a scan the one on which its patches are surfaces.
     pub part: Option<Arc<Part>>,
+    /// The part as its file has it: what a job remembers is told by its facets.
+    pub file_part: Option<Arc<Part>>,
     /// How it was built from its file.
     pub part_of: JobPart,
     /// Its feature surfaces.
@@ -56,6 +58,7 @@ impl Derived {
         Derived {
             pipeline: Pipeline::new(executor, true),
             part: None,
+            file_part: None,
             part_of: JobPart::default(),
             surfaces: Arc::default(),
             shapes: Stage::default(),
@@ -79,12 +82,13 @@ impl Derived {
     /// That plan, if it was made on the part that is shown: else its lines would not lie on it.
     pub fn plan_on_part(&self) -> Option<&Arc<PlannedJob>> {
         let part = self.part.as_ref()?;
-        self.plan().filter(|planned| Arc::ptr_eq(&planned.part, part))
+        // The patches of a scan that is looked at again make the same part once more.
+        self.plan().filter(|planned| Arc::ptr_eq(&planned.part, part) || planned.part.digest == part.digest)
     }
 
     /// The plan of the document as it is.
     pub fn current_plan(&self, document: &Document) -> Option<&Arc<PlannedJob>> {
-        self.is_synced(document).then(|| self.pipeline.plan()).flatten()
+        (self.is_synced(document) && !self.pipeline.waits_for_scan()).then(|| self.pipeline.plan()).flatten()
     }
 
     /// Why the document as it is has no plan.
@@ -97,8 +101,10 @@ impl Derived {
         if self.part.is_none() {
             return true;
         }
-        let is_empty = || document.job().chosen(&self.surfaces).is_empty();
-        let has_surfaces = || self.is_synced(document) && self.pipeline.surfaces().is_some();
+        // With a scan there is always a plan: it may be one of nothing.
+        let is_empty = || self.surfaces.worked.is_none() && document.job().chosen(&self.surfaces).is_empty();
+        let has_surfaces =
+            || self.is_synced(document) && !self.pipeline.waits_for_scan() && self.pipeline.surfaces().is_some();
         self.error(document).is_some() || has_surfaces() && (self.current_plan(document).is_some() || is_empty())
     }
 
@@ -108,10 +114,11 @@ impl Derived {
         self.plan().is_some() && self.current_plan(document).is_none()
     }
 
-    /// Whether part and surfaces are those of the document as it is: what is cut, merged and split is looked
-    /// for on them.
+    /// Whether part and surfaces are those of the document as it is, and of the part's file: what is cut, merged and
+    /// split is looked for on them. With a scan they are not, since patches have facets that the file has not.
     pub fn has_current_surfaces(&self, document: &Document) -> bool {
-        self.is_synced(document) && self.pipeline.surfaces().is_some()
+        let is_of_file = !document.job().scan.is_there() && self.surfaces.worked.is_none();
+        is_of_file && self.is_synced(document) && self.pipeline.surfaces().is_some()
     }
 
     fn is_synced(&self, document: &Document) -> bool {
@@ -156,8 +163,16 @@ impl Derived {
     /// Name of a surface in lists and at the cursor.
     pub fn label(&self, job: &Job, surface: u32) -> String {
         match job.settings.of(SurfaceId(surface)).name.as_str() {
+            "" if let Some(patch) = self.patch_of(surface) => say!(scan_panel_patch_name, patch = id(patch + 1)),
             "" => self.shape(surface).map_or_else(|| "…".into(), shape_label),
             name => name.into(),
         }
+    }
+
+    /// Which patch of the scan a surface is a piece of, from 0.
+    pub fn patch_of(&self, surface: u32) -> Option<usize> {
+        self.surfaces.worked.as_ref()?;
+        let worn = self.pipeline.scanned()?.worn?;
+        worn.patches.iter().position(|pieces| pieces.iter().any(|piece| piece.surface.0 == surface))
     }
 }

@@ -1,6 +1,7 @@
 //! File dialogs, off the UI thread and behind a trait, so that tests can give the answer.
 
 use crate::part::file::ENDINGS;
+use crate::scan;
 use crate::text::say;
 use eframe::egui;
 use std::path::PathBuf;
@@ -27,6 +28,8 @@ pub enum Purpose {
     Head,
     /// The facets of a clamp on the part.
     Clamp,
+    /// A scan of the part as it is.
+    Scan,
 }
 
 /// Called with the user's answer; `None`: the dialog was cancelled.
@@ -79,8 +82,12 @@ impl Answers {
 
 /// Endings of parts in small and large letters, which some systems tell apart, and others.
 fn parts_and(others: &[&str]) -> Vec<String> {
-    let parts = ENDINGS.iter().flat_map(|e| [(*e).to_owned(), e.to_uppercase()]);
-    parts.chain(others.iter().map(|e| (*e).to_owned())).collect()
+    cased(&ENDINGS, others)
+}
+
+fn cased(endings: &[&str], others: &[&str]) -> Vec<String> {
+    let both = endings.iter().flat_map(|e| [(*e).to_owned(), e.to_uppercase()]);
+    both.chain(others.iter().map(|e| (*e).to_owned())).collect()
 }
 
 /// The system's dialogs.
@@ -104,6 +111,7 @@ impl FileDialogs for NativeDialogs {
                 Purpose::Cell => dialog.add_filter(say!(dialog_cell), &["toml"]).pick_file(),
                 Purpose::Head => dialog.add_filter(say!(dialog_head), &parts_and(&["toml"])).pick_file(),
                 Purpose::Clamp => dialog.add_filter(say!(dialog_clamp), &parts_and(&[])).pick_file(),
+                Purpose::Scan => dialog.add_filter(say!(dialog_scan), &cased(&scan::file::ENDINGS, &[])).pick_file(),
                 Purpose::Robot => dialog.add_filter(say!(dialog_robot), &["toml"]).pick_file(),
             });
         });

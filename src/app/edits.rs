@@ -66,7 +66,7 @@ impl App {
                 RecutAnchor { job: self.document.job().clone(), surfaces: self.derived.surfaces.clone() }
             }
             None => {
-                self.session.said = say!(window_part_being_built);
+                self.session.said = self.why_surfaces_stay();
                 return;
             }
         };
@@ -84,7 +84,7 @@ impl App {
             return;
         }
         if !self.derived.has_current_surfaces(&self.document) {
-            self.session.said = say!(window_part_being_built);
+            self.session.said = self.why_surfaces_stay();
             return;
         }
         let anchor = RecutAnchor { job: job.clone(), surfaces: self.derived.surfaces.clone() };
@@ -92,5 +92,9 @@ impl App {
             Ok(edit) => edit.into_iter().for_each(|edit| self.edit(edit)),
             Err(e) => self.session.error = Some(e.sentence()),
         }
+    }
+
+    fn why_surfaces_stay(&self) -> String {
+        if self.context().is_worked_by_scan() { say!(scan_panel_keeps_surfaces) } else { say!(window_part_being_built) }
     }
 }

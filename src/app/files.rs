@@ -4,6 +4,7 @@ use super::App;
 use super::command::Toggle;
 use super::dialogs::Purpose;
 use super::questions::Question;
+use super::scan_files;
 use super::session::AfterGuard;
 use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
@@ -57,6 +58,7 @@ impl App {
                 clamps.push(Obstacle::of_file(named, &path));
                 self.edit(Edit::Clamps(clamps));
             }
+            Purpose::Scan => self.add_scan(&path),
             Purpose::Robot => {
                 let named = files::relative_to(&path, self.document.file());
                 self.choose_robot(&named);
@@ -86,7 +88,7 @@ impl App {
 
     /// Writes the job into a file.
     pub(super) fn save_into(&mut self, path: PathBuf, if_changed: IfChanged) {
-        if let Some(part) = &self.derived.part {
+        if let Some(part) = &self.derived.file_part {
             let remembered = Remembered::of(self.document.job(), part, &self.derived.part_of);
             self.document.remember(remembered);
         }
@@ -170,7 +172,10 @@ impl App {
 
     pub(super) fn take_dropped_files(&mut self, ctx: &egui::Context) {
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_path_buf()));
-        if let Some(path) = dropped {
+        let Some(path) = dropped else { return };
+        if self.derived.part.is_some() && scan_files::is_scan_alone(&path) {
+            self.add_scan(&path);
+        } else {
             self.open_guarded(path);
         }
     }

@@ -35,6 +35,8 @@ mod questions;
 mod reading;
 mod recipe_library;
 mod run;
+mod scan_files;
+mod scan_view;
 mod scene;
 mod selection;
 mod session;
@@ -89,6 +91,8 @@ pub struct App {
     spacing: spacing::SpacingView,
     /// Borders that offset lines may start from, kept while the surfaces stay.
     borders: border::Borders,
+    /// The points of the scan, kept while it stays.
+    scan: scan_view::ScanView,
 }
 
 const RECENT_KEY: &str = "recent";
@@ -123,6 +127,7 @@ impl App {
             recipes: Library::open(None),
             spacing: spacing::SpacingView::default(),
             borders: border::Borders::default(),
+            scan: scan_view::ScanView::default(),
         };
         if let Some(path) = open {
             app.open(path);

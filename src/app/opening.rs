@@ -130,7 +130,7 @@ impl App {
     pub(super) fn use_part(&mut self, looked: LookedAt, opening: Option<(Box<Document>, Option<Leftover>)>) {
         if opening.is_none() && *looked.job != *self.document.job() {
             // Something was done meanwhile: what was found is not of the job as it is.
-            self.look(self.document.job().clone(), looked.file, self.derived.part.clone());
+            self.look(self.document.job().clone(), looked.file, self.derived.file_part.clone());
             return;
         }
         let LookedAt { file, source, stamp, carried, .. } = looked;
@@ -154,7 +154,7 @@ impl App {
             Some(Question::PartChanged { opening: Some((document, _)), .. } | Question::PartGone { document, .. }) => {
                 self.look(document.job().clone(), file, None);
             }
-            _ => self.look(self.document.job().clone(), file, self.derived.part.clone()),
+            _ => self.look(self.document.job().clone(), file, self.derived.file_part.clone()),
         }
     }
 
@@ -165,7 +165,7 @@ impl App {
         }
         let Ok(file) = files::part_file(self.document.job(), self.document.file()) else { return };
         if self.reading.has_changed(&file) {
-            self.look(self.document.job().clone(), file, self.derived.part.clone());
+            self.look(self.document.job().clone(), file, self.derived.file_part.clone());
         }
     }
 

@@ -7,6 +7,7 @@ use super::dialogs::Purpose;
 use super::session::{AfterGuard, Coloring, PointerTool};
 use crate::document::Edit;
 use crate::part::SurfaceId;
+use crate::text::say;
 use crate::view::{Bounds, Projection};
 use eframe::egui;
 
@@ -29,6 +30,8 @@ impl Context<'_> {
             C::Play | C::Go(_) => self.derived.plan().is_some(),
             C::Toggle(what) => self.is_there(what),
             C::BetterSetup => self.refusing_plan().is_some() && !self.derived.suggestions.is_better_setup_sought(),
+            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater if self.is_worked_by_scan() => false,
+            C::FlipSurface | C::FlipShell if self.is_worked_by_scan() => false,
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
             C::Unclean | C::CleanEarlier | C::CleanLater => selected.iter().any(|n| clean().contains(n)),
             // Facets are cut and joined on the part as it is.
@@ -41,6 +44,17 @@ impl Context<'_> {
         }
     }
 
+    /// Why a command on surfaces cannot be given while there is a scan.
+    pub fn why_not(self, command: Command) -> Option<String> {
+        use Command as C;
+        match command {
+            _ if !self.is_worked_by_scan() => None,
+            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => Some(say!(scan_panel_tells_worked)),
+            C::Merge | C::Split | C::FlipSurface | C::FlipShell => Some(say!(scan_panel_keeps_surfaces)),
+            _ => None,
+        }
+    }
+
     /// Whether there is something to be shown.
     fn is_there(self, what: Toggle) -> bool {
         use Toggle as T;
@@ -48,6 +62,7 @@ impl Context<'_> {
             T::PathLines | T::PoseFrames | T::Beams | T::ConnectingMoves => self.derived.part.is_some(),
             T::BeforeCorrection | T::PlainPart | T::HideChosen | T::ToolBodies => self.derived.part.is_some(),
             T::SectionPlane | T::AccessMap | T::Dose | T::Spacing => self.derived.plan().is_some(),
+            T::Scan | T::DroppedPoints => self.scan_is_laid(),
             T::Cell => self.derived.cell.is_some(),
             T::Plots => self.timeline().is_some(),
             T::ProgramText => self.derived.playback_data().is_some(),
@@ -132,7 +147,9 @@ impl App {
             | T::ProgramText
             | T::ToolBodies
             | T::AccessMap
-            | T::Spacing => {
+            | T::Spacing
+            | T::Scan
+            | T::DroppedPoints => {
                 self.session.show.flip(what);
             }
         }

@@ -55,6 +55,8 @@ impl App {
             scene.lines.extend(self.borders.lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             let dots = self.context().spacing_picture().map_or(&[][..], |s| &s.dots).iter();
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
+            let shown = [Toggle::Scan, Toggle::DroppedPoints].map(|t| s.show.is_on(t));
+            scene.clouds.extend(self.scan.items(shown, &place));
             self.context().add_simulation(&mut scene, place);
             self.context().add_tool(&mut scene, place);
             self.context().add_better_setup(&mut scene, place);

@@ -136,7 +136,7 @@ pub struct Show(BTreeSet<Toggle>);
 
 impl Default for Show {
     fn default() -> Show {
-        Show([Toggle::PathLines, Toggle::ToolBodies].into())
+        Show([Toggle::PathLines, Toggle::ToolBodies, Toggle::Scan].into())
     }
 }
 

@@ -36,6 +36,7 @@ impl App {
         self.sync_motion();
         self.sync_dose();
         self.sync_spacing();
+        self.sync_scan();
         self.sync_suggestions();
         self.sync_clearance();
     }
@@ -45,7 +46,11 @@ impl App {
         let d = &mut self.derived;
         let Some((part, surfaces)) = d.pipeline.surfaces() else { return };
         let (part, surfaces) = (part.clone(), surfaces.clone());
-        self.session.fit_pending |= d.part.as_ref().is_none_or(|shown| !Arc::ptr_eq(shown, &part));
+        // Other patches leave the part where it is, and the camera too.
+        let file_part = d.pipeline.part_of_file().cloned();
+        let is_same = d.file_part.as_ref().zip(file_part.as_ref()).is_some_and(|(one, other)| Arc::ptr_eq(one, other));
+        self.session.fit_pending |= !is_same;
+        d.file_part = file_part;
         d.picture = Some(PartPicture::new(&part, &surfaces));
         let there = |n: &u32| surfaces.get(*n).is_some();
         self.session.selected.retain(there);
@@ -69,6 +74,13 @@ impl App {
         if let Some(planned) = self.derived.plan_on_part().filter(|_| self.session.show.is_on(Toggle::Spacing)) {
             self.spacing.sync(planned);
         }
+    }
+
+    /// Brings the points of the scan up to date, if they are shown.
+    fn sync_scan(&mut self) {
+        let [is_shown, with_dropped] = [Toggle::Scan, Toggle::DroppedPoints].map(|t| self.session.show.is_on(t));
+        let scanned = if is_shown || with_dropped { self.derived.pipeline.scanned() } else { None };
+        self.scan.sync(scanned.as_ref(), self.document.job().scan.tolerance_mm, with_dropped);
     }
 
     fn sync_shapes(&mut self) {
@@ -216,7 +228,10 @@ impl Context<'_> {
         Some(match error {
             e if e.is_cancelled() => say!(window_planning_cancelled),
             E::Part(Failure::Refused(PartError::Changed)) => say!(window_part_of_another_state),
-            E::Part(Failure::Panicked(_)) | E::Setup(Failure::Panicked(_)) | E::Plan(Failure::Panicked(_)) => {
+            E::Part(Failure::Panicked(_))
+            | E::Scan(Failure::Panicked(_))
+            | E::Setup(Failure::Panicked(_))
+            | E::Plan(Failure::Panicked(_)) => {
                 say!(window_fault, error = error.sentence())
             }
             other => other.sentence(),

@@ -95,7 +95,8 @@ pub fn registration_lines(report: &RegistrationReport) -> Vec<String> {
     lines
 }
 
-fn how_it_lies(report: &RegistrationReport) -> Vec<String> {
+/// How a scan lies, a line each.
+pub fn how_it_lies(report: &RegistrationReport) -> Vec<String> {
     let [rms, noise] = [report.rms_mm, report.noise_mm].map(|x| fixed(x, 3));
     let (overlap, coverage) = (percent(report.overlap, 1), percent(report.coverage, 1));
     let mut lines = vec![say!(register_found, rms, noise, overlap, coverage)];
@@ -152,12 +153,18 @@ pub(super) fn scan_lines(scan: &ScanReport) -> Vec<String> {
 
 /// How far a part is off its model, a line each; each patch is one.
 pub fn deviation_lines(report: &DeviationReport) -> Vec<String> {
+    let mut lines = deviation_summary(report);
+    lines.extend(report.patches.iter().map(Sentence::sentence));
+    lines
+}
+
+/// How far a part is off its model, a line each, without its patches.
+pub fn deviation_summary(report: &DeviationReport) -> Vec<String> {
     let [rms, mean] = [report.rms_mm, report.mean_mm].map(|x| fixed(x, 3));
     let mut lines = vec![say!(deviation_points, points = report.points, rms, mean, off = report.points_off_model)];
     if report.unscanned_mm2 > 0.0 {
         lines.push(say!(deviation_unscanned, area = fixed(0.01 * report.unscanned_mm2, 1)));
     }
-    lines.extend(report.patches.iter().map(Sentence::sentence));
     if report.patches.is_empty() {
         lines.push(say!(deviation_none, threshold = exact(report.threshold_mm)));
     }

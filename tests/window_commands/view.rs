@@ -69,7 +69,9 @@ fn words_of(what: Toggle) -> Option<&'static str> {
         | Toggle::SectionPlane
         | Toggle::Cell
         | Toggle::ToolBodies
-        | Toggle::Spacing => None,
+        | Toggle::Spacing
+        | Toggle::Scan
+        | Toggle::DroppedPoints => None,
     }
 }
 

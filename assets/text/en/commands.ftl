@@ -71,6 +71,8 @@ command_tool_bodies = Head and clamps
 command_access_map = Access map
 command_dose = Dose
 command_spacing = Achieved spacing
+command_scan = Points of the scan
+command_dropped_points = Points that cleaning took out
 command_theme = Dark or light
 
 ## Plan

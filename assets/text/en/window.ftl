@@ -72,4 +72,5 @@ dialog_dry_run_folder = Folder for the dry run
 dialog_cell = Cell
 dialog_head = Head
 dialog_clamp = Clamp
+dialog_scan = Scan
 dialog_robot = Robot

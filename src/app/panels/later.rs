@@ -50,7 +50,7 @@ fn row(ui: &mut egui::Ui, n: u32, context: Context<'_>, actions: &mut Actions) {
         let color = context.derived.picture.as_ref().map_or([128; 3], |p| p.swatch(n, false));
         theme::swatch(ui, color);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ways(ui, n, actions);
+            ways(ui, n, context, actions);
             ui.label(RichText::new(say!(later_area, area = fixed(area, 2))).weak());
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| name(ui, n, context, actions));
         });
@@ -58,7 +58,8 @@ fn row(ui: &mut egui::Ui, n: u32, context: Context<'_>, actions: &mut Actions) {
 }
 
 /// Buttons that bring a surface back: to the feature surfaces, or to the list to clean.
-fn ways(ui: &mut egui::Ui, n: u32, actions: &mut Actions) {
+fn ways(ui: &mut egui::Ui, n: u32, context: Context<'_>, actions: &mut Actions) {
+    let is_free = !context.is_worked_by_scan();
     let ways = [
         (
             say!(later_back),
@@ -74,8 +75,9 @@ fn ways(ui: &mut egui::Ui, n: u32, actions: &mut Actions) {
         ),
     ];
     for (text, told, tip, way) in ways {
-        let button = ui.small_button(text).on_hover_text(tip);
-        button.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.clone()));
+        let button = ui.add_enabled(is_free, egui::Button::new(text).small()).on_hover_text(tip);
+        let button = button.on_disabled_hover_text(say!(scan_panel_tells_worked));
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, is_free, told.clone()));
         if button.clicked() {
             actions.edit(way);
         }

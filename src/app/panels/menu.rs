@@ -35,7 +35,8 @@ fn rows(ui: &mut egui::Ui, menu: Menu, context: Context<'_>, actions: &mut Actio
         let on = if context.is_shown(command) { "● " } else { "" };
         let button = egui::Button::new(format!("{on}{}", context.name_now(command)));
         let button = button.shortcut_text(command.keys_text(ui.ctx()));
-        if ui.add_enabled(context.is_enabled(command), button).clicked() {
+        let response = ui.add_enabled(context.is_enabled(command), button);
+        if told_why(response, command, context).clicked() {
             actions.command(command);
             ui.close();
         }
@@ -49,6 +50,14 @@ fn rows(ui: &mut egui::Ui, menu: Menu, context: Context<'_>, actions: &mut Actio
                 ui.close();
             }
         }
+    }
+}
+
+/// Says on hover why a command cannot be given, where that is not to be seen.
+pub(super) fn told_why(response: egui::Response, command: Command, context: Context<'_>) -> egui::Response {
+    match context.why_not(command) {
+        Some(why) => response.on_disabled_hover_text(why),
+        None => response,
     }
 }
 

@@ -29,6 +29,7 @@ mod problems;
 pub(super) mod program_text;
 pub(super) mod questions;
 pub(super) mod recipe;
+pub(super) mod scan;
 mod scrub;
 pub(super) mod spacing;
 pub(super) mod start;

@@ -5,7 +5,8 @@ use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
 use super::entry::{Entry, refused};
-use super::{beam, cell, export, library, lines, numbers, placement, recipe};
+use super::menu::told_why;
+use super::{beam, cell, export, library, lines, numbers, placement, recipe, scan};
 use crate::document::Edit;
 use crate::document::parameter::Group;
 use crate::pose::Correction;
@@ -17,6 +18,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     egui::Panel::bottom("export").show(ui, |ui| export::ui(ui, context, actions));
     egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         lines::ui(ui, context, actions);
+        scan::ui(ui, context, actions);
         theme::heading(ui, &say!(parameters_beam));
         numbers::of_job(ui, Group::Beam, context, actions);
         correction(ui, context, actions);
@@ -60,7 +62,8 @@ fn correction(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
 fn split(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let row = ui.horizontal(|ui| {
         let button = egui::Button::new(say!(parameters_split));
-        if ui.add_enabled(context.is_enabled(Command::Split), button).clicked() {
+        let response = ui.add_enabled(context.is_enabled(Command::Split), button);
+        if told_why(response, Command::Split, context).clicked() {
             actions.command(Command::Split);
         }
         let mut angle_deg = context.session.split_angle_deg;

@@ -4,6 +4,7 @@ use super::super::actions::Actions;
 use super::super::command::{Command, More};
 use super::super::context::Context;
 use super::going_on;
+use super::menu::told_why;
 use crate::document::{Edit, StartFrom};
 use crate::text::say;
 use eframe::egui;
@@ -27,7 +28,8 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     going_on::from_place(ui, context, actions);
     for command in COMMANDS {
         let button = egui::Button::new(command.name());
-        if ui.add_enabled(context.is_enabled(command), button).clicked() {
+        let response = ui.add_enabled(context.is_enabled(command), button);
+        if told_why(response, command, context).clicked() {
             actions.command(command);
             ui.close();
         }

@@ -49,6 +49,11 @@ impl Pipeline {
         Some(keys.scan.filter(|_| self.worn(keys).is_some()).map_or(keys.surfaces, |scan| scan.worn))
     }
 
+    /// The part as its file has it: without the patches of a scan. `None` while it is being made.
+    pub fn part_of_file(&self) -> Option<&Arc<Part>> {
+        self.part.of(self.keys()?.part)
+    }
+
     fn worn(&self, keys: &Keys) -> Option<&Arc<WornPart>> {
         keys.scan.and_then(|scan| self.scan.worn.of(scan.worn))
     }

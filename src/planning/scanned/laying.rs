@@ -10,6 +10,7 @@ use crate::scan::Cloud;
 use crate::scan::file::unit_doubt;
 use crate::scan::registration::{LeftOut, Registration, RegistrationOptions, Start, SurfaceNormals, register};
 use nalgebra::{Isometry3, Point3};
+use std::sync::Arc;
 
 /// A scan on its part.
 #[derive(Clone, Debug)]
@@ -19,7 +20,7 @@ pub struct LaidScan {
     /// How it was found; `None` where the job gives it.
     pub registration: Option<Registration>,
     /// The points in the part frame.
-    pub cloud_in_part: Cloud,
+    pub cloud_in_part: Arc<Cloud>,
 }
 
 /// Lays a scan on a part.
@@ -47,7 +48,8 @@ pub fn lay(
             (found.model_from_scan, Some(found))
         }
     };
-    Ok(LaidScan { model_from_scan, registration, cloud_in_part: cloud.clone().moved(&model_from_scan) })
+    let cloud_in_part = Arc::new(cloud.clone().moved(&model_from_scan));
+    Ok(LaidScan { model_from_scan, registration, cloud_in_part })
 }
 
 fn options(part: &Part, scan: &JobScan) -> RegistrationOptions {

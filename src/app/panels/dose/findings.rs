@@ -40,8 +40,11 @@ pub(super) fn clicked(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Act
 pub(super) fn patches(ui: &mut egui::Ui, view: &DoseView, context: Context<'_>, actions: &mut Actions) {
     patch_list(ui, view, true, context, actions);
     if view.patches.iter().any(|p| p.cause.keeps_light_away()) {
-        let aside = Edit::aside(&view.patches, &view.surfaces);
+        // What is put aside is cut out by facets, and with a scan those are not the ones of the part's file.
+        let by_scan = context.is_worked_by_scan();
+        let aside = if by_scan { None } else { Edit::aside(&view.patches, &view.surfaces) };
         let button = ui.add_enabled(aside.is_some(), egui::Button::new(say!(dose_panel_put_aside)));
+        let button = if by_scan { button.on_disabled_hover_text(say!(scan_panel_keeps_surfaces)) } else { button };
         if button.on_hover_text(say!(dose_panel_put_aside_tip)).clicked()
             && let Some(edit) = aside
         {

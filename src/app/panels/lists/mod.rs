@@ -10,6 +10,7 @@ use super::super::command::Command;
 use super::super::context::Context;
 use super::super::theme;
 use super::later;
+use super::menu::told_why;
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::text::say;
@@ -46,7 +47,7 @@ fn list(ui: &mut egui::Ui, is_clean: bool, height: f32, context: Context<'_>, ac
         let table = rows::List { rows: &rows, is_clean, context };
         ui.push_id(("list", is_clean), |ui| table.ui(ui, height - 90.0, actions));
     });
-    if let Some(dragged) = dropped {
+    if let Some(dragged) = dropped.filter(|_| !context.is_worked_by_scan()) {
         actions.edit(match (dragged.from_clean, is_clean) {
             // From the list itself: to the end of the order.
             (_, true) => Edit::Clean(dragged.surfaces.clone()),
@@ -79,7 +80,8 @@ fn between_lists(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         ];
         for (text, command) in buttons {
             let tip = format!("{}  {}", command.name(), command.keys_text(ui.ctx()));
-            if ui.add_enabled(context.is_enabled(command), egui::Button::new(text)).on_hover_text(tip).clicked() {
+            let response = ui.add_enabled(context.is_enabled(command), egui::Button::new(text)).on_hover_text(tip);
+            if told_why(response, command, context).clicked() {
                 actions.command(command);
             }
         }

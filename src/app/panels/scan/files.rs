@@ -1,0 +1,48 @@
+//! The files of a scan, and the unit that they are in.
+
+use super::super::super::actions::Actions;
+use super::super::super::context::Context;
+use super::super::super::dialogs::Purpose;
+use crate::document::scan_edit::ScanEdit;
+use crate::part::Units;
+use crate::text::{choices, say};
+use eframe::egui;
+use std::path::Path;
+
+pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let scan = &context.document.job().scan;
+    let mut gone = None;
+    for (i, f) in scan.files.iter().enumerate() {
+        ui.horizontal(|ui| {
+            let name = Path::new(&f.file).file_name().map_or_else(|| f.file.clone(), |n| n.to_string_lossy().into());
+            if ui.small_button("×").on_hover_text(say!(scan_panel_remove)).clicked() {
+                gone = Some(i);
+            }
+            ui.add(egui::Label::new(name).truncate()).on_hover_text(&f.file);
+        });
+    }
+    if let Some(i) = gone {
+        let mut rest = scan.files.clone();
+        rest.remove(i);
+        actions.scan(ScanEdit::Files(rest, scan.units));
+    }
+    let open = if scan.is_there() { say!(scan_panel_add) } else { say!(scan_panel_open) };
+    if ui.button(open).on_hover_text(say!(scan_panel_open_tip)).clicked() {
+        actions.ask(Purpose::Scan);
+    }
+    if !scan.is_there() {
+        return;
+    }
+    ui.horizontal(|ui| {
+        ui.label(say!(scan_panel_units));
+        for units in Units::ALL {
+            let button = ui.selectable_label(scan.units == units, choices::units(units));
+            let told = || say!(scan_panel_units_name, units = choices::units(units));
+            button
+                .widget_info(|| egui::WidgetInfo::selected(egui::Role::RadioButton, true, scan.units == units, told()));
+            if button.clicked() && scan.units != units {
+                actions.scan(ScanEdit::Files(scan.files.clone(), units));
+            }
+        }
+    });
+}

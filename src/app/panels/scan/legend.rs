@@ -1,0 +1,56 @@
+//! The legend of the scan's points, in a corner of the view: the scale of their distances from the model, and what the
+//! other colours stand for.
+
+use super::super::super::command::Toggle;
+use super::super::super::context::Context;
+use super::super::super::theme;
+use crate::picture::Legend;
+use crate::text::{language, legend_entry, legend_mark, say};
+use eframe::egui::{self, Align2, Area, Color32, FontId, Id, Rect, RichText, Role, Sense, WidgetInfo, pos2, vec2};
+
+const WIDTH: f32 = 200.0;
+/// Below the legend of the spacing, where that is shown too.
+const BELOW_SPACING: f32 = 130.0;
+
+/// The legend over a view, while the points are shown.
+pub(in super::super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_>) {
+    let show = &context.session.show;
+    let is_shown = show.is_on(Toggle::Scan) && !show.is_on(Toggle::SectionPlane);
+    let Some(scale) = context.scan.scale().filter(|_| is_shown && context.scan_is_laid()) else { return };
+    let down = if show.is_on(Toggle::Spacing) { BELOW_SPACING } else { 0.0 };
+    let at = view.left_top() + vec2(10.0, 10.0 + down);
+    Area::new(Id::unique("deviation")).fixed_pos(at).show(ui.ctx(), |ui| {
+        egui::Frame::popup(ui.style()).show(ui, |ui| {
+            ui.set_width(WIDTH);
+            ui.label(RichText::new(say!(scan_panel_legend)).strong());
+            let legend = scale.legend();
+            bar(ui, &legend);
+            for (entry, color) in &legend.entries {
+                ui.horizontal(|ui| {
+                    theme::swatch(ui, *color);
+                    ui.label(RichText::new(legend_entry(*entry, language())).small());
+                });
+            }
+        });
+    });
+}
+
+/// The colours from end to end, and the numbers under them.
+fn bar(ui: &mut egui::Ui, legend: &Legend) {
+    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, 30.0), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, say!(scan_panel_scale)));
+    let [low, high] = legend.range;
+    let painter = ui.painter();
+    let steps = WIDTH as usize / 2;
+    for k in 0..steps {
+        let [from, to] = [k, k + 1].map(|k| rect.left() + rect.width() * k as f32 / steps as f32);
+        let [r, g, b] = legend.color((k as f64 + 0.5) / steps as f64);
+        let piece = Rect::from_min_max(pos2(from, rect.top()), pos2(to, rect.top() + 14.0));
+        painter.rect_filled(piece, 0, Color32::from_rgb(r, g, b));
+    }
+    for &mark in &legend.marks {
+        let x = rect.left() + rect.width() * ((mark - low) / (high - low)) as f32;
+        let (font, color) = (FontId::proportional(10.0), ui.visuals().text_color());
+        painter.text(pos2(x, rect.top() + 16.0), Align2::CENTER_TOP, legend_mark(legend, mark), font, color);
+    }
+}

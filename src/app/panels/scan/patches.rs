@@ -1,0 +1,97 @@
+//! How far the part is off its model, and its patches: those where material is missing are ticked to be worked, and a
+//! click goes to each.
+
+use super::super::super::actions::Actions;
+use super::super::super::context::Context;
+use super::super::super::theme;
+use crate::document::model::PatchChoice;
+use crate::document::scan_edit::ScanEdit;
+use crate::planning::scanned::{ComparedScan, DeviationReport, Scanned, WornPart};
+use crate::scan::deviation::{Patch, PatchKind};
+use crate::text::{deviation_summary, fixed, id, say};
+use eframe::egui::{self, RichText, Role, WidgetInfo};
+use std::sync::Arc;
+
+/// Rows of the list that are shown at most: the deepest.
+const ROWS: usize = 24;
+
+pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, actions: &mut Actions) {
+    let Some(compared) = &scanned.compared else { return };
+    theme::heading(ui, &say!(scan_panel_deviation));
+    for line in deviation_summary(&DeviationReport::new(compared, context.document.job().scan.min_depth_mm)) {
+        ui.label(RichText::new(theme::capital(&line)).small());
+    }
+    let worn = scanned.worn.as_deref();
+    for (at, patch) in compared.patches.patches.iter().enumerate().take(ROWS) {
+        ui.horizontal(|ui| {
+            match (patch.kind, worn) {
+                (PatchKind::Missing, Some(worn)) => tick(ui, number(compared, at), (compared, worn), context, actions),
+                _ => drop(ui.add_space(22.0)),
+            }
+            row(ui, at, patch, (compared, worn), context, actions);
+        });
+    }
+    if compared.patches.patches.len() > ROWS {
+        let count = compared.patches.patches.len() - ROWS;
+        ui.label(RichText::new(say!(scan_panel_smaller, count)).small());
+    }
+}
+
+/// The place of a patch among those where material is missing: only these are surfaces.
+fn number(compared: &ComparedScan, at: usize) -> usize {
+    compared.patches.patches[..at].iter().filter(|p| p.kind == PatchKind::Missing).count()
+}
+
+/// Whether a patch is worked, and the box that says so.
+fn tick(
+    ui: &mut egui::Ui,
+    number: usize,
+    (compared, worn): (&Arc<ComparedScan>, &WornPart),
+    context: Context<'_>,
+    actions: &mut Actions,
+) {
+    let worked = worn.surfaces.worked.as_deref().unwrap_or_default();
+    let is_worked = |of: usize| worn.patches.get(of).is_some_and(|p| p.iter().any(|s| worked.contains(&s.surface)));
+    let mut on = is_worked(number);
+    let check = ui.checkbox(&mut on, "").on_hover_text(say!(scan_panel_work_tip));
+    check.widget_info(|| {
+        let told = say!(scan_panel_work_name, patch = id(number + 1));
+        WidgetInfo::selected(Role::CheckBox, true, on, told)
+    });
+    if !check.changed() {
+        return;
+    }
+    let missing: Vec<&Patch> = compared.patches.patches.iter().filter(|p| p.kind == PatchKind::Missing).collect();
+    let wanted: Vec<bool> = (0..missing.len()).map(|i| if i == number { on } else { is_worked(i) }).collect();
+    let places = || missing.iter().zip(&wanted).filter(|(_, on)| **on).map(|(p, _)| p.deepest_at.coords.into());
+    let choice = if wanted.iter().all(|on| *on) { PatchChoice::All } else { PatchChoice::At(places().collect()) };
+    if context.document.job().scan.patches != choice {
+        actions.scan(ScanEdit::Patches(choice));
+    }
+}
+
+/// Its colour and measures; a click goes there.
+fn row(
+    ui: &mut egui::Ui,
+    at: usize,
+    patch: &Patch,
+    (compared, worn): (&Arc<ComparedScan>, Option<&WornPart>),
+    context: Context<'_>,
+    actions: &mut Actions,
+) {
+    let (depth, area, volume) = (fixed(patch.depth_mm, 2), fixed(patch.area_mm2, 1), fixed(patch.volume_mm3, 2));
+    let is_missing = patch.kind == PatchKind::Missing;
+    let pieces = worn.filter(|_| is_missing).and_then(|w| w.patches.get(number(compared, at)));
+    let surface = pieces.and_then(|p| p.first()).map(|piece| piece.surface.0);
+    if let (Some(n), Some(picture)) = (surface, &context.derived.picture) {
+        theme::swatch(ui, picture.swatch(n, context.clean_list().contains(&n)));
+    }
+    let text = match is_missing {
+        true => say!(scan_panel_missing, patch = id(number(compared, at) + 1), depth, area, volume),
+        false => say!(scan_panel_surplus, depth, area, volume),
+    };
+    if ui.link(RichText::new(text).small()).on_hover_text(say!(scan_panel_show)).clicked() {
+        surface.into_iter().for_each(|n| actions.reveal(n));
+        actions.look_at(patch.centre, patch.area_mm2.sqrt().max(2.0));
+    }
+}
