@@ -124,7 +124,7 @@ fn scan_on(scene: &mut Scene, scanned: &Scanned, job: &Job) -> Option<Legend> {
     let (laid, compared) = (scanned.laid.as_ref()?, scanned.compared.as_ref()?);
     let farthest_mm = compared.patches.patches.iter().map(|p| p.depth_mm).fold(0.0, f64::max);
     let scale = DeviationScale::of_patches(job.scan.min_depth_mm, job.scan.tolerance_mm, farthest_mm);
-    let cloud = Arc::new(laid.cloud_in_part.clone());
+    let cloud = laid.cloud_in_part.clone();
     let off_mm = compared.smoothed_mm();
     let look = ScanLook::Deviation { deviation_mm: &off_mm, scale };
     scene.clouds.push(ScanPicture::new(cloud, 1).item(look, &Isometry3::identity()));
