@@ -107,7 +107,7 @@ impl<'a> ClosestSearch<'a> {
     pub fn closest(&self, point: &Point3<f64>, within_mm: f64, hint: &mut ClosestHint) -> Option<Closest> {
         let from_middle = point - self.middle;
         let reach = from_middle.amax() + f64::from(self.slack);
-        if !(reach < LARGEST_MM) {
+        if reach.is_nan() || reach >= LARGEST_MM {
             return self.bvh.closest(point, within_mm);
         }
         let p: [f32; 3] = [0, 1, 2].map(|k| from_middle[k] as f32);

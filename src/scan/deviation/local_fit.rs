@@ -31,7 +31,7 @@ pub(super) fn level(samples: &[Sample], room: &mut Vec<f64>) -> f64 {
     for _ in 0..ROUNDS {
         let off = |s: &Sample| s.depth - line[0] - line[1] * s.at[0] - line[2] * s.at[1];
         let width = TUKEY * SIGMA_OF_MEDIAN * median(room, samples.iter().map(|s| off(s).abs()));
-        if !(width > 0.0) {
+        if width.is_nan() || width <= 0.0 {
             break;
         }
         let weight = |s: &Sample| {

@@ -4,14 +4,14 @@
 //! surface beyond an edge does. Distances between places are taken between feet on the model, so that a deep pit keeps
 //! its place. Nothing is left out before: dropping small depths first would cost 8 % of a patch.
 //!
-//! At a place of the model the level is that of a robust fit ([`super::local_fit`]) through the 60 nearest points, those
+//! At a place of the model the level is that of a robust fit (`local_fit`) through the 60 nearest points, those
 //! far off weighing less; at a point of the scan, of which there are a thousand times as many, the mean of the middle
 //! half of the 40 nearest. Both leave noise of some σ/√37 (the median of 40 has 1.25 σ/√40), and both lower a depth by
 //! r²/8 × the sum of its second derivatives, where the 40 nearest lie within r, [`SmoothedDepths::radius_mm`]: at 10
 //! points/mm² r = 1.1 mm, and of wear 0.2 mm deep and 20 mm wide that is 0.003 mm.
 
-use super::Deviation;
 use super::local_fit::{Sample, level};
+use super::{Deviation, Footing, order};
 use crate::part::angle::any_square_to;
 use crate::part::{Mesh, Part};
 use crate::progress::{Cancelled, Progress};
@@ -45,7 +45,7 @@ const THIN_PERCENT: usize = 95;
 /// Depths of a scan, smoothed, on the model. Above 0 where material is missing.
 pub struct SmoothedDepths<'a> {
     mesh: &'a Mesh,
-    /// The points on the model, by index in the cloud.
+    /// The points on the model, by index in the cloud, in spatial order.
     index: Vec<u32>,
     feet: Cloud,
     neighbours: Neighbours,
@@ -76,7 +76,9 @@ impl<'a> SmoothedDepths<'a> {
         deviation: &Deviation,
         progress: &Progress,
     ) -> Result<SmoothedDepths<'a>, Cancelled> {
-        let index: Vec<u32> = deviation.on_model().collect();
+        // Side by side in memory what lies side by side: a third of the time.
+        let mut index = order::spatial(cloud_in_part);
+        index.retain(|&i| deviation.footing[i as usize] == Footing::OnModel);
         let foot = |&i: &u32| {
             let place = deviation.foot(part, cloud_in_part, i).unwrap_or(cloud_in_part.point(i as usize));
             let d = place - cloud_in_part.origin;
@@ -219,8 +221,26 @@ impl<'a> SmoothedDepths<'a> {
 
 /// The mean of the middle half; 0 without numbers.
 fn middle(all: &mut [f32]) -> f64 {
-    all.sort_unstable_by(f32::total_cmp);
     let quarter = all.len() / 4;
+    if quarter > 0 {
+        all.select_nth_unstable_by(quarter, f32::total_cmp);
+        let upper = all.len() - 2 * quarter;
+        all[quarter..].select_nth_unstable_by(upper, f32::total_cmp);
+    }
     let half = &all[quarter..all.len() - quarter];
     half.iter().map(|d| f64::from(*d)).sum::<f64>() / half.len().max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::middle;
+
+    #[test]
+    fn a_quarter_on_either_side_does_not_count() {
+        assert_eq!(middle(&mut [9e9, 1.0, -5e7, 2.0, 3.0, 4.0, 7e5, -8.0]), 2.5);
+        assert_eq!(middle(&mut [7.0, 1.0, 4.0]), 4.0);
+        assert_eq!(middle(&mut []), 0.0);
+        let mut many: Vec<f32> = (0u16..41).map(|i| f32::from(i * 17 % 41)).collect();
+        assert_eq!(middle(&mut many), 20.0);
+    }
 }
