@@ -50,7 +50,11 @@ fn the_camshafts_scan_is_laid_where_it_was_taken() {
     let weak: Vec<&Value> = found["sliding"].as_array().expect("a list").iter().collect();
     assert!(weak.iter().any(|s| s["kind"] == "weakly_held" && s["axis"]["direction"][0].as_f64().is_some()), "{found}");
     assert!(found["overlap"].as_f64().expect("a share") > 0.9);
-    assert!((found["noise_mm"].as_f64().expect("mm") - 0.03).abs() < 0.006, "{}", found["noise_mm"]);
+    // Where points are far apart what the shaft bends between them counts as noise.
+    let noise_mm = found["noise_mm"].as_f64().expect("mm");
+    assert!((0.027..0.05).contains(&noise_mm), "{noise_mm}");
+    // The fit is not fooled by that: its own σ is the noise.
+    assert!((found["sigma_mm"].as_f64().expect("mm") - 0.03).abs() < 0.003, "{}", found["sigma_mm"]);
 }
 
 #[test]

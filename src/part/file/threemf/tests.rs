@@ -158,7 +158,7 @@ fn archives_that_are_no_3mf_damaged_or_far_too_large() {
     let (packed, progress) = (file(&" ".repeat(600 << 10)), Progress::default());
     let mut package = Package::open(&packed, 1, &progress).expect("opens");
     assert_eq!(package.text("3D/part.model").map(|t| t.len()), Ok(600 << 10));
-    assert_eq!(package.text("3D/part.model"), Err(ThreeMfFault::TooLarge { most_mib: 1 }));
+    assert_eq!(package.text("3D/part.model"), Err(ThreeMfFault::TooLarge { most_mib: 1 }.into()));
 }
 
 proptest! {

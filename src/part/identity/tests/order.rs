@@ -33,7 +33,9 @@ proptest! {
         let new = shuffled(&old, seed);
         let numbers = sought_all(&old, &new, &[]).numbers;
         let (old, new) = (loaded(&old, &AS_IS), loaded(&new, &AS_IS));
-        let [old, new] = [&old, &new].map(|p| Segmentation::new(p, &AS_IS, &RULE));
+        let progress = Progress::default();
+        let now = |p| Segmentation::new(p, &AS_IS, &RULE, &progress).expect("nobody ends it");
+        let [old, new] = [now(&old), now(&new)];
         for (was, is) in &numbers {
             let (a, b) = (old.landmark(*was).expect("it exists").print, new.landmark(*is).expect("it exists").print);
             prop_assert_eq!((a.form, a.neighbours), (b.form, b.neighbours));
