@@ -22,6 +22,8 @@ fn with_scan(folder: &tempfile::TempDir, part: &str, job: &str) -> Harness<'stat
     answers.0.lock().expect("fresh").push((Purpose::Scan, scan));
     let mut h = window(Some(job), &answers);
     assert!(!h.state().can(Command::Toggle(Toggle::Scan)), "there are no points to be shown");
+    reveal(&mut h, "Scan");
+    click(&mut h, "Scan");
     reveal(&mut h, "Open scan…");
     h.get_by_label("Open scan…").click();
     h.step();
