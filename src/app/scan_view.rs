@@ -105,3 +105,30 @@ impl Context<'_> {
         self.derived.pipeline.scanned().is_some_and(|s| s.compared.is_some())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_shows_the_farthest_patch_and_colours_beyond_the_tolerance() {
+        use crate::scan::deviation::PatchKind;
+        use nalgebra::Point3;
+        let patch = |depth_mm: f64| Patch {
+            kind: PatchKind::Missing,
+            area_mm2: 1.0,
+            depth_mm,
+            deepest_at: Point3::origin(),
+            volume_mm3: 1.0,
+            centre: Point3::origin(),
+            facets: Vec::new(),
+            triangles: Vec::new(),
+            outlines: Vec::new(),
+        };
+        let limit = |patches: &[Patch], tolerance_mm| scale(patches, tolerance_mm).limit_mm();
+        assert!((limit(&[patch(0.302), patch(0.1)], 0.1) - 0.31).abs() < 1e-12);
+        assert!((limit(&[patch(0.2)], 0.05) - 0.2).abs() < 1e-12, "what is short already stays");
+        assert_eq!(limit(&[patch(0.02)], 0.1), 0.2);
+        assert_eq!(limit(&[], 0.1), 0.2);
+    }
+}

@@ -79,7 +79,10 @@ impl App {
     /// Brings the points of the scan up to date, if they are shown.
     fn sync_scan(&mut self) {
         let [is_shown, with_dropped] = [Toggle::Scan, Toggle::DroppedPoints].map(|t| self.session.show.is_on(t));
-        let scanned = if is_shown || with_dropped { self.derived.pipeline.scanned() } else { None };
+        let pipeline = &self.derived.pipeline;
+        let scanned = pipeline.scanned().filter(|_| is_shown || with_dropped);
+        // One that was refused takes the points of the one before with it.
+        let scanned = scanned.filter(|s| s.compared.is_some() || pipeline.error().is_none());
         self.scan.sync(scanned.as_ref(), self.document.job().scan.tolerance_mm, with_dropped);
     }
 

@@ -1,9 +1,13 @@
 //! Effects on what is seen: the camera, and what is shown and hidden.
 
 use crate::Stage;
+use crate::common::window::settle;
 use crate::window::Window;
 use clearbeam::app::{Command, Toggle};
-use clearbeam::document::Edit;
+use clearbeam::document::model::ScanFile;
+use clearbeam::document::{Edit, ScanEdit};
+use clearbeam::part::Units;
+use clearbeam::scan::cleaning::Step;
 use clearbeam::view::StandardView;
 use egui_kittest::kittest::Queryable as _;
 
@@ -106,6 +110,7 @@ fn prepare(w: &mut Window, what: Toggle) {
             std::fs::write(w.file("head.toml"), stack).expect("writes");
             w.send(Edit::Head("head.toml".into()));
         }
+        Toggle::Scan | Toggle::DroppedPoints => scan(w),
         _ => {}
     }
 }
@@ -115,6 +120,27 @@ fn clear_up(w: &mut Window, what: Toggle) {
         Toggle::BeforeCorrection => w.give(Command::Toggle(Toggle::Beams), &[]),
         Toggle::SectionPlane => seen_whole(w),
         Toggle::ToolBodies => w.undo(),
+        Toggle::Scan | Toggle::DroppedPoints => (0..3).for_each(|_| w.undo()),
         _ => {}
     }
+}
+
+/// A scan in the part's own frame, a millimetre out of it, of which a coarse voxel drops most.
+fn scan(w: &mut Window) {
+    let part = w.app().plan().expect("a plan").part.clone();
+    let out = |f: usize| {
+        let [a, b, c] = part.mesh.corners(f);
+        (a.coords + b.coords + c.coords) / 3.0 + part.mesh.normals[f]
+    };
+    let rows = (0..part.mesh.facets.len()).map(out).map(|p| format!("{} {} {}\n", p.x, p.y, p.z));
+    std::fs::write(w.file("scan.xyz"), rows.collect::<String>()).expect("writes");
+    let files = vec![ScanFile { file: "scan.xyz".into(), ..ScanFile::default() }];
+    let as_it_is = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    let thin = Step::Thin { voxel_mm: 8.0 };
+    // All before anything is looked for.
+    for edit in [ScanEdit::Files(files, Units::Mm), ScanEdit::Transform(Some(as_it_is)), ScanEdit::AddStep(thin)] {
+        w.h.state_mut().send(Edit::Scan(Box::new(edit)));
+    }
+    settle(&mut w.h);
+    assert!(w.app().can(Command::Toggle(Toggle::Scan)), "{:?}", w.app().why_no_plan());
 }

@@ -17,8 +17,12 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     // Always in sight: what is wrong, and what all the rest is for.
     egui::Panel::bottom("export").show(ui, |ui| export::ui(ui, context, actions));
     egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+        // A scan tells what is worked, and is what one looks at first; without one it is rarely asked for.
+        let has_scan = context.document.job().scan.is_there();
+        if has_scan {
+            scan::ui(ui, context, actions);
+        }
         lines::ui(ui, context, actions);
-        scan::ui(ui, context, actions);
         theme::heading(ui, &say!(parameters_beam));
         numbers::of_job(ui, Group::Beam, context, actions);
         correction(ui, context, actions);
@@ -37,6 +41,9 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         egui::CollapsingHeader::new(say!(parameters_part))
             .id_salt("part")
             .show(ui, |ui| placement::ui(ui, context, actions));
+        if !has_scan {
+            scan::ui(ui, context, actions);
+        }
         beam::dose::ui(ui, context, actions);
         cell::ui(ui, context, actions);
     });

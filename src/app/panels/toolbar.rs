@@ -44,7 +44,8 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
 }
 
 fn toggles(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    for command in TOGGLES.map(Command::Toggle) {
+    let of_scan = context.document.job().scan.is_there().then_some(Toggle::Scan);
+    for command in TOGGLES.into_iter().chain(of_scan).map(Command::Toggle) {
         let button = egui::Button::selectable(context.is_shown(command), command.name());
         let response = ui.add_enabled(context.is_enabled(command), button);
         if response.on_hover_text(command.keys_text(ui.ctx())).clicked() {

@@ -97,7 +97,10 @@ impl MadeFiles {
     ) -> Result<MadeFiles, ExportError> {
         let ExportInput { job, part, surfaces, setup, plan: whole, findings, wording, options } = *input;
         let mut job = job.clone();
-        job.part.landmarks = Remembered::of(&job, part, &job.part);
+        // With the patches of a scan the part has other facets than its file: what the job remembered stays.
+        if surfaces.worked.is_none() {
+            job.part.landmarks = Remembered::of(&job, part, &job.part);
+        }
         let job = &job;
         let variant = options.variant;
         let left = variant.from_pass.map(|n| from_pass(part, whole, setup, job, n, progress)).transpose()?;

@@ -18,7 +18,7 @@ use eframe::egui::{self, CollapsingHeader};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let is_there = context.document.job().scan.is_there();
-    let header = CollapsingHeader::new(say!(scan_panel)).id_salt(("scan", is_there)).default_open(true);
+    let header = CollapsingHeader::new(say!(scan_panel)).id_salt(("scan", is_there)).default_open(is_there);
     header.show(ui, |ui| {
         files::ui(ui, context, actions);
         if !is_there {
