@@ -29,7 +29,7 @@ fn plate() -> (Mesh, Surfaces) {
     let all = (0..mesh.facets.len() as u32).collect();
     let surface = Surface { number: 1, facets: all, area_mm2: mesh.areas.iter().sum() };
     let (of_facet, normals) = (vec![1; mesh.facets.len()], mesh.normals.clone());
-    (mesh, Surfaces { of_facet, list: vec![surface], normals, last_number: 1 })
+    (mesh, Surfaces { of_facet, list: vec![surface], normals, last_number: 1, ..Surfaces::default() })
 }
 
 fn strategies(c: &mut Criterion) {
