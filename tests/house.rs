@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 
 /// The rooms of ARCHITECTURE.md, the lowest first. What stands beside them may be used by all.
 const ROOMS: [&str; 16] = [
-    "part", "sample", "scan", "path", "beam", "pose", "process", "cell", "program", "document", "planning", "view", "picture",
-    "text", "cli", "app",
+    "part", "sample", "scan", "path", "beam", "pose", "process", "cell", "program", "document", "planning", "view",
+    "picture", "text", "cli", "app",
 ];
 
 /// A module's path, such as `["part", "stl"]`.

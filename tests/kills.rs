@@ -161,7 +161,7 @@ fn say(what: &str) {
 }
 
 /// Steps begun and steps done of a child that was killed some time after it had said `lines` lines.
-fn killed(desk: &Desk, seed: u64, lines: u64, pause: Duration) -> (u64, u64) {
+fn killed(desk: &Desk, seed: u64, lines: usize, pause: Duration) -> (u64, u64) {
     let mut child = Command::new(std::env::current_exe().expect("this file"))
         .args(["--exact", "child", "--ignored", "--nocapture", "--test-threads=1"])
         .envs([(FOLDER, desk.0.as_os_str()), (SEED, seed.to_string().as_ref())])
@@ -177,7 +177,7 @@ fn killed(desk: &Desk, seed: u64, lines: u64, pause: Duration) -> (u64, u64) {
         None => {}
     };
     if lines > 0 {
-        said.by_ref().filter(|l| l.starts_with(MARK)).inspect(|l| count(l)).take(lines as usize).for_each(drop);
+        said.by_ref().filter(|l| l.starts_with(MARK)).inspect(|l| count(l)).take(lines).for_each(drop);
     }
     let until = Instant::now() + pause;
     while Instant::now() < until {

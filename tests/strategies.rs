@@ -28,6 +28,7 @@ impl Alone {
             list: vec![all],
             normals: mesh.normals.clone(),
             last_number: 1,
+            ..Surfaces::default()
         };
         Alone { mesh, surfaces }
     }

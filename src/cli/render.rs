@@ -3,7 +3,9 @@
 use super::{CommandFailure, CommandOutcome, print};
 use crate::document::{Job, files, segmented};
 use crate::picture::dose::legend;
-use crate::picture::{DeviationScale, DoseLook, Legend, PartLook, PartPicture, PathLook, ScanLook, ScanPicture, dose_item, paths};
+use crate::picture::{
+    DeviationScale, DoseLook, Legend, PartLook, PartPicture, PathLook, ScanLook, ScanPicture, dose_item, paths,
+};
 use crate::planning::scanned::Scanned;
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
