@@ -1,7 +1,6 @@
 //! A cloud of measured points as plain data: places, a colour each, and how large and how far in front they are drawn.
 //! How it gets onto the graphics card is in `gpu_cloud`.
 
-use super::scene::Rgba;
 use nalgebra::Isometry3;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -27,8 +26,8 @@ pub struct CloudItem {
     pub places: Arc<dyn Places>,
     /// Names `colors` for these places; a new key uploads colours only.
     pub colors_key: u64,
-    /// One colour per point. Alpha 0 hides the point; any other draws it whole.
-    pub colors: Arc<Vec<Rgba>>,
+    /// One colour per point, as [`Rgba`](super::scene::Rgba). Alpha 0 hides the point; any other draws it whole.
+    pub colors: Arc<Vec<[u8; 4]>>,
     /// Side of a dot in points of the display (pixels at a scale of 1), while the cloud is no larger than the view. It
     /// grows as the square root of the zoom from there on.
     pub size_points: f32,
