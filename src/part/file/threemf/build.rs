@@ -7,6 +7,8 @@ use crate::part::raw_part::{RawPart, UnreadKind};
 use crate::part::units::StatedUnit;
 use crate::progress::Progress;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 
 /// Objects are made of others in no more steps; programs use one or two.
 const DEEPEST: usize = 32;
@@ -15,6 +17,12 @@ const DEEPEST: usize = 32;
 /// billions. A plate of small parts holds hundreds.
 const MOST_OBJECTS: usize = 100_000;
 const MOST_FACETS: usize = 20_000_000;
+
+/// A text that takes longer to parse than the operator should wait: some 10 ms.
+const LONG: usize = 1 << 20;
+
+/// Between two looks while a long text is parsed.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(20);
 
 /// The part that comes of a file.
 pub(super) struct Build<'p, 'a> {
@@ -32,7 +40,7 @@ impl<'p, 'a> Build<'p, 'a> {
     /// Builds what the main model, by its entry, asks for.
     pub fn of(package: &'p mut Package<'a>, main: &str) -> Result<RawPart, PartFileError> {
         let main = main.trim_start_matches('/').to_owned();
-        let model = package.model(&main)?;
+        let model = read_model(package, &main)?;
         let (unit, items) = (model.unit, model.items.clone());
         let part = RawPart { solids: items.len(), stated_unit: Some(unit), ..RawPart::default() };
         let models = BTreeMap::from([(main.clone(), model)]);
@@ -72,7 +80,7 @@ impl<'p, 'a> Build<'p, 'a> {
 
     fn load(&mut self, entry: &str) -> Result<(), PartFileError> {
         if !self.models.contains_key(entry) {
-            let model = self.package.model(entry)?;
+            let model = read_model(self.package, entry)?;
             if model.unit != self.unit {
                 return Err(ThreeMfFault::UnitsDiffer.into());
             }
@@ -92,6 +100,28 @@ impl<'p, 'a> Build<'p, 'a> {
         self.part.leave_unread(UnreadKind::Supports, supports);
         self.part.leave_unread(UnreadKind::LatticeBeams, beams);
         self.part
+    }
+}
+
+/// An entry as a model. A long one is read on a thread of its own, because nothing ends the parser before its end:
+/// cancelled, it is left to itself, and what it reads is dropped.
+fn read_model(package: &mut Package<'_>, name: &str) -> Result<Model, PartFileError> {
+    let text = package.text(name)?;
+    if text.len() < LONG {
+        return Ok(Model::of(&text, name)?);
+    }
+    let (done, model) = channel();
+    let name = name.to_owned();
+    std::thread::spawn(move || {
+        // Nobody waits for it any more where this fails.
+        let _ = done.send(Model::of(&text, &name));
+    });
+    loop {
+        match model.recv_timeout(BETWEEN_LOOKS) {
+            Ok(read) => return Ok(read?),
+            Err(RecvTimeoutError::Timeout) => package.progress.check()?,
+            Err(RecvTimeoutError::Disconnected) => return Err(ThreeMfFault::Archive.into()),
+        }
     }
 }
 

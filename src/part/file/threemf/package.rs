@@ -3,11 +3,8 @@
 
 use super::super::encoding::Utf16;
 use super::super::{PartFileError, ThreeMfFault};
-use super::model::Model;
 use crate::progress::Progress;
 use std::io::{Cursor, Read as _};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::time::Duration;
 use zip::ZipArchive;
 
 /// Says which entry is what.
@@ -15,12 +12,6 @@ const RELATIONSHIPS: &str = "_rels/.rels";
 
 /// So many bytes are unpacked between two looks whether that should end: a few milliseconds.
 const UNPACKED_AT_ONCE: u64 = 1 << 20;
-
-/// A text that takes longer to parse than the operator should wait: some 10 ms.
-const LONG: usize = 1 << 20;
-
-/// Between two looks while a long text is parsed.
-const BETWEEN_LOOKS: Duration = Duration::from_millis(20);
 
 /// The archive.
 pub(super) struct Package<'a> {
@@ -70,28 +61,6 @@ impl<'a> Package<'a> {
             Some(unmarked) => unmarked.to_owned(),
             None => text,
         })
-    }
-
-    /// An entry as a model. A long one is read on a thread of its own, because nothing ends the parser before its end:
-    /// cancelled, it is left to itself, and what it reads is dropped.
-    pub fn model(&mut self, name: &str) -> Result<Model, PartFileError> {
-        let text = self.text(name)?;
-        if text.len() < LONG {
-            return Ok(Model::of(&text, name)?);
-        }
-        let (done, model) = channel();
-        let name = name.to_owned();
-        std::thread::spawn(move || {
-            // Nobody waits for it any more where this fails.
-            let _ = done.send(Model::of(&text, &name));
-        });
-        loop {
-            match model.recv_timeout(BETWEEN_LOOKS) {
-                Ok(read) => return Ok(read?),
-                Err(RecvTimeoutError::Timeout) => self.progress.check()?,
-                Err(RecvTimeoutError::Disconnected) => return Err(ThreeMfFault::Archive.into()),
-            }
-        }
     }
 
     /// The name of the main model; `None`: the archive is no 3MF file.
