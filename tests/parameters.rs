@@ -1,5 +1,6 @@
 //! What the table of parameters says of a row is so in the rest of the program.
 
+use clearbeam::document::model::ScanFile;
 use clearbeam::document::parameter::Affects;
 use clearbeam::document::{Job, PARAMETERS, Recipe};
 use clearbeam::part::{Source, SurfaceId};
@@ -13,14 +14,17 @@ fn keys(job: &Job) -> Keys {
 
 #[test]
 fn another_value_makes_stale_what_its_row_says_and_nothing_before_it() {
-    let before = keys(&Job::default());
+    let mut scanned = Job::default();
+    scanned.scan.files.push(ScanFile::default());
+    let before = keys(&scanned);
     for p in PARAMETERS {
-        let mut job = Job::default();
+        let mut job = scanned.clone();
         job.set_number(p, p.limits.greatest);
         let after = keys(&job);
         let affected = [
             (Affects::Part, before.part != after.part),
             (Affects::Surfaces, before.surfaces != after.surfaces),
+            (Affects::Scan, before.scan != after.scan),
             (Affects::Setup, before.setup != after.setup),
             (Affects::Plan, before.plan != after.plan),
             (Affects::Dose, before.dose != after.dose),

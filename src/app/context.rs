@@ -91,6 +91,11 @@ impl App {
 }
 
 impl<'a> Context<'a> {
+    /// Whether the scan lies on the part and was compared with it, so that its points can be shown.
+    pub fn scan_is_laid(self) -> bool {
+        self.derived.pipeline.scanned().is_some_and(|s| s.compared.is_some())
+    }
+
     /// The plan of the job as it is; `None`: there is none, or what is shown is out of date.
     pub fn plan(self) -> Option<&'a Arc<PlannedJob>> {
         self.derived.current_plan(self.document)

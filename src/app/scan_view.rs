@@ -1,7 +1,6 @@
 //! The points of the scan as the view shows them: those on the part by how far they are off it, and those that cleaning
 //! took out. Made once for each state of the scan, when they are asked for, and only where it lies on the part.
 
-use super::context::Context;
 use crate::picture::{DeviationScale, ScanLook, ScanPicture};
 use crate::planning::scanned::{ComparedScan, ReadScan, Scanned};
 use crate::scan::cleaning::Cleaned;
@@ -97,13 +96,6 @@ fn dropped(read: &ReadScan, cleaned: &Cleaned, place: &Isometry3<f64>) -> CloudI
     let cloud = Arc::new(read.cloud.picked(&gone));
     let (key, kept) = (cloud.digest().0 as u64, vec![false; gone.len()]);
     ScanPicture::new(cloud, key).item(ScanLook::Cleaned { kept: &kept, shows_dropped: true }, place)
-}
-
-impl Context<'_> {
-    /// Whether the scan lies on the part and was compared with it, so that its points can be shown.
-    pub fn scan_is_laid(self) -> bool {
-        self.derived.pipeline.scanned().is_some_and(|s| s.compared.is_some())
-    }
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ impl ScanKeys {
         let JobScan {
             units,
             min_depth_mm,
-            tolerance_mm: _,
+            tolerance_mm,
             transform,
             patches,
             files: named,
@@ -41,7 +41,7 @@ impl ScanKeys {
         let cleaned = Hasher::default().of(&read).of(steps).finish();
         // Normals are interpolated within surfaces.
         let laid = Hasher::default().of(&cleaned).of(&part).of(&surfaces).of(transform).of(pairs).of(left_out).finish();
-        let compared = Hasher::default().of(&laid).of(min_depth_mm).finish();
+        let compared = Hasher::default().of(&laid).of(min_depth_mm).of(tolerance_mm).finish();
         let worn = Hasher::default().of(&compared).of(patches).finish();
         ScanKeys { read, cleaned, laid, compared, worn }
     }

@@ -20,3 +20,6 @@ pub mod registration;
 pub mod transform_file;
 
 pub use cloud::Cloud;
+
+/// Standard deviation of normal numbers by the median of their distances from the middle.
+pub(crate) const SIGMA_OF_MEDIAN: f64 = 1.4826;

@@ -1,3 +1,5 @@
+//! Patches as surfaces: areas in closed form, numbers that stay, parts that stay watertight, layers.
+
 use crate::part::patched::{LayersError, PatchLayer};
 use crate::part::surfaces::Surface;
 use crate::part::topology::FacetDefect;

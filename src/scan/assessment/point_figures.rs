@@ -7,6 +7,7 @@ use super::super::cloud::Cloud;
 use super::super::neighbours::{Neighbour, Neighbours};
 use super::super::normals::plane_through;
 use crate::progress::{Cancelled, Progress};
+use crate::scan::SIGMA_OF_MEDIAN;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -15,9 +16,6 @@ const NEIGHBOURS: usize = 20;
 
 /// Points looked at, at most: the median of 20 000 is sure to 1 %.
 const SAMPLE: usize = 20_000;
-
-/// The standard deviation of normally distributed numbers, from the median of their amounts: 1 / Φ⁻¹(3/4).
-const SIGMA_OF_MEDIAN: f64 = 1.4826;
 
 /// What the points of a cloud say of its scan.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -21,9 +21,6 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// The standard deviation of normally distributed numbers, from the median of their amounts: 1 / Φ⁻¹(3/4).
-pub(super) const SIGMA_OF_MEDIAN: f64 = 1.4826;
-
 /// Points that the depth at a point of the scan is the middle of.
 const NEIGHBOURS: usize = 40;
 /// Points that the depth at a place is fitted through. Weighed by distance they say as much as 45. With half of them

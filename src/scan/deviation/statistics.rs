@@ -1,8 +1,8 @@
 //! What all distances say together: mean, spread, percentiles, shares, histogram. Of the points on the model alone; how
 //! many are not is told beside it.
 
-use super::smoothing::SIGMA_OF_MEDIAN;
 use super::{Deviation, Footing};
+use crate::scan::SIGMA_OF_MEDIAN;
 use rayon::prelude::*;
 
 /// Figures of the signed distances, mm. Without points on the model the figures are 0.

@@ -5,8 +5,8 @@
 //! large then, never too small.
 
 use super::super::Cloud;
-use super::plane_fit::SIGMA_OF_MEDIAN;
 use super::thinned::Thinned;
+use crate::scan::SIGMA_OF_MEDIAN;
 use nalgebra::{Matrix3, Point3, SymmetricEigen, Vector3};
 use rayon::prelude::*;
 
