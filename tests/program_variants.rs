@@ -137,7 +137,7 @@ fn all_programs_of_a_plan_stand_beside_each_other_and_are_what_they_are_called()
 #[test]
 fn a_robot_does_them_with_the_part_and_with_the_tool_in_its_hand() {
     let sample = format!("{}/assets/samples/workpiece.toml", env!("CARGO_MANIFEST_DIR"));
-    // Yaskawa's speeds have one decimal: of the program's 3 mm/s a dry run has 0.8.
+    // Yaskawa's speeds have one decimal: of the program's 3 mm/s a dry run has 0.7.
     let robots = [
         ("mz04", "nachi", "part-in-hand", &VARIANTS[..]),
         ("irb1200", "abb", "tool-in-hand", &VARIANTS[..]),
