@@ -22,8 +22,9 @@ const GIVEN_WIDTH: f64 = 1.0 / 20.0;
 const FOUND_WIDTH: f64 = 1.0 / 60.0;
 /// Up to this share of the diagonal a point's distance counts between poses that have arrived.
 const SCORE_CAP: f64 = 1.0 / 180.0;
-/// Coarse scores up to so many times the best go on: a thousand points tell them only roughly.
-const GOES_ON: f64 = 2.0;
+/// Coarse scores up to so many times the best go on: distances count up to D/180 in them, and a hundredth of the points so
+/// far off, no more than a rival may have, doubles the score.
+const GOES_ON: f64 = 4.0;
 /// A score below this many times the best is a rival's. With distances cut off at 4.685 σ 2 % of the points decide
 /// between them: a worn lobe is as many.
 const RIVAL: f64 = 1.2;

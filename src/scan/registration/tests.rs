@@ -121,29 +121,22 @@ fn a_plane_slides_three_ways_a_cylinder_two_and_an_extrusion_one() {
     assert!(is_along(&extruded[0], Vector3::z()));
 }
 
+/// Two slots make a plate the same after three half turns; a hole on the middle line leaves one of them.
 #[test]
-fn a_symmetric_part_has_rivals_that_are_the_same_and_a_mark_tells_them_apart() {
-    let slots = [feature(15.0, 25.0, 12.0, 0.0), feature(65.0, 25.0, 12.0, 0.0)];
-    let same = part_of(&plate([80.0, 50.0, 12.0], &slots));
-    let (cloud, _) = scan(&same, &ScanRecipe::of(20_000, 5));
-    let found = laid(&same, &cloud, &RegistrationOptions::default()).expect("found");
-    assert_eq!(found.rivals.len(), 3, "two half turns and both");
-    assert!(found.rivals.iter().all(|r| r.same_by_symmetry && r.telling.is_none()));
-    // A hole of 5 mm: 1 % of the points.
-    let mark = Point3::new(30.0, 40.0, 6.0);
-    let marked = part_of(&plate([80.0, 50.0, 12.0], &[slots[0], slots[1], feature(mark.x, mark.y, 5.0, 0.0)]));
-    let (cloud, truth) = scan(&marked, &ScanRecipe { missing_share: 0.0, ..ScanRecipe::of(40_000, 6) });
-    let found = laid(&marked, &cloud, &RegistrationOptions::default()).expect("found");
-    assert!(off_mm(&marked, &found.model_from_scan, &truth) < 0.01);
-    for rival in &found.rivals {
+fn what_fits_as_well_is_told_whether_it_is_the_same_and_if_not_by_which_patch() {
+    let mark = Point3::new(40.0, 40.0, 6.0);
+    let holes = [feature(15.0, 25.0, 12.0, 0.0), feature(65.0, 25.0, 12.0, 0.0), feature(mark.x, mark.y, 3.0, 0.0)];
+    let part = part_of(&plate([80.0, 50.0, 12.0], &holes));
+    let (cloud, truth) = scan(&part, &ScanRecipe { missing_share: 0.0, ..ScanRecipe::of(30_000, 6) });
+    let found = laid(&part, &cloud, &RegistrationOptions::default()).expect("found");
+    let (same, others): (Vec<&Rival>, Vec<&Rival>) = found.rivals.iter().partition(|r| r.same_by_symmetry);
+    assert_eq!((same.len(), others.len()), (1, 2), "{found:?}");
+    let right = [&found.model_from_scan, &same[0].model_from_scan];
+    let off = right.iter().map(|pose| off_mm(&part, pose, &truth)).fold(f64::INFINITY, f64::min);
+    assert!(off < 0.01 && same[0].telling.is_none(), "{off}");
+    for rival in others {
         let patch = rival.telling.expect("the hole tells");
-        assert!(!rival.same_by_symmetry && patch.difference_mm > 0.0);
-        let at = patch.centre - mark;
-        // The hole, or the place where the other pose would have it.
-        let across = Vector3::new(80.0 - 2.0 * mark.x, 50.0 - 2.0 * mark.y, 0.0);
-        let places = [0, 1, 2, 3].map(|k| Vector3::new(across.x * f64::from(k & 1), across.y * f64::from(k >> 1), 0.0));
-        let off = places.iter().map(|p| (at - p).norm()).fold(f64::INFINITY, f64::min);
-        assert!(off < 8.0, "{patch:?}");
+        assert!(patch.difference_mm > 0.0 && (patch.centre - mark).norm() < 5.0, "{patch:?}");
     }
 }
 
@@ -151,14 +144,14 @@ fn a_symmetric_part_has_rivals_that_are_the_same_and_a_mark_tells_them_apart() {
 fn another_part_too_few_points_and_a_wish_to_end_are_told() {
     let part = bracket();
     let other = part_of(&plate([70.0, 60.0, 20.0], &[feature(40.0, 30.0, 30.0, 15.0)]));
-    let (cloud, _) = scan(&other, &ScanRecipe::of(20_000, 1));
-    let refused = laid(&part, &cloud, &RegistrationOptions::default());
+    let (cloud, truth) = scan(&other, &ScanRecipe::of(20_000, 1));
+    let refused = laid(&part, &cloud, &RegistrationOptions { start: Start::From(truth), ..Default::default() });
     assert!(matches!(refused, Err(RegistrationError::NotSamePart { .. })), "{refused:?}");
     let few = laid(&part, &cloud.picked(&[1, 2, 3]), &RegistrationOptions::default());
     assert_eq!(few, Err(RegistrationError::TooFewPoints { found: 3, needed: 100 }));
     let none = laid(&Part::default(), &cloud, &RegistrationOptions::default());
     assert_eq!(none, Err(RegistrationError::NoModel));
-    for looks in [1, 3, 40, 400] {
+    for looks in [1, 3, 40] {
         let progress = Progress::ending_after(looks);
         let ended = register(&part, &SurfaceNormals::at_usual_creases(&part), &cloud, &Default::default(), &progress);
         assert_eq!(ended, Err(RegistrationError::Cancelled));
