@@ -52,12 +52,11 @@ impl Incidence {
     }
 }
 
+/// Vertices of each edge, and edges of each facet.
+type UniqueEdges = (Vec<[u32; 2]>, Vec<[u32; 3]>);
+
 /// Unique edges by lower and higher vertex, grouped by the lower; and the edges of each facet.
-fn unique_edges(
-    vertex_count: usize,
-    facets: &[[u32; 3]],
-    progress: &Progress,
-) -> Result<(Vec<[u32; 2]>, Vec<[u32; 3]>), Cancelled> {
+fn unique_edges(vertex_count: usize, facets: &[[u32; 3]], progress: &Progress) -> Result<UniqueEdges, Cancelled> {
     // All half edges, bucketed by their lower vertex; equal ones are then few steps apart.
     let ends = |f: &[u32; 3], k: usize| {
         let (a, b) = (f[k], f[(k + 1) % 3]);

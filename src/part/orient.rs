@@ -85,8 +85,11 @@ fn is_closed_at(mesh: &Mesh, f: u32) -> bool {
     mesh.facet_edges[f as usize].iter().all(|&e| mesh.across(f, e).is_some())
 }
 
+/// Sheet of each facet, whether it must turn, and torn sheets.
+type Sheets = (Vec<u32>, Vec<bool>, Vec<bool>);
+
 /// Sheet of each facet, whether it must turn to agree with the sheet's first, and torn sheets.
-fn agree(mesh: &Mesh, progress: &Progress) -> Result<(Vec<u32>, Vec<bool>, Vec<bool>), Cancelled> {
+fn agree(mesh: &Mesh, progress: &Progress) -> Result<Sheets, Cancelled> {
     let count = mesh.facets.len();
     let (mut sheet_of, mut turn, mut torn) = (vec![u32::MAX; count], vec![false; count], Vec::new());
     let mut stack = Vec::new();

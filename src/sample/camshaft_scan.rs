@@ -70,7 +70,7 @@ impl Unrolled {
     }
 
     /// Where a point of the surface lies from the middle of the worn place: along the outline, along the axis, mm.
-    fn from_middle(&self, place: &Point3<f64>) -> [f64; 2] {
+    fn off_middle(&self, place: &Point3<f64>) -> [f64; 2] {
         [self.way_mm(place) - FROM_NOSE_MM, place.x - 0.5 * (self.span[0] + self.span[1])]
     }
 
@@ -78,7 +78,7 @@ impl Unrolled {
         if !self.has(p) {
             return 0.0;
         }
-        let [along, across] = self.from_middle(&p.place);
+        let [along, across] = self.off_middle(&p.place);
         let share = (along * along + across * across) / (RADIUS_MM * RADIUS_MM);
         if share < 1.0 { DEEPEST_MM * (1.0 - share) * (1.0 - share) } else { 0.0 }
     }
@@ -153,7 +153,7 @@ mod tests {
         let (scan, lobe) = (scan(), Unrolled::new());
         let mut quarters = [0usize; 4];
         for at in scan.taken_from.iter().flatten().filter(|at| lobe.has(at)) {
-            let [along, across] = lobe.from_middle(&at.place);
+            let [along, across] = lobe.off_middle(&at.place);
             if along * along + across * across < RADIUS_MM * RADIUS_MM {
                 quarters[usize::from(along > 0.0) + 2 * usize::from(across > 0.0)] += 1;
             }

@@ -7,6 +7,7 @@ use super::cloud::Cloud;
 use crate::fit::{PlacedPair, rigid};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
+use std::cmp::Ordering;
 
 /// Markers are on a line where their spread across it is a smaller share of that along it. At 0.05 a row of markers
 /// 300 mm long is about 15 mm wide, and an error of 0.05 mm turns the scan about the row by 0.2°, which is 0.3 mm at
@@ -88,7 +89,7 @@ fn is_line(markers: &[Marker], of: impl Fn(&Marker) -> Point3<f64>) -> bool {
     let mut spread: [f64; 3] = scatter.symmetric_eigenvalues().into();
     spread.sort_by(f64::total_cmp);
     // Also where all are in one place, and both are nought.
-    !(spread[1] > LEAST_WIDTH * LEAST_WIDTH * spread[2])
+    spread[1].partial_cmp(&(LEAST_WIDTH * LEAST_WIDTH * spread[2])) != Some(Ordering::Greater)
 }
 
 /// One cloud of several, each brought into the common frame, one after the other. Normals, colours and intensities are
@@ -152,9 +153,9 @@ mod tests {
             let other = scan.clone().moved(&motion);
             let both = merged(&[(&other, Isometry3::identity()), (&scan, fit.common_from_scan)], &Progress::default());
             let both = both.expect("nobody cancels");
-            for i in 0..4 {
+            for (i, place) in PLACES.into_iter().enumerate() {
                 prop_assert!((both.point(i) - both.point(i + 4)).norm() < 1e-3);
-                prop_assert!((both.point(i) - motion * Point3::from(PLACES[i])).norm() < 1e-3);
+                prop_assert!((both.point(i) - motion * Point3::from(place)).norm() < 1e-3);
                 let normals = both.normal(i).zip(both.normal(i + 4)).expect("both have them");
                 prop_assert!((normals.0 - normals.1).norm() < 1e-6);
             }

@@ -142,7 +142,7 @@ fn a_round_patch_on_a_face_has_its_area_and_leaves_the_rest() {
     let (Worn { part, surfaces, refined: r, .. }, centre) = (&worn, Worn::CENTRE);
     check(part, surfaces, &patched);
     let [piece] = patched.patches[0][..] else { panic!("{:?}", patched.patches) };
-    assert_eq!((piece.surface.0, piece.cut_from.0), (7, facing(&part, &surfaces, Vector3::z())));
+    assert_eq!((piece.surface.0, piece.cut_from.0), (7, facing(part, surfaces, Vector3::z())));
     assert!((piece.area_mm2 / worn_mm2() - 1.0).abs() < 0.01, "{} of {}", piece.area_mm2, worn_mm2());
     let outside = surfaces.get(7).is_none() && patched.surfaces.ids().count() == 7;
     assert!(outside, "one surface more");

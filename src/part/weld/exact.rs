@@ -3,11 +3,14 @@
 use crate::part::raw_part::RawFacet;
 use crate::progress::{Cancelled, Progress};
 
+/// Unique points, and those of each facet's corners.
+type WeldedCorners = (Vec<[f32; 3]>, Vec<[u32; 3]>);
+
 /// Unique corners by equal coordinates, numbered in order of first appearance.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.
-pub(super) fn weld_corners(raw: &[RawFacet], progress: &Progress) -> Result<(Vec<[f32; 3]>, Vec<[u32; 3]>), Cancelled> {
+pub(super) fn weld_corners(raw: &[RawFacet], progress: &Progress) -> Result<WeldedCorners, Cancelled> {
     let mut welder = Welder {
         slots: vec![EMPTY; (raw.len() * 2).next_power_of_two().max(16)],
         points: Vec::with_capacity(raw.len() / 2 + 3),

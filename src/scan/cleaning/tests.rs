@@ -104,7 +104,7 @@ fn steps_without_sense_change_nothing() {
         Step::Erase { centres: vec![], radius_mm: 1.0 },
         Step::Erase { centres: vec![[0.0; 3]], radius_mm: f64::NAN },
     ] {
-        let found = cleaned(&cloud, &[step.clone()]);
+        let found = cleaned(&cloud, std::slice::from_ref(&step));
         assert_eq!(found.cloud, cloud, "{step:?}");
     }
     let all = [Step::OUTLIERS, Step::Thin { voxel_mm: 1.0 }, Step::Smooth { radius_mm: 1.0, noise_mm: None }];
@@ -135,7 +135,7 @@ fn right_angle(noise_mm: f64) -> Cloud {
     let mut sequence = Sequence::new(11);
     let mut place = |i: usize| {
         let (a, y, off) = (-10.0 * sequence.uniform(), 10.0 * sequence.uniform(), noise_mm * sequence.normal());
-        if i % 2 == 0 { Point3::new(a, y, off) } else { Point3::new(off, y, a) }
+        if i.is_multiple_of(2) { Point3::new(a, y, off) } else { Point3::new(off, y, a) }
     };
     Cloud::of_points(&(0..4000).map(&mut place).collect::<Vec<_>>())
 }

@@ -48,7 +48,7 @@ pub(super) fn thinned(cloud: &Cloud, voxel_mm: f64, progress: &Progress) -> Resu
         }
         let voxel = voxel_of(offset);
         // Spread over the buckets by the golden ratio, as neighbours would fill one alone.
-        let bucket = (voxel.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) * count >> 32;
+        let bucket = ((voxel.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) * count) >> 32;
         buckets[bucket as usize].push((voxel, index as u32));
     }
     let merged: Vec<Vec<Merged>> = buckets

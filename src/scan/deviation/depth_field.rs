@@ -77,7 +77,7 @@ impl DepthField {
         let made = refined(part, taken.into_iter(), 2 * MOST, is_too_large, progress)?;
         let normals = normals_at(part, made.vertices.len(), &made.triangles, &made.parent);
         let depth_at = |room: &mut Room, at: usize| {
-            if at % 64 == 0 {
+            if at.is_multiple_of(64) {
                 progress.check()?;
             }
             let place = &made.vertices[at];

@@ -35,7 +35,7 @@ pub fn unscanned_mm2(part: &Part, depths: &SmoothedDepths, progress: &Progress) 
                 waiting.extend([([a, middle, c], halvings + 1), ([middle, b, c], halvings + 1)]);
                 continue;
             }
-            if looks % 256 == 0 {
+            if looks.is_multiple_of(256) {
                 progress.check()?;
             }
             looks += 1;

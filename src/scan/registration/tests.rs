@@ -114,7 +114,7 @@ fn a_plane_slides_three_ways_a_cylinder_two_and_an_extrusion_one() {
     assert!(round.len() == 2 && round.iter().all(|s| is_along(s, Vector3::z()) && s.slack_mm.is_none()), "{round:?}");
     assert!(round.iter().any(|s| s.motion == SlidingMotion::Shift));
     let turn = round.iter().find(|s| s.motion == SlidingMotion::Turn).expect("it turns");
-    assert!(turn.point.x.hypot(turn.point.y) < 0.05, "{turn:?}");
+    assert!(libm::hypot(turn.point.x, turn.point.y) < 0.05, "{turn:?}");
     let extruded =
         sliding_on(&part_of(&plate([40.0, 25.0, 30.0], &[feature(12.0, 11.0, 9.0, 0.0)])), |n| n.z.abs() < 0.1);
     assert!(extruded.len() == 1 && extruded[0].motion == SlidingMotion::Shift, "{extruded:?}");

@@ -26,7 +26,9 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
         ui.horizontal(|ui| {
             match (patch.kind, worn) {
                 (PatchKind::Missing, Some(worn)) => tick(ui, number(compared, at), (compared, worn), context, actions),
-                _ => drop(ui.add_space(22.0)),
+                _ => {
+                    ui.add_space(22.0);
+                }
             }
             row(ui, at, patch, (compared, worn), context, actions);
         });
