@@ -2,7 +2,7 @@
 //!
 //! From the nose with its keyway (x = 0) over a thrust collar to three journals, four lobes of which the noses stand 90°
 //! apart (firing order 1-3-4-2: up, +y, −y, down), and a hexagon for the spanner. Both ends have centre holes. Lobes are
-//! cylinders over [`CamLobe`]'s outline and stand clear of each other, so a beam along the normal is free. No oil bores,
+//! cylinders over `CamLobe`'s outline and stand clear of each other, so a beam along the normal is free. No oil bores,
 //! no fillets.
 //!
 //! Most of its skin turns about its axis into itself: noses, keyway and hexagon alone tell its turn, and collar and

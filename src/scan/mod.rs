@@ -1,6 +1,6 @@
 //! What was measured of the part on the bench: clouds of points, cleaned, laid on the model, compared with it (P3).
 //!
-//! A cloud comes in the frame of its scan and in the unit of its file; [`file`] reads it, [`cleaning`] takes out what is
+//! A cloud comes in the frame of its scan and in the unit of its file; [`mod@file`] reads it, [`cleaning`] takes out what is
 //! none of the part, [`registration`] finds `model_from_scan`, [`deviation`] tells how far the part as it is lies off
 //! the model, and where that is wear: a patch. Lengths mm. Nothing here knows of section planes, beams or robots.
 

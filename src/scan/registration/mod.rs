@@ -1,7 +1,7 @@
 //! Finds the motion that lays a scan on the model (P3 4.4's registration), and says how sure it is.
 //!
-//! Coarse from turns everywhere ([`coarse`], no features: machined parts have none), fine by point to plane on the mesh
-//! ([`fine`]), then without what is worn. What slides ([`sliding`]) and what fits as well ([`rivals`]) is told, never
+//! Coarse from turns everywhere (`coarse`, no features: machined parts have none), fine by point to plane on the mesh
+//! (`fine`), then without what is worn. What slides (`sliding`) and what fits as well (`rivals`) is told, never
 //! chosen in silence. It does not say where scan or part stand in the robot's cell.
 
 mod coarse;
