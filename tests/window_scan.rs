@@ -28,6 +28,11 @@ fn with_scan(folder: &tempfile::TempDir, part: &str, job: &str) -> Harness<'stat
     h.get_by_label("Open scan…").click();
     h.step();
     h.step();
+    // Taken away while it is looked at, it comes back as if it had never gone.
+    h.state_mut().give(Command::Undo, &[]);
+    h.step();
+    h.state_mut().give(Command::Redo, &[]);
+    h.step();
     assert!(h.state().plan().is_none() && !h.state().can(Command::Export), "nothing is current while it is looked at");
     settle(&mut h);
     h

@@ -98,6 +98,14 @@ impl<V, E> Stage<V, E> {
         }
     }
 
+    /// Ends the work, which nobody waits for; it begins anew once it is wanted again.
+    pub fn stop(&mut self) {
+        if let StageState::Running { progress, .. } = &self.state {
+            progress.cancel();
+            self.state = StageState::Idle;
+        }
+    }
+
     /// Ends the work, and has failed for this key.
     pub fn fail(&mut self, key: Digest, why: Failure<E>) {
         self.cancel();

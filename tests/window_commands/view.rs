@@ -120,7 +120,11 @@ fn clear_up(w: &mut Window, what: Toggle) {
         Toggle::BeforeCorrection => w.give(Command::Toggle(Toggle::Beams), &[]),
         Toggle::SectionPlane => seen_whole(w),
         Toggle::ToolBodies => w.undo(),
-        Toggle::Scan | Toggle::DroppedPoints => (0..3).for_each(|_| w.undo()),
+        Toggle::Scan | Toggle::DroppedPoints => {
+            // All before anything is looked for.
+            (0..3).for_each(|_| w.h.state_mut().give(Command::Undo, &[]));
+            settle(&mut w.h);
+        }
         _ => {}
     }
 }

@@ -116,6 +116,15 @@ impl ScanStages {
         self.worn.cancel();
     }
 
+    /// Ends the work for a scan that was taken away: it comes back as if nothing had been begun.
+    pub(super) fn stop(&mut self) {
+        self.read.stop();
+        self.cleaned.stop();
+        self.laid.stop();
+        self.compared.stop();
+        self.worn.stop();
+    }
+
     /// Tries again what failed.
     pub(super) fn try_again(&mut self) {
         self.read.try_again();

@@ -76,7 +76,7 @@ impl Pipeline {
     fn sync_scan(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys) {
         let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
         let Some(scan) = &keys.scan else {
-            self.scan.cancel();
+            self.scan.stop();
             return;
         };
         self.scan.sync(part, surfaces, job, job_file, scan, &*self.executor);

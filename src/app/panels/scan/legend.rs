@@ -28,7 +28,7 @@ pub(in super::super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_
             for (entry, color) in &legend.entries {
                 ui.horizontal(|ui| {
                     theme::swatch(ui, *color);
-                    ui.label(RichText::new(legend_entry(*entry, language())).small());
+                    ui.label(legend_entry(*entry, language()));
                 });
             }
         });
@@ -37,7 +37,7 @@ pub(in super::super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_
 
 /// The colours from end to end, and the numbers under them.
 fn bar(ui: &mut egui::Ui, legend: &Legend) {
-    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, 30.0), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, 32.0), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, say!(scan_panel_scale)));
     let [low, high] = legend.range;
     let painter = ui.painter();
@@ -50,7 +50,7 @@ fn bar(ui: &mut egui::Ui, legend: &Legend) {
     }
     for &mark in &legend.marks {
         let x = rect.left() + rect.width() * ((mark - low) / (high - low)) as f32;
-        let (font, color) = (FontId::proportional(10.0), ui.visuals().text_color());
+        let (font, color) = (FontId::proportional(12.0), ui.visuals().text_color());
         painter.text(pos2(x, rect.top() + 16.0), Align2::CENTER_TOP, legend_mark(legend, mark), font, color);
     }
 }

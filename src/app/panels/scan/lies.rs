@@ -21,13 +21,13 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
             let (same, others): (Vec<_>, Vec<_>) = report.rivals.into_iter().partition(|r| r.same_by_symmetry);
             report.rivals = same;
             for line in how_it_lies(&report) {
-                ui.label(RichText::new(theme::capital(&line)).small());
+                ui.label(theme::capital(&line));
             }
             for (i, rival) in others.iter().enumerate() {
                 take_rival(ui, i, rival, actions);
             }
             if is_in_doubt {
-                ui.label(RichText::new(say!(scan_panel_in_doubt)).small().color(theme::ATTENTION));
+                ui.label(RichText::new(say!(scan_panel_in_doubt)).color(theme::ATTENTION));
             }
         }
     }
@@ -45,7 +45,7 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
 }
 
 fn take_rival(ui: &mut egui::Ui, at: usize, rival: &RivalReport, actions: &mut Actions) {
-    ui.label(RichText::new(theme::capital(&rival.sentence())).small().color(theme::ATTENTION));
+    ui.label(RichText::new(theme::capital(&rival.sentence())).color(theme::ATTENTION));
     let take = ui.small_button(say!(scan_panel_take_rival));
     let told = || say!(scan_panel_take_rival_name, rival = id(at + 1));
     take.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, told()));

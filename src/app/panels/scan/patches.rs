@@ -9,7 +9,7 @@ use crate::document::scan_edit::ScanEdit;
 use crate::planning::scanned::{ComparedScan, DeviationReport, Scanned, WornPart};
 use crate::scan::deviation::{Patch, PatchKind};
 use crate::text::{deviation_summary, fixed, id, say};
-use eframe::egui::{self, RichText, Role, WidgetInfo};
+use eframe::egui::{self, Role, WidgetInfo};
 use std::sync::Arc;
 
 /// Rows of the list that are shown at most: the deepest.
@@ -19,7 +19,7 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
     let Some(compared) = &scanned.compared else { return };
     theme::heading(ui, &say!(scan_panel_deviation));
     for line in deviation_summary(&DeviationReport::new(compared, context.document.job().scan.min_depth_mm)) {
-        ui.label(RichText::new(theme::capital(&line)).small());
+        ui.label(theme::capital(&line));
     }
     let worn = scanned.worn.as_deref();
     for (at, patch) in compared.patches.patches.iter().enumerate().take(ROWS) {
@@ -35,7 +35,7 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
     }
     if compared.patches.patches.len() > ROWS {
         let count = compared.patches.patches.len() - ROWS;
-        ui.label(RichText::new(say!(scan_panel_smaller, count)).small());
+        ui.label(say!(scan_panel_smaller, count));
     }
 }
 
@@ -92,7 +92,7 @@ fn row(
         true => say!(scan_panel_missing, patch = id(number(compared, at) + 1), depth, area, volume),
         false => say!(scan_panel_surplus, depth, area, volume),
     };
-    if ui.link(RichText::new(text).small()).on_hover_text(say!(scan_panel_show)).clicked() {
+    if ui.link(text).on_hover_text(say!(scan_panel_show)).clicked() {
         surface.into_iter().for_each(|n| actions.reveal(n));
         actions.look_at(patch.centre, patch.area_mm2.sqrt().max(2.0));
     }
