@@ -119,3 +119,81 @@ fn the_worn_place_alone_is_planned_and_its_program_is_read_back() {
     let verified = clearbeam(&["verify", program.to_str().expect("a name"), "--job", job.to_str().expect("a name")]);
     assert_eq!(verified.status.code(), Some(0), "{}", String::from_utf8_lossy(&verified.stdout));
 }
+
+/// The sample's job in a folder of its own, with other lines in place of some of its.
+fn job_with(folder: &Path, changed: &[(&str, String)]) -> String {
+    let mut text = std::fs::read_to_string(sample("camshaft.toml")).expect("there");
+    text = text.replace("camshaft.stl", &sample("camshaft.stl"));
+    for (line, other) in changed {
+        assert!(text.contains(&format!("{line}\n")), "{line}");
+        text = text.replace(&format!("{line}\n"), &format!("{other}\n"));
+    }
+    let path = folder.join("job.toml");
+    std::fs::write(&path, text).expect("written");
+    path.display().to_string()
+}
+
+#[test]
+fn a_row_of_scans_goes_on_past_the_part_that_is_another_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let truth = read(Path::new(&sample("camshaft_truth.json")));
+    let rows = &truth["model_from_scan"];
+    // As worn as that it is refused, as another part would be.
+    let job = job_with(
+        folder.path(),
+        &[("min_depth_mm = 0.05", format!("min_depth_mm = 0.05\ngate_mm = 0.1\ntransform = {rows}"))],
+    );
+    let (scan, other) = (sample("camshaft_scan.ply"), folder.path().join("none.ply"));
+    let out = folder.path().join("out");
+    let [out_word, other_word] = [&out, &other].map(|p| p.to_str().expect("a name"));
+    let run = clearbeam(&["plan", &job, "--scan", other_word, "--scan", &scan, "--out", out_word, "--jobs", "2"]);
+    assert_eq!(run.status.code(), Some(1));
+    let lines: Vec<Value> = String::from_utf8_lossy(&run.stdout)
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("a line of JSON"))
+        .collect();
+    let [gone, worn] = &lines[..] else { panic!("{lines:?}") };
+    assert_eq!((&gone["status"], gone["scan"].as_str()), (&Value::from(1), Some(other_word)));
+    // Another file has another frame: it is laid anew, and then stopped at the gate.
+    let said = worn["error"].as_str().expect("why");
+    assert!(worn["status"] == 1 && said.contains("0.1 mm that the job allows"), "{said}");
+    assert!(!out.join("camshaft_scan").exists());
+}
+
+#[test]
+fn the_jobs_own_surfaces_are_worked_where_the_scan_found_the_part() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let work = "min_depth_mm = 0.05\nwork = \"surfaces\"".into();
+    let job = job_with(folder.path(), &[("min_depth_mm = 0.05", work), ("surfaces = [52]", "surfaces = [3]".into())]);
+    let (scan, out) = (sample("camshaft_scan.ply"), folder.path().join("out"));
+    let run = clearbeam(&["plan", &job, "--scan", &scan, "--spacing", "4", "--out", out.to_str().expect("a name")]);
+    let said = format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+    assert!(matches!(run.status.code(), Some(0 | 3)), "{said}");
+    let report = read(&out.join("report.json"));
+    assert_eq!(report["surfaces"][0]["surface"], 3, "{said}");
+    assert_eq!(report["proven"], true, "{said}");
+    // A shaft is weakly held about its axis: everything keeps clear by so much more, and that is said.
+    assert!(report["scan"]["slack_mm"].as_f64().expect("mm") > 0.1 && said.contains("more than its margin"), "{said}");
+}
+
+#[test]
+fn beads_fill_the_worn_place_in_layers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let truth = read(Path::new(&sample("camshaft_truth.json")));
+    let scan = sample("camshaft_scan.ply");
+    let placed =
+        format!("files = [{{ file = \"{scan}\" }}]\ntransform = {}\ntolerance_mm = 0.1", truth["model_from_scan"]);
+    let job =
+        job_with(folder.path(), &[("tolerance_mm = 0.1", placed), ("height_mm = 0.3", "height_mm = 0.08".into())]);
+    let out = folder.path().join("out");
+    let run = clearbeam(&["plan", &job, "--out", out.to_str().expect("a name")]);
+    let said = format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+    assert!(matches!(run.status.code(), Some(0 | 3)), "{said}");
+    let report = read(&out.join("report.json"));
+    let layers = report["patches"][0]["layers"].as_array().expect("layers");
+    assert_eq!(layers.len(), 3, "0.2 mm take three beads of 0.08 mm: {said}");
+    let areas: Vec<f64> = layers.iter().map(|l| l["area_mm2"].as_f64().expect("mm²")).collect();
+    assert!(areas[0] > areas[1] && areas[1] > areas[2] && areas[2] > 0.0, "{areas:?}");
+    assert!(said.contains("3 layers fill it"), "{said}");
+    assert_eq!(report["proven"], true, "{said}");
+}

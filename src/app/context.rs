@@ -29,6 +29,7 @@ use super::session::Session;
 use super::spacing::{SpacingPicture, SpacingView};
 use super::suggestion_search::BetterSetupPreview;
 use crate::beam::ProcessSettings;
+use crate::document::model::ScanWork;
 use crate::document::{Document, Library};
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{PlannedJob, Stage};
@@ -127,10 +128,14 @@ impl<'a> Context<'a> {
         self.derived.clearance.of(self.derived.plan()?.key)
     }
 
-    /// Whether a scan tells what is worked: then nobody chooses surfaces, and the facets of those that are shown are not
-    /// the ones of the part's file.
-    pub fn is_worked_by_scan(self) -> bool {
+    /// Whether there is a scan: then the facets of the surfaces that are shown need not be those of the part's file.
+    pub fn has_scan(self) -> bool {
         self.document.job().scan.is_there()
+    }
+
+    /// Whether a scan tells what is worked: then nobody chooses surfaces.
+    pub fn is_worked_by_scan(self) -> bool {
+        self.has_scan() && self.document.job().scan.work == ScanWork::Patches
     }
 
     /// Surfaces to clean, in the order of work. While a scan's patches are looked for there are none.

@@ -95,6 +95,6 @@ impl App {
     }
 
     fn why_surfaces_stay(&self) -> String {
-        if self.context().is_worked_by_scan() { say!(scan_panel_keeps_surfaces) } else { say!(window_part_being_built) }
+        if self.context().has_scan() { say!(scan_panel_keeps_surfaces) } else { say!(window_part_being_built) }
     }
 }

@@ -31,7 +31,7 @@ impl Context<'_> {
             C::Toggle(what) => self.is_there(what),
             C::BetterSetup => self.refusing_plan().is_some() && !self.derived.suggestions.is_better_setup_sought(),
             C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater if self.is_worked_by_scan() => false,
-            C::FlipSurface | C::FlipShell if self.is_worked_by_scan() => false,
+            C::FlipSurface | C::FlipShell if self.has_scan() => false,
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
             C::Unclean | C::CleanEarlier | C::CleanLater => selected.iter().any(|n| clean().contains(n)),
             // Facets are cut and joined on the part as it is.
@@ -48,8 +48,10 @@ impl Context<'_> {
     pub fn why_not(self, command: Command) -> Option<String> {
         use Command as C;
         match command {
-            _ if !self.is_worked_by_scan() => None,
-            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => Some(say!(scan_panel_tells_worked)),
+            _ if !self.has_scan() => None,
+            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => {
+                self.is_worked_by_scan().then(|| say!(scan_panel_tells_worked))
+            }
             C::Merge | C::Split | C::FlipSurface | C::FlipShell => Some(say!(scan_panel_keeps_surfaces)),
             _ => None,
         }

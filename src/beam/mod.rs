@@ -30,6 +30,8 @@ pub struct Tool {
     pub head: Option<Head>,
     /// Clamps on the part, in its frame; where the robot carries the head, obstacles of the cell follow them.
     pub clamps: Vec<Obstacle>,
+    /// How far the part may lie off where it is taken to be, mm: beam and head keep so much more than their margin.
+    pub slack_mm: f64,
 }
 
-crate::part::keyed!(Tool { head, clamps });
+crate::part::keyed!(Tool { head, clamps, slack_mm });

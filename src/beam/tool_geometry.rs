@@ -69,7 +69,7 @@ impl OwnCone {
 }
 
 impl<'a> ToolGeometry<'a> {
-    /// The tool of a job. `spot_mm` is the spot's diameter on the part at the defocus distance.
+    /// The tool of a job. It keeps `margin_mm`, and the tool's slack on top of it. `spot_mm` is the spot's diameter on the part at the defocus distance.
     /// `None`: the beam is a ray, and nothing is clamped on.
     pub fn new(
         tool: &'a Tool,
@@ -90,7 +90,7 @@ impl<'a> ToolGeometry<'a> {
         let has_head = tool.head.is_some();
         // A ray asks for itself: as a thin cone without end it would be as wide on a turn as it gets at that end.
         let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { Vec::new() };
-        let margin_mm = if has_head { margin_mm } else { 0.0 };
+        let margin_mm = if has_head { margin_mm + tool.slack_mm } else { 0.0 };
         Some(ToolGeometry {
             defocus_mm,
             margin_mm,
@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn the_cone_has_no_gap_and_keeps_to_both_bounds() {
-        let tool = Tool { head: Some(Head::Stack(Vec::new())), clamps: Vec::new() };
+        let tool = Tool { head: Some(Head::Stack(Vec::new())), clamps: Vec::new(), slack_mm: 0.0 };
         for defocus_mm in [-15.0, 0.0, 20.0] {
             let body = ToolGeometry::new(&tool, &Optics::default(), 1.0, defocus_mm, 0.5).expect("a head");
             assert!(body.beam.windows(2).all(|w| (w[0].t1_mm, w[0].r1_mm) == (w[1].t0_mm, w[1].r0_mm)));

@@ -11,6 +11,7 @@ mod legend;
 mod number_options;
 mod options;
 mod plan;
+mod plan_row;
 mod register;
 mod render;
 mod scans;

@@ -1,12 +1,12 @@
 //! `clearbeam plan`: from a part or a job to a folder with its program.
 
 use super::changed::part_of;
-use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell_of_file};
+use super::{CommandFailure, CommandOutcome, PlanOptions, plan_row, print, print_json, tell_of_file};
 use crate::cell::{Robot, Setup};
 use crate::document::model::ScanFile;
 use crate::document::{Chosen, Edit, Job, ScanEdit, files};
 use crate::planning::cures::Cure;
-use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, FileConflict};
+use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Exported, FileConflict};
 use crate::planning::report::PlanFinding;
 use crate::planning::{self, FromPassError, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::program::{DRY_RUN_PERCENT, Variant};
@@ -18,14 +18,16 @@ use std::sync::Arc;
 /// Options of `plan`.
 #[derive(clap::Args, Debug)]
 pub struct PlanArguments {
-    #[arg(help = say!(cli_plan_input))]
-    input: PathBuf,
+    #[arg(required = true, value_name = "INPUT", help = say!(cli_plan_input))]
+    pub(super) inputs: Vec<PathBuf>,
     #[arg(long, value_name = "DIR", help = say!(cli_plan_out))]
-    out: PathBuf,
+    pub(super) out: PathBuf,
     #[command(flatten)]
     options: PlanOptions,
     #[arg(long, value_name = "SCAN", help = say!(cli_plan_scan))]
-    scan: Option<PathBuf>,
+    pub(super) scan: Vec<PathBuf>,
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..), help = say!(cli_plan_jobs))]
+    pub(super) jobs: u16,
     #[arg(long, help = say!(cli_plan_dose))]
     dose: bool,
     #[arg(long, help = say!(cli_plan_dry_run, percent = exact(DRY_RUN_PERCENT)))]
@@ -38,53 +40,93 @@ pub struct PlanArguments {
     json: bool,
 }
 
-/// Plans and writes.
+/// One plan of those that a command makes.
+pub(super) struct PlanRun<'a> {
+    /// Part or job.
+    pub(super) input: &'a Path,
+    /// The scan that takes the place of the job's.
+    pub(super) scan: Option<&'a Path>,
+    /// Its folder.
+    pub(super) out: PathBuf,
+}
+
+/// A plan whose files are written.
+pub(super) struct WrittenPlan {
+    pipeline: Pipeline,
+    planned: Arc<PlannedJob>,
+    job: Job,
+    pub(super) exported: Exported,
+}
+
+/// Plans and writes: one job into its folder, or a row of them.
 pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
-    let (job, job_file) = opened(&a.input)?;
-    let job_file = job_file.as_deref();
-    // Under the job's own numbers, before options give others.
-    let (mut job, source, findings) = part_of(job, job_file)?;
-    a.options.apply(&mut job, &source)?;
-    take_files(a, &mut job)?;
-    // Known before the work is done, as far as names are.
-    let setup = files::load_setup(&job, job_file).map_err(CommandFailure::failed)?;
-    let variant = Variant { dry_run: a.dry_run, from_pass: a.from_pass };
-    let options = ExportOptions { dose: a.dose, variant };
-    export::conflicts(&a.out, &job, job_file, &setup, &options)
-        .and_then(|met| export::allowed(&a.out, met, a.overwrite))
-        .map_err(not_exported)?;
-    // Nobody cancels it: a key that ends the program ends all.
-    let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
-    let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-    tell_of_file(&a.input, planned.report.findings.iter().filter_map(PlanFinding::in_file));
-    tell_of_cell(&job, setup);
-    let wording = program_comment;
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording, options };
-    let exported = export::write(&a.out, &input, job_file, a.overwrite, &Progress::default()).map_err(not_exported)?;
-    let report = &exported.report;
+    let [input] = &a.inputs[..] else { return plan_row::run(a) };
+    if a.scan.len() > 1 {
+        return plan_row::run(a);
+    }
+    let one = PlanRun { input, scan: a.scan.first().map(PathBuf::as_path), out: a.out.clone() };
+    let made = write(a, &one)?;
+    let report = &made.exported.report;
     if a.json {
         print_json(report)?;
     } else {
-        let mut text = report_lines(report, &job);
-        if let Some(t) = &exported.times {
-            let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(clock);
-            text.push_str(&format!("{}\n", say!(cli_times, work, travel, waiting)));
-        }
-        text.push_str(&cured(&planned));
-        text.push_str(&advised(&input, &pipeline));
-        for path in &exported.removed {
-            text.push_str(&format!("{}\n", say!(cli_removed, file = path.display().to_string())));
-        }
-        for path in &exported.written {
-            text.push_str(&format!("{}\n", say!(cli_wrote, file = path.display().to_string())));
-        }
-        print(&text);
+        print(&told(&made));
     }
     Ok(if report.is_complete() { CommandOutcome::Done } else { CommandOutcome::Found })
 }
 
+/// Plans one job and writes its files.
+pub(super) fn write(a: &PlanArguments, of: &PlanRun<'_>) -> Result<WrittenPlan, CommandFailure> {
+    let (job, job_file) = opened(of.input)?;
+    let job_file = job_file.as_deref();
+    // Under the job's own numbers, before options give others.
+    let (mut job, source, findings) = part_of(job, job_file)?;
+    a.options.apply(&mut job, &source)?;
+    take_files(a, of.scan, &mut job)?;
+    // Known before the work is done, as far as names are.
+    let setup = files::load_setup(&job, job_file).map_err(CommandFailure::failed)?;
+    let options = ExportOptions { dose: a.dose, variant: a.variant() };
+    export::conflicts(&of.out, &job, job_file, &setup, &options)
+        .and_then(|met| export::allowed(&of.out, met, a.overwrite))
+        .map_err(not_exported)?;
+    // Nobody cancels it: a key that ends the program ends all.
+    let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
+    let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
+    tell_of_file(of.input, planned.report.findings.iter().filter_map(PlanFinding::in_file));
+    tell_of_cell(&job, setup);
+    let wording = program_comment;
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording, options };
+    let exported = export::write(&of.out, &input, job_file, a.overwrite, &Progress::default()).map_err(not_exported)?;
+    Ok(WrittenPlan { pipeline, planned, job, exported })
+}
+
+/// What there is to say of a plan that was written.
+fn told(made: &WrittenPlan) -> String {
+    let WrittenPlan { pipeline, planned, job, exported } = made;
+    let mut text = report_lines(&exported.report, job);
+    if let Some(t) = &exported.times {
+        let [work, travel, waiting] = [t.work_s, t.travel_s, t.waiting_s].map(clock);
+        text.push_str(&format!("{}\n", say!(cli_times, work, travel, waiting)));
+    }
+    text.push_str(&cured(planned));
+    text.push_str(&advised(planned, job, pipeline));
+    for path in &exported.removed {
+        text.push_str(&format!("{}\n", say!(cli_removed, file = path.display().to_string())));
+    }
+    for path in &exported.written {
+        text.push_str(&format!("{}\n", say!(cli_wrote, file = path.display().to_string())));
+    }
+    text
+}
+
+impl PlanArguments {
+    fn variant(&self) -> Variant {
+        Variant { dry_run: self.dry_run, from_pass: self.from_pass }
+    }
+}
+
 /// Scan, cell, head and robot that are named on the command line, by their full paths.
-fn take_files(a: &PlanArguments, job: &mut Job) -> Result<(), CommandFailure> {
+fn take_files(a: &PlanArguments, scan: Option<&Path>, job: &mut Job) -> Result<(), CommandFailure> {
     let full = |path: &Path| match std::path::absolute(path) {
         Ok(full) => Ok(full.display().to_string()),
         Err(e) => {
@@ -92,7 +134,7 @@ fn take_files(a: &PlanArguments, job: &mut Job) -> Result<(), CommandFailure> {
         }
     };
     let options = &a.options;
-    if let Some(scan) = &a.scan {
+    if let Some(scan) = scan {
         // Another scan of the same part: where the last one lay says nothing of it.
         let files = vec![ScanFile { file: full(scan)?, ..ScanFile::default() }];
         Edit::Scan(Box::new(ScanEdit::Files(files, job.scan.units))).apply(job, &[]);
@@ -128,8 +170,8 @@ fn cured(planned: &PlannedJob) -> String {
 }
 
 /// What would help where something is left out, one line each.
-fn advised(of: &ExportInput<'_>, pipeline: &Pipeline) -> String {
-    let ExportInput { job, part, surfaces, setup, plan, .. } = *of;
+fn advised(of: &PlannedJob, job: &Job, pipeline: &Pipeline) -> String {
+    let PlannedJob { part, surfaces, setup, plan, .. } = of;
     let progress = Progress::default();
     let mut text = String::new();
     for advice in advice::suggestions(part, plan, job, setup, &progress).unwrap_or_default() {

@@ -1,6 +1,6 @@
 //! Changes of the scan of a job, each an [`Edit`](super::Edit) of its own.
 
-use super::model::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile};
+use super::model::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile, ScanWork};
 use crate::cell::Frame;
 use crate::part::Units;
 use crate::scan::cleaning::Step;
@@ -25,6 +25,8 @@ pub enum ScanEdit {
     LeftOut(Vec<LeftOutRegion>),
     /// The patches that are worked.
     Patches(PatchChoice),
+    /// What is worked.
+    Work(ScanWork),
     /// Where the scanner's frame stands in the robot's base; `None`: nobody knows.
     BaseFromScan(Option<Frame>),
 }
@@ -65,6 +67,7 @@ impl ScanEdit {
             ScanEdit::Pairs(pairs) => scan.pairs.clone_from(pairs),
             ScanEdit::LeftOut(regions) => scan.left_out.clone_from(regions),
             ScanEdit::Patches(choice) => scan.patches.clone_from(choice),
+            ScanEdit::Work(work) => scan.work = *work,
             ScanEdit::BaseFromScan(frame) => scan.base_from_scan.clone_from(frame),
         }
     }
@@ -108,6 +111,7 @@ mod tests {
             ScanEdit::Pairs(vec![PickedPair { model_mm: [1.0; 3], scan_mm: [2.0; 3] }]),
             ScanEdit::LeftOut(vec![region, LeftOutRegion::Sphere { centre_mm: [9.0; 3], radius_mm: 4.0 }]),
             ScanEdit::Patches(PatchChoice::At(vec![[1.0, 2.0, 3.0]])),
+            ScanEdit::Work(ScanWork::Surfaces),
             ScanEdit::BaseFromScan(Some(Frame::new([800.0, 0.0, 300.0], [90.0, 0.0, 180.0]))),
         ]
     }

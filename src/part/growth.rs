@@ -42,6 +42,15 @@ impl From<Cancelled> for GrowthError {
     }
 }
 
+/// What becomes of a surface that folds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Folds {
+    /// It is refused: no metal can be laid so.
+    AreRefused,
+    /// It is taken as it is: that is how it was found.
+    AreTaken,
+}
+
 /// Lays metal on surfaces: their numbers and heights, mm.
 ///
 /// # Errors
@@ -52,23 +61,43 @@ pub fn grown(
     heights_mm: &BTreeMap<u32, f64>,
     progress: &Progress,
 ) -> Result<GrownPart, GrowthError> {
-    let height = |f: u32| heights_mm.get(&surfaces.of_facet[f as usize]).copied().filter(|h| *h > 0.0);
-    let is_grown: Vec<bool> = (0..part.mesh.facets.len() as u32).map(|f| height(f).is_some()).collect();
+    let height = |f: u32, _: u32| heights_mm.get(&surfaces.of_facet[f as usize]).copied();
+    laid_on(part, surfaces, &height, Folds::AreRefused, progress)
+}
+
+/// Moves facets at their vertices: `height_mm` tells for a facet and one of its vertices how far outwards, mm; `None` or
+/// 0: the facet does not say.
+///
+/// # Errors
+/// The surface that folds, where that is refused; [`GrowthError::Cancelled`] when `progress` says so.
+pub fn laid_on(
+    part: &Part,
+    surfaces: &Surfaces,
+    height_mm: &dyn Fn(u32, u32) -> Option<f64>,
+    folds: Folds,
+    progress: &Progress,
+) -> Result<GrownPart, GrowthError> {
+    let height = |f: u32, v: u32| height_mm(f, v).filter(|h| *h != 0.0);
+    let at = |f: u32| part.mesh.facets[f as usize].map(|v| height(f, v));
+    let is_grown: Vec<bool> = (0..part.mesh.facets.len() as u32).map(|f| at(f) != [None; 3]).collect();
     let mut mesh = part.mesh.clone();
-    for (v, at) in mesh.vertices.iter_mut().enumerate() {
+    for (v, place) in mesh.vertices.iter_mut().enumerate() {
         progress.check_at(v)?;
         let (mut spread, mut wanted) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
         let facets = part.mesh.vertex_facets(v as u32).iter().copied();
         for f in facets.filter(|&f| part.mesh.defects[f as usize] == FacetDefect::None) {
-            let Some(height_mm) = height(f) else { continue };
+            let Some(height_mm) = height(f, v as u32) else { continue };
             let (n, weight) = (surfaces.normals[f as usize], corner_deg(&part.mesh, f, v as u32));
             spread += n * n.transpose() * weight;
             wanted += n * (weight * height_mm);
         }
-        *at += vertex_shift(spread, &wanted);
+        *place += vertex_shift(spread, &wanted);
     }
     mesh.update_geometry_under(progress)?;
-    if let Some(surface) = folded(&part.mesh, &mesh, |f| is_grown[f as usize].then(|| surfaces.of_facet[f as usize])) {
+    let grown = |f: u32| is_grown[f as usize].then(|| surfaces.of_facet[f as usize]);
+    if let Some(surface) =
+        Some(folds).filter(|f| *f == Folds::AreRefused).and_then(|_| folded(&part.mesh, &mesh, grown))
+    {
         return Err(GrowthError::Folds(surface));
     }
     progress.check()?;
@@ -90,12 +119,11 @@ pub fn grown(
         last_number: surfaces.last_number,
         worked: surfaces.worked.clone(),
         vertex_normals: surfaces.vertex_normals.clone(),
+        fills: surfaces.fills.clone(),
     };
     let mut hasher = Hasher::default().digest(part.digest);
-    for f in 0..is_grown.len() {
-        if let Some(h) = height(f as u32) {
-            hasher = hasher.u32s(&[f as u32]).f64s(&[h]);
-        }
+    for f in (0..is_grown.len() as u32).filter(|f| is_grown[*f as usize]) {
+        hasher = hasher.u32s(&[f]).f64s(&at(f).map(|h| h.unwrap_or(0.0)));
     }
     let dihedral_deg = super::merge_tree::dihedral_angles_under(progress, &mesh)?;
     let part = Part { bvh: Bvh::built(&mesh, progress)?, dihedral_deg, digest: hasher.finish(), mesh, ..part.clone() };

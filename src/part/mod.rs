@@ -14,6 +14,7 @@ mod doubt;
 mod edges;
 pub mod far_from_origin;
 pub mod file;
+pub mod fill;
 pub mod finding;
 pub mod growth;
 pub mod identity;

@@ -3,6 +3,7 @@
 //! Numbers count from 1 in the order of the lowest facet. Merging keeps the lowest number,
 //! splitting appends new ones: so the settings of surface 7 stay those of surface 7.
 
+use super::fill::Fill;
 use super::merge_tree::MergeTree;
 use super::numbering::Numbering;
 use super::surface::listed;
@@ -41,6 +42,8 @@ pub struct Surfaces {
     /// Normals at vertices that say more than the facets around them do, by surface and vertex: see
     /// [`Surfaces::vertex_normal`].
     pub vertex_normals: Vec<VertexNormal>,
+    /// What beads are to fill of patches.
+    pub fills: Vec<Fill>,
 }
 
 /// The normal that a surface has at a vertex.
@@ -76,7 +79,7 @@ impl Surfaces {
             }
         }
         let list = listed(mesh, &of_facet);
-        Surfaces { of_facet, list, normals, last_number, worked: None, vertex_normals: Vec::new() }
+        Surfaces { of_facet, list, normals, last_number, worked: None, vertex_normals: Vec::new(), fills: Vec::new() }
     }
 
     /// Their numbers, ascending.
@@ -94,6 +97,11 @@ impl Surfaces {
     pub fn vertex_normal(&self, surface: u32, vertex: u32) -> Option<Vector3<f64>> {
         let at = self.vertex_normals.binary_search_by_key(&(surface, vertex), |n| (n.surface, n.vertex)).ok()?;
         Some(self.vertex_normals[at].normal)
+    }
+
+    /// What beads are to fill of a surface; `None`: it is no patch, or no bead fills it.
+    pub fn fill(&self, number: u32) -> Option<&Fill> {
+        self.fills.iter().find(|f| f.surface == number)
     }
 
     /// Numbers of the surfaces that share an edge with this one, ascending.

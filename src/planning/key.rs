@@ -24,11 +24,13 @@ pub struct ScanKeys {
 }
 
 impl ScanKeys {
-    fn new(files: Digest, part: Digest, surfaces: Digest, scan: &JobScan) -> ScanKeys {
+    fn new(files: Digest, part: Digest, surfaces: Digest, scan: &JobScan, bead_mm: Option<f64>) -> ScanKeys {
         let JobScan {
             units,
             min_depth_mm,
             tolerance_mm,
+            gate_mm,
+            work,
             transform,
             patches,
             files: named,
@@ -42,7 +44,7 @@ impl ScanKeys {
         // Normals are interpolated within surfaces.
         let laid = Hasher::default().of(&cleaned).of(&part).of(&surfaces).of(transform).of(pairs).of(left_out).finish();
         let compared = Hasher::default().of(&laid).of(min_depth_mm).of(tolerance_mm).finish();
-        let worn = Hasher::default().of(&compared).of(patches).finish();
+        let worn = Hasher::default().of(&compared).of(patches).of(gate_mm).of(work).of(&bead_mm).finish();
         ScanKeys { read, cleaned, laid, compared, worn }
     }
 }
@@ -77,7 +79,9 @@ impl Keys {
         let surfaces = surfaces_key(part, surfaces, settings);
         let folder = job_file.and_then(Path::parent).map(|f| f.to_string_lossy().into_owned());
         let files = Hasher::default().of(&folder).of(&reading).finish();
-        let scan_keys = scan.is_there().then(|| ScanKeys::new(files, part, surfaces, scan));
+        // Patches are cut where beads end.
+        let bead_mm = job.section_of_bead().map(|_| bead.height_mm);
+        let scan_keys = scan.is_there().then(|| ScanKeys::new(files, part, surfaces, scan, bead_mm));
         let tool = Hasher::default().of(&files).of(&beam.head).of(clamps).finish();
         let cell_key = Hasher::default().of(&files).of(&cell.file).of(&cell.robot).finish();
         // Whether something stands in the beam's way is asked of beam and optics too.

@@ -5,6 +5,7 @@ use super::{Sentence, exact, fixed, id, say};
 use crate::planning::scanned::{
     DeviationReport, RegistrationReport, RivalReport, ScanError, ScanReport, SlidingReport, WornPatch,
 };
+use crate::scan::deviation::PatchKind;
 use crate::scan::file::{UnitDoubt, UnitFit};
 use crate::scan::merging::MarkerError;
 use crate::scan::registration::RegistrationError;
@@ -40,6 +41,15 @@ impl Sentence for ScanError {
             ScanError::Units { doubt, diagonals_mm } => unit_doubt_sentence(doubt, *diagonals_mm),
             ScanError::Matrix(fault) => say!(scan_matrix, fault = fault.sentence()),
             ScanError::Registration(e) => e.sentence(),
+            ScanError::Gate { patch, gate_mm } => {
+                let (depth, gate, [x, y, z]) =
+                    (fixed(patch.depth_mm, 2), exact(*gate_mm), place(&patch.at.coords.into()));
+                match patch.kind {
+                    PatchKind::Missing => say!(scan_gate_missing, depth, gate, x, y, z),
+                    PatchKind::Surplus => say!(scan_gate_surplus, depth, gate, x, y, z),
+                }
+            }
+            ScanError::BeadTooLow { layers } => say!(scan_layers, layers = fixed(*layers, 0)),
         }
     }
 }
@@ -138,6 +148,10 @@ impl Sentence for RivalReport {
     }
 }
 
+fn place(of: &[f64; 3]) -> [String; 3] {
+    of.map(|c| fixed(c, 1))
+}
+
 /// What a scan says of a planned part, a line each.
 pub(super) fn scan_lines(scan: &ScanReport) -> Vec<String> {
     let mut lines: Vec<String> =
@@ -147,6 +161,9 @@ pub(super) fn scan_lines(scan: &ScanReport) -> Vec<String> {
         lines.extend(how_it_lies(registration));
     }
     lines.extend(scan.patches.iter().map(Sentence::sentence));
+    if scan.slack_mm > 0.0 {
+        lines.push(say!(scan_slack, slack = fixed(scan.slack_mm, 2)));
+    }
     lines.extend(placed);
     lines
 }
@@ -176,11 +193,13 @@ pub fn deviation_summary(report: &DeviationReport) -> Vec<String> {
 
 impl Sentence for WornPatch {
     fn sentence(&self) -> String {
-        let [x, y, z] = self.deepest_at.map(|c| fixed(c, 1));
+        let [x, y, z] = place(&self.deepest_at);
         let (depth, area, volume) = (fixed(self.depth_mm, 2), fixed(self.area_mm2, 1), fixed(self.volume_mm3, 2));
-        match self.kind {
+        let patch = match self.kind {
             "missing" => say!(deviation_missing, depth, x, y, z, area, volume),
             _ => say!(deviation_surplus, depth, x, y, z, area, volume),
-        }
+        };
+        let Some(last) = self.layers.last() else { return patch };
+        format!("{patch}; {}", say!(deviation_layers, layers = self.layers.len(), last = fixed(last.height_mm, 3)))
     }
 }

@@ -51,6 +51,10 @@ scan_panel_take_rival_name = take position { $rival }
 ## What is worn
 
 scan_panel_deviation = Off the model
+scan_panel_work = Work on:
+scan_panel_work_patches = what is missing
+scan_panel_work_surfaces = the chosen surfaces
+scan_panel_work_surfaces_tip = Where the scan found the part, and clear of what is too much on it
 scan_panel_missing = { $patch }: { $depth } mm deep, { $area } mm², { $volume } mm³
 scan_panel_surplus = { $depth } mm too much, { $area } mm², { $volume } mm³
 scan_panel_show = Show it

@@ -103,5 +103,7 @@ cell_deviation_mm = Deviation of the spot
 
 scan_min_depth_mm = Patches from
     .meaning = Where more than this is missing from the model, or too much on it, the part has a patch
+scan_gate_mm = Largest deviation
+    .meaning = A part that is off its model by more than this is not planned: it may be another one; 0 = no limit
 scan_tolerance_mm = Tolerance
     .meaning = Points that lie off the model by no more than this, to either side, are where they ought to be

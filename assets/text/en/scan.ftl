@@ -24,6 +24,9 @@ scan_unit_both = the scan would fit in { $cloud_units }, or the part in { $part_
 
 scan_changed = { $file }: this is another scan than the job was saved with; add it again to take it
 scan_matrix = transform in [scan] { $fault }
+scan_gate_missing = { $depth } mm are missing at ({ $x }, { $y }, { $z }), more than the { $gate } mm that the job allows: check that this is the same part and that it lies right; if so, raise the limit
+scan_gate_surplus = { $depth } mm too much at ({ $x }, { $y }, { $z }), more than the { $gate } mm that the job allows: check that this is the same part and that it lies right; if so, raise the limit
+scan_layers = the bead is too low for what is missing: { $layers } layers would fill it, up to 1000 can be planned; give a higher bead
 
 ## How it lies
 register_found = { $rms } mm rms, noise { $noise } mm; { $overlap } % of the points lie on the part, { $coverage } % of the part is scanned
@@ -58,8 +61,13 @@ deviation_unscanned = { $area } cm² of the part has no points; what is there is
 deviation_none = nothing is off by more than { $threshold } mm
 deviation_missing = deepest { $depth } mm at ({ $x }, { $y }, { $z }): { $area } mm², { $volume } mm³ missing
 deviation_surplus = highest { $depth } mm at ({ $x }, { $y }, { $z }): { $area } mm², { $volume } mm³ too much
+deviation_layers = { $layers ->
+    [one] one layer fills
+   *[other] { $layers } layers fill
+} it, the last one { $last } mm high
 deviation_too_small = { $patches ->
     [one] one patch is
    *[other] { $patches } patches are
 } too small for the density of the scan
 scan_not_placed = nothing is known of where the scanner stands, so the part stands in the cell as the cell file says, not as it was scanned
+scan_slack = the part may lie { $slack } mm off where it was scanned, so everything keeps { $slack } mm more than its margin

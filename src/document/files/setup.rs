@@ -49,7 +49,7 @@ pub fn load_tool(job: &Job, job_file: Option<&Path>) -> Result<Tool, JobError> {
     let head = named.map(|f| Head::load(&resolved(job_file, f))).transpose()?;
     let mut clamps = job.clamps.clone();
     clamps.iter_mut().try_for_each(|c| c.load(job_file.and_then(Path::parent)))?;
-    Ok(Tool { head, clamps })
+    Ok(Tool { head, clamps, slack_mm: 0.0 })
 }
 
 /// The cell that a job names, with the frames of its file.
@@ -91,7 +91,7 @@ pub fn set_up(job: &Job, robot: Option<Robot>, mut cell: Cell, mut tool: Tool) -
 /// A laser that stands still is blocked for good by what stands in its way.
 fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let obstacles = &setup.cell.bodies.obstacles;
-    let tool = Tool { head: setup.tool.head.clone(), clamps: obstacles.clone() };
+    let tool = Tool { clamps: obstacles.clone(), ..setup.tool.clone() };
     let (b, nothing) = (&job.beam, Part::default());
     let body = ToolGeometry::new(&tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm);
     let laser = setup.cell.base_from_laser.isometry();

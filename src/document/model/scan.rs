@@ -22,6 +22,11 @@ parameters! {
         pub min_depth_mm: f64,
         /// Half the width of the band within which the part is as it ought to be, mm.
         pub tolerance_mm: f64,
+        /// A part that is off its model by more than this, where the scan was compared, is refused: it may be another one,
+        /// mm; 0: none is.
+        pub gate_mm: f64,
+        /// What is worked.
+        pub work: ScanWork = ScanWork::Patches,
         /// `model_from_scan`, 16 numbers row by row, where it is given or was taken over; else it is looked for.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub transform: Option<[f64; 16]> = None,
@@ -86,6 +91,17 @@ pub enum LeftOutRegion {
     },
 }
 
+/// What a scan makes of a job.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ScanWork {
+    /// What is missing is worked, in place of the surfaces that the job chooses.
+    #[default]
+    Patches,
+    /// The job's surfaces are worked, where the scan found the part, and clear of what is built up on it.
+    Surfaces,
+}
+
 /// Which patches are worked. They have no numbers that last from one scan to the next, so those that are chosen are told
 /// by places in them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -146,6 +162,15 @@ impl Keyed for LeftOutRegion {
                 min_mm.feed(into);
                 max_mm.feed(into);
             }
+        }
+    }
+}
+
+impl Keyed for ScanWork {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            ScanWork::Patches => "patches".feed(into),
+            ScanWork::Surfaces => "surfaces".feed(into),
         }
     }
 }

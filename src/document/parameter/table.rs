@@ -66,6 +66,7 @@ pub const PARAMETERS: &[Parameter] = &[
     plan("path.lead_out_mm", Length, from(0.0, 1000.0), 0.0, Group::Targets).in_recipes(),
     scan("scan.min_depth_mm", above(0.0, 100.0), 0.05).option("min-depth"),
     scan("scan.tolerance_mm", above(0.0, 100.0), 0.1),
+    scan("scan.gate_mm", from(0.0, 1000.0), 5.0).option("gate"),
     part("part.placement.scale", Factor, above(0.0, 100_000.0), Placement::DEFAULT.scale),
     dose("dose.line_mm", Length, above(0.0, 500.0), DoseParameters::DEFAULT.line_mm, Group::ScannedLine),
     dose("dose.low_j_cm2", Fluence, from(0.0, 1e9), DoseParameters::DEFAULT.low_j_cm2, Group::Dose),

@@ -23,6 +23,8 @@ pub(super) struct Piece {
     pub corners: [u32; 3],
     /// The patch, or [`NO_PATCH`].
     pub patch: u32,
+    /// The triangle that it was cut out of.
+    pub triangle: u32,
 }
 
 /// All refined triangles in pieces.
@@ -54,11 +56,12 @@ impl Pieces {
         let in_patches = refined.triangles.iter().zip(&patch_of).filter(|(_, patch)| **patch != NO_PATCH);
         in_patches.for_each(|(triangle, _)| crossings.find(triangle));
         let mut pieces = Vec::with_capacity(refined.triangles.len());
-        for ((triangle, &parent), &patch) in refined.triangles.iter().zip(refined.parent).zip(&patch_of) {
-            let mut push = |corners, patch| pieces.push(Piece { parent, corners, patch });
+        for (triangle, (corners, &patch)) in (0..).zip(refined.triangles.iter().zip(&patch_of)) {
+            let parent = refined.parent[triangle as usize];
+            let mut push = |corners, patch| pieces.push(Piece { parent, corners, patch, triangle });
             match patch {
-                NO_PATCH => crossings.split_beside(triangle, |corners| push(corners, NO_PATCH)),
-                patch => crossings.split(triangle, |corners, deep| push(corners, if deep { patch } else { NO_PATCH })),
+                NO_PATCH => crossings.split_beside(corners, |corners| push(corners, NO_PATCH)),
+                patch => crossings.split(corners, |corners, deep| push(corners, if deep { patch } else { NO_PATCH })),
             }
         }
         Pieces { cut_points: crossings.points, pieces }

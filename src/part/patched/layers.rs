@@ -71,19 +71,14 @@ pub fn patch_layers(
     height_mm: f64,
     progress: &Progress,
 ) -> Result<Vec<PatchLayer>, LayersError> {
-    if !height_mm.is_finite() || height_mm <= 0.0 {
-        return Err(LayersError::NoHeight { height_mm });
-    }
-    let count = (depth_mm / height_mm - ROUNDING).ceil();
-    if count > MOST_LAYERS || count.is_nan() {
-        return Err(LayersError::TooMany { count });
-    }
+    let count = layer_count(depth_mm, height_mm)?;
     let triangles = [triangles.to_vec()];
     let layer = |k: u32| {
         progress.check()?;
         let filled_mm = f64::from(k) * height_mm;
         let above_mm = above_mm.max(filled_mm);
-        let Pieces { cut_points, pieces } = Pieces::new(refined, &PatchCut { above_mm, triangles: &triangles });
+        let Pieces { cut_points, pieces } =
+            Pieces::new(refined, &PatchCut { above_mm, levels_mm: &[], triangles: &triangles });
         let at = |v: u32| {
             let v = v as usize;
             refined.vertices.get(v).copied().unwrap_or_else(|| cut_points[v - refined.vertices.len()])
@@ -101,8 +96,23 @@ pub fn patch_layers(
             area_mm2: within().map(area).sum(),
         })
     };
-    // Below 0, where nothing is missing, it becomes 0.
-    (0..count as u32).map(layer).collect()
+    (0..count).map(layer).collect()
+}
+
+/// How many beads on top of each other fill a depth: `depth_mm / height_mm`, rounded up; none where nothing is missing.
+///
+/// # Errors
+/// A bead without height, or one so low that there would be more than 1000 layers.
+pub fn layer_count(depth_mm: f64, height_mm: f64) -> Result<u32, LayersError> {
+    if !height_mm.is_finite() || height_mm <= 0.0 {
+        return Err(LayersError::NoHeight { height_mm });
+    }
+    let count = (depth_mm / height_mm - ROUNDING).ceil();
+    if count > MOST_LAYERS || count.is_nan() {
+        return Err(LayersError::TooMany { count });
+    }
+    // Below 0 it becomes 0.
+    Ok(count as u32)
 }
 
 /// The rims of pieces: edges that one of them alone has, chained as the pieces run through them, each from its lowest

@@ -1,24 +1,32 @@
 //! A part on which patches are feature surfaces of their own: its facets are cut along the contour of a depth, and what
 //! lies deeper gets numbers behind all others. What is planned on a patch alone ends at its outline.
 //!
-//! `layers` tells how many beads fill a patch, and where. The shape of the part stays: every piece lies in the plane of the facet it comes of. Which patches there are, and
-//! where the part is refined, is told by whoever measured the depths; here nothing is measured.
+//! The shape of the part stays: every piece lies in the plane of the facet it comes of; `shaped` moves the pieces to
+//! where the scan found them. `layers` tells how many beads fill a patch, and where; `filling` keeps that with the surfaces.
+//! Which patches there are, and where the part is refined, is told by whoever measured the depths; here nothing is
+//! measured.
 
 mod contour;
+mod filling;
 mod layers;
+mod levels;
 mod normals;
+mod shaped;
 
 use super::merge_tree::dihedral_angles;
 use super::orient::Orientation;
 use super::surface::listed;
 use super::{Bvh, Hasher, MergeTree, Mesh, Part, SurfaceId, Surfaces};
 use crate::progress::{Cancelled, Progress};
-use contour::{NO_PATCH, Piece, Pieces};
+use contour::{NO_PATCH, Piece};
+use levels::Levelled;
 use nalgebra::Point3;
 use normals::kept_normals;
 use std::collections::BTreeMap;
 
-pub use layers::{LayersError, PatchLayer, patch_layers};
+pub use filling::{after_layers, fills};
+pub use layers::{LayersError, PatchLayer, layer_count, patch_layers};
+pub use shaped::{ScannedShape, shaped};
 
 /// Depths over a refined piece of a part, mm, linear within each triangle.
 ///
@@ -41,6 +49,8 @@ pub struct RefinedFacets<'a> {
 pub struct PatchCut<'a> {
     /// What is deeper than this is in a patch, mm.
     pub above_mm: f64,
+    /// Deeper contours along which patches are cut as well, so that each piece lies on one side of them, mm, ascending.
+    pub levels_mm: &'a [f64],
     /// For each patch, in the order in which their surfaces are numbered, the triangles that it lies in, whole or in
     /// part. What lies deep in no triangle that is named stays where it is.
     pub triangles: &'a [Vec<u32>],
@@ -58,6 +68,8 @@ pub struct PatchedPart {
     pub parent: Vec<u32>,
     /// The surfaces of each patch, in the order of the cut.
     pub patches: Vec<Vec<PatchSurface>>,
+    /// Depth at each vertex, mm; NaN where it is not known.
+    pub depth_mm: Vec<f64>,
 }
 
 /// What a patch has of one feature surface.
@@ -83,12 +95,14 @@ pub fn with_patches(
     cut: &PatchCut<'_>,
     progress: &Progress,
 ) -> Result<PatchedPart, Cancelled> {
-    let Pieces { cut_points, pieces } = Pieces::new(refined, cut);
+    let Levelled { pieces, depth_mm: depth_of_refined_mm } = Levelled::new(refined, cut);
     progress.check()?;
-    let (vertices, vertex_of) = vertices(part, refined, cut_points);
+    let (vertices, vertex_of) = vertices(part, refined, pieces.cut_points);
+    let mut depth_mm = vec![f64::NAN; vertices.len()];
+    vertex_of.iter().zip(depth_of_refined_mm).for_each(|(&v, mm)| depth_mm[v as usize] = mm);
     let added_from = part.mesh.vertices.len();
     let (mut facets, mut parent, mut patch_of) = (Vec::new(), Vec::new(), Vec::new());
-    let mut rest = pieces.as_slice();
+    let mut rest = pieces.pieces.as_slice();
     for (f, corners) in part.mesh.facets.iter().enumerate() {
         let own = rest.iter().take_while(|p| p.parent == f as u32).count();
         if own == 0 {
@@ -123,7 +137,7 @@ pub fn with_patches(
     let bvh = Bvh::built(&mesh, progress)?;
     let (figures, sha256, digest) = (part.figures.clone(), part.sha256.clone(), digest.finish());
     let part = Part { mesh, orientation, figures, dihedral_deg, tree, bvh, digest, sha256 };
-    Ok(PatchedPart { part, surfaces, parent, patches })
+    Ok(PatchedPart { part, surfaces, parent, patches, depth_mm })
 }
 
 /// The part's vertices, then those that were added; and which of them each refined vertex and cut point is.
@@ -178,7 +192,7 @@ fn numbered(
     let pieces = (0..parent.len()).filter(is_cut).map(|f| (parent[f], of_facet[f], mesh.facets[f]));
     let vertex_normals = kept_normals(bare, surfaces, &mesh.vertices, pieces);
     let (normals, list) = (normals.collect(), listed(mesh, &of_facet));
-    let surfaces = Surfaces { normals, list, of_facet, last_number, worked: None, vertex_normals };
+    let surfaces = Surfaces { normals, list, of_facet, last_number, worked: None, vertex_normals, fills: Vec::new() };
     let mut patches = vec![Vec::new(); patch_count];
     for ((patch, cut_from), number) in numbers {
         let area_mm2 = surfaces.get(number).map_or(0.0, |s| s.area_mm2);

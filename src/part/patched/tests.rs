@@ -1,6 +1,6 @@
 //! Patches as surfaces: areas in closed form, numbers that stay, parts that stay watertight, layers.
 
-use crate::part::patched::{LayersError, PatchLayer};
+use crate::part::patched::{LayersError, PatchLayer, ScannedShape, after_layers, fills, shaped};
 use crate::part::surfaces::Surface;
 use crate::part::topology::FacetDefect;
 use crate::part::{
@@ -88,7 +88,8 @@ fn one_patch(part: &Part, surfaces: &Surfaces, r: &Refined, depth: impl Fn(&Poin
     let depth_mm: Vec<f64> = r.vertices.iter().map(depth).collect();
     let refined =
         RefinedFacets { vertices: &r.vertices, triangles: &r.triangles, parent: &r.parent, depth_mm: &depth_mm };
-    let cut = PatchCut { above_mm: THRESHOLD_MM, triangles: &[(0..r.triangles.len() as u32).collect()] };
+    let cut =
+        PatchCut { above_mm: THRESHOLD_MM, levels_mm: &[], triangles: &[(0..r.triangles.len() as u32).collect()] };
     with_patches(part, surfaces, &refined, &cut, &Progress::default()).expect("nobody cancels")
 }
 
@@ -225,7 +226,7 @@ fn patches_are_numbered_in_their_order_and_others_are_left() {
     let refined =
         RefinedFacets { vertices: &r.vertices, triangles: &r.triangles, parent: &r.parent, depth_mm: &depth_mm };
     let made = |triangles: &[Vec<u32>]| {
-        let cut = PatchCut { above_mm: THRESHOLD_MM, triangles };
+        let cut = PatchCut { above_mm: THRESHOLD_MM, levels_mm: &[], triangles };
         let patched = with_patches(&part, &surfaces, &refined, &cut, &Progress::default()).expect("not cancelled");
         check(&part, &surfaces, &patched);
         let at = |n: u32| {
@@ -311,6 +312,21 @@ impl Worn {
         Worn { part, surfaces, refined, depth_mm }
     }
 
+    /// Cut where beads of this height end as well, and to be filled with them.
+    pub(super) fn filled(&self, bead_mm: f64) -> PatchedPart {
+        let depth_mm: Vec<f64> = self.refined.vertices.iter().map(|p| wear((p - Worn::CENTRE).norm())).collect();
+        let levels_mm: Vec<f64> = (1..).map(|k| f64::from(k) * bead_mm).take_while(|mm| *mm < WEAR_MM).collect();
+        let r = &self.refined;
+        let refined =
+            RefinedFacets { vertices: &r.vertices, triangles: &r.triangles, parent: &r.parent, depth_mm: &depth_mm };
+        let triangles = [(0..r.triangles.len() as u32).collect()];
+        let cut = PatchCut { above_mm: THRESHOLD_MM, levels_mm: &levels_mm, triangles: &triangles };
+        let mut made = with_patches(&self.part, &self.surfaces, &refined, &cut, &Progress::default()).expect("made");
+        check(&self.part, &self.surfaces, &made);
+        made.surfaces.fills = fills(&made, bead_mm);
+        made
+    }
+
     pub(super) fn patched(&self) -> PatchedPart {
         one_patch(&self.part, &self.surfaces, &self.refined, |p| wear((p - Worn::CENTRE).norm()))
     }
@@ -344,6 +360,55 @@ fn a_patch_has_as_many_layers_as_beads_fill_it_each_within_the_one_before() {
             (0..rim.len()).map(|i| (rim[i] - centre).cross(&(rim[(i + 1) % rim.len()] - centre)).z).sum();
         assert!((0.5 * twice_mm2 - layer.area_mm2).abs() < 1e-9, "counter-clockwise, all of it within");
         assert!((layer.area_mm2 / (PI * radius_mm * radius_mm) - 1.0).abs() < 0.02);
+    }
+}
+
+#[test]
+fn each_layer_of_a_filled_patch_has_the_area_that_is_deeper_than_the_beads_below() {
+    let patched = Worn::new(0.4).filled(0.06);
+    let [fill] = &patched.surfaces.fills[..] else { panic!("{:?}", patched.surfaces.fills) };
+    assert_eq!(fill.layers, 4);
+    for (layers, above_mm) in [(0, THRESHOLD_MM), (1, 0.06), (2, 0.12), (3, 0.18), (4, f64::INFINITY)] {
+        let left = after_layers(&patched.part.mesh, patched.surfaces.clone(), layers);
+        let found_mm2 = left.get(fill.surface).map_or(0.0, |s| s.area_mm2);
+        let share = (1.0 - (above_mm / WEAR_MM).min(1.0).sqrt()) * WEAR_RADIUS_MM * WEAR_RADIUS_MM;
+        assert!((found_mm2 - PI * share).abs() < 0.02 * worn_mm2(), "{layers}: {found_mm2} for {}", PI * share);
+        let whole = area_mm2(&left.list);
+        assert!((whole - area_mm2(&patched.surfaces.list)).abs() < 1e-9 * whole, "what is filled is its surface again");
+    }
+}
+
+#[test]
+fn floors_go_down_by_their_depth_and_what_is_built_up_stands_out() {
+    let patched = Worn::new(0.4).filled(0.06);
+    let of = |raised_from_mm, with_floors| {
+        let shape = ScannedShape { raised_from_mm, with_floors };
+        shaped(&patched, &shape, &Progress::default()).expect("nobody cancels")
+    };
+    let (floor, surfaces) = of(THRESHOLD_MM, true);
+    assert_eq!(
+        (floor.mesh.facets.len(), &surfaces.of_facet),
+        (patched.part.mesh.facets.len(), &patched.surfaces.of_facet)
+    );
+    let mut moved = 0;
+    for (v, (now, before)) in floor.mesh.vertices.iter().zip(&patched.part.mesh.vertices).enumerate() {
+        let is_in = (before - Worn::CENTRE).norm() < rim_mm() + 1e-3 && patched.depth_mm[v] >= THRESHOLD_MM - 1e-4;
+        let depth_mm = if is_in { patched.depth_mm[v] } else { 0.0 };
+        assert!((before - now - Vector3::z() * depth_mm).norm() < 1e-9, "{before} {now} {depth_mm}");
+        moved += usize::from(is_in);
+    }
+    assert!(moved > 50, "{moved}");
+    assert_ne!(floor.digest, patched.part.digest);
+    // Without floors nothing moves here: nothing is built up.
+    let (same, _) = of(THRESHOLD_MM, false);
+    assert_eq!(same.mesh.vertices, patched.part.mesh.vertices);
+    // The same depths as surplus stand out by it, from the threshold on.
+    let raised = PatchedPart { depth_mm: patched.depth_mm.iter().map(|d| -d).collect(), ..patched.clone() };
+    let shape = ScannedShape { raised_from_mm: THRESHOLD_MM, with_floors: false };
+    let (part, _) = shaped(&raised, &shape, &Progress::default()).expect("nobody cancels");
+    for (v, (now, before)) in part.mesh.vertices.iter().zip(&patched.part.mesh.vertices).enumerate() {
+        let height_mm = if patched.depth_mm[v] >= THRESHOLD_MM { patched.depth_mm[v] } else { 0.0 };
+        assert!((now - before - Vector3::z() * height_mm).norm() < 1e-9, "{before} {now} {height_mm}");
     }
 }
 

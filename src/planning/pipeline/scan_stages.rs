@@ -71,9 +71,9 @@ impl ScanStages {
         let Some(compared) = self.compared.of(keys.compared) else { return };
         self.worn.poll();
         if self.worn.lacks(keys.worn) {
-            let (scan, compared, part, surfaces) = (scan(), compared.clone(), part.clone(), surfaces.clone());
+            let (job, compared, part, surfaces) = (job.clone(), compared.clone(), part.clone(), surfaces.clone());
             self.worn.start(keys.worn, Activity::CuttingPatches, executor, move |progress| {
-                Ok(worn(&part, &surfaces, &compared, &scan, progress)?)
+                Ok(worn(&part, &surfaces, &compared, &job, progress)?)
             });
         }
     }

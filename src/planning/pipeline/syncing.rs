@@ -11,7 +11,7 @@ use super::super::report::{Report, in_file, notices_worst_first};
 use super::super::scanned::ScanReport;
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
-use crate::cell::{Frame, Mount};
+use crate::cell::{Frame, Mount, Setup};
 use crate::document::files::{self, JobError};
 use crate::document::stamps::Stamps;
 use crate::document::{Job, segmented};
@@ -143,6 +143,8 @@ impl Pipeline {
         if is_laid && self.plan.lacks(keys.plan) {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             let scanned = self.scanned();
+            let slack_mm = scanned.as_ref().and_then(|s| s.laid.as_ref()).map_or(0.0, |laid| laid.slack_mm());
+            let setup = with_slack(setup, slack_mm);
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let is_placed = job.scan.base_from_scan.is_some() && setup.mount == Mount::ToolInHand;
@@ -155,6 +157,16 @@ impl Pipeline {
             });
         }
     }
+}
+
+/// The set-up for a part that may lie so far off where it was scanned: everything keeps clear of it by so much more.
+fn with_slack(mut setup: Arc<Setup>, slack_mm: f64) -> Arc<Setup> {
+    if slack_mm > 0.0 {
+        let wider = Arc::make_mut(&mut setup);
+        wider.tool.slack_mm = slack_mm;
+        wider.cell.bodies.margin_mm += slack_mm;
+    }
+    setup
 }
 
 /// The job with the part where scanner and scan put it (P3 4.4): `base_from_part = base_from_scan · model_from_scan⁻¹`.

@@ -10,7 +10,9 @@ use super::surface_plan::{
 use super::toolpath::{self, Toolpath};
 use crate::cell::Setup;
 use crate::document::model::Job;
-use crate::part::{Digest, GrownPart, GrowthError, Part, Surfaces, grown};
+use crate::part::growth::{Folds, laid_on};
+use crate::part::patched::after_layers;
+use crate::part::{Digest, GrownPart, GrowthError, Part, Surfaces};
 use crate::path::planes::{self, Raster};
 use crate::path::{Order, SurfacePlanes};
 use crate::planning::error::PlanError;
@@ -44,12 +46,20 @@ pub(in super::super) fn grown_parts(
         .into_par_iter()
         .map(|layer| {
             progress.check()?;
-            let height_mm = |j: &Job| j.bead.height_mm * f64::from(layer.min(j.layer_count()));
-            let heights_mm = own.iter().map(|(n, j)| (*n, height_mm(j))).collect();
-            grown(part, surfaces, &heights_mm, progress).map(Arc::new).map_err(|e| match e {
+            let height_mm = |facet: u32, vertex: u32| {
+                let surface = surfaces.of_facet[facet as usize];
+                let own = own.get(&surface)?;
+                let layers = layer.min(own.layer_count());
+                let whole_mm = own.bead.height_mm * f64::from(layers);
+                // A patch is filled, and no more.
+                surfaces.fill(surface).map_or(Some(whole_mm), |fill| fill.filled_mm(vertex, layers))
+            };
+            let made = laid_on(part, surfaces, &height_mm, Folds::AreRefused, progress).map_err(|e| match e {
                 GrowthError::Folds(surface) => PlanError::Folds { surface, layers: layer },
                 GrowthError::Cancelled => PlanError::Cancelled,
-            })
+            })?;
+            let surfaces = after_layers(&made.part.mesh, made.surfaces, layer);
+            Ok(Arc::new(GrownPart { part: made.part, surfaces }))
         })
         .collect();
     // The lowest layer that folds is the one to tell, whichever thread was first.

@@ -17,7 +17,14 @@ pub(in super::super) fn prepare<'a>(
     job.check()?;
     let list = chosen(surfaces, job)?;
     let size_mm = part.mesh.diagonal();
-    let own: SurfaceJobs<'_> = list.iter().map(|&n| (n, job.of_surface(SurfaceId(n)))).collect();
+    let mut own: SurfaceJobs<'_> = list.iter().map(|&n| (n, job.of_surface(SurfaceId(n)))).collect();
+    for (n, own) in &mut own {
+        // How often a patch is filled follows from its depth.
+        if let Some(fill) = surfaces.fill(*n) {
+            let own = own.to_mut();
+            (own.bead.height_mm, own.bead.layers) = (fill.bead_mm, fill.layers);
+        }
+    }
     if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
         return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }

@@ -1,17 +1,12 @@
-//! A scan on its part is compared with it: how far each point is off, which patches are worn, and the part on which
-//! those are surfaces of their own.
+//! A scan on its part is compared with it: how far each point is off, and which patches are worn or built up. What
+//! becomes of the part is in `worn`.
 
 use super::LaidScan;
-use crate::document::model::{JobScan, PatchChoice};
-use crate::part::patched::{PatchCut, PatchSurface, PatchedPart, RefinedFacets, with_patches};
-use crate::part::{Part, SurfaceId, Surfaces};
+use crate::document::model::JobScan;
+use crate::part::Part;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::deviation::unscanned::unscanned_mm2;
-use crate::scan::deviation::{
-    Deviation, DeviationRules, DeviationStatistics, PatchKind, PatchRules, Patches, SmoothedDepths,
-};
-use nalgebra::Point3;
-use std::sync::Arc;
+use crate::scan::deviation::{Deviation, DeviationRules, DeviationStatistics, PatchRules, Patches, SmoothedDepths};
 
 /// What is farther off than this share of the part's diagonal is none of the part: the width from which the fine
 /// registration begins, so that whatever it used is looked at.
@@ -56,52 +51,4 @@ pub fn compare(part: &Part, laid: &LaidScan, scan: &JobScan, progress: &Progress
     let (depth_mm, density_per_mm2) = (depths.of_points_mm(cloud.len()), depths.density_per_mm2());
     let statistics = DeviationStatistics::of(&deviation);
     Ok(ComparedScan { deviation, depth_mm, statistics, patches, unscanned_mm2, density_per_mm2 })
-}
-
-/// A part on which the patches of its scan are surfaces.
-#[derive(Clone, Debug, Default)]
-pub struct WornPart {
-    /// The part.
-    pub part: Arc<Part>,
-    /// Its surfaces; those that are worked are named.
-    pub surfaces: Arc<Surfaces>,
-    /// For each patch its surfaces, in the order of the patches.
-    pub patches: Vec<Vec<PatchSurface>>,
-}
-
-/// Makes surfaces of patches.
-///
-/// # Errors
-/// [`Cancelled`] when the work should end.
-pub fn worn(
-    part: &Part,
-    surfaces: &Surfaces,
-    compared: &ComparedScan,
-    scan: &JobScan,
-    progress: &Progress,
-) -> Result<WornPart, Cancelled> {
-    let (field, patches) = (&compared.patches.field, &compared.patches.patches);
-    // Cut where material is missing: on what is built up nothing can be laid, and what is to be taken off is chosen as
-    // the surface that it stands on.
-    let missing = || patches.iter().filter(|p| p.kind == PatchKind::Missing);
-    let refined = RefinedFacets {
-        vertices: &field.vertices,
-        triangles: &field.triangles,
-        parent: &field.parent,
-        depth_mm: &field.depth_mm,
-    };
-    let triangles: Vec<Vec<u32>> = missing().map(|p| p.triangles.clone()).collect();
-    let cut = PatchCut { above_mm: scan.min_depth_mm, triangles: &triangles };
-    let PatchedPart { part, mut surfaces, patches, .. } = with_patches(part, surfaces, &refined, &cut, progress)?;
-    let is_worked = |pieces: &[PatchSurface]| match &scan.patches {
-        PatchChoice::All => true,
-        PatchChoice::At(places) => places.iter().any(|p| {
-            let at = part.bvh.closest(&Point3::from(*p), f64::INFINITY).map(|c| surfaces.of_facet[c.facet as usize]);
-            pieces.iter().any(|piece| at == Some(piece.surface.0))
-        }),
-    };
-    let worked: Vec<SurfaceId> =
-        patches.iter().filter(|pieces| is_worked(pieces)).flatten().map(|piece| piece.surface).collect();
-    surfaces.worked = Some(worked);
-    Ok(WornPart { part: Arc::new(part), surfaces: Arc::new(surfaces), patches })
 }

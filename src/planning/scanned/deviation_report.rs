@@ -1,6 +1,7 @@
 //! How far a part is off its model, in numbers that scripts rely on: `deviation --json`, and `patches` of `report.json`.
 
 use super::ComparedScan;
+use crate::part::patched::PatchLayer;
 use crate::scan::deviation::{Patch, PatchKind};
 use serde::Serialize;
 
@@ -48,6 +49,20 @@ pub struct WornPatch {
     pub centre: [f64; 3],
     /// Where on the model it is farthest off.
     pub deepest_at: [f64; 3],
+    /// The layers of beads that fill it, in the order in which they are laid; none where nothing is laid on.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<FillingLayer>,
+}
+
+/// A layer of the beads that fill a patch. Lengths mm.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct FillingLayer {
+    /// It is needed where the patch is deeper than this.
+    pub above_mm: f64,
+    /// What it has to fill where the patch is deepest: the bead's height, and in the last layer what is left.
+    pub height_mm: f64,
+    /// Where it is needed, mm².
+    pub area_mm2: f64,
 }
 
 impl DeviationReport {
@@ -70,14 +85,16 @@ impl DeviationReport {
             density_per_mm2: of.density_per_mm2,
             unscanned_mm2: of.unscanned_mm2,
             too_small: of.patches.too_small,
-            patches: of.patches.patches.iter().map(WornPatch::new).collect(),
+            patches: of.patches.patches.iter().map(|p| WornPatch::new(p, &[])).collect(),
         }
     }
 }
 
 impl WornPatch {
-    /// Of a patch.
-    pub fn new(of: &Patch) -> WornPatch {
+    /// Of a patch, and the layers that fill it.
+    pub fn new(of: &Patch, layers: &[PatchLayer]) -> WornPatch {
+        let layer =
+            |l: &PatchLayer| FillingLayer { above_mm: l.above_mm, height_mm: l.height_mm, area_mm2: l.area_mm2 };
         WornPatch {
             kind: match of.kind {
                 PatchKind::Missing => "missing",
@@ -88,6 +105,7 @@ impl WornPatch {
             volume_mm3: of.volume_mm3,
             centre: of.centre.coords.into(),
             deepest_at: of.deepest_at.coords.into(),
+            layers: layers.iter().map(layer).collect(),
         }
     }
 }

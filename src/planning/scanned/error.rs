@@ -2,9 +2,11 @@
 
 use crate::planning::failure::Failure;
 use crate::progress::Cancelled;
+use crate::scan::deviation::{Patch, PatchKind};
 use crate::scan::file::{ScanFileError, UnitDoubt};
 use crate::scan::registration::RegistrationError;
 use crate::scan::transform_file::MatrixFault;
+use nalgebra::Point3;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -36,9 +38,40 @@ pub enum ScanError {
     /// The numbers of the job's transform are no motion.
     #[error("{0:?}")]
     Matrix(MatrixFault),
+    /// The part is off its model by more than the job allows.
+    #[error("{} mm beyond the gate of {gate_mm} mm", patch.depth_mm)]
+    Gate {
+        /// Where it is farthest off.
+        patch: Box<BeyondGate>,
+        /// What the job allows, mm.
+        gate_mm: f64,
+    },
+    /// The job's bead is too low for what is missing.
+    #[error("{layers} layers")]
+    BeadTooLow {
+        /// So many layers would fill it.
+        layers: f64,
+    },
     /// The scan lies nowhere on the part.
     #[error(transparent)]
     Registration(RegistrationError),
+}
+
+/// Where a part is off its model by more than its job allows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeyondGate {
+    /// Whether material is missing there.
+    pub kind: PatchKind,
+    /// How far it is off, mm, above 0.
+    pub depth_mm: f64,
+    /// Where that is, part frame.
+    pub at: Point3<f64>,
+}
+
+impl From<&Patch> for BeyondGate {
+    fn from(p: &Patch) -> BeyondGate {
+        BeyondGate { kind: p.kind, depth_mm: p.depth_mm, at: p.deepest_at }
+    }
 }
 
 impl From<ScanError> for Failure<ScanError> {

@@ -23,6 +23,13 @@ pub struct LaidScan {
     pub cloud_in_part: Arc<Cloud>,
 }
 
+impl LaidScan {
+    /// How far the part may lie off, mm: what the registration leaves open, 0 where the job tells where the scan lies.
+    pub fn slack_mm(&self) -> f64 {
+        self.registration.as_ref().map_or(0.0, Registration::slack_mm)
+    }
+}
+
 /// Lays a scan on a part.
 ///
 /// # Errors

@@ -9,12 +9,14 @@ mod reading;
 mod registration_report;
 mod scan_report;
 mod so_far;
+mod worn;
 
-pub use comparing::{ComparedScan, WornPart, compare, worn};
-pub use deviation_report::{DeviationReport, WornPatch};
-pub use error::ScanError;
+pub use comparing::{ComparedScan, compare};
+pub use deviation_report::{DeviationReport, FillingLayer, WornPatch};
+pub use error::{BeyondGate, ScanError};
 pub use laying::{LaidScan, lay};
 pub use reading::{ReadScan, read_scan};
 pub use registration_report::{MarkerResidual, PlacedScan, RegistrationReport, RivalReport, SlidingReport};
 pub use scan_report::ScanReport;
 pub use so_far::Scanned;
+pub use worn::{WornPart, worn};

@@ -1,6 +1,7 @@
 //! What a scan says of a planned part: key `scan` of `report.json`.
 
 use super::{RegistrationReport, Scanned, WornPatch};
+use crate::scan::deviation::Patch;
 use crate::scan::file::ScanFinding;
 use crate::scan::transform_file;
 use serde::Serialize;
@@ -19,6 +20,8 @@ pub struct ScanReport {
     /// Whether it is known where the scanner stands in the robot's base, so that the part stands in the cell as it was
     /// scanned.
     pub is_placed: bool,
+    /// How much wider than their margins everything keeps clear, since the part may lie so far off.
+    pub slack_mm: f64,
     /// Area of the model without points, mm².
     pub unscanned_mm2: f64,
     /// What was found in the files.
@@ -44,15 +47,18 @@ impl ScanReport {
         let (laid, compared) = (of.laid.as_ref()?, of.compared.as_ref()?);
         let finding =
             |(file, finding): &(String, ScanFinding)| ScanFileFinding { file: file.clone(), finding: finding.clone() };
+        let layers = of.worn.as_ref().map_or(&[][..], |worn| &worn.layers);
+        let patch = |(at, patch): (usize, &Patch)| WornPatch::new(patch, layers.get(at).map_or(&[], Vec::as_slice));
         Some(ScanReport {
             points_read: of.read.cloud.len(),
             points: laid.cloud_in_part.len(),
             model_from_scan: transform_file::rows(&laid.model_from_scan),
             registration: laid.registration.as_ref().map(RegistrationReport::new),
             is_placed,
+            slack_mm: laid.slack_mm(),
             unscanned_mm2: compared.unscanned_mm2,
             findings: of.read.findings.iter().map(finding).collect(),
-            patches: compared.patches.patches.iter().map(WornPatch::new).collect(),
+            patches: compared.patches.patches.iter().enumerate().map(patch).collect(),
         })
     }
 }

@@ -32,6 +32,14 @@ pub struct Registration {
     pub with_worn: Option<WithWorn>,
 }
 
+impl Registration {
+    /// How far the part may lie off along what is weakly held, mm; 0 where all is held. What slides is not counted: it may
+    /// lie anywhere.
+    pub fn slack_mm(&self) -> f64 {
+        self.sliding.iter().filter_map(|s| s.slack_mm).fold(0.0, f64::max)
+    }
+}
+
 /// The fit of everything, worn places too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithWorn {

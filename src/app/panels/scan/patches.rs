@@ -4,7 +4,7 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::theme;
-use crate::document::model::PatchChoice;
+use crate::document::model::{PatchChoice, ScanWork};
 use crate::document::scan_edit::ScanEdit;
 use crate::planning::scanned::{ComparedScan, DeviationReport, Scanned, WornPart};
 use crate::scan::deviation::{Patch, PatchKind};
@@ -21,11 +21,15 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
     for line in deviation_summary(&DeviationReport::new(compared, context.document.job().scan.min_depth_mm)) {
         ui.label(theme::capital(&line));
     }
+    what_is_worked(ui, context, actions);
+    let are_worked = context.is_worked_by_scan();
     let worn = scanned.worn.as_deref();
     for (at, patch) in compared.patches.patches.iter().enumerate().take(ROWS) {
         ui.horizontal(|ui| {
             match (patch.kind, worn) {
-                (PatchKind::Missing, Some(worn)) => tick(ui, number(compared, at), (compared, worn), context, actions),
+                (PatchKind::Missing, Some(worn)) if are_worked => {
+                    tick(ui, number(compared, at), (compared, worn), context, actions)
+                }
                 _ => {
                     ui.add_space(22.0);
                 }
@@ -36,6 +40,21 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
     if compared.patches.patches.len() > ROWS {
         let count = compared.patches.patches.len() - ROWS;
         ui.label(say!(scan_panel_smaller, count));
+    }
+}
+
+/// Whether patches are worked or the surfaces that the job chooses.
+fn what_is_worked(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let mut work = context.document.job().scan.work;
+    let before = work;
+    ui.horizontal_wrapped(|ui| {
+        ui.label(say!(scan_panel_work));
+        ui.radio_value(&mut work, ScanWork::Patches, say!(scan_panel_work_patches));
+        ui.radio_value(&mut work, ScanWork::Surfaces, say!(scan_panel_work_surfaces))
+            .on_hover_text(say!(scan_panel_work_surfaces_tip));
+    });
+    if work != before {
+        actions.scan(ScanEdit::Work(work));
     }
 }
 
