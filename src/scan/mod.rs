@@ -13,6 +13,7 @@ pub mod file;
 mod made_up;
 pub mod marker_file;
 pub mod merging;
+pub mod meshing;
 pub mod neighbours;
 pub mod normals;
 pub mod ply_file;

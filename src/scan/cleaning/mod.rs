@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 
 pub use step::{Keep, Step};
+pub use thin::{VoxelMeans, voxel_means};
 
 /// A cleaned cloud.
 #[derive(Clone, Debug, Default, PartialEq)]

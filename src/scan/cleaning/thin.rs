@@ -16,11 +16,23 @@ const SIDE_BITS: u32 = 21;
 /// Points of a bucket, about.
 const BUCKET: usize = PIECE;
 
+/// The means of a cloud's voxels, in the order of their first points.
+pub struct VoxelMeans {
+    /// One point for each voxel.
+    pub cloud: Cloud,
+    /// Of each the index of the first point that it stands for.
+    pub first: Vec<u32>,
+    /// Of each how many points it stands for.
+    pub count: Vec<u32>,
+}
+
 /// The points of one voxel, made one.
 #[derive(Clone, Copy)]
 struct Merged {
     /// The first of them.
     first: u32,
+    /// How many there were.
+    count: u32,
     offset: [f32; 3],
     normal: [f32; 3],
     colour: [u8; 3],
@@ -28,13 +40,22 @@ struct Merged {
 }
 
 pub(super) fn thinned(cloud: &Cloud, voxel_mm: f64, progress: &Progress) -> Result<Outcome, Cancelled> {
+    let means = voxel_means(cloud, voxel_mm, progress)?;
+    Ok(means.map_or(Outcome::Unchanged, |m| Outcome::Thinned { thinned: m.cloud, first: m.first }))
+}
+
+/// Makes the points of each voxel one. `None` where the voxel is none (0 mm) or the cloud far too wide for it.
+///
+/// # Errors
+/// [`Cancelled`] when the work should end.
+pub fn voxel_means(cloud: &Cloud, voxel_mm: f64, progress: &Progress) -> Result<Option<VoxelMeans>, Cancelled> {
     let (mut lo, mut hi) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for (k, &c) in cloud.offsets.iter().flat_map(|o| o.iter().enumerate()) {
         (lo[k], hi[k]) = (lo[k].min(f64::from(c)), hi[k].max(f64::from(c)));
     }
     let most = f64::from(1u32 << SIDE_BITS);
     if !(voxel_mm > 0.0 && (0..3).all(|k| (hi[k] - lo[k]) / voxel_mm < most)) {
-        return Ok(Outcome::Unchanged);
+        return Ok(None);
     }
     let voxel_of = |o: &[f32; 3]| {
         let side = |k: usize| ((f64::from(o[k]) - lo[k]) / voxel_mm) as u64;
@@ -62,16 +83,17 @@ pub(super) fn thinned(cloud: &Cloud, voxel_mm: f64, progress: &Progress) -> Resu
     let mut merged = merged.concat();
     progress.check()?;
     merged.par_sort_unstable_by_key(|m| m.first);
-    Ok(Outcome::Thinned {
+    Ok(Some(VoxelMeans {
         first: merged.iter().map(|m| m.first).collect(),
-        thinned: Cloud {
+        count: merged.iter().map(|m| m.count).collect(),
+        cloud: Cloud {
             origin: cloud.origin,
             offsets: merged.iter().map(|m| m.offset).collect(),
             normals: cloud.normals.as_ref().map(|_| merged.iter().map(|m| m.normal).collect()),
             colours: cloud.colours.as_ref().map(|_| merged.iter().map(|m| m.colour).collect()),
             intensities: cloud.intensities.as_ref().map(|_| merged.iter().map(|m| m.intensity).collect()),
         },
-    })
+    }))
 }
 
 /// The mean of the points of a voxel, which are in ascending order.
@@ -91,6 +113,7 @@ fn merge(cloud: &Cloud, voxel: &[(u64, u32)]) -> Merged {
     let bright = |all: &[f32]| indices().map(|i| f64::from(all[i])).sum::<f64>() * share;
     Merged {
         first,
+        count: voxel.len() as u32,
         offset: (sum(&cloud.offsets) * share).map(|c| c as f32).into(),
         normal,
         colour,
