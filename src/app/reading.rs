@@ -164,7 +164,7 @@ fn refused(e: JobError) -> Refused {
 }
 
 fn read(file: &Path, progress: &Progress) -> Result<Arc<Source>, Refused> {
-    let read = Source::read_under(progress, file).map_err(|e| refused(e.into()))?;
+    let read = files::read_source(file, progress).map_err(refused)?;
     read.map(Arc::new).ok_or(Failure::Cancelled)
 }
 

@@ -18,7 +18,9 @@ mod scans;
 mod verify;
 mod word_options;
 
-use crate::part::PartFinding;
+use crate::document::files::read_source;
+use crate::part::{PartFinding, Source};
+use crate::progress::Progress;
 use crate::text::{Sentence, say, with_option};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use std::path::{Path, PathBuf};
@@ -110,6 +112,13 @@ pub fn run(command: &CliCommand) -> ExitCode {
     };
     eprintln!("clearbeam: {}", why.replace('\n', " "));
     ExitCode::from(status)
+}
+
+/// Reads a part's file, or a scan as a part.
+fn source_of(file: &Path) -> Result<Source, CommandFailure> {
+    let read = read_source(file, &Progress::default()).map_err(CommandFailure::failed)?;
+    // Nobody can have cancelled it.
+    Ok(read.unwrap_or_default())
 }
 
 /// Says on stderr what was found in a part's file.

@@ -15,8 +15,10 @@ use std::path::{Path, PathBuf};
 pub struct RegisterArguments {
     #[arg(value_name = "SCAN", required = true, help = say!(cli_register_scans))]
     scans: Vec<PathBuf>,
-    #[arg(long, value_name = "PART", help = say!(cli_register_part))]
-    part: PathBuf,
+    #[arg(long, value_name = "PART", required_unless_present = "nominal_scan", help = say!(cli_register_part))]
+    part: Option<PathBuf>,
+    #[arg(long, value_name = "SCAN", conflicts_with = "part", help = say!(cli_register_nominal))]
+    nominal_scan: Option<PathBuf>,
     #[arg(long, value_name = "FILE", help = say!(cli_register_markers))]
     markers: Option<PathBuf>,
     #[arg(long, value_name = "FILE", help = say!(cli_register_transform))]
@@ -34,7 +36,9 @@ pub fn run(a: &RegisterArguments) -> Result<CommandOutcome, CommandFailure> {
     let markers = a.markers.as_deref().map(marker_file::read).transpose().map_err(CommandFailure::failed)?;
     let named = markers.as_deref().zip(a.markers.as_deref());
     let cloud = scans::read_all(&a.scans, named)?;
-    let part = scans::part(&a.part)?;
+    // clap sees to it that there is one of them.
+    let nominal = a.part.as_deref().or(a.nominal_scan.as_deref()).unwrap_or(Path::new(""));
+    let part = scans::part(nominal)?;
     scans::check_units(&cloud, &part)?;
     let surfaces = segmented(&part, &Job::default());
     let normals = SurfaceNormals::new(&part.mesh, &surfaces.of_facet);

@@ -1,6 +1,6 @@
 //! Changes of the scan of a job, each an [`Edit`](super::Edit) of its own.
 
-use super::model::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile, ScanWork};
+use super::model::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile, ScanLines, ScanWork};
 use crate::cell::Frame;
 use crate::part::Units;
 use crate::scan::cleaning::Step;
@@ -27,6 +27,8 @@ pub enum ScanEdit {
     Patches(PatchChoice),
     /// What is worked.
     Work(ScanWork),
+    /// What lines are laid on.
+    Lines(ScanLines),
     /// Where the scanner's frame stands in the robot's base; `None`: nobody knows.
     BaseFromScan(Option<Frame>),
 }
@@ -68,6 +70,7 @@ impl ScanEdit {
             ScanEdit::LeftOut(regions) => scan.left_out.clone_from(regions),
             ScanEdit::Patches(choice) => scan.patches.clone_from(choice),
             ScanEdit::Work(work) => scan.work = *work,
+            ScanEdit::Lines(lines) => scan.lines = *lines,
             ScanEdit::BaseFromScan(frame) => scan.base_from_scan.clone_from(frame),
         }
     }
@@ -112,6 +115,7 @@ mod tests {
             ScanEdit::LeftOut(vec![region, LeftOutRegion::Sphere { centre_mm: [9.0; 3], radius_mm: 4.0 }]),
             ScanEdit::Patches(PatchChoice::At(vec![[1.0, 2.0, 3.0]])),
             ScanEdit::Work(ScanWork::Surfaces),
+            ScanEdit::Lines(ScanLines::Points),
             ScanEdit::BaseFromScan(Some(Frame::new([800.0, 0.0, 300.0], [90.0, 0.0, 180.0]))),
         ]
     }

@@ -30,6 +30,7 @@ impl PartFinding {
             | PartFinding::DegenerateFacets { .. }
             | PartFinding::JoinedCorners { .. }
             | PartFinding::SolidsJoined { .. }
+            | PartFinding::Meshed { .. }
             | PartFinding::UnitTaken { .. } => false,
         }
     }

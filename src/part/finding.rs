@@ -115,6 +115,19 @@ pub enum PartFinding {
         /// How many.
         count: usize,
     },
+    /// The file is a scan, and its facets were laid through the points.
+    Meshed {
+        /// Points that they were laid through.
+        points: usize,
+        /// Points that were left out.
+        dropped: usize,
+        /// Side of the cells, mm: what is smaller is not there.
+        cell_mm: f64,
+        /// Root of the mean square of the points' distances to the facets, mm.
+        rms_mm: f64,
+        /// Whether outside was guessed, since the points have no normals.
+        is_side_guessed: bool,
+    },
     /// The file states a unit other than millimetres, and the part is taken in it.
     UnitTaken {
         /// The unit.
@@ -152,6 +165,13 @@ impl PartFinding {
         out.extend(counted);
         out.extend((count > 0).then_some(PartFinding::JoinedCorners { count, within_mm }));
         out.extend((found.solids > 1).then_some(PartFinding::SolidsJoined { count: found.solids }));
+        out.extend(found.meshed.map(|m| PartFinding::Meshed {
+            points: m.points,
+            dropped: m.dropped,
+            cell_mm: m.cell,
+            rms_mm: m.rms,
+            is_side_guessed: m.is_side_guessed,
+        }));
         out.extend(unit(part, false));
         out
     }

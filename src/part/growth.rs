@@ -87,7 +87,9 @@ pub fn laid_on(
         let facets = part.mesh.vertex_facets(v as u32).iter().copied();
         for f in facets.filter(|&f| part.mesh.defects[f as usize] == FacetDefect::None) {
             let Some(height_mm) = height(f, v as u32) else { continue };
-            let (n, weight) = (surfaces.normals[f as usize], corner_deg(&part.mesh, f, v as u32));
+            // Where facets are pieces the normal that their surface had goes: there and back is the same way then.
+            let kept = surfaces.vertex_normal(surfaces.of_facet[f as usize], v as u32);
+            let (n, weight) = (kept.unwrap_or(surfaces.normals[f as usize]), corner_deg(&part.mesh, f, v as u32));
             spread += n * n.transpose() * weight;
             wanted += n * (weight * height_mm);
         }
@@ -120,6 +122,7 @@ pub fn laid_on(
         worked: surfaces.worked.clone(),
         vertex_normals: surfaces.vertex_normals.clone(),
         fills: surfaces.fills.clone(),
+        measured: surfaces.measured.clone(),
     };
     let mut hasher = Hasher::default().digest(part.digest);
     for f in (0..is_grown.len() as u32).filter(|f| is_grown[*f as usize]) {

@@ -21,6 +21,7 @@ pub mod identity;
 pub mod inspect;
 pub mod load;
 pub mod merge_tree;
+pub mod measured;
 mod nesting;
 mod numbering;
 pub mod orient;

@@ -4,7 +4,7 @@
 use super::Units;
 use super::far_from_origin::FarFromOrigin;
 use super::orient::{Orientation, volume};
-use super::raw_part::{CountDiffers, InvalidFacet, PassedOver, RawPart, Unread};
+use super::raw_part::{CountDiffers, InvalidFacet, Meshed, PassedOver, RawPart, Unread};
 use super::topology::{FacetDefect, Mesh};
 use super::units::{StatedUnit, is_plausible};
 use super::weld::Joined;
@@ -52,6 +52,8 @@ pub struct PartFigures {
     pub count_differs: Option<CountDiffers>,
     /// What of the file is not read.
     pub unread: Vec<Unread>,
+    /// How the facets were laid through the points of a scan, where the file has none; lengths mm.
+    pub meshed: Option<Meshed>,
 }
 
 impl PartFigures {
@@ -93,6 +95,7 @@ impl PartFigures {
             passed_over: raw.passed_over,
             count_differs: raw.count_differs,
             unread: raw.unread.clone(),
+            meshed: raw.meshed.map(|m| Meshed { cell: m.cell * mm_per_unit * scale, rms: m.rms * mm_per_unit * scale, ..m }),
         }
     }
 }

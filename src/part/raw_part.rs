@@ -24,6 +24,8 @@ pub struct RawPart {
     pub unread: Vec<Unread>,
     /// The unit that the file states.
     pub stated_unit: Option<StatedUnit>,
+    /// How its facets were made, where the file has none.
+    pub meshed: Option<Meshed>,
 }
 
 impl RawPart {
@@ -62,6 +64,21 @@ pub(super) fn fault_of(coordinates: &[f32]) -> Option<FacetFault> {
     }
     let nan = coordinates.iter().any(|x| x.is_nan());
     Some(if nan { FacetFault::Nan } else { FacetFault::Infinite })
+}
+
+/// Facets that were laid through the points of a scan. Lengths in the unit of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meshed {
+    /// Points that they were laid through.
+    pub points: usize,
+    /// Points that were left out.
+    pub dropped: usize,
+    /// Side of the cells: what is smaller is not there.
+    pub cell: f64,
+    /// Root of the mean square of the points' distances to them.
+    pub rms: f64,
+    /// Whether outside was guessed, since the points have no normals.
+    pub is_side_guessed: bool,
 }
 
 /// Bytes that were passed over.

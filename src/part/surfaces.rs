@@ -4,6 +4,7 @@
 //! splitting appends new ones: so the settings of surface 7 stay those of surface 7.
 
 use super::fill::Fill;
+use super::measured::MeasuredPoints;
 use super::merge_tree::MergeTree;
 use super::numbering::Numbering;
 use super::surface::listed;
@@ -12,6 +13,7 @@ use super::{SurfaceEdit, SurfaceRule};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use std::sync::Arc;
 
 pub use super::surface::Surface;
 
@@ -44,6 +46,8 @@ pub struct Surfaces {
     pub vertex_normals: Vec<VertexNormal>,
     /// What beads are to fill of patches.
     pub fills: Vec<Fill>,
+    /// Points that lines are laid through; `None`: they lie on the facets.
+    pub measured: Option<Arc<MeasuredPoints>>,
 }
 
 /// The normal that a surface has at a vertex.
@@ -79,7 +83,7 @@ impl Surfaces {
             }
         }
         let list = listed(mesh, &of_facet);
-        Surfaces { of_facet, list, normals, last_number, worked: None, vertex_normals: Vec::new(), fills: Vec::new() }
+        Surfaces { of_facet, list, normals, last_number, worked: None, vertex_normals: Vec::new(), fills: Vec::new(), measured: None }
     }
 
     /// Their numbers, ascending.

@@ -8,6 +8,7 @@ pub mod coverage;
 pub mod dense;
 pub mod ends;
 pub mod live_facets;
+pub mod measured_lines;
 mod narrowest;
 pub mod neighbour_axes;
 pub mod normals;

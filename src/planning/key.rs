@@ -31,6 +31,7 @@ impl ScanKeys {
             tolerance_mm,
             gate_mm,
             work,
+            lines,
             transform,
             patches,
             files: named,
@@ -44,7 +45,7 @@ impl ScanKeys {
         // Normals are interpolated within surfaces.
         let laid = Hasher::default().of(&cleaned).of(&part).of(&surfaces).of(transform).of(pairs).of(left_out).finish();
         let compared = Hasher::default().of(&laid).of(min_depth_mm).of(tolerance_mm).finish();
-        let worn = Hasher::default().of(&compared).of(patches).of(gate_mm).of(work).of(&bead_mm).finish();
+        let worn = Hasher::default().of(&compared).of(patches).of(gate_mm).of(work).of(lines).of(&bead_mm).finish();
         ScanKeys { read, cleaned, laid, compared, worn }
     }
 }

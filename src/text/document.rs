@@ -1,10 +1,12 @@
 //! Why a job cannot be read or saved, and what its surfaces start from or lose.
 
 use super::{Sentence, exact, id, say};
+use crate::document::files::ScannedPartError;
 use crate::document::job_file::{JobFileError, WRITTEN};
 use crate::document::{JobError, LostSettings, StartFrom};
 use crate::file::one_line;
 use crate::pose::ToolBody;
+use crate::scan::meshing::MeshingError;
 use std::path::Path;
 
 impl Sentence for JobError {
@@ -15,6 +17,7 @@ impl Sentence for JobError {
             JobError::PartGone { file } => say!(job_part_gone, file),
             JobError::PartChanged { file } => say!(job_part_changed, file),
             JobError::Part(e) => e.sentence(),
+            JobError::ScannedPart { file, source } => say!(in_file, file, what = source.sentence()),
             JobError::Cell(e) => e.sentence(),
             JobError::Robot(e) => e.sentence(),
             JobError::Head(e) => e.sentence(),
@@ -28,6 +31,17 @@ impl Sentence for JobError {
             JobError::Remove { file, source } => {
                 say!(job_not_removed, file = path(file), reason = source.to_string())
             }
+        }
+    }
+}
+
+impl Sentence for ScannedPartError {
+    fn sentence(&self) -> String {
+        match self {
+            ScannedPartError::File(e) => e.sentence(),
+            ScannedPartError::Meshing(MeshingError::NoSurface { finite }) => say!(scan_no_surface, points = *finite),
+            ScannedPartError::Meshing(MeshingError::TooWide) => say!(scan_too_wide),
+            ScannedPartError::Meshing(MeshingError::Cancelled) => say!(text_cancelled),
         }
     }
 }

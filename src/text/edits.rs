@@ -85,6 +85,7 @@ impl Sentence for ScanEdit {
             ScanEdit::LeftOut(_) => say!(edit_left_out),
             ScanEdit::Patches(_) => say!(edit_patches),
             ScanEdit::Work(_) => say!(edit_scan_work),
+            ScanEdit::Lines(_) => say!(edit_scan_lines),
             ScanEdit::BaseFromScan(_) => say!(edit_base_from_scan),
         }
     }

@@ -94,6 +94,10 @@ impl Sentence for PartFinding {
                 say!(part_bytes_passed_over, count = *count, at = id(*at))
             }
             PartFinding::SolidsJoined { count } => say!(part_solids_joined, count = *count),
+            PartFinding::Meshed { points, cell_mm, rms_mm, is_side_guessed, .. } => {
+                let told = say!(part_meshed, points = *points, cell = length(*cell_mm), rms = length(*rms_mm));
+                listed_clauses(std::iter::once(told).chain(is_side_guessed.then(|| say!(part_side_guessed))))
+            }
         }
     }
 }

@@ -33,6 +33,7 @@ cli_render_size = Size in pixels
 cli_render_view = iso, front, back, left, right, top or bottom
 cli_register = Find where a scan lies on its part
 cli_register_scans = Scan: PLY, PCD, XYZ, TXT, CSV, PTS, PTX, E57 or a mesh; several are brought into the frame of the first by --markers
+cli_register_nominal = Scan of a sound part to lay it on, in place of --part: a surface is laid through its points
 cli_register_part = Part that was scanned
 cli_register_markers = File of [[marker]] with name, scan_mm, base_mm: where the robot touched what the scan shows
 cli_register_transform = Start from the model_from_scan of this file, in place of any position

@@ -71,3 +71,5 @@ deviation_too_small = { $patches ->
 } too small for the density of the scan
 scan_not_placed = nothing is known of where the scanner stands, so the part stands in the cell as the cell file says, not as it was scanned
 scan_slack = the part may lie { $slack } mm off where it was scanned, so everything keeps { $slack } mm more than its margin
+scan_no_surface = { $points } points tell no surface that facets could be laid through; scan more of the part
+scan_too_wide = some of its points are far away from the rest, so that no surface can be laid through all of them: cut them off in the scanner's program first

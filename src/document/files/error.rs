@@ -1,5 +1,6 @@
 //! Why a job cannot be opened or saved.
 
+use super::part_source::ScannedPartError;
 use crate::beam::HeadError;
 use crate::cell::{CellError, RobotError};
 use crate::document::job_file::JobFileError;
@@ -38,6 +39,14 @@ pub enum JobError {
     /// The part cannot be used.
     #[error(transparent)]
     Part(#[from] LoadError),
+    /// It is a scan, and no part can be made of it.
+    #[error("{file}: {source}")]
+    ScannedPart {
+        /// The file.
+        file: String,
+        /// Why.
+        source: ScannedPartError,
+    },
     /// The cell cannot be used.
     #[error(transparent)]
     Cell(#[from] CellError),

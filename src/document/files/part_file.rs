@@ -2,6 +2,7 @@
 //! from it.
 
 use super::error::JobError;
+use super::part_source::read_source;
 use super::paths::resolved;
 use crate::document::model::{Job, JobPart};
 use crate::part::{LoadError, Part, Source};
@@ -33,7 +34,8 @@ pub fn read_part(job: &Job, job_file: Option<&Path>) -> Result<Source, JobError>
 }
 
 fn read_unchanged(job: &Job, file: &Path) -> Result<Source, JobError> {
-    let source = Source::read(file)?;
+    // Nobody can have cancelled it.
+    let source = read_source(file, &Progress::default())?.unwrap_or_default();
     if job.part.is_of_another_file(&source.sha256) {
         return Err(JobError::PartChanged { file: file.display().to_string() });
     }

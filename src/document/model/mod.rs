@@ -19,7 +19,7 @@ pub use job_cell::JobCell;
 pub use job_part::JobPart;
 pub use lines::{FirstPlane, LineParameters};
 pub use path::PathParameters;
-pub use scan::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile, ScanWork};
+pub use scan::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile, ScanLines, ScanWork};
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
 

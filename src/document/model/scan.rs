@@ -30,6 +30,8 @@ parameters! {
         /// `model_from_scan`, 16 numbers row by row, where it is given or was taken over; else it is looked for.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub transform: Option<[f64; 16]> = None,
+        /// What lines are laid on.
+        pub lines: ScanLines = ScanLines::Facets,
         /// Which patches are worked.
         #[serde(skip_serializing_if = "PatchChoice::is_all")]
         pub patches: PatchChoice = PatchChoice::All,
@@ -102,6 +104,17 @@ pub enum ScanWork {
     Surfaces,
 }
 
+/// What the lines of a scanned part are laid on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ScanLines {
+    /// On the facets of the model.
+    #[default]
+    Facets,
+    /// Through the points of the scan (P3 4.1), where planes tell the lines.
+    Points,
+}
+
 /// Which patches are worked. They have no numbers that last from one scan to the next, so those that are chosen are told
 /// by places in them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -171,6 +184,15 @@ impl Keyed for ScanWork {
         match self {
             ScanWork::Patches => "patches".feed(into),
             ScanWork::Surfaces => "surfaces".feed(into),
+        }
+    }
+}
+
+impl Keyed for ScanLines {
+    fn feed(&self, into: &mut Hasher) {
+        match self {
+            ScanLines::Facets => "facets".feed(into),
+            ScanLines::Points => "points".feed(into),
         }
     }
 }

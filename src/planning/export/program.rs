@@ -142,6 +142,7 @@ fn file_note(finding: &PlanFinding) -> Option<FileNote> {
         | PartFinding::TwoSidedFacets { .. }
         | PartFinding::JoinedCorners { .. }
         | PartFinding::DegenerateFacets { .. }
+        | PartFinding::Meshed { .. }
         | PartFinding::UnitTaken { .. } => return None,
     })
 }

@@ -71,9 +71,10 @@ impl ScanStages {
         let Some(compared) = self.compared.of(keys.compared) else { return };
         self.worn.poll();
         if self.worn.lacks(keys.worn) {
-            let (job, compared, part, surfaces) = (job.clone(), compared.clone(), part.clone(), surfaces.clone());
+            let (job, part, surfaces) = (job.clone(), part.clone(), surfaces.clone());
+            let (laid, compared) = (laid.clone(), compared.clone());
             self.worn.start(keys.worn, Activity::CuttingPatches, executor, move |progress| {
-                Ok(worn(&part, &surfaces, &compared, &job, progress)?)
+                Ok(worn(&part, &surfaces, (&laid, &compared), &job, progress)?)
             });
         }
     }

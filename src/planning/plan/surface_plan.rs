@@ -95,7 +95,8 @@ fn toolpath_key(
     planes: &SurfacePlanes,
     by: &ToolpathRules<'_>,
 ) -> Digest {
-    let key = Hasher::default().of(&part.digest).u32s(&surface.facets).of(planes).of(by).finish();
+    let measured = surfaces.measured.as_ref().map(|m| m.digest);
+    let key = Hasher::default().of(&part.digest).u32s(&surface.facets).of(planes).of(by).of(&measured).finish();
     if by.layers.inset_mm >= 0.0 {
         return key;
     }

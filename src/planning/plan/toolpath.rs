@@ -9,6 +9,8 @@ use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::ends::{self, DroppedLines};
+use crate::path::dense::max_gap_mm;
+use crate::path::measured_lines::{MeasuredRules, measured_lines};
 use crate::path::neighbour_axes::neighbour_axes;
 use crate::path::normals::VertexNormals;
 use crate::path::strategy::{self, Achieved, Layout, Strategy, SurfaceLines};
@@ -46,6 +48,8 @@ pub struct ToolpathRules<'a> {
     pub layers: &'a LineParameters,
     /// The axis that the beam follows.
     pub axis: AxisSource,
+    /// How far curves through measured points may lie off their chords, mm.
+    pub chord_error_mm: f64,
     /// Every second layer runs across the others.
     pub is_alternate: bool,
     /// How far closed lines of a layer begin behind those of the one before, mm.
@@ -56,7 +60,7 @@ pub struct ToolpathRules<'a> {
     pub is_flipped: bool,
 }
 
-keyed!(ToolpathRules<'_> { layers, axis, is_alternate, start_shift_mm, layer, is_flipped });
+keyed!(ToolpathRules<'_> { layers, axis, chord_error_mm, is_alternate, start_shift_mm, layer, is_flipped });
 
 impl<'a> ToolpathRules<'a> {
     /// What the job of a surface wants for one layer.
@@ -64,6 +68,7 @@ impl<'a> ToolpathRules<'a> {
         ToolpathRules {
             layers: &job.layers,
             axis: job.path.axis,
+            chord_error_mm: job.path.chord_error_mm,
             is_alternate: job.bead.alternate,
             start_shift_mm: job.bead.start_shift_mm,
             layer,
@@ -166,6 +171,7 @@ fn lines_to_rim(
     } else {
         let normals = VertexNormals::new(mesh, surfaces, surface);
         let mut found = strategy::lines_under(progress, (mesh, surface, &normals), &rule, family, merge_mm)?;
+        through_points((part, surfaces, surface), &mut found, by, progress)?;
         let taken_by = TakenBy::strategy(&found, mesh, surface, family, l);
         apply_axes(&mut found.lines, by);
         if l.inset_mm > 0.0 && taken_by.is_none() {
@@ -175,6 +181,24 @@ fn lines_to_rim(
         }
         Ok((found, taken_by))
     }
+}
+
+/// Lays the lines of planes through the points that were measured, where there are such.
+fn through_points(
+    of: (&Part, &Surfaces, &Surface),
+    found: &mut SurfaceLines,
+    by: &ToolpathRules<'_>,
+    progress: &Progress,
+) -> Result<(), Cancelled> {
+    let Some(measured) = of.1.measured.as_ref().filter(|_| !found.planes.is_empty()) else { return Ok(()) };
+    let rules = MeasuredRules { step_mm: max_gap_mm(by.layers.spacing_mm), chord_mm: by.chord_error_mm };
+    let (mut lines, mut rank) = (Vec::new(), 0);
+    for planes in &found.planes {
+        lines.extend(measured_lines(of, measured, (planes, rank), &rules, progress)?);
+        rank += planes.heights_mm.len();
+    }
+    found.lines = lines;
+    Ok(())
 }
 
 /// Draws lines back from the rim; returns what takes the last one, if none is left.

@@ -5,6 +5,7 @@ mod comparing;
 mod deviation_report;
 mod error;
 mod laying;
+mod measuring;
 mod reading;
 mod registration_report;
 mod scan_report;

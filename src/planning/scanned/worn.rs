@@ -1,9 +1,10 @@
 //! The part as its scan found it: what is built up stands out of it, and what is missing is a surface of its own, worked in
 //! place of the job's or left as the model has it.
 
-use super::{ComparedScan, ScanError};
+use super::measuring::measured;
+use super::{ComparedScan, LaidScan, ScanError};
 use crate::document::Job;
-use crate::document::model::{JobScan, PatchChoice, ScanWork};
+use crate::document::model::{JobScan, PatchChoice, ScanLines, ScanWork};
 use crate::part::patched::{
     LayersError, PatchCut, PatchLayer, PatchSurface, PatchedPart, RefinedFacets, ScannedShape, fills, layer_count,
     patch_layers, shaped, with_patches,
@@ -34,7 +35,7 @@ pub struct WornPart {
 pub fn worn(
     part: &Arc<Part>,
     surfaces: &Arc<Surfaces>,
-    compared: &ComparedScan,
+    (laid, compared): (&LaidScan, &ComparedScan),
     job: &Job,
     progress: &Progress,
 ) -> Result<WornPart, ScanError> {
@@ -43,7 +44,7 @@ pub fn worn(
     check_gate(scan, patches)?;
     let are_worked = scan.work == ScanWork::Patches;
     let is_built_up = patches.iter().any(|p| p.kind == PatchKind::Surplus);
-    if !are_worked && !is_built_up {
+    if !are_worked && !is_built_up && scan.lines == ScanLines::Facets {
         return Ok(WornPart { part: part.clone(), surfaces: surfaces.clone(), ..WornPart::default() });
     }
     // Cut where material is missing: what is built up is a part of the surface that it stands on.
@@ -67,6 +68,9 @@ pub fn worn(
         patched.surfaces.worked = Some(worked(&patched, &scan.patches));
     }
     let shape = ScannedShape { raised_from_mm: scan.min_depth_mm, with_floors: bead_mm.is_some() };
+    if scan.lines == ScanLines::Points {
+        patched.surfaces.measured = Some(Arc::new(measured(part, laid, compared, progress)?));
+    }
     let is_moved = is_built_up || shape.with_floors && !missing.is_empty();
     let (part, surfaces) = match is_moved {
         true => shaped(&patched, &shape, progress)?,
