@@ -18,6 +18,7 @@ pub mod neighbours;
 pub mod normals;
 pub mod ply_file;
 pub mod registration;
+pub mod slices;
 pub mod transform_file;
 
 pub use cloud::Cloud;

@@ -7,6 +7,9 @@
 
 mod build;
 mod of_all;
+mod pieces;
+
+pub use pieces::Piece;
 
 use super::cloud::Cloud;
 use crate::progress::{Cancelled, Progress};
