@@ -31,7 +31,7 @@ fn finned(correction: Correction, with_head: bool) -> Case {
     let mut clamp = Obstacle::named("clamp.stl".into());
     clamp.position_mm = [4.0, 6.0, 40.0];
     clamp.load(Some(dir.path())).expect("an STL");
-    setup.tool = Tool { head: with_head.then(|| cylinder(6.0).head).flatten(), clamps: vec![clamp] };
+    setup.tool = Tool { head: with_head.then(|| cylinder(6.0).head).flatten(), clamps: vec![clamp], ..Tool::default() };
     Case { part, surfaces, job, setup }
 }
 

@@ -49,7 +49,7 @@ fn a_clamp_far_away_changes_no_target() {
             job.path.correction = correction;
             let number = surface_at(&part, &clearbeam::document::segmented(&part, &job), floor);
             let mut setup = setup();
-            setup.tool = Tool { head: head.clone(), clamps };
+            setup.tool = Tool { head: head.clone(), clamps, ..Tool::default() };
             planned_in(part, on(job, &[number]), &setup)
         };
         let block = block([-10.0; 3], [10.0; 3]);
@@ -111,7 +111,7 @@ fn a_motion_beside_a_clamp_is_cut_as_its_distance_asks() {
     let bodies = [block([0.0, -50.0, 10.0], [100.0, 50.0, 110.0]), ball];
     // Without a head the ray; with one its cylinder, 15 mm wide from 40 to 140 mm above the spot.
     for (head, radius_mm, reach_mm) in [(None, 0.02, 110.0), (cylinder(15.0).head, 15.5, 141.0)] {
-        let alone = pieces(&Tool { head: head.clone(), clamps: Vec::new() });
+        let alone = pieces(&Tool { head: head.clone(), ..Tool::default() });
         let (turn, half_mm) = (HALF.0.to_radians(), HALF.1);
         let most_mm = half_mm + reach_mm * libm::sin(turn);
         for body in &bodies {
@@ -120,7 +120,7 @@ fn a_motion_beside_a_clamp_is_cut_as_its_distance_asks() {
                 // Off the tool where it leans towards the body most.
                 let x = half_mm + reach_mm * libm::sin(turn) + radius_mm + gap_mm;
                 let clamps = vec![clamp(body, [x, 0.0, 0.0], [0.0; 3])];
-                let count = pieces(&Tool { head: head.clone(), clamps });
+                let count = pieces(&Tool { head: head.clone(), clamps, ..Tool::default() });
                 // A piece on which nothing moves as far as the gap is clear: halves of halves down to that.
                 let bound = alone as f64 + 4.0 * most_mm / gap_mm;
                 assert!((count as f64) <= bound && count <= before, "{gap_mm} mm: {count}, {bound}, {before} before");
@@ -145,7 +145,7 @@ proptest! {
         let place = standing.at();
         let mesh = standing.solid().mesh.clone();
         let check = Checker::new((0..mesh.facets.len()).map(|f| mesh.corners(f).map(|c| place * c)));
-        let tool = Tool { head: None, clamps: vec![standing] };
+        let tool = Tool { clamps: vec![standing], ..Tool::default() };
         let (plate, body) = (plate(), geometry(&tool));
         let beam = BeamInterference::with(&plate, Some(&body));
         let pose = |x: f64, y: f64, t: [f64; 2]| Pose {

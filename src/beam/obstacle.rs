@@ -16,6 +16,8 @@ pub struct Standing<'a> {
     pub solid: &'a Part,
     /// Where that frame stands, in the frame of the list that the obstacle is in.
     pub at: Isometry3<f64>,
+    /// Whether it is space that was not scanned, and no body that is known.
+    pub is_unscanned: bool,
 }
 
 /// A file of facets, as a part's is, and where it stands.
@@ -36,6 +38,9 @@ pub struct Obstacle {
     /// Whether it is one of the cell that is seen in the part's frame.
     #[serde(skip)]
     is_of_cell: bool,
+    /// Whether it is space that was not scanned, which has no file.
+    #[serde(skip)]
+    is_unscanned: bool,
     /// What the file held.
     #[serde(skip)]
     solid: Arc<Part>,
@@ -50,7 +55,7 @@ impl PartialEq for Obstacle {
 
 impl Keyed for Obstacle {
     fn feed(&self, into: &mut Hasher) {
-        let Obstacle { file, position_mm, rz_ry_rx_deg, units, is_of_cell: _, solid } = self;
+        let Obstacle { file, position_mm, rz_ry_rx_deg, units, is_of_cell: _, is_unscanned: _, solid } = self;
         file.feed(into);
         position_mm.feed(into);
         rz_ry_rx_deg.feed(into);
@@ -68,8 +73,14 @@ impl Obstacle {
             rz_ry_rx_deg: [0.0; 3],
             units: Units::default(),
             is_of_cell: false,
+            is_unscanned: false,
             solid: Arc::default(),
         }
+    }
+
+    /// Space beside a part that was not scanned, within these facets of the part frame: nobody knows what is there.
+    pub fn unscanned(solid: Part) -> Obstacle {
+        Obstacle { is_unscanned: true, solid: Arc::new(solid), ..Obstacle::named(String::new()) }
     }
 
     /// An obstacle at the origin, in the unit that its file states; the file is still to be read where it is named.
@@ -91,7 +102,12 @@ impl Obstacle {
 
     /// Its facets where they stand.
     pub fn standing(&self) -> Standing<'_> {
-        Standing { solid: &self.solid, at: self.at() }
+        Standing { solid: &self.solid, at: self.at(), is_unscanned: self.is_unscanned }
+    }
+
+    /// Whether it is space that was not scanned.
+    pub fn is_unscanned(&self) -> bool {
+        self.is_unscanned
     }
 
     /// Whether it is an obstacle of the cell that stands among a job's clamps: see [`Self::seen_in`].

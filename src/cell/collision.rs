@@ -129,9 +129,9 @@ fn own_margin_mm(margin_mm: f64) -> f64 {
 }
 
 /// The part and the job's clamps on it, where the part's frame is `at`. Obstacles of the cell stand among the clamps of
-/// a tool in hand, and are looked at as what they are.
+/// a tool in hand, and are looked at as what they are; where a scan ends the arm that holds the part begins.
 fn with_clamps<'a>(setup: &'a Setup, part: &'a Part, at: &Isometry3<f64>) -> Vec<CollisionSolid<'a>> {
-    let clamps = setup.tool.clamps.iter().enumerate().filter(|(_, c)| !c.is_of_cell());
+    let clamps = setup.tool.clamps.iter().enumerate().filter(|(_, c)| !c.is_of_cell() && !c.is_unscanned());
     let clamp = |(index, c): (usize, &'a Obstacle)| {
         let id = BodyId::Clamp { index, file: c.file.as_str().into() };
         CollisionSolid::new(id, c.solid(), at * c.at())

@@ -4,7 +4,7 @@ use super::{CommandFailure, CommandOutcome, print, print_json, tell_of_file};
 use crate::document::files::build_part;
 use crate::document::{Job, Parameter, segmented};
 use crate::part::inspect::InspectReport;
-use crate::part::{Source, Units, Weld};
+use crate::part::{Units, Weld};
 use crate::progress::Progress;
 use crate::text::parameter::refused_option;
 use crate::text::{inspected, say, with_option};

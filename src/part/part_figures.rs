@@ -95,7 +95,11 @@ impl PartFigures {
             passed_over: raw.passed_over,
             count_differs: raw.count_differs,
             unread: raw.unread.clone(),
-            meshed: raw.meshed.map(|m| Meshed { cell: m.cell * mm_per_unit * scale, rms: m.rms * mm_per_unit * scale, ..m }),
+            meshed: raw.meshed.map(|m| Meshed {
+                cell: m.cell * mm_per_unit * scale,
+                rms: m.rms * mm_per_unit * scale,
+                ..m
+            }),
         }
     }
 }

@@ -83,7 +83,16 @@ impl Surfaces {
             }
         }
         let list = listed(mesh, &of_facet);
-        Surfaces { of_facet, list, normals, last_number, worked: None, vertex_normals: Vec::new(), fills: Vec::new(), measured: None }
+        Surfaces {
+            of_facet,
+            list,
+            normals,
+            last_number,
+            worked: None,
+            vertex_normals: Vec::new(),
+            fills: Vec::new(),
+            measured: None,
+        }
     }
 
     /// Their numbers, ascending.

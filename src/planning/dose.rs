@@ -8,7 +8,7 @@ use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::path::Strategy;
-use crate::pose::{Obstruction, Pass};
+use crate::pose::Pass;
 use crate::process::{DoseInput, DoseMap, Light, Patch, PatchCause, Spot, Thresholds, WayTime, dose as computed};
 use crate::program::{MoveTiming, Step};
 use crate::progress::{Cancelled, Progress};
@@ -183,10 +183,7 @@ impl PatchReport {
             surface: p.surface,
             area_cm2: 0.01 * p.area_mm2,
             cause: p.cause,
-            by_surface: wall.and_then(|w| match w {
-                Obstruction::Facet(f) => surfaces.of_facet.get(f as usize).copied(),
-                Obstruction::Clamp(_) => None,
-            }),
+            by_surface: wall.and_then(|w| surfaces.of_facet.get(w.facet()? as usize).copied()),
             closer_than_mm: p.closer_than_mm,
             centre_mm: p.centre.coords.map(|x| x + 0.0).into(),
         }

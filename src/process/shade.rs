@@ -36,7 +36,7 @@ pub struct SurfacePoint {
 /// The bodies that shade.
 pub struct Shade<'a> {
     part: &'a Bvh,
-    clamps: Vec<(&'a Part, Isometry3<f64>)>,
+    clamps: Vec<(&'a Part, Isometry3<f64>, Obstruction)>,
 }
 
 /// The last results: light and shade change little from one piece to the next, and from one point to its
@@ -68,12 +68,17 @@ pub struct Landing {
 impl<'a> Shade<'a> {
     /// Part and clamps, all in the part frame.
     pub fn new(part: &'a Part, clamps: &'a [Obstacle]) -> Shade<'a> {
-        Shade { part: &part.bvh, clamps: clamps.iter().map(|c| (c.solid(), c.at().inverse())).collect() }
+        let what = |i: usize, c: &Obstacle| match c.is_unscanned() {
+            true => Obstruction::Unscanned,
+            false => Obstruction::Clamp(i as u32),
+        };
+        let clamp = |(i, c): (usize, &'a Obstacle)| (c.solid(), c.at().inverse(), what(i, c));
+        Shade { part: &part.bvh, clamps: clamps.iter().enumerate().map(clamp).collect() }
     }
 
     /// Whether a clamp is within reach of a segment.
     pub fn clamp_near(&self, from: &Point3<f64>, to: &Point3<f64>, reach_mm: f64) -> bool {
-        self.clamps.iter().any(|(solid, at)| solid.bvh.near_segment(&(at * from), &(at * to), reach_mm))
+        self.clamps.iter().any(|(solid, at, _)| solid.bvh.near_segment(&(at * from), &(at * to), reach_mm))
     }
 
     /// The part of a passing's energy that lands at a point of a facet.
@@ -173,8 +178,8 @@ impl<'a> Shade<'a> {
             until
         });
         wall.or_else(|| {
-            self.clamps.iter().enumerate().find_map(|(i, (solid, at))| {
-                solid.bvh.nearest_hit(&(at * q), &(at * dir), START_MM, until).map(|_| Obstruction::Clamp(i as u32))
+            self.clamps.iter().find_map(|(solid, at, what)| {
+                solid.bvh.nearest_hit(&(at * q), &(at * dir), START_MM, until).map(|_| *what)
             })
         })
     }

@@ -20,6 +20,7 @@ pub mod ply_file;
 pub mod registration;
 pub mod slices;
 pub mod transform_file;
+pub mod unscanned_space;
 
 pub use cloud::Cloud;
 

@@ -36,6 +36,8 @@ impl Sentence for Blocker {
             (ToolBody::Head, Obstruction::Facet(facet)) => say!(head_hits_facet, facet = id(facet)),
             (ToolBody::Beam, Obstruction::Clamp(clamp)) => say!(beam_hits_clamp, clamp = id(clamp + 1)),
             (ToolBody::Head, Obstruction::Clamp(clamp)) => say!(head_hits_clamp, clamp = id(clamp + 1)),
+            (ToolBody::Beam, Obstruction::Unscanned) => say!(beam_in_unscanned),
+            (ToolBody::Head, Obstruction::Unscanned) => say!(head_in_unscanned),
         }
     }
 }

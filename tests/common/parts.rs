@@ -213,7 +213,7 @@ pub fn block(low: [f64; 3], high: [f64; 3]) -> Triangles {
 /// A head: a cylinder of this radius, from 20 to 120 mm behind the focus.
 pub fn cylinder(radius: f64) -> Tool {
     let text = format!("[[part]]\nfrom_mm = 20\nto_mm = 120\nr0_mm = {radius}\nr1_mm = {radius}\n");
-    Tool { head: Some(Head::from_toml(&text).expect("a stack")), clamps: Vec::new() }
+    Tool { head: Some(Head::from_toml(&text).expect("a stack")), ..Tool::default() }
 }
 
 /// Perimeter and area of a regular polygon inscribed in a circle.

@@ -4,3 +4,5 @@ beam_hits_facet = the beam hits facet { $facet }
 head_hits_facet = the head hits facet { $facet }
 beam_hits_clamp = the beam hits clamp { $clamp }
 head_hits_clamp = the head hits clamp { $clamp }
+beam_in_unscanned = the beam would go through what was not scanned
+head_in_unscanned = the head would stand in what was not scanned

@@ -44,7 +44,7 @@ impl RefusalCause {
     /// The cause of something in the way of beam or head.
     pub fn of_blocker(b: &Blocker) -> RefusalCause {
         match (b.tool_body, b.obstruction) {
-            (_, Obstruction::Clamp(_)) => RefusalCause::Obstacle,
+            (_, Obstruction::Clamp(_) | Obstruction::Unscanned) => RefusalCause::Obstacle,
             (ToolBody::Head, _) => RefusalCause::Head,
             (ToolBody::Beam, _) => RefusalCause::Beam,
         }
@@ -166,6 +166,7 @@ fn blocker<S: Serializer>(b: &Blocker, serializer: S) -> Result<S::Ok, S::Error>
     match b.obstruction {
         Obstruction::Facet(facet) => map.serialize_entry("facet", &facet)?,
         Obstruction::Clamp(clamp) => map.serialize_entry("clamp", &clamp)?,
+        Obstruction::Unscanned => map.serialize_entry("unscanned", &true)?,
     }
     map.serialize_entry("t_mm", &b.t_mm)?;
     map.end()

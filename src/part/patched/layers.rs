@@ -3,6 +3,7 @@
 
 use super::contour::{NO_PATCH, Piece, Pieces};
 use super::{PatchCut, RefinedFacets};
+use crate::part::loops::loops;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
 use std::collections::BTreeSet;
@@ -115,8 +116,7 @@ pub fn layer_count(depth_mm: f64, height_mm: f64) -> Result<u32, LayersError> {
     Ok(count as u32)
 }
 
-/// The rims of pieces: edges that one of them alone has, chained as the pieces run through them, each from its lowest
-/// vertex on. A vertex where two rims touch may be the end of one loop in both.
+/// The rims of pieces: edges that one of them alone has, chained as the pieces run through them.
 fn rims<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Vec<Vec<u32>> {
     let mut open: BTreeSet<(u32, u32)> = BTreeSet::new();
     for piece in pieces {
@@ -127,19 +127,5 @@ fn rims<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Vec<Vec<u32>> {
             }
         }
     }
-    let mut rims = Vec::new();
-    while let Some(&(first, _)) = open.first() {
-        let (mut rim, mut here) = (Vec::new(), first);
-        while let Some(edge) = open.range((here, 0)..=(here, u32::MAX)).next().copied() {
-            open.remove(&edge);
-            rim.push(here);
-            here = edge.1;
-            // At every vertex as many edges end as begin, so the way leads back to the first.
-            if here == first {
-                break;
-            }
-        }
-        rims.push(rim);
-    }
-    rims
+    loops(open)
 }

@@ -192,7 +192,16 @@ fn numbered(
     let pieces = (0..parent.len()).filter(is_cut).map(|f| (parent[f], of_facet[f], mesh.facets[f]));
     let vertex_normals = kept_normals(bare, surfaces, &mesh.vertices, pieces);
     let (normals, list) = (normals.collect(), listed(mesh, &of_facet));
-    let surfaces = Surfaces { normals, list, of_facet, last_number, worked: None, vertex_normals, fills: Vec::new(), measured: None };
+    let surfaces = Surfaces {
+        normals,
+        list,
+        of_facet,
+        last_number,
+        worked: None,
+        vertex_normals,
+        fills: Vec::new(),
+        measured: None,
+    };
     let mut patches = vec![Vec::new(); patch_count];
     for ((patch, cut_from), number) in numbers {
         let area_mm2 = surfaces.get(number).map_or(0.0, |s| s.area_mm2);

@@ -11,12 +11,15 @@ use super::super::report::{Report, in_file, notices_worst_first};
 use super::super::scanned::ScanReport;
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
+use crate::beam::Obstacle;
 use crate::cell::{Frame, Mount, Setup};
 use crate::document::files::{self, JobError};
 use crate::document::stamps::Stamps;
 use crate::document::{Job, segmented};
-use crate::part::{Digest, Source};
-use crate::progress::Activity;
+use crate::part::raw_part::RawPart;
+use crate::part::{Digest, Part, Placement, Source, Units, Weld};
+use crate::progress::{Activity, Progress};
+use crate::scan::unscanned_space::unscanned_facets;
 use nalgebra::Isometry3;
 use std::borrow::Cow;
 use std::path::Path;
@@ -144,7 +147,7 @@ impl Pipeline {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             let scanned = self.scanned();
             let slack_mm = scanned.as_ref().and_then(|s| s.laid.as_ref()).map_or(0.0, |laid| laid.slack_mm());
-            let setup = with_slack(setup, slack_mm);
+            let setup = beside_unscanned(with_slack(setup, slack_mm), &part);
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let is_placed = job.scan.base_from_scan.is_some() && setup.mount == Mount::ToolInHand;
@@ -165,6 +168,21 @@ fn with_slack(mut setup: Arc<Setup>, slack_mm: f64) -> Arc<Setup> {
         let wider = Arc::make_mut(&mut setup);
         wider.tool.slack_mm = slack_mm;
         wider.cell.bodies.margin_mm += slack_mm;
+    }
+    setup
+}
+
+/// The set-up with what was not scanned of a part that was meshed from its scan.
+fn beside_unscanned(mut setup: Arc<Setup>, part: &Part) -> Arc<Setup> {
+    let facets = part.figures.meshed.map_or(Vec::new(), |_| unscanned_facets(part));
+    if !facets.is_empty() {
+        let raw = RawPart { facets, ..RawPart::default() };
+        let source = Source { raw, sha256: String::new() };
+        let solid = source.part(Units::Mm, Weld::Exact, &Placement::default(), &[], &Progress::default());
+        // Nobody else holds this progress, and rims have length.
+        if let Ok(Some(solid)) = solid {
+            Arc::make_mut(&mut setup).tool.clamps.push(Obstacle::unscanned(solid));
+        }
     }
     setup
 }

@@ -4,7 +4,7 @@ use crate::cell::motion::{RefusalCause, RefusalReason};
 use crate::part::Surfaces;
 use crate::planning::plan::Plan;
 use crate::planning::surface_plan::SurfacePlan;
-use crate::pose::{Obstruction, TargetState};
+use crate::pose::TargetState;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -66,10 +66,7 @@ pub fn problems(plan: &Plan, surfaces: &Surfaces) -> Vec<Problem> {
         for (point, t) in pass.targets.iter().enumerate().filter(|(_, t)| t.state == TargetState::Blocked) {
             let refused = refusals.next_if(|r| (r.pass, r.point) == (number, point));
             let wall = if refused.is_some() { None } else { t.normal_hits };
-            let by_facet = wall.and_then(|b| match b.obstruction {
-                Obstruction::Facet(f) => Some(f),
-                Obstruction::Clamp(_) => None,
-            });
+            let by_facet = wall.and_then(|b| b.obstruction.facet());
             let cause =
                 refused.map(|r| r.cause).or(wall.map(|b| RefusalCause::of_blocker(&b))).unwrap_or(RefusalCause::Beam);
             out.push(Problem {

@@ -6,7 +6,7 @@ use crate::planning::TakenBy;
 use crate::planning::plan::Plan;
 use crate::planning::remark::{Remark, ToolpathRemark};
 use crate::planning::surface_plan::SurfacePlan;
-use crate::pose::{Obstruction, Pass, Split};
+use crate::pose::{Pass, Split};
 use serde::Serialize;
 
 /// What the order of the lines comes to.
@@ -108,10 +108,7 @@ pub struct SplitReport {
 pub(super) fn splits(passes: &[Pass], surfaces: &Surfaces) -> Vec<SplitReport> {
     let of_pass = |(pass, p): (usize, &Pass)| -> Vec<SplitReport> {
         let report = |s: &Split| {
-            let by_facet = s.wall.and_then(|b| match b.obstruction {
-                Obstruction::Facet(f) => Some(f),
-                Obstruction::Clamp(_) => None,
-            });
+            let by_facet = s.wall.and_then(|b| b.obstruction.facet());
             let by_surface = by_facet.map(|f| surfaces.of_facet[f as usize]);
             SplitReport { pass, point: s.point, surface: p.surface, by_facet, by_surface }
         };

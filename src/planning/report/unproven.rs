@@ -1,7 +1,7 @@
 //! Moves with the laser on that are not proven to touch nothing, by what they would touch.
 
 use crate::part::{SurfaceId, Surfaces};
-use crate::pose::{Obstruction, ToolBody};
+use crate::pose::ToolBody;
 use crate::program::sweep::Proof;
 use serde::{Serialize, Serializer};
 
@@ -25,10 +25,8 @@ fn word<S: Serializer>(tool_body: &ToolBody, to: S) -> Result<S::Ok, S::Error> {
 pub(super) fn unproven(proof: &Proof, surfaces: &Surfaces) -> Vec<Unproven> {
     let mut out: Vec<Unproven> = Vec::new();
     for (_, blocker) in &proof.refuted {
-        let surface = match blocker.obstruction {
-            Obstruction::Facet(f) => surfaces.of_facet.get(f as usize).map(|n| SurfaceId(*n)),
-            Obstruction::Clamp(_) => None,
-        };
+        let facet = blocker.obstruction.facet();
+        let surface = facet.and_then(|f| surfaces.of_facet.get(f as usize)).map(|n| SurfaceId(*n));
         match out.iter_mut().find(|u| (u.tool_body, u.surface) == (blocker.tool_body, surface)) {
             Some(known) => known.moves += 1,
             None => out.push(Unproven { tool_body: blocker.tool_body, surface, moves: 1 }),

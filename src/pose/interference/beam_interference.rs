@@ -1,7 +1,8 @@
 //! What the interference queries of beam and head against a part are asked of. The queries stand in `ray` and
 //! `tool_body`.
 
-use crate::beam::ToolGeometry;
+use super::blocker::Obstruction;
+use crate::beam::{Standing, ToolGeometry};
 use crate::part::{Bvh, Part};
 use crate::pose::Pose;
 use crate::progress::{Cancelled, Progress};
@@ -56,10 +57,15 @@ impl<'a> BeamInterference<'a> {
         self.progress.map_or(Ok(()), Progress::check)
     }
 
-    /// All that can be hit, the part first: the clamp's number, its facets, and where it stands in the part frame.
-    pub(super) fn obstacles(&self) -> impl Iterator<Item = (Option<u32>, &'a Bvh, Option<Isometry3<f64>>)> {
+    /// All that can be hit, the part first: what it is (`None`: each facet is told), its facets, and where it stands in
+    /// the part frame.
+    pub(super) fn obstacles(&self) -> impl Iterator<Item = (Option<Obstruction>, &'a Bvh, Option<Isometry3<f64>>)> {
         let clamps = self.geometry.map_or(&[][..], |b| &b.clamps);
-        let clamps = clamps.iter().enumerate().map(|(i, c)| (Some(i as u32), &c.solid.bvh, Some(c.at)));
+        let what = |i: usize, c: &Standing<'_>| match c.is_unscanned {
+            true => Obstruction::Unscanned,
+            false => Obstruction::Clamp(i as u32),
+        };
+        let clamps = clamps.iter().enumerate().map(move |(i, c)| (Some(what(i, c)), &c.solid.bvh, Some(c.at)));
         std::iter::once((None, self.bvh, None)).chain(clamps)
     }
 }

@@ -26,6 +26,18 @@ pub enum Obstruction {
     Facet(u32),
     /// A clamp, by its place in the job's list.
     Clamp(u32),
+    /// Space that was not scanned: nobody knows what is there.
+    Unscanned,
+}
+
+impl Obstruction {
+    /// The facet of the part, if it is one.
+    pub fn facet(self) -> Option<u32> {
+        match self {
+            Obstruction::Facet(facet) => Some(facet),
+            Obstruction::Clamp(_) | Obstruction::Unscanned => None,
+        }
+    }
 }
 
 /// What stands in the way.
@@ -54,6 +66,7 @@ impl std::fmt::Display for Blocker {
         match self.obstruction {
             Obstruction::Facet(facet) => write!(f, "{body} hits facet {facet}"),
             Obstruction::Clamp(clamp) => write!(f, "{body} hits clamp {}", clamp + 1),
+            Obstruction::Unscanned => write!(f, "{body} enters what was not scanned"),
         }
     }
 }

@@ -57,7 +57,7 @@ impl BeamInterference<'_> {
         self.obstacles()
             .filter_map(|(clamp, bvh, at)| {
                 let (facet, t_mm) = first_ray_hit(bvh, at.as_ref(), p, a)?;
-                let obstruction = clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp);
+                let obstruction = clamp.unwrap_or(Obstruction::Facet(facet));
                 Some(Blocker { tool_body: ToolBody::Beam, obstruction, t_mm })
             })
             .min_by(|x, y| x.t_mm.total_cmp(&y.t_mm))
@@ -89,7 +89,7 @@ impl BeamInterference<'_> {
                     let near = share > 0.0 && is_beside(p, a, corners, from_mm, share);
                     near.then(|| corners.iter().map(|c| (c - p).dot(a)).fold(f64::INFINITY, f64::min).max(from_mm))
                 };
-                let what = clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp);
+                let what = clamp.unwrap_or(Obstruction::Facet(facet));
                 if let Some(t) = through.or_else(beside)
                     && first.is_none_or(|f| (t, what) < f)
                 {

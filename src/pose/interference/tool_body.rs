@@ -108,7 +108,7 @@ impl<'a> BeamInterference<'a> {
                 |facet, corners| {
                     let counts = shape.tool_body == ToolBody::Head || clamp.is_some() || !leaves(&p, &a, corners);
                     if counts && placed.is_near(corners, shape.keeps_mm) {
-                        hit = Some(clamp.map_or(Obstruction::Facet(facet), Obstruction::Clamp));
+                        hit = Some(clamp.unwrap_or(Obstruction::Facet(facet)));
                     }
                     hit.is_none()
                 },

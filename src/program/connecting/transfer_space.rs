@@ -68,7 +68,7 @@ impl<'a> TransferSpace<'a> {
         defocus_mm: f64,
     ) -> TransferSpace<'a> {
         let (mut lo, mut hi) = part.mesh.bounds();
-        for clamp in head.iter().flat_map(|h| &h.clamps) {
+        for clamp in head.iter().flat_map(|h| &h.clamps).filter(|c| !c.is_unscanned) {
             for p in &clamp.solid.mesh.vertices {
                 let p = clamp.at * p;
                 (lo, hi) = (lo.inf(&p), hi.sup(&p));

@@ -7,20 +7,8 @@
 use crate::part::union_find::UnionFind;
 
 /// Corners of a cell: bit k of the number is its place along axis k. Edges: the corner that they start from, and axis.
-pub(super) const EDGES: [(usize, usize); 12] = [
-    (0, 0),
-    (2, 0),
-    (4, 0),
-    (6, 0),
-    (0, 1),
-    (1, 1),
-    (4, 1),
-    (5, 1),
-    (0, 2),
-    (1, 2),
-    (2, 2),
-    (3, 2),
-];
+pub(super) const EDGES: [(usize, usize); 12] =
+    [(0, 0), (2, 0), (4, 0), (6, 0), (0, 1), (1, 1), (4, 1), (5, 1), (0, 2), (1, 2), (2, 2), (3, 2)];
 
 /// The patch of an edge that is not crossed.
 pub(super) const NO_PATCH: u8 = u8::MAX;

@@ -100,8 +100,7 @@ pub fn mesh_of(cloud: &Cloud, progress: &Progress) -> Result<ScanMesh, MeshingEr
         return Err(no_surface);
     }
     let mesh = Mesh::from_indexed_under(progress, made.vertices, made.facets)?;
-    let [mean_mm, rms_mm] =
-        fit_figures::distances_mm(&mesh, &points, &surfels.stand_for, grain.cell_mm, progress)?;
+    let [mean_mm, rms_mm] = fit_figures::distances_mm(&mesh, &points, &surfels.stand_for, grain.cell_mm, progress)?;
     Ok(ScanMesh {
         rim_edges: facets::rim_edges(&mesh.facets),
         vertices: mesh.vertices,

@@ -19,7 +19,8 @@ pub(super) fn relax(faces: &mut Faces, surfels: &Surfels, cell_mm: f64, progress
     let beside = Beside::new(faces);
     // Twice: the first time from up to a cell off.
     for _ in 0..2 {
-        faces.vertices = moved(&faces.vertices, progress, |i, room| on_surface(faces.vertices[i], surfels, cell_mm, room))?;
+        faces.vertices =
+            moved(&faces.vertices, progress, |i, room| on_surface(faces.vertices[i], surfels, cell_mm, room))?;
     }
     for _ in 0..ROUNDS {
         faces.vertices = moved(&faces.vertices, progress, |i, room| {

@@ -24,7 +24,10 @@ fn direction(s: &mut Sequence) -> Vector3<f64> {
 
 fn sphere(count: usize, radius: f64, noise_mm: f64, seed: u64) -> Vec<Point3<f64>> {
     let mut s = Sequence::new(seed);
-    (0..count).map(|_| direction(&mut s) * radius).map(|p| noisy(&mut Sequence::new(p.x.to_bits()), p, noise_mm)).collect()
+    (0..count)
+        .map(|_| direction(&mut s) * radius)
+        .map(|p| noisy(&mut Sequence::new(p.x.to_bits()), p, noise_mm))
+        .collect()
 }
 
 /// Points on the six faces of a cube about the origin.
@@ -98,7 +101,10 @@ fn a_sphere_is_closed_faces_outward_and_lies_well_within_the_noise() {
     assert!(mesh.rim_edges.is_empty());
     assert_eq!((outward(&mesh), mesh.oriented), (1.0, Oriented::Propagated));
     let off = rms(mesh.vertices.iter().map(|v| v.coords.norm() - 20.0));
-    println!("sphere {off} {mesh:.3?}", mesh = (mesh.cell_mm, mesh.noise_mm, mesh.rms_mm, mesh.mean_mm, mesh.dropped_points, mesh.facets.len()));
+    println!(
+        "sphere {off} {mesh:.3?}",
+        mesh = (mesh.cell_mm, mesh.noise_mm, mesh.rms_mm, mesh.mean_mm, mesh.dropped_points, mesh.facets.len())
+    );
     assert!(off < 0.6 * NOISE_MM, "{off}");
     assert!((mesh.rms_mm / NOISE_MM - 1.0).abs() < 0.2, "{}", mesh.rms_mm);
     assert!(mesh.dropped_points.abs_diff(200) < 40, "{}", mesh.dropped_points);

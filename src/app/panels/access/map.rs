@@ -5,7 +5,7 @@ use super::super::super::context::Context;
 use super::super::super::theme;
 use super::palette::{BY_BEAM, BY_CLAMP, BY_HEAD, FORBIDDEN, FREE, color};
 use crate::pose::access::{Access, AccessMap};
-use crate::pose::{Blocker, Obstruction, Tilt};
+use crate::pose::{Blocker, Tilt};
 use crate::text::{Sentence as _, fixed, id, percent, say};
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Sense, Stroke, vec2};
 
@@ -82,11 +82,7 @@ fn said(tilt: Tilt, cell: Access, surface_of: &dyn Fn(u32) -> Option<u32>) -> St
 
 fn blocked(b: &Blocker, surface_of: &dyn Fn(u32) -> Option<u32>) -> String {
     let blocker = b.sentence();
-    let surface = match b.obstruction {
-        Obstruction::Facet(facet) => surface_of(facet),
-        Obstruction::Clamp(_) => None,
-    };
-    match surface {
+    match b.obstruction.facet().and_then(surface_of) {
         Some(surface) => say!(access_blocked_by_surface, blocker, surface = id(surface)),
         None => blocker,
     }

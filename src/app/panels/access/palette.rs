@@ -21,7 +21,7 @@ pub(super) fn color(a: Access) -> Color32 {
         Access::Free => FREE,
         Access::Forbidden => FORBIDDEN,
         Access::Blocked(b) => match (b.obstruction, b.tool_body) {
-            (Obstruction::Clamp(_), _) => BY_CLAMP,
+            (Obstruction::Clamp(_) | Obstruction::Unscanned, _) => BY_CLAMP,
             (_, ToolBody::Head) => BY_HEAD,
             (_, ToolBody::Beam) => BY_BEAM,
         },
