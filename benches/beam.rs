@@ -58,7 +58,7 @@ fn proven(c: &mut Criterion) {
     let bytes = stl_bytes(&helical_gear(40, 8, 15, 4));
     let Ok(part) = Part::from_bytes(&bytes, Units::Mm, &Placement::default(), &[]) else { return };
     let (Ok(mut setup), Ok(head)) = (Setup::shipped(), Head::from_toml(HEAD)) else { return };
-    setup.tool = Tool { head: Some(head), clamps: Vec::new() };
+    setup.tool = Tool { head: Some(head), ..Tool::default() };
     let mut job = Job::default();
     job.layers.direction = clearbeam::path::Direction::AXES[2].1;
     job.path.correction = Correction::SectionPlane;
@@ -150,7 +150,7 @@ fn clamps(c: &mut Criterion) {
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
     for head in [None, Some(head)] {
         for (name, clamps) in &beside {
-            setup.tool = Tool { head: head.clone(), clamps: clamps.iter().flatten().cloned().collect() };
+            setup.tool = Tool { head: head.clone(), clamps: clamps.iter().flatten().cloned().collect(), ..Tool::default() };
             let with = if head.is_some() { "a head" } else { "a ray" };
             group.bench_function(format!("plan of {with}, clamps: {name}"), |b| {
                 b.iter(|| planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()));

@@ -241,7 +241,7 @@ fn clearance(group: &mut BenchmarkGroup<'_, WallTime>, size: &str, part: &Part) 
         b.iter(|| lines.par_iter().map(|(s, line)| planned(part, &ray, *s, line, &rules)).collect::<Vec<_>>());
     });
     let Ok(head) = Head::from_toml(HEAD) else { return };
-    let tool = Tool { head: Some(head), clamps: Vec::new() };
+    let tool = Tool { head: Some(head), ..Tool::default() };
     let held = ToolConfiguration::new(&tool, &Optics::default(), ProcessSettings::default(), 0.5);
     group.bench_function(format!("search and polish with a head, {points} points/{size}"), |b| {
         b.iter(|| lines.par_iter().map(|(s, line)| planned(part, &held, *s, line, &rules)).collect::<Vec<_>>());

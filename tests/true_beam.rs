@@ -25,7 +25,7 @@ const MARGIN_MM: f64 = 0.5;
 /// A head that is never in the way: what counts is the beam.
 fn needle() -> Tool {
     let text = "[[part]]\nfrom_mm = 900\nto_mm = 901\nr0_mm = 1\nr1_mm = 1\n";
-    Tool { head: Some(Head::from_toml(text).expect("a stack")), clamps: Vec::new() }
+    Tool { head: Some(Head::from_toml(text).expect("a stack")), ..Tool::default() }
 }
 
 fn body(tool: &Tool) -> ToolGeometry<'_> {
@@ -287,7 +287,7 @@ fn a_clamp_is_in_the_way_like_the_part() {
     let plate = floor_and(&[]);
     let at = |x: f64| (Point3::new(x, 0.0, 0.0), Vector3::z());
     // The ray alone.
-    let tool = Tool { head: None, clamps: vec![clamp.clone()] };
+    let tool = Tool { clamps: vec![clamp.clone()], ..Tool::default() };
     let b = ToolGeometry::new(&tool, &Optics::default(), SPOT_MM, DEFOCUS_MM, MARGIN_MM).expect("a clamp");
     let beam = BeamInterference::with(&plate, Some(&b));
     assert_eq!(beam.blocker(&at(30.0).0, &at(30.0).1).map(|h| h.obstruction), Some(Obstruction::Clamp(0)));
@@ -342,7 +342,7 @@ fn a_head_of_facets_counts_as_what_it_sweeps() {
     let file = dir.path().join("head.stl");
     std::fs::write(&file, clearbeam::sample::stl_bytes(&block([-5.0, -5.0, 20.0], [25.0, 25.0, 120.0])))
         .expect("written");
-    let solid = Tool { head: Some(Head::load(&file).expect("an STL")), clamps: Vec::new() };
+    let solid = Tool { head: Some(Head::load(&file).expect("an STL")), ..Tool::default() };
     let round = cylinder(libm::hypot(25.0, 25.0));
     let (one, two) = (body(&solid), body(&round));
     for x in [30.0, 35.0, 35.8, 35.9, 36.0, 50.0] {
@@ -379,7 +379,7 @@ fn clutter() -> impl Strategy<Value = Vec<[f64; 5]>> {
 /// A head with a nozzle near the spot, so that both limbs matter.
 fn nozzle() -> Tool {
     let text = "[[part]]\nfrom_mm = -8\nto_mm = 10\nr0_mm = 3\nr1_mm = 9\n[[part]]\nfrom_mm = 10\nto_mm = 60\nr0_mm = 14\nr1_mm = 14\n";
-    Tool { head: Some(Head::from_toml(text).expect("a stack")), clamps: Vec::new() }
+    Tool { head: Some(Head::from_toml(text).expect("a stack")), ..Tool::default() }
 }
 
 /// The checker looks for things this near.
