@@ -8,6 +8,7 @@ pub mod angle;
 mod bounds;
 mod box_tree;
 pub mod bvh;
+pub mod circle;
 mod digest;
 pub mod distance;
 mod doubt;

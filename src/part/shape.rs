@@ -162,20 +162,11 @@ impl Samples {
         }
         let u = super::angle::any_square_to(&axis);
         let v = axis.cross(&u);
-        // x² + y² = 2·cx·x + 2·cy·y + k, linear in (cx, cy, k).
-        let (mut m, mut r) = (Matrix3::zeros(), Vector3::zeros());
-        for p in &self.points {
-            let d = p - self.centre;
-            let row = Vector3::new(2.0 * d.dot(&u), 2.0 * d.dot(&v), 1.0);
-            let square = d.dot(&u).powi(2) + d.dot(&v).powi(2);
-            m += row * row.transpose();
-            r += row * square;
-        }
-        let c = m.lu().solve(&r)?;
-        let radius = (c[2] + c[0] * c[0] + c[1] * c[1]).sqrt();
-        let centre = self.centre + u * c[0] + v * c[1];
+        let across = self.points.iter().map(|p| p - self.centre).map(|d| [d.dot(&u), d.dot(&v)]);
+        let ([x, y], radius) = super::circle::fitted_circle(across)?;
+        let centre = self.centre + u * x + v * y;
         // A nearly flat strip fits a huge circle; nobody calls that a cylinder.
-        if !radius.is_finite() || radius > 50.0 * self.size {
+        if radius > 50.0 * self.size {
             return None;
         }
         self.fits(tolerance.max(1e-4 * radius), |p| (p - centre).cross(&axis).norm() - radius)

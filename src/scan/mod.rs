@@ -7,6 +7,7 @@
 pub mod assessment;
 pub mod cleaning;
 pub mod cloud;
+pub mod continuation;
 pub mod deviation;
 pub mod file;
 #[cfg(test)]

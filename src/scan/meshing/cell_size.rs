@@ -13,8 +13,10 @@ use crate::scan::neighbours::Neighbours;
 const SPACINGS: f64 = 2.0;
 /// Side of a cell in standard deviations of the noise: the layer in which the points scatter (±2 σ) stays below a cell.
 const NOISES: f64 = 6.0;
-/// Facets that a mesh has at most, about; a cell of surface has two.
+/// Facets that a mesh has at most, about.
 const MOST_FACETS: f64 = 1e6;
+/// Facets to the square of a cell: two where the surface lies along the lattice, three on all sides of a sphere.
+const FACETS_OF_CELL: f64 = 3.0;
 /// Noise in distances between points up to which the figures of a cloud hold: 20 neighbours lie within 2.5 distances,
 /// which is 5 σ then, where noise is told 5 % too low.
 const NOISE_OF_SPACING: f64 = 0.5;
@@ -48,7 +50,7 @@ pub(super) fn grain(cloud: &Cloud, progress: &Progress) -> Result<Option<Grain>,
         let density_per_mm2 = f.density_per_mm2 / share;
         let area_mm2 = cloud.len() as f64 / density_per_mm2;
         let by_points = SPACINGS / density_per_mm2.sqrt();
-        let by_facets = (2.0 * area_mm2 / MOST_FACETS).sqrt();
+        let by_facets = (FACETS_OF_CELL * area_mm2 / MOST_FACETS).sqrt();
         let cell_mm = by_points.max(NOISES * f.noise_mm).max(by_facets);
         (cell_mm > 0.0 && cell_mm.is_finite()).then_some(Grain { cell_mm, noise_mm: f.noise_mm })
     }))

@@ -82,8 +82,7 @@ fn patch_vertices(
 fn reached(surfels: &Surfels, p: Point3<f64>, cell_mm: f64, room: &mut Room) -> Option<Point3<f64>> {
     let seen = surfels.seen(&p, room)?;
     let foot = p - seen.normal * seen.off_mm.clamp(-cell_mm, cell_mm);
-    let (surfel, distance_mm) = surfels.nearest(&foot, 4.0 * cell_mm)?;
-    (distance_mm <= surfel.reach_mm).then_some(p)
+    surfels.reach(&foot, cell_mm, room).then_some(p)
 }
 
 struct Dual<'a> {

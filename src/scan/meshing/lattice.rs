@@ -79,7 +79,7 @@ impl Lattice {
         let off = |&key: &u64| {
             let p = self.place(key, &Vector3::zeros());
             let nearest = surfels.nearest(&p, FAR * self.cell_mm);
-            nearest.map_or(f32::NAN, |(surfel, _)| (surfel.seen(&p).off_mm / self.cell_mm) as f32)
+            nearest.map_or(f32::NAN, |surfel| (surfel.seen(&p).off_mm / self.cell_mm) as f32)
         };
         let pieces: Vec<Vec<f32>> = corners
             .par_chunks(PIECE)

@@ -17,6 +17,8 @@ mod relaxed;
 mod surfel;
 mod surfels;
 #[cfg(test)]
+mod sample_tests;
+#[cfg(test)]
 mod tests;
 
 pub use orientation::Oriented;

@@ -268,3 +268,18 @@ fn the_work_ends_when_it_is_cancelled() {
         assert_eq!(found, Err(MeshingError::Cancelled), "after {looks}");
     }
 }
+
+/// A million points, for figures of time and size.
+#[test]
+#[ignore = "for figures"]
+fn a_million_points() {
+    let mut points = sphere(990_000, 50.0, NOISE_MM, 1);
+    let mut s = Sequence::new(2);
+    points.extend((0..10_000).map(|_| Point3::from(Vector3::from_fn(|_, _| 140.0 * s.uniform() - 70.0))));
+    let cloud = Cloud::of_points(&points);
+    let started = std::time::Instant::now();
+    let mesh = mesh_of(&cloud, &Progress::default()).expect("a surface");
+    println!("{:?} {:?}", started.elapsed(), (mesh.facets.len(), mesh.cell_mm, mesh.rms_mm, mesh.dropped_points));
+    assert_eq!(proper(&mesh), 2);
+    println!("{}", rms(mesh.vertices.iter().map(|v| v.coords.norm() - 50.0)));
+}

@@ -1,0 +1,276 @@
+//! The worn part's own sound regions, continued across the damage: where no model of the part exists (P3's third case),
+//! what is left of a surface tells what is missing of it.
+//!
+//! A surface of the kind that the user names is fitted to the points marked sound; worn points among them lose their
+//! say. What the points do not tell is refused, never guessed. Where the damage is, and which kind it takes, is decided
+//! elsewhere. All in one frame, mm.
+
+mod profile;
+mod repaired;
+mod robust;
+mod starts;
+mod surface;
+#[cfg(test)]
+mod tests;
+mod told;
+
+use super::cloud::Cloud;
+use super::neighbours::Neighbours;
+use crate::progress::{Cancelled, Progress};
+use nalgebra::{Point3, Vector3};
+use robust::Fit;
+use starts::Given;
+use surface::{Form, Surface};
+use thiserror::Error;
+
+/// What a point of a region is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// Of the surface as it was made: it is fitted.
+    Sound,
+    /// Worn, broken or welded over: the surface goes on across it.
+    Damaged,
+    /// Of another surface: it is left alone.
+    Other,
+}
+
+/// Points around a damage: of a cloud, or the vertices of its mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct Region<'a> {
+    /// Places, mm.
+    pub points: &'a [Point3<f64>],
+    /// Unit normals, outward, one a point.
+    pub normals: &'a [Vector3<f64>],
+    /// What each point is.
+    pub standing: &'a [Standing],
+    /// Standard deviation of the points across the surface, mm, above 0.
+    pub noise_mm: f64,
+}
+
+/// Which kind of surface is continued.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A plane.
+    Plane,
+    /// A circular cylinder, from without or within.
+    Cylinder,
+    /// A curve turned about an axis; its radius is a function of the place along the axis.
+    Revolved,
+    /// A curve drawn along a direction; seen along it, the curve is a height over a line.
+    Extruded,
+    /// A height over a plane: a polynomial of degree 4 at most, of the least that fits.
+    Smooth,
+}
+
+/// What was found of a surface, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Figures {
+    /// A plane.
+    Plane {
+        /// A point of it.
+        point: Point3<f64>,
+        /// Unit normal, outward.
+        normal: Vector3<f64>,
+    },
+    /// A cylinder.
+    Cylinder {
+        /// A point of the axis.
+        point: Point3<f64>,
+        /// Unit axis.
+        axis: Vector3<f64>,
+        /// Radius.
+        radius_mm: f64,
+    },
+    /// What is revolved.
+    Revolved {
+        /// A point of the axis.
+        point: Point3<f64>,
+        /// Unit axis.
+        axis: Vector3<f64>,
+    },
+    /// What is extruded.
+    Extruded {
+        /// Unit direction.
+        direction: Vector3<f64>,
+    },
+    /// A polynomial.
+    Smooth {
+        /// Its degree.
+        degree: usize,
+    },
+}
+
+/// A surface that goes on across the damage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Continued {
+    /// Its kind.
+    pub kind: Kind,
+    /// Root mean square of the sound points' distances, mm; those that turned out to be none left out.
+    pub rms_mm: f64,
+    /// Points marked sound that lie off the surface.
+    pub strays: usize,
+    /// Width of the widest damage, mm: twice the greatest distance of a damaged point from the next sound one.
+    pub gap_mm: f64,
+    /// Standard deviation of the surface where it is least sure among the damaged points, mm.
+    pub spread_mm: f64,
+    surface: Surface,
+}
+
+/// Why nothing is continued.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum Refusal {
+    /// The work was cancelled.
+    #[error("cancelled")]
+    Cancelled,
+    /// Lists of different lengths, or a noise that is none.
+    #[error("no region")]
+    NoRegion,
+    /// Too few finite points are sound.
+    #[error("{sound} sound points")]
+    TooFewPoints {
+        /// How many.
+        sound: usize,
+    },
+    /// The sound points are of no surface of this kind: they lie further off the best one than three times their
+    /// noise, or a third of them lies off it; `None` where there is no best one.
+    #[error("not of this kind: {rms_mm:?} mm off")]
+    OtherKind {
+        /// Root mean square of their distances, mm.
+        rms_mm: Option<f64>,
+    },
+    /// The arc of sound points rises so little above its chord that its radius is anyone's guess.
+    #[error("the arc rises by {rise_mm} mm")]
+    ArcTooShort {
+        /// Height of the arc over its chord, mm.
+        rise_mm: f64,
+    },
+    /// The points hold the axis, or the direction, in no place.
+    #[error("the axis is told to {spread_deg} degrees")]
+    AxisOpen {
+        /// Standard deviation of its direction, degrees.
+        spread_deg: f64,
+    },
+    /// So far from sound points the surface might as well be elsewhere.
+    #[error("told to {spread_mm} mm across the damage")]
+    GapTooWide {
+        /// Standard deviation of the surface at the worst of the damaged points, mm.
+        spread_mm: f64,
+    },
+}
+
+impl From<Cancelled> for Refusal {
+    fn from(_: Cancelled) -> Refusal {
+        Refusal::Cancelled
+    }
+}
+
+/// Sound points that a fit needs: three for each parameter of a surface with fifteen.
+const FEWEST: usize = 45;
+/// Points that are fitted at most, evenly taken: the noise of 20 000 leaves 1 % of itself in the surface.
+const MOST: usize = 20_000;
+/// Levels of refinement: degrees of a polynomial, intervals of a curve.
+const DEGREES: &[usize] = &[1, 2, 3, 4];
+const INTERVALS: &[usize] = &[2, 4, 8, 16, 32];
+/// The next level is worth its parameters where it brings the distances down to this share.
+const WORTH_IT: f64 = 0.95;
+/// As long as the distances are so many times the noise, the next level is tried in any case.
+const NOT_YET: f64 = 1.15;
+
+/// Continues a surface of a kind across the damaged points of a region.
+///
+/// # Errors
+/// The sound points do not tell such a surface: see [`Refusal`].
+pub fn continued(region: &Region, kind: Kind, progress: &Progress) -> Result<Continued, Refusal> {
+    let count = region.points.len();
+    let is_region = region.normals.len() == count && region.standing.len() == count;
+    if !(is_region && region.noise_mm > 0.0 && region.noise_mm.is_finite()) {
+        return Err(Refusal::NoRegion);
+    }
+    let finite = |i: &usize| {
+        region.points[*i].iter().chain(region.normals[*i].iter()).all(|c| c.is_finite() && c.abs() < 1e12)
+    };
+    let of = |standing: Standing| -> Vec<usize> {
+        (0..count).filter(|i| region.standing[*i] == standing).filter(finite).collect()
+    };
+    let (sound, damaged) = (of(Standing::Sound), of(Standing::Damaged));
+    if sound.len() < FEWEST {
+        return Err(Refusal::TooFewPoints { sound: sound.len() });
+    }
+    let some = sound.len().min(MOST);
+    let taken: Vec<usize> = (0..some).map(|k| sound[k * sound.len() / some]).collect();
+    let places = |of: &[usize]| of.iter().map(|i| region.points[*i]).collect::<Vec<Point3<f64>>>();
+    let (points, holes) = (places(&taken), places(&damaged));
+    let normals: Vec<Vector3<f64>> = taken.iter().map(|i| region.normals[*i]).collect();
+    let reached = [places(&sound), holes.clone()].concat();
+    let size_mm = Cloud::of_points(&points).diagonal();
+    if !(size_mm > 0.0) {
+        return Err(Refusal::TooFewPoints { sound: sound.len() });
+    }
+    let given = Given { points: &points, normals: &normals, reached: &reached, size_mm };
+    let fit = best(&given, kind, region.noise_mm, progress)?;
+    let spread_mm = told::told(&fit, &points, &holes, region.noise_mm)?;
+    let strays = sound.len() - (fit.share * sound.len() as f64).round() as usize;
+    let gap_mm = 2.0 * furthest_mm(&places(&sound), &holes, progress)?;
+    Ok(Continued { kind, rms_mm: fit.rms_mm, strays, gap_mm, spread_mm, surface: fit.surface })
+}
+
+/// The fit of the lowest level that is as good as the next.
+fn best(given: &Given, kind: Kind, noise_mm: f64, progress: &Progress) -> Result<Fit, Refusal> {
+    let levels: &[usize] = match kind {
+        Kind::Plane => &[1],
+        Kind::Cylinder => &[0],
+        Kind::Smooth => DEGREES,
+        Kind::Revolved | Kind::Extruded => INTERVALS,
+    };
+    let mut best: Option<Fit> = None;
+    for level in levels {
+        let start = match kind {
+            Kind::Plane | Kind::Smooth => given.height(*level),
+            Kind::Cylinder => given.cylinder(),
+            Kind::Revolved => given.revolved(*level),
+            Kind::Extruded => given.extruded(*level),
+        };
+        let Some(start) = start else { break };
+        let Some(fit) = robust::fitted(given.points, start, given.size_mm, progress)? else { break };
+        let is_better = best.as_ref().is_none_or(|b| fit.rms_mm < WORTH_IT * b.rms_mm);
+        let is_enough = best.as_ref().is_some_and(|b| b.rms_mm <= NOT_YET * noise_mm);
+        if is_better {
+            best = Some(fit);
+        } else if is_enough {
+            break;
+        }
+    }
+    best.ok_or(Refusal::OtherKind { rms_mm: None })
+}
+
+/// The greatest distance from a point of `from` to the nearest of `to`, mm; 0 without any.
+fn furthest_mm(to: &[Point3<f64>], from: &[Point3<f64>], progress: &Progress) -> Result<f64, Cancelled> {
+    let neighbours = Neighbours::new(&Cloud::of_points(to), progress)?;
+    let distances = from.iter().filter_map(|p| neighbours.nearest_one(p, f64::INFINITY));
+    Ok(distances.fold(0.0, |most: f64, n| most.max(f64::from(n.squared).sqrt())))
+}
+
+impl Continued {
+    /// The foot of a point on the surface, and the outward unit normal there; `None` where the surface does not reach:
+    /// beyond the ends of its curve, or on its axis.
+    pub fn closest(&self, p: &Point3<f64>) -> Option<(Point3<f64>, Vector3<f64>)> {
+        self.surface.closest(p)
+    }
+
+    /// What was found of the surface.
+    pub fn figures(&self) -> Figures {
+        let Surface { frame, coefficients, form, .. } = &self.surface;
+        let (point, axis) = (Point3::from(frame.translation.vector), frame * Vector3::z());
+        match (self.kind, form) {
+            (Kind::Plane, _) => {
+                let (point, normal) = self.closest(&point).unwrap_or((point, axis));
+                Figures::Plane { point, normal }
+            }
+            (Kind::Cylinder, _) => Figures::Cylinder { point, axis, radius_mm: coefficients[0] },
+            (Kind::Revolved, _) => Figures::Revolved { point, axis },
+            (Kind::Extruded, _) => Figures::Extruded { direction: frame * Vector3::y() },
+            (Kind::Smooth, Form::Height { degree, .. }) => Figures::Smooth { degree: *degree },
+            (Kind::Smooth, _) => Figures::Smooth { degree: 0 },
+        }
+    }
+}
