@@ -5,9 +5,10 @@ use super::super::Cloud;
 use super::field::Field;
 use super::in_field::Walk;
 use super::measures::overlap;
-use super::plane_fit::{Model, PlaneFit, Row, Schedule, capped_rms_mm, moved, plane_fit};
+use super::plane_fit::{PlaneFit, Schedule, capped_rms_mm, moved, plane_fit};
 use super::sliding::motions;
 use super::starts::{Skin, turns};
+use super::surface::{Model, Row};
 use super::thinned::Thinned;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
@@ -44,29 +45,29 @@ const OTHER_SHIFT: f64 = 0.03;
 
 /// A pose, and how good it is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Candidate {
-    pub(super) model_from_scan: Isometry3<f64>,
+pub(in crate::scan) struct Candidate {
+    pub(in crate::scan) model_from_scan: Isometry3<f64>,
     /// Root of the mean square of min(d, D/180), mm.
-    pub(super) score_mm: f64,
+    pub(in crate::scan) score_mm: f64,
 }
 
 /// Tells poses apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Apart {
+pub(in crate::scan) struct Apart {
     /// Middle of the scan, scan frame.
-    pub(super) middle: Point3<f64>,
-    pub(super) diagonal_mm: f64,
+    pub(in crate::scan) middle: Point3<f64>,
+    pub(in crate::scan) diagonal_mm: f64,
 }
 
 impl Apart {
     /// Whether two poses are others, and not one that has not quite arrived.
-    pub(super) fn are_others(&self, a: &Isometry3<f64>, b: &Isometry3<f64>) -> bool {
+    pub(in crate::scan) fn are_others(&self, a: &Isometry3<f64>, b: &Isometry3<f64>) -> bool {
         a.rotation.angle_to(&b.rotation) > OTHER_TURN
             || (a * self.middle - b * self.middle).norm() > OTHER_SHIFT * self.diagonal_mm
     }
 
     /// The first of each pose, in order.
-    pub(super) fn distinct<T>(&self, all: Vec<T>, pose: impl Fn(&T) -> Isometry3<f64>, most: usize) -> Vec<T> {
+    pub(in crate::scan) fn distinct<T>(&self, all: Vec<T>, pose: impl Fn(&T) -> Isometry3<f64>, most: usize) -> Vec<T> {
         let mut out: Vec<T> = Vec::new();
         for one in all {
             if out.len() < most && out.iter().all(|o| self.are_others(&pose(o), &pose(&one))) {
@@ -81,15 +82,17 @@ impl Apart {
 ///
 /// # Errors
 /// [`Cancelled`].
-pub(super) fn candidates(
+pub(in crate::scan) fn candidates(
     model: &Model<'_>,
     cloud: &Cloud,
     thinned: &Thinned,
     apart: &Apart,
     progress: &Progress,
 ) -> Result<Vec<Candidate>, Cancelled> {
-    let field = Field::new(model.part, progress)?;
-    let poses = walked(model, &field, thinned, apart, progress)?;
+    let closest = |at: &Point3<f64>, within: f64| model.part.bvh.closest(at, within).map(|c| c.foot);
+    let field = Field::new(model.part.mesh.bounds(), closest, progress)?;
+    let walked = walked(&Skin::of(&model.part.mesh), &field, thinned, apart, progress)?;
+    let poses = apart.distinct(walked, |p| *p, LAID);
     // Points as they were measured: the middle of a voxel lies inside what is round.
     let points: Vec<Point3<f64>> = thinned.spread(LAID_POINTS).iter().map(|s| cloud.point(s.1 as usize)).collect();
     let laid = |poses: &[Isometry3<f64>], width: f64| -> Result<Vec<Laid>, Cancelled> {
@@ -138,9 +141,9 @@ fn shaken(fit: &PlaneFit, by_mm: f64) -> Vec<Isometry3<f64>> {
     both.map(|step| moved(&fit.model_from_scan, &step, &fit.centre, fit.length_mm)).collect()
 }
 
-/// Walks from all starts; the best poses that differ.
-fn walked(
-    model: &Model<'_>,
+/// Walks from all starts; the poses of the best, the best first, many of them the same.
+pub(in crate::scan) fn walked(
+    skin: &Skin,
     field: &Field,
     thinned: &Thinned,
     apart: &Apart,
@@ -148,7 +151,6 @@ fn walked(
 ) -> Result<Vec<Isometry3<f64>>, Cancelled> {
     let middle = apart.middle.coords;
     let points: Vec<Vector3<f64>> = thinned.spread_middles(WALKED_POINTS).map(|p| p.coords - middle).collect();
-    let skin = Skin::of(&model.part.mesh);
     let mut walks: Vec<Walk> = Vec::new();
     let starts = turns();
     for place in skin.middles(apart.diagonal_mm) {
@@ -164,6 +166,5 @@ fn walked(
         walks.sort_by(|a, b| a.score.total_cmp(&b.score));
         walks.truncate(GO_ON);
     }
-    let poses = walks.iter().map(|w| w.model_from_scan(field, &middle)).collect();
-    Ok(apart.distinct(poses, |p| *p, LAID))
+    Ok(walks.iter().map(|w| w.model_from_scan(field, &middle)).collect())
 }

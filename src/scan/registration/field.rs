@@ -4,7 +4,6 @@
 //! Cells that the skin passes are exact at their middles. From there the feet are carried from cell to cell, so off the
 //! skin a foot may lie a little further than the nearest one: less than a cell on the parts tried.
 
-use crate::part::{Bvh, Part};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -38,34 +37,37 @@ const BEFORE: [[isize; 3]; 13] = [
 
 /// The nearest point of the model for each cell, from the corner `lo`.
 #[derive(Clone, Debug)]
-pub(super) struct Field {
+pub(in crate::scan) struct Field {
     /// The middle of the first cell, part frame; places asked and feet given count from it.
-    pub(super) lo: Point3<f64>,
+    pub(in crate::scan) lo: Point3<f64>,
     cell_mm: f64,
     dims: [usize; 3],
     feet: Vec<[f32; 3]>,
 }
 
 impl Field {
-    /// Lays the field around a part.
+    /// Lays the field around what lies in a box, whose point nearest to a place, within a distance, is told by `closest`.
     ///
     /// # Errors
     /// [`Cancelled`].
-    pub(super) fn new(part: &Part, progress: &Progress) -> Result<Field, Cancelled> {
-        let (lo, hi) = part.mesh.bounds();
+    pub(in crate::scan) fn new(
+        (lo, hi): (Point3<f64>, Point3<f64>),
+        closest: impl Fn(&Point3<f64>, f64) -> Option<Point3<f64>> + Sync,
+        progress: &Progress,
+    ) -> Result<Field, Cancelled> {
         let longest = (hi - lo).max();
         let margin = Vector3::repeat(MARGIN * longest);
         let (lo, hi) = (lo - margin, hi + margin);
         let cell_mm = (hi - lo).max() / CELLS;
         let dims = [0, 1, 2].map(|k| ((hi[k] - lo[k]) / cell_mm).ceil() as usize + 1);
         let mut field = Field { lo, cell_mm, dims, feet: Vec::new() };
-        field.feet = field.near_skin(&part.bvh, progress)?;
+        field.feet = field.near_skin(closest, progress)?;
         field.spread(progress)?;
         Ok(field)
     }
 
     /// The foot for a place; both from `lo`.
-    pub(super) fn foot(&self, place: &Vector3<f64>) -> Vector3<f64> {
+    pub(in crate::scan) fn foot(&self, place: &Vector3<f64>) -> Vector3<f64> {
         let cell = |k: usize| ((place[k] / self.cell_mm + 0.5).max(0.0) as usize).min(self.dims[k] - 1);
         Vector3::from(self.feet[self.index([cell(0), cell(1), cell(2)])].map(f64::from))
     }
@@ -83,14 +85,18 @@ impl Field {
         Vector3::from(cell.map(|c| c as f64)) * self.cell_mm
     }
 
-    fn near_skin(&self, bvh: &Bvh, progress: &Progress) -> Result<Vec<[f32; 3]>, Cancelled> {
+    fn near_skin(
+        &self,
+        closest: impl Fn(&Point3<f64>, f64) -> Option<Point3<f64>> + Sync,
+        progress: &Progress,
+    ) -> Result<Vec<[f32; 3]>, Cancelled> {
         let row = self.dims[2];
         let mut feet = vec![[f32::NAN; 3]; self.dims.iter().product()];
         feet.par_chunks_mut(row).enumerate().try_for_each(|(r, feet)| {
             for (z, foot) in feet.iter_mut().enumerate() {
                 let at = self.lo + self.middle(self.cell(r * row + z));
-                if let Some(found) = bvh.closest(&at, HALF_DIAGONAL * self.cell_mm) {
-                    let from_lo = found.foot - self.lo;
+                if let Some(found) = closest(&at, HALF_DIAGONAL * self.cell_mm) {
+                    let from_lo = found - self.lo;
                     *foot = [from_lo.x as f32, from_lo.y as f32, from_lo.z as f32];
                 }
             }
@@ -148,14 +154,14 @@ impl Field {
 
 #[cfg(test)]
 mod tests {
-    use super::super::parts_for_tests::part_of;
+    use super::super::parts_for_tests::{field_of, part_of};
     use super::*;
     use crate::sample::solids;
 
     #[test]
     fn a_looked_up_foot_is_on_the_skin_and_hardly_further_than_the_nearest() {
         let part = part_of(&solids::helical_gear(9, 3, 3, 1));
-        let field = Field::new(&part, &Progress::default()).expect("not cancelled");
+        let field = field_of(&part);
         for i in (0..field.feet.len()).step_by(37) {
             let at = field.middle(field.cell(i));
             let foot = field.foot(&at);

@@ -4,7 +4,8 @@
 //! and surplus material both count as worn: either would pull the fit to its side.
 
 use super::super::Cloud;
-use super::plane_fit::{Model, PlaneFit, Row, Schedule, TUKEY, median_mm, plane_fit};
+use super::plane_fit::{PlaneFit, Schedule, TUKEY, median_mm, plane_fit};
+use super::surface::{Model, Row};
 use super::thinned::Thinned;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::SIGMA_OF_MEDIAN;
@@ -16,7 +17,7 @@ const WAY: (usize, usize) = (5_000, 30);
 const END: (usize, usize) = (60_000, 8);
 /// Motions with a lesser eigenvalue slide, and stay as they are: those of plane, cylinder and extrusion, faceted too, are
 /// below it (interpolated normals), a camshaft's axis has 3e-3.
-pub(super) const SLIDES_BELOW: f64 = 3e-4;
+pub(in crate::scan) const SLIDES_BELOW: f64 = 3e-4;
 /// A voxel's median beyond so many standard deviations is wear: three of five points of noise alone lie there, on one
 /// side, once in 20 million voxels.
 pub(super) const WORN_SIGMAS: f64 = 3.0;

@@ -13,16 +13,16 @@ const SCORE_CAP: f64 = 1.0 / 30.0;
 
 /// A pose on its way: places of the scan from its middle, places of the model from the field's corner.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Walk {
-    pub(super) turn: Matrix3<f64>,
-    pub(super) shift: Vector3<f64>,
+pub(in crate::scan) struct Walk {
+    pub(in crate::scan) turn: Matrix3<f64>,
+    pub(in crate::scan) shift: Vector3<f64>,
     /// Mean of min(d, cap)², mm².
-    pub(super) score: f64,
+    pub(in crate::scan) score: f64,
 }
 
 impl Walk {
     /// Takes steps `from` to `to` with these points.
-    pub(super) fn walked(
+    pub(in crate::scan) fn walked(
         mut self,
         field: &Field,
         points: &[Vector3<f64>],
@@ -58,7 +58,7 @@ impl Walk {
     }
 
     /// The pose in the frames of part and scan.
-    pub(super) fn model_from_scan(&self, field: &Field, scan_middle: &Vector3<f64>) -> Isometry3<f64> {
+    pub(in crate::scan) fn model_from_scan(&self, field: &Field, scan_middle: &Vector3<f64>) -> Isometry3<f64> {
         let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.turn));
         Isometry3::from_parts(Translation3::from(field.lo.coords + self.shift - turn * scan_middle), turn)
     }
@@ -79,9 +79,8 @@ fn nearest_turn(both: &Matrix3<f64>) -> Matrix3<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::parts_for_tests::{off_mm, part_of, scan};
+    use super::super::parts_for_tests::{field_of, off_mm, part_of, scan};
     use super::*;
-    use crate::progress::Progress;
     use crate::sample::scan_maker::ScanRecipe;
     use crate::sample::solids;
     use nalgebra::Point3;
@@ -104,7 +103,7 @@ mod tests {
         ));
         let recipe = ScanRecipe { missing_share: 0.0, outlier_share: 0.0, ..ScanRecipe::of(500, 3) };
         let (cloud, truth) = scan(&part, &recipe);
-        let field = Field::new(&part, &Progress::default()).expect("not cancelled");
+        let field = field_of(&part);
         let middle = cloud.points().fold(Vector3::zeros(), |s: Vector3<f64>, p| s + p.coords) / 500.0;
         let points: Vec<Vector3<f64>> = cloud.points().map(|p| p.coords - middle).collect();
         let off = UnitQuaternion::from_scaled_axis(Vector3::new(0.1, -0.15, 0.1));

@@ -1,7 +1,7 @@
 //! How much of scan and model lie on each other.
 
-use super::plane_fit::Row;
 use super::samples::Sample;
+use super::surface::Row;
 use rayon::prelude::*;
 
 /// A sample is covered by a point within so many voxels (the next voxel's, wherever in it), and with a normal within 60°

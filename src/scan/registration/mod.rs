@@ -4,27 +4,28 @@
 //! (`fine`), then without what is worn. What slides (`sliding`) and what fits as well (`rivals`) is told, never
 //! chosen in silence. It does not say where scan or part stand in the robot's cell.
 
-mod coarse;
-mod field;
-mod fine;
-mod in_field;
+pub(super) mod coarse;
+pub(super) mod field;
+pub(super) mod fine;
+pub(super) mod in_field;
 mod measures;
-mod noise;
+pub(super) mod noise;
 mod normals;
 mod options;
 mod outcome;
 mod pairs;
 #[cfg(test)]
 mod parts_for_tests;
-mod plane_fit;
+pub(super) mod plane_fit;
 mod rivals;
 mod samples;
 mod search;
-mod sliding;
-mod starts;
+pub(super) mod sliding;
+pub(super) mod starts;
+pub(super) mod surface;
 #[cfg(test)]
 mod tests;
-mod thinned;
+pub(super) mod thinned;
 
 pub use normals::SurfaceNormals;
 pub use options::{LeftOut, RegistrationOptions, Start};
@@ -37,9 +38,10 @@ use crate::part::Part;
 use crate::part::topology::FacetDefect;
 use crate::progress::Progress;
 use nalgebra::{Isometry3, Point3};
-use plane_fit::{Model, Row, TUKEY, capped_rms_mm};
+use plane_fit::{TUKEY, capped_rms_mm};
 use search::Search;
 use sliding::Held;
+use surface::{Model, Row};
 
 /// What a model is off the part that it was made for at the least, as a share of the diagonal: chords of its facets,
 /// data without noise.

@@ -1,6 +1,8 @@
 //! Parts for the tests of registration, and points measured on them.
 
+use super::field::Field;
 use crate::part::{Part, Placement, Units};
+use crate::progress::Progress;
 use crate::sample::scan_maker::{ScanRecipe, made_scan};
 use crate::sample::{Triangles, stl_bytes};
 use crate::scan::Cloud;
@@ -8,6 +10,12 @@ use nalgebra::{Isometry3, Point3};
 
 pub(super) fn part_of(triangles: &Triangles) -> Part {
     Part::from_bytes(&stl_bytes(triangles), Units::Mm, &Placement::default(), &[]).expect("a part")
+}
+
+/// The field around a part.
+pub(super) fn field_of(part: &Part) -> Field {
+    let closest = |at: &Point3<f64>, within: f64| part.bvh.closest(at, within).map(|c| c.foot);
+    Field::new(part.mesh.bounds(), closest, &Progress::default()).expect("not cancelled")
 }
 
 /// A scan of a part, and where it truly lies.

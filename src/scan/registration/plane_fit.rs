@@ -9,9 +9,7 @@
 //!
 //! Sums go in blocks of a fixed size that are added in order, so any number of threads gives the same bytes.
 
-use super::SurfaceNormals;
-use crate::part::Part;
-use crate::part::bvh::closest::foot_on;
+use super::surface::{Row, Surface, is_in};
 use crate::progress::{Cancelled, Progress};
 use crate::scan::SIGMA_OF_MEDIAN;
 use nalgebra::{
@@ -24,64 +22,37 @@ const BLOCK: usize = 1024;
 /// What the width shrinks by a step.
 const SHRINK: f64 = 0.75;
 /// Tukey's width in standard deviations, for 95 % efficiency, and standard deviations in a median distance.
-pub(super) const TUKEY: f64 = 4.685;
+pub(in crate::scan) const TUKEY: f64 = 4.685;
 /// The least width, mm: of data without noise.
 const LEAST_WIDTH_MM: f64 = 1e-3;
 /// A step shorter than this share of the median distance is the last.
 const STILL: f64 = 1e-3;
 
-/// The model as fits ask it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Model<'a> {
-    pub(super) part: &'a Part,
-    pub(super) normals: &'a SurfaceNormals,
-    /// Facets whose points do not count; those beyond its end do.
-    pub(super) left_out: &'a [bool],
-    /// Points as near to the model, with a foot as near to a crease, may belong to either side of it, mm.
-    pub(super) crease_mm: f64,
-}
-
 /// How a fit goes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Schedule {
-    pub(super) steps: usize,
+pub(in crate::scan) struct Schedule {
+    pub(in crate::scan) steps: usize,
     /// Width of the weights at the first step, mm.
-    pub(super) first_width_mm: f64,
+    pub(in crate::scan) first_width_mm: f64,
     /// Motions with an eigenvalue below this stay as they are.
-    pub(super) least_held: f64,
-}
-
-/// A point against the model.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
-    /// Where the point is, part frame.
-    pub(super) at: Point3<f64>,
-    /// Normal at its foot; on a crease the direction from there to the point.
-    pub(super) normal: Vector3<f64>,
-    /// How far it stands off the plane square to that, mm.
-    pub(super) off_mm: f64,
-    /// How far it is from the model, mm; infinite for points that are nearest to facets left out.
-    pub(super) distance_mm: f64,
-    /// How far its foot is from a crease or rim of its facet, mm.
-    to_crease_mm: f64,
-    facet: u32,
+    pub(in crate::scan) least_held: f64,
 }
 
 /// Where a fit arrived.
 #[derive(Clone, Debug)]
-pub(super) struct PlaneFit {
-    pub(super) model_from_scan: Isometry3<f64>,
+pub(in crate::scan) struct PlaneFit {
+    pub(in crate::scan) model_from_scan: Isometry3<f64>,
     /// Each point at that pose.
-    pub(super) rows: Vec<Row>,
+    pub(in crate::scan) rows: Vec<Row>,
     /// Which of them count.
-    pub(super) counts: Vec<bool>,
+    pub(in crate::scan) counts: Vec<bool>,
     /// Weighted rms before each step, and at the end, mm.
-    pub(super) convergence_mm: Vec<f64>,
+    pub(in crate::scan) convergence_mm: Vec<f64>,
     /// What the points hold: JᵀJ over the weights, rows [(y − o) × n / L, n].
-    pub(super) held: Matrix6<f64>,
+    pub(in crate::scan) held: Matrix6<f64>,
     /// o, part frame, and L, mm.
-    pub(super) centre: Point3<f64>,
-    pub(super) length_mm: f64,
+    pub(in crate::scan) centre: Point3<f64>,
+    pub(in crate::scan) length_mm: f64,
 }
 
 /// Sums over a block.
@@ -98,8 +69,8 @@ struct Sums {
 ///
 /// # Errors
 /// [`Cancelled`].
-pub(super) fn plane_fit(
-    model: &Model<'_>,
+pub(in crate::scan) fn plane_fit(
+    surface: &impl Surface,
     points: &[Point3<f64>],
     passed_over: &[bool],
     start: &Isometry3<f64>,
@@ -111,7 +82,7 @@ pub(super) fn plane_fit(
     let spread = points.iter().map(|p| (p - middle).norm_squared()).sum::<f64>() / count;
     let length_mm = spread.sqrt().max(f64::MIN_POSITIVE);
     let mut pose = *start;
-    let mut rows = placed(model, points, &pose, &[], progress)?;
+    let mut rows = placed(surface, points, &pose, &[], progress)?;
     let mut convergence_mm = Vec::with_capacity(schedule.steps + 1);
     let mut shrunk_mm = schedule.first_width_mm;
     loop {
@@ -121,7 +92,7 @@ pub(super) fn plane_fit(
         let by_median = (TUKEY * SIGMA_OF_MEDIAN * median).max(LEAST_WIDTH_MM);
         let width_mm = by_median.max(shrunk_mm);
         let centre = pose * middle;
-        let sums = summed(&rows, &counts, &centre, length_mm, [model.crease_mm, width_mm]);
+        let sums = summed(&rows, &counts, &centre, length_mm, [surface.crease_mm(), width_mm]);
         convergence_mm.push((sums.squares / sums.weight).sqrt());
         let held = sums.left / sums.weight;
         let step = step_of(&held, &(sums.right / sums.weight), schedule.least_held, width_mm);
@@ -130,54 +101,23 @@ pub(super) fn plane_fit(
             return Ok(PlaneFit { model_from_scan: pose, rows, counts, convergence_mm, held, centre, length_mm });
         }
         pose = moved(&pose, &step, &centre, length_mm);
-        rows = placed(model, points, &pose, &rows, progress)?;
+        rows = placed(surface, points, &pose, &rows, progress)?;
         shrunk_mm *= SHRINK;
     }
 }
 
-fn is_in(set: &[bool], at: usize) -> bool {
-    set.get(at).is_some_and(|is_in| *is_in)
-}
-
 /// Each point at a pose. `before`: the rows of the pose before, or none.
 fn placed(
-    model: &Model<'_>,
+    surface: &impl Surface,
     points: &[Point3<f64>],
     pose: &Isometry3<f64>,
     before: &[Row],
     progress: &Progress,
 ) -> Result<Vec<Row>, Cancelled> {
-    let none = Row {
-        at: Point3::origin(),
-        normal: Vector3::zeros(),
-        off_mm: f64::INFINITY,
-        distance_mm: f64::INFINITY,
-        to_crease_mm: f64::INFINITY,
-        facet: 0,
-    };
-    let mut rows = vec![none; points.len()];
+    let mut rows = vec![Row::NONE; points.len()];
     rows.par_chunks_mut(BLOCK).enumerate().try_for_each(|(block, rows)| {
-        for (i, row) in rows.iter_mut().enumerate() {
-            let at = pose * points[block * BLOCK + i];
-            // The facet of the step before is near, so the nearest one is no further. A little more than its distance,
-            // so that it is found itself.
-            let last = before.get(block * BLOCK + i).filter(|r| r.distance_mm.is_finite());
-            let within = last.map_or(f64::INFINITY, |r| {
-                let (foot, _) = foot_on(&model.part.mesh.corners(r.facet as usize), &at);
-                (foot - at).norm() * (1.0 + 1e-9) + 1e-9
-            });
-            let Some(closest) = model.part.bvh.closest(&at, within) else { continue };
-            let to_crease_mm = model.normals.to_crease_mm(&model.part.mesh, &closest);
-            let to_point = at - closest.foot;
-            let normal = if to_crease_mm == 0.0 {
-                to_point.try_normalize(0.0).unwrap_or_else(Vector3::zeros)
-            } else {
-                model.normals.at(&model.part.mesh, &closest)
-            };
-            let off_mm = to_point.dot(&normal);
-            let counts = !is_in(model.left_out, closest.facet as usize);
-            let distance_mm = if counts { closest.distance_mm } else { f64::INFINITY };
-            *row = Row { at, normal, off_mm, distance_mm, to_crease_mm, facet: closest.facet };
+        for (i, row) in (block * BLOCK..).zip(rows) {
+            *row = surface.row(i, &(pose * points[i]), pose, before.get(i)).unwrap_or(Row::NONE);
         }
         progress.check()
     })?;
@@ -185,14 +125,14 @@ fn placed(
 }
 
 /// The median distance of the points that count; 0 without any.
-pub(super) fn median_mm(rows: &[Row], counts: &[bool]) -> f64 {
+pub(in crate::scan) fn median_mm(rows: &[Row], counts: &[bool]) -> f64 {
     let mut all: Vec<f64> = rows.iter().zip(counts).filter(|(_, c)| **c).map(|(r, _)| r.distance_mm).collect();
     let middle = all.len() / 2;
     if all.is_empty() { 0.0 } else { *all.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }
 
 /// The root of the mean square of min(d, cap) over the points that take part, mm; infinite without any.
-pub(super) fn capped_rms_mm(rows: &[Row], cap_mm: f64) -> f64 {
+pub(in crate::scan) fn capped_rms_mm(rows: &[Row], cap_mm: f64) -> f64 {
     let all = rows.iter().filter(|r| r.distance_mm.is_finite()).map(|r| r.distance_mm.min(cap_mm));
     let (sum, count) = all.fold((0.0, 0usize), |(s, n), d| (s + d * d, n + 1));
     if count == 0 { f64::INFINITY } else { (sum / count as f64).sqrt() }
@@ -248,7 +188,7 @@ fn step_of(held: &Matrix6<f64>, pull: &Vector6<f64>, least_held: f64, width_mm: 
 }
 
 /// The pose after a step (turn · L, shift) about `centre` (Rodrigues).
-pub(super) fn moved(
+pub(in crate::scan) fn moved(
     pose: &Isometry3<f64>,
     step: &Vector6<f64>,
     centre: &Point3<f64>,

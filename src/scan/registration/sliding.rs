@@ -61,9 +61,9 @@ const ALONG: f64 = 0.05;
 
 /// What a fit holds.
 #[derive(Clone, Debug)]
-pub(super) struct Held {
+pub(in crate::scan) struct Held {
     /// The motions that slide, then those that are weakly held, the weakest first.
-    pub(super) sliding: Vec<Sliding>,
+    pub(in crate::scan) sliding: Vec<Sliding>,
     free: Vec<Vector6<f64>>,
     centre: Point3<f64>,
     length_mm: f64,
@@ -71,7 +71,7 @@ pub(super) struct Held {
 
 impl Held {
     /// Of a fit whose points scatter by `sigma_mm`.
-    pub(super) fn of(fit: &PlaneFit, sigma_mm: f64) -> Held {
+    pub(in crate::scan) fn of(fit: &PlaneFit, sigma_mm: f64) -> Held {
         let weak = motions(&fit.held).into_iter().filter(|m| m.0 < WEAK_BELOW);
         let (free, held): (Vec<_>, Vec<_>) = weak.partition(|m| m.0 < SLIDES_BELOW);
         let free = taken_apart(&fit.held, &free);
@@ -88,7 +88,7 @@ impl Held {
 
     /// Whether a motion of the part frame, however large, is one that slides. What slides is a group of motions, so its
     /// screws are those of the small ones.
-    pub(super) fn slides(&self, motion: &Isometry3<f64>) -> bool {
+    pub(in crate::scan) fn slides(&self, motion: &Isometry3<f64>) -> bool {
         let screw = screw_of(motion, &self.centre, self.length_mm);
         let rest = self.free.iter().fold(screw, |rest, free| rest - free * free.dot(&rest));
         rest.norm() <= ALONG * screw.norm()
@@ -111,7 +111,7 @@ fn screw_of(motion: &Isometry3<f64>, centre: &Point3<f64>, length_mm: f64) -> Ve
 }
 
 /// All motions with their eigenvalues, the least first.
-pub(super) fn motions(held: &Matrix6<f64>) -> Vec<(f64, Vector6<f64>)> {
+pub(in crate::scan) fn motions(held: &Matrix6<f64>) -> Vec<(f64, Vector6<f64>)> {
     if !held.iter().all(|x| x.is_finite()) {
         return Vec::new();
     }

@@ -16,7 +16,7 @@ const SHIFT: f64 = 0.15;
 const SHIFTED_FROM: f64 = 0.3;
 
 /// The turns: Fibonacci directions, equal turns about each.
-pub(super) fn turns() -> Vec<UnitQuaternion<f64>> {
+pub(in crate::scan) fn turns() -> Vec<UnitQuaternion<f64>> {
     let golden = PI * (3.0 - 5.0f64.sqrt());
     let mut out = Vec::with_capacity(DIRECTIONS * TURNS);
     for i in 0..DIRECTIONS {
@@ -35,17 +35,17 @@ pub(super) fn turns() -> Vec<UnitQuaternion<f64>> {
 
 /// Where the skin of a model lies.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Skin {
+pub(in crate::scan) struct Skin {
     /// Its middle by area.
-    pub(super) middle: Point3<f64>,
+    pub(in crate::scan) middle: Point3<f64>,
     /// Its axes, each as long as its extent there, mm.
-    pub(super) axes: [Vector3<f64>; 3],
+    pub(in crate::scan) axes: [Vector3<f64>; 3],
 }
 
 impl Skin {
     /// By the moments of its facets (exact: of a triangle with corners a, b, c and area A,
     /// ∫ x xᵀ = A/12 (a aᵀ + b bᵀ + c cᵀ + (a + b + c)(a + b + c)ᵀ)).
-    pub(super) fn of(mesh: &Mesh) -> Skin {
+    pub(in crate::scan) fn of(mesh: &Mesh) -> Skin {
         let (lo, _) = mesh.bounds();
         let (mut area, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
         for f in 0..mesh.facets.len() {
@@ -56,20 +56,42 @@ impl Skin {
             first += sum * (mesh.areas[f] / 3.0);
             second += squares * (mesh.areas[f] / 12.0);
         }
-        let share = if area > 0.0 { 1.0 / area } else { 0.0 };
+        Skin::by_moments(lo, area, first, second, &mesh.vertices)
+    }
+
+    /// Of points that lie evenly on it.
+    pub(in crate::scan) fn of_points(points: &[Point3<f64>]) -> Skin {
+        let from = points.first().copied().unwrap_or_else(Point3::origin);
+        let (mut first, mut second) = (Vector3::zeros(), Matrix3::zeros());
+        for d in points.iter().map(|p| p - from) {
+            first += d;
+            second += d * d.transpose();
+        }
+        Skin::by_moments(from, points.len() as f64, first, second, points)
+    }
+
+    /// By the moments about a place, and the extent of some points.
+    fn by_moments(
+        from: Point3<f64>,
+        whole: f64,
+        first: Vector3<f64>,
+        second: Matrix3<f64>,
+        points: &[Point3<f64>],
+    ) -> Skin {
+        let share = if whole > 0.0 { 1.0 / whole } else { 0.0 };
         let middle = first * share;
         let spread = SymmetricEigen::new(second * share - middle * middle.transpose());
         let axes = [0, 1, 2].map(|k| {
             let axis: Vector3<f64> = spread.eigenvectors.column(k).into_owned();
-            let along = mesh.vertices.iter().map(|v| (v - lo).dot(&axis));
+            let along = points.iter().map(|v| (v - from).dot(&axis));
             let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (l.min(x), m.max(x)));
             axis * (most - least).max(0.0)
         });
-        Skin { middle: lo + middle, axes }
+        Skin { middle: from + middle, axes }
     }
 
     /// Where the scan's middle may lie: on the skin's, and to both sides of it along each long axis.
-    pub(super) fn middles(&self, diagonal_mm: f64) -> Vec<Point3<f64>> {
+    pub(in crate::scan) fn middles(&self, diagonal_mm: f64) -> Vec<Point3<f64>> {
         let long = self.axes.iter().filter(|a| a.norm() >= SHIFTED_FROM * diagonal_mm);
         let sides = long.flat_map(|a| [self.middle - a * SHIFT, self.middle + a * SHIFT]);
         std::iter::once(self.middle).chain(sides).collect()

@@ -23,11 +23,11 @@ const HALF: f64 = (1u32 << (BITS - 1)) as f64;
 
 /// Voxels with their points.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Thinned {
+pub(in crate::scan) struct Thinned {
     /// Edge of a voxel, mm.
-    pub(super) cell_mm: f64,
+    pub(in crate::scan) cell_mm: f64,
     /// Mean of the points of each voxel, scan frame.
-    pub(super) middles: Vec<Point3<f64>>,
+    pub(in crate::scan) middles: Vec<Point3<f64>>,
     keys: Vec<u64>,
     ranges: Vec<Range<u32>>,
     order: Vec<u32>,
@@ -38,7 +38,7 @@ impl Thinned {
     ///
     /// # Errors
     /// [`Cancelled`].
-    pub(super) fn new(
+    pub(in crate::scan) fn new(
         cloud: &Cloud,
         left_out: &[bool],
         cell_mm: f64,
@@ -77,19 +77,19 @@ impl Thinned {
     }
 
     /// Numbers of a voxel's points in the cloud, ascending.
-    pub(super) fn points_of(&self, voxel: usize) -> &[u32] {
+    pub(in crate::scan) fn points_of(&self, voxel: usize) -> &[u32] {
         let r = &self.ranges[voxel];
         &self.order[r.start as usize..r.end as usize]
     }
 
     /// How many points lie in voxels that count.
-    pub(super) fn point_count(&self) -> usize {
+    pub(in crate::scan) fn point_count(&self) -> usize {
         self.ranges.iter().map(Range::len).sum()
     }
 
     /// About `count` points, as many from each voxel, with the voxel of each: even over the skin, however the scanner
     /// moved. Fewer where voxels hold fewer.
-    pub(super) fn spread(&self, count: usize) -> Vec<(u32, u32)> {
+    pub(in crate::scan) fn spread(&self, count: usize) -> Vec<(u32, u32)> {
         let voxels = self.ranges.len();
         if count <= voxels {
             return (0..count).map(|i| i * voxels / count).map(|v| (v as u32, self.points_of(v)[0])).collect();
@@ -104,13 +104,13 @@ impl Thinned {
     }
 
     /// The middles of so many voxels, evenly spaced; of all where there are fewer.
-    pub(super) fn spread_middles(&self, count: usize) -> impl Iterator<Item = Point3<f64>> + '_ {
+    pub(in crate::scan) fn spread_middles(&self, count: usize) -> impl Iterator<Item = Point3<f64>> + '_ {
         let (voxels, count) = (self.middles.len(), count.min(self.middles.len()));
         (0..count).map(move |i| self.middles[i * voxels / count])
     }
 
     /// The voxel itself and those of the 26 around it that count.
-    pub(super) fn around(&self, voxel: usize) -> impl Iterator<Item = usize> + '_ {
+    pub(in crate::scan) fn around(&self, voxel: usize) -> impl Iterator<Item = usize> + '_ {
         let at = cell_of_key(self.keys[voxel]);
         (0..27i64).filter_map(move |i| {
             let side = [at[0] + i / 9 - 1, at[1] + i / 3 % 3 - 1, at[2] + i % 3 - 1];

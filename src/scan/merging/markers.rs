@@ -1,11 +1,6 @@
-//! Several scans in one frame, by markers that are seen in more than one.
-//!
-//! The motion is the rigid one of least squares over the markers. Scans that share no markers, but area, are for
-//! registration.
+//! A scan brought into the common frame by markers that are seen in both: the rigid motion of least squares over them.
 
-use super::cloud::Cloud;
 use crate::fit::{PlacedPair, rigid};
-use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 use std::cmp::Ordering;
 
@@ -92,43 +87,6 @@ fn is_line(markers: &[Marker], of: impl Fn(&Marker) -> Point3<f64>) -> bool {
     spread[1].partial_cmp(&(LEAST_WIDTH * LEAST_WIDTH * spread[2])) != Some(Ordering::Greater)
 }
 
-/// One cloud of several, each brought into the common frame, one after the other. Normals, colours and intensities are
-/// kept where all clouds with points have them.
-///
-/// # Errors
-/// [`Cancelled`] when the work should end.
-pub fn merged(scans: &[(&Cloud, Isometry3<f64>)], progress: &Progress) -> Result<Cloud, Cancelled> {
-    let scans: Vec<_> = scans.iter().filter(|(cloud, _)| !cloud.is_empty()).collect();
-    let Some((first, common_from_first)) = scans.first() else { return Ok(Cloud::default()) };
-    let origin = common_from_first * first.origin;
-    let single = |v: Vector3<f64>| [v.x as f32, v.y as f32, v.z as f32];
-    let mut whole = Cloud {
-        origin,
-        normals: scans.iter().all(|(c, _)| c.normals.is_some()).then(Vec::new),
-        colours: scans.iter().all(|(c, _)| c.colours.is_some()).then(Vec::new),
-        intensities: scans.iter().all(|(c, _)| c.intensities.is_some()).then(Vec::new),
-        ..Cloud::default()
-    };
-    for (cloud, common_from_scan) in scans {
-        for i in 0..cloud.len() {
-            if i % 65_536 == 0 {
-                progress.check()?;
-            }
-            whole.offsets.push(single(common_from_scan * cloud.point(i) - origin));
-            if let Some((normals, normal)) = whole.normals.as_mut().zip(cloud.normal(i)) {
-                normals.push(single(common_from_scan * normal));
-            }
-        }
-        if let Some((all, colours)) = whole.colours.as_mut().zip(cloud.colours.as_ref()) {
-            all.extend_from_slice(colours);
-        }
-        if let Some((all, intensities)) = whole.intensities.as_mut().zip(cloud.intensities.as_ref()) {
-            all.extend_from_slice(intensities);
-        }
-    }
-    Ok(whole)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,16 +106,8 @@ mod tests {
             let motion = Isometry3::new(Vector3::from(shift), Vector3::from(turn));
             let fit = by_markers(&markers(&PLACES[..count], &motion)).expect("they tell a motion");
             prop_assert!(fit.rms_mm < 1e-9);
-            let scan = Cloud::of_points(&PLACES.map(Point3::from));
-            let scan = Cloud { normals: Some(vec![[0.0, 0.0, 1.0]; 4]), ..scan };
-            let other = scan.clone().moved(&motion);
-            let both = merged(&[(&other, Isometry3::identity()), (&scan, fit.common_from_scan)], &Progress::default());
-            let both = both.expect("nobody cancels");
-            for (i, place) in PLACES.into_iter().enumerate() {
-                prop_assert!((both.point(i) - both.point(i + 4)).norm() < 1e-3);
-                prop_assert!((both.point(i) - motion * Point3::from(place)).norm() < 1e-3);
-                let normals = both.normal(i).zip(both.normal(i + 4)).expect("both have them");
-                prop_assert!((normals.0 - normals.1).norm() < 1e-6);
+            for p in PLACES.map(Point3::from) {
+                prop_assert!((fit.common_from_scan * p - motion * p).norm() < 1e-6);
             }
         }
     }
@@ -191,17 +141,5 @@ mod tests {
         let mut nan = markers(&PLACES, &still);
         nan[2].in_common.y = f64::NAN;
         assert_eq!(by_markers(&nan), Err(MarkerError::NoNumber { marker: 2 }));
-    }
-
-    #[test]
-    fn what_not_all_scans_have_is_left_out() {
-        let plain = Cloud::of_points(&[Point3::origin()]);
-        let coloured = Cloud { colours: Some(vec![[1, 2, 3]]), intensities: Some(vec![0.5]), ..plain.clone() };
-        let still = Isometry3::identity();
-        let of = |scans: &[(&Cloud, Isometry3<f64>)]| merged(scans, &Progress::default()).expect("nobody cancels");
-        assert_eq!(of(&[(&plain, still), (&coloured, still)]).colours, None);
-        let both = of(&[(&coloured, still), (&Cloud::default(), still), (&coloured, still)]);
-        assert_eq!((both.colours, both.intensities), (Some(vec![[1, 2, 3]; 2]), Some(vec![0.5; 2])));
-        assert_eq!(of(&[]), Cloud::default());
     }
 }
