@@ -150,7 +150,8 @@ fn clamps(c: &mut Criterion) {
     group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(3));
     for head in [None, Some(head)] {
         for (name, clamps) in &beside {
-            setup.tool = Tool { head: head.clone(), clamps: clamps.iter().flatten().cloned().collect(), ..Tool::default() };
+            setup.tool =
+                Tool { head: head.clone(), clamps: clamps.iter().flatten().cloned().collect(), ..Tool::default() };
             let with = if head.is_some() { "a head" } else { "a ray" };
             group.bench_function(format!("plan of {with}, clamps: {name}"), |b| {
                 b.iter(|| planning::plan(&part, &surfaces, &job, &setup, &PlanCache::default(), &Progress::default()));

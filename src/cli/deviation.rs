@@ -10,6 +10,7 @@ use crate::scan::transform_file;
 use crate::text::parameter::refused_option;
 use crate::text::{deviation_lines, say};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 const MIN_DEPTH: &Parameter = Parameter::named("scan.min_depth_mm");
 
@@ -37,11 +38,11 @@ pub fn run(a: &DeviationArguments) -> Result<CommandOutcome, CommandFailure> {
     let scan = JobScan { min_depth_mm: a.min_depth, transform, ..JobScan::default() };
     let cloud = scans::read(&a.scan)?;
     let part = scans::part(&a.part)?;
-    let surfaces = segmented(&part, &Job::default());
-    let progress = Progress::default();
-    let laid = lay(&part, &surfaces, &cloud, &scan, &progress).map_err(CommandFailure::failed)?;
+    let job = Job { scan, ..Job::default() };
+    let (surfaces, progress) = (segmented(&part, &job), Progress::default());
+    let laid = lay(&Arc::new(part), &Arc::new(surfaces), &cloud, &job, &progress).map_err(CommandFailure::failed)?;
     // Nobody can cancel it.
-    let compared = compare(&part, &laid, &scan, &progress).map_err(|_| CommandFailure::Failed(say!(text_cancelled)))?;
+    let compared = compare(&laid, &job.scan, &progress).map_err(|_| CommandFailure::Failed(say!(text_cancelled)))?;
     let depth: Vec<(&str, &[f32])> =
         vec![("deviation_mm", &compared.deviation.signed_mm), ("depth_mm", &compared.depth_mm)];
     let ply = crate::scan::ply_file::bytes(&laid.cloud_in_part, &depth);

@@ -1,6 +1,6 @@
 //! Changes of the scan of a job, each an [`Edit`](super::Edit) of its own.
 
-use super::model::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile, ScanLines, ScanWork};
+use super::model::{ContinuedDamage, JobScan, PatchChoice, PickedPair, ScanFile, ScanLines, ScanRegion, ScanWork};
 use crate::cell::Frame;
 use crate::part::Units;
 use crate::scan::cleaning::Step;
@@ -21,8 +21,10 @@ pub enum ScanEdit {
     Transform(Option<[f64; 16]>),
     /// Picked pairs, in place of those there were.
     Pairs(Vec<PickedPair>),
+    /// Damage across which sound regions are continued, in place of what there was.
+    Continued(Vec<ContinuedDamage>),
     /// Regions left out, in place of those there were.
-    LeftOut(Vec<LeftOutRegion>),
+    LeftOut(Vec<ScanRegion>),
     /// The patches that are worked.
     Patches(PatchChoice),
     /// What is worked.
@@ -67,6 +69,7 @@ impl ScanEdit {
             }
             ScanEdit::Transform(transform) => scan.transform = *transform,
             ScanEdit::Pairs(pairs) => scan.pairs.clone_from(pairs),
+            ScanEdit::Continued(damage) => scan.continued.clone_from(damage),
             ScanEdit::LeftOut(regions) => scan.left_out.clone_from(regions),
             ScanEdit::Patches(choice) => scan.patches.clone_from(choice),
             ScanEdit::Work(work) => scan.work = *work,
@@ -79,6 +82,7 @@ impl ScanEdit {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::model::ContinuedKind;
     use crate::document::{Document, Edit, IfChanged, Job, UndoStep, job_file, save};
 
     fn step(voxel_mm: f64) -> Step {
@@ -101,7 +105,7 @@ mod tests {
     const ONE: [f64; 16] = [0.0, -1.0, 0.0, 5.0, 1.0, 0.0, 0.0, 6.0, 0.0, 0.0, 1.0, 7.0, 0.0, 0.0, 0.0, 1.0];
 
     fn all_kinds() -> Vec<ScanEdit> {
-        let region = LeftOutRegion::Box { min_mm: [0.0; 3], max_mm: [1.0, 2.0, 3.0] };
+        let region = ScanRegion::Box { min_mm: [0.0; 3], max_mm: [1.0, 2.0, 3.0] };
         let erase = Step::Erase { centres: vec![[1.0, 2.0, 3.0]], radius_mm: 2.0 };
         vec![
             ScanEdit::Files(vec![file("worn.e57"), file("more.e57")], Units::M),
@@ -112,7 +116,12 @@ mod tests {
             ScanEdit::RemoveStep(0),
             ScanEdit::Transform(Some(ONE)),
             ScanEdit::Pairs(vec![PickedPair { model_mm: [1.0; 3], scan_mm: [2.0; 3] }]),
-            ScanEdit::LeftOut(vec![region, LeftOutRegion::Sphere { centre_mm: [9.0; 3], radius_mm: 4.0 }]),
+            ScanEdit::Continued(vec![ContinuedDamage {
+                by: ContinuedKind::Revolved,
+                damaged: vec![region],
+                sound: vec![region, region],
+            }]),
+            ScanEdit::LeftOut(vec![region, ScanRegion::Sphere { centre_mm: [9.0; 3], radius_mm: 4.0 }]),
             ScanEdit::Patches(PatchChoice::At(vec![[1.0, 2.0, 3.0]])),
             ScanEdit::Work(ScanWork::Surfaces),
             ScanEdit::Lines(ScanLines::Points),

@@ -32,6 +32,7 @@ pub mod patched;
 pub mod placement;
 mod pseudonormals;
 pub mod raw_part;
+pub mod reshaped;
 pub mod rpy;
 #[cfg(test)]
 mod scale_tests;

@@ -38,12 +38,21 @@ impl ScanKeys {
             steps,
             pairs,
             left_out,
+            continued,
             base_from_scan: _,
         } = scan;
         let read = Hasher::default().of(&files).of(named).of(units).finish();
         let cleaned = Hasher::default().of(&read).of(steps).finish();
         // Normals are interpolated within surfaces.
-        let laid = Hasher::default().of(&cleaned).of(&part).of(&surfaces).of(transform).of(pairs).of(left_out).finish();
+        let laid = Hasher::default()
+            .of(&cleaned)
+            .of(&part)
+            .of(&surfaces)
+            .of(transform)
+            .of(pairs)
+            .of(left_out)
+            .of(continued)
+            .finish();
         let compared = Hasher::default().of(&laid).of(min_depth_mm).of(tolerance_mm).finish();
         let worn = Hasher::default().of(&compared).of(patches).of(gate_mm).of(work).of(lines).of(&bead_mm).finish();
         ScanKeys { read, cleaned, laid, compared, worn }

@@ -84,6 +84,7 @@ impl Sentence for ScanEdit {
             ScanEdit::Pairs(_) => say!(edit_pairs),
             ScanEdit::LeftOut(_) => say!(edit_left_out),
             ScanEdit::Patches(_) => say!(edit_patches),
+            ScanEdit::Continued(_) => say!(edit_continued),
             ScanEdit::Work(_) => say!(edit_scan_work),
             ScanEdit::Lines(_) => say!(edit_scan_lines),
             ScanEdit::BaseFromScan(_) => say!(edit_base_from_scan),

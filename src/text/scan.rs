@@ -5,6 +5,7 @@ use super::{Sentence, exact, fixed, id, say};
 use crate::planning::scanned::{
     DeviationReport, RegistrationReport, RivalReport, ScanError, ScanReport, SlidingReport, WornPatch,
 };
+use crate::scan::continuation::ContinuationError;
 use crate::scan::deviation::PatchKind;
 use crate::scan::file::{UnitDoubt, UnitFit};
 use crate::scan::merging::MarkerError;
@@ -49,7 +50,25 @@ impl Sentence for ScanError {
                     PatchKind::Surplus => say!(scan_gate_surplus, depth, gate, x, y, z),
                 }
             }
+            ScanError::Continued { number, source } => {
+                say!(scan_damage, number = id(number + 1), what = source.sentence())
+            }
             ScanError::BeadTooLow { layers } => say!(scan_layers, layers = fixed(*layers, 0)),
+        }
+    }
+}
+
+impl Sentence for ContinuationError {
+    fn sentence(&self) -> String {
+        match self {
+            ContinuationError::NoRegion => say!(continue_no_region),
+            ContinuationError::TooFewPoints { sound } => say!(continue_too_few, points = *sound),
+            ContinuationError::OtherKind { rms_mm: Some(rms) } => say!(continue_other_kind, rms = fixed(*rms, 3)),
+            ContinuationError::OtherKind { rms_mm: None } => say!(continue_no_such_kind),
+            ContinuationError::ArcTooShort { rise_mm } => say!(continue_arc_too_short, rise = fixed(*rise_mm, 3)),
+            ContinuationError::AxisOpen { spread_deg } => say!(continue_axis_open, spread = fixed(*spread_deg, 2)),
+            ContinuationError::GapTooWide { spread_mm } => say!(continue_gap, spread = fixed(*spread_mm, 3)),
+            ContinuationError::Cancelled => say!(text_cancelled),
         }
     }
 }

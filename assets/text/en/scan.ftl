@@ -73,3 +73,13 @@ scan_not_placed = nothing is known of where the scanner stands, so the part stan
 scan_slack = the part may lie { $slack } mm off where it was scanned, so everything keeps { $slack } mm more than its margin
 scan_no_surface = { $points } points tell no surface that facets could be laid through; scan more of the part
 scan_too_wide = some of its points are far away from the rest, so that no surface can be laid through all of them: cut them off in the scanner's program first
+
+## What goes on across a damage
+scan_damage = damage { $number }: { $what }
+continue_no_region = there is no region to continue
+continue_too_few = the sound regions hold { $points } points, too few to tell a surface: make them larger
+continue_other_kind = the sound regions are of no such surface: their points lie { $rms } mm off the best one; choose another kind, or smaller regions
+continue_no_such_kind = the sound regions tell no such surface: choose another kind, or larger regions
+continue_arc_too_short = the sound regions show too little of the arc (it rises by { $rise } mm): mark more of it
+continue_axis_open = the sound regions leave the axis open by { $spread }°: mark a longer stretch along it
+continue_gap = so far across the damage the surface is told to { $spread } mm only: mark sound regions on more sides of it

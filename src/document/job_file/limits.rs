@@ -3,7 +3,7 @@
 use super::error::JobFileError;
 use crate::cell::frame::OF_SCANNER;
 use crate::document::PARAMETERS;
-use crate::document::model::{Job, LeftOutRegion, PatchChoice};
+use crate::document::model::{Job, PatchChoice, ScanRegion};
 use crate::document::value_error::RecipeError;
 use crate::file::Step::{self as WayStep, Entry, Key};
 use crate::file::{line_of, way_of};
@@ -122,18 +122,12 @@ fn scan(job: &Job) -> Vec<Numbered<'static>> {
         out.extend(far("scan.pairs", &of_list("pairs", i), pair.model_mm));
         out.extend(far("scan.pairs", &of_list("pairs", i), pair.scan_mm));
     }
-    for (i, region) in job.scan.left_out.iter().enumerate() {
-        let way = of_list("left_out", i);
-        match *region {
-            LeftOutRegion::Sphere { centre_mm, radius_mm } => {
-                out.extend(far("scan.left_out", &way, centre_mm));
-                out.extend(within("scan.left_out", &way, &[radius_mm], 0.0, FARTHEST_MM));
-            }
-            LeftOutRegion::Box { min_mm, max_mm } => {
-                out.extend(far("scan.left_out", &way, min_mm));
-                out.extend(far("scan.left_out", &way, max_mm));
-            }
-        }
+    for (i, shape) in job.scan.left_out.iter().enumerate() {
+        out.extend(region("scan.left_out", shape, &of_list("left_out", i)));
+    }
+    for (i, damage) in job.scan.continued.iter().enumerate() {
+        let shapes = damage.damaged.iter().chain(&damage.sound);
+        out.extend(shapes.flat_map(|shape| region("scan.continued", shape, &of_list("continued", i))));
     }
     for (i, step) in job.scan.steps.iter().enumerate() {
         out.extend(cleaning(step, &of_list("steps", i)));
@@ -143,6 +137,22 @@ fn scan(job: &Job) -> Vec<Numbered<'static>> {
         out.extend(places.iter().enumerate().flat_map(|(i, place)| far("scan.patches", &way(i), *place)));
     }
     out
+}
+
+/// The numbers of a region of the model.
+fn region<'k>(key: &'static str, shape: &ScanRegion, way: &[WayStep<'k>]) -> Vec<Numbered<'k>> {
+    match *shape {
+        ScanRegion::Sphere { centre_mm, radius_mm } => {
+            let mut out = far(key, way, centre_mm);
+            out.extend(within(key, way, &[radius_mm], 0.0, FARTHEST_MM));
+            out
+        }
+        ScanRegion::Box { min_mm, max_mm } => {
+            let mut out = far(key, way, min_mm);
+            out.extend(far(key, way, max_mm));
+            out
+        }
+    }
 }
 
 /// The numbers of a cleaning step.

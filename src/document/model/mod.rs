@@ -11,6 +11,7 @@ mod job_part;
 mod lines;
 mod path;
 mod scan;
+mod scan_choices;
 mod surfaces;
 
 pub use bead::BeadParameters;
@@ -19,7 +20,8 @@ pub use job_cell::JobCell;
 pub use job_part::JobPart;
 pub use lines::{FirstPlane, LineParameters};
 pub use path::PathParameters;
-pub use scan::{JobScan, LeftOutRegion, PatchChoice, PickedPair, ScanFile, ScanLines, ScanWork};
+pub use scan::{JobScan, PickedPair, ScanFile};
+pub use scan_choices::{ContinuedDamage, ContinuedKind, PatchChoice, ScanLines, ScanRegion, ScanWork};
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
 

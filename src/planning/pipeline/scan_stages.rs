@@ -55,26 +55,25 @@ impl ScanStages {
         let Some(cleaned) = self.cleaned.of(keys.cleaned) else { return };
         self.laid.poll();
         if self.laid.lacks(keys.laid) {
-            let (scan, cleaned, part, surfaces) = (scan(), cleaned.clone(), part.clone(), surfaces.clone());
+            let (job, cleaned, part, surfaces) = (job.clone(), cleaned.clone(), part.clone(), surfaces.clone());
             self.laid.start(keys.laid, Activity::LayingScan, executor, move |progress| {
-                Ok(lay(&part, &surfaces, &cleaned.cloud, &scan, progress)?)
+                Ok(lay(&part, &surfaces, &cleaned.cloud, &job, progress)?)
             });
         }
         let Some(laid) = self.laid.of(keys.laid) else { return };
         self.compared.poll();
         if self.compared.lacks(keys.compared) {
-            let (scan, laid, part) = (scan(), laid.clone(), part.clone());
+            let (scan, laid) = (scan(), laid.clone());
             self.compared.start(keys.compared, Activity::ComparingScan, executor, move |progress| {
-                Ok(compare(&part, &laid, &scan, progress)?)
+                Ok(compare(&laid, &scan, progress)?)
             });
         }
         let Some(compared) = self.compared.of(keys.compared) else { return };
         self.worn.poll();
         if self.worn.lacks(keys.worn) {
-            let (job, part, surfaces) = (job.clone(), part.clone(), surfaces.clone());
-            let (laid, compared) = (laid.clone(), compared.clone());
+            let (job, laid, compared) = (job.clone(), laid.clone(), compared.clone());
             self.worn.start(keys.worn, Activity::CuttingPatches, executor, move |progress| {
-                Ok(worn(&part, &surfaces, (&laid, &compared), &job, progress)?)
+                Ok(worn((&laid, &compared), &job, progress)?)
             });
         }
     }

@@ -3,7 +3,6 @@
 
 use super::LaidScan;
 use crate::document::model::JobScan;
-use crate::part::Part;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::deviation::unscanned::unscanned_mm2;
 use crate::scan::deviation::{Deviation, DeviationRules, DeviationStatistics, PatchRules, Patches, SmoothedDepths};
@@ -36,12 +35,12 @@ impl ComparedScan {
     }
 }
 
-/// Compares a scan with the part that it was laid on.
+/// Compares a scan with the model that it was laid on.
 ///
 /// # Errors
 /// [`Cancelled`] when the work should end.
-pub fn compare(part: &Part, laid: &LaidScan, scan: &JobScan, progress: &Progress) -> Result<ComparedScan, Cancelled> {
-    let cloud = &laid.cloud_in_part;
+pub fn compare(laid: &LaidScan, scan: &JobScan, progress: &Progress) -> Result<ComparedScan, Cancelled> {
+    let (cloud, part) = (&laid.cloud_in_part, &*laid.model.part);
     let rules = DeviationRules { within_mm: WITHIN_SHARE * part.mesh.diagonal() };
     let deviation = Deviation::new(part, cloud, &rules, progress)?;
     let depths = SmoothedDepths::new(part, cloud, &deviation, progress)?;

@@ -2,6 +2,7 @@
 
 use crate::planning::failure::Failure;
 use crate::progress::Cancelled;
+use crate::scan::continuation::ContinuationError;
 use crate::scan::deviation::{Patch, PatchKind};
 use crate::scan::file::{ScanFileError, UnitDoubt};
 use crate::scan::registration::RegistrationError;
@@ -46,6 +47,14 @@ pub enum ScanError {
         /// What the job allows, mm.
         gate_mm: f64,
     },
+    /// What is called sound around a damage does not tell the surface across it.
+    #[error("damage {number}: {source}")]
+    Continued {
+        /// Which damage of the job, from 0.
+        number: usize,
+        /// Why.
+        source: ContinuationError,
+    },
     /// The job's bead is too low for what is missing.
     #[error("{layers} layers")]
     BeadTooLow {
@@ -78,6 +87,7 @@ impl From<ScanError> for Failure<ScanError> {
     fn from(e: ScanError) -> Failure<ScanError> {
         match e {
             ScanError::Registration(RegistrationError::Cancelled) => Failure::Cancelled,
+            ScanError::Continued { source: ContinuationError::Cancelled, .. } => Failure::Cancelled,
             ScanError::File { source, .. } if matches!(*source, ScanFileError::Cancelled) => Failure::Cancelled,
             other => Failure::Refused(other),
         }

@@ -1,7 +1,9 @@
 //! A cleaned scan is laid on the part: by the job's own transform, from the pairs that the operator picked, or from
 //! anywhere.
 
-use super::ScanError;
+use super::continuing::model;
+use super::{ScanError, ScanModel};
+use crate::document::Job;
 use crate::document::model::JobScan;
 use crate::fit::PlacedPair;
 use crate::part::{Part, Surfaces};
@@ -21,6 +23,8 @@ pub struct LaidScan {
     pub registration: Option<Registration>,
     /// The points in the part frame.
     pub cloud_in_part: Arc<Cloud>,
+    /// What they were laid on.
+    pub model: ScanModel,
 }
 
 impl LaidScan {
@@ -35,12 +39,15 @@ impl LaidScan {
 /// # Errors
 /// Scan and part are in different units, or the scan lies nowhere.
 pub fn lay(
-    part: &Part,
-    surfaces: &Surfaces,
+    part: &Arc<Part>,
+    surfaces: &Arc<Surfaces>,
     cloud: &Cloud,
-    scan: &JobScan,
+    job: &Job,
     progress: &Progress,
 ) -> Result<LaidScan, ScanError> {
+    let scan = &job.scan;
+    let model = model(part, surfaces, job, progress)?;
+    let (part, surfaces) = (&*model.part, &*model.surfaces);
     let diagonals_mm = [cloud.diagonal(), part.mesh.diagonal()];
     if let Some(doubt) = unit_doubt(diagonals_mm, [scan.units, part.figures.units]) {
         return Err(ScanError::Units { doubt, diagonals_mm });
@@ -56,7 +63,7 @@ pub fn lay(
         }
     };
     let cloud_in_part = Arc::new(cloud.clone().moved(&model_from_scan));
-    Ok(LaidScan { model_from_scan, registration, cloud_in_part })
+    Ok(LaidScan { model_from_scan, registration, cloud_in_part, model })
 }
 
 fn options(part: &Part, scan: &JobScan) -> RegistrationOptions {

@@ -2,6 +2,7 @@
 //! compared with it. Each step is a stage of the pipeline; here is what each does, and why it has no value.
 
 mod comparing;
+mod continuing;
 mod deviation_report;
 mod error;
 mod laying;
@@ -13,6 +14,7 @@ mod so_far;
 mod worn;
 
 pub use comparing::{ComparedScan, compare};
+pub use continuing::{ContinuedFigures, ScanModel};
 pub use deviation_report::{DeviationReport, FillingLayer, WornPatch};
 pub use error::{BeyondGate, ScanError};
 pub use laying::{LaidScan, lay};

@@ -2,7 +2,7 @@
 //! place of the job's or left as the model has it.
 
 use super::measuring::measured;
-use super::{ComparedScan, LaidScan, ScanError};
+use super::{ComparedScan, LaidScan, ScanError, ScanModel};
 use crate::document::Job;
 use crate::document::model::{JobScan, PatchChoice, ScanLines, ScanWork};
 use crate::part::patched::{
@@ -33,13 +33,11 @@ pub struct WornPart {
 /// # Errors
 /// The part is off its model by more than the job allows, or the bead is too low by far; or the work was cancelled.
 pub fn worn(
-    part: &Arc<Part>,
-    surfaces: &Arc<Surfaces>,
     (laid, compared): (&LaidScan, &ComparedScan),
     job: &Job,
     progress: &Progress,
 ) -> Result<WornPart, ScanError> {
-    let scan = &job.scan;
+    let (scan, ScanModel { part, surfaces, .. }) = (&job.scan, &laid.model);
     let (field, patches) = (&compared.patches.field, &compared.patches.patches);
     check_gate(scan, patches)?;
     let are_worked = scan.work == ScanWork::Patches;

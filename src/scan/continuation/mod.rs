@@ -25,7 +25,7 @@ use thiserror::Error;
 
 /// What a point of a region is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
+pub enum PointState {
     /// Of the surface as it was made: it is fitted.
     Sound,
     /// Worn, broken or welded over: the surface goes on across it.
@@ -36,20 +36,20 @@ pub enum Standing {
 
 /// Points around a damage: of a cloud, or the vertices of its mesh.
 #[derive(Clone, Copy, Debug)]
-pub struct Region<'a> {
+pub struct DamagedRegion<'a> {
     /// Places, mm.
     pub points: &'a [Point3<f64>],
     /// Unit normals, outward, one a point.
     pub normals: &'a [Vector3<f64>],
     /// What each point is.
-    pub standing: &'a [Standing],
+    pub state: &'a [PointState],
     /// Standard deviation of the points across the surface, mm, above 0.
     pub noise_mm: f64,
 }
 
 /// Which kind of surface is continued.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum SurfaceKind {
     /// A plane.
     Plane,
     /// A circular cylinder, from without or within.
@@ -64,7 +64,7 @@ pub enum Kind {
 
 /// What was found of a surface, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Figures {
+pub enum SurfaceFigures {
     /// A plane.
     Plane {
         /// A point of it.
@@ -102,9 +102,9 @@ pub enum Figures {
 
 /// A surface that goes on across the damage.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Continued {
+pub struct ContinuedSurface {
     /// Its kind.
-    pub kind: Kind,
+    pub kind: SurfaceKind,
     /// Root mean square of the sound points' distances, mm; those that turned out to be none left out.
     pub rms_mm: f64,
     /// Points marked sound that lie off the surface.
@@ -118,7 +118,7 @@ pub struct Continued {
 
 /// Why nothing is continued.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum Refusal {
+pub enum ContinuationError {
     /// The work was cancelled.
     #[error("cancelled")]
     Cancelled,
@@ -158,9 +158,9 @@ pub enum Refusal {
     },
 }
 
-impl From<Cancelled> for Refusal {
-    fn from(_: Cancelled) -> Refusal {
-        Refusal::Cancelled
+impl From<Cancelled> for ContinuationError {
+    fn from(_: Cancelled) -> ContinuationError {
+        ContinuationError::Cancelled
     }
 }
 
@@ -179,22 +179,24 @@ const NOT_YET: f64 = 1.15;
 /// Continues a surface of a kind across the damaged points of a region.
 ///
 /// # Errors
-/// The sound points do not tell such a surface: see [`Refusal`].
-pub fn continued(region: &Region, kind: Kind, progress: &Progress) -> Result<Continued, Refusal> {
+/// The sound points do not tell such a surface: see [`ContinuationError`].
+pub fn continued(
+    region: &DamagedRegion,
+    kind: SurfaceKind,
+    progress: &Progress,
+) -> Result<ContinuedSurface, ContinuationError> {
     let count = region.points.len();
-    let is_region = region.normals.len() == count && region.standing.len() == count;
+    let is_region = region.normals.len() == count && region.state.len() == count;
     if !(is_region && region.noise_mm > 0.0 && region.noise_mm.is_finite()) {
-        return Err(Refusal::NoRegion);
+        return Err(ContinuationError::NoRegion);
     }
-    let finite = |i: &usize| {
-        region.points[*i].iter().chain(region.normals[*i].iter()).all(|c| c.is_finite() && c.abs() < 1e12)
-    };
-    let of = |standing: Standing| -> Vec<usize> {
-        (0..count).filter(|i| region.standing[*i] == standing).filter(finite).collect()
-    };
-    let (sound, damaged) = (of(Standing::Sound), of(Standing::Damaged));
+    let finite =
+        |i: &usize| region.points[*i].iter().chain(region.normals[*i].iter()).all(|c| c.is_finite() && c.abs() < 1e12);
+    let of =
+        |state: PointState| -> Vec<usize> { (0..count).filter(|i| region.state[*i] == state).filter(finite).collect() };
+    let (sound, damaged) = (of(PointState::Sound), of(PointState::Damaged));
     if sound.len() < FEWEST {
-        return Err(Refusal::TooFewPoints { sound: sound.len() });
+        return Err(ContinuationError::TooFewPoints { sound: sound.len() });
     }
     let some = sound.len().min(MOST);
     let taken: Vec<usize> = (0..some).map(|k| sound[k * sound.len() / some]).collect();
@@ -204,31 +206,31 @@ pub fn continued(region: &Region, kind: Kind, progress: &Progress) -> Result<Con
     let reached = [places(&sound), holes.clone()].concat();
     let size_mm = Cloud::of_points(&points).diagonal();
     if !(size_mm > 0.0) {
-        return Err(Refusal::TooFewPoints { sound: sound.len() });
+        return Err(ContinuationError::TooFewPoints { sound: sound.len() });
     }
     let given = Given { points: &points, normals: &normals, reached: &reached, size_mm };
     let fit = best(&given, kind, region.noise_mm, progress)?;
     let spread_mm = told::told(&fit, &points, &holes, region.noise_mm)?;
     let strays = sound.len() - (fit.share * sound.len() as f64).round() as usize;
     let gap_mm = 2.0 * furthest_mm(&places(&sound), &holes, progress)?;
-    Ok(Continued { kind, rms_mm: fit.rms_mm, strays, gap_mm, spread_mm, surface: fit.surface })
+    Ok(ContinuedSurface { kind, rms_mm: fit.rms_mm, strays, gap_mm, spread_mm, surface: fit.surface })
 }
 
 /// The fit of the lowest level that is as good as the next.
-fn best(given: &Given, kind: Kind, noise_mm: f64, progress: &Progress) -> Result<Fit, Refusal> {
+fn best(given: &Given, kind: SurfaceKind, noise_mm: f64, progress: &Progress) -> Result<Fit, ContinuationError> {
     let levels: &[usize] = match kind {
-        Kind::Plane => &[1],
-        Kind::Cylinder => &[0],
-        Kind::Smooth => DEGREES,
-        Kind::Revolved | Kind::Extruded => INTERVALS,
+        SurfaceKind::Plane => &[1],
+        SurfaceKind::Cylinder => &[0],
+        SurfaceKind::Smooth => DEGREES,
+        SurfaceKind::Revolved | SurfaceKind::Extruded => INTERVALS,
     };
     let mut best: Option<Fit> = None;
     for level in levels {
         let start = match kind {
-            Kind::Plane | Kind::Smooth => given.height(*level),
-            Kind::Cylinder => given.cylinder(),
-            Kind::Revolved => given.revolved(*level),
-            Kind::Extruded => given.extruded(*level),
+            SurfaceKind::Plane | SurfaceKind::Smooth => given.height(*level),
+            SurfaceKind::Cylinder => given.cylinder(),
+            SurfaceKind::Revolved => given.revolved(*level),
+            SurfaceKind::Extruded => given.extruded(*level),
         };
         let Some(start) = start else { break };
         let Some(fit) = robust::fitted(given.points, start, given.size_mm, progress)? else { break };
@@ -240,7 +242,7 @@ fn best(given: &Given, kind: Kind, noise_mm: f64, progress: &Progress) -> Result
             break;
         }
     }
-    best.ok_or(Refusal::OtherKind { rms_mm: None })
+    best.ok_or(ContinuationError::OtherKind { rms_mm: None })
 }
 
 /// The greatest distance from a point of `from` to the nearest of `to`, mm; 0 without any.
@@ -250,7 +252,7 @@ fn furthest_mm(to: &[Point3<f64>], from: &[Point3<f64>], progress: &Progress) ->
     Ok(distances.fold(0.0, |most: f64, n| most.max(f64::from(n.squared).sqrt())))
 }
 
-impl Continued {
+impl ContinuedSurface {
     /// The foot of a point on the surface, and the outward unit normal there; `None` where the surface does not reach:
     /// beyond the ends of its curve, or on its axis.
     pub fn closest(&self, p: &Point3<f64>) -> Option<(Point3<f64>, Vector3<f64>)> {
@@ -258,19 +260,19 @@ impl Continued {
     }
 
     /// What was found of the surface.
-    pub fn figures(&self) -> Figures {
+    pub fn figures(&self) -> SurfaceFigures {
         let Surface { frame, coefficients, form, .. } = &self.surface;
         let (point, axis) = (Point3::from(frame.translation.vector), frame * Vector3::z());
         match (self.kind, form) {
-            (Kind::Plane, _) => {
+            (SurfaceKind::Plane, _) => {
                 let (point, normal) = self.closest(&point).unwrap_or((point, axis));
-                Figures::Plane { point, normal }
+                SurfaceFigures::Plane { point, normal }
             }
-            (Kind::Cylinder, _) => Figures::Cylinder { point, axis, radius_mm: coefficients[0] },
-            (Kind::Revolved, _) => Figures::Revolved { point, axis },
-            (Kind::Extruded, _) => Figures::Extruded { direction: frame * Vector3::y() },
-            (Kind::Smooth, Form::Height { degree, .. }) => Figures::Smooth { degree: *degree },
-            (Kind::Smooth, _) => Figures::Smooth { degree: 0 },
+            (SurfaceKind::Cylinder, _) => SurfaceFigures::Cylinder { point, axis, radius_mm: coefficients[0] },
+            (SurfaceKind::Revolved, _) => SurfaceFigures::Revolved { point, axis },
+            (SurfaceKind::Extruded, _) => SurfaceFigures::Extruded { direction: frame * Vector3::y() },
+            (SurfaceKind::Smooth, Form::Height { degree, .. }) => SurfaceFigures::Smooth { degree: *degree },
+            (SurfaceKind::Smooth, _) => SurfaceFigures::Smooth { degree: 0 },
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The region with its damage made good: damaged points move onto the continued surface, and sound ones around them
 //! fade into it, so that no step is left at the rim.
 
-use super::{Continued, Region, Standing};
+use super::{ContinuedSurface, DamagedRegion, PointState};
 use crate::progress::{Cancelled, Progress};
 use crate::scan::cloud::Cloud;
 use crate::scan::neighbours::{Neighbour, Neighbours};
@@ -16,18 +16,18 @@ const GENTLE: f64 = 1.5;
 /// Points asked for their distance to the next one, at most.
 const ASKED: usize = 2_000;
 
-impl Continued {
+impl ContinuedSurface {
     /// The places of the region's points, mm, with damaged ones on the surface. Points of other surfaces stay, and so do
     /// damaged ones that the surface does not reach.
     ///
     /// # Errors
     /// [`Cancelled`] when the work should end.
-    pub fn repaired(&self, region: &Region, progress: &Progress) -> Result<Vec<Point3<f64>>, Cancelled> {
+    pub fn repaired(&self, region: &DamagedRegion, progress: &Progress) -> Result<Vec<Point3<f64>>, Cancelled> {
         let mut places = region.points.to_vec();
         let mut holes = Vec::new();
         for (i, p) in region.points.iter().enumerate() {
             progress.check_at(i)?;
-            if region.standing.get(i) == Some(&Standing::Damaged) {
+            if region.state.get(i) == Some(&PointState::Damaged) {
                 if let Some((foot, _)) = self.closest(p) {
                     holes.push(*p);
                     places[i] = foot;
@@ -41,7 +41,7 @@ impl Continued {
         let mut rim: Vec<(usize, f64, Point3<f64>)> = Vec::new();
         for (i, p) in region.points.iter().enumerate() {
             progress.check_at(i)?;
-            if region.standing.get(i) == Some(&Standing::Sound)
+            if region.state.get(i) == Some(&PointState::Sound)
                 && let Some(near) = neighbours.nearest_one(p, widest_mm)
                 && let Some((foot, _)) = self.closest(p)
             {

@@ -147,13 +147,7 @@ fn equations(points: &[Point3<f64>], surface: &Surface, width: f64) -> (DMatrix<
 }
 
 /// Holds third differences of a spline's coefficients small.
-fn stiffen(
-    profile: &Profile,
-    surface: &Surface,
-    whole: f64,
-    squares: &mut DMatrix<f64>,
-    right: &mut DVector<f64>,
-) {
+fn stiffen(profile: &Profile, surface: &Surface, whole: f64, squares: &mut DMatrix<f64>, right: &mut DVector<f64>) {
     const THIRD: [f64; 4] = [-1.0, 3.0, -3.0, 1.0];
     let (count, motions) = (profile.coefficients(), surface.motions());
     let weight = STIFFNESS * whole / count as f64;

@@ -22,7 +22,7 @@ struct Made {
     points: Vec<Point3<f64>>,
     truth: Vec<Point3<f64>>,
     normals: Vec<Vector3<f64>>,
-    standing: Vec<Standing>,
+    state: Vec<PointState>,
     worn_mm: Vec<f64>,
     noise_mm: f64,
 }
@@ -45,28 +45,28 @@ impl Made {
             made.truth.push(place);
             let tilt = Vector3::from_fn(|_, _| s.normal()) * 0.02;
             made.normals.push((normal + tilt).normalize());
-            made.standing.push(if worn_mm > marked_mm { Standing::Damaged } else { Standing::Sound });
+            made.state.push(if worn_mm > marked_mm { PointState::Damaged } else { PointState::Sound });
             made.worn_mm.push(worn_mm);
         }
         made
     }
 
-    fn region(&self) -> Region<'_> {
-        Region { points: &self.points, normals: &self.normals, standing: &self.standing, noise_mm: self.noise_mm }
+    fn region(&self) -> DamagedRegion<'_> {
+        DamagedRegion { points: &self.points, normals: &self.normals, state: &self.state, noise_mm: self.noise_mm }
     }
 
-    fn continued(&self, kind: Kind) -> Result<Continued, Refusal> {
+    fn continued(&self, kind: SurfaceKind) -> Result<ContinuedSurface, ContinuationError> {
         continued(&self.region(), kind, &Progress::default())
     }
 
     /// How far the continued surface lies off the truth at the worst point, mm.
-    fn worst_mm(&self, found: &Continued) -> f64 {
+    fn worst_mm(&self, found: &ContinuedSurface) -> f64 {
         let off = |p: &Point3<f64>| found.closest(p).map_or(f64::INFINITY, |(foot, _)| (foot - p).norm());
         self.truth.iter().map(off).fold(0.0, f64::max)
     }
 
     /// Mean depth of the wear's deepest part by the continued surface less the true one, mm.
-    fn depth_error_mm(&self, found: &Continued) -> f64 {
+    fn depth_error_mm(&self, found: &ContinuedSurface) -> f64 {
         let deep: Vec<usize> = (0..self.points.len()).filter(|i| self.worn_mm[*i] > 0.9 * DEPTH_MM).collect();
         let error = |&i: &usize| {
             let (foot, normal) = found.closest(&self.points[i]).expect("a foot");
@@ -128,8 +128,8 @@ fn saddle(noise_mm: f64) -> Made {
 fn a_plane_and_the_depth_of_its_wear_are_told() {
     for noise_mm in [0.0, NOISE_MM] {
         let made = plane(noise_mm, 0.02);
-        let found = made.continued(Kind::Plane).expect("a plane");
-        let Figures::Plane { normal, .. } = found.figures() else { panic!("no plane") };
+        let found = made.continued(SurfaceKind::Plane).expect("a plane");
+        let SurfaceFigures::Plane { normal, .. } = found.figures() else { panic!("no plane") };
         assert!(between_deg(&normal, &Vector3::new(-0.2, 0.0, 1.0)) < 0.05);
         assert!(made.depth_error_mm(&found).abs() < 0.01, "{}", made.depth_error_mm(&found));
         assert!((found.gap_mm - 2.0 * 8.2).abs() < 1.0, "{}", found.gap_mm);
@@ -139,12 +139,18 @@ fn a_plane_and_the_depth_of_its_wear_are_told() {
 
 #[test]
 fn a_cylinder_its_bore_and_the_depth_of_the_wear_are_told() {
-    for (noise_mm, arc_deg, side) in [(0.0, 120.0, 1.0), (NOISE_MM, 120.0, 1.0), (NOISE_MM, 360.0, 1.0), (NOISE_MM, 90.0, -1.0)] {
+    for (noise_mm, arc_deg, side) in
+        [(0.0, 120.0, 1.0), (NOISE_MM, 120.0, 1.0), (NOISE_MM, 360.0, 1.0), (NOISE_MM, 90.0, -1.0)]
+    {
         let made = cylinder(noise_mm, 0.02, arc_deg, side);
-        let found = made.continued(Kind::Cylinder).expect("a cylinder");
-        let Figures::Cylinder { axis, radius_mm, .. } = found.figures() else { panic!("no cylinder") };
+        let found = made.continued(SurfaceKind::Cylinder).expect("a cylinder");
+        let SurfaceFigures::Cylinder { axis, radius_mm, .. } = found.figures() else { panic!("no cylinder") };
         let off_deg = between_deg(&axis, &Vector3::z());
-        println!("{arc_deg} {off_deg} {radius_mm} {} {:?}", made.depth_error_mm(&found), (found.rms_mm, found.spread_mm));
+        println!(
+            "{arc_deg} {off_deg} {radius_mm} {} {:?}",
+            made.depth_error_mm(&found),
+            (found.rms_mm, found.spread_mm)
+        );
         assert!(off_deg.min(180.0 - off_deg) < 0.05, "{off_deg}");
         assert!((radius_mm - 20.0).abs() < 0.02, "{radius_mm}");
         assert!(made.depth_error_mm(&found).abs() < 0.01);
@@ -156,8 +162,8 @@ fn a_cylinder_its_bore_and_the_depth_of_the_wear_are_told() {
 #[test]
 fn what_is_revolved_finds_its_axis_and_its_curve() {
     let made = vase(NOISE_MM);
-    let found = made.continued(Kind::Revolved).expect("revolved");
-    let Figures::Revolved { axis, point } = found.figures() else { panic!("not revolved") };
+    let found = made.continued(SurfaceKind::Revolved).expect("revolved");
+    let SurfaceFigures::Revolved { axis, point } = found.figures() else { panic!("not revolved") };
     let off_deg = between_deg(&axis, &Vector3::z());
     let off_mm = (point - Point3::new(5.0, -3.0, 0.0)).cross(&axis).norm();
     println!("vase {off_deg} {off_mm} {} {:?}", made.worst_mm(&found), (found.rms_mm, found.spread_mm, found.strays));
@@ -169,8 +175,8 @@ fn what_is_revolved_finds_its_axis_and_its_curve() {
 #[test]
 fn what_is_extruded_finds_its_direction_and_its_curve() {
     let made = wave(NOISE_MM);
-    let found = made.continued(Kind::Extruded).expect("extruded");
-    let Figures::Extruded { direction } = found.figures() else { panic!("not extruded") };
+    let found = made.continued(SurfaceKind::Extruded).expect("extruded");
+    let SurfaceFigures::Extruded { direction } = found.figures() else { panic!("not extruded") };
     let off_deg = between_deg(&direction, &Vector3::y());
     println!("wave {off_deg} {} {:?}", made.worst_mm(&found), (found.rms_mm, found.spread_mm));
     assert!(off_deg.min(180.0 - off_deg) < 0.05, "{off_deg}");
@@ -181,9 +187,9 @@ fn what_is_extruded_finds_its_direction_and_its_curve() {
 #[test]
 fn a_smooth_surface_takes_the_degree_that_it_has() {
     let made = saddle(NOISE_MM);
-    let found = made.continued(Kind::Smooth).expect("smooth");
+    let found = made.continued(SurfaceKind::Smooth).expect("smooth");
     println!("saddle {:?} {} {:?}", found.figures(), made.worst_mm(&found), (found.rms_mm, found.spread_mm));
-    assert_eq!(found.figures(), Figures::Smooth { degree: 3 });
+    assert_eq!(found.figures(), SurfaceFigures::Smooth { degree: 3 });
     assert!(made.worst_mm(&found) < 0.02);
     assert!(made.depth_error_mm(&found).abs() < 0.01);
 }
@@ -191,7 +197,9 @@ fn a_smooth_surface_takes_the_degree_that_it_has() {
 /// Only what is deeper than half of the wear is marked: the rest loses its say.
 #[test]
 fn worn_points_marked_sound_do_not_pull() {
-    for (made, kind) in [(plane(NOISE_MM, 0.1), Kind::Plane), (cylinder(NOISE_MM, 0.1, 150.0, 1.0), Kind::Cylinder)] {
+    for (made, kind) in
+        [(plane(NOISE_MM, 0.1), SurfaceKind::Plane), (cylinder(NOISE_MM, 0.1, 150.0, 1.0), SurfaceKind::Cylinder)]
+    {
         let found = made.continued(kind).expect("a surface");
         println!("{kind:?} {} {}", made.depth_error_mm(&found), found.strays);
         assert!(made.depth_error_mm(&found).abs() < 0.01, "{}", made.depth_error_mm(&found));
@@ -200,40 +208,41 @@ fn worn_points_marked_sound_do_not_pull() {
 
 #[test]
 fn another_kind_is_refused() {
-    let other = |made: &Made, kind: Kind| matches!(made.continued(kind), Err(Refusal::OtherKind { .. }));
-    assert!(other(&cylinder(NOISE_MM, 0.02, 120.0, 1.0), Kind::Plane));
-    assert!(other(&vase(NOISE_MM), Kind::Cylinder));
-    assert!(other(&vase(NOISE_MM), Kind::Extruded));
-    assert!(other(&saddle(NOISE_MM), Kind::Extruded));
-    assert!(other(&wave(NOISE_MM), Kind::Cylinder));
+    let other =
+        |made: &Made, kind: SurfaceKind| matches!(made.continued(kind), Err(ContinuationError::OtherKind { .. }));
+    assert!(other(&cylinder(NOISE_MM, 0.02, 120.0, 1.0), SurfaceKind::Plane));
+    assert!(other(&vase(NOISE_MM), SurfaceKind::Cylinder));
+    assert!(other(&vase(NOISE_MM), SurfaceKind::Extruded));
+    assert!(other(&saddle(NOISE_MM), SurfaceKind::Extruded));
+    assert!(other(&wave(NOISE_MM), SurfaceKind::Cylinder));
     // Two planes at 20°, one twice as large.
     let wedge = Made::new(9_000, NOISE_MM, 1.0, |a, b| {
         let x = 60.0 * a - 24.0;
         let (z, n) = if x < 0.0 { (0.0, Vector3::z()) } else { (0.36 * x, Vector3::new(-0.36, 0.0, 1.0).normalize()) };
         (Point3::new(x, 40.0 * b, z), n, 100.0)
     });
-    assert!(other(&wedge, Kind::Plane));
+    assert!(other(&wedge, SurfaceKind::Plane));
 }
 
 #[test]
 fn what_the_points_do_not_tell_is_refused() {
-    let strip = cylinder(NOISE_MM, 0.02, 5.0, 1.0).continued(Kind::Cylinder);
-    assert!(matches!(strip, Err(Refusal::ArcTooShort { .. })), "{strip:?}");
-    let flat = plane(NOISE_MM, 0.02).continued(Kind::Extruded);
-    assert!(matches!(flat, Err(Refusal::AxisOpen { .. })), "{flat:?}");
-    let flat = plane(NOISE_MM, 0.02).continued(Kind::Cylinder);
+    let strip = cylinder(NOISE_MM, 0.02, 5.0, 1.0).continued(SurfaceKind::Cylinder);
+    assert!(matches!(strip, Err(ContinuationError::ArcTooShort { .. })), "{strip:?}");
+    let flat = plane(NOISE_MM, 0.02).continued(SurfaceKind::Extruded);
+    assert!(matches!(flat, Err(ContinuationError::AxisOpen { .. })), "{flat:?}");
+    let flat = plane(NOISE_MM, 0.02).continued(SurfaceKind::Cylinder);
     assert!(flat.is_err(), "{flat:?}");
     // A strip of sound points beside a damage ten times as wide.
     let mut made = saddle(NOISE_MM);
-    for (standing, p) in made.standing.iter_mut().zip(&made.points) {
-        *standing = if p.x < -20.0 { Standing::Sound } else { Standing::Damaged };
+    for (state, p) in made.state.iter_mut().zip(&made.points) {
+        *state = if p.x < -20.0 { PointState::Sound } else { PointState::Damaged };
     }
-    let far = made.continued(Kind::Smooth);
-    assert!(matches!(far, Err(Refusal::GapTooWide { .. })), "{far:?}");
-    let none = Made { noise_mm: 0.1, ..Made::default() }.continued(Kind::Plane);
-    assert_eq!(none, Err(Refusal::TooFewPoints { sound: 0 }));
-    let one = Made { points: vec![Point3::origin()], ..Made::default() }.continued(Kind::Plane);
-    assert_eq!(one, Err(Refusal::NoRegion));
+    let far = made.continued(SurfaceKind::Smooth);
+    assert!(matches!(far, Err(ContinuationError::GapTooWide { .. })), "{far:?}");
+    let none = Made { noise_mm: 0.1, ..Made::default() }.continued(SurfaceKind::Plane);
+    assert_eq!(none, Err(ContinuationError::TooFewPoints { sound: 0 }));
+    let one = Made { points: vec![Point3::origin()], ..Made::default() }.continued(SurfaceKind::Plane);
+    assert_eq!(one, Err(ContinuationError::NoRegion));
 }
 
 /// All kinds on points that are no numbers, in one place, or on a line: refused, and no panic.
@@ -243,11 +252,17 @@ fn points_that_are_no_surface_are_refused() {
     let places: [&dyn Fn(f64) -> Point3<f64>; 4] =
         [&|_| Point3::new(f64::NAN, 0.0, 0.0), &|_| Point3::new(1.0, 2.0, 3.0), &line, &|k| line(1e300 * k)];
     for place in places {
-        for kind in [Kind::Plane, Kind::Cylinder, Kind::Revolved, Kind::Extruded, Kind::Smooth] {
+        for kind in [
+            SurfaceKind::Plane,
+            SurfaceKind::Cylinder,
+            SurfaceKind::Revolved,
+            SurfaceKind::Extruded,
+            SurfaceKind::Smooth,
+        ] {
             let made = Made {
                 points: (0..90).map(|k| place(f64::from(k))).collect(),
                 normals: vec![Vector3::z(); 90],
-                standing: vec![Standing::Sound; 90],
+                state: vec![PointState::Sound; 90],
                 noise_mm: 0.1,
                 ..Made::default()
             };
@@ -261,8 +276,8 @@ fn points_that_are_no_surface_are_refused() {
 fn the_work_ends_when_it_is_cancelled() {
     let made = vase(NOISE_MM);
     for looks in [1, 10, 30] {
-        let found = continued(&made.region(), Kind::Revolved, &Progress::ending_after(looks));
-        assert_eq!(found, Err(Refusal::Cancelled), "{looks}");
+        let found = continued(&made.region(), SurfaceKind::Revolved, &Progress::ending_after(looks));
+        assert_eq!(found, Err(ContinuationError::Cancelled), "{looks}");
     }
 }
 
@@ -275,16 +290,16 @@ fn the_rim_of_a_repair_has_no_step() {
         let worn = worn_mm((x * x + y * y).sqrt());
         made.points.push(Point3::new(x, y, -worn));
         made.normals.push(Vector3::z());
-        made.standing.push(if worn > 0.04 { Standing::Damaged } else { Standing::Sound });
+        made.state.push(if worn > 0.04 { PointState::Damaged } else { PointState::Sound });
     }
-    let found = made.continued(Kind::Plane).expect("a plane");
+    let found = made.continued(SurfaceKind::Plane).expect("a plane");
     let repaired = found.repaired(&made.region(), &Progress::default()).expect("nobody cancels");
     let step = |i: usize, j: usize| (repaired[i].z - repaired[j].z).abs();
     let steps = (0..14_640).filter(|i| i % 121 < 120).map(|i| step(i, i + 1));
     let steepest = steps.fold(0.0, f64::max);
     println!("step {steepest} rms {}", found.rms_mm);
     assert!(steepest < found.rms_mm.max(1e-3), "{steepest}, {}", found.rms_mm);
-    let deepest = made.standing.iter().zip(&repaired).filter(|(s, _)| **s == Standing::Damaged);
+    let deepest = made.state.iter().zip(&repaired).filter(|(s, _)| **s == PointState::Damaged);
     assert!(deepest.fold(0.0, |most: f64, (_, p)| most.max(p.z.abs())) < 0.002);
     assert_eq!(repaired[0], made.points[0]);
 }
@@ -296,11 +311,11 @@ proptest! {
     fn a_motion_of_the_region_moves_the_surface(turn in prop::array::uniform3(-3.0..3.0f64), shift in prop::array::uniform3(-200.0..200.0f64), which in 0..5usize) {
         let motion = Isometry3::new(Vector3::from(shift), Vector3::from(turn));
         let (made, kind) = match which {
-            0 => (plane(NOISE_MM, 0.02), Kind::Plane),
-            1 => (cylinder(NOISE_MM, 0.02, 120.0, 1.0), Kind::Cylinder),
-            2 => (vase(NOISE_MM), Kind::Revolved),
-            3 => (wave(NOISE_MM), Kind::Extruded),
-            _ => (saddle(NOISE_MM), Kind::Smooth),
+            0 => (plane(NOISE_MM, 0.02), SurfaceKind::Plane),
+            1 => (cylinder(NOISE_MM, 0.02, 120.0, 1.0), SurfaceKind::Cylinder),
+            2 => (vase(NOISE_MM), SurfaceKind::Revolved),
+            3 => (wave(NOISE_MM), SurfaceKind::Extruded),
+            _ => (saddle(NOISE_MM), SurfaceKind::Smooth),
         };
         let moved = Made {
             points: made.points.iter().map(|p| motion * p).collect(),

@@ -1,6 +1,6 @@
 //! Whether the sound points tell the surface at all, and how surely.
 
-use super::Refusal;
+use super::ContinuationError;
 use super::robust::Fit;
 use super::surface::Form;
 use nalgebra::Point3;
@@ -28,25 +28,25 @@ pub(super) fn told(
     points: &[Point3<f64>],
     damaged: &[Point3<f64>],
     noise_mm: f64,
-) -> Result<f64, Refusal> {
+) -> Result<f64, ContinuationError> {
     if fit.rms_mm > OFF * noise_mm || fit.share < ON {
-        return Err(Refusal::OtherKind { rms_mm: Some(fit.rms_mm) });
+        return Err(ContinuationError::OtherKind { rms_mm: Some(fit.rms_mm) });
     }
     if let Form::Revolved(_) = fit.surface.form {
         let rise_mm = rise_mm(fit, points);
         if rise_mm < RISE * noise_mm {
-            return Err(Refusal::ArcTooShort { rise_mm });
+            return Err(ContinuationError::ArcTooShort { rise_mm });
         }
     }
     let noise_mm = noise_mm.max(fit.rms_mm);
     let spread_deg = (fit.turn_spread() * noise_mm).to_degrees();
     if !(spread_deg <= AXIS_DEG) {
-        return Err(Refusal::AxisOpen { spread_deg });
+        return Err(ContinuationError::AxisOpen { spread_deg });
     }
     let foot = |p: &Point3<f64>| fit.surface.closest(p).map(|found| found.0);
     let spreads = damaged.iter().map(|p| foot(p).map_or(f64::INFINITY, |foot| fit.spread_at(&foot)));
     let spread_mm = spreads.fold(0.0, f64::max) * noise_mm;
-    if spread_mm > SPREAD * noise_mm { Err(Refusal::GapTooWide { spread_mm }) } else { Ok(spread_mm) }
+    if spread_mm > SPREAD * noise_mm { Err(ContinuationError::GapTooWide { spread_mm }) } else { Ok(spread_mm) }
 }
 
 /// How far the arc of the points about the axis rises over its chord, mm; twice the radius of a whole circle.

@@ -14,10 +14,10 @@ mod fit_figures;
 mod lattice;
 mod orientation;
 mod relaxed;
-mod surfel;
-mod surfels;
 #[cfg(test)]
 mod sample_tests;
+mod surfel;
+mod surfels;
 #[cfg(test)]
 mod tests;
 
