@@ -19,7 +19,7 @@ pub enum ScanEdit {
     AlterStep(usize, Step),
     /// `model_from_scan` row by row; `None`: it is to be looked for.
     Transform(Option<[f64; 16]>),
-    /// Picked pairs, in place of those there were.
+    /// Picked pairs, in place of those there were; a position that was kept goes, so that they count.
     Pairs(Vec<PickedPair>),
     /// Regions left out, in place of those there were.
     LeftOut(Vec<LeftOutRegion>),
@@ -62,7 +62,10 @@ impl ScanEdit {
                 }
             }
             ScanEdit::Transform(transform) => scan.transform = *transform,
-            ScanEdit::Pairs(pairs) => scan.pairs.clone_from(pairs),
+            ScanEdit::Pairs(pairs) => {
+                scan.pairs.clone_from(pairs);
+                scan.transform = None;
+            }
             ScanEdit::LeftOut(regions) => scan.left_out.clone_from(regions),
             ScanEdit::Patches(choice) => scan.patches.clone_from(choice),
             ScanEdit::BaseFromScan(frame) => scan.base_from_scan.clone_from(frame),
@@ -104,8 +107,8 @@ mod tests {
             ScanEdit::AddStep(erase),
             ScanEdit::AlterStep(1, step(0.25)),
             ScanEdit::RemoveStep(0),
-            ScanEdit::Transform(Some(ONE)),
             ScanEdit::Pairs(vec![PickedPair { model_mm: [1.0; 3], scan_mm: [2.0; 3] }]),
+            ScanEdit::Transform(Some(ONE)),
             ScanEdit::LeftOut(vec![region, LeftOutRegion::Sphere { centre_mm: [9.0; 3], radius_mm: 4.0 }]),
             ScanEdit::Patches(PatchChoice::At(vec![[1.0, 2.0, 3.0]])),
             ScanEdit::BaseFromScan(Some(Frame::new([800.0, 0.0, 300.0], [90.0, 0.0, 180.0]))),

@@ -23,6 +23,12 @@ pub fn file(w: &mut Window, command: Command) {
             other.give(command, &[]);
             assert!(other.job().part.file.ends_with("front_shaft.stl"));
         }
+        Command::OpenScan => {
+            w.give(command, &[]);
+            let scan = &w.job().scan.files[0];
+            assert_eq!((scan.file.as_str(), scan.sha256.len()), ("scan.xyz", 64));
+            w.undo();
+        }
         Command::Save => {
             w.send(Edit::Set("beam.power_w", power + 2.0));
             w.give(command, &[]);
