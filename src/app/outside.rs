@@ -5,6 +5,7 @@ use super::{App, Command, Pool};
 use crate::document::{Document, Edit, Parameter};
 use crate::planning::{Executor, PlannedJob};
 use crate::view::Camera;
+use nalgebra::Isometry3;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -59,6 +60,11 @@ impl App {
     /// From where the 3D view looks.
     pub fn camera(&self) -> &Camera {
         &self.viewport.camera
+    }
+
+    /// Where the scan stands in the view while a tool shows it beside the part, or alone.
+    pub fn scene_from_scan(&self) -> Option<Isometry3<f64>> {
+        self.context().scene_from_scan()
     }
 
     /// Whether a command can do anything now.

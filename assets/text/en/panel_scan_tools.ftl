@@ -47,6 +47,7 @@ scan_leave_out_legend = does not count
 ## Cuts
 
 scan_cut = Cut:
+scan_cut_name = cut by { $what }
 scan_cut_by_box = box
 scan_cut_by_plane = plane
 scan_cut_by_brush = brush

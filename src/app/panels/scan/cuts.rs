@@ -27,20 +27,20 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
         ui.label(say!(scan_cut));
         let whole = || cleaned.cloud.bounds().unwrap_or((Point3::origin(), Point3::origin()));
         let is_box = matches!(shape, Some(CutShape::Box { .. }));
-        tool_button(ui, say!(scan_cut_by_box), is_box, actions, || {
+        tool_button(ui, named(say!(scan_cut_by_box)), is_box, actions, || {
             let (min, max) = whole();
             let [min, max] = [min, max].map(|p| p.coords.into());
             of_shape(CutShape::Box { min, max, keep: Keep::Inside, corner: None })
         });
         let is_plane = matches!(shape, Some(CutShape::Plane { .. }));
-        tool_button(ui, say!(scan_cut_by_plane), is_plane, actions, || {
+        tool_button(ui, named(say!(scan_cut_by_plane)), is_plane, actions, || {
             let (min, _) = whole();
             let (through, normal) = (min.coords.into(), [0.0, 0.0, 1.0]);
             of_shape(CutShape::Plane { through, normal, shift_mm: 0.0, clicked: Vec::new() })
         });
         let is_brush = matches!(shape, Some(CutShape::Brush { .. }));
         let radius_mm = brush_mm(context);
-        tool_button(ui, say!(scan_cut_by_brush), is_brush, actions, || {
+        tool_button(ui, named(say!(scan_cut_by_brush)), is_brush, actions, || {
             of_shape(CutShape::Brush { centres: Vec::new(), radius_mm })
         });
     });
@@ -80,6 +80,12 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
         actions.session(move |s| s.scan_tool = Some(ScanTool::Cut(now)));
     }
     take_over(ui, draft, context, actions);
+}
+
+/// The word on a button, and its accessible name.
+fn named(what: String) -> [String; 2] {
+    let told = say!(scan_cut_name, what = &what);
+    [what, told]
 }
 
 fn of_shape(shape: CutShape) -> ScanTool {

@@ -14,7 +14,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     let is_in_hand = matches!(context.scan_tool(), Some(ScanTool::Label));
     let labels = &context.session.labels;
     ui.horizontal_wrapped(|ui| {
-        tool_button(ui, say!(scan_labels), is_in_hand, actions, || ScanTool::Label);
+        tool_button(ui, [say!(scan_labels), say!(scan_labels)], is_in_hand, actions, || ScanTool::Label);
         if !labels.is_empty() && ui.small_button(say!(scan_labels_clear)).clicked() {
             actions.session(|s| s.labels.clear());
         }

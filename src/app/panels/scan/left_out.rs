@@ -18,7 +18,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     };
     ui.horizontal_wrapped(|ui| {
         let begun = || ScanTool::LeaveOut(LeaveOutDraft::new(brush_mm(context)));
-        tool_button(ui, say!(scan_leave_out), draft.is_some(), actions, begun);
+        tool_button(ui, [say!(scan_leave_out), say!(scan_leave_out)], draft.is_some(), actions, begun);
         if !of_job.is_empty() {
             ui.label(say!(scan_leave_out_count, count = of_job.len()));
             if ui.small_button(say!(scan_leave_out_clear)).on_hover_text(say!(scan_leave_out_clear_tip)).clicked() {

@@ -21,7 +21,7 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
     };
     ui.horizontal_wrapped(|ui| {
         let begun = || ScanTool::Pairs(PairsDraft { pairs: of_job.clone(), ..PairsDraft::default() });
-        tool_button(ui, say!(scan_pairs_pick), draft.is_some(), actions, begun);
+        tool_button(ui, [say!(scan_pairs_pick), say!(scan_pairs_pick)], draft.is_some(), actions, begun);
         if !of_job.is_empty() {
             ui.label(RichText::new(say!(scan_pairs_of_job, count = of_job.len())).weak());
             if ui.small_button(say!(scan_pairs_forget)).on_hover_text(say!(scan_pairs_forget_tip)).clicked() {

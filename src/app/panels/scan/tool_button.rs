@@ -11,15 +11,17 @@ use eframe::egui::{self, Role, WidgetInfo};
 /// The largest brush, mm.
 const MOST_MM: f64 = 1000.0;
 
-/// The button; `is_in_hand`: that tool is in the hand now.
+/// The button, with its word and its accessible name; `is_in_hand`: that tool is in the hand now.
 pub(super) fn tool_button(
     ui: &mut egui::Ui,
-    name: String,
+    [word, told]: [String; 2],
     is_in_hand: bool,
     actions: &mut Actions,
     tool: impl FnOnce() -> ScanTool,
 ) {
-    if ui.selectable_label(is_in_hand, name).clicked() {
+    let button = ui.selectable_label(is_in_hand, word);
+    button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_in_hand, told.clone()));
+    if button.clicked() {
         let taken = (!is_in_hand).then(tool);
         actions.session(move |s| (s.scan_tool, s.tool) = (taken, PointerTool::Select));
     }
