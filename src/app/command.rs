@@ -13,6 +13,8 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 pub enum Command {
     /// Opens a part or a job; the user is asked which.
     Open,
+    /// Adds a file to the scan of the part; the user is asked which.
+    OpenScan,
     /// Saves the job where it is kept.
     Save,
     /// Saves the job in another file.
@@ -164,6 +166,10 @@ pub enum Toggle {
     Scan,
     /// The points of the scan that cleaning took out.
     DroppedPoints,
+    /// The model by how far the scan is off it, in place of the points.
+    DeviationOnModel,
+    /// A section through part and scan, as a drawing below the view.
+    ScanSection,
 }
 
 /// Where a command stands in the menu bar.
@@ -247,6 +253,7 @@ macro_rules! table {
 
 table! {
     Open => command_open, File, ctrl(Key::O);
+    OpenScan => command_open_scan, File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::O);
     Save => command_save, File, ctrl(Key::S);
     SaveAs => command_save_as, File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S);
     Export => command_export, File, ctrl(Key::E);
@@ -301,6 +308,8 @@ table! {
     Toggle(Toggle::Spacing) => command_spacing, View, key(Key::I);
     Toggle(Toggle::Scan) => command_scan, View, key(Key::W);
     Toggle(Toggle::DroppedPoints) => command_dropped_points, View, None;
+    Toggle(Toggle::DeviationOnModel) => command_deviation_on_model, View, None;
+    Toggle(Toggle::ScanSection) => command_scan_section, View, key(Key::X);
     Theme => command_theme, View, None;
     Plan => command_plan, Plan, ctrl(Key::R);
     Cancel => command_cancel, Plan, None;

@@ -24,6 +24,9 @@ use super::dialogs::Answers;
 use super::dose::DoseView;
 use super::questions::Question;
 use super::reading::Reading;
+use super::scan_files::ScanAdding;
+use super::scan_section::SectionView;
+use super::scan_tool::ToolView;
 use super::scan_view::ScanView;
 use super::session::Session;
 use super::spacing::{SpacingPicture, SpacingView};
@@ -60,6 +63,10 @@ pub(super) struct Context<'a> {
     pub borders: &'a Borders,
     /// The points of the scan.
     pub scan: &'a ScanView,
+    /// The section through part and scan.
+    pub section: &'a SectionView,
+    /// What is shown for a tool for the scan.
+    pub tool: &'a ToolView,
     /// The access map of the current place, and the strip of its line.
     pub access: &'a AccessViews,
     /// The question that waits for the operator's answer.
@@ -68,6 +75,8 @@ pub(super) struct Context<'a> {
     pub answers: &'a Answers,
     /// What is being read.
     pub reading: &'a Reading,
+    /// Scans that are on their way into the job.
+    pub adding: &'a ScanAdding,
 }
 
 impl App {
@@ -83,10 +92,13 @@ impl App {
             spacing: &self.spacing,
             borders: &self.borders,
             scan: &self.scan,
+            section: &self.section,
+            tool: &self.tool,
             access: &self.access,
             question: self.question.as_ref(),
             answers: &self.answers,
             reading: &self.reading,
+            adding: &self.adding,
         }
     }
 }
@@ -189,7 +201,7 @@ impl<'a> Context<'a> {
     pub fn progress(self) -> Option<(Activity, f32)> {
         let d = self.derived;
         let computed = [d.pipeline.progress(), self.exporting.progress(), d.suggestions.progress(), d.dose.progress()];
-        let works = std::iter::once(self.reading.progress()).chain(computed);
+        let works = [self.reading.progress(), self.adding.progress()].into_iter().chain(computed);
         works.flatten().find_map(Progress::now)
     }
 

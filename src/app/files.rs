@@ -58,7 +58,7 @@ impl App {
                 clamps.push(Obstacle::of_file(named, &path));
                 self.edit(Edit::Clamps(clamps));
             }
-            Purpose::Scan => self.add_scan(&path),
+            Purpose::Scan => self.add_scans([path]),
             Purpose::Robot => {
                 let named = files::relative_to(&path, self.document.file());
                 self.choose_robot(&named);
@@ -171,12 +171,12 @@ impl App {
     }
 
     pub(super) fn take_dropped_files(&mut self, ctx: &egui::Context) {
-        let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_path_buf()));
-        let Some(path) = dropped else { return };
-        if self.derived.part.is_some() && scan_files::is_scan_alone(&path) {
-            self.add_scan(&path);
+        let dropped = ctx.input(|i| i.raw.dropped_files.iter().map(|f| f.path().to_path_buf()).collect::<Vec<_>>());
+        let Some(first) = dropped.first() else { return };
+        if self.derived.part.is_some() && dropped.iter().all(|path| scan_files::is_scan_alone(path)) {
+            self.add_scans(dropped);
         } else {
-            self.open_guarded(path);
+            self.open_guarded(first.clone());
         }
     }
 

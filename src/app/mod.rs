@@ -36,6 +36,8 @@ mod reading;
 mod recipe_library;
 mod run;
 mod scan_files;
+mod scan_section;
+mod scan_tool;
 mod scan_view;
 mod scene;
 mod selection;
@@ -93,6 +95,12 @@ pub struct App {
     borders: border::Borders,
     /// The points of the scan, kept while it stays.
     scan: scan_view::ScanView,
+    /// What is shown for a tool for the scan, while it is in the hand.
+    tool: scan_tool::ToolView,
+    /// The section through part and scan.
+    section: scan_section::SectionView,
+    /// Files that are on their way into the job's scan.
+    adding: scan_files::ScanAdding,
 }
 
 const RECENT_KEY: &str = "recent";
@@ -128,6 +136,9 @@ impl App {
             spacing: spacing::SpacingView::default(),
             borders: border::Borders::default(),
             scan: scan_view::ScanView::default(),
+            tool: scan_tool::ToolView::default(),
+            section: scan_section::SectionView::default(),
+            adding: scan_files::ScanAdding::default(),
         };
         if let Some(path) = open {
             app.open(path);
@@ -146,6 +157,7 @@ impl eframe::App for App {
         self.take_opened();
         self.take_exported();
         self.take_answers();
+        self.take_scans();
         self.take_dropped_files(ctx);
         self.guard_close(ctx);
         // While a question waits for its answer the keys are the question's.
@@ -175,6 +187,10 @@ impl eframe::App for App {
             if self.session.show.is_on(Toggle::Plots) && self.context().timeline().is_some() {
                 let panel = egui::Panel::bottom("plots").default_size(240.0).min_size(160.0);
                 panel.show(ui, |ui| self.panel(|context, actions| panels::plots::ui(ui, context, actions)));
+            }
+            if self.session.show.is_on(Toggle::ScanSection) && self.context().scan_is_laid() {
+                let panel = egui::Panel::bottom("scan section").default_size(300.0).min_size(180.0);
+                panel.show(ui, |ui| self.panel(|context, actions| panels::scan::section::ui(ui, context, actions)));
             }
             if self.session.show.is_on(Toggle::AccessMap) && self.derived.plan().is_some() {
                 self.sync_access();

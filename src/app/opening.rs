@@ -115,6 +115,7 @@ impl App {
         derived.pipeline.open(source, built.map(|part| (&job.part, part)));
         self.derived = derived;
         self.document = document;
+        self.adding.cancel();
         self.reading.took(stamp);
         self.session.fit_pending = true;
         self.remember(&shown);

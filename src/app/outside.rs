@@ -5,6 +5,7 @@ use super::{App, Command, Pool};
 use crate::document::{Document, Edit, Parameter};
 use crate::planning::{Executor, PlannedJob};
 use crate::view::Camera;
+use nalgebra::Isometry3;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -61,6 +62,11 @@ impl App {
         &self.viewport.camera
     }
 
+    /// Where the scan stands in the view while a tool shows it beside the part, or alone.
+    pub fn scene_from_scan(&self) -> Option<Isometry3<f64>> {
+        self.context().scene_from_scan()
+    }
+
     /// Whether a command can do anything now.
     pub fn can(&self, command: Command) -> bool {
         self.context().is_enabled(command)
@@ -68,7 +74,8 @@ impl App {
 
     /// Whether nothing is being computed or waited for: what is shown is current.
     pub fn is_settled(&self) -> bool {
-        let is_idle = self.reading.is_at_rest() && !self.exporting.is_running() && self.answers.is_empty();
+        let is_read = self.reading.is_at_rest() && self.adding.is_at_rest();
+        let is_idle = is_read && self.tool.is_at_rest() && !self.exporting.is_running() && self.answers.is_empty();
         is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
     }
 

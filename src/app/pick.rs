@@ -4,6 +4,7 @@ use super::actions::Actions;
 use super::command::Toggle;
 use super::context::Context;
 use super::dose::Clicked;
+use super::scan_tool::{self, ScanTool};
 use super::session::PointerTool;
 use super::{App, at_cursor, panels};
 use crate::document::Edit;
@@ -20,6 +21,8 @@ impl App {
         self.panel(|context, actions| panels::file_banner::ui(ui, context, actions));
         self.panel(|context, actions| panels::better_setup::ui(ui, context, actions));
         self.fit_if_pending();
+        self.fit_to_tool();
+        self.viewport.brush = self.session.scan_tool.as_ref().is_some_and(ScanTool::paints);
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
         let part_from_scene = self.context().scene_from_part().inverse();
@@ -41,7 +44,13 @@ impl App {
             );
         }
         let camera = self.viewport.camera;
-        self.panel(|context, actions| pointer(&response, &camera, context, actions));
+        if self.session.scan_tool.is_some() {
+            self.panel(|context, actions| scan_tool::pointer(&response, &camera, context, actions));
+            scan_tool::brush_circle(ui, &response, &camera, self.context());
+        } else {
+            self.panel(|context, actions| pointer(&response, &camera, context, actions));
+        }
+        panels::scan::marks::ui(ui, &response, &camera, self.context());
         cursor_text(ui, self.context());
         let menu = response.response.clone();
         if response.secondary_clicked_px.is_some() || menu.context_menu_opened() {
@@ -118,6 +127,9 @@ fn click(place: Option<(u32, Point3<f64>)>, modifiers: egui::Modifiers, context:
             {
                 actions.session(|s| s.clicked = Some(clicked));
             }
+            if let Some((_, point)) = place.filter(|_| context.session.show.is_on(Toggle::ScanSection)) {
+                actions.session(move |s| s.section.at_mm = Some(point[s.section.axis]));
+            }
             let surface = place.and_then(|(facet, _)| context.surface_of(facet));
             actions.session(move |s| {
                 s.select(surface, modifiers);
@@ -140,7 +152,7 @@ fn click(place: Option<(u32, Point3<f64>)>, modifiers: egui::Modifiers, context:
 
 impl Context<'_> {
     /// Facet and point of the part, in its own frame, that a ray of the scene meets; hidden surfaces are ignored.
-    fn picked_at(self, (origin, dir): (Point3<f64>, Vector3<f64>)) -> Option<(u32, Point3<f64>)> {
+    pub(super) fn picked_at(self, (origin, dir): (Point3<f64>, Vector3<f64>)) -> Option<(u32, Point3<f64>)> {
         let show = &self.session.show;
         if show.is_on(Toggle::SectionPlane) {
             return None;

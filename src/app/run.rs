@@ -19,7 +19,7 @@ impl Context<'_> {
         let clean = || self.clean_list();
         match command {
             C::Open | C::Help | C::Escape | C::Theme => true,
-            C::Save | C::SaveAs | C::Plan => self.derived.part.is_some(),
+            C::OpenScan | C::Save | C::SaveAs | C::Plan => self.derived.part.is_some(),
             C::Select(More::Listed) | C::PickOrigin | C::LayFlat | C::QuarterTurn(_) => self.derived.part.is_some(),
             C::Look(_) | C::Fit | C::Projection | C::ShowAll => self.derived.part.is_some(),
             C::Undo => self.document.undo_step().is_some(),
@@ -64,7 +64,7 @@ impl Context<'_> {
             T::PathLines | T::PoseFrames | T::Beams | T::ConnectingMoves => self.derived.part.is_some(),
             T::BeforeCorrection | T::PlainPart | T::HideChosen | T::ToolBodies => self.derived.part.is_some(),
             T::SectionPlane | T::AccessMap | T::Dose | T::Spacing => self.derived.plan().is_some(),
-            T::Scan | T::DroppedPoints => self.scan_is_laid(),
+            T::Scan | T::DroppedPoints | T::DeviationOnModel | T::ScanSection => self.scan_is_laid(),
             T::Cell => self.derived.cell.is_some(),
             T::Plots => self.timeline().is_some(),
             T::ProgramText => self.derived.playback_data().is_some(),
@@ -82,6 +82,7 @@ impl App {
         match command {
             C::Open if self.document.is_dirty() => self.session.after_guard = Some(AfterGuard::AskOpen),
             C::Open => self.ask(Purpose::Open),
+            C::OpenScan => self.ask(Purpose::Scan),
             C::Save => self.save_job(),
             C::SaveAs => self.ask(Purpose::SaveJob),
             C::Export => self.ask(Purpose::Export),
@@ -99,8 +100,8 @@ impl App {
             C::Rename => self.begin_renaming(),
             C::FlipSurface => self.flip_surface(),
             C::FlipShell => self.flip_shell(),
-            C::PickOrigin => self.session.tool = PointerTool::PickOrigin,
-            C::LayFlat => self.session.tool = PointerTool::LayFlat,
+            C::PickOrigin => self.take_tool(PointerTool::PickOrigin),
+            C::LayFlat => self.take_tool(PointerTool::LayFlat),
             C::QuarterTurn(axis) => self.place(|p| p.quarter_turn(axis as usize)),
             C::Look(view) => self.viewport.look(view),
             C::Fit => self.fit_selection(),
@@ -151,10 +152,17 @@ impl App {
             | T::AccessMap
             | T::Spacing
             | T::Scan
-            | T::DroppedPoints => {
+            | T::DroppedPoints
+            | T::DeviationOnModel
+            | T::ScanSection => {
                 self.session.show.flip(what);
             }
         }
+    }
+
+    /// One tool at a time is in the hand.
+    fn take_tool(&mut self, tool: PointerTool) {
+        (self.session.tool, self.session.scan_tool) = (tool, None);
     }
 
     fn change_projection(&mut self) {
@@ -200,6 +208,8 @@ impl App {
     fn cancel(&mut self) {
         if self.reading.progress().is_some() {
             self.reading.cancel();
+        } else if self.adding.progress().is_some() {
+            self.adding.cancel();
         } else if self.derived.pipeline.progress().is_some() {
             self.derived.pipeline.cancel();
         } else if self.exporting.is_running() {
@@ -219,6 +229,8 @@ impl App {
             self.session.renaming = None;
         } else if self.session.tool != PointerTool::Select {
             self.session.tool = PointerTool::Select;
+        } else if self.session.scan_tool.take().is_some() {
+            // Laid down, with what was not taken over.
         } else if self.dismiss_better_setup() {
             // Its preview is gone: one step.
         } else if self.session.show.is_on(Toggle::SectionPlane) {

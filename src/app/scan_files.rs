@@ -6,25 +6,90 @@ use crate::document::Edit;
 use crate::document::files;
 use crate::document::model::ScanFile;
 use crate::document::scan_edit::ScanEdit;
+use crate::part::Hasher;
 use crate::part::file::ENDINGS as PART_ENDINGS;
-use crate::scan::file::ENDINGS;
+use crate::planning::{Executor, Failure, Stage};
+use crate::progress::{Activity, Progress};
+use crate::scan::file::{self, ENDINGS, ScanFileError};
+use crate::text::{Sentence as _, say};
 use std::fs::File;
 use std::io::Read as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The header of a PLY file ends before this; those of scanners have a few hundred bytes.
 const HEADER_BYTES: u64 = 1 << 16;
 
-impl App {
-    /// Adds a file to the job's scan, unless it is there.
-    pub(super) fn add_scan(&mut self, path: &Path) {
-        let file = files::relative_to(path, self.document.file());
-        let scan = &self.document.job().scan;
-        if scan.files.iter().all(|f| f.file != file) {
-            let mut all = scan.files.clone();
-            all.push(ScanFile { file, ..ScanFile::default() });
-            self.edit(Edit::Scan(Box::new(ScanEdit::Files(all, scan.units))));
+/// Files that are on their way into the job: each is hashed on a thread first, so that the job knows it again.
+#[derive(Default)]
+pub(super) struct ScanAdding {
+    waiting: Vec<PathBuf>,
+    hashing: Stage<Vec<(PathBuf, String)>, (PathBuf, ScanFileError)>,
+}
+
+impl ScanAdding {
+    fn start(&mut self, executor: &dyn Executor) {
+        if self.waiting.is_empty() || self.hashing.is_running() {
+            return;
         }
+        let files = std::mem::take(&mut self.waiting);
+        let hashed = |file: PathBuf, progress: &Progress| match file::sha256(&file, progress) {
+            Ok(sha256) => Ok((file, sha256)),
+            Err(ScanFileError::Cancelled) => Err(Failure::Cancelled),
+            Err(why) => Err(Failure::Refused((file, why))),
+        };
+        self.hashing.start(Hasher::default().finish(), Activity::ReadingScan, executor, move |progress| {
+            files.into_iter().map(|file| hashed(file, progress)).collect()
+        });
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> Option<&Progress> {
+        self.hashing.progress()
+    }
+
+    /// Asks it to end: nothing is added.
+    pub fn cancel(&mut self) {
+        self.waiting.clear();
+        self.hashing.cancel();
+    }
+
+    /// Whether no file is on its way.
+    pub fn is_at_rest(&self) -> bool {
+        self.waiting.is_empty() && !self.hashing.is_running()
+    }
+}
+
+impl App {
+    /// Begins to add files to the job's scan.
+    pub(super) fn add_scans(&mut self, files: impl IntoIterator<Item = PathBuf>) {
+        self.adding.waiting.extend(files);
+        let executor = self.derived.pipeline.executor().clone();
+        self.adding.start(&*executor);
+    }
+
+    /// Takes files whose bytes are known by now into the job, each unless it is there.
+    pub(super) fn take_scans(&mut self) {
+        match self.adding.hashing.take_result() {
+            Some(Ok(hashed)) => {
+                let scan = &self.document.job().scan;
+                let (mut all, units) = (scan.files.clone(), scan.units);
+                for (path, sha256) in hashed {
+                    let file = files::relative_to(&path, self.document.file());
+                    if all.iter().all(|f| f.file != file) {
+                        all.push(ScanFile { file, sha256 });
+                    }
+                }
+                if all.len() > scan.files.len() {
+                    self.edit(Edit::Scan(Box::new(ScanEdit::Files(all, units))));
+                }
+            }
+            Some(Err(Failure::Refused((path, why)))) => {
+                self.session.error = Some(say!(in_file, file = path.display().to_string(), what = why.sentence()));
+            }
+            Some(Err(Failure::Panicked(why))) => self.session.error = Some(say!(window_fault, error = why)),
+            Some(Err(Failure::Cancelled)) | None => {}
+        }
+        self.add_scans([]);
     }
 }
 

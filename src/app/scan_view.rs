@@ -1,26 +1,45 @@
-//! The points of the scan as the view shows them: those on the part by how far they are off it, and those that cleaning
-//! took out. Made once for each state of the scan, when they are asked for, and only where it lies on the part.
+//! What the view shows of a scan that lies on its part: its points or the model itself by how far they are off one another,
+//! the outlines of patches, and the points that cleaning took out. Made once for each state of the scan, when it is asked
+//! for.
 
-use crate::picture::{DeviationScale, ScanLook, ScanPicture};
-use crate::planning::scanned::{ComparedScan, ReadScan, Scanned};
+use crate::document::model::JobScan;
+use crate::part::Part;
+use crate::picture::patches::{PatchOutline, outlines};
+use crate::picture::{DeviationScale, ScanLook, ScanPicture, deviation_on_model, deviation_points, deviation_scale};
+use crate::planning::scanned::{ComparedScan, LaidScan, ReadScan, Scanned};
 use crate::scan::cleaning::Cleaned;
-use crate::scan::deviation::Patch;
-use crate::view::CloudItem;
-use nalgebra::Isometry3;
+use crate::view::{Camera, CloudItem, LineItem, MeshItem, ViewSize, cloud_point_at};
+use nalgebra::{Isometry3, Point2, Point3};
 use std::sync::Arc;
+
+/// How near to a point a click has to be, pixels.
+const REACH_PX: f64 = 8.0;
 
 /// What is shown of a scan, kept while it stays.
 #[derive(Default)]
 pub(super) struct ScanView {
-    points: Option<Points>,
+    compared: Option<ComparedView>,
     dropped: Option<Dropped>,
 }
 
-/// Points on the part, and what they were made from.
-struct Points {
+/// How far a point of the scan is off the model, as it was asked for by a click.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScanLabel {
+    /// The point, part frame, mm.
+    pub at: Point3<f64>,
+    /// How far it is off, smoothed over its neighbours, mm; above 0: too much material.
+    pub off_mm: f64,
+}
+
+/// A scan that was compared, and what is shown of it.
+struct ComparedView {
     of: Arc<ComparedScan>,
+    laid: Arc<LaidScan>,
     scale: DeviationScale,
-    item: CloudItem,
+    points: CloudItem,
+    /// The model in the colours of the scale; made when it is asked for.
+    model: Option<MeshItem>,
+    outlines: Vec<LineItem>,
 }
 
 /// Points that cleaning took out, and what they were made from.
@@ -30,33 +49,47 @@ struct Dropped {
     item: CloudItem,
 }
 
+/// What is asked for besides the points.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ScanWanted {
+    /// Points that cleaning took out.
+    pub dropped: bool,
+    /// The model by its deviation.
+    pub model: bool,
+}
+
 impl ScanView {
-    /// Makes what is not there; what no longer is goes.
-    pub fn sync(&mut self, scanned: Option<&Scanned>, tolerance_mm: f64, with_dropped: bool) {
+    /// Makes what is not there; what no longer is goes. Whether the points are others. `part`: as its file has it.
+    pub fn sync(&mut self, scanned: Option<&Scanned>, scan: &JobScan, part: Option<&Part>, wanted: ScanWanted) -> bool {
         let laid = scanned.and_then(|s| Some((s, s.laid.as_ref()?)));
         let Some((scanned, laid)) = laid else {
             // Of a scan that is looked at again the points stay until the new ones are there.
             if scanned.is_none() {
                 *self = ScanView::default();
             }
-            return;
+            return false;
         };
+        let mut is_new = false;
         if let Some(compared) = &scanned.compared {
-            let scale = scale(&compared.patches.patches, tolerance_mm);
-            let is_known = |p: &Points| Arc::ptr_eq(&p.of, compared) && p.scale == scale;
-            if !self.points.as_ref().is_some_and(is_known) {
-                let cloud = laid.cloud_in_part.clone();
-                let key = cloud.digest().0 as u64;
-                let look = ScanLook::Deviation { deviation_mm: &compared.deviation.signed_mm, scale };
-                let item = ScanPicture::new(cloud, key).item(look, &Isometry3::identity());
-                self.points = Some(Points { of: compared.clone(), scale, item });
+            let scale = deviation_scale(compared, scan);
+            let is_known = |v: &ComparedView| Arc::ptr_eq(&v.of, compared) && v.scale == scale;
+            if !self.compared.as_ref().is_some_and(is_known) {
+                self.compared = Some(ComparedView::new(compared, laid, scale));
+                is_new = true;
             }
         }
-        let Some(cleaned) = scanned.cleaned.as_ref().filter(|_| with_dropped) else {
+        if let (Some(view), Some(part)) = (self.compared.as_mut().filter(|v| wanted.model && v.model.is_none()), part) {
+            view.model = Some(deviation_on_model(part, &view.of, &view.scale));
+        }
+        self.sync_dropped(scanned, laid.model_from_scan, wanted.dropped);
+        is_new
+    }
+
+    fn sync_dropped(&mut self, scanned: &Scanned, place: Isometry3<f64>, is_wanted: bool) {
+        let Some(cleaned) = scanned.cleaned.as_ref().filter(|_| is_wanted) else {
             self.dropped = None;
             return;
         };
-        let place = laid.model_from_scan;
         if !self.dropped.as_ref().is_some_and(|d| Arc::ptr_eq(&d.of, cleaned) && d.scene_from_scan == place) {
             let item = dropped(&scanned.read, cleaned, &place);
             self.dropped = Some(Dropped { of: cleaned.clone(), scene_from_scan: place, item });
@@ -65,24 +98,79 @@ impl ScanView {
 
     /// The scale of the points that are shown.
     pub fn scale(&self) -> Option<DeviationScale> {
-        self.points.as_ref().map(|p| p.scale)
+        self.compared.as_ref().map(|v| v.scale)
     }
 
     /// Points on the part and points that were taken out, each if it is wanted, on a part that stands there.
     pub fn items(&self, [points, dropped]: [bool; 2], place: &Isometry3<f64>) -> Vec<CloudItem> {
-        let points = self.points.as_ref().filter(|_| points).map(|p| &p.item);
+        let points = self.compared.as_ref().filter(|_| points).map(|v| &v.points);
         let dropped = self.dropped.as_ref().filter(|_| dropped).map(|d| &d.item);
         let placed = |item: &CloudItem| CloudItem { scene_from_item: place * item.scene_from_item, ..item.clone() };
         points.into_iter().chain(dropped).map(placed).collect()
     }
+
+    /// The model by its deviation, part frame.
+    pub fn model(&self) -> Option<&MeshItem> {
+        self.compared.as_ref()?.model.as_ref()
+    }
+
+    /// The outlines of all patches, part frame.
+    pub fn outlines(&self) -> &[LineItem] {
+        self.compared.as_ref().map_or(&[], |v| &v.outlines)
+    }
+
+    /// The label of the point under a pixel, on a part that stands there. Points farther along the ray than
+    /// `before_mm` are hidden.
+    pub fn label_at(
+        &self,
+        camera: &Camera,
+        px: Point2<f64>,
+        size: ViewSize,
+        place: &Isometry3<f64>,
+        before_mm: Option<f64>,
+    ) -> Option<ScanLabel> {
+        let view = self.compared.as_ref()?;
+        let item = CloudItem { scene_from_item: place * view.points.scene_from_item, ..view.points.clone() };
+        let pick = cloud_point_at(&item, camera, px, size, REACH_PX)?;
+        // Where material is missing the points lie behind the model.
+        let reach_mm = f64::from(item.lift_mm) + REACH_PX / camera.px_per_mm(&camera.target, size);
+        if before_mm.is_some_and(|mm| pick.along_mm > mm + reach_mm) {
+            return None;
+        }
+        view.label(pick.index)
+    }
+
+    /// The label of the point nearest to a place of the part frame.
+    pub fn label_near(&self, at: &Point3<f64>) -> Option<ScanLabel> {
+        let view = self.compared.as_ref()?;
+        let far2 = |p: Point3<f64>| (p - at).norm_squared();
+        let nearest = (0u32..).zip(view.laid.cloud_in_part.points()).min_by(|a, b| far2(a.1).total_cmp(&far2(b.1)))?;
+        view.label(nearest.0)
+    }
 }
 
-/// The scale goes as far as the farthest patch, and so far beyond the tolerance that its colours are seen.
-fn scale(patches: &[Patch], tolerance_mm: f64) -> DeviationScale {
-    let farthest_mm = patches.iter().map(|p| p.depth_mm).fold(0.0, f64::max);
-    // Rounded up to hundredths, so that the numbers on it are short.
-    let limit_mm = (farthest_mm * 100.0 - 1e-9).ceil() * 0.01;
-    DeviationScale::new(limit_mm.max(2.0 * tolerance_mm), tolerance_mm)
+impl ComparedView {
+    fn new(of: &Arc<ComparedScan>, laid: &Arc<LaidScan>, scale: DeviationScale) -> ComparedView {
+        let rings = of.patches.patches.iter().flat_map(|p| &p.outlines);
+        let sides = |ring: &Vec<Point3<f64>>| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect();
+        let pieces: Vec<Vec<[Point3<f64>; 2]>> = rings.map(sides).collect();
+        let outlined: Vec<PatchOutline<'_>> =
+            pieces.iter().map(|pieces| PatchOutline { pieces, chosen: false }).collect();
+        ComparedView {
+            of: of.clone(),
+            laid: laid.clone(),
+            scale,
+            points: deviation_points(laid, of, scale),
+            model: None,
+            outlines: outlines(&outlined),
+        }
+    }
+
+    /// `None`: the point has nothing to do with the model.
+    fn label(&self, index: u32) -> Option<ScanLabel> {
+        let off_mm = -f64::from(*self.of.depth_mm.get(index as usize)?);
+        off_mm.is_finite().then(|| ScanLabel { at: self.laid.cloud_in_part.point(index as usize), off_mm })
+    }
 }
 
 fn dropped(read: &ReadScan, cleaned: &Cleaned, place: &Isometry3<f64>) -> CloudItem {
@@ -96,31 +184,4 @@ fn dropped(read: &ReadScan, cleaned: &Cleaned, place: &Isometry3<f64>) -> CloudI
     let cloud = Arc::new(read.cloud.picked(&gone));
     let (key, kept) = (cloud.digest().0 as u64, vec![false; gone.len()]);
     ScanPicture::new(cloud, key).item(ScanLook::Cleaned { kept: &kept, shows_dropped: true }, place)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_scale_shows_the_farthest_patch_and_colours_beyond_the_tolerance() {
-        use crate::scan::deviation::PatchKind;
-        use nalgebra::Point3;
-        let patch = |depth_mm: f64| Patch {
-            kind: PatchKind::Missing,
-            area_mm2: 1.0,
-            depth_mm,
-            deepest_at: Point3::origin(),
-            volume_mm3: 1.0,
-            centre: Point3::origin(),
-            facets: Vec::new(),
-            triangles: Vec::new(),
-            outlines: Vec::new(),
-        };
-        let limit = |patches: &[Patch], tolerance_mm| scale(patches, tolerance_mm).limit_mm();
-        assert!((limit(&[patch(0.302), patch(0.1)], 0.1) - 0.31).abs() < 1e-12);
-        assert!((limit(&[patch(0.2)], 0.05) - 0.2).abs() < 1e-12, "what is short already stays");
-        assert_eq!(limit(&[patch(0.02)], 0.1), 0.2);
-        assert_eq!(limit(&[], 0.1), 0.2);
-    }
 }

@@ -28,6 +28,9 @@ impl App {
         let d = &self.derived;
         let s = &self.session;
         let (Some(picture), Some(part)) = (&d.picture, &d.part) else { return Arc::new(scene) };
+        if self.add_scan_tool(&mut scene) {
+            return Arc::new(scene);
+        }
         let look = self.context().path_look();
         if s.show.is_on(Toggle::SectionPlane)
             && let Some(of) = d.plan_on_part()
@@ -36,8 +39,11 @@ impl App {
             scene.lines = section::section(part, &d.surfaces, &of.plan, s.playback.at.0, &look, of.picture_key());
         } else {
             let place = self.context().scene_from_part();
-            let dose = self.context().dose_picture().cloned();
-            let part = dose.unwrap_or_else(|| picture.item(&d.surfaces, &part_look(d, s, self.context().clean_list())));
+            let look_of_part = part_look(d, s, self.context().clean_list(), self.tool.left_out());
+            let part = picture.item(&d.surfaces, &look_of_part);
+            let by_scan = self.scan.model().filter(|_| self.context().shows_deviation_on_model());
+            let by_scan = by_scan.map(|model| MeshItem { edges: part.edges.clone(), ..model.clone() });
+            let part = self.context().dose_picture().cloned().or(by_scan).unwrap_or(part);
             scene.meshes.push(MeshItem { scene_from_item: place, ..part });
             let laid = d.laid.as_ref().map(|(_, lines)| lines);
             if let Some(lines) = laid.filter(|_| look.lines) {
@@ -55,8 +61,7 @@ impl App {
             scene.lines.extend(self.borders.lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             let dots = self.context().spacing_picture().map_or(&[][..], |s| &s.dots).iter();
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
-            let shown = [Toggle::Scan, Toggle::DroppedPoints].map(|t| s.show.is_on(t));
-            scene.clouds.extend(self.scan.items(shown, &place));
+            self.add_scan(&mut scene, place);
             self.context().add_simulation(&mut scene, place);
             self.context().add_tool(&mut scene, place);
             self.context().add_better_setup(&mut scene, place);
@@ -69,6 +74,18 @@ impl App {
             scene.points.push(PointItem { scene_from_item, ..point });
         }
         Arc::new(scene)
+    }
+
+    /// The points of the scan, unless the model shows what they tell, and the outlines of patches.
+    fn add_scan(&self, scene: &mut Scene, place: Isometry3<f64>) {
+        let show = &self.session.show;
+        let on_model = self.context().shows_deviation_on_model();
+        let points = show.is_on(Toggle::Scan) && !on_model;
+        scene.clouds.extend(self.scan.items([points, show.is_on(Toggle::DroppedPoints)], &place));
+        let outlines = self.scan.outlines().iter().filter(|_| points || on_model);
+        let section = self.section.line().filter(|_| show.is_on(Toggle::ScanSection));
+        let lines = outlines.chain(section);
+        scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
     }
 
     /// Turns the camera onto the section plane of the current pass.
@@ -95,6 +112,11 @@ impl<'a> Context<'a> {
             Coloring::Incidence => DoseLook::Incidence,
         };
         Some(self.dose()?.picture(look))
+    }
+
+    /// Whether the part is shown by how far the scan is off it.
+    pub fn shows_deviation_on_model(self) -> bool {
+        self.session.show.is_on(Toggle::DeviationOnModel) && self.scan_is_laid()
     }
 
     /// Targets within reach and out of it, in a better set-up.
@@ -160,7 +182,7 @@ fn angles_onto(m: &Vector3<f64>, camera: &Camera) -> (f64, f64) {
     (yaw, pitch)
 }
 
-fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
+fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>, left_out: &Arc<Vec<u32>>) -> PartLook {
     let missed = d
         .plan_on_part()
         .into_iter()
@@ -174,5 +196,6 @@ fn part_look(d: &Derived, s: &Session, chosen: Vec<u32>) -> PartLook {
         hide_chosen: s.show.is_on(Toggle::HideChosen),
         plain: s.show.is_on(Toggle::PlainPart) || s.show.is_on(Toggle::Spacing),
         missed: Arc::new(missed.collect()),
+        left_out: left_out.clone(),
     }
 }

@@ -6,7 +6,11 @@ use super::panels::compare::state::Compare;
 use super::panels::recipe::draft::Draft;
 use super::playback::Playback;
 use super::program_view::ProgramView;
+use super::scan_section::SectionAsked;
+use super::scan_tool::ScanTool;
+use super::scan_view::ScanLabel;
 use crate::cell::Mount;
+use crate::cell::calibration::PointPair;
 use crate::document::{Forgotten, Job, RecutAnchor};
 use crate::part::{Digest, PartFinding, SurfaceId};
 use crate::pose::access::TiltPart;
@@ -83,6 +87,14 @@ pub struct Session {
     pub clicked: Option<Clicked>,
     /// What a click in the view does, other than select.
     pub tool: PointerTool,
+    /// The tool for the scan that is in the hand, with what it has gathered.
+    pub scan_tool: Option<ScanTool>,
+    /// Where the section through part and scan is.
+    pub section: SectionAsked,
+    /// Markers of the scanner that tell no frame yet.
+    pub markers: Option<Vec<PointPair>>,
+    /// Labels on the scan.
+    pub labels: Vec<ScanLabel>,
     /// Facet and point that were right clicked.
     pub menu_place: Option<(u32, Point3<f64>)>,
     /// Name or note of a recipe that is being typed.
@@ -220,6 +232,10 @@ impl Default for Session {
             coloring: Coloring::Surface,
             clicked: None,
             tool: PointerTool::Select,
+            scan_tool: None,
+            section: SectionAsked::default(),
+            markers: None,
+            labels: Vec::new(),
             menu_place: None,
             draft: None,
             compare: None,

@@ -6,6 +6,8 @@ use super::access::Ground;
 use super::command::Toggle;
 use super::context::Context;
 use super::playback_data::PlaybackData;
+use super::scan_section::SectionOf;
+use super::scan_view::ScanWanted;
 use crate::part::surfaces::Surface;
 use crate::part::{Shape, SurfaceId};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};
@@ -37,6 +39,7 @@ impl App {
         self.sync_dose();
         self.sync_spacing();
         self.sync_scan();
+        self.sync_tool_of_scan();
         self.sync_suggestions();
         self.sync_clearance();
     }
@@ -76,14 +79,33 @@ impl App {
         }
     }
 
-    /// Brings the points of the scan up to date, if they are shown.
+    /// Brings what is shown of the scan up to date, if anything is; labels tell what is off there now.
     fn sync_scan(&mut self) {
-        let [is_shown, with_dropped] = [Toggle::Scan, Toggle::DroppedPoints].map(|t| self.session.show.is_on(t));
+        let is_on = |what| self.session.show.is_on(what);
+        let wanted = ScanWanted { dropped: is_on(Toggle::DroppedPoints), model: is_on(Toggle::DeviationOnModel) };
+        let is_asked_for = is_on(Toggle::Scan) || wanted.dropped || wanted.model || is_on(Toggle::ScanSection);
         let pipeline = &self.derived.pipeline;
-        let scanned = pipeline.scanned().filter(|_| is_shown || with_dropped);
+        let scanned = pipeline.scanned().filter(|_| is_asked_for || self.session.scan_tool.is_some());
         // One that was refused takes the points of the one before with it.
         let scanned = scanned.filter(|s| s.compared.is_some() || pipeline.error().is_none());
-        self.scan.sync(scanned.as_ref(), self.document.job().scan.tolerance_mm, with_dropped);
+        let part = pipeline.part_of_file().map(|part| &**part);
+        if self.scan.sync(scanned.as_ref(), &self.document.job().scan, part, wanted) {
+            let labels = std::mem::take(&mut self.session.labels);
+            self.session.labels = labels.iter().filter_map(|label| self.scan.label_near(&label.at)).collect();
+        }
+        self.sync_section();
+    }
+
+    /// Cuts part and scan, if the section is shown.
+    fn sync_section(&mut self) {
+        let d = &self.derived;
+        let scanned = d.pipeline.scanned().filter(|_| self.session.show.is_on(Toggle::ScanSection));
+        let laid = scanned.as_ref().and_then(|s| s.laid.as_ref().zip(s.compared.as_ref()));
+        let parts = d.part.as_ref().zip(d.pipeline.part_of_file());
+        let of = laid.zip(parts).zip(self.scan.scale()).map(|(((laid, compared), (part, file_part)), scale)| {
+            SectionOf { part, surfaces: &d.surfaces, file_part, laid, compared, scale }
+        });
+        self.section.sync(&self.session.section, of.as_ref());
     }
 
     fn sync_shapes(&mut self) {

@@ -87,6 +87,22 @@ impl Frame {
         Frame { position_mm, rz_ry_rx_deg, measured: None }
     }
 
+    /// The frame that these pairs tell, three at least; they stay with it.
+    ///
+    /// # Errors
+    /// They tell none.
+    pub fn of_points(pairs: Vec<PointPair>) -> Result<Frame, FitError> {
+        Measured::Points(pairs).frame()
+    }
+
+    /// The pairs that it was fitted to; `None`: it comes from something else.
+    pub fn points(&self) -> Option<&[PointPair]> {
+        match self.fitted_to()? {
+            Measured::Points(pairs) => Some(pairs),
+            Measured::ThreePoints(_) | Measured::TipPoses(..) => None,
+        }
+    }
+
     /// The frame of a transformation.
     pub fn of(motion: &Isometry3<f64>) -> Frame {
         let rotation = motion.rotation.to_rotation_matrix();

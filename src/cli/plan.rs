@@ -11,6 +11,8 @@ use crate::planning::report::PlanFinding;
 use crate::planning::{self, FromPassError, Pipeline, PlanError, PlannedJob, PlanningError, advice};
 use crate::program::{DRY_RUN_PERCENT, Variant};
 use crate::progress::Progress;
+use crate::scan;
+use crate::scan::file::ScanFileError;
 use crate::text::{NamedSentence as _, Naming, Sentence as _, clock, exact, program_comment, report_lines, say};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -136,7 +138,11 @@ fn take_files(a: &PlanArguments, scan: Option<&Path>, job: &mut Job) -> Result<(
     let options = &a.options;
     if let Some(scan) = scan {
         // Another scan of the same part: where the last one lay says nothing of it.
-        let files = vec![ScanFile { file: full(scan)?, ..ScanFile::default() }];
+        let failed = |e: ScanFileError| {
+            CommandFailure::Failed(say!(in_file, file = scan.display().to_string(), what = e.sentence()))
+        };
+        let sha256 = scan::file::sha256(scan, &Progress::default()).map_err(failed)?;
+        let files = vec![ScanFile { file: full(scan)?, sha256 }];
         Edit::Scan(Box::new(ScanEdit::Files(files, job.scan.units))).apply(job, &[]);
     }
     if let Some(cell) = options.cell() {

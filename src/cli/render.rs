@@ -4,14 +4,13 @@ use super::{CommandFailure, CommandOutcome, print};
 use crate::document::{Job, files, segmented};
 use crate::picture::dose::legend;
 use crate::picture::{
-    DeviationScale, DoseLook, Legend, PartLook, PartPicture, PathLook, ScanLook, ScanPicture, dose_item, paths,
+    DoseLook, Legend, PartLook, PartPicture, PathLook, deviation_points, deviation_scale, dose_item, paths,
 };
 use crate::planning::scanned::Scanned;
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
 use crate::text::{listed, say};
 use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
-use nalgebra::Isometry3;
 use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -124,11 +123,7 @@ fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Le
 /// Puts the points of a scan on the part, in colours of how far they are off it.
 fn scan_on(scene: &mut Scene, scanned: &Scanned, job: &Job) -> Option<Legend> {
     let (laid, compared) = (scanned.laid.as_ref()?, scanned.compared.as_ref()?);
-    let farthest_mm = compared.patches.patches.iter().map(|p| p.depth_mm).fold(0.0, f64::max);
-    let scale = DeviationScale::of_patches(job.scan.min_depth_mm, job.scan.tolerance_mm, farthest_mm);
-    let cloud = laid.cloud_in_part.clone();
-    let off_mm = compared.smoothed_mm();
-    let look = ScanLook::Deviation { deviation_mm: &off_mm, scale };
-    scene.clouds.push(ScanPicture::new(cloud, 1).item(look, &Isometry3::identity()));
+    let scale = deviation_scale(compared, &job.scan);
+    scene.clouds.push(deviation_points(laid, compared, scale));
     Some(scale.legend())
 }

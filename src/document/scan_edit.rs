@@ -19,7 +19,7 @@ pub enum ScanEdit {
     AlterStep(usize, Step),
     /// `model_from_scan` row by row; `None`: it is to be looked for.
     Transform(Option<[f64; 16]>),
-    /// Picked pairs, in place of those there were.
+    /// Picked pairs, in place of those there were; a position that was kept goes, so that they count.
     Pairs(Vec<PickedPair>),
     /// Damage across which sound regions are continued, in place of what there was.
     Continued(Vec<ContinuedDamage>),
@@ -68,7 +68,10 @@ impl ScanEdit {
                 }
             }
             ScanEdit::Transform(transform) => scan.transform = *transform,
-            ScanEdit::Pairs(pairs) => scan.pairs.clone_from(pairs),
+            ScanEdit::Pairs(pairs) => {
+                scan.pairs.clone_from(pairs);
+                scan.transform = None;
+            }
             ScanEdit::Continued(damage) => scan.continued.clone_from(damage),
             ScanEdit::LeftOut(regions) => scan.left_out.clone_from(regions),
             ScanEdit::Patches(choice) => scan.patches.clone_from(choice),
@@ -114,8 +117,8 @@ mod tests {
             ScanEdit::AddStep(erase),
             ScanEdit::AlterStep(1, step(0.25)),
             ScanEdit::RemoveStep(0),
-            ScanEdit::Transform(Some(ONE)),
             ScanEdit::Pairs(vec![PickedPair { model_mm: [1.0; 3], scan_mm: [2.0; 3] }]),
+            ScanEdit::Transform(Some(ONE)),
             ScanEdit::Continued(vec![ContinuedDamage {
                 by: ContinuedKind::Revolved,
                 damaged: vec![region],

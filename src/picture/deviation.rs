@@ -33,9 +33,11 @@ impl DeviationScale {
         DeviationScale { limit_mm, tolerance_mm: tolerance_mm.max(0.0).min(limit_mm) }
     }
 
-    /// The scale on which patches from a depth on are told apart and the farthest one ends it, mm.
+    /// The scale on which patches from a depth on are told apart and the farthest one ends it, mm; rounded up to
+    /// hundredths, so that the numbers on it are short.
     pub fn of_patches(min_depth_mm: f64, tolerance_mm: f64, farthest_mm: f64) -> DeviationScale {
-        DeviationScale::new(farthest_mm.max(2.0 * min_depth_mm), tolerance_mm.min(min_depth_mm))
+        let limit_mm = (farthest_mm.max(2.0 * min_depth_mm) * 100.0 - 1e-9).ceil() * 0.01;
+        DeviationScale::new(limit_mm, tolerance_mm.min(min_depth_mm))
     }
 
     /// Where the scale ends, mm.
@@ -172,6 +174,16 @@ mod tests {
         ];
         for (mm, color) in cases {
             assert_eq!(scale.color(mm), color, "{mm}");
+        }
+    }
+
+    #[test]
+    fn the_farthest_patch_ends_the_scale_in_a_short_number() {
+        for (min_depth, farthest, limit) in [(0.05, 0.1994, 0.2), (0.05, 0.2, 0.2), (0.05, 0.02, 0.1), (0.1, 0.0, 0.2)]
+        {
+            let scale = DeviationScale::of_patches(min_depth, 0.1, farthest);
+            assert!((scale.limit_mm() - limit).abs() < 1e-12, "{}", scale.limit_mm());
+            assert_eq!(scale.tolerance_mm(), min_depth.min(0.1), "patches are told apart");
         }
     }
 

@@ -61,6 +61,10 @@ pub mod scan {
     pub const SURPLUS: [Rgb; 3] = [[120, 196, 244], [72, 146, 255], [66, 102, 246]];
     /// More than the limit.
     pub const MORE_SURPLUS: Rgb = [172, 130, 244];
+    /// Facets that do not count when a scan is laid.
+    pub const LEFT_OUT: Rgb = [78, 80, 86];
+    /// What an operator sets: brush strokes, boxes, planes, picked points.
+    pub const REGION: Rgb = [250, 222, 70];
     /// Outlines of patches.
     pub const OUTLINE: Rgb = [20, 22, 26];
 }

@@ -1,6 +1,6 @@
 //! The part: facets in the colours of their surfaces, creases as lines.
 
-use super::palette::{Palette, Rgb, mixed, state};
+use super::palette::{Palette, Rgb, mixed, scan, state};
 use crate::part::{Hasher, Mesh, Part, Surfaces};
 use crate::view::{Bounds, MeshItem};
 use nalgebra::{Isometry3, Point3};
@@ -24,6 +24,8 @@ pub struct PartLook {
     pub plain: bool,
     /// Facets that no line reaches.
     pub missed: Arc<Vec<u32>>,
+    /// Facets that do not count when a scan is laid: grey.
+    pub left_out: Arc<Vec<u32>>,
 }
 
 /// The part's buffers, kept while part and surfaces stay.
@@ -71,6 +73,12 @@ impl PartPicture {
         for &f in look.missed.iter() {
             if let Some(c) = colors.get_mut(f as usize).filter(|c| c[3] > 0) {
                 let [r, g, b] = mixed([c[0], c[1], c[2]], state::MISSED, 0.7);
+                *c = [r, g, b, c[3]];
+            }
+        }
+        for &f in look.left_out.iter() {
+            if let Some(c) = colors.get_mut(f as usize).filter(|c| c[3] > 0) {
+                let [r, g, b] = scan::LEFT_OUT;
                 *c = [r, g, b, c[3]];
             }
         }

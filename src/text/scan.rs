@@ -38,7 +38,7 @@ impl Sentence for ScanError {
     fn sentence(&self) -> String {
         match self {
             ScanError::File { file, source } => say!(in_file, file, what = source.sentence()),
-            ScanError::Changed { file } => say!(scan_changed, file),
+            ScanError::Changed { file, .. } => say!(scan_changed, file),
             ScanError::Units { doubt, diagonals_mm } => unit_doubt_sentence(doubt, *diagonals_mm),
             ScanError::Matrix(fault) => say!(scan_matrix, fault = fault.sentence()),
             ScanError::Registration(e) => e.sentence(),
@@ -115,13 +115,18 @@ pub fn unit_doubt_sentence(doubt: &UnitDoubt, [cloud_mm, part_mm]: [f64; 2]) -> 
 pub fn registration_lines(report: &RegistrationReport) -> Vec<String> {
     let mut lines = how_it_lies(report);
     lines.push(match &report.base_from_scan {
-        None => say!(register_not_placed),
+        None => scan_not_placed(),
         Some(placed) => {
             let worst = placed.residuals_mm.iter().map(|r| r.residual_mm).fold(0.0, f64::max);
             say!(register_placed, markers = placed.residuals_mm.len(), worst = fixed(worst, 3))
         }
     });
     lines
+}
+
+/// That nobody has said where the scanner stands in the cell.
+pub fn scan_not_placed() -> String {
+    say!(scan_not_placed)
 }
 
 /// How a scan lies, a line each.
@@ -175,7 +180,7 @@ fn place(of: &[f64; 3]) -> [String; 3] {
 pub(super) fn scan_lines(scan: &ScanReport) -> Vec<String> {
     let mut lines: Vec<String> =
         scan.findings.iter().map(|f| say!(in_file, file = &*f.file, what = f.finding.sentence())).collect();
-    let placed = if scan.is_placed { None } else { Some(say!(scan_not_placed)) };
+    let placed = if scan.is_placed { None } else { Some(scan_not_placed()) };
     if let Some(registration) = &scan.registration {
         lines.extend(how_it_lies(registration));
     }

@@ -25,6 +25,7 @@ pub mod standard_view;
 pub mod viewport_response;
 pub mod widget;
 
+mod cloud_pick;
 mod gl_state;
 mod gpu_cache;
 mod gpu_cloud;
@@ -39,6 +40,7 @@ mod to_three_d;
 pub use bounds::Bounds;
 pub use camera::Camera;
 pub use cloud::{CloudDetail, CloudItem, Places};
+pub use cloud_pick::{CloudPick, cloud_point_at};
 pub use error::{DeviceAnswer, DriverObject, NoEgl, ViewError};
 pub use flight::Flight;
 pub use headless::HeadlessGl;

@@ -11,6 +11,8 @@ use nalgebra::Point2;
 pub struct ViewportResponse {
     /// Left click. The second click of a double click is only reported as that.
     pub clicked_px: Option<Point2<f64>>,
+    /// Where the brush is, while the left button is down and the view has a brush.
+    pub painted_px: Option<Point2<f64>>,
     /// Left double click.
     pub double_clicked_px: Option<Point2<f64>>,
     /// Right click, unless the mouse was moved in between.

@@ -41,6 +41,8 @@ pub struct Viewport {
     pub labels: CubeLabels,
     /// Accessible name of the view; empty until its owner gives one.
     pub name: String,
+    /// A left drag is a stroke of the owner's brush, reported as `painted_px`; with Ctrl held it orbits as ever.
+    pub brush: bool,
     flight: Option<Flight>,
     motion: Motion,
     moves: Vec<CameraMove>,
@@ -83,6 +85,7 @@ impl Viewport {
             camera: Camera::default(),
             labels: CubeLabels::default(),
             name: String::new(),
+            brush: false,
             flight: None,
             motion: Motion::default(),
             moves: Vec::new(),
@@ -227,7 +230,7 @@ impl Viewport {
         let delta = response.drag_delta();
         let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
         let pans = [PointerButton::Middle, PointerButton::Secondary];
-        if response.dragged_by(PointerButton::Primary) {
+        if response.dragged_by(PointerButton::Primary) && !self.paints(ui) {
             self.flight = None;
             self.camera.orbit(dx, dy);
         } else if pans.into_iter().any(|button| response.dragged_by(button)) {
@@ -250,6 +253,10 @@ impl Viewport {
                 None => self.camera.zoom_at(cursor_px, factor, frame.size),
             }
         }
+    }
+
+    fn paints(&self, ui: &egui::Ui) -> bool {
+        self.brush && !ui.input(|input| input.modifiers.command)
     }
 
     /// Whether clouds are thinned in this frame because the camera moves; the one that shows them whole is asked for.
@@ -302,9 +309,11 @@ impl Viewport {
         let pointer_px = response.interact_pointer_pos().map(|pos| frame.to_px(pos));
         let double = response.double_clicked();
         let dragging = response.dragged();
+        let is_pressed = response.is_pointer_button_down_on() && ui.input(|input| input.pointer.primary_down());
         let hover_px = response.hover_pos().filter(|_| response.hovered() && !dragging);
         ViewportResponse {
             clicked_px: pointer_px.filter(|_| response.clicked() && !double),
+            painted_px: pointer_px.filter(|_| is_pressed && self.paints(ui)),
             double_clicked_px: pointer_px.filter(|_| double),
             secondary_clicked_px: pointer_px.filter(|_| response.secondary_clicked()),
             hover_px: hover_px.map(|pos| frame.to_px(pos)),

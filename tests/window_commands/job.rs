@@ -23,6 +23,13 @@ pub fn file(w: &mut Window, command: Command) {
             other.give(command, &[]);
             assert!(other.job().part.file.ends_with("front_shaft.stl"));
         }
+        Command::OpenScan => {
+            std::fs::write(w.file("scan.xyz"), "0 0 0\n1 0 0\n0 1 0\n").expect("writes");
+            w.give(command, &[]);
+            let scan = &w.job().scan.files[0];
+            assert_eq!((scan.file.as_str(), scan.sha256.len()), ("scan.xyz", 64));
+            w.undo();
+        }
         Command::Save => {
             w.send(Edit::Set("beam.power_w", power + 2.0));
             w.give(command, &[]);

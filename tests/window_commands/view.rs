@@ -63,6 +63,7 @@ fn words_of(what: Toggle) -> Option<&'static str> {
         Toggle::ProgramText => Some("MOVEX"),
         Toggle::AccessMap => Some("access map"),
         Toggle::Dose => Some("histogram of the dose"),
+        Toggle::ScanSection => Some("section of part and scan"),
         Toggle::PathLines
         | Toggle::PoseFrames
         | Toggle::Beams
@@ -75,7 +76,8 @@ fn words_of(what: Toggle) -> Option<&'static str> {
         | Toggle::ToolBodies
         | Toggle::Spacing
         | Toggle::Scan
-        | Toggle::DroppedPoints => None,
+        | Toggle::DroppedPoints
+        | Toggle::DeviationOnModel => None,
     }
 }
 
@@ -110,7 +112,7 @@ fn prepare(w: &mut Window, what: Toggle) {
             std::fs::write(w.file("head.toml"), stack).expect("writes");
             w.send(Edit::Head("head.toml".into()));
         }
-        Toggle::Scan | Toggle::DroppedPoints => scan(w),
+        Toggle::Scan | Toggle::DroppedPoints | Toggle::DeviationOnModel | Toggle::ScanSection => scan(w),
         _ => {}
     }
 }
@@ -120,7 +122,7 @@ fn clear_up(w: &mut Window, what: Toggle) {
         Toggle::BeforeCorrection => w.give(Command::Toggle(Toggle::Beams), &[]),
         Toggle::SectionPlane => seen_whole(w),
         Toggle::ToolBodies => w.undo(),
-        Toggle::Scan | Toggle::DroppedPoints => {
+        Toggle::Scan | Toggle::DroppedPoints | Toggle::DeviationOnModel | Toggle::ScanSection => {
             // All before anything is looked for.
             (0..3).for_each(|_| w.h.state_mut().give(Command::Undo, &[]));
             settle(&mut w.h);

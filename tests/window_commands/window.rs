@@ -22,6 +22,7 @@ impl Window {
         let answers = Answers::default();
         answers.0.lock().expect("fresh").extend([
             (Purpose::Open, sample("front_shaft.stl")),
+            (Purpose::Scan, folder.path().join("scan.xyz")),
             (Purpose::SaveJob, folder.path().join("other.toml")),
             (Purpose::Export, folder.path().join("program")),
             (Purpose::ExportDryRun, folder.path().join("program")),

@@ -11,6 +11,7 @@ menu_help = Help
 
 ## File
 command_open = Open…
+command_open_scan = Open scan…
 command_save = Save job
 command_save_as = Save job as…
 command_export = Export program…
@@ -73,6 +74,8 @@ command_dose = Dose
 command_spacing = Achieved spacing
 command_scan = Points of the scan
 command_dropped_points = Points that cleaning took out
+command_deviation_on_model = Deviation on the model
+command_scan_section = Section of the scan
 command_theme = Dark or light
 
 ## Plan

@@ -12,6 +12,8 @@ problems_beam_hits_something = the beam hits something
 problems_left_out = left out
 problems_go = Go there
 problems_show = Show it
+problems_use_changed_scan = Use the changed scan
+problems_use_changed_scan_tip = Takes the file as it is now; where the scan lies is looked for again
 
 ## What casts doubt on the part
 

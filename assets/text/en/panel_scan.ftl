@@ -6,7 +6,6 @@ scan_panel_keeps_surfaces = not while there is a scan: where it has patches the 
 
 ## Files
 
-scan_panel_open = Open scan…
 scan_panel_add = Add scan…
 scan_panel_open_tip = Points of the part as it is (PLY, PCD, XYZ, TXT, CSV, PTS, PTX, E57 or STL)
 scan_panel_remove = Take this file out of the scan

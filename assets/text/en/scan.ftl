@@ -22,7 +22,7 @@ scan_unit_cloud = the scan would fit in { $units }
 scan_unit_part = the part would fit in { $units }
 scan_unit_both = the scan would fit in { $cloud_units }, or the part in { $part_units }
 
-scan_changed = { $file }: this is another scan than the job was saved with; add it again to take it
+scan_changed = { $file }: this is another scan than the job was made with; put the old file back, or take this one (in the window, or with --scan)
 scan_matrix = transform in [scan] { $fault }
 scan_gate_missing = { $depth } mm are missing at ({ $x }, { $y }, { $z }), more than the { $gate } mm that the job allows: check that this is the same part and that it lies right; if so, raise the limit
 scan_gate_surplus = { $depth } mm too much at ({ $x }, { $y }, { $z }), more than the { $gate } mm that the job allows: check that this is the same part and that it lies right; if so, raise the limit
@@ -43,7 +43,6 @@ register_rivals_same = { $rivals ->
 register_rival = another position fits as well ({ $rms } mm rms)
 register_rival_telling = another position fits as well ({ $rms } mm rms); they differ most around ({ $x }, { $y }, { $z }), by { $difference } mm
 register_wear = worn places are left out; with them the fit would be off by { $moved } mm
-register_not_placed = nothing is known of where the scanner stands in the robot's base: give markers that the robot has touched
 register_placed = the part stands in the base by { $markers } markers, { $worst } mm off at most
 
 ## Markers
@@ -69,7 +68,7 @@ deviation_too_small = { $patches ->
     [one] one patch is
    *[other] { $patches } patches are
 } too small for the density of the scan
-scan_not_placed = nothing is known of where the scanner stands, so the part stands in the cell as the cell file says, not as it was scanned
+scan_not_placed = nothing of the scan goes to the cell: where the scanner stands is not known, so give its frame, or markers that the robot has touched
 scan_slack = the part may lie { $slack } mm off where it was scanned, so everything keeps { $slack } mm more than its margin
 scan_no_surface = { $points } points tell no surface that facets could be laid through; scan more of the part
 scan_too_wide = some of its points are far away from the rest, so that no surface can be laid through all of them: cut them off in the scanner's program first

@@ -123,7 +123,7 @@ fn of_job(
     }
     let mut frame = now.clone().unwrap_or_else(|| of_cell.clone());
     let is_finite = |f: &Frame| f.position_mm.iter().chain(&f.rz_ry_rx_deg).all(|v| v.is_finite());
-    if figures(ui, row, &mut frame) && is_finite(&frame) {
+    if figures(ui, &(row.name)(), &(row.tip)(), &mut frame) && is_finite(&frame) {
         *now = Some(Frame::new(frame.position_mm, frame.rz_ry_rx_deg));
         actions.drag(Edit::Frames(Box::new(job_cell)), row.key);
     }
@@ -146,8 +146,7 @@ fn heading(ui: &mut egui::Ui, row: &Row, own: Option<&Own>, of_cell: &Frame) -> 
 }
 
 /// Position and angles of a frame, in a line each; returns whether they were changed.
-fn figures(ui: &mut egui::Ui, row: &Row, frame: &mut Frame) -> bool {
-    let (name, tip) = ((row.name)(), (row.tip)());
+pub(super) fn figures(ui: &mut egui::Ui, name: &str, tip: &str, frame: &mut Frame) -> bool {
     let mut changed = false;
     let lines = [
         (["x", "y", "z"], say!(unit_mm), 10_000.0, 0.5, &mut frame.position_mm),
@@ -162,8 +161,8 @@ fn figures(ui: &mut egui::Ui, row: &Row, frame: &mut Frame) -> bool {
                 let field =
                     Entry { speed, prefix, size, written: Some(short), ..Entry::new(-most..=most, unit.clone()) };
                 let shown = field.show(ui, value);
-                let response = shown.response.clone().on_hover_text(&tip);
-                let told = || say!(frames_field, frame = &name, axis);
+                let response = shown.response.clone().on_hover_text(tip);
+                let told = || say!(frames_field, frame = name, axis);
                 response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, told()));
                 changed |= response.changed();
                 drawn.push(shown);

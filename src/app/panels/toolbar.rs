@@ -44,7 +44,8 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
 }
 
 fn toggles(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let of_scan = context.document.job().scan.is_there().then_some(Toggle::Scan);
+    let of_scan = [Toggle::Scan, Toggle::DeviationOnModel, Toggle::ScanSection];
+    let of_scan = of_scan.into_iter().filter(|_| context.document.job().scan.is_there());
     for command in TOGGLES.into_iter().chain(of_scan).map(Command::Toggle) {
         let button = egui::Button::selectable(context.is_shown(command), command.name());
         let response = ui.add_enabled(context.is_enabled(command), button);

@@ -54,6 +54,8 @@ pub struct Pipeline {
     reading: u64,
     /// Time and size of those files when they were read.
     stamps: Stamps,
+    /// Keys of tool, cell and scan that those were taken for.
+    stamped: Option<(Digest, Digest, Option<Digest>)>,
     /// Surface plans and lines that other plans of this part can use again.
     pub cache: Arc<PlanCache>,
     part: Stage<Part, PartError>,
@@ -81,6 +83,7 @@ impl Pipeline {
             wanted: None,
             reading: 0,
             stamps: Stamps::default(),
+            stamped: None,
             cache: Arc::default(),
             part: Stage::default(),
             surfaces: Stage::default(),

@@ -43,6 +43,7 @@ impl Pipeline {
             changes.surfaces = true;
         }
         self.sync_setup(job, job_file, &keys, &mut changes);
+        self.sync_stamps(job, job_file, &keys);
         self.sync_plan(job, &keys);
         changes
     }
@@ -96,7 +97,6 @@ impl Pipeline {
         }
         let job = &placed_by_scan(job, laid.map(|laid| laid.model_from_scan));
         let refused = |e: JobError| Failure::Refused(Arc::new(e));
-        let is_read = self.tool.lacks(keys.tool) || self.cell.lacks(keys.cell);
         if self.tool.lacks(keys.tool) {
             self.tool.fill(keys.tool, || files::load_tool(job, job_file).map_err(refused));
         }
@@ -106,16 +106,23 @@ impl Pipeline {
         if self.robot.lacks(keys.cell) {
             self.robot.fill(keys.cell, || files::load_robot(job, job_file).map_err(refused));
         }
-        if is_read {
-            let robot = self.robot.of(keys.cell).and_then(|robot| robot.as_ref().as_ref());
-            self.stamps = Stamps::of(job, job_file, self.cell.of(keys.cell).map(|cell| &**cell), robot);
-        }
         let (tool, cell) = (current(&self.tool, keys.tool), current(&self.cell, keys.cell));
         let robot = current(&self.robot, keys.cell);
         self.setup.fill(keys.setup, || {
             files::set_up(job, (*robot?).clone(), (*cell?).clone(), (*tool?).clone()).map_err(refused)
         });
         changes.setup = true;
+    }
+
+    /// Stamps the files that are read with the job, once any of them is another one.
+    fn sync_stamps(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys) {
+        let of = (keys.tool, keys.cell, keys.scan.map(|scan| scan.read));
+        if self.stamped == Some(of) || self.cell.lacks(keys.cell) {
+            return;
+        }
+        let robot = self.robot.of(keys.cell).and_then(|robot| robot.as_ref().as_ref());
+        self.stamps = Stamps::of(job, job_file, self.cell.of(keys.cell).map(|cell| &**cell), robot);
+        self.stamped = Some(of);
     }
 
     fn sync_plan(&mut self, job: &Job, keys: &Keys) {

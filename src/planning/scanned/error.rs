@@ -27,6 +27,8 @@ pub enum ScanError {
     Changed {
         /// The file.
         file: String,
+        /// SHA-256 of its bytes now, hexadecimal.
+        sha256: String,
     },
     /// Scan and part go together in other units only.
     #[error("{doubt:?}")]

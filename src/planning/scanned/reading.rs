@@ -33,7 +33,7 @@ pub fn read_scan(scan: &JobScan, job_file: Option<&Path>, progress: &Progress) -
         let raw = file::read(&resolved(job_file, &named.file), progress)
             .map_err(|source| ScanError::File { file: file(), source: Arc::new(source) })?;
         if !named.sha256.is_empty() && named.sha256 != raw.sha256 {
-            return Err(ScanError::Changed { file: file() });
+            return Err(ScanError::Changed { file: file(), sha256: raw.sha256 });
         }
         read.findings.extend(raw.findings.iter().map(|f| (file(), f.clone())));
         clouds.push(in_mm(raw, scan.units));

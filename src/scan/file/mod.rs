@@ -33,6 +33,7 @@ use super::Cloud;
 use crate::part::units::StatedUnit;
 use crate::progress::Progress;
 use gather::Gather;
+use std::fs::File;
 use std::io::{Cursor, Read, Seek};
 use std::path::Path;
 use stream::Stream;
@@ -71,13 +72,27 @@ impl<T: Read + Seek> Source for T {}
 /// # Errors
 /// It cannot be read, is no scan, or the work was cancelled.
 pub fn read(path: &Path, progress: &Progress) -> Result<RawScan, ScanFileError> {
+    let (mut file, len) = opened(path)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    read_from(&name, &mut file, len, progress)
+}
+
+/// SHA-256 of a file's bytes, hexadecimal, as [`RawScan::sha256`] is: tells the scan that a job is made for.
+///
+/// # Errors
+/// It cannot be read, or the work was cancelled.
+pub fn sha256(path: &Path, progress: &Progress) -> Result<String, ScanFileError> {
+    let (mut file, len) = opened(path)?;
+    Stream::new(&mut file, len, progress)?.digest()
+}
+
+fn opened(path: &Path) -> Result<(File, u64), ScanFileError> {
     if path.is_dir() {
         return Err(ScanFileError::Folder);
     }
-    let mut file = std::fs::File::open(path)?;
+    let file = File::open(path)?;
     let len = file.metadata()?.len();
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    read_from(&name, &mut file, len, progress)
+    Ok((file, len))
 }
 
 /// Takes the bytes of a scan's file. `name_hint`: its name, for what the bytes do not tell.

@@ -1,9 +1,10 @@
 //! What is done to the points of a scan, step by step, with the points before and after. Cuts by box, plane and brush
-//! are listed and taken out here; their places stand in the job.
+//! are listed and taken out here, and made in `cuts`.
 
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::entry::{Entry, refused};
+use super::cuts;
 use crate::document::Edit;
 use crate::document::scan_edit::ScanEdit;
 use crate::planning::scanned::Scanned;
@@ -47,6 +48,9 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: Option<&Scanned>, context: Context<
             }
         }
     });
+    if let Some(scanned) = scanned {
+        cuts::ui(ui, scanned, context, actions);
+    }
 }
 
 /// To hundredths, and not below one.

@@ -1,8 +1,8 @@
 //! The files of a scan, and the unit that they are in.
 
 use super::super::super::actions::Actions;
+use super::super::super::command::Command;
 use super::super::super::context::Context;
-use super::super::super::dialogs::Purpose;
 use crate::document::scan_edit::ScanEdit;
 use crate::part::Units;
 use crate::text::{choices, say};
@@ -26,9 +26,9 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         rest.remove(i);
         actions.scan(ScanEdit::Files(rest, scan.units));
     }
-    let open = if scan.is_there() { say!(scan_panel_add) } else { say!(scan_panel_open) };
+    let open = if scan.is_there() { say!(scan_panel_add) } else { Command::OpenScan.name() };
     if ui.button(open).on_hover_text(say!(scan_panel_open_tip)).clicked() {
-        actions.ask(Purpose::Scan);
+        actions.command(Command::OpenScan);
     }
     if !scan.is_there() {
         return;

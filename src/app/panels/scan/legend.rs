@@ -3,8 +3,10 @@
 
 use super::super::super::command::Toggle;
 use super::super::super::context::Context;
+use super::super::super::scan_tool::ScanTool;
 use super::super::super::theme;
 use crate::picture::Legend;
+use crate::picture::palette::scan::LEFT_OUT;
 use crate::text::{language, legend_entry, legend_mark, say};
 use eframe::egui::{self, Align2, Area, Color32, FontId, Id, Rect, RichText, Role, Sense, WidgetInfo, pos2, vec2};
 
@@ -15,7 +17,9 @@ const BELOW_SPACING: f32 = 130.0;
 /// The legend over a view, while the points are shown.
 pub(in super::super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_>) {
     let show = &context.session.show;
-    let is_shown = show.is_on(Toggle::Scan) && !show.is_on(Toggle::SectionPlane);
+    let is_on = show.is_on(Toggle::Scan) || context.shows_deviation_on_model();
+    let is_alone = context.session.scan_tool.as_ref().is_some_and(ScanTool::moves_scan);
+    let is_shown = is_on && !is_alone && !show.is_on(Toggle::SectionPlane);
     let Some(scale) = context.scan.scale().filter(|_| is_shown && context.scan_is_laid()) else { return };
     let down = if show.is_on(Toggle::Spacing) { BELOW_SPACING } else { 0.0 };
     let at = view.left_top() + vec2(10.0, 10.0 + down);
@@ -29,6 +33,12 @@ pub(in super::super::super) fn ui(ui: &egui::Ui, view: Rect, context: Context<'_
                 ui.horizontal(|ui| {
                     theme::swatch(ui, *color);
                     ui.label(legend_entry(*entry, language()));
+                });
+            }
+            if !context.tool.left_out().is_empty() {
+                ui.horizontal(|ui| {
+                    theme::swatch(ui, LEFT_OUT);
+                    ui.label(say!(scan_leave_out_legend));
                 });
             }
         });

@@ -4,15 +4,27 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::theme;
+use super::{left_out, pairs};
 use crate::document::scan_edit::ScanEdit;
-use crate::planning::scanned::{RegistrationReport, RivalReport, Scanned};
+use crate::planning::scanned::{LaidScan, RegistrationReport, RivalReport, Scanned};
 use crate::scan::transform_file::rows;
 use crate::text::{Sentence as _, how_it_lies, id, say};
 use eframe::egui::{self, RichText};
 
 pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, actions: &mut Actions) {
-    let Some(laid) = &scanned.laid else { return };
     theme::heading(ui, &say!(scan_panel_lies));
+    if let Some(laid) = &scanned.laid {
+        position(ui, laid, context, actions);
+    }
+    // Where it lies nowhere these are what helps.
+    if scanned.cleaned.is_some() {
+        pairs::ui(ui, scanned, context, actions);
+        left_out::ui(ui, context, actions);
+    }
+}
+
+/// How well it lies, and whether the job keeps the position.
+fn position(ui: &mut egui::Ui, laid: &LaidScan, context: Context<'_>, actions: &mut Actions) {
     match &laid.registration {
         None => drop(ui.label(say!(scan_panel_given))),
         Some(found) => {

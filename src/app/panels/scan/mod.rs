@@ -1,11 +1,20 @@
-//! The scan of the part as it is, group by group: its files, what cleaning does, where it lies on the model, and what is
-//! worn. Its colours in the view are explained by `legend`.
+//! The scan of the part as it is, group by group: its files, what cleaning does, where it lies on the model, what is
+//! worn, and where it stands in the cell. Its colours in the view are explained by `legend`.
 
 mod cleaning;
+mod cuts;
+mod figures;
 mod files;
+mod labels;
+mod left_out;
 pub(in super::super) mod legend;
 mod lies;
+pub(in super::super) mod marks;
+mod pairs;
 mod patches;
+mod placing;
+pub(in super::super) mod section;
+mod tool_button;
 
 use super::super::actions::Actions;
 use super::super::context::Context;
@@ -30,6 +39,11 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         let Some(scanned) = scanned else { return };
         lies::ui(ui, &scanned, context, actions);
         patches::ui(ui, &scanned, context, actions);
+        if scanned.compared.is_some() {
+            labels::ui(ui, context, actions);
+            figures::ui(ui, &scanned, context);
+        }
+        placing::ui(ui, context, actions);
     });
 }
 
