@@ -1,6 +1,4 @@
-//! How good a scan is: how dense, how noisy, and which area of the model has no points.
-//!
-//! Figures only: whether another scan is needed is for the reader to judge.
+//! How good a scan is: how dense and how noisy. Figures only: whether another scan is needed is for the reader to judge.
+//! Which area of the model has no points is told by [`unscanned`](super::deviation::unscanned), once the scan is compared.
 
-pub mod coverage;
 pub mod point_figures;

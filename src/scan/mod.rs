@@ -1,8 +1,9 @@
 //! What was measured of the part on the bench: clouds of points, cleaned, laid on the model, compared with it (P3).
 //!
 //! A cloud comes in the frame of its scan and in the unit of its file; [`mod@file`] reads it, [`cleaning`] takes out what is
-//! none of the part, [`registration`] finds `model_from_scan`, [`deviation`] tells how far the part as it is lies off
-//! the model, and where that is wear: a patch. Lengths mm. Nothing here knows of section planes, beams or robots.
+//! none of the part, [`merging`] brings several into one frame, [`registration`] finds `model_from_scan`, [`deviation`]
+//! tells how far the part as it is lies off the model, and where that is wear: a patch. Without a model [`slices`] cut
+//! the cloud itself. Lengths mm. Nothing here knows of surfaces that are worked, beams or robots.
 
 pub mod assessment;
 pub mod cleaning;

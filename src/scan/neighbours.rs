@@ -14,7 +14,6 @@ pub use pieces::Piece;
 use super::cloud::Cloud;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
-use std::collections::BinaryHeap;
 
 /// Most points of a leaf: with 32 all takes a sixth longer, with 8 the tree grows and little is won.
 const LEAF: usize = 16;
@@ -94,16 +93,25 @@ impl Neighbours {
         if k == 0 {
             return;
         }
-        // The last of the nearest ones on top.
-        let mut found = BinaryHeap::with_capacity(k.min(self.len()) + 1);
-        self.search(from, f32::INFINITY, |squared, index| {
+        // The nearest ones so far and some more: thrown out together, which costs less than one by one.
+        let most = k.saturating_add((k / 2).max(LEAF));
+        let mut found: Vec<u64> = Vec::with_capacity(most.min(self.len()));
+        let mut limit = f32::INFINITY;
+        self.search(from, limit, |squared, index| {
             found.push(key(squared, index));
-            if found.len() > k {
-                found.pop();
+            if found.len() == most || found.len() == k {
+                let (_, &mut last, _) = found.select_nth_unstable(k - 1);
+                limit = neighbour(last).squared;
+                found.truncate(k);
             }
-            found.peek().filter(|_| found.len() == k).map_or(f32::INFINITY, |&last| neighbour(last).squared)
+            limit
         });
-        out.extend(found.into_sorted_vec().into_iter().map(neighbour));
+        if k < found.len() {
+            found.select_nth_unstable(k - 1);
+            found.truncate(k);
+        }
+        found.sort_unstable();
+        out.extend(found.into_iter().map(neighbour));
     }
 
     /// The nearest point not further than `within_mm`; of several the one with the lowest index.

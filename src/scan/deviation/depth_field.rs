@@ -2,12 +2,13 @@
 //! linear between them. It holds the part of the model that a patch needs and stops there: the facets that were not
 //! refined stay as the part has them.
 
-use super::SmoothedDepths;
 use super::refined::refined;
 use super::smoothing::Room;
+use super::{SmoothedDepths, order};
 use crate::part::Part;
 use crate::part::topology::FacetDefect;
 use crate::progress::{Cancelled, Progress};
+use crate::scan::Cloud;
 use crate::scan::neighbours::Neighbours;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -76,15 +77,16 @@ impl DepthField {
         progress.check()?;
         let made = refined(part, taken.into_iter(), 2 * MOST, is_too_large, progress)?;
         let normals = normals_at(part, made.vertices.len(), &made.triangles, &made.parent);
-        let depth_at = |room: &mut Room, at: usize| {
-            if at.is_multiple_of(64) {
-                progress.check()?;
-            }
-            let place = &made.vertices[at];
-            Ok(depths.depth_with(place, &normals[at], room).unwrap_or(f64::NAN))
+        // One after the other those that lie side by side, as their points do.
+        let order = order::spatial(&Cloud::of_points(&made.vertices));
+        let depth_at = |room: &mut Room, &at: &u32| {
+            let at = at as usize;
+            progress.check_at(at)?;
+            Ok(depths.depth_with(&made.vertices[at], &normals[at], room).unwrap_or(f64::NAN))
         };
-        let vertices = (0..made.vertices.len()).into_par_iter();
-        let depth_mm = vertices.map_init(Room::default, depth_at).collect::<Result<_, Cancelled>>()?;
+        let found: Vec<f64> = order.par_iter().map_init(Room::default, depth_at).collect::<Result<_, Cancelled>>()?;
+        let mut depth_mm = vec![f64::NAN; made.vertices.len()];
+        order.iter().zip(found).for_each(|(&at, depth)| depth_mm[at as usize] = depth);
         Ok(DepthField { vertices: made.vertices, triangles: made.triangles, parent: made.parent, depth_mm })
     }
 

@@ -3,6 +3,7 @@
 //! A point counts only where it has a partner: beside which it lies no further along the surface than points are apart,
 //! and whose normal is near its own. So what only one of the scans saw pulls nowhere.
 
+use crate::part::bvh::closest_search::ClosestHint;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::cloud::Cloud;
 use crate::scan::neighbours::Neighbours;
@@ -90,7 +91,7 @@ impl Surface for Partners<'_> {
             off_mm,
             distance_mm: off_mm.abs(),
             to_crease_mm: f64::INFINITY,
-            foot: partner,
+            hint: ClosestHint::default(),
         })
     }
 

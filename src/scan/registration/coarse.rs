@@ -10,6 +10,7 @@ use super::sliding::motions;
 use super::starts::{Skin, turns};
 use super::surface::{Model, Row};
 use super::thinned::Thinned;
+use crate::part::bvh::closest_search::ClosestHint;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 use rayon::prelude::*;
@@ -89,7 +90,8 @@ pub(in crate::scan) fn candidates(
     apart: &Apart,
     progress: &Progress,
 ) -> Result<Vec<Candidate>, Cancelled> {
-    let closest = |at: &Point3<f64>, within: f64| model.part.bvh.closest(at, within).map(|c| c.foot);
+    let closest =
+        |at: &Point3<f64>, within: f64| model.search.closest(at, within, &mut ClosestHint::default()).map(|c| c.foot);
     let field = Field::new(model.part.mesh.bounds(), closest, progress)?;
     let walked = walked(&Skin::of(&model.part.mesh), &field, thinned, apart, progress)?;
     let poses = apart.distinct(walked, |p| *p, LAID);

@@ -35,6 +35,7 @@ pub use sliding::{Sliding, SlidingKind, SlidingMotion};
 
 use super::Cloud;
 use crate::part::Part;
+use crate::part::bvh::closest_search::ClosestSearch;
 use crate::part::topology::FacetDefect;
 use crate::progress::Progress;
 use nalgebra::{Isometry3, Point3};
@@ -72,7 +73,8 @@ pub fn register(
     if !part.mesh.defects.contains(&FacetDefect::None) {
         return Err(RegistrationError::NoModel);
     }
-    let model = Model { part, normals, left_out: &options.left_out.facets, crease_mm: 0.0 };
+    let closest = ClosestSearch::new(&part.bvh);
+    let model = Model { part, search: &closest, normals, left_out: &options.left_out.facets, crease_mm: 0.0 };
     let search = Search::new(model, cloud, &options.left_out.points, progress)?;
     let (best, others) = search.ways(&options.start, progress)?;
     let fine = fine::end(&search.model, cloud, &search.thinned, &best, progress)?;

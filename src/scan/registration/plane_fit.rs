@@ -114,10 +114,10 @@ fn placed(
     before: &[Row],
     progress: &Progress,
 ) -> Result<Vec<Row>, Cancelled> {
-    let mut rows = vec![Row::NONE; points.len()];
+    let mut rows = vec![Row::none(); points.len()];
     rows.par_chunks_mut(BLOCK).enumerate().try_for_each(|(block, rows)| {
         for (i, row) in (block * BLOCK..).zip(rows) {
-            *row = surface.row(i, &(pose * points[i]), pose, before.get(i)).unwrap_or(Row::NONE);
+            *row = surface.row(i, &(pose * points[i]), pose, before.get(i)).unwrap_or_else(Row::none);
         }
         progress.check()
     })?;

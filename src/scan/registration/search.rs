@@ -37,7 +37,7 @@ const SCORE_FLOOR: f64 = 1e-5;
 const MOST_CREASE: f64 = 0.25;
 
 /// A scan that is looked for on a model.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Search<'a> {
     pub(super) model: Model<'a>,
     cloud: &'a Cloud,

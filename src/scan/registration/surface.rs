@@ -5,7 +5,7 @@
 
 use super::SurfaceNormals;
 use crate::part::Part;
-use crate::part::bvh::closest::foot_on;
+use crate::part::bvh::closest_search::{ClosestHint, ClosestSearch};
 use nalgebra::{Isometry3, Point3, Vector3};
 
 /// A point against what it is laid on.
@@ -21,26 +21,30 @@ pub(in crate::scan) struct Row {
     pub(in crate::scan) distance_mm: f64,
     /// How far its foot is from a crease or rim of its facet, mm.
     pub(in crate::scan) to_crease_mm: f64,
-    /// On which facet of a mesh its foot is, or which point of another cloud it is.
-    pub(in crate::scan) foot: u32,
+    /// Where the search on a mesh begins for the pose behind.
+    pub(in crate::scan) hint: ClosestHint,
 }
 
 impl Row {
     /// Of a point that has nothing to lie on.
-    pub(super) const NONE: Row = Row {
-        at: Point3::new(0.0, 0.0, 0.0),
-        normal: Vector3::new(0.0, 0.0, 0.0),
-        off_mm: f64::INFINITY,
-        distance_mm: f64::INFINITY,
-        to_crease_mm: f64::INFINITY,
-        foot: 0,
-    };
+    pub(super) fn none() -> Row {
+        Row {
+            at: Point3::origin(),
+            normal: Vector3::zeros(),
+            off_mm: f64::INFINITY,
+            distance_mm: f64::INFINITY,
+            to_crease_mm: f64::INFINITY,
+            hint: ClosestHint::default(),
+        }
+    }
 }
 
 /// The model as fits ask it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(in crate::scan) struct Model<'a> {
     pub(in crate::scan) part: &'a Part,
+    /// In the part's hierarchy.
+    pub(in crate::scan) search: &'a ClosestSearch<'a>,
     pub(in crate::scan) normals: &'a SurfaceNormals,
     /// Facets whose points do not count; those beyond its end do.
     pub(in crate::scan) left_out: &'a [bool],
@@ -60,14 +64,9 @@ pub(in crate::scan) trait Surface: Sync {
 
 impl Surface for Model<'_> {
     fn row(&self, _: usize, at: &Point3<f64>, _: &Isometry3<f64>, before: Option<&Row>) -> Option<Row> {
-        // The facet of the step before is near, so the nearest one is no further. A little more than its distance,
-        // so that it is found itself.
-        let last = before.filter(|r| r.distance_mm.is_finite());
-        let within = last.map_or(f64::INFINITY, |r| {
-            let (foot, _) = foot_on(&self.part.mesh.corners(r.foot as usize), at);
-            (foot - at).norm() * (1.0 + 1e-9) + 1e-9
-        });
-        let closest = self.part.bvh.closest(at, within)?;
+        // The facet of the step before is near, so the nearest one is no further.
+        let mut hint = before.map_or_else(ClosestHint::default, |r| r.hint);
+        let closest = self.search.closest(at, f64::INFINITY, &mut hint)?;
         let to_crease_mm = self.normals.to_crease_mm(&self.part.mesh, &closest);
         let to_point = at - closest.foot;
         let normal = if to_crease_mm == 0.0 {
@@ -78,7 +77,7 @@ impl Surface for Model<'_> {
         let off_mm = to_point.dot(&normal);
         let counts = !is_in(self.left_out, closest.facet as usize);
         let distance_mm = if counts { closest.distance_mm } else { f64::INFINITY };
-        Some(Row { at: *at, normal, off_mm, distance_mm, to_crease_mm, foot: closest.facet })
+        Some(Row { at: *at, normal, off_mm, distance_mm, to_crease_mm, hint })
     }
 
     fn crease_mm(&self) -> f64 {

@@ -24,6 +24,9 @@ const ERROR_OF_MEDIAN: f64 = 1.2533;
 /// Tukey's width in standard deviations (95 % efficiency), and its least, mm: of data without noise.
 const TUKEY: f64 = 4.685;
 const LEAST_WIDTH_MM: f64 = 1e-3;
+/// Greatest mean cosine between curve and normals: of normals that point anywhere it is 0.64, of a square bar's, whose
+/// planes lie across its edges, 0.05.
+const MOST_COSINE: f64 = 0.4;
 /// Rounds of fitting and halving: 64 points a span are halved to six in four.
 const ROUNDS: usize = 8;
 
@@ -35,8 +38,8 @@ pub(super) struct CurveFit {
     pub(super) residuals: Vec<(f64, f64)>,
 }
 
-/// Fits a spline to ordered points.
-pub(super) fn fitted(points: &OrderedPoints, tolerance_mm: f64) -> CurveFit {
+/// Fits a spline to ordered points; `None` where their normals do not stand square to it: stray points make no surface.
+pub(super) fn fitted(points: &OrderedPoints, tolerance_mm: f64) -> Option<CurveFit> {
     let mut knots = first_knots(points);
     let mut weights = vec![1.0; points.ways_mm.len()];
     let mut round = 0;
@@ -50,12 +53,22 @@ pub(super) fn fitted(points: &OrderedPoints, tolerance_mm: f64) -> CurveFit {
         if round > 0 && halved == knots || round == ROUNDS {
             let all = points.ways_mm.iter().zip(&offs).zip(&weights);
             let residuals = all.filter(|(_, w)| **w > 0.0).map(|((way, off), _)| (*way, *off)).collect();
-            return CurveFit { spline, residuals };
+            return (mean_cosine(&spline, points) <= MOST_COSINE).then_some(CurveFit { spline, residuals });
         }
         knots = halved;
         weights = offs.iter().map(|off| tukey(off / width_mm)).collect();
         round += 1;
     }
+}
+
+/// Mean of the cosines, without their signs, between the curve and the points' normals in the plane.
+fn mean_cosine(spline: &Spline, points: &OrderedPoints) -> f64 {
+    let of = |(way_mm, value): (&f64, &Columns)| {
+        let [_, slope, _] = spline.at(*way_mm);
+        let length = libm::hypot(slope[0], slope[1]) * libm::hypot(value[2], value[3]);
+        if length > 0.0 { (slope[0] * value[2] + slope[1] * value[3]).abs() / length } else { 0.0 }
+    };
+    points.ways_mm.iter().zip(&points.values).map(of).sum::<f64>() / points.values.len().max(1) as f64
 }
 
 fn tukey(share: f64) -> f64 {

@@ -7,6 +7,7 @@
 
 mod band;
 mod banded;
+mod chain;
 mod curve_fit;
 mod grid;
 mod order;
@@ -63,12 +64,13 @@ fn slice(
     let band = band::band(cloud, normals, pieces, plane, &frame);
     progress.check()?;
     let chains = order::chains(&band, rules.outward == OutwardSide::OfNormals);
-    let on_curves: usize = chains.iter().map(|c| c.points.len()).sum();
+    let mut left_over = band.len();
     let mut curves = Vec::with_capacity(chains.len());
     for chain in &chains {
         progress.check()?;
         let points = oriented::ordered(&band, chain, &rules.outward, &frame);
-        let fit = curve_fit::fitted(&points, rules.tolerance_mm);
+        let Some(fit) = curve_fit::fitted(&points, rules.tolerance_mm) else { continue };
+        left_over -= chain.points.len();
         let (squares, max_residual_mm) =
             fit.residuals.iter().fold((0.0, 0.0f64), |(s, m), r| (s + r.1 * r.1, m.max(r.1.abs())));
         curves.push(SliceCurve {
@@ -79,5 +81,5 @@ fn slice(
             rms_mm: (squares / fit.residuals.len().max(1) as f64).sqrt(),
         });
     }
-    Ok(CloudSlice { curves, left_over: band.len() - on_curves })
+    Ok(CloudSlice { curves, left_over })
 }

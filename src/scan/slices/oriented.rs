@@ -3,7 +3,7 @@
 
 use super::band::{BandPoint, PlaneFrame};
 use super::banded::Columns;
-use super::order::Chain;
+use super::chain::Chain;
 use super::rules::OutwardSide;
 use nalgebra::{Vector2, Vector3};
 

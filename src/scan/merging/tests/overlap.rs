@@ -2,9 +2,9 @@
 
 use super::super::*;
 use crate::sample::scan_maker::{ScanRecipe, made_scan};
-use crate::sample::solids::{PlateFeature, plate};
+use crate::sample::solids::{PlateFeature, cylinder, plate};
 use crate::sample::{SAMPLES, Triangles};
-use crate::scan::registration::SlidingKind;
+use crate::scan::registration::{SlidingKind, SlidingMotion};
 use nalgebra::{Point3, UnitVector3};
 
 /// Two scans, and the motion that brings the second to the first.
@@ -95,5 +95,50 @@ fn from_anywhere_it_is_found_or_refused_and_never_wrong() {
             assert!(of_shaft.off_mm(&fit.common_from_scan) < 0.05, "{} {fit:?}", of_shaft.off_mm(&fit.common_from_scan))
         }
         Err(error) => println!("{error}"),
+    }
+}
+
+#[test]
+fn views_that_share_nothing_are_refused() {
+    let views = views(&bracket(), [[0.0, 0.1, 1.0], [0.1, 0.0, -1.0]], 0.35, 10_000);
+    let refused = views.found(&OverlapStart::Near(views.truth));
+    assert!(matches!(refused, Err(OverlapError::NoOverlap { .. })), "{refused:?}");
+}
+
+/// The skin of a cylinder without its ends: along the axis and about it nothing holds, and what slides stays.
+#[test]
+fn what_slides_is_told() {
+    let skin: Triangles = cylinder(10.0, 50.0, 96).into_iter().filter(|t| t.iter().any(|p| p[2] != t[0][2])).collect();
+    let views = views(&skin, [[1.0, 0.2, 0.0], [0.3, 1.0, 0.0]], 0.6, 10_000);
+    let fit = views.found(&OverlapStart::Near(views.truth)).expect("they overlap");
+    let sliding: Vec<_> = fit.sliding.iter().filter(|s| s.kind == SlidingKind::Slides).collect();
+    assert_eq!(sliding.len(), 2, "{sliding:?}");
+    assert!(sliding.iter().any(|s| s.motion == SlidingMotion::Shift));
+    assert!(views.off_mm(&fit.common_from_scan) < 0.1, "{}", views.off_mm(&fit.common_from_scan));
+}
+
+/// A plate without features is itself again after half a turn.
+#[test]
+fn what_fits_as_well_is_refused_from_anywhere() {
+    let views = views(&plate([80.0, 50.0, 12.0], &[]), [[0.5, 0.2, 1.0], [-0.6, 0.5, 1.0]], 0.6, 10_000);
+    match views.found(&OverlapStart::Anywhere) {
+        Err(OverlapError::Ambiguous { poses }) => assert!(poses.len() >= 2, "{poses:?}"),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bytes_and_too_few_points_and_a_wish_to_end_are_told() {
+    let views = views(&bracket(), [[0.5, 0.2, 1.0], [-0.6, 0.5, 1.0]], 0.6, 10_000);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| format!("{:?}", views.found(&views.near())))
+    };
+    assert_eq!(on(1), on(4));
+    let few = by_overlap(&views.placed, &Cloud::default(), &views.near(), &Progress::default());
+    assert_eq!(few, Err(OverlapError::TooFewPoints { found: 0, needed: 100 }));
+    for looks in [1, 20] {
+        let ended = by_overlap(&views.placed, &views.added, &views.near(), &Progress::ending_after(looks));
+        assert_eq!(ended, Err(OverlapError::Cancelled));
     }
 }

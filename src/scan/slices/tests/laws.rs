@@ -34,6 +34,24 @@ fn a_ring_with_a_gap_is_open_there() {
     assert!(!curve.closed && ends.iter().all(|p| p.x > 7.0 && (p.y.abs() - 2.0).abs() < 0.5), "{ends:?}");
 }
 
+/// Points in the air, one to ten of the part's, make no curves.
+#[test]
+fn stray_points_make_no_curves() {
+    let mut points = sphere(10.0, 5.0);
+    let stray = made(600, [40.0, 40.0], |x, y| (Point3::new(x - 20.0, y - 20.0, 0.0), Vector3::z()));
+    let mut numbers = Sequence::new(9);
+    points.extend(stray.into_iter().map(|(p, n)| (p + Vector3::z() * (40.0 * numbers.uniform() - 20.0), n)));
+    let planes: Vec<SlicePlane> = (0..9).map(|i| plane([0.0, 0.0, 1.0], 2.0 * f64::from(i) - 8.0)).collect();
+    for slice in cut(&cloud(&points, 0.02), &planes, &RULES) {
+        let [curve] = slice.curves.as_slice() else { panic!("{}", slice.curves.len()) };
+        assert!(
+            rms(curve, |p| p.place.coords.norm() - 10.0) < 0.03,
+            "{}",
+            rms(curve, |p| p.place.coords.norm() - 10.0)
+        );
+    }
+}
+
 /// Half of a face has a sixteenth of the other's points: bands are as wide as each needs, and the curve goes on.
 #[test]
 fn uneven_density_is_one_curve() {
