@@ -78,8 +78,8 @@ struct FrameText {
 /// Keys of the frames of a cell, and of a job's own.
 pub const KEYS: [&str; 4] = ["base_from_laser", "flange_from_part", "base_from_part", "flange_from_tool"];
 
-/// Key of the frame of a scanner, in the scan of a job.
-pub const OF_SCANNER: &str = "base_from_scan";
+/// Keys of the frame of a scanner, in the scan of a job.
+pub const OF_SCANNER: [&str; 2] = ["base_from_scan", "flange_from_scan"];
 
 impl Frame {
     /// The frame of these figures: mm, and degrees about Z, Y and X.
@@ -185,7 +185,7 @@ impl TryFrom<FrameText> for Frame {
 /// # Errors
 /// The first frame that cannot be told from what stands there.
 pub fn check(table: &toml::Table) -> Result<(), FrameError> {
-    for frame in KEYS.into_iter().chain([OF_SCANNER]) {
+    for frame in KEYS.into_iter().chain(OF_SCANNER) {
         let text = table.get(frame).and_then(|value| value.clone().try_into::<FrameText>().ok());
         text.map_or(Ok(()), |text| Frame::try_from(text).map(drop)).map_err(|fault| FrameError { frame, fault })?;
     }

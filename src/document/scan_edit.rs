@@ -1,7 +1,7 @@
 //! Changes of the scan of a job, each an [`Edit`](super::Edit) of its own.
 
 use super::model::{ContinuedDamage, JobScan, PatchChoice, PickedPair, ScanFile, ScanLines, ScanRegion, ScanWork};
-use crate::cell::Frame;
+use crate::cell::{Frame, Mount};
 use crate::part::Units;
 use crate::scan::cleaning::Step;
 
@@ -11,6 +11,9 @@ pub enum ScanEdit {
     /// Other files, or another unit for them; without files the scan is gone. Where the frame of the scan is another then,
     /// what was found in it, transform and pairs, goes; cleaning steps, regions and choice stay for the next scan.
     Files(Vec<ScanFile>, Units),
+    /// The part's own file as its scan, with `model_from_scan` row by row: there is no other model, so lines go through
+    /// its points, and the job's surfaces are worked.
+    OwnScan(ScanFile, [f64; 16]),
     /// A cleaning step behind the others.
     AddStep(Step),
     /// A cleaning step goes; from 0.
@@ -31,8 +34,8 @@ pub enum ScanEdit {
     Work(ScanWork),
     /// What lines are laid on.
     Lines(ScanLines),
-    /// Where the scanner's frame stands in the robot's base; `None`: nobody knows.
-    BaseFromScan(Option<Frame>),
+    /// Where the scanner's frame stands in that of what carries the part; `None`: nobody knows.
+    Scanner(Mount, Option<Frame>),
 }
 
 impl ScanEdit {
@@ -56,6 +59,12 @@ impl ScanEdit {
                 scan.files.clone_from(files);
                 scan.units = *units;
             }
+            ScanEdit::OwnScan(file, transform) => {
+                scan.files = vec![file.clone()];
+                scan.transform = Some(*transform);
+                (scan.lines, scan.work) = (ScanLines::Points, ScanWork::Surfaces);
+                scan.pairs.clear();
+            }
             ScanEdit::AddStep(step) => scan.steps.push(step.clone()),
             ScanEdit::RemoveStep(at) => {
                 if *at < scan.steps.len() {
@@ -77,7 +86,8 @@ impl ScanEdit {
             ScanEdit::Patches(choice) => scan.patches.clone_from(choice),
             ScanEdit::Work(work) => scan.work = *work,
             ScanEdit::Lines(lines) => scan.lines = *lines,
-            ScanEdit::BaseFromScan(frame) => scan.base_from_scan.clone_from(frame),
+            ScanEdit::Scanner(Mount::ToolInHand, frame) => scan.base_from_scan.clone_from(frame),
+            ScanEdit::Scanner(Mount::PartInHand, frame) => scan.flange_from_scan.clone_from(frame),
         }
     }
 }
@@ -112,6 +122,8 @@ mod tests {
         let erase = Step::Erase { centres: vec![[1.0, 2.0, 3.0]], radius_mm: 2.0 };
         vec![
             ScanEdit::Files(vec![file("worn.e57"), file("more.e57")], Units::M),
+            ScanEdit::OwnScan(file("alone.e57"), ONE),
+            ScanEdit::Files(vec![file("worn.e57"), file("more.e57")], Units::M),
             ScanEdit::AddStep(Step::OUTLIERS),
             ScanEdit::AddStep(step(0.5)),
             ScanEdit::AddStep(erase),
@@ -126,9 +138,10 @@ mod tests {
             }]),
             ScanEdit::LeftOut(vec![region, ScanRegion::Sphere { centre_mm: [9.0; 3], radius_mm: 4.0 }]),
             ScanEdit::Patches(PatchChoice::At(vec![[1.0, 2.0, 3.0]])),
-            ScanEdit::Work(ScanWork::Surfaces),
-            ScanEdit::Lines(ScanLines::Points),
-            ScanEdit::BaseFromScan(Some(Frame::new([800.0, 0.0, 300.0], [90.0, 0.0, 180.0]))),
+            ScanEdit::Work(ScanWork::Patches),
+            ScanEdit::Lines(ScanLines::Facets),
+            ScanEdit::Scanner(Mount::ToolInHand, Some(Frame::new([800.0, 0.0, 300.0], [90.0, 0.0, 180.0]))),
+            ScanEdit::Scanner(Mount::PartInHand, Some(Frame::new([0.0, 0.0, 80.0], [0.0, 90.0, 0.0]))),
         ]
     }
 

@@ -40,6 +40,7 @@ impl ScanKeys {
             left_out,
             continued,
             base_from_scan: _,
+            flange_from_scan: _,
         } = scan;
         let read = Hasher::default().of(&files).of(named).of(units).finish();
         let cleaned = Hasher::default().of(&read).of(steps).finish();
@@ -97,8 +98,9 @@ impl Keys {
         // Whether something stands in the beam's way is asked of beam and optics too.
         let setup = Hasher::default().of(&tool).of(&cell_key).of(cell).of(beam).of(optics);
         // Where the part stands follows from the scan, where it is known where the scanner stands.
-        let placed = scan_keys.filter(|_| scan.base_from_scan.is_some()).map(|k| k.laid);
-        let setup = setup.of(&placed).of(&scan.base_from_scan).finish();
+        let scanner = (&scan.base_from_scan, &scan.flange_from_scan);
+        let placed = scan_keys.filter(|_| scanner != (&None, &None)).map(|k| k.laid);
+        let setup = setup.of(&placed).of(scanner.0).of(scanner.1).finish();
         let plan = Hasher::default()
             .of(&surfaces)
             .of(scan)

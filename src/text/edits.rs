@@ -84,10 +84,11 @@ impl Sentence for ScanEdit {
             ScanEdit::Pairs(_) => say!(edit_pairs),
             ScanEdit::LeftOut(_) => say!(edit_left_out),
             ScanEdit::Patches(_) => say!(edit_patches),
+            ScanEdit::OwnScan(..) => say!(edit_own_scan),
             ScanEdit::Continued(_) => say!(edit_continued),
             ScanEdit::Work(_) => say!(edit_scan_work),
             ScanEdit::Lines(_) => say!(edit_scan_lines),
-            ScanEdit::BaseFromScan(_) => say!(edit_base_from_scan),
+            ScanEdit::Scanner(..) => say!(edit_base_from_scan),
         }
     }
 }

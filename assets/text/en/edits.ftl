@@ -99,6 +99,7 @@ edit_transform = place the scan on the model
 edit_pairs = change picked pairs
 edit_left_out = change what is left out of the fit
 edit_patches = choose patches
+edit_own_scan = work from the scan alone
 edit_continued = change what is continued across damage
 edit_scan_work = change what is worked
 edit_scan_lines = change what lines are laid on

@@ -107,7 +107,7 @@ scan_section_name = section of part and scan
 ## Where the scanner stands
 
 scan_placing = In the cell
-scan_placing_part_in_hand = The robot carries the part, so where the scanner stood does not place it
+scan_placing_part_in_hand = The robot carries the part: this is where the scanner stands as seen from the flange
 scan_placing_by_frame = Type the scanner's frame
 scan_placing_by_markers = Markers
 scan_placing_forget = Forget where it stands
@@ -120,3 +120,15 @@ scan_placing_in_base = in the robot's base, as touched
 scan_placing_field = marker { $marker } { $frame } { $axis }
 scan_placing_add = Add a marker
 scan_placing_remove = remove marker { $marker }
+
+## Damage across which the surface goes on
+scan_continue = Without a model: continue across the damage
+scan_continue_hint = The damage is what you left out. Select the surface around it, then choose what it is
+scan_continue_tip = The selected surface goes on across what you left out, and what is missing from it is wear
+scan_continue_plane = Plane
+scan_continue_cylinder = Cylinder
+scan_continue_revolved = Turned
+scan_continue_extruded = Drawn along a line
+scan_continue_smooth = Smooth
+scan_continue_found = { $number }: { $kind }, { $rms } mm off the sound points (rms), { $gap } mm across, told to { $spread } mm
+scan_continue_remove = The surface does not go on across this damage

@@ -188,7 +188,7 @@ pub(super) fn in_line(text: &str, what: JobFileError) -> JobFileError {
         }
         JobFileError::Twice { key, .. } | JobFileError::Range { key, .. } => key,
         JobFileError::Frame(e) => {
-            let table = if e.frame == OF_SCANNER { "scan" } else { "cell" };
+            let table = if OF_SCANNER.contains(&e.frame) { "scan" } else { "cell" };
             return at(line_of(text, &[Key(table), Key(e.frame)]), what);
         }
         JobFileError::Transform(_) => "scan.transform",

@@ -3,7 +3,7 @@
 
 use super::declare::parameters;
 use super::scan_choices::{ContinuedDamage, PatchChoice, ScanLines, ScanRegion, ScanWork};
-use crate::cell::Frame;
+use crate::cell::{Frame, Mount};
 use crate::part::{Units, keyed};
 use crate::scan::cleaning::Step;
 use crate::scan::transform_file::{MatrixFault, rigid};
@@ -52,9 +52,13 @@ parameters! {
         /// What does not count when the scan is laid on the model.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         pub left_out: Vec<ScanRegion> = Vec::new(),
-        /// Where the scanner's frame stands in the robot's base: given, or fitted to markers.
+        /// Where the scanner's frame stands in the robot's base: given, or fitted to markers. It counts where the robot
+        /// carries the laser.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub base_from_scan: Option<Frame> = None,
+        /// Where the scanner's frame stands on the flange, where the robot carries the part.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub flange_from_scan: Option<Frame> = None,
     }
 }
 
@@ -82,6 +86,14 @@ impl JobScan {
     /// Whether the job has a scan.
     pub fn is_there(&self) -> bool {
         !self.files.is_empty()
+    }
+
+    /// Where the scanner's frame stands, in the frame of what carries the part: the robot's base, or its flange.
+    pub fn scanner(&self, mount: Mount) -> Option<&Frame> {
+        match mount {
+            Mount::ToolInHand => self.base_from_scan.as_ref(),
+            Mount::PartInHand => self.flange_from_scan.as_ref(),
+        }
     }
 
     /// The transform that is given; `None`: it is to be looked for.

@@ -12,7 +12,7 @@ use super::super::scanned::ScanReport;
 use super::super::stage::Stage;
 use super::{Changes, Pipeline, Wanted};
 use crate::beam::Obstacle;
-use crate::cell::{Frame, Mount, Setup};
+use crate::cell::{Frame, Setup};
 use crate::document::files::{self, JobError};
 use crate::document::stamps::Stamps;
 use crate::document::{Job, segmented};
@@ -90,7 +90,8 @@ impl Pipeline {
     /// dragged.
     fn sync_setup(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys, changes: &mut Changes) {
         // Where the scanner's place is known the part's follows from the scan.
-        let is_placed = keys.scan.is_some() && job.scan.base_from_scan.is_some();
+        let scan = &job.scan;
+        let is_placed = keys.scan.is_some() && (scan.base_from_scan.is_some() || scan.flange_from_scan.is_some());
         let laid = keys.scan.filter(|_| is_placed).and_then(|scan| self.scan.laid.of(scan.laid));
         if !self.setup.lacks(keys.setup) || is_placed && laid.is_none() {
             return;
@@ -157,7 +158,7 @@ impl Pipeline {
             let setup = beside_unscanned(with_slack(setup, slack_mm), &part);
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
-                let is_placed = job.scan.base_from_scan.is_some() && setup.mount == Mount::ToolInHand;
+                let is_placed = job.scan.scanner(setup.mount).is_some();
                 plan.scan = scanned.and_then(|s| ScanReport::new(&s, is_placed));
                 let in_file = in_file(&part, &surfaces, &job, progress)?;
                 let report = Report::new(&plan, &surfaces).with_inputs(&in_file, &job, &setup);
@@ -194,14 +195,18 @@ fn beside_unscanned(mut setup: Arc<Setup>, part: &Part) -> Arc<Setup> {
     setup
 }
 
-/// The job with the part where scanner and scan put it (P3 4.4): `base_from_part = base_from_scan · model_from_scan⁻¹`.
+/// The job with the part where scanner and scan put it (P3 4.4): `base_from_part = base_from_scan · model_from_scan⁻¹`, and
+/// on the flange likewise.
 fn placed_by_scan<'a>(job: &'a Job, model_from_scan: Option<Isometry3<f64>>) -> Cow<'a, Job> {
-    let (Some(frame), Some(model_from_scan)) = (&job.scan.base_from_scan, model_from_scan) else {
-        return Cow::Borrowed(job);
-    };
-    let base_from_part = frame.isometry() * model_from_scan.inverse();
+    let Some(model_from_scan) = model_from_scan else { return Cow::Borrowed(job) };
+    let part_in = |scanner: &Frame| Frame::of(&(scanner.isometry() * model_from_scan.inverse()));
     let mut placed = job.clone();
-    placed.cell.base_from_part = Some(Frame::of(&base_from_part));
+    if let Some(scanner) = &job.scan.base_from_scan {
+        placed.cell.base_from_part = Some(part_in(scanner));
+    }
+    if let Some(scanner) = &job.scan.flange_from_scan {
+        placed.cell.flange_from_part = Some(part_in(scanner));
+    }
     Cow::Owned(placed)
 }
 

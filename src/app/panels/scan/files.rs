@@ -3,8 +3,10 @@
 use super::super::super::actions::Actions;
 use super::super::super::command::Command;
 use super::super::super::context::Context;
+use crate::document::model::ScanFile;
 use crate::document::scan_edit::ScanEdit;
 use crate::part::Units;
+use crate::scan::transform_file::rows;
 use crate::text::{choices, say};
 use eframe::egui;
 use std::path::Path;
@@ -31,6 +33,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         actions.command(Command::OpenScan);
     }
     if !scan.is_there() {
+        own_scan(ui, context, actions);
         return;
     }
     ui.horizontal(|ui| {
@@ -45,4 +48,14 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
             }
         }
     });
+}
+
+/// A part that is a scan can be worked from its points alone: there need be no other model.
+fn own_scan(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let is_scan = context.derived.part.as_ref().is_some_and(|part| part.figures.meshed.is_some());
+    let of = &context.document.job().part;
+    if is_scan && ui.button(say!(scan_panel_own)).on_hover_text(say!(scan_panel_own_tip)).clicked() {
+        let file = ScanFile { file: of.file.clone(), sha256: of.sha256.clone() };
+        actions.scan(ScanEdit::OwnScan(file, rows(&of.placement.isometry())));
+    }
 }

@@ -78,7 +78,7 @@ fn change(actions: &mut Actions, change: impl FnOnce(&mut LeaveOutDraft) + 'stat
 }
 
 /// The box around the surfaces that are selected, part frame.
-fn selected_bounds(context: Context<'_>) -> Option<Bounds> {
+pub(super) fn selected_bounds(context: Context<'_>) -> Option<Bounds> {
     let (part, surfaces) = (context.derived.part.as_ref()?, &context.derived.surfaces);
     let facets = context.session.selected.iter().filter_map(|n| surfaces.get(*n)).flat_map(|s| &s.facets);
     Bounds::around(facets.flat_map(|&f| part.mesh.corners(f as usize)))

@@ -2,6 +2,7 @@
 //! worn, and where it stands in the cell. Its colours in the view are explained by `legend`.
 
 mod cleaning;
+mod continued;
 mod cuts;
 mod figures;
 mod files;
@@ -38,6 +39,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         numbers::of_job(ui, Group::Scan, context, actions);
         let Some(scanned) = scanned else { return };
         lies::ui(ui, &scanned, context, actions);
+        continued::ui(ui, &scanned, context, actions);
         patches::ui(ui, &scanned, context, actions);
         if scanned.compared.is_some() {
             labels::ui(ui, context, actions);

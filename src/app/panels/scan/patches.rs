@@ -4,7 +4,7 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::theme;
-use crate::document::model::{PatchChoice, ScanWork};
+use crate::document::model::{PatchChoice, ScanLines, ScanWork};
 use crate::document::scan_edit::ScanEdit;
 use crate::planning::scanned::{ComparedScan, DeviationReport, Scanned, WornPart};
 use crate::scan::deviation::{Patch, PatchKind};
@@ -55,6 +55,17 @@ fn what_is_worked(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions
     });
     if work != before {
         actions.scan(ScanEdit::Work(work));
+    }
+    let mut lines = context.document.job().scan.lines;
+    let before = lines;
+    ui.horizontal_wrapped(|ui| {
+        ui.label(say!(scan_panel_lines));
+        ui.radio_value(&mut lines, ScanLines::Facets, say!(scan_panel_lines_model));
+        ui.radio_value(&mut lines, ScanLines::Points, say!(scan_panel_lines_points))
+            .on_hover_text(say!(scan_panel_lines_points_tip));
+    });
+    if lines != before {
+        actions.scan(ScanEdit::Lines(lines));
     }
 }
 

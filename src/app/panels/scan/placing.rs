@@ -8,6 +8,7 @@ use super::super::entry::{Entry, refused};
 use super::super::frames;
 use crate::cell::calibration::PointPair;
 use crate::cell::{Frame, Mount};
+use crate::document::Edit;
 use crate::document::scan_edit::ScanEdit;
 use crate::text::{Sentence as _, fixed, id, say, scan_not_placed, short};
 use eframe::egui::{self, RichText, Role, WidgetInfo};
@@ -18,17 +19,19 @@ const FAR_MM: f64 = 100_000.0;
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     theme::heading(ui, &say!(scan_placing));
-    let given = context.document.job().scan.base_from_scan.as_ref();
+    let Some(mount) = mount(context) else { return };
+    let given = context.document.job().scan.scanner(mount);
     let markers = context.session.markers.as_deref().or_else(|| given.and_then(Frame::points));
     if given.is_none() {
         ui.label(RichText::new(theme::capital(&scan_not_placed())).color(theme::ATTENTION));
-    } else if matches!(context.derived.pipeline.setup(), Some(Ok(setup)) if setup.mount == Mount::PartInHand) {
-        ui.label(RichText::new(say!(scan_placing_part_in_hand)).color(theme::ATTENTION));
+    }
+    if mount == Mount::PartInHand {
+        ui.label(say!(scan_placing_part_in_hand));
     }
     ui.horizontal_wrapped(|ui| {
         if given.is_none() && ui.button(say!(scan_placing_by_frame)).clicked() {
             actions.session(|s| s.markers = None);
-            actions.scan(ScanEdit::BaseFromScan(Some(Frame::new([0.0; 3], [0.0; 3]))));
+            actions.scan(ScanEdit::Scanner(mount, Some(Frame::new([0.0; 3], [0.0; 3]))));
         }
         if markers.is_none() && ui.button(say!(scan_placing_by_markers)).clicked() {
             let empty = vec![PointPair { model: [0.0; 3], measured: [0.0; 3] }; FEWEST];
@@ -36,25 +39,35 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         }
         if given.is_some() && ui.button(say!(scan_placing_forget)).clicked() {
             actions.session(|s| s.markers = None);
-            actions.scan(ScanEdit::BaseFromScan(None));
+            actions.scan(ScanEdit::Scanner(mount, None));
         }
     });
     match (markers, given) {
-        (Some(markers), _) => table(ui, markers, given, actions),
+        (Some(markers), _) => table(ui, markers, (mount, given), actions),
         (None, Some(given)) => {
             let mut frame = given.clone();
             if frames::figures(ui, &say!(scan_placing_frame), &say!(scan_placing_frame_tip), &mut frame) {
                 let frame = Frame::new(frame.position_mm, frame.rz_ry_rx_deg);
-                actions
-                    .drag(crate::document::Edit::Scan(Box::new(ScanEdit::BaseFromScan(Some(frame)))), "base_from_scan");
+                actions.drag(Edit::Scan(Box::new(ScanEdit::Scanner(mount, Some(frame)))), "frame of the scanner");
             }
         }
         (None, None) => {}
     }
 }
 
+/// How the part is held; `None` while the cell cannot be used.
+fn mount(context: Context<'_>) -> Option<Mount> {
+    let of_cell = || Some(context.derived.pipeline.cell()?.ok()?.mount);
+    context.document.job().cell.mount.or_else(of_cell)
+}
+
 /// The markers with what each is off; as soon as they tell a frame it is the job's.
-fn table(ui: &mut egui::Ui, markers: &[PointPair], given: Option<&Frame>, actions: &mut Actions) {
+fn table(
+    ui: &mut egui::Ui,
+    markers: &[PointPair],
+    (mount, given): (Mount, Option<&Frame>),
+    actions: &mut Actions,
+) {
     let mut now = markers.to_vec();
     let fitted = Frame::of_points(markers.to_vec());
     let off_mm = fitted.as_ref().ok().and_then(|f| f.calibration("base_from_scan")).map(|note| note.residuals_mm);
@@ -92,7 +105,7 @@ fn table(ui: &mut egui::Ui, markers: &[PointPair], given: Option<&Frame>, action
         Ok(frame) => drop(ui.label(RichText::new(frames::said(frame)).monospace().small())),
     }
     if now != markers {
-        take(now, given, actions);
+        take(now, (mount, given), actions);
     }
 }
 
@@ -120,15 +133,12 @@ fn figures(ui: &mut egui::Ui, at: usize, frame: &str, place: &mut [f64; 3]) {
 }
 
 /// Markers that tell a frame go into the job; others wait in the session.
-fn take(markers: Vec<PointPair>, given: Option<&Frame>, actions: &mut Actions) {
+fn take(markers: Vec<PointPair>, (mount, given): (Mount, Option<&Frame>), actions: &mut Actions) {
     match Frame::of_points(markers.clone()) {
         Ok(frame) => {
             actions.session(|s| s.markers = None);
             if given != Some(&frame) {
-                actions.drag(
-                    crate::document::Edit::Scan(Box::new(ScanEdit::BaseFromScan(Some(frame)))),
-                    "markers of the scan",
-                );
+                actions.drag(Edit::Scan(Box::new(ScanEdit::Scanner(mount, Some(frame)))), "markers of the scan");
             }
         }
         Err(_) => actions.session(|s| s.markers = Some(markers)),
