@@ -130,7 +130,8 @@ fn what_was_not_scanned_is_no_way_for_the_beam() {
     let run = clearbeam(&[&arguments[..], &["--direction", "x", "--spacing", "3", "--correction", "none"]].concat());
     assert!(matches!(run.status.code(), Some(0 | 3)), "{}", said(&run));
     let report = read(&out.join("report.json"));
-    let codes: Vec<&str> = report["findings"].as_array().expect("a list").iter().filter_map(|f| f["code"].as_str()).collect();
+    let codes: Vec<&str> =
+        report["findings"].as_array().expect("a list").iter().filter_map(|f| f["code"].as_str()).collect();
     assert!(codes.contains(&"meshed"), "{codes:?}");
     let points = report["points"].as_u64().expect("a count");
     let blocked = report["blocked"].as_u64().expect("a count");

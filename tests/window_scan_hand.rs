@@ -73,8 +73,7 @@ fn places_are_left_out_by_brush_and_box_and_count_again() {
     drag(&mut of.h, from, to);
     assert_eq!(*of.h.state().camera(), eye, "a stroke does not turn the view");
     let painted = left_out(&of);
-    let on_front =
-        |r: &ScanRegion| matches!(r, ScanRegion::Sphere { centre_mm, .. } if centre_mm[1].abs() < 0.01);
+    let on_front = |r: &ScanRegion| matches!(r, ScanRegion::Sphere { centre_mm, .. } if centre_mm[1].abs() < 0.01);
     assert!(painted.len() > 2 && painted.iter().all(on_front), "{painted:?}");
     snapshot(&mut of.h, "scan_left_out");
     click(&mut of.h, "Rubber");

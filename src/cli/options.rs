@@ -179,7 +179,7 @@ mod tests {
         let lines = help.lines().map(str::trim).filter_map(|l| l.strip_prefix("--"));
         let names: Vec<&str> = lines.filter_map(|l| l.split_whitespace().next()).collect();
         let wanted = "units weld angle surfaces direction spacing strategy overlap inset passes offset order defocus \
-                      chord-error max-step max-turn correction speed air-speed power spot max-tilt margin min-depth head cell \
+                      chord-error max-step max-turn correction speed air-speed power spot max-tilt margin min-depth gate head cell \
                       robot mount dialect spin";
         assert_eq!(names, wanted.split_whitespace().collect::<Vec<_>>());
         for default in ["[default: 0.5 mm]", "[default: 20°]", "[default: 1]", "[default: 3 mm/s]", "[default: 500 W]"]

@@ -2,6 +2,7 @@
 
 use super::CommandFailure;
 use crate::part::{Part, Placement, Units, Weld};
+use crate::planning::scanned::by_overlap;
 use crate::progress::Progress;
 use crate::scan::file::{self, RawScan, unit_doubt};
 use crate::scan::marker_file::{self, SeenMarker};
@@ -21,13 +22,19 @@ pub fn read(path: &Path) -> Result<Cloud, CommandFailure> {
     Ok(cloud.scaled(stated_unit.map_or(1.0, |unit| unit.taken().mm() * unit.in_taken())))
 }
 
-/// Reads scans, and brings them into the frame of the first by the markers that they share.
+/// Reads scans, and brings them into the frame of the first: by the markers that they share, or by their overlap.
 pub fn read_all(paths: &[PathBuf], markers: Option<(&[SeenMarker], &Path)>) -> Result<Cloud, CommandFailure> {
     let clouds = paths.iter().map(|p| read(p)).collect::<Result<Vec<_>, _>>()?;
     let (Some(first), true) = (paths.first(), paths.len() > 1) else {
         return Ok(clouds.into_iter().next().unwrap_or_default());
     };
-    let (markers, file) = markers.ok_or_else(|| CommandFailure::Usage(say!(cli_register_needs_markers)))?;
+    let Some((markers, file)) = markers else {
+        let names: Vec<String> = paths.iter().map(|p| p.display().to_string()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let (whole, brought) = by_overlap(&names, &clouds, &Progress::default()).map_err(CommandFailure::failed)?;
+        brought.iter().for_each(|one| eprintln!("{}", one.sentence()));
+        return Ok(whole);
+    };
     let mut placed = Vec::with_capacity(clouds.len());
     for (path, cloud) in paths.iter().zip(&clouds) {
         let shared = marker_file::shared(markers, path, first);

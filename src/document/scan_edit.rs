@@ -1,6 +1,8 @@
 //! Changes of the scan of a job, each an [`Edit`](super::Edit) of its own.
 
-use super::model::{ContinuedDamage, JobScan, PatchChoice, PickedPair, ScanFile, ScanLines, ScanRegion, ScanWork};
+use super::model::{
+    ContinuedDamage, JobScan, PatchChoice, PickedPair, ScanFile, ScanLines, ScanRegion, ScanTogether, ScanWork,
+};
 use crate::cell::{Frame, Mount};
 use crate::part::Units;
 use crate::scan::cleaning::Step;
@@ -30,6 +32,8 @@ pub enum ScanEdit {
     LeftOut(Vec<ScanRegion>),
     /// The patches that are worked.
     Patches(PatchChoice),
+    /// How several files come together.
+    Together(ScanTogether),
     /// What is worked.
     Work(ScanWork),
     /// What lines are laid on.
@@ -84,6 +88,7 @@ impl ScanEdit {
             ScanEdit::Continued(damage) => scan.continued.clone_from(damage),
             ScanEdit::LeftOut(regions) => scan.left_out.clone_from(regions),
             ScanEdit::Patches(choice) => scan.patches.clone_from(choice),
+            ScanEdit::Together(together) => scan.together = *together,
             ScanEdit::Work(work) => scan.work = *work,
             ScanEdit::Lines(lines) => scan.lines = *lines,
             ScanEdit::Scanner(Mount::ToolInHand, frame) => scan.base_from_scan.clone_from(frame),
@@ -138,6 +143,7 @@ mod tests {
             }]),
             ScanEdit::LeftOut(vec![region, ScanRegion::Sphere { centre_mm: [9.0; 3], radius_mm: 4.0 }]),
             ScanEdit::Patches(PatchChoice::At(vec![[1.0, 2.0, 3.0]])),
+            ScanEdit::Together(ScanTogether::Overlap),
             ScanEdit::Work(ScanWork::Patches),
             ScanEdit::Lines(ScanLines::Facets),
             ScanEdit::Scanner(Mount::ToolInHand, Some(Frame::new([800.0, 0.0, 300.0], [90.0, 0.0, 180.0]))),

@@ -35,6 +35,7 @@ impl ScanKeys {
             transform,
             patches,
             files: named,
+            together,
             steps,
             pairs,
             left_out,
@@ -42,7 +43,7 @@ impl ScanKeys {
             base_from_scan: _,
             flange_from_scan: _,
         } = scan;
-        let read = Hasher::default().of(&files).of(named).of(units).finish();
+        let read = Hasher::default().of(&files).of(named).of(units).of(together).finish();
         let cleaned = Hasher::default().of(&read).of(steps).finish();
         // Normals are interpolated within surfaces.
         let laid = Hasher::default()

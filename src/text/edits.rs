@@ -86,6 +86,7 @@ impl Sentence for ScanEdit {
             ScanEdit::Patches(_) => say!(edit_patches),
             ScanEdit::OwnScan(..) => say!(edit_own_scan),
             ScanEdit::Continued(_) => say!(edit_continued),
+            ScanEdit::Together(_) => say!(edit_together),
             ScanEdit::Work(_) => say!(edit_scan_work),
             ScanEdit::Lines(_) => say!(edit_scan_lines),
             ScanEdit::Scanner(..) => say!(edit_base_from_scan),

@@ -3,12 +3,12 @@
 use super::number::percent;
 use super::{Sentence, exact, fixed, id, say};
 use crate::planning::scanned::{
-    DeviationReport, RegistrationReport, RivalReport, ScanError, ScanReport, SlidingReport, WornPatch,
+    BroughtTogether, DeviationReport, RegistrationReport, RivalReport, ScanError, ScanReport, SlidingReport, WornPatch,
 };
 use crate::scan::continuation::ContinuationError;
 use crate::scan::deviation::PatchKind;
 use crate::scan::file::{UnitDoubt, UnitFit};
-use crate::scan::merging::MarkerError;
+use crate::scan::merging::{MarkerError, OverlapError};
 use crate::scan::registration::RegistrationError;
 use crate::scan::transform_file::{MatrixFault, TransformError};
 
@@ -39,6 +39,7 @@ impl Sentence for ScanError {
         match self {
             ScanError::File { file, source } => say!(in_file, file, what = source.sentence()),
             ScanError::Changed { file, .. } => say!(scan_changed, file),
+            ScanError::Overlap { file, source } => say!(in_file, file, what = source.sentence()),
             ScanError::Units { doubt, diagonals_mm } => unit_doubt_sentence(doubt, *diagonals_mm),
             ScanError::Matrix(fault) => say!(scan_matrix, fault = fault.sentence()),
             ScanError::Registration(e) => e.sentence(),
@@ -70,6 +71,24 @@ impl Sentence for ContinuationError {
             ContinuationError::GapTooWide { spread_mm } => say!(continue_gap, spread = fixed(*spread_mm, 3)),
             ContinuationError::Cancelled => say!(text_cancelled),
         }
+    }
+}
+
+impl Sentence for OverlapError {
+    fn sentence(&self) -> String {
+        match self {
+            OverlapError::TooFewPoints { found, needed } => say!(overlap_too_few, found = *found, needed = *needed),
+            OverlapError::NoOverlap { overlap_share, .. } => say!(overlap_none, overlap = percent(*overlap_share, 0)),
+            OverlapError::Ambiguous { poses } => say!(overlap_ambiguous, poses = poses.len()),
+            OverlapError::Cancelled => say!(text_cancelled),
+        }
+    }
+}
+
+impl Sentence for BroughtTogether {
+    fn sentence(&self) -> String {
+        let overlap = percent(self.overlap, 0);
+        say!(overlap_found, file = &*self.file, rms = fixed(self.rms_mm, 3), overlap)
     }
 }
 
@@ -180,6 +199,7 @@ fn place(of: &[f64; 3]) -> [String; 3] {
 pub(super) fn scan_lines(scan: &ScanReport) -> Vec<String> {
     let mut lines: Vec<String> =
         scan.findings.iter().map(|f| say!(in_file, file = &*f.file, what = f.finding.sentence())).collect();
+    lines.extend(scan.together.iter().map(Sentence::sentence));
     let placed = if scan.is_placed { None } else { Some(scan_not_placed()) };
     if let Some(registration) = &scan.registration {
         lines.extend(how_it_lies(registration));

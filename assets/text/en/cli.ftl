@@ -50,7 +50,6 @@ cli_not_a_size = "{ $text }": give WxH, 16 to 8192 pixels each
 cli_not_a_view = "{ $text }": give one of { $views }
 
 ## Failures
-cli_register_needs_markers = give --markers FILE to bring several scans into one frame
 cli_markers_of = { $file }: { $scan }: { $what }
 cli_no_json = the result cannot be written as JSON: { $reason }
 cli_no_path = { $file }: its full path cannot be found: { $reason }

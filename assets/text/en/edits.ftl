@@ -101,6 +101,7 @@ edit_left_out = change what is left out of the fit
 edit_patches = choose patches
 edit_own_scan = work from the scan alone
 edit_continued = change what is continued across damage
+edit_together = change how scans come together
 edit_scan_work = change what is worked
 edit_scan_lines = change what lines are laid on
 edit_base_from_scan = change the scanner's frame

@@ -8,6 +8,9 @@ scan_panel_keeps_surfaces = not while there is a scan: where it has patches the 
 
 scan_panel_add = Add scan…
 scan_panel_open_tip = Points of the part as it is (PLY, PCD, XYZ, TXT, CSV, PTS, PTX, E57 or STL)
+scan_panel_shared = The files share a frame
+scan_panel_overlap = Bring them together
+scan_panel_overlap_tip = Each file is laid on those before it by the area that they share
 scan_panel_own = Work from this scan alone
 scan_panel_own_tip = The part is a scan, and there is no other model: lines go through its points, and what was not scanned is kept clear of
 scan_panel_remove = Take this file out of the scan

@@ -82,3 +82,9 @@ continue_no_such_kind = the sound regions tell no such surface: choose another k
 continue_arc_too_short = the sound regions show too little of the arc (it rises by { $rise } mm): mark more of it
 continue_axis_open = the sound regions leave the axis open by { $spread }°: mark a longer stretch along it
 continue_gap = so far across the damage the surface is told to { $spread } mm only: mark sound regions on more sides of it
+
+## Scans brought together by their overlap
+overlap_found = { $file }: { $overlap } % of its points lie on the scans before it, { $rms } mm off them (rms)
+overlap_too_few = { $found } points, { $needed } are needed to bring scans together
+overlap_none = at the best position { $overlap } % of its points lie on the scans before it, or too much of it lies beside them: scan so that a third of its area is shared, or give markers
+overlap_ambiguous = it fits the scans before it in { $poses } positions: scan more of what they share, or give markers

@@ -1,6 +1,6 @@
 //! The tools for a scan, and what each has gathered so far. Nothing here knows of the window.
 
-use crate::document::model::{ScanRegion, PickedPair};
+use crate::document::model::{PickedPair, ScanRegion};
 use crate::fit::{PlacedPair, rigid};
 use crate::scan::cleaning::{Keep, Step};
 use nalgebra::{Isometry3, Point3, Vector3};

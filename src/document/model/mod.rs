@@ -21,7 +21,7 @@ pub use job_part::JobPart;
 pub use lines::{FirstPlane, LineParameters};
 pub use path::PathParameters;
 pub use scan::{JobScan, PickedPair, ScanFile};
-pub use scan_choices::{ContinuedDamage, ContinuedKind, PatchChoice, ScanLines, ScanRegion, ScanWork};
+pub use scan_choices::{ContinuedDamage, ContinuedKind, PatchChoice, ScanLines, ScanRegion, ScanTogether, ScanWork};
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
 

@@ -2,7 +2,7 @@
 //! without files has no scan. What it decides of it stands in `scan_choices`; what the points say is `scan`'s.
 
 use super::declare::parameters;
-use super::scan_choices::{ContinuedDamage, PatchChoice, ScanLines, ScanRegion, ScanWork};
+use super::scan_choices::{ContinuedDamage, PatchChoice, ScanLines, ScanRegion, ScanTogether, ScanWork};
 use crate::cell::{Frame, Mount};
 use crate::part::{Units, keyed};
 use crate::scan::cleaning::Step;
@@ -39,6 +39,8 @@ parameters! {
         /// The files, in the order in which they were added.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         pub files: Vec<ScanFile> = Vec::new(),
+        /// How they come together, where there are several.
+        pub together: ScanTogether = ScanTogether::Shared,
         /// What is done to the points, in order.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         pub steps: Vec<Step> = Vec::new(),

@@ -53,6 +53,17 @@ pub enum ContinuedKind {
     Smooth,
 }
 
+/// How several files of a scan come together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ScanTogether {
+    /// They share a frame, as scanners export them.
+    #[default]
+    Shared,
+    /// Each is brought to those before it by the area that they share.
+    Overlap,
+}
+
 /// What a scan makes of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -106,6 +117,7 @@ impl PatchChoice {
 
 keyed!(ContinuedDamage { by, damaged, sound });
 keyed_words!(ContinuedKind: Plane, Cylinder, Revolved, Extruded, Smooth);
+keyed_words!(ScanTogether: Shared, Overlap);
 keyed_words!(ScanWork: Patches, Surfaces);
 keyed_words!(ScanLines: Facets, Points);
 

@@ -5,6 +5,7 @@ use crate::progress::Cancelled;
 use crate::scan::continuation::ContinuationError;
 use crate::scan::deviation::{Patch, PatchKind};
 use crate::scan::file::{ScanFileError, UnitDoubt};
+use crate::scan::merging::OverlapError;
 use crate::scan::registration::RegistrationError;
 use crate::scan::transform_file::MatrixFault;
 use nalgebra::Point3;
@@ -29,6 +30,14 @@ pub enum ScanError {
         file: String,
         /// SHA-256 of its bytes now, hexadecimal.
         sha256: String,
+    },
+    /// A file cannot be brought to those before it.
+    #[error("{file}: {source}")]
+    Overlap {
+        /// The file.
+        file: String,
+        /// Why.
+        source: OverlapError,
     },
     /// Scan and part go together in other units only.
     #[error("{doubt:?}")]
@@ -89,6 +98,7 @@ impl From<ScanError> for Failure<ScanError> {
     fn from(e: ScanError) -> Failure<ScanError> {
         match e {
             ScanError::Registration(RegistrationError::Cancelled) => Failure::Cancelled,
+            ScanError::Overlap { source: OverlapError::Cancelled, .. } => Failure::Cancelled,
             ScanError::Continued { source: ContinuationError::Cancelled, .. } => Failure::Cancelled,
             ScanError::File { source, .. } if matches!(*source, ScanFileError::Cancelled) => Failure::Cancelled,
             other => Failure::Refused(other),

@@ -18,7 +18,7 @@ pub use continuing::{ContinuedFigures, ScanModel};
 pub use deviation_report::{DeviationReport, FillingLayer, WornPatch};
 pub use error::{BeyondGate, ScanError};
 pub use laying::{LaidScan, lay};
-pub use reading::{ReadScan, read_scan};
+pub use reading::{BroughtTogether, ReadScan, by_overlap, read_scan};
 pub use registration_report::{MarkerResidual, PlacedScan, RegistrationReport, RivalReport, SlidingReport};
 pub use scan_report::ScanReport;
 pub use so_far::Scanned;

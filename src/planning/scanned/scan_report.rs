@@ -1,6 +1,6 @@
 //! What a scan says of a planned part: key `scan` of `report.json`.
 
-use super::{RegistrationReport, Scanned, WornPatch};
+use super::{BroughtTogether, RegistrationReport, Scanned, WornPatch};
 use crate::scan::deviation::Patch;
 use crate::scan::file::ScanFinding;
 use crate::scan::transform_file;
@@ -24,6 +24,9 @@ pub struct ScanReport {
     pub slack_mm: f64,
     /// Area of the model without points, mm².
     pub unscanned_mm2: f64,
+    /// How well files fit those before them, where they were brought together by their overlap.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub together: Vec<BroughtTogether>,
     /// What was found in the files.
     pub findings: Vec<ScanFileFinding>,
     /// What is worn or built up; the report has it beside this.
@@ -57,6 +60,7 @@ impl ScanReport {
             is_placed,
             slack_mm: laid.slack_mm(),
             unscanned_mm2: compared.unscanned_mm2,
+            together: of.read.together.clone(),
             findings: of.read.findings.iter().map(finding).collect(),
             patches: compared.patches.patches.iter().enumerate().map(patch).collect(),
         })

@@ -38,7 +38,9 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
     ui.horizontal_wrapped(|ui| {
         for by in KINDS {
             let button = ui.add_enabled(selected.is_some(), egui::Button::new(name(by)).small());
-            if let (true, Some(Bounds { min, max })) = (button.on_hover_text(say!(scan_continue_tip)).clicked(), selected) {
+            if let (true, Some(Bounds { min, max })) =
+                (button.on_hover_text(say!(scan_continue_tip)).clicked(), selected)
+            {
                 let damage = ContinuedDamage { by, damaged: scan.left_out.clone(), sound: vec![around(min, max, 0.0)] };
                 actions.scan(ScanEdit::Continued([&scan.continued[..], &[damage]].concat()));
             }
@@ -58,7 +60,8 @@ fn list(ui: &mut egui::Ui, scanned: &Scanned, all: &[ContinuedDamage], actions: 
             ui.label(match found.get(i) {
                 None => name(damage.by),
                 Some(f) => {
-                    let [rms, gap, spread] = [(f.rms_mm, 3), (f.gap_mm, 1), (f.spread_mm, 3)].map(|(mm, n)| fixed(mm, n));
+                    let [rms, gap, spread] =
+                        [(f.rms_mm, 3), (f.gap_mm, 1), (f.spread_mm, 3)].map(|(mm, n)| fixed(mm, n));
                     say!(scan_continue_found, number = id(i + 1), kind = name(damage.by), rms, gap, spread)
                 }
             });

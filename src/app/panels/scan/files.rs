@@ -3,7 +3,7 @@
 use super::super::super::actions::Actions;
 use super::super::super::command::Command;
 use super::super::super::context::Context;
-use crate::document::model::ScanFile;
+use crate::document::model::{ScanFile, ScanTogether};
 use crate::document::scan_edit::ScanEdit;
 use crate::part::Units;
 use crate::scan::transform_file::rows;
@@ -36,6 +36,9 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         own_scan(ui, context, actions);
         return;
     }
+    if scan.files.len() > 1 {
+        together(ui, scan.together, actions);
+    }
     ui.horizontal(|ui| {
         ui.label(say!(scan_panel_units));
         for units in Units::ALL {
@@ -48,6 +51,19 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
             }
         }
     });
+}
+
+/// Whether several files share a frame, or are brought together by what they show alike.
+fn together(ui: &mut egui::Ui, now: ScanTogether, actions: &mut Actions) {
+    let mut wanted = now;
+    ui.horizontal_wrapped(|ui| {
+        ui.radio_value(&mut wanted, ScanTogether::Shared, say!(scan_panel_shared));
+        ui.radio_value(&mut wanted, ScanTogether::Overlap, say!(scan_panel_overlap))
+            .on_hover_text(say!(scan_panel_overlap_tip));
+    });
+    if wanted != now {
+        actions.scan(ScanEdit::Together(wanted));
+    }
 }
 
 /// A part that is a scan can be worked from its points alone: there need be no other model.

@@ -62,12 +62,7 @@ fn mount(context: Context<'_>) -> Option<Mount> {
 }
 
 /// The markers with what each is off; as soon as they tell a frame it is the job's.
-fn table(
-    ui: &mut egui::Ui,
-    markers: &[PointPair],
-    (mount, given): (Mount, Option<&Frame>),
-    actions: &mut Actions,
-) {
+fn table(ui: &mut egui::Ui, markers: &[PointPair], (mount, given): (Mount, Option<&Frame>), actions: &mut Actions) {
     let mut now = markers.to_vec();
     let fitted = Frame::of_points(markers.to_vec());
     let off_mm = fitted.as_ref().ok().and_then(|f| f.calibration("base_from_scan")).map(|note| note.residuals_mm);
