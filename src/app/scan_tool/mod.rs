@@ -4,7 +4,8 @@
 mod draft;
 mod hand;
 mod picture;
+mod view;
 
 pub(super) use draft::{CutDraft, CutShape, LeaveOutDraft, LeaveOutHand, PairsDraft, ScanTool};
 pub(super) use hand::{around, brush_circle, left_out, pointer};
-pub(super) use picture::ToolView;
+pub(super) use view::ToolView;

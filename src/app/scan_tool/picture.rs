@@ -4,161 +4,20 @@
 use super::super::App;
 use super::super::context::Context;
 use super::draft::{CutDraft, CutShape, ScanTool};
+use super::view::{SyncedWith, ToolScan};
 use crate::document::model::ScanRegion;
-use crate::part::{Hasher, Part};
+use crate::part::Hasher;
+use crate::picture::PartLook;
 use crate::picture::palette::scan as colors;
 use crate::picture::regions::RegionLines;
-use crate::picture::{PartLook, ScanLook, ScanPicture};
-use crate::planning::Stage;
-use crate::progress::Activity;
-use crate::scan::Cloud;
-use crate::scan::cleaning::{Cleaned, clean};
-use crate::view::{Bounds, Camera, CloudItem, CloudPick, Depth, MeshItem, PointItem, Scene, ViewSize, cloud_point_at};
-use nalgebra::{Isometry3, Point2, Point3, Translation3, Unit, Vector3};
-use std::convert::Infallible;
-use std::mem::{Discriminant, discriminant};
+use crate::view::{Camera, CloudItem, CloudPick, Depth, MeshItem, PointItem, Scene, ViewSize, cloud_point_at};
+use nalgebra::{Isometry3, Point2, Point3, Unit, Vector3};
+use std::mem::discriminant;
 use std::sync::Arc;
 
-/// Between model and scan side by side, as a share of their size.
-const GAP: f64 = 0.12;
 /// How near to a point a click has to be, pixels.
 const REACH_PX: f64 = 8.0;
 const DOT_PX: f32 = 11.0;
-
-/// What is shown for a tool, kept while it is in the hand.
-#[derive(Default)]
-pub(in super::super) struct ToolView {
-    scan: Option<ToolScan>,
-    /// Where the scan lay last: it stays there while it is laid again.
-    model_from_scan: Option<Isometry3<f64>>,
-    /// Which points a cut would keep.
-    preview: Stage<Vec<bool>, Infallible>,
-    /// The tool that the camera was turned to.
-    fitted: Option<Discriminant<ScanTool>>,
-    left_out: LeftOutFacets,
-}
-
-/// Facets of the part that do not count when the scan is laid, and what tells them.
-#[derive(Default)]
-struct LeftOutFacets {
-    regions: Vec<ScanRegion>,
-    part: Option<Arc<Part>>,
-    facets: Arc<Vec<u32>>,
-}
-
-impl LeftOutFacets {
-    fn sync(&mut self, part: &Arc<Part>, regions: Vec<ScanRegion>) {
-        if self.regions == regions && self.part.as_ref().is_some_and(|known| Arc::ptr_eq(known, part)) {
-            return;
-        }
-        let is_out = |f: &u32| regions.iter().any(|r| r.contains(&part.mesh.centroid(*f as usize)));
-        let facets =
-            if regions.is_empty() { Vec::new() } else { (0..part.mesh.facets.len() as u32).filter(is_out).collect() };
-        *self = LeftOutFacets { facets: Arc::new(facets), part: Some(part.clone()), regions };
-    }
-}
-
-/// The points as cleaning leaves them.
-struct ToolScan {
-    of: Arc<Cleaned>,
-    cloud: Arc<Cloud>,
-    picture: ScanPicture,
-    middle: Point3<f64>,
-    item: CloudItem,
-    /// What the item shows of a cut.
-    kept: Option<Arc<Vec<bool>>>,
-}
-
-impl ToolScan {
-    fn new(of: &Arc<Cleaned>) -> ToolScan {
-        let cloud = Arc::new(of.cloud.clone());
-        let picture = ScanPicture::new(cloud.clone(), cloud.digest().0 as u64);
-        let place = Isometry3::identity();
-        let middle = picture.bounds(&place).map_or_else(Point3::origin, |b| b.center());
-        let item = picture.item(ScanLook::Own, &place);
-        ToolScan { of: of.clone(), cloud, picture, middle, item, kept: None }
-    }
-}
-
-impl ToolView {
-    /// Whether nothing is being computed for it.
-    pub fn is_at_rest(&self) -> bool {
-        !self.preview.is_running()
-    }
-
-    /// How many points a cut would take out, of how many; `None` while that is not known.
-    pub fn dropped(&self) -> Option<(usize, usize)> {
-        let kept = self.preview.newest()?.1;
-        Some((kept.iter().filter(|k| !**k).count(), kept.len()))
-    }
-
-    /// Facets of the part that do not count when the scan is laid, with what is being painted.
-    pub fn left_out(&self) -> &Arc<Vec<u32>> {
-        &self.left_out.facets
-    }
-
-    /// Makes what the tool needs.
-    fn sync(&mut self, tool: &ScanTool, context: &SyncedWith<'_>) {
-        self.model_from_scan = context.model_from_scan.or(self.model_from_scan);
-        match context.cleaned.filter(|_| tool.moves_scan()) {
-            Some(cleaned) if self.scan.as_ref().is_none_or(|s| !Arc::ptr_eq(&s.of, cleaned)) => {
-                self.scan = Some(ToolScan::new(cleaned));
-                self.preview.clear();
-            }
-            _ => {}
-        }
-        if let ScanTool::Cut(draft) = tool {
-            self.sync_preview(draft, context);
-        }
-    }
-
-    fn sync_preview(&mut self, draft: &CutDraft, context: &SyncedWith<'_>) {
-        self.preview.poll();
-        let Some(scan) = &mut self.scan else { return };
-        let step = draft.step();
-        let key = Hasher::default().of(&step).finish();
-        if self.preview.lacks(key) {
-            let cloud = scan.cloud.clone();
-            self.preview.start(key, Activity::CleaningScan, context.executor, move |progress| {
-                let mut kept = vec![false; cloud.len()];
-                for i in clean(&cloud, &[step], progress)?.source {
-                    kept[i as usize] = true;
-                }
-                Ok(kept)
-            });
-        }
-        let newest = self.preview.newest().map(|(_, kept)| kept.clone());
-        if let Some(kept) = newest.filter(|new| scan.kept.as_ref().is_none_or(|old| !Arc::ptr_eq(old, new))) {
-            let look = ScanLook::Cleaned { kept: &kept, shows_dropped: true };
-            scan.item = scan.picture.item(look, &Isometry3::identity());
-            scan.kept = Some(kept);
-        }
-    }
-
-    /// Where the scan stands for a tool, in the scene: on the part, or beside it.
-    fn scene_from_scan(&self, tool: &ScanTool, part: &Bounds, place: Isometry3<f64>) -> Option<Isometry3<f64>> {
-        let scan = self.scan.as_ref()?;
-        let onto_middle = || Isometry3::from(Translation3::from(part.center() - scan.middle));
-        let on_part = self.model_from_scan.unwrap_or_else(onto_middle);
-        if !matches!(tool, ScanTool::Pairs(_)) {
-            return Some(place * on_part);
-        }
-        let turned = scan.picture.bounds(&on_part)?;
-        let (part_mm, scan_mm) = (part.max - part.min, turned.max - turned.min);
-        // Along the axis on which both are narrow they stay large in the view.
-        let axis = (part_mm + scan_mm).imin();
-        let mut way = part.center() - turned.center();
-        way[axis] = part.max[axis] - turned.min[axis] + GAP * part_mm.norm().max(scan_mm.norm());
-        Some(place * Translation3::from(way) * on_part)
-    }
-}
-
-/// What a tool's picture is made from.
-struct SyncedWith<'a> {
-    cleaned: Option<&'a Arc<Cleaned>>,
-    model_from_scan: Option<Isometry3<f64>>,
-    executor: &'a dyn crate::planning::Executor,
-}
 
 impl App {
     /// Brings what is shown for the tool up to date; without a scan there is no tool.
@@ -175,8 +34,7 @@ impl App {
             self.tool.left_out.sync(part, regions);
         }
         let Some(tool) = &self.session.scan_tool else {
-            let ToolView { fitted, left_out, .. } = std::mem::take(&mut self.tool);
-            self.tool = ToolView { fitted, left_out, ..ToolView::default() };
+            self.tool.lay_down();
             return;
         };
         let scanned = self.derived.pipeline.scanned();
