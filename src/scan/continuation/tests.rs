@@ -65,14 +65,14 @@ impl Made {
         self.truth.iter().map(off).fold(0.0, f64::max)
     }
 
-    /// Mean depth of the wear's deepest part by the continued surface less the true one, mm.
+    /// Mean depth of the wear's deeper half by the continued surface less the true one, mm.
     fn depth_error_mm(&self, found: &Continued) -> f64 {
-        let deep: Vec<usize> = (0..self.points.len()).filter(|i| self.worn_mm[*i] > 0.9 * DEPTH_MM).collect();
+        let deep: Vec<usize> = (0..self.points.len()).filter(|i| self.worn_mm[*i] > 0.5 * DEPTH_MM).collect();
         let error = |&i: &usize| {
             let (foot, normal) = found.closest(&self.points[i]).expect("a foot");
             (foot - self.points[i]).dot(&normal) - self.worn_mm[i]
         };
-        assert!(deep.len() > 20);
+        assert!(deep.len() > 60);
         deep.iter().map(error).sum::<f64>() / deep.len() as f64
     }
 }

@@ -88,6 +88,16 @@ impl Lattice {
         Ok(pieces.concat())
     }
 
+    /// Cells of 1 mm from the origin with so many corners to a side, as far as they are crossed.
+    #[cfg(test)]
+    pub fn of_corners(side: usize, off: impl Fn([usize; 3]) -> f32) -> Lattice {
+        let key = |[x, y, z]: [usize; 3]| x as u64 * STEP[0] + y as u64 * STEP[1] + z as u64 * STEP[2];
+        let all = |side: usize| (0..side * side * side).map(move |i| [i % side, i / side % side, i / side / side]);
+        let (corners, off): (Vec<u64>, Vec<f32>) = all(side).map(|at| (key(at), off(at))).unzip();
+        let cells = all(side - 1).filter_map(|at| crossed(key(at), &corners, &off)).collect();
+        Lattice { cells, cell_mm: 1.0, origin: Point3::origin() }
+    }
+
     /// A place within a cell, 0 to 1 along each side, mm.
     pub fn place(&self, key: u64, within: &Vector3<f64>) -> Point3<f64> {
         let mask = STEP[1] - 1;

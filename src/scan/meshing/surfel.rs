@@ -147,7 +147,7 @@ mod tests {
             let found = Surfel::fitted(Point3::origin(), Vector3::z(), &points, 2.0, &mut Vec::new()).expect("a surface");
             let above = Point3::new(at[0], at[1], height(at[0], at[1]) + 0.01);
             let seen = found.seen(&above);
-            prop_assert!((seen.off_mm - 0.01).abs() < 2e-3, "{}", seen.off_mm);
+            prop_assert!((seen.off_mm - 0.01).abs() < 4e-3, "{}", seen.off_mm);
         }
     }
 

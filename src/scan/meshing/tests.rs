@@ -277,3 +277,30 @@ fn a_million_points() {
     assert_eq!(proper(&mesh), 2);
     println!("{}", rms(mesh.vertices.iter().map(|v| v.coords.norm() - 50.0)));
 }
+
+/// A plate 3 mm thick with its rim, one half of it four times as dense as the other: closed, and no hole where it is thin.
+#[test]
+fn a_plate_of_uneven_density_is_closed() {
+    let mut s = Sequence::new(15);
+    let mut points = Vec::new();
+    while points.len() < 24_000 {
+        let (x, y, z) = (30.0 * s.uniform() - 15.0, 20.0 * s.uniform() - 10.0, 3.0 * s.uniform() - 1.5);
+        let edge = s.uniform() * 1500.0;
+        let p = match edge {
+            e if e < 600.0 => Vector3::new(x, y, 1.5),
+            e if e < 1200.0 => Vector3::new(x, y, -1.5),
+            e if e < 1260.0 => Vector3::new(15.0, y, z),
+            e if e < 1320.0 => Vector3::new(-15.0, y, z),
+            e if e < 1410.0 => Vector3::new(x, 10.0, z),
+            _ => Vector3::new(x, -10.0, z),
+        };
+        if p.x > 0.0 || s.uniform() < 0.25 {
+            points.push(noisy(&mut s, p, NOISE_MM));
+        }
+    }
+    let mesh = meshed(&points);
+    println!("plate {:?}", (mesh.cell_mm, mesh.rms_mm, mesh.dropped_points, mesh.rim_edges.len()));
+    assert_eq!(proper(&mesh), 2);
+    let volume: f64 = (0..mesh.facets.len()).map(|f| normal(&mesh, f).dot(&mesh.vertices[mesh.facets[f][0] as usize].coords) / 6.0).sum();
+    assert!((volume / 1800.0 - 1.0).abs() < 0.02, "{volume}");
+}
