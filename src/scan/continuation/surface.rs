@@ -107,9 +107,12 @@ impl Surface {
                 is_over.then(|| self.foot_of_height(&q, degree, size_mm))?
             }
             Form::Extruded(profile) => {
+                if !profile.holds(q.x) {
+                    return None;
+                }
                 let x = profile.foot(q.x, q.z, &self.coefficients);
                 let [y, dy] = profile.at(x, &self.coefficients);
-                (profile.holds(q.x)).then(|| (Vector3::new(x, q.y, y), Vector3::new(-dy, 0.0, 1.0)))?
+                (Vector3::new(x, q.y, y), Vector3::new(-dy, 0.0, 1.0))
             }
             Form::Revolved(profile) => {
                 let radius = (q.x * q.x + q.y * q.y).sqrt();

@@ -23,12 +23,7 @@ const SPREAD: f64 = 1.0;
 ///
 /// # Errors
 /// The points do not tell the surface.
-pub(super) fn told(
-    fit: &Fit,
-    points: &[Point3<f64>],
-    damaged: &[Point3<f64>],
-    noise_mm: f64,
-) -> Result<f64, Refusal> {
+pub(super) fn told(fit: &Fit, points: &[Point3<f64>], damaged: &[Point3<f64>], noise_mm: f64) -> Result<f64, Refusal> {
     if fit.rms_mm > OFF * noise_mm || fit.share < ON {
         return Err(Refusal::OtherKind { rms_mm: Some(fit.rms_mm) });
     }
@@ -40,7 +35,7 @@ pub(super) fn told(
     }
     let noise_mm = noise_mm.max(fit.rms_mm);
     let spread_deg = (fit.turn_spread() * noise_mm).to_degrees();
-    if !(spread_deg <= AXIS_DEG) {
+    if spread_deg.is_nan() || spread_deg > AXIS_DEG {
         return Err(Refusal::AxisOpen { spread_deg });
     }
     let foot = |p: &Point3<f64>| fit.surface.closest(p).map(|found| found.0);

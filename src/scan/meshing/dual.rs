@@ -108,8 +108,8 @@ impl Dual<'_> {
         // Which of two neighbours in the ring is the upper one, and across which axis they meet.
         let meetings = [(0, 1, u), (3, 2, u), (0, 3, v), (1, 2, v)];
         let mut ring = Vec::with_capacity(8);
-        for k in 0..4 {
-            ring.push(corners[k]);
+        for (k, corner) in corners.into_iter().enumerate() {
+            ring.push(corner);
             let next = (k + 1) % 4;
             let met = meetings.iter().find(|m| (m.0, m.1) == (k, next) || (m.0, m.1) == (next, k));
             ring.extend(met.and_then(|&(upper, lower, across)| self.meeting(cells[upper], cells[lower], across)));

@@ -36,8 +36,7 @@ pub(super) fn first_planes(
 }
 
 fn plane_of(means: &VoxelMeans, index: u32, near: &[Neighbour], reach2: f32) -> FirstPlane {
-    let mut near: Vec<(f32, u32)> =
-        near.iter().filter(|n| n.squared <= reach2).map(|n| (n.squared, n.index)).collect();
+    let mut near: Vec<(f32, u32)> = near.iter().filter(|n| n.squared <= reach2).map(|n| (n.squared, n.index)).collect();
     near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let all = std::iter::once(index).chain(near.iter().map(|n| n.1));
     let counted = all.map(|i| (means.cloud.point(i as usize), f64::from(means.count[i as usize])));

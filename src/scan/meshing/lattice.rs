@@ -45,7 +45,8 @@ impl Lattice {
         let Some(first) = feet().next() else { return Ok(None) };
         let (lo, hi) = feet().fold((first, first), |(lo, hi), p| (lo.inf(&p), hi.sup(&p)));
         let origin = lo - Vector3::repeat(2.0 * cell_mm);
-        if !((hi - origin).amax() / cell_mm + 4.0 < WIDEST) {
+        let widest = (hi - origin).amax() / cell_mm + 4.0;
+        if widest.is_nan() || widest >= WIDEST {
             return Ok(None);
         }
         let key = |p: Point3<f64>| {

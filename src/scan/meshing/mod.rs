@@ -14,10 +14,10 @@ mod fit_figures;
 mod lattice;
 mod orientation;
 mod relaxed;
-mod surfel;
-mod surfels;
 #[cfg(test)]
 mod sample_tests;
+mod surfel;
+mod surfels;
 #[cfg(test)]
 mod tests;
 
@@ -103,8 +103,7 @@ pub fn mesh_of(cloud: &Cloud, progress: &Progress) -> Result<ScanMesh, MeshingEr
         return Err(no_surface);
     }
     let mesh = Mesh::from_indexed_under(progress, made.vertices, made.facets)?;
-    let [mean_mm, rms_mm] =
-        fit_figures::distances_mm(&mesh, &points, &surfels.stand_for, grain.cell_mm, progress)?;
+    let [mean_mm, rms_mm] = fit_figures::distances_mm(&mesh, &points, &surfels.stand_for, grain.cell_mm, progress)?;
     Ok(ScanMesh {
         rim_edges: facets::rim_edges(&mesh.facets),
         vertices: mesh.vertices,

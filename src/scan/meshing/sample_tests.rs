@@ -57,8 +57,12 @@ fn the_scan_of_the_camshaft_becomes_a_part() {
     all.sort_by(f64::total_cmp);
     let share = |s: f64| all[(s * (all.len() - 1) as f64) as usize];
     let rms = (off_edges.iter().map(|d| d * d).sum::<f64>() / off_edges.len() as f64).sqrt();
-    println!("{} of {} facets off edges: rms {rms} mm; shells {:?}", off_edges.len(), all.len(), part.orientation.shell_of.iter().max());
-    println!("{} {} {} {} facing {facing}", share(0.5), share(0.9), share(0.99), share(1.0));
+    println!(
+        "{} of {} facets off edges: rms {rms} mm; shells {:?}",
+        off_edges.len(),
+        all.len(),
+        part.orientation.shell_of.iter().max()
+    );
     assert!(rms < NOISE_MM, "{rms}");
     // What overhangs at a rim, or is rounded at an edge, is of the size of a cell.
     assert!(share(0.9) < 0.1 * mesh.cell_mm && share(0.99) < 0.7 * mesh.cell_mm, "{} {}", share(0.9), share(0.99));

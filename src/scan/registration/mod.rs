@@ -36,8 +36,9 @@ use super::Cloud;
 use crate::part::Part;
 use crate::part::topology::FacetDefect;
 use crate::progress::Progress;
+use crate::scan::TUKEY;
 use nalgebra::{Isometry3, Point3};
-use plane_fit::{Model, Row, TUKEY, capped_rms_mm};
+use plane_fit::{Model, Row, capped_rms_mm};
 use search::Search;
 use sliding::Held;
 
