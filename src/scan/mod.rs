@@ -1,9 +1,9 @@
 //! What was measured of the part on the bench: clouds of points, cleaned, laid on the model, compared with it (P3).
 //!
 //! A cloud comes in the frame of its scan and in the unit of its file; [`mod@file`] reads it, [`cleaning`] takes out what is
-//! none of the part, [`merging`] brings several into one frame, [`registration`] finds `model_from_scan`, [`deviation`]
-//! tells how far the part as it is lies off the model, and where that is wear: a patch. Without a model [`slices`] cut
-//! the cloud itself. Lengths mm. Nothing here knows of surfaces that are worked, beams or robots.
+//! none of the part, [`registration`] finds `model_from_scan`, [`deviation`] tells how far the part as it is lies off
+//! the model, and where that is wear: a patch. Where no model exists, [`meshing`] makes one of a sound part's scan, and
+//! [`continuation`] of what is left of a worn one. Lengths mm. Nothing here knows of section planes, beams or robots.
 
 pub mod assessment;
 pub mod cleaning;
@@ -28,3 +28,5 @@ pub use cloud::Cloud;
 
 /// Standard deviation of normal numbers by the median of their distances from the middle.
 pub(crate) const SIGMA_OF_MEDIAN: f64 = 1.4826;
+/// Width of Tukey's biweight in standard deviations, for 95 % of the mean's efficiency on normal noise.
+pub(crate) const TUKEY: f64 = 4.685;

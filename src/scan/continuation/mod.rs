@@ -5,6 +5,7 @@
 //! say. What the points do not tell is refused, never guessed. Where the damage is, and which kind it takes, is decided
 //! elsewhere. All in one frame, mm.
 
+mod error;
 mod profile;
 mod repaired;
 mod robust;
@@ -14,6 +15,8 @@ mod surface;
 mod tests;
 mod told;
 
+pub use error::ContinuationError;
+
 use super::cloud::Cloud;
 use super::neighbours::Neighbours;
 use crate::progress::{Cancelled, Progress};
@@ -21,7 +24,6 @@ use nalgebra::{Point3, Vector3};
 use robust::Fit;
 use starts::Given;
 use surface::{Form, Surface};
-use thiserror::Error;
 
 /// What a point of a region is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,54 +118,6 @@ pub struct ContinuedSurface {
     surface: Surface,
 }
 
-/// Why nothing is continued.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum ContinuationError {
-    /// The work was cancelled.
-    #[error("cancelled")]
-    Cancelled,
-    /// Lists of different lengths, or a noise that is none.
-    #[error("no region")]
-    NoRegion,
-    /// Too few finite points are sound.
-    #[error("{sound} sound points")]
-    TooFewPoints {
-        /// How many.
-        sound: usize,
-    },
-    /// The sound points are of no surface of this kind: they lie further off the best one than three times their
-    /// noise, or a third of them lies off it; `None` where there is no best one.
-    #[error("not of this kind: {rms_mm:?} mm off")]
-    OtherKind {
-        /// Root mean square of their distances, mm.
-        rms_mm: Option<f64>,
-    },
-    /// The arc of sound points rises so little above its chord that its radius is anyone's guess.
-    #[error("the arc rises by {rise_mm} mm")]
-    ArcTooShort {
-        /// Height of the arc over its chord, mm.
-        rise_mm: f64,
-    },
-    /// The points hold the axis, or the direction, in no place.
-    #[error("the axis is told to {spread_deg} degrees")]
-    AxisOpen {
-        /// Standard deviation of its direction, degrees.
-        spread_deg: f64,
-    },
-    /// So far from sound points the surface might as well be elsewhere.
-    #[error("told to {spread_mm} mm across the damage")]
-    GapTooWide {
-        /// Standard deviation of the surface at the worst of the damaged points, mm.
-        spread_mm: f64,
-    },
-}
-
-impl From<Cancelled> for ContinuationError {
-    fn from(_: Cancelled) -> ContinuationError {
-        ContinuationError::Cancelled
-    }
-}
-
 /// Sound points that a fit needs: three for each parameter of a surface with fifteen.
 const FEWEST: usize = 45;
 /// Points that are fitted at most, evenly taken: the noise of 20 000 leaves 1 % of itself in the surface.
@@ -205,7 +159,7 @@ pub fn continued(
     let normals: Vec<Vector3<f64>> = taken.iter().map(|i| region.normals[*i]).collect();
     let reached = [places(&sound), holes.clone()].concat();
     let size_mm = Cloud::of_points(&points).diagonal();
-    if !(size_mm > 0.0) {
+    if size_mm.is_nan() || size_mm <= 0.0 {
         return Err(ContinuationError::TooFewPoints { sound: sound.len() });
     }
     let given = Given { points: &points, normals: &normals, reached: &reached, size_mm };

@@ -5,7 +5,7 @@
 use super::profile::Profile;
 use super::surface::{Form, Row, Surface};
 use crate::progress::{Cancelled, Progress};
-use crate::scan::SIGMA_OF_MEDIAN;
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
 use nalgebra::{DMatrix, DVector, Point3};
 
 /// Steps: after 24 the width has shrunk to a thousandth of where it began.
@@ -13,8 +13,6 @@ const STEPS: i32 = 24;
 const SHRINK: f64 = 0.75;
 /// Width of the first step, as a share of the size.
 const FIRST_WIDTH: f64 = 0.05;
-/// Width of Tukey's biweight in standard deviations, for 95 % of the mean's efficiency on normal noise.
-const TUKEY: f64 = 4.685;
 /// A step that changes no parameter by more than this share of the size ends the fit, once the width is the points'.
 const SETTLED: f64 = 1e-8;
 /// Least width, mm.

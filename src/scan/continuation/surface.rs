@@ -98,7 +98,7 @@ impl Surface {
     }
 
     /// The foot of a point and the outward unit normal there; `None` beyond the ends of a curve, beside the square
-    /// of a height, and on the axis.
+    /// of a height, on the axis, and so far off that no foot is found.
     pub fn closest(&self, p: &Point3<f64>) -> Option<(Point3<f64>, Vector3<f64>)> {
         let q = self.frame.inverse_transform_point(p).coords;
         let (foot, normal) = match self.form {
@@ -107,9 +107,12 @@ impl Surface {
                 is_over.then(|| self.foot_of_height(&q, degree, size_mm))?
             }
             Form::Extruded(profile) => {
+                if !profile.holds(q.x) {
+                    return None;
+                }
                 let x = profile.foot(q.x, q.z, &self.coefficients);
                 let [y, dy] = profile.at(x, &self.coefficients);
-                (profile.holds(q.x)).then(|| (Vector3::new(x, q.y, y), Vector3::new(-dy, 0.0, 1.0)))?
+                (Vector3::new(x, q.y, y), Vector3::new(-dy, 0.0, 1.0))
             }
             Form::Revolved(profile) => {
                 let radius = (q.x * q.x + q.y * q.y).sqrt();
@@ -119,8 +122,9 @@ impl Surface {
                 (Vector3::new(along.x * y, along.y * y, z), Vector3::new(along.x, along.y, -dy))
             }
         };
-        let found = (self.frame * Point3::from(foot), self.frame * (normal.normalize() * self.outward));
-        found.0.coords.iter().chain(found.1.iter()).all(|c| c.is_finite()).then_some(found)
+        let normal = normal.normalize();
+        let is_foot = (q - foot).cross(&normal).norm() <= SQUARE * (1.0 + (q - foot).norm());
+        is_foot.then(|| (self.frame * Point3::from(foot), self.frame * (normal * self.outward)))
     }
 
     fn foot_of_height(&self, q: &Vector3<f64>, degree: usize, size_mm: f64) -> (Vector3<f64>, Vector3<f64>) {
@@ -151,6 +155,9 @@ fn curve_row(profile: &Profile, x: f64, y: f64, coefficients: &[f64]) -> (Row, f
     slopes.iter_mut().zip(base.value).for_each(|(s, b)| *s = -b / steep);
     (Row { off_mm: (y - height) / steep, motion: [0.0; 4], first: base.first, slopes, count: base.count }, dy)
 }
+
+/// A foot's offset along the surface, mm, and as a share of its distance, up to which it is one.
+const SQUARE: f64 = 1e-4;
 
 /// Number of coefficients of a polynomial of two variables.
 pub(super) fn monomial_count(degree: usize) -> usize {
@@ -186,7 +193,7 @@ mod tests {
         let frame = Isometry3::new(Vector3::new(1.0, -2.0, 3.0), Vector3::new(0.3, -0.7, 0.2));
         let profile = Profile { start_mm: -6.0, end_mm: 6.0, intervals: 3 };
         let curve = vec![9.0, 9.5, 10.4, 10.0, 9.7, 9.9];
-        let height: Vec<f64> = (0..monomial_count(3)).map(|k| 0.1 * (k as f64 - 4.0)).collect();
+        let height: Vec<f64> = (0..monomial_count(3)).map(|k| 0.03 * (k as f64 - 4.0)).collect();
         let forms = [
             (Form::Height { degree: 3, size_mm: 8.0 }, height),
             (Form::Extruded(profile), curve.clone()),
@@ -194,7 +201,8 @@ mod tests {
         ];
         for (form, coefficients) in forms {
             let surface = Surface { frame, form, coefficients, outward: 1.0 };
-            let from = frame * Point3::new(2.0, 6.0, -1.5);
+            let height = if matches!(form, Form::Extruded(_)) { 9.5 } else { -0.2 };
+            let from = frame * Point3::new(2.0, 6.0, height);
             let (foot, normal) = surface.closest(&from).expect("a foot");
             assert!((from - foot).cross(&normal).norm() < 1e-9, "{form:?}");
             // On the surface rows are exact.

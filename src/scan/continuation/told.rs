@@ -40,7 +40,7 @@ pub(super) fn told(
     }
     let noise_mm = noise_mm.max(fit.rms_mm);
     let spread_deg = (fit.turn_spread() * noise_mm).to_degrees();
-    if !(spread_deg <= AXIS_DEG) {
+    if spread_deg.is_nan() || spread_deg > AXIS_DEG {
         return Err(ContinuationError::AxisOpen { spread_deg });
     }
     let foot = |p: &Point3<f64>| fit.surface.closest(p).map(|found| found.0);

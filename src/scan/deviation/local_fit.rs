@@ -3,10 +3,8 @@
 //! with even weights up to the last point the level jumps from place to place as points come and go). A mean would tell the depth at the middle of the points instead,
 //! and thrown at random 40 points have theirs a tenth of their radius off.
 
-use crate::scan::SIGMA_OF_MEDIAN;
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
 
-/// Width of Tukey's biweight in standard deviations, for 95 % of the mean's efficiency on normal noise.
-const TUKEY: f64 = 4.685;
 /// Weights are settled to a per cent of the noise after this many rounds.
 const ROUNDS: usize = 3;
 /// How far the slope is followed, in radii of the points: their middle is nearer but at the rim of a scan. There a

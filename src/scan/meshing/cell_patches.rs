@@ -108,7 +108,7 @@ mod tests {
         // Two opposite corners of a face inside: not joined across it.
         assert_eq!(patches_of(0b0000_1001).count, 2);
         // All the four corners of even parity.
-        assert_eq!(patches_of(0b0110_1001_usize & 0xff).count, 4);
+        assert_eq!(patches_of(0b0110_1001).count, 4);
         assert_eq!(patches_of(0).count + patches_of(255).count, 0);
     }
 }

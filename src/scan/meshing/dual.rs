@@ -4,9 +4,9 @@
 //! Two neighbouring patches can meet twice, across a face whose four edges are all crossed. Four faces would share
 //! that edge; so each meeting has a vertex of its own between them, and no edge has more than two facets.
 
-use super::cell_patches::{CellPatches, EDGES, NO_PATCH, all_patches, edge_number, joined_on_face};
-use super::lattice::{Lattice, STEP};
-use super::surfels::{Room, Surfels};
+use super::cell_patches::{CellPatches, EDGES, all_patches, edge_number, joined_on_face};
+use super::lattice::{CrossedCell, Lattice, STEP};
+use super::surfels::Room;
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -23,17 +23,21 @@ pub(super) struct Faces {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Makes the faces. A patch that no piece of the surface reaches has none, so that rims stay where points end.
-pub(super) fn faces(lattice: &Lattice, surfels: &Surfels, progress: &Progress) -> Result<Faces, Cancelled> {
+/// Makes the faces. `land` brings a patch's middle onto the surface; what it does not land has none, so that rims stay
+/// where points end.
+pub(super) fn faces(
+    lattice: &Lattice,
+    land: impl Fn(&Point3<f64>, &mut Room) -> Option<Point3<f64>> + Sync,
+    progress: &Progress,
+) -> Result<Faces, Cancelled> {
     let patches = all_patches();
     let pieces: Vec<Vec<Option<Point3<f64>>>> = lattice
         .cells
         .par_chunks(PIECE)
         .map_init(Room::default, |room, piece| {
             progress.check()?;
-            let at = |i: usize| patch_vertices(lattice, piece[i].key, i, piece, &patches);
-            let all = (0..piece.len()).flat_map(at);
-            Ok(all.map(|p| p.and_then(|p| reached(surfels, p, lattice.cell_mm, room))).collect())
+            let middles = piece.iter().flat_map(|cell| middles(lattice, cell, &patches[usize::from(cell.inside)]));
+            Ok(middles.map(|p| p.and_then(|p| land(&p, room))).collect())
         })
         .collect::<Result<_, Cancelled>>()?;
     let placed = pieces.concat();
@@ -56,33 +60,18 @@ pub(super) fn faces(lattice: &Lattice, surfels: &Surfels, progress: &Progress) -
 }
 
 /// The middle of the crossed edges of each patch of a cell; `None` for what is no surface.
-fn patch_vertices(
-    lattice: &Lattice,
-    key: u64,
-    at: usize,
-    piece: &[super::lattice::CrossedCell],
-    patches: &[CellPatches],
-) -> Vec<Option<Point3<f64>>> {
-    let cell = &piece[at];
-    let CellPatches { count, of_edge } = patches[usize::from(cell.inside)];
+fn middles(lattice: &Lattice, cell: &CrossedCell, patches: &CellPatches) -> Vec<Option<Point3<f64>>> {
     let middle = |patch: u8| {
         let (mut sum, mut edges) = (Vector3::zeros(), 0.0);
         for (edge, (corner, axis)) in EDGES.into_iter().enumerate() {
-            if of_edge[edge] == patch {
+            if patches.of_edge[edge] == patch {
                 sum += cell.crossing(corner, axis)?;
                 edges += 1.0;
             }
         }
-        Some(lattice.place(key, &(sum / edges)))
+        Some(lattice.place(cell.key, &(sum / edges)))
     };
-    (0..count).map(middle).collect()
-}
-
-/// The place itself, where the surface beneath it goes on as far.
-fn reached(surfels: &Surfels, p: Point3<f64>, cell_mm: f64, room: &mut Room) -> Option<Point3<f64>> {
-    let seen = surfels.seen(&p, room)?;
-    let foot = p - seen.normal * seen.off_mm.clamp(-cell_mm, cell_mm);
-    surfels.reach(&foot, cell_mm, room).then_some(p)
+    (0..patches.count).map(middle).collect()
 }
 
 struct Dual<'a> {
@@ -109,7 +98,7 @@ impl Dual<'_> {
         let around = [(0, 0), (STEP[u], 1 << u), (STEP[u] + STEP[v], 1 << u | 1 << v), (STEP[v], 1 << v)];
         let mut cells = [(0, 0); 4];
         for (slot, (back, corner)) in cells.iter_mut().zip(around) {
-            let Some(found) = self.lattice.find(cell.key - back) else { return };
+            let Some(found) = self.lattice.find(cell.key.wrapping_sub(back)) else { return };
             *slot = (found, edge_number(corner, axis));
         }
         let corners = cells.map(|(found, edge)| self.vertex(found, edge));
@@ -119,8 +108,8 @@ impl Dual<'_> {
         // Which of two neighbours in the ring is the upper one, and across which axis they meet.
         let meetings = [(0, 1, u), (3, 2, u), (0, 3, v), (1, 2, v)];
         let mut ring = Vec::with_capacity(8);
-        for k in 0..4 {
-            ring.push(corners[k]);
+        for (k, corner) in corners.into_iter().enumerate() {
+            ring.push(corner);
             let next = (k + 1) % 4;
             let met = meetings.iter().find(|m| (m.0, m.1) == (k, next) || (m.0, m.1) == (next, k));
             ring.extend(met.and_then(|&(upper, lower, across)| self.meeting(cells[upper], cells[lower], across)));
@@ -133,7 +122,6 @@ impl Dual<'_> {
 
     fn vertex(&self, cell: usize, edge: usize) -> u32 {
         let patch = self.patches[usize::from(self.lattice.cells[cell].inside)].of_edge[edge];
-        debug_assert_ne!(patch, NO_PATCH);
         self.first[cell] + u32::from(patch)
     }
 
@@ -171,5 +159,47 @@ impl Dual<'_> {
         let hub = ring.iter().position(|v| *v >= patches).unwrap_or_default();
         let at = |k: usize| ring[(hub + k) % ring.len()];
         self.faces.triangles.extend((1..ring.len() - 1).map(|k| [at(0), at(k), at(k + 1)]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Corners inside or outside as they fall: every way in which cells can meet, and patches that meet twice.
+    fn any_faces(inside: &[bool], side: usize) -> Faces {
+        let off = |at: [usize; 3]| if inside[(at[2] * side + at[1]) * side + at[0]] { -0.5 } else { 0.5 };
+        faces(&Lattice::of_corners(side, off), |p, _| Some(*p), &Progress::default()).expect("nobody cancels")
+    }
+
+    proptest! {
+        #[test]
+        fn no_edge_has_more_than_two_faces(inside in prop::collection::vec(any::<bool>(), 6 * 6 * 6)) {
+            let faces = any_faces(&inside, 6);
+            let quads = faces.quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]);
+            let all: Vec<[u32; 3]> = quads.chain(faces.triangles.iter().copied()).collect();
+            let mut sides: Vec<[u32; 2]> = all.iter().flat_map(|f| (0..3).map(|k| [f[k], f[(k + 1) % 3]])).collect();
+            sides.sort_unstable();
+            prop_assert!(sides.windows(2).all(|w| w[0] != w[1]));
+            // Where all around a vertex is looked at, nothing is open.
+            let is_inner = |v: u32| faces.vertices[v as usize].iter().all(|c| (1.0..4.0).contains(c));
+            for [a, b] in &sides {
+                if is_inner(*a) && is_inner(*b) {
+                    prop_assert!(sides.binary_search(&[*b, *a]).is_ok());
+                }
+            }
+        }
+    }
+
+    /// Two cells beside each other, the four corners of their face inside in turn, and joined on either side.
+    #[test]
+    fn patches_that_meet_twice_have_vertices_between_them() {
+        let mut inside = vec![true; 4 * 4 * 4];
+        let mut out = |x: usize, y: usize, z: usize| inside[(z * 4 + y) * 4 + x] = false;
+        out(1, 1, 1);
+        out(1, 2, 2);
+        let faces = any_faces(&inside, 4);
+        assert!(!faces.triangles.is_empty());
     }
 }

@@ -45,7 +45,8 @@ impl Lattice {
         let Some(first) = feet().next() else { return Ok(None) };
         let (lo, hi) = feet().fold((first, first), |(lo, hi), p| (lo.inf(&p), hi.sup(&p)));
         let origin = lo - Vector3::repeat(2.0 * cell_mm);
-        if !((hi - origin).amax() / cell_mm + 4.0 < WIDEST) {
+        let widest = (hi - origin).amax() / cell_mm + 4.0;
+        if widest.is_nan() || widest >= WIDEST {
             return Ok(None);
         }
         let key = |p: Point3<f64>| {
@@ -86,6 +87,16 @@ impl Lattice {
             .map(|piece| progress.check().map(|()| piece.iter().map(off).collect()))
             .collect::<Result<_, Cancelled>>()?;
         Ok(pieces.concat())
+    }
+
+    /// Cells of 1 mm from the origin with so many corners to a side, as far as they are crossed.
+    #[cfg(test)]
+    pub fn of_corners(side: usize, off: impl Fn([usize; 3]) -> f32) -> Lattice {
+        let key = |[x, y, z]: [usize; 3]| x as u64 * STEP[0] + y as u64 * STEP[1] + z as u64 * STEP[2];
+        let all = |side: usize| (0..side * side * side).map(move |i| [i % side, i / side % side, i / side / side]);
+        let (corners, off): (Vec<u64>, Vec<f32>) = all(side).map(|at| (key(at), off(at))).unzip();
+        let cells = all(side - 1).filter_map(|at| crossed(key(at), &corners, &off)).collect();
+        Lattice { cells, cell_mm: 1.0, origin: Point3::origin() }
     }
 
     /// A place within a cell, 0 to 1 along each side, mm.

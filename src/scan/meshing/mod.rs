@@ -29,7 +29,7 @@ use crate::part::raw_part::RawFacet;
 use crate::progress::{Cancelled, Progress};
 use lattice::Lattice;
 use nalgebra::Point3;
-use surfels::Surfels;
+use surfels::{Room, Surfels};
 use thiserror::Error;
 
 /// A cloud as a surface. Every edge has one facet or two, which run along it in opposite directions.
@@ -95,7 +95,8 @@ pub fn mesh_of(cloud: &Cloud, progress: &Progress) -> Result<ScanMesh, MeshingEr
         return Err(no_surface);
     }
     let lattice = Lattice::new(&surfels, grain.cell_mm, progress)?.ok_or(MeshingError::TooWide)?;
-    let mut faces = dual::faces(&lattice, &surfels, progress)?;
+    let land = |p: &Point3<f64>, room: &mut Room| surfels.landed(p, grain.cell_mm, room);
+    let mut faces = dual::faces(&lattice, land, progress)?;
     relaxed::relax(&mut faces, &surfels, grain.cell_mm, progress)?;
     let made = facets::facets(&faces);
     if made.facets.is_empty() {

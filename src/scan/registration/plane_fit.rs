@@ -11,7 +11,7 @@
 
 use super::surface::{Row, Surface, is_in};
 use crate::progress::{Cancelled, Progress};
-use crate::scan::SIGMA_OF_MEDIAN;
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
 use nalgebra::{
     Isometry3, Matrix6, Point3, Quaternion, SymmetricEigen, Translation3, Unit, UnitQuaternion, Vector3, Vector6,
 };
@@ -21,8 +21,6 @@ use rayon::prelude::*;
 const BLOCK: usize = 1024;
 /// What the width shrinks by a step.
 const SHRINK: f64 = 0.75;
-/// Tukey's width in standard deviations, for 95 % efficiency, and standard deviations in a median distance.
-pub(in crate::scan) const TUKEY: f64 = 4.685;
 /// The least width, mm: of data without noise.
 const LEAST_WIDTH_MM: f64 = 1e-3;
 /// A step shorter than this share of the median distance is the last.

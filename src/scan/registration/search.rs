@@ -7,11 +7,12 @@ use super::noise::noise_mm;
 use super::options::Start;
 use super::outcome::RegistrationError;
 use super::pairs::start_of;
-use super::plane_fit::{PlaneFit, TUKEY, capped_rms_mm};
+use super::plane_fit::{PlaneFit, capped_rms_mm};
 use super::rivals::{Alike, Rival, telling_patch};
 use super::surface::Model;
 use super::thinned::Thinned;
 use crate::progress::{Cancelled, Progress};
+use crate::scan::TUKEY;
 use nalgebra::Vector3;
 
 /// Voxels along the model's diagonal: of 2 mm on a shaft of 150 mm, 5 000 to 10 000 of them on a part.

@@ -9,6 +9,7 @@ use super::oriented::OrderedPoints;
 use super::scale::median;
 use super::spline::{FEWEST_ROUND, Knots, Spline};
 use crate::scan::SIGMA_OF_MEDIAN;
+use crate::scan::TUKEY;
 
 /// Points of a span to begin with: 20 spacings long.
 const FIRST_POINTS: usize = 64;
@@ -21,8 +22,6 @@ const FEWEST_OF_PART: usize = 4;
 const STANDARD_ERRORS: f64 = 3.0;
 /// Standard error of a median, in standard deviations over the root of the count.
 const ERROR_OF_MEDIAN: f64 = 1.2533;
-/// Tukey's width in standard deviations (95 % efficiency), and its least, mm: of data without noise.
-const TUKEY: f64 = 4.685;
 const LEAST_WIDTH_MM: f64 = 1e-3;
 /// Greatest mean cosine between curve and normals: of normals that point anywhere it is 0.64, of a square bar's, whose
 /// planes lie across its edges, 0.05.
