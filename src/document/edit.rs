@@ -6,6 +6,7 @@ use super::parameter::Parameter;
 use super::recipe::Recipe;
 use super::renumber::LostSettings;
 use super::reshape::Cut;
+use super::scan_carried;
 use super::scan_edit::ScanEdit;
 use super::settings::Settings;
 use super::start_from::StartFrom;
@@ -273,7 +274,10 @@ impl Edit {
             Edit::Inward(inward) => job.layers.inward = *inward,
             Edit::Correction(c) => job.path.correction = *c,
             Edit::FlipShell(n) => toggle(&mut job.part.flipped_shells, *n),
-            Edit::Place(p) => job.part.placement = *p,
+            Edit::Place(p) => {
+                scan_carried::carry(&mut job.scan, &job.part.placement, p);
+                job.part.placement = *p;
+            }
             Edit::ChangedPart(changed) => job.clone_from(changed),
             Edit::Units(u) => job.part.units = *u,
             Edit::Cell(file) => job.cell.file.clone_from(file),

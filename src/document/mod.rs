@@ -29,6 +29,7 @@ pub mod remembered;
 pub mod renumber;
 mod reshape;
 pub mod reweld;
+mod scan_carried;
 pub mod scan_edit;
 pub mod settings;
 pub mod start_from;

@@ -7,17 +7,19 @@ use crate::part::surface::listed;
 use crate::part::topology::Mesh;
 use std::collections::BTreeMap;
 
-/// What beads of a height are to fill of all patches. One for which the bead is too low by far gets none.
-pub fn fills(patched: &PatchedPart, bead_mm: f64) -> Vec<Fill> {
-    patched.patches.iter().flatten().filter_map(|piece| fill(patched, piece, bead_mm)).collect()
+/// What beads of a height are to fill of all patches, whose depths are these, mm. One for which the bead is too low by far
+/// gets none.
+pub fn fills(patched: &PatchedPart, depths_mm: &[f64], bead_mm: f64) -> Vec<Fill> {
+    let pieces = patched.patches.iter().zip(depths_mm).flat_map(|(pieces, mm)| pieces.iter().map(move |p| (p, *mm)));
+    pieces.filter_map(|(piece, depth_mm)| fill(patched, piece, depth_mm, bead_mm)).collect()
 }
 
-fn fill(patched: &PatchedPart, piece: &PatchSurface, bead_mm: f64) -> Option<Fill> {
+/// A surface of a patch is filled in as many layers as all of the patch.
+fn fill(patched: &PatchedPart, piece: &PatchSurface, depth_mm: f64, bead_mm: f64) -> Option<Fill> {
+    let layers = layer_count(depth_mm, bead_mm).ok()?;
     let facets = &patched.surfaces.get(piece.surface.0)?.facets;
     let vertices = facets.iter().flat_map(|&f| patched.part.mesh.facets[f as usize]);
     let depth_mm: BTreeMap<u32, f64> = vertices.map(|v| (v, patched.depth_mm[v as usize].max(0.0))).collect();
-    let deepest_mm = depth_mm.values().fold(0.0, |a: f64, b| a.max(*b));
-    let layers = layer_count(deepest_mm, bead_mm).ok()?;
     Some(Fill { surface: piece.surface.0, cut_from: piece.cut_from.0, bead_mm, layers, depth_mm })
 }
 

@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 
 pub use filling::{after_layers, fills};
 pub use layers::{LayersError, PatchLayer, layer_count, patch_layers};
-pub use shaped::{ScannedShape, shaped};
+pub use shaped::{Lowered, ScannedShape, shaped};
 
 /// Depths over a refined piece of a part, mm, linear within each triangle.
 ///

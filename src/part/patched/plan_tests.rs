@@ -4,7 +4,7 @@ use super::tests::{Worn, rim_mm};
 use crate::cell::Setup;
 use crate::document::{Edit, Job};
 use crate::part::SurfaceId;
-use crate::part::patched::{ScannedShape, shaped};
+use crate::part::patched::{Lowered, ScannedShape, shaped};
 use crate::planning::{PlanCache, plan};
 use crate::progress::Progress;
 
@@ -35,7 +35,7 @@ fn all_targets_of_a_patch_lie_within_its_outline_and_lines_end_at_it() {
 #[test]
 fn beads_fill_a_patch_in_as_many_layers_as_its_depth_takes() {
     let patched = Worn::new(0.4).filled(0.06);
-    let shape = ScannedShape { raised_from_mm: 0.05, with_floors: true };
+    let shape = ScannedShape { raised_from_mm: 0.05, lowered: Lowered::Patches };
     let (part, mut surfaces) = shaped(&patched, &shape, &Progress::default()).expect("nobody cancels");
     surfaces.worked = Some(vec![SurfaceId(7)]);
     let mut job = Job::default();

@@ -1,6 +1,6 @@
 //! Patches as surfaces: areas in closed form, numbers that stay, parts that stay watertight, layers.
 
-use crate::part::patched::{LayersError, PatchLayer, ScannedShape, after_layers, fills, shaped};
+use crate::part::patched::{LayersError, Lowered, PatchLayer, ScannedShape, after_layers, fills, shaped};
 use crate::part::surfaces::Surface;
 use crate::part::topology::FacetDefect;
 use crate::part::{
@@ -323,7 +323,7 @@ impl Worn {
         let cut = PatchCut { above_mm: THRESHOLD_MM, levels_mm: &levels_mm, triangles: &triangles };
         let mut made = with_patches(&self.part, &self.surfaces, &refined, &cut, &Progress::default()).expect("made");
         check(&self.part, &self.surfaces, &made);
-        made.surfaces.fills = fills(&made, bead_mm);
+        made.surfaces.fills = fills(&made, &[WEAR_MM], bead_mm);
         made
     }
 
@@ -381,11 +381,11 @@ fn each_layer_of_a_filled_patch_has_the_area_that_is_deeper_than_the_beads_below
 #[test]
 fn floors_go_down_by_their_depth_and_what_is_built_up_stands_out() {
     let patched = Worn::new(0.4).filled(0.06);
-    let of = |raised_from_mm, with_floors| {
-        let shape = ScannedShape { raised_from_mm, with_floors };
+    let of = |raised_from_mm, lowered| {
+        let shape = ScannedShape { raised_from_mm, lowered };
         shaped(&patched, &shape, &Progress::default()).expect("nobody cancels")
     };
-    let (floor, surfaces) = of(THRESHOLD_MM, true);
+    let (floor, surfaces) = of(THRESHOLD_MM, Lowered::Patches);
     let facets = &patched.part.mesh.facets;
     assert_eq!((floor.mesh.facets.len(), &surfaces.of_facet), (facets.len(), &patched.surfaces.of_facet));
     let patch = patched.surfaces.get(7).expect("the patch");
@@ -397,11 +397,17 @@ fn floors_go_down_by_their_depth_and_what_is_built_up_stands_out() {
     assert!(in_patch.len() > 50);
     assert_ne!(floor.digest, patched.part.digest);
     // Without floors nothing moves here: nothing is built up.
-    let (same, _) = of(THRESHOLD_MM, false);
+    let (same, _) = of(THRESHOLD_MM, Lowered::Nothing);
     assert_eq!(same.mesh.vertices, patched.part.mesh.vertices);
+    // Everything: what is worn less than a patch as well.
+    let (all, _) = of(THRESHOLD_MM, Lowered::All);
+    for (v, (now, before)) in all.mesh.vertices.iter().zip(&patched.part.mesh.vertices).enumerate() {
+        let depth_mm = if patched.depth_mm[v] > 0.0 { patched.depth_mm[v] } else { 0.0 };
+        assert!((before - now - Vector3::z() * depth_mm).norm() < 1e-9, "{before} {now} {depth_mm}");
+    }
     // The same depths as surplus stand out by it, from the threshold on.
     let raised = PatchedPart { depth_mm: patched.depth_mm.iter().map(|d| -d).collect(), ..patched.clone() };
-    let shape = ScannedShape { raised_from_mm: THRESHOLD_MM, with_floors: false };
+    let shape = ScannedShape { raised_from_mm: THRESHOLD_MM, lowered: Lowered::Nothing };
     let (part, _) = shaped(&raised, &shape, &Progress::default()).expect("nobody cancels");
     for (v, (now, before)) in part.mesh.vertices.iter().zip(&patched.part.mesh.vertices).enumerate() {
         let height_mm = if patched.depth_mm[v] >= THRESHOLD_MM { patched.depth_mm[v] } else { 0.0 };

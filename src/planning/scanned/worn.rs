@@ -6,8 +6,8 @@ use super::{ComparedScan, LaidScan, ScanError, ScanModel};
 use crate::document::Job;
 use crate::document::model::{JobScan, PatchChoice, ScanLines, ScanWork};
 use crate::part::patched::{
-    LayersError, PatchCut, PatchLayer, PatchSurface, PatchedPart, RefinedFacets, ScannedShape, fills, layer_count,
-    patch_layers, shaped, with_patches,
+    LayersError, Lowered, PatchCut, PatchLayer, PatchSurface, PatchedPart, RefinedFacets, ScannedShape, fills,
+    layer_count, patch_layers, shaped, with_patches,
 };
 use crate::part::{Part, SurfaceId, Surfaces};
 use crate::progress::{Cancelled, Progress};
@@ -48,7 +48,7 @@ pub fn worn(
     // Cut where material is missing: what is built up is a part of the surface that it stands on.
     let missing: Vec<&Patch> = patches.iter().filter(|p| are_worked && p.kind == PatchKind::Missing).collect();
     let bead_mm = job.section_of_bead().map(|_| job.bead.height_mm).filter(|_| are_worked);
-    let deepest_mm = missing.iter().map(|p| p.depth_mm).fold(0.0, f64::max);
+    let depths_mm: Vec<f64> = missing.iter().map(|p| p.depth_mm).collect();
     let refined = RefinedFacets {
         vertices: &field.vertices,
         triangles: &field.triangles,
@@ -56,22 +56,26 @@ pub fn worn(
         depth_mm: &field.depth_mm,
     };
     let triangles: Vec<Vec<u32>> = missing.iter().map(|p| p.triangles.clone()).collect();
-    let levels_mm = levels(scan.min_depth_mm, deepest_mm, bead_mm)?;
+    let levels_mm = levels(scan.min_depth_mm, depths_mm.iter().copied().fold(0.0, f64::max), bead_mm)?;
     let cut = PatchCut { above_mm: scan.min_depth_mm, levels_mm: &levels_mm, triangles: &triangles };
     let mut patched = with_patches(part, surfaces, &refined, &cut, progress)?;
     if let Some(bead_mm) = bead_mm {
-        patched.surfaces.fills = fills(&patched, bead_mm);
+        patched.surfaces.fills = fills(&patched, &depths_mm, bead_mm);
     }
     if are_worked {
         patched.surfaces.worked = Some(worked(&patched, &scan.patches));
     }
-    let shape = ScannedShape { raised_from_mm: scan.min_depth_mm, with_floors: bead_mm.is_some() };
     if scan.lines == ScanLines::Points {
         patched.surfaces.measured = Some(Arc::new(measured(part, laid, compared, progress)?));
     }
-    let is_moved = is_built_up || shape.with_floors && !missing.is_empty();
-    let (part, surfaces) = match is_moved {
-        true => shaped(&patched, &shape, progress)?,
+    // Spots on the points of the scan are on the part as it is, beads on the floor of what they fill.
+    let lowered = match (scan.lines, bead_mm) {
+        (ScanLines::Points, _) => Lowered::All,
+        (ScanLines::Facets, Some(_)) if !missing.is_empty() => Lowered::Patches,
+        (ScanLines::Facets, _) => Lowered::Nothing,
+    };
+    let (part, surfaces) = match is_built_up || lowered != Lowered::Nothing {
+        true => shaped(&patched, &ScannedShape { raised_from_mm: scan.min_depth_mm, lowered }, progress)?,
         false => (patched.part, patched.surfaces),
     };
     let layers_of = |p: &Patch| match bead_mm.filter(|_| p.kind == PatchKind::Missing) {
