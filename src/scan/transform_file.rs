@@ -52,6 +52,15 @@ pub enum MatrixFault {
     Mirrors,
 }
 
+/// The sixteen numbers of a text, as other programs show a matrix: apart by anything that belongs to no number. `None`: it
+/// has another count of numbers.
+pub fn numbers(text: &str) -> Option<[f64; 16]> {
+    let belongs = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E');
+    let words = text.split(|c| !belongs(c)).filter(|w| w.contains(|c: char| c.is_ascii_digit()));
+    let all: Vec<f64> = words.map(str::parse).collect::<Result<_, _>>().ok()?;
+    all.try_into().ok()
+}
+
 #[derive(Deserialize)]
 struct TransformText {
     model_from_scan: [f64; 16],
@@ -117,6 +126,15 @@ mod tests {
         assert!((back.to_homogeneous() - motion.to_homogeneous()).amax() < 1e-12);
         let coarse = rows(&motion).map(|x| f64::from(x as f32));
         assert!((rigid(&coarse).expect("rigid").to_homogeneous() - motion.to_homogeneous()).amax() < 1e-4);
+    }
+
+    #[test]
+    fn a_matrix_is_taken_as_other_programs_show_it() {
+        let shown = "1.0 0.0  -0.5e1 3\n0,1,0,4;\n[0 0 1 5]\n0 0 0 1";
+        assert_eq!(numbers(shown).map(|n| [n[2], n[3], n[7], n[11]]), Some([-5.0, 3.0, 4.0, 5.0]));
+        for text in ["", "1 0 0", "e e e", &"1 ".repeat(17), "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1.2.3"] {
+            assert_eq!(numbers(text), None, "{text}");
+        }
     }
 
     #[test]

@@ -7,8 +7,8 @@ use super::super::super::theme;
 use super::{left_out, pairs};
 use crate::document::scan_edit::ScanEdit;
 use crate::planning::scanned::{LaidScan, RegistrationReport, RivalReport, Scanned};
-use crate::scan::transform_file::rows;
-use crate::text::{Sentence as _, how_it_lies, id, say};
+use crate::scan::transform_file::{numbers, rigid, rows};
+use crate::text::{Sentence as _, fixed, how_it_lies, id, say};
 use eframe::egui::{self, RichText};
 
 pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, actions: &mut Actions) {
@@ -54,6 +54,38 @@ fn position(ui: &mut egui::Ui, laid: &LaidScan, context: Context<'_>, actions: &
             actions.scan(ScanEdit::Transform(None));
         }
     });
+    typed(ui, laid, actions);
+}
+
+/// The position as sixteen numbers, to be copied, or pasted from another program.
+fn typed(ui: &mut egui::Ui, laid: &LaidScan, actions: &mut Actions) {
+    let header = egui::CollapsingHeader::new(say!(scan_panel_matrix)).default_open(false);
+    header.show(ui, |ui| {
+        let key = ui.id().with("matrix");
+        let shown = || rows(&laid.model_from_scan).chunks(4).map(line).collect::<Vec<_>>().join("\n");
+        let mut text = ui.data(|d| d.get_temp::<String>(key)).unwrap_or_else(shown);
+        let field = ui.add(egui::TextEdit::multiline(&mut text).desired_rows(4).code_editor());
+        field.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MultilineTextInput, true, say!(scan_panel_matrix)));
+        let given = numbers(&text).ok_or_else(|| say!(scan_panel_no_matrix));
+        let given = given.and_then(|n| rigid(&n).map(|_| n).map_err(|fault| say!(scan_matrix, fault = fault.sentence())));
+        if field.changed() {
+            ui.data_mut(|d| d.insert_temp(key, text));
+        }
+        match given {
+            Err(why) => drop(ui.label(RichText::new(theme::capital(&why)).color(theme::ATTENTION))),
+            Ok(given) => {
+                if ui.small_button(say!(scan_panel_take_matrix)).clicked() {
+                    ui.data_mut(|d| d.remove::<String>(key));
+                    actions.scan(ScanEdit::Transform(Some(given)));
+                }
+            }
+        }
+    });
+}
+
+/// A row of the matrix, with as many digits as tell a hundredth of a micrometre on a metre.
+fn line(row: &[f64]) -> String {
+    row.iter().map(|x| fixed(*x, 8)).collect::<Vec<_>>().join(" ")
 }
 
 fn take_rival(ui: &mut egui::Ui, at: usize, rival: &RivalReport, actions: &mut Actions) {
