@@ -50,7 +50,7 @@ fn the_scan_of_the_camshaft_becomes_a_part() {
         let normal = model.mesh.normals[closest.facet as usize];
         facing += usize::from(normal.dot(&part.mesh.normals[f]) > 0.0);
         all.push(closest.distance_mm);
-        if is_off_edges(&model, &closest.foot, &normal, 1.5 * mesh.cell_mm) {
+        if is_off_edges(&model, &closest.foot, &normal, 2.0 * mesh.cell_mm) {
             off_edges.push(closest.distance_mm);
         }
     }
