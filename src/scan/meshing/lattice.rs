@@ -1,9 +1,9 @@
 //! The cells near the points and the surface's signed distance at their corners: where it crosses a cell.
 //!
-//! Cells are those with a piece of the surface in them and all around: a hole of two cells may be bridged, a larger
-//! one is not even looked at. Keys hold three places of 21 bits, so that sorted cells come plane by plane, row by row.
+//! Cells are those with a piece of the surface in them, and those up to two cells beside: what lies further from all
+//! points is not even looked at. Keys hold three places of 21 bits, so that sorted cells come plane by plane, row by row.
 
-use super::surfels::Surfels;
+use super::surfels::{Room, Surfels};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -13,11 +13,12 @@ const BITS: u32 = 21;
 pub(super) const STEP: [u64; 3] = [1, 1 << BITS, 1 << (2 * BITS)];
 /// Cells along a side at most.
 const WIDEST: f64 = 2_000_000.0;
-/// A corner further off the pieces, in cells, belongs to no crossed cell: half a diagonal, and two cells on.
-const FAR: f64 = 3.0;
+/// A corner further off the pieces, in cells, belongs to no crossed cell: a diagonal, and two cells on.
+const FAR: f64 = 4.0;
 /// Both ends of a crossed edge together are off the surface by the edge's length at most, and some more where the
-/// nearest pieces differ. More are the middle between two sheets that face the same way: no surface.
-const CROSSED: f32 = 1.6;
+/// nearest pieces differ: 1.8 at the sharp edge of a plate that is thin of points. Half-way between two sheets that face
+/// the same way, four cells apart, it is 3: no surface.
+const CROSSED: f32 = 2.4;
 /// Pieces of work.
 const PIECE: usize = 1024;
 
@@ -44,8 +45,8 @@ impl Lattice {
         let feet = || surfels.all.iter().map(|s| s.foot());
         let Some(first) = feet().next() else { return Ok(None) };
         let (lo, hi) = feet().fold((first, first), |(lo, hi), p| (lo.inf(&p), hi.sup(&p)));
-        let origin = lo - Vector3::repeat(2.0 * cell_mm);
-        let widest = (hi - origin).amax() / cell_mm + 4.0;
+        let origin = lo - Vector3::repeat(3.0 * cell_mm);
+        let widest = (hi - origin).amax() / cell_mm + 6.0;
         if widest.is_nan() || widest >= WIDEST {
             return Ok(None);
         }
@@ -56,7 +57,7 @@ impl Lattice {
         let mut cells: Vec<u64> = feet().map(key).collect();
         sort(&mut cells, progress)?;
         for step in STEP {
-            spread(&mut cells, &[step.wrapping_neg(), step], progress)?;
+            spread(&mut cells, &[step.wrapping_neg(), step, (2 * step).wrapping_neg(), 2 * step], progress)?;
         }
         let mut corners = cells.clone();
         for step in STEP {
@@ -77,14 +78,16 @@ impl Lattice {
 
     /// Signed distances of corners, in cells; NaN where no piece is near.
     fn distances(&self, corners: &[u64], surfels: &Surfels, progress: &Progress) -> Result<Vec<f32>, Cancelled> {
-        let off = |&key: &u64| {
-            let p = self.place(key, &Vector3::zeros());
-            let nearest = surfels.nearest(&p, FAR * self.cell_mm);
-            nearest.map_or(f32::NAN, |surfel| (surfel.seen(&p).off_mm / self.cell_mm) as f32)
+        let off = |key: u64, room: &mut Room| {
+            let seen = surfels.seen(&self.place(key, &Vector3::zeros()), FAR * self.cell_mm, room);
+            seen.map_or(f32::NAN, |seen| (seen.off_mm / self.cell_mm) as f32)
         };
         let pieces: Vec<Vec<f32>> = corners
             .par_chunks(PIECE)
-            .map(|piece| progress.check().map(|()| piece.iter().map(off).collect()))
+            .map_init(Room::default, |room, piece| {
+                progress.check()?;
+                Ok(piece.iter().map(|key| off(*key, room)).collect())
+            })
             .collect::<Result<_, Cancelled>>()?;
         Ok(pieces.concat())
     }

@@ -1,8 +1,8 @@
 //! A triangle mesh from a cloud: the scan of a sound part becomes the nominal model, and a scan its own obstacle.
 //!
 //! Points are thinned to voxels, a quadric is fitted to the neighbours of each, and the surface crosses a lattice of
-//! cells where the signed distance to the nearest quadric changes its sign. Nothing is closed: where no point was
-//! measured the mesh has a rim, but for holes of two cells or less. Edges are rounded over about a cell. Everything is
+//! cells where the signed distance to the nearest quadrics changes its sign. Nothing is closed: where no point was
+//! measured the mesh has a rim, but for holes of three cells or less. Edges are rounded over about a cell. Everything is
 //! in the frame of the cloud, mm.
 
 mod cell_patches;

@@ -29,7 +29,7 @@ pub(super) fn relax(faces: &mut Faces, surfels: &Surfels, cell_mm: f64, progress
 }
 
 fn on_surface(p: Point3<f64>, surfels: &Surfels, cell_mm: f64, room: &mut Room) -> Point3<f64> {
-    surfels.seen(&p, room).map_or(p, |seen| p - seen.normal * seen.off_mm.clamp(-cell_mm, cell_mm))
+    surfels.seen(&p, f64::INFINITY, room).map_or(p, |seen| p - seen.normal * seen.off_mm.clamp(-cell_mm, cell_mm))
 }
 
 fn moved(

@@ -28,9 +28,10 @@ const THINNER: f64 = 24.0;
 /// Normals whose cosine is less do not belong to one surface: the far side of a sheet, the other face of an edge.
 /// Up to the second one they count more and more.
 const AGREEING: [f64; 2] = [0.3, 0.8];
-/// How far the surface goes on around a point, as a share of the reach of its neighbours, and in cells at least. Of
-/// points scattered at random one place in 10 000 has none so near.
-const GOES_ON: f64 = 0.55;
+/// How far the surface goes on around a point, as a share of the reach of its neighbours, and at least a cell. Of
+/// points scattered at random one place in a million has none so near; with 0.55 a plate with a quarter of the density
+/// on one side has holes there. Holes of up to three cells close with it.
+const GOES_ON: f64 = 0.65;
 /// So near to a piece, in cells, the surface is sure to go on.
 const SURELY_ON: f64 = 0.5;
 /// Further off, pieces have to stand on more than one side: the middle of the nearest ones lies off the place by less
@@ -89,11 +90,6 @@ impl Surfels {
         Ok(Some(surfels))
     }
 
-    /// The nearest piece.
-    pub fn nearest(&self, p: &Point3<f64>, within_mm: f64) -> Option<&Surfel> {
-        self.feet.nearest_one(p, within_mm).map(|found| &self.all[found.index as usize])
-    }
-
     /// The foot of a place on the surface; `None` where no points were measured: beyond a rim, or in a hole.
     pub fn landed(&self, p: &Point3<f64>, cell_mm: f64, room: &mut Room) -> Option<Point3<f64>> {
         self.feet.nearest(p, AROUND, &mut room.near);
@@ -115,10 +111,11 @@ impl Surfels {
         is_measured.then_some(landed)
     }
 
-    /// How the pieces around a place see it, those nearer counting more.
-    pub fn seen(&self, p: &Point3<f64>, room: &mut Room) -> Option<Seen> {
+    /// How the pieces around a place see it, those nearer counting more; `None` where the nearest is further off.
+    pub fn seen(&self, p: &Point3<f64>, within_mm: f64, room: &mut Room) -> Option<Seen> {
         self.feet.nearest(p, ASKED, &mut room.near);
-        self.together(p, &room.near)
+        let is_near = f64::from(room.near.first()?.squared) <= within_mm * within_mm;
+        is_near.then(|| self.together(p, &room.near))?
     }
 
     fn together(&self, p: &Point3<f64>, near: &[Neighbour]) -> Option<Seen> {
