@@ -41,6 +41,11 @@ const LEAST_OVERLAP: f64 = 0.2;
 /// Least share of the points with a partner that lie on it. The right pose leaves out those beside edges alone: 0.98 and
 /// more of two views of bracket and camshaft; the camshaft turned about its axis has up to 0.85.
 const LEAST_AGREEING: f64 = 0.92;
+/// How far from a start that was given the scan's middle may be moved, as a share of the diagonal, and how far it may be
+/// turned, degrees: half as far again as a start may be off. A scan of a plate's other face comes to lie on the first
+/// one by its thickness.
+const MOST_MOVED: f64 = 0.075;
+const MOST_TURNED_DEG: f64 = 22.5;
 /// Another pose with this share of the best one's overlap is as good.
 const RIVAL: f64 = 0.8;
 
@@ -86,6 +91,14 @@ pub enum OverlapError {
         overlap_share: f64,
         /// Share of those with a partner.
         agreeing_share: f64,
+    },
+    /// It fits, but further from the start that was given than that may be off.
+    #[error("{moved_mm} mm and {turned_deg}° from the start")]
+    FarFromStart {
+        /// How far the scan's middle was moved.
+        moved_mm: f64,
+        /// How far it was turned.
+        turned_deg: f64,
     },
     /// Several poses fit as well.
     #[error("{} poses fit as well", poses.len())]
@@ -145,6 +158,9 @@ pub fn by_overlap(
     if !met.is_overlap() {
         return Err(OverlapError::NoOverlap { overlap_share: met.overlap, agreeing_share: met.agreeing });
     }
+    if let OverlapStart::Near(start) = start {
+        laying.stayed_near(start, &fit.model_from_scan)?;
+    }
     Ok(OverlapFit {
         common_from_scan: fit.model_from_scan,
         rms_mm: met.rms_mm,
@@ -199,6 +215,16 @@ impl Laying<'_> {
         let share = |all: usize| count as f64 / all.max(1) as f64;
         let rms_mm = (squares / count.max(1) as f64).sqrt();
         Met { overlap: share(fit.rows.len()), agreeing: share(partners().count()), rms_mm }
+    }
+
+    /// # Errors
+    /// [`OverlapError::FarFromStart`].
+    fn stayed_near(&self, start: &Isometry3<f64>, found: &Isometry3<f64>) -> Result<(), OverlapError> {
+        let middle = self.apart().middle;
+        let moved_mm = (found * middle - start * middle).norm();
+        let turned_deg = start.rotation.angle_to(&found.rotation).to_degrees();
+        let is_near = moved_mm <= MOST_MOVED * self.diagonal_mm && turned_deg <= MOST_TURNED_DEG;
+        if is_near { Ok(()) } else { Err(OverlapError::FarFromStart { moved_mm, turned_deg }) }
     }
 
     /// The pose from anywhere that more of the scan agrees with than with any other.
