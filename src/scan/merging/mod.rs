@@ -4,12 +4,14 @@
 mod cloud_surface;
 mod markers;
 mod overlap;
+mod overlap_fit;
 mod sampled;
 #[cfg(test)]
 mod tests;
 
 pub use markers::{Marker, MarkerError, MarkerFit, by_markers};
-pub use overlap::{OverlapError, OverlapFit, OverlapStart, by_overlap};
+pub use overlap::by_overlap;
+pub use overlap_fit::{OverlapError, OverlapFit, OverlapStart};
 
 use super::cloud::Cloud;
 use crate::progress::{Cancelled, Progress};

@@ -5,10 +5,10 @@
 //! do: two views of a shaft may fit as well half a turn off. That is refused, and never chosen in silence.
 
 use super::cloud_surface::CloudSurface;
+use super::overlap_fit::{OverlapError, OverlapFit, OverlapStart};
 use super::sampled::Sampled;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::cloud::Cloud;
-use crate::scan::registration::Sliding;
 use crate::scan::registration::coarse::{Apart, walked};
 use crate::scan::registration::field::Field;
 use crate::scan::registration::fine::SLIDES_BELOW;
@@ -41,68 +41,13 @@ const LEAST_OVERLAP: f64 = 0.2;
 /// Least share of the points with a partner that lie on it. The right pose leaves out those beside edges alone: 0.98 and
 /// more of two views of bracket and camshaft; the camshaft turned about its axis has up to 0.85.
 const LEAST_AGREEING: f64 = 0.92;
+/// How far from a start that was given the scan's middle may be moved, as a share of the diagonal, and how far it may be
+/// turned, degrees: half as far again as a start may be off. A scan of a plate's other face comes to lie on the first
+/// one by its thickness.
+const MOST_MOVED: f64 = 0.075;
+const MOST_TURNED_DEG: f64 = 22.5;
 /// Another pose with this share of the best one's overlap is as good.
 const RIVAL: f64 = 0.8;
-
-/// From where a scan is brought to the others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum OverlapStart {
-    /// From any pose.
-    Anywhere,
-    /// From a `common_from_scan` that is off by 15° and a twentieth of the diagonal at the most.
-    Near(Isometry3<f64>),
-}
-
-/// Where a scan lies beside the others. Lengths mm.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OverlapFit {
-    /// The motion.
-    pub common_from_scan: Isometry3<f64>,
-    /// Root of the mean square distance of the points that lie on the other cloud.
-    pub rms_mm: f64,
-    /// What is expected of it: the noise of both clouds together.
-    pub noise_mm: f64,
-    /// Share of the scan's points that lie on the other cloud.
-    pub overlap_share: f64,
-    /// Motions that the shared area does not hold, or hardly; common frame.
-    pub sliding: Vec<Sliding>,
-}
-
-/// Why overlap tells no motion.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum OverlapError {
-    /// One of the clouds has too few.
-    #[error("{found} points, {needed} needed")]
-    TooFewPoints {
-        /// How many there are.
-        found: usize,
-        /// How many there must be.
-        needed: usize,
-    },
-    /// At the best pose too little of the scan lies on the other cloud, or too much of it beside.
-    #[error("overlap {overlap_share}, of what meets {agreeing_share} agrees")]
-    NoOverlap {
-        /// Share of the scan's points that lie on the other cloud.
-        overlap_share: f64,
-        /// Share of those with a partner.
-        agreeing_share: f64,
-    },
-    /// Several poses fit as well.
-    #[error("{} poses fit as well", poses.len())]
-    Ambiguous {
-        /// Each of them as `common_from_scan`, the best first.
-        poses: Vec<Isometry3<f64>>,
-    },
-    /// Somebody ended it.
-    #[error("cancelled")]
-    Cancelled,
-}
-
-impl From<Cancelled> for OverlapError {
-    fn from(_: Cancelled) -> OverlapError {
-        OverlapError::Cancelled
-    }
-}
 
 /// Brings a scan (its frame, mm) to the cloud of those that are placed (common frame, mm). They ought to share 30 % of
 /// the scan's area. Where both clouds have normals, those tell the two sides of a thin wall apart.
@@ -125,8 +70,7 @@ pub fn by_overlap(
         return Err(OverlapError::TooFewPoints { found, needed: FEWEST_POINTS });
     }
     let surface = placed_points.surface(progress)?;
-    let noises = [placed_points.noise_mm, added_points.noise_mm];
-    let noise_mm = (noises[0] * noises[0] + noises[1] * noises[1]).sqrt();
+    let noise_mm = libm::hypot(placed_points.noise_mm, added_points.noise_mm);
     let laying = Laying {
         surface: &surface,
         added: &added_points,
@@ -134,16 +78,18 @@ pub fn by_overlap(
         diagonal_mm,
         within_mm: WITHIN_SIGMAS * noise_mm.max(FLOOR * diagonal_mm),
     };
-    let near = match start {
-        OverlapStart::Near(pose) => *pose,
-        OverlapStart::Anywhere => laying.found(&placed_points, progress)?,
+    let (near, width) = match start {
+        OverlapStart::Near(pose) => (*pose, GIVEN_WIDTH),
+        OverlapStart::Anywhere => (laying.found(&placed_points, progress)?, FOUND_WIDTH),
     };
-    let width = if matches!(start, OverlapStart::Near(_)) { GIVEN_WIDTH } else { FOUND_WIDTH };
     let way = laying.laid(&near, WAY, width, progress)?;
     let fit = laying.laid(&way.model_from_scan, END, END_WIDTH, progress)?;
     let met = laying.met(&fit);
     if !met.is_overlap() {
         return Err(OverlapError::NoOverlap { overlap_share: met.overlap, agreeing_share: met.agreeing });
+    }
+    if let OverlapStart::Near(start) = start {
+        laying.stayed_near(start, &fit.model_from_scan)?;
     }
     Ok(OverlapFit {
         common_from_scan: fit.model_from_scan,
@@ -199,6 +145,16 @@ impl Laying<'_> {
         let share = |all: usize| count as f64 / all.max(1) as f64;
         let rms_mm = (squares / count.max(1) as f64).sqrt();
         Met { overlap: share(fit.rows.len()), agreeing: share(partners().count()), rms_mm }
+    }
+
+    /// # Errors
+    /// [`OverlapError::FarFromStart`].
+    fn stayed_near(&self, start: &Isometry3<f64>, found: &Isometry3<f64>) -> Result<(), OverlapError> {
+        let middle = self.apart().middle;
+        let moved_mm = (found * middle - start * middle).norm();
+        let turned_deg = start.rotation.angle_to(&found.rotation).to_degrees();
+        let is_near = moved_mm <= MOST_MOVED * self.diagonal_mm && turned_deg <= MOST_TURNED_DEG;
+        if is_near { Ok(()) } else { Err(OverlapError::FarFromStart { moved_mm, turned_deg }) }
     }
 
     /// The pose from anywhere that more of the scan agrees with than with any other.

@@ -98,10 +98,27 @@ fn from_anywhere_it_is_found_or_refused_and_never_wrong() {
     }
 }
 
+/// The two ends of a camshaft.
+fn views_of_sides() -> Views {
+    let part = camshaft();
+    let (lo, hi) = part.iter().flatten().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p[0]), h.max(p[0])));
+    let half = |from: f64| -> Triangles {
+        let is_in = |t: &&[[f64; 3]; 3]| t.iter().all(|p| (from..from + 0.5).contains(&((p[0] - lo) / (hi - lo))));
+        part.iter().filter(is_in).copied().collect()
+    };
+    let one = views(&half(0.0), [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0]], 0.9, 10_000);
+    let other = views(&half(0.5), [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0]], 0.9, 10_000);
+    Views { added: other.added, ..one }
+}
+
 #[test]
 fn views_that_share_nothing_are_refused() {
     let views = views(&bracket(), [[0.0, 0.1, 1.0], [0.1, 0.0, -1.0]], 0.35, 10_000);
     let refused = views.found(&OverlapStart::Near(views.truth));
+    // The lower face fits on the upper one as well as on itself, 12 mm off.
+    assert!(matches!(refused, Err(OverlapError::FarFromStart { .. })), "{refused:?}");
+    let sides = views_of_sides();
+    let refused = sides.found(&OverlapStart::Near(sides.truth));
     assert!(matches!(refused, Err(OverlapError::NoOverlap { .. })), "{refused:?}");
 }
 

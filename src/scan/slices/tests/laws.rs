@@ -34,11 +34,11 @@ fn a_ring_with_a_gap_is_open_there() {
     assert!(!curve.closed && ends.iter().all(|p| p.x > 7.0 && (p.y.abs() - 2.0).abs() < 0.5), "{ends:?}");
 }
 
-/// Points in the air, one to ten of the part's, make no curves.
+/// Points in the air, one to forty of the part's, make no curves.
 #[test]
 fn stray_points_make_no_curves() {
     let mut points = sphere(10.0, 5.0);
-    let stray = made(600, [40.0, 40.0], |x, y| (Point3::new(x - 20.0, y - 20.0, 0.0), Vector3::z()));
+    let stray = made(150, [40.0, 40.0], |x, y| (Point3::new(x - 20.0, y - 20.0, 0.0), Vector3::z()));
     let mut numbers = Sequence::new(9);
     points.extend(stray.into_iter().map(|(p, n)| (p + Vector3::z() * (40.0 * numbers.uniform() - 20.0), n)));
     let planes: Vec<SlicePlane> = (0..9).map(|i| plane([0.0, 0.0, 1.0], 2.0 * f64::from(i) - 8.0)).collect();
