@@ -20,7 +20,9 @@ use std::time::Instant;
 
 fn main() {
     let paths: Vec<PathBuf> = std::env::args().skip(1).filter(|a| a != "--bench").map(PathBuf::from).collect();
-    println!("| part | facets | points | read s | outliers s | thinned s | register s | off mm | compare s | deepest mm |");
+    println!(
+        "| part | facets | points | read s | outliers s | thinned s | register s | off mm | compare s | deepest mm |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     if paths.is_empty() {
         sample();

@@ -1,6 +1,8 @@
 //! Scans by command: the sample camshaft as it came from the bench is laid on its model, its wear is found, and a
 //! program is made for the worn place alone.
 
+use clearbeam::sample::{FixedNumbers, solids, stl_bytes};
+use clearbeam::scan::{Cloud, ply_file};
 use nalgebra::{Matrix4, Point3};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -196,4 +198,53 @@ fn beads_fill_the_worn_place_in_layers() {
     assert!(areas[0] > areas[1] && areas[1] > areas[2] && areas[2] > 0.0, "{areas:?}");
     assert!(said.contains("3 layers fill it"), "{said}");
     assert_eq!(report["proven"], true, "{said}");
+}
+
+/// A cube's upper face with a bump 2 mm high on it, as a scanner sees it: some 9 points a mm².
+fn bumpy_face() -> Vec<u8> {
+    let mut numbers = FixedNumbers::new(3);
+    let height = |x: f64, y: f64| {
+        let share = 1.0 - (((x - 15.0).powi(2) + (y - 15.0).powi(2)) / 25.0).min(1.0);
+        2.0 * share * share
+    };
+    let points: Vec<Point3<f64>> = (0..8100)
+        .map(|_| {
+            let (x, y) = (30.0 * numbers.share(), 30.0 * numbers.share());
+            Point3::new(x, y, 30.0 + height(x, y) + 0.01 * numbers.normal_vector().x)
+        })
+        .collect();
+    ply_file::bytes(&Cloud::of_points(&points), &[])
+}
+
+#[test]
+fn what_is_built_up_stands_out_of_the_part() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    std::fs::write(at("cube.stl"), stl_bytes(&solids::cube(30.0))).expect("written");
+    std::fs::write(at("face.ply"), bumpy_face()).expect("written");
+    let job = |gate_mm: f64| {
+        let text = format!(
+            "version = 2\n[part]\nfile = \"cube.stl\"\n[layers]\ndirection = \"x\"\nspacing_mm = 2.0\n\
+             [scan]\nwork = \"surfaces\"\ngate_mm = {gate_mm}\nfiles = [{{ file = \"face.ply\" }}]\n\
+             transform = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]\n[clean]\nsurfaces = \"all\"\n"
+        );
+        std::fs::write(at("job.toml"), text).expect("written");
+        let (job, out) = (at("job.toml"), at("out"));
+        clearbeam(&["plan", job.to_str().expect("a name"), "--out", out.to_str().expect("a name")])
+    };
+    let said =
+        |run: &Output| format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+    let stopped = job(1.5);
+    assert_eq!(stopped.status.code(), Some(1));
+    assert!(said(&stopped).contains("too much at"), "{}", said(&stopped));
+    let run = job(5.0);
+    assert!(matches!(run.status.code(), Some(0 | 3)), "{}", said(&run));
+    assert!(said(&run).contains("highest 2.0"), "{}", said(&run));
+    let report = read(&at("out").join("report.json"));
+    assert_eq!(report["proven"], true, "{}", said(&run));
+    // Spots on the face go up the bump, and no line of another face is any the worse for it.
+    let path = std::fs::read_to_string(at("out").join("path.csv")).expect("there");
+    let heights = path.lines().skip(1).filter_map(|row| row.split(',').nth(7)?.parse::<f64>().ok());
+    let highest = heights.fold(0.0, f64::max);
+    assert!((31.5..32.1).contains(&highest), "{highest}");
 }

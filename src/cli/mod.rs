@@ -11,7 +11,6 @@ mod legend;
 mod number_options;
 mod options;
 mod plan;
-mod plan_row;
 mod register;
 mod render;
 mod scans;

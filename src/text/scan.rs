@@ -79,6 +79,9 @@ impl Sentence for OverlapError {
         match self {
             OverlapError::TooFewPoints { found, needed } => say!(overlap_too_few, found = *found, needed = *needed),
             OverlapError::NoOverlap { overlap_share, .. } => say!(overlap_none, overlap = percent(*overlap_share, 0)),
+            OverlapError::FarFromStart { moved_mm, turned_deg } => {
+                say!(overlap_far, moved = fixed(*moved_mm, 1), turned = fixed(*turned_deg, 1))
+            }
             OverlapError::Ambiguous { poses } => say!(overlap_ambiguous, poses = poses.len()),
             OverlapError::Cancelled => say!(text_cancelled),
         }

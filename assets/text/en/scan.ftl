@@ -87,4 +87,5 @@ continue_gap = so far across the damage the surface is told to { $spread } mm on
 overlap_found = { $file }: { $overlap } % of its points lie on the scans before it, { $rms } mm off them (rms)
 overlap_too_few = { $found } points, { $needed } are needed to bring scans together
 overlap_none = at the best position { $overlap } % of its points lie on the scans before it, or too much of it lies beside them: scan so that a third of its area is shared, or give markers
+overlap_far = it fits the scans before it { $moved } mm and { $turned }° away from the position that was given, which is too far: give that better, or markers
 overlap_ambiguous = it fits the scans before it in { $poses } positions: scan more of what they share, or give markers

@@ -1,6 +1,6 @@
 //! Why a job cannot be opened or saved.
 
-use super::part_source::ScannedPartError;
+use super::scanned_part_error::ScannedPartError;
 use crate::beam::HeadError;
 use crate::cell::{CellError, RobotError};
 use crate::document::job_file::JobFileError;

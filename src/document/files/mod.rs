@@ -8,6 +8,7 @@ mod part_file;
 mod part_source;
 mod paths;
 pub mod save;
+mod scanned_part_error;
 mod setup;
 pub mod stamps;
 
@@ -15,8 +16,9 @@ pub use atomic::write_atomic;
 pub use error::JobError;
 pub use inputs::{InputDigest, InputKind, inputs};
 pub use part_file::{build_part, load_part, part_file, read_part};
-pub use part_source::{ScannedPartError, read_source};
+pub use part_source::read_source;
 pub(in crate::document) use paths::{absolute, with_whole_paths};
 pub use paths::{rebased, relative_to, resolved};
 pub use save::{is_job, read, to_toml};
+pub use scanned_part_error::ScannedPartError;
 pub use setup::{load_cell, load_robot, load_setup, load_tool, set_up};

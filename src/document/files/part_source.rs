@@ -2,24 +2,13 @@
 //! facets are laid here (P3: the nominal model may be a scan).
 
 use super::error::JobError;
+use super::scanned_part_error::ScannedPartError;
 use crate::part::raw_part::{Meshed, RawPart};
 use crate::part::{LoadError, Source};
 use crate::progress::Progress;
 use crate::scan::file::{self, RawScan, ScanFileError, ScanKind};
-use crate::scan::meshing::{MeshingError, Oriented, mesh_of};
+use crate::scan::meshing::{Oriented, mesh_of};
 use std::path::Path;
-use thiserror::Error;
-
-/// Why the scan of a part is none that facets can be laid through.
-#[derive(Debug, Error)]
-pub enum ScannedPartError {
-    /// It cannot be read as a scan either.
-    #[error(transparent)]
-    File(#[from] ScanFileError),
-    /// Its points tell no surface.
-    #[error(transparent)]
-    Meshing(#[from] MeshingError),
-}
 
 /// Reads a part's file. `None`: the work was cancelled.
 ///
@@ -56,11 +45,4 @@ fn scanned(file: &Path, progress: &Progress) -> Result<Option<Source>, ScannedPa
     };
     let raw = RawPart { facets: made.facets_f32(), solids: 1, stated_unit, meshed: Some(meshed), ..RawPart::default() };
     Ok(Some(Source { raw, sha256 }))
-}
-
-impl ScannedPartError {
-    fn is_cancelled(&self) -> bool {
-        use ScannedPartError as E;
-        matches!(self, E::File(ScanFileError::Cancelled) | E::Meshing(MeshingError::Cancelled))
-    }
 }

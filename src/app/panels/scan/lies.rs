@@ -61,13 +61,14 @@ fn position(ui: &mut egui::Ui, laid: &LaidScan, context: Context<'_>, actions: &
 fn typed(ui: &mut egui::Ui, laid: &LaidScan, actions: &mut Actions) {
     let header = egui::CollapsingHeader::new(say!(scan_panel_matrix)).default_open(false);
     header.show(ui, |ui| {
-        let key = ui.id().with("matrix");
+        let key = ui.scope_id().with("matrix");
         let shown = || rows(&laid.model_from_scan).chunks(4).map(line).collect::<Vec<_>>().join("\n");
         let mut text = ui.data(|d| d.get_temp::<String>(key)).unwrap_or_else(shown);
         let field = ui.add(egui::TextEdit::multiline(&mut text).desired_rows(4).code_editor());
         field.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MultilineTextInput, true, say!(scan_panel_matrix)));
         let given = numbers(&text).ok_or_else(|| say!(scan_panel_no_matrix));
-        let given = given.and_then(|n| rigid(&n).map(|_| n).map_err(|fault| say!(scan_matrix, fault = fault.sentence())));
+        let given =
+            given.and_then(|n| rigid(&n).map(|_| n).map_err(|fault| say!(scan_matrix, fault = fault.sentence())));
         if field.changed() {
             ui.data_mut(|d| d.insert_temp(key, text));
         }

@@ -1,7 +1,9 @@
-//! `clearbeam plan`: from a part or a job to a folder with its program.
+//! `clearbeam plan`: from a part or a job to a folder with its program; `row` does it to several.
+
+mod row;
 
 use super::changed::part_of;
-use super::{CommandFailure, CommandOutcome, PlanOptions, plan_row, print, print_json, tell_of_file};
+use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell_of_file};
 use crate::cell::{Robot, Setup};
 use crate::document::model::ScanFile;
 use crate::document::{Chosen, Edit, Job, ScanEdit, files};
@@ -21,15 +23,15 @@ use std::sync::Arc;
 #[derive(clap::Args, Debug)]
 pub struct PlanArguments {
     #[arg(required = true, value_name = "INPUT", help = say!(cli_plan_input))]
-    pub(super) inputs: Vec<PathBuf>,
+    inputs: Vec<PathBuf>,
     #[arg(long, value_name = "DIR", help = say!(cli_plan_out))]
-    pub(super) out: PathBuf,
+    out: PathBuf,
     #[command(flatten)]
     options: PlanOptions,
     #[arg(long, value_name = "SCAN", help = say!(cli_plan_scan))]
-    pub(super) scan: Vec<PathBuf>,
+    scan: Vec<PathBuf>,
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..), help = say!(cli_plan_jobs))]
-    pub(super) jobs: u16,
+    jobs: u16,
     #[arg(long, help = say!(cli_plan_dose))]
     dose: bool,
     #[arg(long, help = say!(cli_plan_dry_run, percent = exact(DRY_RUN_PERCENT)))]
@@ -43,28 +45,28 @@ pub struct PlanArguments {
 }
 
 /// One plan of those that a command makes.
-pub(super) struct PlanRun<'a> {
+struct PlanRun<'a> {
     /// Part or job.
-    pub(super) input: &'a Path,
+    input: &'a Path,
     /// The scan that takes the place of the job's.
-    pub(super) scan: Option<&'a Path>,
+    scan: Option<&'a Path>,
     /// Its folder.
-    pub(super) out: PathBuf,
+    out: PathBuf,
 }
 
 /// A plan whose files are written.
-pub(super) struct WrittenPlan {
+struct WrittenPlan {
     pipeline: Pipeline,
     planned: Arc<PlannedJob>,
     job: Job,
-    pub(super) exported: Exported,
+    exported: Exported,
 }
 
 /// Plans and writes: one job into its folder, or a row of them.
 pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
-    let [input] = &a.inputs[..] else { return plan_row::run(a) };
+    let [input] = &a.inputs[..] else { return row::run(a) };
     if a.scan.len() > 1 {
-        return plan_row::run(a);
+        return row::run(a);
     }
     let one = PlanRun { input, scan: a.scan.first().map(PathBuf::as_path), out: a.out.clone() };
     let made = write(a, &one)?;
@@ -78,7 +80,7 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
 }
 
 /// Plans one job and writes its files.
-pub(super) fn write(a: &PlanArguments, of: &PlanRun<'_>) -> Result<WrittenPlan, CommandFailure> {
+fn write(a: &PlanArguments, of: &PlanRun<'_>) -> Result<WrittenPlan, CommandFailure> {
     let (job, job_file) = opened(of.input)?;
     let job_file = job_file.as_deref();
     // Under the job's own numbers, before options give others.
@@ -222,7 +224,7 @@ fn not_exported(e: ExportError) -> CommandFailure {
 }
 
 /// A job from a job file, or the job that cleans all of a part.
-pub(super) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), CommandFailure> {
+pub(in crate::cli) fn opened(input: &Path) -> Result<(Job, Option<PathBuf>), CommandFailure> {
     if files::is_job(input) {
         let job = files::read(input).map_err(CommandFailure::failed)?;
         return Ok((job, Some(input.to_path_buf())));

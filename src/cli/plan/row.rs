@@ -1,8 +1,8 @@
 //! A row of plans by one command: several jobs, or one job on several scans of its part. Each has a folder of its own, and
 //! says how it ended in one line of JSON, in the order of the command line; one that fails does not stop the others.
 
-use super::plan::{PlanArguments, PlanRun, write};
-use super::{CommandFailure, CommandOutcome, print};
+use super::{PlanArguments, PlanRun, write};
+use crate::cli::{CommandFailure, CommandOutcome, print};
 use crate::text::say;
 use serde::Serialize;
 use std::collections::BTreeMap;
