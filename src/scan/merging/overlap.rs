@@ -41,7 +41,7 @@ const LEAST_OVERLAP: f64 = 0.2;
 /// Least share of the points with a partner that lie on it. The right pose leaves out those beside edges alone: 0.98 and
 /// more of two views of bracket and camshaft; the camshaft turned about its axis has up to 0.85.
 const LEAST_AGREEING: f64 = 0.92;
-/// How far from a start that was given the scan's middle may be moved, as a share of the diagonal, and how far it may be
+/// How far from a start that was given the scan's middle may be moved, as a share of its diagonal, and how far it may be
 /// turned, degrees: half as far again as a start may be off. A scan of a plate's other face comes to lie on the first
 /// one by its thickness.
 const MOST_MOVED: f64 = 0.075;
@@ -153,7 +153,10 @@ impl Laying<'_> {
         let middle = self.apart().middle;
         let moved_mm = (found * middle - start * middle).norm();
         let turned_deg = start.rotation.angle_to(&found.rotation).to_degrees();
-        let is_near = moved_mm <= MOST_MOVED * self.diagonal_mm && turned_deg <= MOST_TURNED_DEG;
+        // Of the scan's own skin: its box has outliers in it, and is none of a scan that lies askew.
+        let axes = Skin::of_points(&self.added.thinned.middles).axes;
+        let extent_mm = axes.iter().map(|a| a.norm_squared()).sum::<f64>().sqrt();
+        let is_near = moved_mm <= MOST_MOVED * extent_mm && turned_deg <= MOST_TURNED_DEG;
         if is_near { Ok(()) } else { Err(OverlapError::FarFromStart { moved_mm, turned_deg }) }
     }
 

@@ -41,11 +41,11 @@ fn stray_points_make_no_curves() {
     let stray = made(150, [40.0, 40.0], |x, y| (Point3::new(x - 20.0, y - 20.0, 0.0), Vector3::z()));
     let mut numbers = Sequence::new(9);
     points.extend(stray.into_iter().map(|(p, n)| (p + Vector3::z() * (40.0 * numbers.uniform() - 20.0), n)));
-    let planes: Vec<SlicePlane> = (0..9).map(|i| plane([0.0, 0.0, 1.0], 2.0 * f64::from(i) - 8.0)).collect();
+    let planes: Vec<SlicePlane> = (0..9).map(|i| plane([0.0, 0.0, 1.0], 1.5 * f64::from(i) - 6.0)).collect();
     for slice in cut(&cloud(&points, 0.02), &planes, &RULES) {
         let [curve] = slice.curves.as_slice() else { panic!("{}", slice.curves.len()) };
         assert!(
-            rms(curve, |p| p.place.coords.norm() - 10.0) < 0.03,
+            rms(curve, |p| p.place.coords.norm() - 10.0) < 0.04,
             "{}",
             rms(curve, |p| p.place.coords.norm() - 10.0)
         );
