@@ -27,11 +27,11 @@ impl ContinuedSurface {
         let mut holes = Vec::new();
         for (i, p) in region.points.iter().enumerate() {
             progress.check_at(i)?;
-            if region.state.get(i) == Some(&PointState::Damaged) {
-                if let Some((foot, _)) = self.closest(p) {
-                    holes.push(*p);
-                    places[i] = foot;
-                }
+            if region.state.get(i) == Some(&PointState::Damaged)
+                && let Some((foot, _)) = self.closest(p)
+            {
+                holes.push(*p);
+                places[i] = foot;
             }
         }
         let neighbours = Neighbours::new(&Cloud::of_points(&holes), progress)?;
