@@ -24,8 +24,8 @@ const ERROR_OF_MEDIAN: f64 = 1.2533;
 /// Tukey's width in standard deviations (95 % efficiency), and its least, mm: of data without noise.
 const TUKEY: f64 = 4.685;
 const LEAST_WIDTH_MM: f64 = 1e-3;
-/// Greatest mean cosine between curve and normals: of normals that point anywhere it is 0.64, of a square bar's, whose
-/// planes lie across its edges, 0.05.
+/// Greatest mean cosine between curve and normals: of normals that point anywhere it is 2/π = 0.64, on a smooth surface as
+/// good as nought.
 const MOST_COSINE: f64 = 0.4;
 /// Rounds of fitting and halving: 64 points a span are halved to six in four.
 const ROUNDS: usize = 8;
