@@ -35,11 +35,12 @@ const END_WIDTH: f64 = 1.0 / 150.0;
 const WITHIN_SIGMAS: f64 = 3.0;
 /// What clouds without noise are off each other at the least, as a share of the diagonal.
 const FLOOR: f64 = 1e-4;
-/// Least share of a scan's points that lie on the other cloud. A tenth of those of shared area does not, beside edges, so
-/// of the 30 % that scans ought to share 27 are found; chance poses of the samples have up to 15.
+/// Least share of a scan's points that lie on the other cloud: two thirds of the 30 % that scans ought to share, since points
+/// beside edges have no partner. Not bracketed from below: wrong poses are told by what agrees, and by rivals.
 const LEAST_OVERLAP: f64 = 0.2;
-/// Least share of the points with a partner that lie on it. The right pose leaves out those beside edges alone: 0.98 and
-/// more of two views of bracket and camshaft; the camshaft turned about its axis has up to 0.85.
+/// Least share of the points with a partner that lie on it. The right pose leaves out those beside edges: two views of
+/// bracket and camshaft have 0.98 and more, wrong poses of the camshaft up to 0.86. A wrong one of the bracket has 0.998
+/// as well, at 0.69 of the right one's overlap: `RIVAL` tells those.
 const LEAST_AGREEING: f64 = 0.92;
 /// How far from a start that was given the scan's middle may be moved, as a share of its diagonal, and how far it may be
 /// turned, degrees: half as far again as a start may be off. A scan of a plate's other face comes to lie on the first

@@ -17,7 +17,6 @@ const POINTS: usize = 60_000;
 /// Neighbours that a plane is fitted through.
 const NEIGHBOURS: usize = 20;
 /// A plane that its points scatter about by more than so many times the noise lies across an edge, and tells nothing.
-/// On what is round it may be as far: of radius 5 mm with a point a mm².
 const FLAT_TO: f64 = 4.0;
 
 /// A cloud with some of its points.

@@ -10,8 +10,8 @@ use super::scale::ScaledPiece;
 use crate::scan::cloud::Cloud;
 use nalgebra::{Point3, Unit, Vector2, Vector3};
 
-/// Half width of the band in spacings, along the surface: three points a spacing of the curve. With one, curves of
-/// clouds at random have gaps; with three, what is round across the plane shows.
+/// Half width of the band in spacings, along the surface: three points a spacing of the curve, so that each step of the
+/// ordering has four or five.
 const HALF_WIDTH: f64 = 1.5;
 /// Least sine of the angle between surface and plane, 15°: nearer to it the way along the surface is four times as
 /// far as the band is high, and a plane that lies in a face has no curve there.

@@ -23,8 +23,8 @@ const STANDARD_ERRORS: f64 = 3.0;
 /// Standard error of a median, in standard deviations over the root of the count.
 const ERROR_OF_MEDIAN: f64 = 1.2533;
 const LEAST_WIDTH_MM: f64 = 1e-3;
-/// Greatest mean cosine between curve and normals: of normals that point anywhere it is 0.64, of a square bar's, whose
-/// planes lie across its edges, 0.05.
+/// Greatest mean cosine between curve and normals: of normals that point anywhere it is 2/π = 0.64, on a smooth surface as
+/// good as nought.
 const MOST_COSINE: f64 = 0.4;
 /// Rounds of fitting and halving: 64 points a span are halved to six in four.
 const ROUNDS: usize = 8;
