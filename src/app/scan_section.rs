@@ -17,6 +17,8 @@ use std::sync::Arc;
 const BAND: f64 = 1.5;
 /// Corners of the model's outline closer than this share of its size are one.
 const MERGE_SHARE: f64 = 1e-7;
+/// Squared sine of the angle below which a surface counts as lying in the plane: 13°.
+const LEAST_STEEP: f64 = 0.05;
 const WIDTH_PX: f32 = 2.5;
 
 /// Where the section is, and how it is drawn.
@@ -130,12 +132,15 @@ impl Section {
         for found in deviation.section(cloud, &plane, band_mm) {
             let Some(foot) = deviation.foot(of.file_part, cloud, found.index) else { continue };
             let off_mm = f64::from(smoothed_mm[found.index as usize]);
-            let facet = deviation.facet[found.index as usize] as usize;
-            if !off_mm.is_finite() {
+            let out = of.file_part.mesh.normals[deviation.facet[found.index as usize] as usize];
+            // Along the surface onto the plane; what lies flat in the plane has no outline there.
+            let along = normal.into_inner() - out * normal.dot(&out);
+            if !off_mm.is_finite() || along.norm_squared() < LEAST_STEEP {
                 continue;
             }
-            let out = of.file_part.mesh.normals[facet] * (off_mm * asked.times);
-            points.entry(of.scale.color(off_mm)).or_default().push(flat(&(foot + out)));
+            let on_plane = foot - along * ((foot - plane.through).dot(&normal) / along.norm_squared());
+            let shown = on_plane + out * (off_mm * asked.times);
+            points.entry(of.scale.color(off_mm)).or_default().push(flat(&shown));
         }
         Section {
             asked: *asked,

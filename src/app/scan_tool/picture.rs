@@ -10,7 +10,7 @@ use crate::part::Hasher;
 use crate::picture::PartLook;
 use crate::picture::palette::scan as colors;
 use crate::picture::regions::RegionLines;
-use crate::view::{Camera, CloudItem, CloudPick, Depth, MeshItem, PointItem, Scene, ViewSize, cloud_point_at};
+use crate::view::{Bounds, Camera, CloudItem, CloudPick, Depth, MeshItem, PointItem, Scene, ViewSize, cloud_point_at};
 use nalgebra::{Isometry3, Point2, Point3, Unit, Vector3};
 use std::mem::discriminant;
 use std::sync::Arc;
@@ -41,6 +41,7 @@ impl App {
         let with = SyncedWith {
             cleaned: scanned.as_ref().and_then(|s| s.cleaned.as_ref()),
             model_from_scan: scanned.as_ref().and_then(|s| Some(s.laid.as_ref()?.model_from_scan)),
+            right: self.viewport.camera.axes().column(0).into_owned(),
             executor: &**self.derived.pipeline.executor(),
         };
         self.tool.sync(tool, &with);
@@ -65,11 +66,14 @@ impl App {
             _ if moves => return,
             _ => Some(part),
         };
-        if let Some(bounds) = bounds {
-            self.viewport.set_scene_bounds(bounds.union(&part));
+        // What stays on the part leaves the camera where it is.
+        if let Some(bounds) = bounds.filter(|_| moves || self.tool.is_moved) {
+            let beams = Vector3::repeat(self.document.job().beam.defocus_mm.abs());
+            let Bounds { min, max } = bounds.union(&part);
+            self.viewport.set_scene_bounds(Bounds { min: min - beams, max: max + beams });
             self.viewport.fit(bounds);
         }
-        self.tool.fitted = now;
+        (self.tool.fitted, self.tool.is_moved) = (now, moves);
     }
 
     /// Adds what is shown for the tool in the hand; whether that is all there is to be shown.

@@ -10,13 +10,13 @@ use crate::progress::Activity;
 use crate::scan::Cloud;
 use crate::scan::cleaning::{Cleaned, clean};
 use crate::view::{Bounds, CloudItem};
-use nalgebra::{Isometry3, Point3, Translation3};
+use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 use std::convert::Infallible;
 use std::mem::Discriminant;
 use std::sync::Arc;
 
-/// Between model and scan side by side, as a share of their size.
-const GAP: f64 = 0.12;
+/// Between model and scan side by side, as a share of the larger one's radius.
+const GAP: f64 = 0.2;
 
 /// What is shown for a tool, kept while it is in the hand.
 #[derive(Default)]
@@ -26,8 +26,13 @@ pub(in super::super) struct ToolView {
     model_from_scan: Option<Isometry3<f64>>,
     /// Which points a cut would keep.
     preview: Stage<Vec<bool>, Infallible>,
+    /// To the right of the view when the tool was taken, of length 1: there the scan stands beside the model, wherever it is
+    /// looked at from afterwards.
+    aside: Vector3<f64>,
     /// The tool that the camera was turned to.
     pub(super) fitted: Option<Discriminant<ScanTool>>,
+    /// Whether that tool moved the scan, and the camera with it.
+    pub(super) is_moved: bool,
     pub(super) left_out: LeftOutFacets,
 }
 
@@ -92,12 +97,15 @@ impl ToolView {
 
     /// Forgets what is shown for a tool; the camera has still to be turned back.
     pub(super) fn lay_down(&mut self) {
-        let ToolView { fitted, left_out, .. } = std::mem::take(self);
-        *self = ToolView { fitted, left_out, ..ToolView::default() };
+        let ToolView { fitted, is_moved, left_out, .. } = std::mem::take(self);
+        *self = ToolView { fitted, is_moved, left_out, ..ToolView::default() };
     }
 
     /// Makes what the tool needs.
     pub(super) fn sync(&mut self, tool: &ScanTool, context: &SyncedWith<'_>) {
+        if self.aside == Vector3::zeros() {
+            self.aside = context.right;
+        }
         self.model_from_scan = context.model_from_scan.or(self.model_from_scan);
         match context.cleaned.filter(|_| tool.moves_scan()) {
             Some(cleaned) if self.scan.as_ref().is_none_or(|s| !Arc::ptr_eq(&s.of, cleaned)) => {
@@ -148,11 +156,9 @@ impl ToolView {
             return Some(place * on_part);
         }
         let turned = scan.picture.bounds(&on_part)?;
-        let (part_mm, scan_mm) = (part.max - part.min, turned.max - turned.min);
-        // Along the axis on which both are narrow they stay large in the view.
-        let axis = (part_mm + scan_mm).imin();
-        let mut way = part.center() - turned.center();
-        way[axis] = part.max[axis] - turned.min[axis] + GAP * part_mm.norm().max(scan_mm.norm());
+        let half_mm = |bounds: &Bounds| bounds.half_size().dot(&self.aside.abs());
+        let gap_mm = GAP * part.radius_mm().max(turned.radius_mm());
+        let way = part.center() - turned.center() + self.aside * (half_mm(part) + half_mm(&turned) + gap_mm);
         Some(place * Translation3::from(way) * on_part)
     }
 }
@@ -161,5 +167,7 @@ impl ToolView {
 pub(super) struct SyncedWith<'a> {
     pub cleaned: Option<&'a Arc<Cleaned>>,
     pub model_from_scan: Option<Isometry3<f64>>,
+    /// To the right of the view now.
+    pub right: Vector3<f64>,
     pub executor: &'a dyn Executor,
 }

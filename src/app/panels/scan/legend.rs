@@ -11,6 +11,8 @@ use crate::text::{language, legend_entry, legend_mark, say};
 use eframe::egui::{self, Align2, Area, Color32, FontId, Id, Rect, RichText, Role, Sense, WidgetInfo, pos2, vec2};
 
 const WIDTH: f32 = 200.0;
+/// A number on the scale needs so much; those that would run into each other are left out on both sides.
+const NUMBER_WIDTH: f32 = 36.0;
 /// Below the legend of the spacing, where that is shown too.
 const BELOW_SPACING: f32 = 130.0;
 
@@ -58,7 +60,9 @@ fn bar(ui: &mut egui::Ui, legend: &Legend) {
         let piece = Rect::from_min_max(pos2(from, rect.top()), pos2(to, rect.top() + 14.0));
         painter.rect_filled(piece, 0, Color32::from_rgb(r, g, b));
     }
-    for &mark in &legend.marks {
+    let from_middle = |mark: f64| rect.width() * (mark.abs() / (high - low)) as f32;
+    let apart = if legend.marks.contains(&0.0) { NUMBER_WIDTH } else { 0.5 * NUMBER_WIDTH };
+    for &mark in legend.marks.iter().filter(|mark| **mark == 0.0 || from_middle(**mark) >= apart) {
         let x = rect.left() + rect.width() * ((mark - low) / (high - low)) as f32;
         let (font, color) = (FontId::proportional(12.0), ui.visuals().text_color());
         painter.text(pos2(x, rect.top() + 16.0), Align2::CENTER_TOP, legend_mark(legend, mark), font, color);
