@@ -41,7 +41,7 @@ fn main() {
 }
 
 fn sample() {
-    let Some(sample) = SAMPLES.iter().find(|s| s.name == "camshaft.stl") else { return };
+    let Some(sample) = SAMPLES.iter().find(|s| s.name == "camshaft") else { return };
     let triangles = (sample.triangles)();
     let made = made_scan(&triangles, &ScanRecipe { missing_share: 0.3, ..ScanRecipe::of(1_000_000, 1) });
     let Ok(folder) = tempfile::tempdir() else { return };
