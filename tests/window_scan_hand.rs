@@ -37,7 +37,6 @@ fn a_scan_that_lies_wrong_is_laid_by_three_pairs() {
         of.click_at(&(scene_from_scan * in_scan));
         if i == 0 {
             assert!(of.h.query_by_label_contains("Now click the same place on the model").is_some());
-            snapshot(&mut of.h, "scan_pairs");
         }
         of.click_at(&on_model);
     }
@@ -76,7 +75,6 @@ fn places_are_left_out_by_brush_and_box_and_count_again() {
     let painted = left_out(&of);
     let on_front = |r: &ScanRegion| matches!(r, ScanRegion::Sphere { centre_mm, .. } if centre_mm[1].abs() < 0.01);
     assert!(painted.len() > 2 && painted.iter().all(on_front), "{painted:?}");
-    snapshot(&mut of.h, "scan_left_out");
     click(&mut of.h, "Rubber");
     of.click_at(&of.scanned_at(-46.0, 4.0).0);
     assert!(left_out(&of).len() < painted.len());
