@@ -320,7 +320,7 @@ fn files_that_are_no_parts_are_named_in_one_line() {
         ("part.stp.stl", b"ISO-10303-21;\nHEADER;".to_vec(), "a STEP file"),
         ("cut.stl", cube[..400].to_vec(), "cut off"),
         ("cut.3mf", threemf(&solids::cube(1.0), "inch")[..300].to_vec(), "cut off"),
-        ("scan.ply", SCAN.to_vec(), "a point cloud of 1 point"),
+        ("scan.ply", SCAN.to_vec(), "1 points tell no surface"),
         ("comma.stl", COMMA.to_vec(), "decimal comma (byte 45)"),
         ("bad.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n".to_vec(), "line 4"),
     ];

@@ -141,10 +141,7 @@ fn a_row_of_scans_goes_on_past_the_part_that_is_another_one() {
     let truth = read(Path::new(&sample("camshaft_truth.json")));
     let rows = &truth["model_from_scan"];
     // As worn as that it is refused, as another part would be.
-    let job = job_with(
-        folder.path(),
-        &[("min_depth_mm = 0.05", format!("min_depth_mm = 0.05\ngate_mm = 0.1\ntransform = {rows}"))],
-    );
+    let job = job_with(folder.path(), &[("gate_mm = 5.0", format!("gate_mm = 0.1\ntransform = {rows}"))]);
     let (scan, other) = (sample("camshaft_scan.ply"), folder.path().join("none.ply"));
     let out = folder.path().join("out");
     let [out_word, other_word] = [&out, &other].map(|p| p.to_str().expect("a name"));
@@ -165,8 +162,8 @@ fn a_row_of_scans_goes_on_past_the_part_that_is_another_one() {
 #[test]
 fn the_jobs_own_surfaces_are_worked_where_the_scan_found_the_part() {
     let folder = tempfile::tempdir().expect("a folder");
-    let work = "min_depth_mm = 0.05\nwork = \"surfaces\"".into();
-    let job = job_with(folder.path(), &[("min_depth_mm = 0.05", work), ("surfaces = [52]", "surfaces = [3]".into())]);
+    let work = "work = \"surfaces\"".into();
+    let job = job_with(folder.path(), &[("work = \"patches\"", work), ("surfaces = [52]", "surfaces = [3]".into())]);
     let (scan, out) = (sample("camshaft_scan.ply"), folder.path().join("out"));
     let run = clearbeam(&["plan", &job, "--scan", &scan, "--spacing", "4", "--out", out.to_str().expect("a name")]);
     let said = format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
@@ -204,7 +201,7 @@ fn beads_fill_the_worn_place_in_layers() {
 fn bumpy_face() -> Vec<u8> {
     let mut numbers = FixedNumbers::new(3);
     let height = |x: f64, y: f64| {
-        let share = 1.0 - (((x - 15.0).powi(2) + (y - 15.0).powi(2)) / 25.0).min(1.0);
+        let share = 1.0 - (((x - 15.0).powi(2) + (y - 15.0).powi(2)) / 100.0).min(1.0);
         2.0 * share * share
     };
     let points: Vec<Point3<f64>> = (0..8100)
@@ -239,12 +236,12 @@ fn what_is_built_up_stands_out_of_the_part() {
     assert!(said(&stopped).contains("too much at"), "{}", said(&stopped));
     let run = job(5.0);
     assert!(matches!(run.status.code(), Some(0 | 3)), "{}", said(&run));
-    assert!(said(&run).contains("highest 2.0"), "{}", said(&run));
+    assert!(said(&run).contains("highest 1.9") || said(&run).contains("highest 2.0"), "{}", said(&run));
     let report = read(&at("out").join("report.json"));
     assert_eq!(report["proven"], true, "{}", said(&run));
     // Spots on the face go up the bump, and no line of another face is any the worse for it.
     let path = std::fs::read_to_string(at("out").join("path.csv")).expect("there");
     let heights = path.lines().skip(1).filter_map(|row| row.split(',').nth(7)?.parse::<f64>().ok());
     let highest = heights.fold(0.0, f64::max);
-    assert!((31.5..32.1).contains(&highest), "{highest}");
+    assert!((31.8..32.1).contains(&highest), "{highest}");
 }

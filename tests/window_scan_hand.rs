@@ -145,11 +145,13 @@ fn labels_and_the_section_tell_what_is_off() {
 #[test]
 fn the_scanner_stands_where_its_frame_or_markers_say() {
     let mut of = ScannedPart::laid();
-    let frame = |of: &ScannedPart| of.h.state().document().job().scan.base_from_scan.clone();
+    let frame = |of: &ScannedPart| of.h.state().document().job().scan.flange_from_scan.clone();
     reveal(&mut of.h, "Type the scanner's frame");
     assert!(of.h.query_all_by_label_contains("othing of the scan goes to the cell").next().is_some());
+    // The shipped cell has the part in the robot's hand.
+    assert!(of.h.query_all_by_label_contains("as seen from the flange").next().is_some());
     click(&mut of.h, "Type the scanner's frame");
-    type_into(&mut of.h, "scanner in the base x", "700");
+    type_into(&mut of.h, "scanner on the flange x", "700");
     assert_eq!(frame(&of).expect("given").position_mm, [700.0, 0.0, 0.0]);
     begin(&mut of.h, "Forget where it stands");
     assert_eq!(frame(&of), None);
@@ -157,9 +159,9 @@ fn the_scanner_stands_where_its_frame_or_markers_say() {
     assert!(of.h.query_by_label_contains("Marker 3").is_some() && frame(&of).is_none());
     for (field, value) in [
         ("marker 2 in the scan x", "100"),
-        ("marker 2 in the robot's base, as touched x", "100"),
+        ("marker 2 as seen from the flange x", "100"),
         ("marker 3 in the scan y", "80"),
-        ("marker 3 in the robot's base, as touched y", "80.2"),
+        ("marker 3 as seen from the flange y", "80.2"),
     ] {
         type_into(&mut of.h, field, value);
     }

@@ -46,7 +46,11 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         (Some(markers), _) => table(ui, markers, (mount, given), actions),
         (None, Some(given)) => {
             let mut frame = given.clone();
-            if frames::figures(ui, &say!(scan_placing_frame), &say!(scan_placing_frame_tip), &mut frame) {
+            let [name, tip] = match mount {
+                Mount::ToolInHand => [say!(scan_placing_frame), say!(scan_placing_frame_tip)],
+                Mount::PartInHand => [say!(scan_placing_frame_on_flange), say!(scan_placing_frame_on_flange_tip)],
+            };
+            if frames::figures(ui, &name, &tip, &mut frame) {
                 let frame = Frame::new(frame.position_mm, frame.rz_ry_rx_deg);
                 actions.drag(Edit::Scan(Box::new(ScanEdit::Scanner(mount, Some(frame)))), "frame of the scanner");
             }
@@ -81,8 +85,11 @@ fn table(ui: &mut egui::Ui, markers: &[PointPair], (mount, given): (Mount, Optio
                 None => say!(scan_placing_marker, marker = id(at + 1)),
             });
         });
-        let rows =
-            [(say!(scan_placing_in_scan), &mut marker.model), (say!(scan_placing_in_base), &mut marker.measured)];
+        let touched = match mount {
+            Mount::ToolInHand => say!(scan_placing_in_base),
+            Mount::PartInHand => say!(scan_placing_on_flange),
+        };
+        let rows = [(say!(scan_placing_in_scan), &mut marker.model), (touched, &mut marker.measured)];
         for (frame, place) in rows {
             figures(ui, at, &frame, place);
         }
