@@ -23,7 +23,9 @@ const KINDS: [ContinuedKind; 5] = [
 
 pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, actions: &mut Actions) {
     let scan = &context.document.job().scan;
-    if scan.continued.is_empty() && scan.left_out.is_empty() {
+    // A part with a model has its surfaces there.
+    let is_scan = context.derived.part.as_ref().is_some_and(|part| part.figures.meshed.is_some());
+    if scan.continued.is_empty() && (scan.left_out.is_empty() || !is_scan) {
         return;
     }
     ui.label(say!(scan_continue));
