@@ -11,6 +11,7 @@ use clearbeam::progress::Progress;
 use clearbeam::sample::scan_maker::{ScanRecipe, made_scan};
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use clearbeam::scan::cleaning::{Step, clean};
+use clearbeam::scan::deviation::{Deviation, DeviationRules, PatchRules, Patches, SmoothedDepths};
 use clearbeam::scan::registration::{RegistrationOptions, SurfaceNormals, register};
 use clearbeam::scan::{Cloud, file, ply_file, transform_file};
 use nalgebra::{Isometry3, Point3};
@@ -21,9 +22,9 @@ use std::time::Instant;
 fn main() {
     let paths: Vec<PathBuf> = std::env::args().skip(1).filter(|a| a != "--bench").map(PathBuf::from).collect();
     println!(
-        "| part | facets | points | read s | outliers s | thinned s | register s | off mm | compare s | deepest mm |"
+        "| part | facets | points | read s | outliers s | thinned s | register s | off mm | distances s | compared s | deepest mm |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|");
     if paths.is_empty() {
         sample();
     }
@@ -89,8 +90,19 @@ fn row(name: &str, stl: &[u8], scan: &Path, truth: Option<Isometry3<f64>>) {
         model: ScanModel { part: part.clone(), surfaces, continued: Vec::new() },
     };
     let (compare_s, Ok(compared)) = timed(|| compare(&laid, &job.scan, &progress)) else { return };
+    let cloud = &laid.cloud_in_part;
+    let rules = DeviationRules { within_mm: 0.05 * part.mesh.diagonal() };
+    let (deviation_s, Ok(deviation)) = timed(|| Deviation::new(&part, cloud, &rules, &progress)) else { return };
+    let smoothed = timed(|| SmoothedDepths::new(&part, cloud, &deviation, &progress));
+    let (smoothed_s, Ok(depths)) = smoothed else { return };
+    let rules = PatchRules { min_depth_mm: job.scan.min_depth_mm, min_area_mm2: 0.0 };
+    let (patches_s, Ok(patches)) = timed(|| Patches::new(&part, &depths, &rules, &progress)) else { return };
+    eprintln!(
+        "{name}: smoothed {smoothed_s:.3} s, patches {patches_s:.3} s ({} triangles)",
+        patches.field.triangles.len()
+    );
     println!(
-        "| {name} | {} | {} | {read_s:.3} | {outliers_s:.3} | {thin_s:.3} | {register_s:.2} | {:.4} | {compare_s:.3} | {:.4} |",
+        "| {name} | {} | {} | {read_s:.3} | {outliers_s:.3} | {thin_s:.3} | {register_s:.2} | {:.4} | {deviation_s:.3} | {compare_s:.3} | {:.4} |",
         part.mesh.facets.len(),
         raw.cloud.len(),
         truth.map_or(f64::NAN, |truth| off_mm(&part, &found.model_from_scan, &truth)),

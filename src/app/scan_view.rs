@@ -6,7 +6,7 @@ use crate::document::model::JobScan;
 use crate::part::Part;
 use crate::picture::patches::{PatchOutline, outlines};
 use crate::picture::{DeviationScale, ScanLook, ScanPicture, deviation_on_model, deviation_points, deviation_scale};
-use crate::planning::scanned::{ComparedScan, LaidScan, ReadScan, Scanned};
+use crate::planning::scanned::{ComparedScan, LaidScan, ReadScan, Scanned, WornPart};
 use crate::scan::cleaning::Cleaned;
 use crate::view::{Camera, CloudItem, LineItem, MeshItem, ViewSize, cloud_point_at};
 use nalgebra::{Isometry3, Point2, Point3};
@@ -20,6 +20,8 @@ const REACH_PX: f64 = 8.0;
 pub(super) struct ScanView {
     compared: Option<ComparedView>,
     dropped: Option<Dropped>,
+    /// Outlines of the layers that fill patches, and the part that they are of.
+    layers: Option<(Arc<WornPart>, Vec<LineItem>)>,
 }
 
 /// How far a point of the scan is off the model, as it was asked for by a click.
@@ -81,8 +83,22 @@ impl ScanView {
         if let (Some(view), Some(part)) = (self.compared.as_mut().filter(|v| wanted.model && v.model.is_none()), part) {
             view.model = Some(deviation_on_model(part, &view.of, &view.scale));
         }
+        self.sync_layers(scanned.worn.as_ref());
         self.sync_dropped(scanned, laid.model_from_scan, wanted.dropped);
         is_new
+    }
+
+    fn sync_layers(&mut self, worn: Option<&Arc<WornPart>>) {
+        let is_known = |worn: &Arc<WornPart>| self.layers.as_ref().is_some_and(|(of, _)| Arc::ptr_eq(of, worn));
+        match worn {
+            None => self.layers = None,
+            Some(worn) if is_known(worn) => {}
+            Some(worn) => {
+                // The first one ends at the outline of its patch.
+                let above = worn.layers.iter().flat_map(|layers| layers.iter().skip(1));
+                self.layers = Some((worn.clone(), closed_outlines(above.flat_map(|layer| &layer.outlines))));
+            }
+        }
     }
 
     fn sync_dropped(&mut self, scanned: &Scanned, place: Isometry3<f64>, is_wanted: bool) {
@@ -114,9 +130,10 @@ impl ScanView {
         self.compared.as_ref()?.model.as_ref()
     }
 
-    /// The outlines of all patches, part frame.
-    pub fn outlines(&self) -> &[LineItem] {
-        self.compared.as_ref().map_or(&[], |v| &v.outlines)
+    /// The outlines of all patches, and of the layers that fill them, part frame.
+    pub fn outlines(&self) -> impl Iterator<Item = &LineItem> {
+        let of_layers = self.layers.iter().flat_map(|(_, outlines)| outlines);
+        self.compared.iter().flat_map(|v| &v.outlines).chain(of_layers)
     }
 
     /// The label of the point under a pixel, on a part that stands there. Points farther along the ray than
@@ -151,18 +168,13 @@ impl ScanView {
 
 impl ComparedView {
     fn new(of: &Arc<ComparedScan>, laid: &Arc<LaidScan>, scale: DeviationScale) -> ComparedView {
-        let rings = of.patches.patches.iter().flat_map(|p| &p.outlines);
-        let sides = |ring: &Vec<Point3<f64>>| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect();
-        let pieces: Vec<Vec<[Point3<f64>; 2]>> = rings.map(sides).collect();
-        let outlined: Vec<PatchOutline<'_>> =
-            pieces.iter().map(|pieces| PatchOutline { pieces, chosen: false }).collect();
         ComparedView {
             of: of.clone(),
             laid: laid.clone(),
             scale,
             points: deviation_points(laid, of, scale),
             model: None,
-            outlines: outlines(&outlined),
+            outlines: closed_outlines(of.patches.patches.iter().flat_map(|p| &p.outlines)),
         }
     }
 
@@ -171,6 +183,14 @@ impl ComparedView {
         let off_mm = -f64::from(*self.of.depth_mm.get(index as usize)?);
         off_mm.is_finite().then(|| ScanLabel { at: self.laid.cloud_in_part.point(index as usize), off_mm })
     }
+}
+
+/// Closed lines around patches.
+fn closed_outlines<'a>(rings: impl Iterator<Item = &'a Vec<Point3<f64>>>) -> Vec<LineItem> {
+    let sides = |ring: &Vec<Point3<f64>>| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect();
+    let pieces: Vec<Vec<[Point3<f64>; 2]>> = rings.map(sides).collect();
+    let outlined: Vec<PatchOutline<'_>> = pieces.iter().map(|pieces| PatchOutline { pieces, chosen: false }).collect();
+    outlines(&outlined)
 }
 
 fn dropped(read: &ReadScan, cleaned: &Cleaned, place: &Isometry3<f64>) -> CloudItem {

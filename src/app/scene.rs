@@ -82,7 +82,7 @@ impl App {
         let on_model = self.context().shows_deviation_on_model();
         let points = show.is_on(Toggle::Scan) && !on_model;
         scene.clouds.extend(self.scan.items([points, show.is_on(Toggle::DroppedPoints)], &place));
-        let outlines = self.scan.outlines().iter().filter(|_| points || on_model);
+        let outlines = self.scan.outlines().filter(|_| points || on_model);
         let section = self.section.line().filter(|_| show.is_on(Toggle::ScanSection));
         let lines = outlines.chain(section);
         scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));

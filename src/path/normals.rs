@@ -6,6 +6,7 @@
 //! before.
 
 use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::FacetDefect};
+use crate::progress::{Cancelled, Progress};
 use nalgebra::Vector3;
 
 /// Unit normals at the vertices of one surface.
@@ -18,13 +19,30 @@ pub struct VertexNormals {
 impl VertexNormals {
     /// Sums the facets of a surface, weighed by their angle at the vertex.
     pub fn new(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface) -> VertexNormals {
+        // Nobody else holds this progress, so it is not cancelled.
+        VertexNormals::new_under(&Progress::default(), mesh, surfaces, surface).unwrap_or_default()
+    }
+
+    /// The same, as long as nobody wants that to end.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new_under(
+        progress: &Progress,
+        mesh: &Mesh,
+        surfaces: &Surfaces,
+        surface: &Surface,
+    ) -> Result<VertexNormals, Cancelled> {
         let live = || surface.facets.iter().map(|&f| f as usize).filter(|&f| mesh.defects[f] == FacetDefect::None);
         let mut vertices: Vec<u32> = live().flat_map(|f| mesh.facets[f]).collect();
+        progress.check()?;
         vertices.sort_unstable();
         vertices.dedup();
+        progress.check()?;
         let mut sums = vec![Vector3::zeros(); vertices.len()];
         let mut last = sums.clone();
-        for f in live() {
+        for (number, f) in live().enumerate() {
+            progress.check_at(number)?;
             let corners = mesh.corners(f);
             for k in 0..3 {
                 let (here, next, before) = (corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
@@ -41,7 +59,7 @@ impl VertexNormals {
         let normals = normals
             .map(|(&v, (s, l))| surfaces.vertex_normal(surface.number, v).unwrap_or_else(|| mean(s, l)))
             .collect();
-        VertexNormals { vertices, normals }
+        Ok(VertexNormals { vertices, normals })
     }
 
     /// The normals of a surface and of facets around it, on one side of the part.

@@ -169,7 +169,7 @@ fn lines_to_rim(
         let is_none = found.lines.is_empty();
         Ok((found, taken_by.or(is_none.then_some(TakenBy::Inset { inset_mm: l.inset_mm }))))
     } else {
-        let normals = VertexNormals::new(mesh, surfaces, surface);
+        let normals = VertexNormals::new_under(progress, mesh, surfaces, surface)?;
         let mut found = strategy::lines_under(progress, (mesh, surface, &normals), &rule, family, merge_mm)?;
         through_points((part, surfaces, surface), &mut found, by, progress)?;
         let taken_by = TakenBy::strategy(&found, mesh, surface, family, l);

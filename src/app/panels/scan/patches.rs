@@ -36,6 +36,11 @@ pub(super) fn ui(ui: &mut egui::Ui, scanned: &Scanned, context: Context<'_>, act
             }
             row(ui, at, patch, (compared, worn), context, actions);
         });
+        let layers = worn.and_then(|worn| worn.layers.get(at)).map_or(&[][..], Vec::as_slice);
+        if let Some(last) = layers.last() {
+            let told = say!(deviation_layers, layers = layers.len(), last = fixed(last.height_mm, 3));
+            ui.label(theme::capital(&told));
+        }
     }
     if compared.patches.patches.len() > ROWS {
         let count = compared.patches.patches.len() - ROWS;
