@@ -172,7 +172,10 @@ fn the_jobs_own_surfaces_are_worked_where_the_scan_found_the_part() {
     assert_eq!(report["surfaces"][0]["surface"], 3, "{said}");
     assert_eq!(report["proven"], true, "{said}");
     // A shaft is weakly held about its axis: everything keeps clear by so much more, and that is said.
-    assert!(report["scan"]["slack_mm"].as_f64().expect("mm") > 0.1 && said.contains("more than its margin"), "{said}");
+    assert!(
+        report["scan"]["slack_mm"].as_f64().expect("mm") > 0.1 && said.contains("more than their margin"),
+        "{said}"
+    );
 }
 
 #[test]

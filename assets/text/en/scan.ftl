@@ -61,15 +61,15 @@ deviation_none = nothing is off by more than { $threshold } mm
 deviation_missing = deepest { $depth } mm at ({ $x }, { $y }, { $z }): { $area } mm², { $volume } mm³ missing
 deviation_surplus = highest { $depth } mm at ({ $x }, { $y }, { $z }): { $area } mm², { $volume } mm³ too much
 deviation_layers = { $layers ->
-    [one] one layer fills
-   *[other] { $layers } layers fill
-} it, the last one { $last } mm high
+    [one] one layer fills it,
+   *[other] { $layers } layers fill it, the last one
+} { $last } mm high
 deviation_too_small = { $patches ->
     [one] one patch is
    *[other] { $patches } patches are
 } too small for the density of the scan
 scan_not_placed = nothing of the scan goes to the cell: where the scanner stands is not known, so give its frame, or markers that the robot has touched
-scan_slack = the part may lie { $slack } mm off where it was scanned, so everything keeps { $slack } mm more than its margin
+scan_slack = the part may lie { $slack } mm off where it was scanned: head and arm, where they are known, keep { $slack } mm more than their margin
 scan_no_surface = { $points } points tell no surface that facets could be laid through; scan more of the part
 scan_too_wide = some of its points are far away from the rest, so that no surface can be laid through all of them: cut them off in the scanner's program first
 
