@@ -54,7 +54,9 @@ pub(in super::super) fn grown_parts(
                 // A patch is filled, and no more.
                 surfaces.fill(surface).map_or(Some(whole_mm), |fill| fill.filled_mm(vertex, layers))
             };
-            let made = laid_on(part, surfaces, &height_mm, Folds::AreRefused, progress).map_err(|e| match e {
+            // What is filled becomes its model again, which is no fold; slivers along contours would pass for some.
+            let folds = if surfaces.fills.is_empty() { Folds::AreRefused } else { Folds::AreTaken };
+            let made = laid_on(part, surfaces, &height_mm, folds, progress).map_err(|e| match e {
                 GrowthError::Folds(surface) => PlanError::Folds { surface, layers: layer },
                 GrowthError::Cancelled => PlanError::Cancelled,
             })?;
