@@ -17,6 +17,10 @@ use rayon::prelude::*;
 const BESIDE_MM: f64 = 3.0;
 /// A curve may lie so far off the surface's facets, mm: what a part is worn, and no other sheet.
 const OFF_MM: f64 = 2.0;
+/// A point that lies less than this below the facets is put onto them, mm, or the beam would be taken to go through the
+/// part: so far facets stand off the points where the part was not shaped by its scan (patches begin at 0.05 mm by
+/// default), with the noise on top. What lies deeper is not the part's surface as it is known, and stays to be refused.
+const SUNK_MM: f64 = 0.1;
 /// So often a side is halved that crosses the rim: its end is found to a 256th of a step.
 const HALVED: usize = 8;
 
@@ -93,8 +97,8 @@ struct OnSurface<'a> {
 }
 
 impl OnSurface<'_> {
-    /// The normal on the side to be worked on, where a point of a curve lies on the surface.
-    fn normal(&self, at: &Point3<f64>, outward: &Vector3<f64>) -> Option<Vector3<f64>> {
+    /// The point of a line, with the normal on the side to be worked on, where a point of a curve lies on the surface.
+    fn point(&self, at: &Point3<f64>, outward: &Vector3<f64>) -> Option<SectionPoint> {
         let closest = self.part.bvh.closest(at, OFF_MM)?;
         let f = closest.facet as usize;
         if self.surfaces.of_facet[f] != self.number {
@@ -105,16 +109,15 @@ impl OnSurface<'_> {
         if outward.dot(&self.part.mesh.normals[f]) <= 0.0 {
             return None;
         }
-        Some(if outward.dot(&of_facet) < 0.0 { -outward } else { *outward })
-    }
-
-    fn point(&self, p: &SlicePoint) -> Option<SectionPoint> {
-        Some(SectionPoint { p: p.place, n: self.normal(&p.place, &p.outward)? })
+        let n = if outward.dot(&of_facet) < 0.0 { -outward } else { *outward };
+        let above_mm = (at - closest.foot).dot(&of_facet);
+        let is_sunk = above_mm < 0.0 && closest.distance_mm < SUNK_MM;
+        Some(SectionPoint { p: if is_sunk { closest.foot } else { *at }, n })
     }
 
     /// What of a curve lies on the surface, and whether that is all of a closed one.
     fn pieces(&self, curve: &SliceCurve) -> Vec<(Vec<SectionPoint>, bool)> {
-        let found: Vec<Option<SectionPoint>> = curve.points.iter().map(|p| self.point(p)).collect();
+        let found: Vec<Option<SectionPoint>> = curve.points.iter().map(|p| self.point(&p.place, &p.outward)).collect();
         let count = found.len();
         if found.iter().all(Option::is_some) {
             return vec![(found.into_iter().flatten().collect(), curve.closed)];
@@ -153,8 +156,8 @@ impl OnSurface<'_> {
             let t = 0.5 * (low + high);
             let at = on.place + (off.place - on.place) * t;
             let outward = (on.outward * (1.0 - t) + off.outward * t).normalize();
-            match self.normal(&at, &outward) {
-                Some(n) => (last, low) = (Some(SectionPoint { p: at, n }), t),
+            match self.point(&at, &outward) {
+                Some(on) => (last, low) = (Some(on), t),
                 None => high = t,
             }
         }
