@@ -10,7 +10,7 @@ use clearbeam::sample::scan_maker::{ScanRecipe, made_scan};
 use clearbeam::sample::{SAMPLES, Triangles, solids, stl_bytes};
 use clearbeam::scan::Cloud;
 use clearbeam::scan::registration::{
-    Registration, RegistrationError, RegistrationOptions, SlidingKind, SurfaceNormals, register,
+    Registration, RegistrationError, RegistrationOptions, SlidingKind, SurfaceNormals, most_moved_mm, register,
 };
 use nalgebra::{Isometry3, Point3};
 use std::time::Instant;
@@ -85,21 +85,13 @@ fn found(of: &Named, cloud: &Cloud) -> Result<Registration, RegistrationError> {
     register(&of.part, &of.normals, cloud, &RegistrationOptions::default(), &Progress::default())
 }
 
-/// The greatest way of a corner of the part's box from one pose to the other, mm.
-fn off_mm(part: &Part, found: &Isometry3<f64>, truth: &Isometry3<f64>) -> f64 {
-    let (lo, hi) = part.mesh.bounds();
-    let corner = |i: usize| Point3::from([0, 1, 2].map(|k| if i >> k & 1 == 0 { lo[k] } else { hi[k] }));
-    let between = found * truth.inverse();
-    (0..8).map(|i| (between * corner(i) - corner(i)).norm()).fold(0.0, f64::max)
-}
-
 /// How far the pose is off: by the corners of the box, or on a symmetric part by how far vertices, laid on the model by the
 /// difference, lie off it.
 fn least_off_mm(part: &Part, found: &Isometry3<f64>, truth: &Isometry3<f64>) -> f64 {
     let between = found * truth.inverse();
     let off = |v: &Point3<f64>| part.bvh.closest(&(between * v), f64::INFINITY).map_or(f64::NAN, |c| c.distance_mm);
     let by_symmetry = part.mesh.vertices.iter().map(off).fold(0.0, f64::max);
-    off_mm(part, found, truth).min(by_symmetry)
+    most_moved_mm(part, &between).min(by_symmetry)
 }
 
 fn on_themselves(asked: &Asked) {

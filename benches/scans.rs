@@ -12,9 +12,9 @@ use clearbeam::sample::scan_maker::{ScanRecipe, made_scan};
 use clearbeam::sample::{SAMPLES, stl_bytes};
 use clearbeam::scan::cleaning::{Step, clean};
 use clearbeam::scan::deviation::{Deviation, DeviationRules, PatchRules, Patches, SmoothedDepths};
-use clearbeam::scan::registration::{RegistrationOptions, SurfaceNormals, register};
+use clearbeam::scan::registration::{RegistrationOptions, SurfaceNormals, most_moved_mm, register};
 use clearbeam::scan::{Cloud, file, ply_file, transform_file};
-use nalgebra::{Isometry3, Point3};
+use nalgebra::Isometry3;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -105,15 +105,7 @@ fn row(name: &str, stl: &[u8], scan: &Path, truth: Option<Isometry3<f64>>) {
         "| {name} | {} | {} | {read_s:.3} | {outliers_s:.3} | {thin_s:.3} | {register_s:.2} | {:.4} | {deviation_s:.3} | {compare_s:.3} | {:.4} |",
         part.mesh.facets.len(),
         raw.cloud.len(),
-        truth.map_or(f64::NAN, |truth| off_mm(&part, &found.model_from_scan, &truth)),
+        truth.map_or(f64::NAN, |truth| most_moved_mm(&part, &(found.model_from_scan * truth.inverse()))),
         compared.patches.patches.first().map_or(0.0, |p| p.depth_mm),
     );
-}
-
-/// The greatest way of a corner of the part's box from one pose to the other, mm.
-fn off_mm(part: &Part, found: &Isometry3<f64>, truth: &Isometry3<f64>) -> f64 {
-    let (lo, hi) = part.mesh.bounds();
-    let corner = |i: usize| Point3::from([0, 1, 2].map(|k| if i >> k & 1 == 0 { lo[k] } else { hi[k] }));
-    let between = found * truth.inverse();
-    (0..8).map(|i| (between * corner(i) - corner(i)).norm()).fold(0.0, f64::max)
 }

@@ -6,22 +6,13 @@ use clearbeam::progress::Progress;
 use clearbeam::sample::scan_maker::{ScanRecipe, made_scan};
 use clearbeam::sample::{SAMPLES, Triangles, stl_bytes};
 use clearbeam::scan::Cloud;
-use clearbeam::scan::registration::{RegistrationOptions, SurfaceNormals, register};
-use nalgebra::{Isometry3, Point3};
+use clearbeam::scan::registration::{RegistrationOptions, SurfaceNormals, most_moved_mm, register};
 
 const POSES: u64 = 3;
 const POINTS: usize = 30_000;
 
 fn triangles(name: &str) -> Triangles {
     (SAMPLES.iter().find(|s| s.name == name).expect("a sample").triangles)()
-}
-
-/// The greatest way of a corner of the part's box from one pose to the other, mm.
-fn off_mm(part: &Part, found: &Isometry3<f64>, truth: &Isometry3<f64>) -> f64 {
-    let (lo, hi) = part.mesh.bounds();
-    let corner = |i: usize| Point3::from([0, 1, 2].map(|k| if i >> k & 1 == 0 { lo[k] } else { hi[k] }));
-    let between = found * truth.inverse();
-    (0..8).map(|i| (between * corner(i) - corner(i)).norm()).fold(0.0, f64::max)
 }
 
 /// Lays each scan and tells how far off the worst one is, mm.
@@ -36,7 +27,7 @@ fn worst_mm(name: &str) -> f64 {
         let cloud = Cloud::of_points(&made.points);
         let options = RegistrationOptions::default();
         let found = register(&part, &normals, &cloud, &options, &Progress::default()).expect("it lies on its part");
-        off_mm(&part, &found.model_from_scan, &made.model_from_scan)
+        most_moved_mm(&part, &(found.model_from_scan * made.model_from_scan.inverse()))
     };
     (0..POSES).map(off).fold(0.0, f64::max)
 }

@@ -1,14 +1,15 @@
 //! A section through part and scan across an axis: the outline of the model, and the points of the scan beside the plane,
 //! with what they are off the model drawn so many times as large. Made again where plane or scan are others.
 
-use crate::part::{Hasher, Part, Surfaces};
+use crate::part::{Part, Surfaces};
 use crate::path::normals::VertexNormals;
 use crate::path::section::sections;
 use crate::picture::DeviationScale;
-use crate::picture::palette::{Rgb, scan as colors};
+use crate::picture::palette::Rgb;
+use crate::picture::regions::RegionLines;
 use crate::planning::scanned::{ComparedScan, LaidScan};
 use crate::scan::deviation::Plane;
-use crate::view::{Depth, LineItem, LineSegment};
+use crate::view::LineItem;
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -169,17 +170,7 @@ fn outline(part: &Part, surfaces: &Surfaces, normal: &Vector3<f64>, at_mm: f64) 
 }
 
 fn line_item(lines: &[Vec<Point3<f64>>]) -> LineItem {
-    let [r, g, b] = colors::REGION;
-    let single = |p: &Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
-    let sides = lines.iter().flat_map(|line| line.windows(2));
-    let segments: Vec<LineSegment> =
-        sides.map(|w| LineSegment { a: single(&w[0]), b: single(&w[1]), color: [r, g, b, 255] }).collect();
-    let bits: Vec<u32> = segments.iter().flat_map(|s| s.a.into_iter().chain(s.b)).map(f32::to_bits).collect();
-    LineItem {
-        key: Hasher::default().u32s(&bits).finish().0 as u64,
-        segments: Arc::new(segments),
-        width_px: WIDTH_PX,
-        depth: Depth::OnTop,
-        scene_from_item: Isometry3::identity(),
-    }
+    let mut drawn = RegionLines::default();
+    lines.iter().for_each(|line| drawn.line(line));
+    drawn.item_of_width(WIDTH_PX, Isometry3::identity())
 }

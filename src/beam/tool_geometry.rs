@@ -69,7 +69,8 @@ impl OwnCone {
 }
 
 impl<'a> ToolGeometry<'a> {
-    /// The tool of a job. It keeps `margin_mm`, and the tool's slack on top of it. `spot_mm` is the spot's diameter on the part at the defocus distance.
+    /// The tool of a job. It keeps `margin_mm`, and the tool's slack on top of it. `spot_mm` is the spot's diameter on the
+    /// part at the defocus distance.
     /// `None`: the beam is a ray, and nothing is clamped on.
     pub fn new(
         tool: &'a Tool,

@@ -1,4 +1,4 @@
-//! Balls, boxes and planes as lines: what a brush went over, and what cuts a scan.
+//! Balls, boxes, planes and sections as lines: what a brush went over, and what cuts a scan.
 
 use super::palette::{Rgb, scan};
 use crate::part::Hasher;
@@ -49,8 +49,18 @@ impl RegionLines {
         self.pieces.push([through, through + normal.into_inner() * (0.5 * half_mm)]);
     }
 
+    /// A line through points.
+    pub fn line(&mut self, points: &[Point3<f64>]) {
+        self.pieces.extend(points.windows(2).map(|w| [w[0], w[1]]));
+    }
+
     /// What is to be drawn; seen through everything.
     pub fn item(&self, scene_from_item: Isometry3<f64>) -> LineItem {
+        self.item_of_width(WIDTH_PX, scene_from_item)
+    }
+
+    /// What is to be drawn, so many pixels wide.
+    pub fn item_of_width(&self, width_px: f32, scene_from_item: Isometry3<f64>) -> LineItem {
         let [r, g, b]: Rgb = scan::REGION;
         let single = |p: &Point3<f64>| [p.x as f32, p.y as f32, p.z as f32];
         let segment = |[a, b_]: &[Point3<f64>; 2]| LineSegment { a: single(a), b: single(b_), color: [r, g, b, 255] };
@@ -59,7 +69,7 @@ impl RegionLines {
         LineItem {
             key: Hasher::default().u32s(&bits).finish().0 as u64,
             segments: Arc::new(segments),
-            width_px: WIDTH_PX,
+            width_px,
             depth: Depth::OnTop,
             scene_from_item,
         }

@@ -68,11 +68,8 @@ pub struct Landing {
 impl<'a> Shade<'a> {
     /// Part and clamps, all in the part frame.
     pub fn new(part: &'a Part, clamps: &'a [Obstacle]) -> Shade<'a> {
-        let what = |i: usize, c: &Obstacle| match c.is_unscanned() {
-            true => Obstruction::Unscanned,
-            false => Obstruction::Clamp(i as u32),
-        };
-        let clamp = |(i, c): (usize, &'a Obstacle)| (c.solid(), c.at().inverse(), what(i, c));
+        let clamp =
+            |(i, c): (usize, &'a Obstacle)| (c.solid(), c.at().inverse(), Obstruction::of_clamp(i, c.is_unscanned()));
         Shade { part: &part.bvh, clamps: clamps.iter().enumerate().map(clamp).collect() }
     }
 

@@ -95,7 +95,13 @@ impl Sentence for PartFinding {
             }
             PartFinding::SolidsJoined { count } => say!(part_solids_joined, count = *count),
             PartFinding::Meshed { points, cell_mm, rms_mm, is_side_guessed, .. } => {
-                let told = say!(part_meshed, points = *points, cell = length(*cell_mm), rms = length(*rms_mm));
+                let told = say!(
+                    part_meshed,
+                    points = *points,
+                    rounded = length(2.0 * cell_mm),
+                    cell = length(*cell_mm),
+                    rms = length(*rms_mm)
+                );
                 listed_clauses(std::iter::once(told).chain(is_side_guessed.then(|| say!(part_side_guessed))))
             }
         }

@@ -145,7 +145,7 @@ part_beams_not_read = { $count ->
     [one] 1 beam of a lattice was left out
    *[other] { $count } beams of lattices were left out
 }
-part_meshed = a surface was laid through its { $points } points, { $rms } mm off them (rms): edges are rounded over { $cell } mm, what is smaller is not there; where nothing was scanned it has holes, and what lies behind them is kept clear of
+part_meshed = a surface was laid through its { $points } points, { $rms } mm off them (rms): edges are rounded over up to { $rounded } mm, what is smaller than { $cell } mm is not there; where nothing was scanned it has holes, and what lies behind them is kept clear of
 part_side_guessed = its outside is guessed, since the points have no normals
 part_solids_joined = the { $count } solids of the file were joined into one part
 

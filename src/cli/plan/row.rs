@@ -47,12 +47,13 @@ pub(super) fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
     std::thread::scope(|scope| {
         let works = || {
             let mut worst = 0;
-            while let Some(run) = runs.get(next.fetch_add(1, Ordering::Relaxed)).map(|(at, run)| (*at, run)) {
-                let line = line_of(a, run.1);
+            loop {
+                let at = next.fetch_add(1, Ordering::Relaxed);
+                let Some(run) = runs.get(at) else { return worst };
+                let line = line_of(a, run);
                 worst = worst.max(rank(line.status));
-                tell(&lines, run.0, line);
+                tell(&lines, at, line);
             }
-            worst
         };
         let workers: Vec<_> = (0..a.jobs).map(|_| scope.spawn(works)).collect();
         // One that panicked has failed.
@@ -110,12 +111,12 @@ fn line_of(a: &PlanArguments, run: &PlanRun<'_>) -> RowLine {
 }
 
 /// Each job with each scan, in folders that are named for what differs.
-fn runs(a: &PlanArguments) -> Result<Vec<(usize, PlanRun<'_>)>, CommandFailure> {
+fn runs(a: &PlanArguments) -> Result<Vec<PlanRun<'_>>, CommandFailure> {
     let scans: Vec<Option<&Path>> = match &a.scan[..] {
         [] => vec![None],
         scans => scans.iter().map(|s| Some(s.as_path())).collect(),
     };
-    let mut runs: Vec<(usize, PlanRun<'_>)> = Vec::new();
+    let mut runs: Vec<PlanRun<'_>> = Vec::new();
     for input in &a.inputs {
         for &scan in &scans {
             let (of_job, of_scan) = (stem(input), scan.map(stem));
@@ -125,10 +126,10 @@ fn runs(a: &PlanArguments) -> Result<Vec<(usize, PlanRun<'_>)>, CommandFailure> 
                 _ => of_job,
             };
             let out = a.out.join(&name);
-            if runs.iter().any(|(_, r)| r.out == out) {
+            if runs.iter().any(|r| r.out == out) {
                 return Err(CommandFailure::Usage(say!(cli_row_same_name, name)));
             }
-            runs.push((runs.len(), PlanRun { input, scan, out }));
+            runs.push(PlanRun { input, scan, out });
         }
     }
     Ok(runs)

@@ -155,8 +155,8 @@ impl Pipeline {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             let scanned = self.scanned();
             let slack_mm = scanned.as_ref().and_then(|s| s.laid.as_ref()).map_or(0.0, |laid| laid.slack_mm());
-            let setup = beside_unscanned(with_slack(setup, slack_mm), &part);
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
+                let setup = beside_unscanned(with_slack(setup, slack_mm), &part);
                 let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let is_placed = job.scan.scanner(setup.mount).is_some();
                 plan.scan = scanned.and_then(|s| ScanReport::new(&s, is_placed));

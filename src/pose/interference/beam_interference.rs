@@ -2,7 +2,7 @@
 //! `tool_body`.
 
 use super::blocker::Obstruction;
-use crate::beam::{Standing, ToolGeometry};
+use crate::beam::ToolGeometry;
 use crate::part::{Bvh, Part};
 use crate::pose::Pose;
 use crate::progress::{Cancelled, Progress};
@@ -61,11 +61,8 @@ impl<'a> BeamInterference<'a> {
     /// the part frame.
     pub(super) fn obstacles(&self) -> impl Iterator<Item = (Option<Obstruction>, &'a Bvh, Option<Isometry3<f64>>)> {
         let clamps = self.geometry.map_or(&[][..], |b| &b.clamps);
-        let what = |i: usize, c: &Standing<'_>| match c.is_unscanned {
-            true => Obstruction::Unscanned,
-            false => Obstruction::Clamp(i as u32),
-        };
-        let clamps = clamps.iter().enumerate().map(move |(i, c)| (Some(what(i, c)), &c.solid.bvh, Some(c.at)));
+        let clamps = clamps.iter().enumerate();
+        let clamps = clamps.map(|(i, c)| (Some(Obstruction::of_clamp(i, c.is_unscanned)), &c.solid.bvh, Some(c.at)));
         std::iter::once((None, self.bvh, None)).chain(clamps)
     }
 }

@@ -31,6 +31,11 @@ pub enum Obstruction {
 }
 
 impl Obstruction {
+    /// What stands at a place of the list of clamps.
+    pub fn of_clamp(index: usize, is_unscanned: bool) -> Obstruction {
+        if is_unscanned { Obstruction::Unscanned } else { Obstruction::Clamp(index as u32) }
+    }
+
     /// The facet of the part, if it is one.
     pub fn facet(self) -> Option<u32> {
         match self {

@@ -2,7 +2,7 @@
 //!
 //! Points are thinned to voxels, a quadric is fitted to the neighbours of each, and the surface crosses a lattice of
 //! cells where the signed distance to the nearest quadrics changes its sign. Nothing is closed: where no point was
-//! measured the mesh has a rim, but for holes of three cells or less. Edges are rounded over about a cell. Everything is
+//! measured the mesh has a rim, but for holes of three cells or less. Edges are rounded over up to two cells. Everything is
 //! in the frame of the cloud, mm.
 
 mod cell_patches;

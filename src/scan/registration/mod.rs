@@ -116,7 +116,7 @@ pub fn register(
 }
 
 /// How far a motion moves that corner of the model's box that it moves most, mm.
-fn most_moved_mm(part: &Part, motion: &Isometry3<f64>) -> f64 {
+pub fn most_moved_mm(part: &Part, motion: &Isometry3<f64>) -> f64 {
     let (lo, hi) = part.mesh.bounds();
     let corner = |i: usize| Point3::from([0, 1, 2].map(|k| if i >> k & 1 == 0 { lo[k] } else { hi[k] }));
     (0..8).map(|i| (motion * corner(i) - corner(i)).norm()).fold(0.0, f64::max)

@@ -6,6 +6,18 @@ use crate::text::{exact, fixed, say};
 use eframe::egui::{self, Color32, RichText};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotBounds, PlotResponse, PlotUi, VLine};
 
+/// A plot that stays as it is, whatever the pointer does.
+pub(in super::super) fn still(plot: Plot<'_>) -> Plot<'_> {
+    plot.allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_axis_zoom_drag(false)
+        .allow_double_click_reset(false)
+        .show_crosshair(false)
+        .label_formatter(|_| None)
+}
+
 /// One diagram over samples.
 pub(super) struct Diagram<'a, T> {
     /// Tells it apart from the others.
@@ -85,15 +97,7 @@ impl<T: Timed> Diagram<'_, T> {
         let lines: Vec<Vec<[f64; 2]>> = self.curves.iter().map(|c| thinned(samples, sight.span_s, &c.value)).collect();
         let (span, range) = (sight.span_s, range(&lines, self.least));
         let cursor = ui.visuals().strong_text_color();
-        let plot = Plot::new(self.key)
-            .allow_drag(false)
-            .allow_zoom(false)
-            .allow_scroll(false)
-            .allow_boxed_zoom(false)
-            .allow_axis_zoom_drag(false)
-            .allow_double_click_reset(false)
-            .show_crosshair(false)
-            .label_formatter(|_| None)
+        let plot = still(Plot::new(self.key))
             .y_axis_min_width(34.0)
             .x_axis_formatter(|mark, _| say!(plots_seconds, value = exact(mark.value)));
         plot.show(ui, |p: &mut PlotUi<'_>| {

@@ -3,7 +3,7 @@
 //! simulation is; a drag moves both.
 
 mod curves;
-mod diagram;
+pub(super) mod diagram;
 mod scale;
 
 use super::super::actions::Actions;

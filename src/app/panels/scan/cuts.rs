@@ -5,11 +5,12 @@ use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::scan_tool::{CutDraft, CutShape, ScanTool};
 use super::super::entry::{Entry, refused};
+use super::place::place;
 use super::tool_button::{brush_mm, hint, radius, tool_button};
 use crate::document::scan_edit::ScanEdit;
 use crate::planning::scanned::Scanned;
 use crate::scan::cleaning::Keep;
-use crate::text::{say, short};
+use crate::text::say;
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 use nalgebra::{Point3, Vector3};
 
@@ -115,24 +116,7 @@ fn take_over(ui: &mut egui::Ui, draft: &CutDraft, context: Context<'_>, actions:
 fn corners(ui: &mut egui::Ui, min: &mut [f64; 3], max: &mut [f64; 3]) {
     let before = (*min, *max);
     for (name, corner) in [(say!(scan_cut_from), &mut *min), (say!(scan_cut_to), &mut *max)] {
-        let row = ui.horizontal(|ui| {
-            let fields = ["x", "y", "z"].into_iter().zip(corner.iter_mut()).map(|(axis, value)| {
-                let (prefix, size) = (format!("{axis} "), Some([82.0, 20.0]));
-                let entry = Entry {
-                    speed: 0.05,
-                    prefix,
-                    size,
-                    written: Some(short),
-                    ..Entry::new(-FAR_MM..=FAR_MM, say!(unit_mm))
-                };
-                let drawn = entry.show(ui, value);
-                let told = || say!(scan_cut_corner, corner = &name, axis);
-                drawn.response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
-                drawn
-            });
-            fields.collect::<Vec<_>>()
-        });
-        refused(ui, &row.inner);
+        place(ui, corner, FAR_MM, |axis| say!(scan_cut_corner, corner = &name, axis));
     }
     for k in 0..3 {
         if min[k] > max[k] {

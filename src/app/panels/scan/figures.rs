@@ -3,6 +3,7 @@
 
 use super::super::super::context::Context;
 use super::super::super::theme;
+use super::super::plots::diagram::still;
 use crate::picture::DeviationScale;
 use crate::planning::scanned::{ComparedScan, Scanned};
 use crate::text::{exact, fixed, say};
@@ -99,16 +100,7 @@ fn histogram(
 
 /// A plot that is looked at, and stays as it is.
 fn bare<'a>(key: &str) -> Plot<'a> {
-    Plot::new(("figure of the scan", key))
-        .height(HEIGHT)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_axis_zoom_drag(false)
-        .allow_double_click_reset(false)
-        .show_crosshair(false)
-        .label_formatter(|_| None)
+    still(Plot::new(("figure of the scan", key)).height(HEIGHT))
 }
 
 fn log(mm: f64) -> f64 {

@@ -13,6 +13,7 @@ mod lies;
 pub(in super::super) mod marks;
 mod pairs;
 mod patches;
+mod place;
 mod placing;
 pub(in super::super) mod section;
 mod tool_button;

@@ -4,13 +4,13 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::theme;
-use super::super::entry::{Entry, refused};
 use super::super::frames;
+use super::place::place;
 use crate::cell::calibration::PointPair;
 use crate::cell::{Frame, Mount};
 use crate::document::Edit;
 use crate::document::scan_edit::ScanEdit;
-use crate::text::{Sentence as _, fixed, id, say, scan_not_placed, short};
+use crate::text::{Sentence as _, fixed, id, say, scan_not_placed};
 use eframe::egui::{self, RichText, Role, WidgetInfo};
 
 /// Fewest markers.
@@ -112,26 +112,9 @@ fn table(ui: &mut egui::Ui, markers: &[PointPair], (mount, given): (Mount, Optio
 }
 
 /// The place of a marker in one of the two frames.
-fn figures(ui: &mut egui::Ui, at: usize, frame: &str, place: &mut [f64; 3]) {
+fn figures(ui: &mut egui::Ui, at: usize, frame: &str, at_mm: &mut [f64; 3]) {
     ui.label(RichText::new(frame).small());
-    let row = ui.horizontal(|ui| {
-        let fields = ["x", "y", "z"].into_iter().zip(place.iter_mut()).map(|(axis, value)| {
-            let (prefix, size) = (format!("{axis} "), Some([82.0, 20.0]));
-            let entry = Entry {
-                speed: 0.05,
-                prefix,
-                size,
-                written: Some(short),
-                ..Entry::new(-FAR_MM..=FAR_MM, say!(unit_mm))
-            };
-            let drawn = entry.show(ui, value);
-            let told = || say!(scan_placing_field, marker = id(at + 1), frame, axis);
-            drawn.response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, told()));
-            drawn
-        });
-        fields.collect::<Vec<_>>()
-    });
-    refused(ui, &row.inner);
+    place(ui, at_mm, FAR_MM, |axis| say!(scan_placing_field, marker = id(at + 1), frame, axis));
 }
 
 /// Markers that tell a frame go into the job; others wait in the session.
