@@ -3,7 +3,7 @@
 
 use super::playback_data::PlaybackData;
 use crate::cell::Collision;
-use crate::part::Digest;
+use crate::part::{Digest, GrownPart};
 use crate::planning::{Executor, PlannedJob, Stage};
 use crate::program::{Clearance, clearances};
 use crate::progress::{Activity, Cancelled, Progress};
@@ -61,7 +61,7 @@ impl ClearanceCurve {
     /// Empty without a robot.
     fn new(planned: &PlannedJob, data: &PlaybackData, progress: &Progress) -> Result<ClearanceCurve, Cancelled> {
         // As the plan asks for arm and head: with all that will be laid, from the first layer on.
-        let whole = planned.plan.grown.last().map_or(&*planned.part, |g| &g.part);
+        let whole = GrownPart::largest(&planned.part, &planned.plan.grown);
         let collision = data.timeline.as_ref().and_then(|timeline| Collision::new(timeline.setup(), whole));
         let Some(collision) = collision else { return Ok(ClearanceCurve::default()) };
         let samples = clearances(&data.curves, &collision, progress)?;

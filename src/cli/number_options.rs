@@ -44,6 +44,10 @@ fn placeholder(kind: NumberKind) -> &'static str {
         NumberKind::Power => "W",
         NumberKind::Frequency => "KHZ",
         NumberKind::Fluence => "J/CM2",
+        NumberKind::Force => "N",
+        NumberKind::Acceleration => "MM/S2",
+        NumberKind::Pixels => "PX",
+        NumberKind::Share => "PERCENT",
         NumberKind::Factor => "X",
         NumberKind::Count => "N",
     }

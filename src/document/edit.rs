@@ -10,6 +10,7 @@ use super::scan_carried;
 use super::scan_edit::ScanEdit;
 use super::settings::Settings;
 use super::start_from::StartFrom;
+use super::weld_edit::WeldEdit;
 use crate::beam::Obstacle;
 use crate::cell::{Mount, Spin};
 use crate::part::{Placement, SurfaceEdit, SurfaceId, Units, Weld};
@@ -152,6 +153,8 @@ pub enum Edit {
     Profile(Profile),
     /// The scan of the part.
     Scan(Box<ScanEdit>),
+    /// The weld that is ground.
+    Grind(Box<WeldEdit>),
 }
 
 /// What an edit changes a property of.
@@ -163,6 +166,7 @@ enum Subject<'a> {
     Surfaces(&'a [SurfaceId]),
     Shell(u32),
     Scan(&'a ScanEdit),
+    Weld(&'a WeldEdit),
 }
 
 impl Edit {
@@ -171,6 +175,7 @@ impl Edit {
         match (self.subject(), earlier.subject()) {
             // Some values cut the surfaces anew, others do not.
             (Subject::Scan(now), Subject::Scan(before)) => now.goes_on_from(before),
+            (Subject::Weld(now), Subject::Weld(before)) => now.goes_on_from(before),
             (now @ Subject::Parameter(_), before @ Subject::Parameter(_)) => now == before,
             (now, before) => discriminant(self) == discriminant(earlier) && now == before,
         }
@@ -200,6 +205,7 @@ impl Edit {
             | Edit::Pins(id, _) => Subject::Surfaces(std::slice::from_ref(id)),
             Edit::FlipShell(shell) => Subject::Shell(*shell),
             Edit::Scan(edit) => Subject::Scan(edit),
+            Edit::Grind(edit) => Subject::Weld(edit),
             Edit::Direction(_)
             | Edit::Offset(_)
             | Edit::Order(_)
@@ -294,6 +300,7 @@ impl Edit {
             Edit::Clamps(clamps) => job.clamps.clone_from(clamps),
             Edit::Profile(profile) => job.dose.profile = *profile,
             Edit::Scan(edit) => edit.apply(&mut job.scan),
+            Edit::Grind(edit) => edit.apply(&mut job.weld),
         }
         Vec::new()
     }

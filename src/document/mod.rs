@@ -36,6 +36,7 @@ pub mod start_from;
 pub mod undo;
 pub mod users_folder;
 pub mod value_error;
+pub mod weld_edit;
 
 pub use changed_part::{CarriedOver, LostSurface};
 pub use chosen::Chosen;
@@ -58,3 +59,4 @@ pub use settings::{Settings, SurfaceSettings};
 pub use start_from::StartFrom;
 pub use undo::{Document, UndoStep};
 pub use value_error::{BeadError, RecipeError, ValueError};
+pub use weld_edit::WeldEdit;

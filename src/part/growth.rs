@@ -10,6 +10,7 @@ use super::{Bvh, Hasher, Part, angle};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use thiserror::Error;
 
 /// A part and its surfaces with metal on them.
@@ -19,6 +20,14 @@ pub struct GrownPart {
     pub part: Part,
     /// The surfaces of the bare part, with the areas that they have on this one.
     pub surfaces: Surfaces,
+}
+
+impl GrownPart {
+    /// The part at its largest, of the shapes that it has one after the other: with all that is laid on, or before
+    /// anything is ground off.
+    pub fn largest<'a>(part: &'a Part, shapes: &'a [Arc<GrownPart>]) -> &'a Part {
+        shapes.last().filter(|last| last.surfaces.grounds.is_empty()).map_or(part, |last| &last.part)
+    }
 }
 
 /// Below this share of the greatest eigenvalue facets that differ in direction count as one rounded face,
@@ -122,6 +131,7 @@ pub fn laid_on(
         worked: surfaces.worked.clone(),
         vertex_normals: surfaces.vertex_normals.clone(),
         fills: surfaces.fills.clone(),
+        grounds: surfaces.grounds.clone(),
         measured: surfaces.measured.clone(),
     };
     let mut hasher = Hasher::default().digest(part.digest);

@@ -17,6 +17,7 @@ pub mod far_from_origin;
 pub mod file;
 pub mod fill;
 pub mod finding;
+pub mod ground;
 pub mod growth;
 pub mod identity;
 pub mod inspect;

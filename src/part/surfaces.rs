@@ -4,6 +4,7 @@
 //! splitting appends new ones: so the settings of surface 7 stay those of surface 7.
 
 use super::fill::Fill;
+use super::ground::Ground;
 use super::measured::MeasuredPoints;
 use super::merge_tree::MergeTree;
 use super::numbering::Numbering;
@@ -46,6 +47,8 @@ pub struct Surfaces {
     pub vertex_normals: Vec<VertexNormal>,
     /// What beads are to fill of patches.
     pub fills: Vec<Fill>,
+    /// What is ground off them.
+    pub grounds: Vec<Ground>,
     /// Points that lines are laid through; `None`: they lie on the facets.
     pub measured: Option<Arc<MeasuredPoints>>,
 }
@@ -91,6 +94,7 @@ impl Surfaces {
             worked: None,
             vertex_normals: Vec::new(),
             fills: Vec::new(),
+            grounds: Vec::new(),
             measured: None,
         }
     }
@@ -115,6 +119,11 @@ impl Surfaces {
     /// What beads are to fill of a surface; `None`: it is no patch, or no bead fills it.
     pub fn fill(&self, number: u32) -> Option<&Fill> {
         self.fills.iter().find(|f| f.surface == number)
+    }
+
+    /// What is ground off a surface; `None`: nothing is.
+    pub fn ground(&self, number: u32) -> Option<&Ground> {
+        self.grounds.iter().find(|g| g.surface == number)
     }
 
     /// Numbers of the surfaces that share an edge with this one, ascending.

@@ -3,6 +3,8 @@
 //!
 //! Part frame, millimetres. Whether a beam can get there is decided in `pose`.
 
+pub mod along;
+pub mod back_and_forth;
 pub mod chord;
 pub mod coverage;
 pub mod dense;

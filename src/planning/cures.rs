@@ -193,7 +193,7 @@ impl Trial<'_> {
         let mut changed = self.job.clone();
         change.edit(self.job, surface).apply(&mut changed, &[]);
         let own = changed.of_surface(surface);
-        let rules = ToolpathRules::new(surface.0, &own, 0);
+        let rules = ToolpathRules::new(self.surfaces, surface.0, &own, 0);
         let made = plan_toolpath(self.part, self.surfaces, of, family.clone(), &rules, self.progress)?;
         Ok(made.lines.iter().map(|line| line.length_mm()).collect())
     }

@@ -8,7 +8,7 @@ use crate::cell::collision::Collision;
 use crate::cell::motion::{Arm, Refusal, SearchHooks, TargetStateCache, choose_again};
 use crate::cell::{Joints, Robot, Setup};
 use crate::document::model::Job;
-use crate::part::Part;
+use crate::part::{GrownPart, Part};
 use crate::program::lit::StraightFlange;
 use crate::program::{Cuts, Drive, DriveCache, Steps};
 use crate::progress::{Activity, Progress};
@@ -31,8 +31,8 @@ pub(super) fn drive(
     let Some(arm) = Arm::new(setup, job.cell.spin) else { return Ok(()) };
     progress.begin(Activity::ChoosingSpins, 2);
     let (grown, cuts) = (plan.grown.clone(), plan.cuts.clone());
-    // Arm and head keep clear of all that will be there, from the first layer on.
-    let whole = grown.last().map_or(part, |g| &g.part);
+    // Arm and head keep clear of all that will be there, from the first layer on, and of what is ground off, to the last pass.
+    let whole = GrownPart::largest(part, &grown);
     let collision = Collision::new(setup, whole);
     let touches = |joints: &Joints| collision.as_ref()?.first_contact(joints);
     let go_on = || progress.goes_on();

@@ -8,7 +8,7 @@ use super::proof::straight;
 use crate::cell::Setup;
 use crate::cell::collision::Collision;
 use crate::document::model::Job;
-use crate::part::Part;
+use crate::part::{GrownPart, Part};
 use crate::program::{Go, Shortfall, Steps, Timeline, dialects, pacing, steps_from, way_from_home};
 use crate::progress::Progress;
 use thiserror::Error;
@@ -78,7 +78,7 @@ fn steps(
             steps_from(&plan.steps, &plan.passes, first, &way_in)
         }
         Some(robot) => {
-            let collision = Collision::new(setup, plan.grown.last().map_or(part, |g| &g.part));
+            let collision = Collision::new(setup, GrownPart::largest(part, &plan.grown));
             let drive = driver((setup, robot), job, straight, collision.as_ref(), &plan.cuts, progress);
             let way_in = |entry: &Go| drive.way_from_home(&plan.passes, entry);
             steps_from(&plan.steps, &plan.passes, first, &way_in)

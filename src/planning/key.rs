@@ -3,7 +3,7 @@
 //! A job is taken apart field by field, so that a new one does not compile until it is said here which
 //! stages it makes stale. Names, notes and places of files are in no key; what the files hold is.
 
-use crate::document::model::{JobPart, JobScan, SurfaceParameters};
+use crate::document::model::{JobPart, JobScan, JobWeld, SurfaceParameters};
 use crate::document::{Job, Settings};
 use crate::part::{Digest, Hasher, Source};
 use std::path::Path;
@@ -61,6 +61,59 @@ impl ScanKeys {
     }
 }
 
+/// The keys of the stages of a weld.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WeldKeys {
+    /// Key of its images and their camera.
+    pub read: Digest,
+    /// Key of the mask.
+    pub masked: Digest,
+    /// Key of what was measured in it.
+    pub measured: Digest,
+    /// Key of the part with its areas.
+    pub ground: Digest,
+}
+
+impl WeldKeys {
+    fn new(files: Digest, surfaces: Digest, weld: &JobWeld) -> WeldKeys {
+        let JobWeld {
+            even_light_px,
+            smoothing_px,
+            sigmas,
+            opening_px,
+            closing_px,
+            least_area_px,
+            pass_depth_mm,
+            residual_mm,
+            below_mm,
+            removal_share,
+            lead_deg: _,
+            arc_mm: _,
+            force_n: _,
+            gouge_mm: _,
+            acceleration_mm_s2: _,
+            threshold,
+            strategy: _,
+            bead_strategy: _,
+            areas,
+            images,
+            hand_eye,
+            tool: _,
+            painted,
+            history,
+            goes_on,
+            roughness: _,
+        } = weld;
+        let read = Hasher::default().of(&files).of(images).of(hand_eye).finish();
+        let mask = Hasher::default().of(&read).of(even_light_px).of(smoothing_px).of(sigmas).of(threshold);
+        let masked = mask.of(opening_px).of(closing_px).of(least_area_px).of(painted).finish();
+        let measured = Hasher::default().of(&masked).of(history).finish();
+        let ground = Hasher::default().of(&measured).of(&surfaces).of(areas).of(pass_depth_mm).of(residual_mm);
+        let ground = ground.of(below_mm).of(removal_share).of(goes_on).finish();
+        WeldKeys { read, masked, measured, ground }
+    }
+}
+
 /// The keys of everything that is computed from one job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keys {
@@ -70,7 +123,9 @@ pub struct Keys {
     pub surfaces: Digest,
     /// Keys of the scan; `None` where the job has none.
     pub scan: Option<ScanKeys>,
-    /// Key of head and clamps.
+    /// Keys of the weld; `None` where the job grinds none.
+    pub weld: Option<WeldKeys>,
+    /// Key of head, grinding tool and clamps.
     pub tool: Digest,
     /// Key of the cell with the frames of its file.
     pub cell: Digest,
@@ -86,7 +141,8 @@ impl Keys {
     /// The keys of a job that stands in `job_file`, on a part as read. `reading` counts how often cell, robot,
     /// head and clamps were read: their files may change while their names stay.
     pub fn new(source: &Source, job: &Job, job_file: Option<&Path>, reading: u64) -> Keys {
-        let Job { part, scan, surfaces, settings, layers, beam, optics, path, bead, dose, cell, clamps, recipes } = job;
+        let Job { part, scan, weld, surfaces, settings, layers, beam, optics, path, bead, dose, cell, clamps, recipes } =
+            job;
         let part = part_key(source, part);
         let surfaces = surfaces_key(part, surfaces, settings);
         let folder = job_file.and_then(Path::parent).map(|f| f.to_string_lossy().into_owned());
@@ -94,7 +150,10 @@ impl Keys {
         // Patches are cut where beads end.
         let bead_mm = job.section_of_bead().map(|_| bead.height_mm);
         let scan_keys = scan.is_there().then(|| ScanKeys::new(files, part, surfaces, scan, bead_mm));
-        let tool = Hasher::default().of(&files).of(&beam.head).of(clamps).finish();
+        let weld_keys = weld.is_there().then(|| WeldKeys::new(files, surfaces, weld));
+        let grinding = (weld.is_there(), &weld.tool, weld.lead_deg, weld.arc_mm, weld.force_n, weld.gouge_mm);
+        let tool = Hasher::default().of(&files).of(&beam.head).of(clamps).of(&grinding.0).of(grinding.1);
+        let tool = tool.of(&grinding.2).of(&grinding.3).of(&grinding.4).of(&grinding.5).finish();
         let cell_key = Hasher::default().of(&files).of(&cell.file).of(&cell.robot).finish();
         // Whether something stands in the beam's way is asked of beam and optics too.
         let setup = Hasher::default().of(&tool).of(&cell_key).of(cell).of(beam).of(optics);
@@ -102,9 +161,15 @@ impl Keys {
         let scanner = (&scan.base_from_scan, &scan.flange_from_scan);
         let placed = scan_keys.filter(|_| scanner != (&None, &None)).map(|k| k.laid);
         let setup = setup.of(&placed).of(scanner.0).of(scanner.1).finish();
+        // Roughness readings are for the report alone.
+        let ground = weld_keys.map(|keys| keys.ground);
         let plan = Hasher::default()
             .of(&surfaces)
             .of(scan)
+            .of(&ground)
+            .of(&weld.strategy)
+            .of(&weld.bead_strategy)
+            .of(&weld.acceleration_mm_s2)
             .of(&setup)
             .of(settings)
             .of(layers)
@@ -113,7 +178,7 @@ impl Keys {
             .of(recipes)
             .finish();
         let dose = Hasher::default().of(&plan).of(dose).finish();
-        Keys { part, surfaces, scan: scan_keys, tool, cell: cell_key, setup, plan, dose }
+        Keys { part, surfaces, scan: scan_keys, weld: weld_keys, tool, cell: cell_key, setup, plan, dose }
     }
 }
 

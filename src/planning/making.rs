@@ -42,7 +42,7 @@ pub fn plan(
     let grown = grown_parts(part, surfaces, &own, progress)?;
     let mut used = PlanCacheContents::default();
     let (mut surface_plans, mut passes) = (Vec::new(), Vec::new());
-    for number in 0..layer_count(&own) {
+    for number in 0..layer_count(surfaces, &own) {
         let before = number.checked_sub(1).and_then(|n| grown.get(n as usize));
         let (part, surfaces) = before.map_or((part, surfaces), |g| (&g.part, &g.surfaces));
         let of = LayerInput { part, surfaces, list: &list, jobs: &own, layer: number };

@@ -2,7 +2,7 @@
 
 use super::parameter::label;
 use super::{Arg, Sentence, id, say};
-use crate::document::{Edit, Parameter, ScanEdit, UndoStep};
+use crate::document::{Edit, Parameter, ScanEdit, UndoStep, WeldEdit};
 use crate::part::SurfaceId;
 
 impl Sentence for UndoStep {
@@ -46,6 +46,7 @@ impl Sentence for Edit {
             Edit::Head(_) => say!(edit_head),
             Edit::Clamps(_) => say!(edit_clamps),
             Edit::Scan(edit) => edit.sentence(),
+            Edit::Grind(edit) => edit.sentence(),
             Edit::FlipShell(shell) => say!(edit_flip_shell, shell = id(shell)),
             Edit::GiveRecipe(list, Some(recipe)) => {
                 say!(edit_give_recipe, count = list.len(), surface = first(list), name = &recipe.name)
@@ -66,6 +67,29 @@ impl Sentence for Edit {
             Edit::FlipSurface(surface) => say!(edit_flip_surface, surface = id(surface)),
             Edit::Tilt(surface, _) => say!(edit_tilt, surface = id(surface)),
             Edit::Pins(surface, _) => say!(edit_pins, surface = id(surface)),
+        }
+    }
+}
+
+impl Sentence for WeldEdit {
+    /// What it does, as the name of a step to undo.
+    fn sentence(&self) -> String {
+        match self {
+            WeldEdit::Images(images) if images.gray.file.is_empty() => say!(edit_no_weld),
+            WeldEdit::Images(_) => say!(edit_weld_images),
+            WeldEdit::Ground(..) => say!(edit_ground_pass),
+            WeldEdit::Threshold(_) => say!(edit_threshold),
+            WeldEdit::Paint(stroke) if stroke.adds => say!(edit_paint_mask),
+            WeldEdit::Paint(_) => say!(edit_erase_mask),
+            WeldEdit::Unpaint => say!(edit_unpaint),
+            WeldEdit::Strategy(_) => say!(edit_grinding_strategy),
+            WeldEdit::BeadStrategy(_) => say!(edit_bead_strategy),
+            WeldEdit::Areas(_) => say!(edit_areas),
+            WeldEdit::HandEye(_) => say!(edit_hand_eye),
+            WeldEdit::Tool(_) => say!(edit_grinding_tool),
+            WeldEdit::GoesOn(true) => say!(edit_goes_on),
+            WeldEdit::GoesOn(false) => say!(edit_held),
+            WeldEdit::Roughness(_) => say!(edit_roughness),
         }
     }
 }

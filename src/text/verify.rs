@@ -40,6 +40,10 @@ fn input_word(kind: InputKind) -> String {
     match kind {
         InputKind::Part => say!(input_part),
         InputKind::Scan => say!(input_scan),
+        InputKind::Image => say!(input_image),
+        InputKind::Camera => say!(input_camera),
+        InputKind::HandEye => say!(input_hand_eye),
+        InputKind::Grinder => say!(input_grinder),
         InputKind::Cell => say!(input_cell),
         InputKind::Robot => say!(input_robot),
         InputKind::Head => say!(input_head),

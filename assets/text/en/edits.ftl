@@ -105,3 +105,21 @@ edit_together = change how scans come together
 edit_scan_work = change what is worked
 edit_scan_lines = change what lines are laid on
 edit_base_from_scan = change the scanner's frame
+
+## Weld
+
+edit_no_weld = take the weld's images away
+edit_weld_images = change the weld's images
+edit_ground_pass = take the next images
+edit_threshold = change the threshold
+edit_paint_mask = paint the mask
+edit_erase_mask = erase from the mask
+edit_unpaint = take off what was painted
+edit_grinding_strategy = change how areas are ground
+edit_bead_strategy = change how beads are ground
+edit_areas = change which areas are ground
+edit_hand_eye = change where the camera stood
+edit_grinding_tool = change the grinding tool
+edit_goes_on = go on grinding
+edit_held = hold the next pass
+edit_roughness = change roughness readings

@@ -1,5 +1,5 @@
-//! The files that a job is planned from, told by their bytes: part, scans, cell, robot, head, clamps, and the obstacles of the
-//! cell. Whoever plans again later sees by them whether it is the same.
+//! The files that a job is planned from, told by their bytes: part, scans, images of a weld, cell, robot, head, grinding tool,
+//! clamps, and the obstacles of the cell. Whoever plans again later sees by them whether it is the same.
 
 use super::part_file::part_file;
 use super::paths::resolved;
@@ -19,12 +19,20 @@ pub enum InputKind {
     Part,
     /// A scan of it.
     Scan,
+    /// An image of a weld.
+    Image,
+    /// The camera that took it.
+    Camera,
+    /// Where that stood.
+    HandEye,
     /// The robot cell.
     Cell,
     /// The robot.
     Robot,
     /// The head behind the beam.
     Head,
+    /// The tool that grinds.
+    Grinder,
     /// A clamp on the part.
     Clamp,
     /// A body that stands in the cell.
@@ -57,14 +65,21 @@ pub fn inputs(job: &Job, job_file: Option<&Path>) -> Vec<InputDigest> {
     };
     let part = part_file(job, job_file).ok().and_then(|file| of_file(InputKind::Part, &file));
     let scans = job.scan.files.iter().filter_map(|s| of_file(InputKind::Scan, &named(&s.file)?));
+    let weld = &job.weld;
+    let images = weld.files().filter(|f| **f != weld.images.camera);
+    let images = images.filter_map(|f| of_file(InputKind::Image, &named(&f.file)?));
+    let one = |kind, file: &str| named(file).and_then(|file| of_file(kind, &file));
+    let camera = one(InputKind::Camera, &weld.images.camera.file);
+    let seen = images.chain(camera).chain(one(InputKind::HandEye, &weld.hand_eye));
+    let grinder = one(InputKind::Grinder, &weld.tool);
     let head = named(&job.beam.head).and_then(|file| of_file(InputKind::Head, &file));
     let clamps = job.clamps.iter().filter_map(|c| of_file(InputKind::Clamp, &named(&c.file)?));
     let obstacles = load_cell(job, job_file).map(|cell| cell.bodies.obstacles).unwrap_or_default();
     let cell_file = named(&job.cell.file);
     let obstacles =
         obstacles.iter().filter_map(|o| of_file(InputKind::Obstacle, &resolved(cell_file.as_deref(), &o.file)));
-    let set_up = [cell, robot, head].into_iter().flatten();
-    part.into_iter().chain(scans).chain(set_up).chain(clamps).chain(obstacles).collect()
+    let set_up = [cell, robot, head, grinder].into_iter().flatten();
+    part.into_iter().chain(scans).chain(seen).chain(set_up).chain(clamps).chain(obstacles).collect()
 }
 
 fn of_file(kind: InputKind, file: &Path) -> Option<InputDigest> {

@@ -50,7 +50,8 @@ fn with_paths(job: &Job, change: impl Fn(&str) -> Result<String, JobError>) -> R
     let clamps = job.clamps.iter_mut().map(|c| &mut c.file);
     let files = [&mut job.part.file, &mut job.cell.file, &mut job.beam.head];
     let scans = job.scan.files.iter_mut().map(|s| &mut s.file);
-    for path in files.into_iter().chain(robot).chain(clamps).chain(scans) {
+    let weld = job.weld.paths_mut();
+    for path in files.into_iter().chain(robot).chain(clamps).chain(scans).chain(weld) {
         if !path.is_empty() {
             *path = change(path)?;
         }

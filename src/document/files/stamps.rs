@@ -28,7 +28,8 @@ impl Stamps {
         let robot_file = Some(&job.cell.robot).filter(|r| !Robot::is_shipped(r));
         let named = [Some(&job.cell.file), Some(&job.beam.head), robot_file];
         let named = named.into_iter().flatten().chain(job.clamps.iter().map(|c| &c.file));
-        let named = named.chain(job.scan.files.iter().map(|s| &s.file));
+        let named = named.chain(job.scan.files.iter().map(|s| &s.file)).chain(job.weld.files().map(|f| &f.file));
+        let named = named.chain([&job.weld.hand_eye, &job.weld.tool]);
         let mut files: Vec<PathBuf> = named.filter(|f| !f.is_empty()).map(|f| resolved(job_file, f)).collect();
         let cell_file = resolved(job_file, &job.cell.file);
         let obstacles = cell.into_iter().flat_map(|c| &c.bodies.obstacles);

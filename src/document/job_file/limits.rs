@@ -3,7 +3,7 @@
 use super::error::JobFileError;
 use crate::cell::frame::OF_SCANNER;
 use crate::document::PARAMETERS;
-use crate::document::model::{Job, PatchChoice, ScanRegion};
+use crate::document::model::{AreaChoice, Job, PatchChoice, ScanRegion};
 use crate::document::value_error::RecipeError;
 use crate::file::Step::{self as WayStep, Entry, Key};
 use crate::file::{line_of, way_of};
@@ -21,6 +21,12 @@ const MOST_NEIGHBOURS: f64 = 1000.0;
 
 /// Nothing lies so many standard deviations off.
 const MOST_SIGMA: f64 = 1e6;
+
+/// No image is wider than this, px.
+const MOST_PIXELS: f64 = 1e6;
+
+/// No surface is rougher than this, µm.
+const MOST_ROUGHNESS_UM: f64 = 1e5;
 
 /// Nothing leans farther from the normal than this, degrees.
 const MOST_TILT_DEG: f64 = 90.0;
@@ -50,6 +56,7 @@ pub(super) fn check(job: &Job, text: &str) -> Result<(), JobFileError> {
         tilts(job),
         clamps(job),
         scan(job),
+        weld(job),
         job.layers.centre_mm.map_or_else(Vec::new, |c| far("layers.centre_mm", &way_of("layers.centre_mm"), c)),
     ];
     let bad = listed.into_iter().flatten().find(|n| !(n.low..=n.high).contains(&n.value));
@@ -135,6 +142,31 @@ fn scan(job: &Job) -> Vec<Numbered<'static>> {
     if let PatchChoice::At(places) = &job.scan.patches {
         let way = |i| of_list("patches", i);
         out.extend(places.iter().enumerate().flat_map(|(i, place)| far("scan.patches", &way(i), *place)));
+    }
+    out
+}
+
+fn weld(job: &Job) -> Vec<Numbered<'static>> {
+    let of_list = |list, i| [Key("weld"), Key(list), Entry(i)];
+    let pixel = |key, way: &[WayStep<'static>], at: &[f64; 2]| within(key, way, at, -MOST_PIXELS, MOST_PIXELS);
+    let levels: Vec<f64> = job.weld.threshold.into_iter().collect();
+    let mut out = within("weld.threshold", &way_of("weld.threshold"), &levels, 0.0, 255.0);
+    for (i, stroke) in job.weld.painted.iter().enumerate() {
+        let way = of_list("painted", i);
+        out.extend(within("weld.painted", &way, &[stroke.radius_px], 0.0, MOST_PIXELS));
+        out.extend(stroke.points_px.iter().flat_map(|at| pixel("weld.painted", &way, at)));
+    }
+    if let AreaChoice::At(places) = &job.weld.areas {
+        let places = places.iter().enumerate();
+        out.extend(places.flat_map(|(i, at)| pixel("weld.areas", &of_list("areas", i), at)));
+    }
+    for (i, pass) in job.weld.history.iter().enumerate() {
+        let heights = [pass.height_mm, pass.planned_mm];
+        out.extend(within("weld.history", &of_list("history", i), &heights, 0.0, FARTHEST_MM));
+    }
+    for (i, reading) in job.weld.roughness.iter().enumerate() {
+        let roughness: Vec<f64> = [Some(reading.before_um), reading.after_um].into_iter().flatten().collect();
+        out.extend(within("weld.roughness", &of_list("roughness", i), &roughness, 0.0, MOST_ROUGHNESS_UM));
     }
     out
 }

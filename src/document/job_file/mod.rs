@@ -14,7 +14,8 @@ pub use version::WRITTEN;
 
 use super::chosen::Chosen;
 use super::model::{
-    BeadParameters, BeamParameters, Job, JobCell, JobPart, JobScan, LineParameters, PathParameters, SurfaceTable,
+    BeadParameters, BeamParameters, Job, JobCell, JobPart, JobScan, JobWeld, LineParameters, PathParameters,
+    SurfaceTable,
 };
 use super::recipe::Recipe;
 use super::settings::{Settings, SurfaceSettings};
@@ -35,6 +36,7 @@ struct JobTables {
     version: i64,
     part: JobPart,
     scan: JobScan,
+    weld: JobWeld,
     surfaces: SurfaceTable,
     clean: CleanTable,
     layers: LineParameters,
@@ -96,6 +98,7 @@ impl TryFrom<toml::Table> for Job {
         Ok(Job {
             part: file.part,
             scan: file.scan,
+            weld: file.weld,
             surfaces: file.surfaces.into_parameters(),
             settings,
             layers: file.layers,
@@ -192,6 +195,7 @@ impl From<Job> for JobTables {
             starts: starts.map(|(surface, s)| StartRow { surface, border: s.border, centre_mm: s.centre_mm }).collect(),
             part: job.part,
             scan: job.scan,
+            weld: job.weld,
             layers: job.layers,
             beam: job.beam,
             optics: job.optics,

@@ -8,9 +8,10 @@ impl Job {
     /// The number of a parameter, in its unit.
     pub fn number(&self, parameter: &Parameter) -> f64 {
         let (table, field) = parameter.table_and_field();
-        let tables: [(&str, &dyn NumberFields); 10] = [
+        let tables: [(&str, &dyn NumberFields); 11] = [
             ("part.placement", &self.part.placement),
             ("scan", &self.scan),
+            ("weld", &self.weld),
             ("surfaces", &self.surfaces),
             ("layers", &self.layers),
             ("beam", &self.beam),
@@ -29,9 +30,10 @@ impl Job {
     /// takes the nearest whole one.
     pub fn set_number(&mut self, parameter: &Parameter, value: f64) {
         let (table, field) = parameter.table_and_field();
-        let tables: [(&str, &mut dyn NumberFields); 10] = [
+        let tables: [(&str, &mut dyn NumberFields); 11] = [
             ("part.placement", &mut self.part.placement),
             ("scan", &mut self.scan),
+            ("weld", &mut self.weld),
             ("surfaces", &mut self.surfaces),
             ("layers", &mut self.layers),
             ("beam", &mut self.beam),

@@ -13,6 +13,8 @@ mod path;
 mod scan;
 mod scan_choices;
 mod surfaces;
+mod weld;
+mod weld_choices;
 
 pub use bead::BeadParameters;
 pub use beam::BeamParameters;
@@ -24,6 +26,10 @@ pub use scan::{JobScan, PickedPair, ScanFile};
 pub use scan_choices::{ContinuedDamage, ContinuedKind, PatchChoice, ScanLines, ScanRegion, ScanTogether, ScanWork};
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
+pub use weld::JobWeld;
+pub use weld_choices::{
+    AreaChoice, GrindingStrategy, GroundPass, NamedImage, PaintedStroke, RoughnessReading, WeldFiles,
+};
 
 use super::recipe::Recipe;
 use super::settings::Settings;
@@ -38,6 +44,8 @@ pub struct Job {
     pub part: JobPart,
     /// The scan of the part as it is.
     pub scan: JobScan,
+    /// The weld that is ground: its images, and what is made of them.
+    pub weld: JobWeld,
     /// How facets become feature surfaces.
     pub surfaces: SurfaceParameters,
     /// What is said of single surfaces: whether they are cleaned and in which order, names, sides, recipes, tilts.

@@ -23,6 +23,14 @@ pub enum NumberKind {
     Frequency,
     /// Energy on an area, J/cm².
     Fluence,
+    /// A force, N.
+    Force,
+    /// How fast a speed changes, mm/s².
+    Acceleration,
+    /// A width in an image, pixels.
+    Pixels,
+    /// A part of a whole, per cent.
+    Share,
     /// A ratio, without a unit.
     Factor,
     /// How many: a whole number.
@@ -43,6 +51,10 @@ impl NumberKind {
             NumberKind::Power => "W",
             NumberKind::Frequency => "kHz",
             NumberKind::Fluence => "J/cm²",
+            NumberKind::Force => "N",
+            NumberKind::Acceleration => "mm/s²",
+            NumberKind::Pixels => "px",
+            NumberKind::Share => "%",
             NumberKind::Factor | NumberKind::Count => "",
         }
     }

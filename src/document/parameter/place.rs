@@ -40,6 +40,12 @@ pub enum Group {
     Part,
     /// The scan of the part, and its patches.
     Scan,
+    /// How areas are found in the grey image.
+    WeldMask,
+    /// What is taken off a bead, and when that is enough.
+    WeldPasses,
+    /// How the grinding tool is led.
+    Grinding,
 }
 
 /// Whether single surfaces can have a value of their own, by a recipe.
@@ -60,6 +66,8 @@ pub enum Affects {
     Part,
     /// What the scan says of it, and its patches.
     Scan,
+    /// What the camera's images say of it, and its areas.
+    Weld,
     /// Its feature surfaces: their numbers mean other ones.
     Surfaces,
     /// Robot, head and clamps as they stand.

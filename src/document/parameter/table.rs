@@ -3,7 +3,8 @@
 //! `assets/text/*/parameters.ftl`.
 
 use super::kind::NumberKind::{
-    self, Angle, Area, Count, Factor, Fluence, Frequency, Length, Power, Speed, TurnPerLength, TurnRate, Wavelength,
+    self, Acceleration, Angle, Area, Count, Factor, Fluence, Force, Frequency, Length, Pixels, Power, Share, Speed,
+    TurnPerLength, TurnRate, Wavelength,
 };
 use super::place::{Affects, Group, Scope};
 use super::{Limits, Parameter};
@@ -67,6 +68,21 @@ pub const PARAMETERS: &[Parameter] = &[
     scan("scan.min_depth_mm", above(0.0, 100.0), 0.05).option("min-depth"),
     scan("scan.tolerance_mm", above(0.0, 100.0), 0.1),
     scan("scan.gate_mm", from(0.0, 1000.0), 5.0).option("gate"),
+    weld("weld.even_light_px", Pixels, from(0.0, 10_000.0), 248.0, Group::WeldMask),
+    weld("weld.smoothing_px", Pixels, from(0.0, 100.0), 1.2, Group::WeldMask),
+    weld("weld.sigmas", Factor, from(0.0, 1000.0), 4.0, Group::WeldMask).symbol("k"),
+    weld("weld.opening_px", Pixels, from(0.0, 1000.0), 5.0, Group::WeldMask),
+    weld("weld.closing_px", Pixels, from(0.0, 1000.0), 9.0, Group::WeldMask),
+    weld("weld.least_area_px", Pixels, from(0.0, 1e9), 200.0, Group::WeldMask),
+    weld("weld.pass_depth_mm", Length, above(0.0, 100.0), 0.5, Group::WeldPasses),
+    weld("weld.residual_mm", Length, from(0.0, 100.0), 0.0, Group::WeldPasses),
+    weld("weld.below_mm", Length, above(0.0, 10.0), 0.2, Group::WeldPasses),
+    weld("weld.removal_share", Share, above(0.0, 1000.0), 30.0, Group::WeldPasses),
+    setup("weld.lead_deg", Angle, from(0.0, 60.0), 10.0, Group::Grinding).symbol("τ"),
+    setup("weld.arc_mm", Length, from(0.0, 1000.0), 10.0, Group::Grinding),
+    setup("weld.force_n", Force, from(0.0, 10_000.0), 15.0, Group::Grinding),
+    setup("weld.gouge_mm", Length, above(0.0, 10.0), 0.05, Group::Grinding),
+    plan("weld.acceleration_mm_s2", Acceleration, above(0.0, 1e6), 500.0, Group::Grinding),
     part("part.placement.scale", Factor, above(0.0, 100_000.0), Placement::DEFAULT.scale),
     dose("dose.line_mm", Length, above(0.0, 500.0), DoseParameters::DEFAULT.line_mm, Group::ScannedLine),
     dose("dose.low_j_cm2", Fluence, from(0.0, 1e9), DoseParameters::DEFAULT.low_j_cm2, Group::Dose),
@@ -92,6 +108,10 @@ const fn part(key: &'static str, kind: NumberKind, limits: Limits, default: f64)
 
 const fn scan(key: &'static str, limits: Limits, default: f64) -> Parameter {
     row(key, Length, limits, default, Group::Scan, Affects::Scan)
+}
+
+const fn weld(key: &'static str, kind: NumberKind, limits: Limits, default: f64, group: Group) -> Parameter {
+    row(key, kind, limits, default, group, Affects::Weld)
 }
 
 const fn surfaces(key: &'static str, kind: NumberKind, limits: Limits, default: f64, group: Group) -> Parameter {

@@ -8,6 +8,7 @@
 
 mod contour;
 mod filling;
+mod grinding;
 mod layers;
 mod levels;
 mod normals;
@@ -25,6 +26,7 @@ use normals::kept_normals;
 use std::collections::BTreeMap;
 
 pub use filling::{after_layers, fills};
+pub use grinding::{GroundPatch, before_pass, grounds, standing};
 pub use layers::{LayersError, PatchLayer, layer_count, patch_layers};
 pub use shaped::{Lowered, ScannedShape, shaped};
 
@@ -200,6 +202,7 @@ fn numbered(
         worked: None,
         vertex_normals,
         fills: Vec::new(),
+        grounds: Vec::new(),
         measured: None,
     };
     let mut patches = vec![Vec::new(); patch_count];

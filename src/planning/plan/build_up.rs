@@ -1,4 +1,5 @@
-//! Layers of a build-up: each is planned on the part as those before have made it.
+//! Layers of a build-up: each is planned on the part as those before have made it. Passes that grind something off go the
+//! same way downwards: each is planned on the part as it leaves it, and before the first one everything still stands.
 //!
 //! The beads of a layer itself are not part of that shape: whether the beam of a later line hits a bead of the same
 //! layer is not checked.
@@ -9,10 +10,12 @@ use super::surface_plan::{
 };
 use super::toolpath::{self, Toolpath};
 use crate::cell::Setup;
-use crate::document::model::Job;
+use crate::document::model::{GrindingStrategy, Job};
+use crate::part::ground::Ground;
 use crate::part::growth::{Folds, laid_on};
-use crate::part::patched::after_layers;
+use crate::part::patched::{after_layers, before_pass};
 use crate::part::{Digest, GrownPart, GrowthError, Part, Surfaces};
+use crate::path::back_and_forth::back_and_forth;
 use crate::path::planes::{self, Raster};
 use crate::path::{Order, SurfacePlanes};
 use crate::planning::error::PlanError;
@@ -20,18 +23,28 @@ use crate::progress::{Activity, Cancelled, Progress};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The jobs of surfaces, by their numbers.
 pub(in super::super) type SurfaceJobs<'a> = BTreeMap<u32, Cow<'a, Job>>;
 
-/// How many layers the thickest build-up has.
-pub(in super::super) fn layer_count(own: &SurfaceJobs<'_>) -> u32 {
-    own.values().map(|j| j.layer_count()).max().unwrap_or(1)
+/// How many layers the thickest build-up has, or grinding passes the highest bead, with the part before the first one.
+pub(in super::super) fn layer_count(surfaces: &Surfaces, own: &SurfaceJobs<'_>) -> u32 {
+    own.iter().map(|(&n, job)| layers_of(surfaces, n, job).end).max().unwrap_or(1)
+}
+
+/// The layers in which a surface is worked. A bead that is ground off is not touched in layer 0, where it stands.
+fn layers_of(surfaces: &Surfaces, number: u32, job: &Job) -> Range<u32> {
+    match surfaces.ground(number).filter(|ground| ground.is_bead()) {
+        Some(ground) => 1..ground.passes() + 1,
+        None => 0..job.layer_count(),
+    }
 }
 
 /// The part and its surfaces after each layer, on which the next one is planned: each surface has grown by its layers so
-/// far. Empty without a bead.
+/// far. What is ground off has shrunk by its passes so far, and has the facets that the last of them grinds. Empty where
+/// nothing is laid on or ground off.
 ///
 /// # Errors
 /// A surface that is too hollow for its build-up; [`PlanError::Cancelled`] when `progress` says so.
@@ -41,7 +54,12 @@ pub(in super::super) fn grown_parts(
     own: &SurfaceJobs<'_>,
     progress: &Progress,
 ) -> Result<Vec<Arc<GrownPart>>, PlanError> {
-    let last = if own.values().any(|j| j.section_of_bead().is_some()) { layer_count(own) } else { 0 };
+    let is_ground = own.keys().any(|&n| surfaces.ground(n).is_some_and(Ground::is_bead));
+    let last = match own.values().any(|j| j.section_of_bead().is_some()) {
+        true => layer_count(surfaces, own),
+        false if is_ground => layer_count(surfaces, own) - 1,
+        false => 0,
+    };
     let made: Vec<_> = (1..=last)
         .into_par_iter()
         .map(|layer| {
@@ -49,24 +67,33 @@ pub(in super::super) fn grown_parts(
             let height_mm = |facet: u32, vertex: u32| {
                 let surface = surfaces.of_facet[facet as usize];
                 let own = own.get(&surface)?;
+                if let Some(ground) = surfaces.ground(surface) {
+                    return Some(ground.standing_mm(vertex, layer)? - ground.standing_mm(vertex, 0)?);
+                }
                 let layers = layer.min(own.layer_count());
                 let whole_mm = own.bead.height_mm * f64::from(layers);
                 // A patch is filled, and no more.
                 surfaces.fill(surface).map_or(Some(whole_mm), |fill| fill.filled_mm(vertex, layers))
             };
             // What is filled becomes its model again, which is no fold; slivers along contours would pass for some.
-            let folds = if surfaces.fills.is_empty() { Folds::AreRefused } else { Folds::AreTaken };
+            let is_plain = surfaces.fills.is_empty() && surfaces.grounds.is_empty();
+            let folds = if is_plain { Folds::AreRefused } else { Folds::AreTaken };
             let made = laid_on(part, surfaces, &height_mm, folds, progress).map_err(|e| match e {
                 GrowthError::Folds(surface) => PlanError::Folds { surface, layers: layer },
                 GrowthError::Cancelled => PlanError::Cancelled,
             })?;
             let surfaces = after_layers(&made.part.mesh, made.surfaces, layer);
+            let surfaces = if is_ground { before_pass(&made.part.mesh, surfaces, layer) } else { surfaces };
             Ok(Arc::new(GrownPart { part: made.part, surfaces }))
         })
         .collect();
     // The lowest layer that folds is the one to tell, whichever thread was first.
     made.into_iter().collect()
 }
+
+/// Lines of a zigzag are joined at the rim where their ends are no more than so many spacings apart: where a round rim
+/// slopes by 60° against them they are two.
+const BACK_AND_FORTH: f64 = 2.5;
 
 /// What one layer is planned from.
 #[derive(Clone, Copy)]
@@ -86,8 +113,10 @@ pub(in super::super) struct LayerInput<'a> {
 /// The planes of the surfaces of one layer.
 pub(in super::super) fn families(of: &LayerInput<'_>) -> Vec<SurfacePlanes> {
     let jobs = of.list.iter().filter_map(|n| Some((*n, of.jobs.get(n)?)));
-    let rasters: Vec<Raster> =
-        jobs.filter(|(_, job)| of.layer < job.layer_count()).map(|(n, job)| raster(n, job)).collect();
+    let rasters: Vec<Raster> = jobs
+        .filter(|(n, job)| layers_of(of.surfaces, *n, job).contains(&of.layer))
+        .map(|(n, job)| raster(n, job))
+        .collect();
     // All stand on the one part.
     let placement = of.jobs.values().next().map(|job| job.part.placement).unwrap_or_default();
     planes::planes(&of.part.mesh, of.surfaces, &rasters, &placement.isometry().rotation.to_rotation_matrix())
@@ -120,14 +149,21 @@ pub(in super::super) fn plan_layer(
     used: &mut PlanCacheContents,
     progress: &Progress,
 ) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
-    let (part, jobs, tool) = (of.part, of.jobs, &setup.tool);
+    let (part, surfaces, jobs, tool) = (of.part, of.surfaces, of.jobs, &setup.tool);
     let default = Job::default();
     let job_of = |n: u32| jobs.get(&n).map_or(&default, |j| j);
     let toolpaths = layer_toolpaths(of, cache, progress)?;
     // Where a surface begins may depend on where the one before ends.
     let (mut spot, mut lines) = (None, Vec::with_capacity(toolpaths.len()));
     for (key, toolpath) in &toolpaths {
-        let ordered = toolpath::ordered(toolpath, &job_of(toolpath.surface).layers, spot.as_ref());
+        let job = job_of(toolpath.surface);
+        let mut ordered = toolpath::ordered(toolpath, &job.layers, spot.as_ref());
+        if surfaces
+            .ground(toolpath.surface)
+            .is_some_and(|g| job.weld.strategy_of(g.is_bead()) == GrindingStrategy::Zigzag)
+        {
+            ordered.lines = back_and_forth(ordered.lines, BACK_AND_FORTH * job.layers.spacing_mm);
+        }
         let from = spot;
         spot = toolpath::end_of(&ordered.lines).or(spot);
         lines.push((*key, from, toolpath.clone(), ordered));

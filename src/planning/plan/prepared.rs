@@ -2,8 +2,10 @@
 
 use super::build_up::SurfaceJobs;
 use super::surface_plan::max_gap_mm;
-use crate::document::model::Job;
+use crate::document::model::{BeadParameters, GrindingStrategy, Job};
+use crate::part::ground::Ground;
 use crate::part::{Part, SurfaceId, Surfaces};
+use crate::path::{Order, Strategy};
 use crate::planning::error::PlanError;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -24,12 +26,27 @@ pub(in super::super) fn prepare<'a>(
             let own = own.to_mut();
             (own.bead.height_mm, own.bead.layers) = (fill.bead_mm, fill.layers);
         }
+        if let Some(ground) = surfaces.ground(*n) {
+            grind(own.to_mut(), ground);
+        }
     }
     if let Some(spacing_mm) = own.values().map(|j| j.layers.spacing_mm).find(|mm| *mm > size_mm) {
         return Err(PlanError::SpacingTooLarge { spacing_mm, size_mm });
     }
     bound_size(surfaces, &own, size_mm)?;
     Ok((list, own))
+}
+
+/// Lays the lines of a surface that is ground as the job's weld says; those along a centre line need no more.
+fn grind(own: &mut Job, ground: &Ground) {
+    let strategy = own.weld.strategy_of(ground.is_bead());
+    let layers = &mut own.layers;
+    (layers.strategy, layers.order) = match strategy {
+        GrindingStrategy::OneWay => (Strategy::Planes, Order::OneWay),
+        GrindingStrategy::Spiral => (Strategy::Spiral, Order::Zigzag),
+        GrindingStrategy::Zigzag | GrindingStrategy::Along => (Strategy::Planes, Order::Zigzag),
+    };
+    own.bead = BeadParameters::default();
 }
 
 /// Numbers of the surfaces to clean, checked.

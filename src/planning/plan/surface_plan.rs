@@ -62,7 +62,7 @@ impl PlanCache {
         progress: &Progress,
     ) -> Result<Option<(Digest, Arc<Toolpath>)>, Cancelled> {
         let Some(surface) = surfaces.get(family.surface) else { return Ok(None) };
-        let by = ToolpathRules::new(surface.number, job_of(surface.number), layer);
+        let by = ToolpathRules::new(surfaces, surface.number, job_of(surface.number), layer);
         let key = toolpath_key(part, surfaces, surface, &family, &by);
         let known = self.0.lock().ok().and_then(|kept| kept.toolpaths.get(&key).cloned());
         let toolpath = match known {

@@ -4,9 +4,11 @@
 
 use super::remark::ToolpathRemark;
 use super::taken_by::TakenBy;
-use crate::document::model::{Job, LineParameters};
+use crate::document::model::{GrindingStrategy, Job, LineParameters};
+use crate::part::ground::{CentrePoint, Ground};
 use crate::part::surfaces::Surface;
 use crate::part::{Part, SurfaceId, Surfaces, keyed};
+use crate::path::along::{AlongSurface, along_lines};
 use crate::path::coverage::{Coverage, coverage};
 use crate::path::dense::max_gap_mm;
 use crate::path::ends::{self, DroppedLines};
@@ -58,13 +60,18 @@ pub struct ToolpathRules<'a> {
     pub layer: u32,
     /// Whether the surface's other side is worked on.
     pub is_flipped: bool,
+    /// The centre line that lines are laid along; none where they are laid by their strategy.
+    pub centre_line: &'a [CentrePoint],
+    /// How far above it the surface may lie, mm.
+    pub highest_mm: f64,
 }
 
-keyed!(ToolpathRules<'_> { layers, axis, chord_error_mm, is_alternate, start_shift_mm, layer, is_flipped });
+keyed!(ToolpathRules<'_> { layers, axis, chord_error_mm, is_alternate, start_shift_mm, layer, is_flipped, centre_line, highest_mm });
 
 impl<'a> ToolpathRules<'a> {
     /// What the job of a surface wants for one layer.
-    pub fn new(surface: u32, job: &'a Job, layer: u32) -> ToolpathRules<'a> {
+    pub fn new(surfaces: &'a Surfaces, surface: u32, job: &'a Job, layer: u32) -> ToolpathRules<'a> {
+        let ground = surfaces.ground(surface).filter(|_| job.weld.bead_strategy == GrindingStrategy::Along);
         ToolpathRules {
             layers: &job.layers,
             axis: job.path.axis,
@@ -73,6 +80,8 @@ impl<'a> ToolpathRules<'a> {
             start_shift_mm: job.bead.start_shift_mm,
             layer,
             is_flipped: job.settings.of(SurfaceId(surface)).flipped,
+            centre_line: ground.map_or(&[], |g| &g.centre_line),
+            highest_mm: ground.map_or(0.0, Ground::highest_mm),
         }
     }
 }
@@ -142,6 +151,9 @@ fn lines_to_rim(
     progress: &Progress,
 ) -> Result<(SurfaceLines, Option<TakenBy>), Cancelled> {
     let (mesh, l) = (&part.mesh, by.layers);
+    if !by.centre_line.is_empty() {
+        return Ok(along_centre_line(part, surfaces, surface, by));
+    }
     let merge_mm = 1e-6 * mesh.diagonal();
     let over_mm = (-l.inset_mm).max(0.0);
     let rule = Layout {
@@ -181,6 +193,20 @@ fn lines_to_rim(
         }
         Ok((found, taken_by))
     }
+}
+
+/// The lines along the centre line of a bead.
+fn along_centre_line(
+    part: &Part,
+    surfaces: &Surfaces,
+    surface: &Surface,
+    by: &ToolpathRules<'_>,
+) -> (SurfaceLines, Option<TakenBy>) {
+    let spacing_mm = by.layers.spacing_mm;
+    let on = AlongSurface { bvh: &part.bvh, surfaces, number: surface.number, highest_mm: by.highest_mm };
+    let lines = along_lines(&on, by.centre_line, spacing_mm);
+    let taken_by = lines.is_empty().then_some(TakenBy::Spacing { spacing_mm });
+    (SurfaceLines { lines, ..SurfaceLines::default() }, taken_by)
 }
 
 /// Lays the lines of planes through the points that were measured, where there are such.

@@ -141,9 +141,9 @@ impl<'a> Prover<'a> {
         before.and_then(|n| self.grown.get(n)).map_or(self.part, |g| &g.part)
     }
 
-    /// The part with all its layers.
+    /// The part at its largest.
     pub fn whole(&self) -> &'a Part {
-        self.grown.last().map_or(self.part, |g| &g.part)
+        GrownPart::largest(self.part, self.grown)
     }
 
     /// Where the beam of a path frame stands on the part, and its axis: no farther from where it should be
