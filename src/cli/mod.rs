@@ -1,4 +1,5 @@
-//! The command line: `inspect`, `plan`, `verify`, `render`, `register`, `deviation`. Names, files and exit statuses are a contract.
+//! The command line: `inspect`, `plan`, `verify`, `render`, `register`, `deviation`,
+//! `weld`. Names, files and exit statuses are a contract.
 //!
 //! Exit status: 0 done · 3 done, but something is blocked, missed or found · 2 wrong usage · 1 failed,
 //! with one line that says what, where and what to do.
@@ -15,6 +16,7 @@ mod register;
 mod render;
 mod scans;
 mod verify;
+mod weld;
 mod word_options;
 
 use crate::document::files::read_source;
@@ -60,6 +62,9 @@ pub enum CliCommand {
     /// Compares a scan with its part.
     #[command(about = say!(cli_deviation))]
     Deviation(deviation::DeviationArguments),
+    /// Grinds a weld that a grey image and a depth image show.
+    #[command(about = say!(cli_weld))]
+    Weld(Box<weld::WeldArguments>),
 }
 
 /// How a command ended.
@@ -102,6 +107,7 @@ pub fn run(command: &CliCommand) -> ExitCode {
         CliCommand::Render(a) => render::run(a),
         CliCommand::Register(a) => register::run(a),
         CliCommand::Deviation(a) => deviation::run(a),
+        CliCommand::Weld(a) => weld::run(a),
     };
     let (status, why) = match result {
         Ok(CommandOutcome::Done) => return ExitCode::SUCCESS,

@@ -99,27 +99,13 @@ impl PlanOptions {
         job.layers.offset_mm = words.offset.unwrap_or(job.layers.offset_mm);
         job.layers.order = words.order.unwrap_or(job.layers.order);
         job.path.correction = words.correction.unwrap_or(job.path.correction);
-        job.cell.mount = words.mount.or(job.cell.mount);
-        job.cell.spin = words.spin.unwrap_or(job.cell.spin);
-        if let Some(dialect) = &words.dialect {
-            job.cell.dialect.clone_from(dialect);
-        }
+        words.robot.apply(job)?;
         job.check().map_err(|e| CommandFailure::Usage(e.sentence()))
-    }
-
-    /// Key of a shipped robot, or a robot file as seen from the current folder.
-    pub fn robot(&self) -> Option<&String> {
-        self.words.robot.as_ref()
     }
 
     /// The head's file, as seen from the current folder.
     pub fn head(&self) -> Option<&PathBuf> {
         self.words.head.as_ref()
-    }
-
-    /// The cell file, as seen from the current folder.
-    pub fn cell(&self) -> Option<&PathBuf> {
-        self.words.cell.as_ref()
     }
 }
 

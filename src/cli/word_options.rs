@@ -1,14 +1,15 @@
 //! The options of `plan` that are words, lists or files.
 
+use super::CommandFailure;
 use super::number_options::number;
 use crate::cell::{Mount, Robot, Spin};
-use crate::document::{Chosen, FirstPlane};
+use crate::document::{Chosen, FirstPlane, Job};
 use crate::part::{Units, Weld};
 use crate::path::{Direction, Order, Strategy};
 use crate::pose::Correction;
 use crate::program::dialects;
 use crate::text::{id, say};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The words, lists and files that were given.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -34,6 +35,13 @@ pub(super) struct WordOptions {
     pub correction: Option<Correction>,
     #[arg(long, value_name = "FILE", help = say!(option_head))]
     pub head: Option<PathBuf>,
+    #[command(flatten)]
+    pub robot: RobotOptions,
+}
+
+/// Robot, cell and program that were given.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub(super) struct RobotOptions {
     #[arg(long, value_name = "CELL.toml", help = say!(option_cell))]
     pub cell: Option<PathBuf>,
     #[arg(long, value_name = "NAME", help = say!(option_robot, shipped = robots()))]
@@ -44,6 +52,37 @@ pub(super) struct WordOptions {
     pub dialect: Option<String>,
     #[arg(long, value_parser = spin, help = say!(option_spin))]
     pub spin: Option<Spin>,
+}
+
+impl RobotOptions {
+    /// Writes what was given into a job.
+    ///
+    /// # Errors
+    /// A file has no full path.
+    pub(super) fn apply(&self, job: &mut Job) -> Result<(), CommandFailure> {
+        job.cell.mount = self.mount.or(job.cell.mount);
+        job.cell.spin = self.spin.unwrap_or(job.cell.spin);
+        if let Some(dialect) = &self.dialect {
+            job.cell.dialect.clone_from(dialect);
+        }
+        if let Some(cell) = &self.cell {
+            job.cell.file = full_path(cell)?;
+        }
+        if let Some(robot) = &self.robot {
+            job.cell.robot = if Robot::is_shipped(robot) { robot.clone() } else { full_path(Path::new(robot))? };
+        }
+        Ok(())
+    }
+}
+
+/// The path of a file from the root.
+pub(super) fn full_path(path: &Path) -> Result<String, CommandFailure> {
+    match std::path::absolute(path) {
+        Ok(full) => Ok(full.display().to_string()),
+        Err(e) => {
+            Err(CommandFailure::Failed(say!(cli_no_path, file = path.display().to_string(), reason = e.to_string())))
+        }
+    }
 }
 
 fn robots() -> String {

@@ -88,3 +88,15 @@ verify_count = { $count ->
     [one] 1 finding
    *[other] { $count } findings
 }
+cli_weld = Find a weld in a grey image and a depth image, measure it, and plan how it is ground
+cli_weld_gray = Grey image: PNG, TIFF or JPEG
+cli_weld_depth = Depth image of the same size: 16-bit PNG, PGM or TIFF, or a float TIFF
+cli_weld_camera = Camera that took both: fx, fy, cx, cy, s, k1, k2, p1, p2, k3 in TOML, or Open3D's intrinsics
+cli_weld_part = Part that the weld is on; without it the skin around the weld is the part, in the camera's frame
+cli_weld_hand_eye = Where the camera stood: robot poses with target poses, or the result
+cli_weld_tool = Grinding tool; without it a disc of 50 mm radius
+cli_weld_pass_depth = What one pass takes off
+cli_weld_residual = Height at which grinding stops
+cli_weld_strategy = one-way, zigzag, spiral or along; without it beads are ground along their centre line, areas without height by a spiral
+cli_weld_json = Print what was measured as JSON
+give_grinding_strategy = give one-way, zigzag, spiral or along

@@ -3,10 +3,12 @@
 mod row;
 
 use super::changed::part_of;
+use super::word_options::full_path;
 use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell_of_file};
-use crate::cell::{Robot, Setup};
+use crate::cell::Setup;
 use crate::document::model::ScanFile;
 use crate::document::{Chosen, Edit, Job, ScanEdit, files};
+use crate::part::Source;
 use crate::planning::cures::Cure;
 use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Exported, FileConflict};
 use crate::planning::report::PlanFinding;
@@ -55,11 +57,13 @@ struct PlanRun<'a> {
 }
 
 /// A plan whose files are written.
-struct WrittenPlan {
+pub(in crate::cli) struct WrittenPlan {
     pipeline: Pipeline,
-    planned: Arc<PlannedJob>,
+    /// The plan.
+    pub planned: Arc<PlannedJob>,
     job: Job,
-    exported: Exported,
+    /// What was written.
+    pub exported: Exported,
 }
 
 /// Plans and writes: one job into its folder, or a row of them.
@@ -87,25 +91,49 @@ fn write(a: &PlanArguments, of: &PlanRun<'_>) -> Result<WrittenPlan, CommandFail
     let (mut job, source, findings) = part_of(job, job_file)?;
     a.options.apply(&mut job, &source)?;
     take_files(a, of.scan, &mut job)?;
+    let options = ExportOptions { dose: a.dose, variant: a.variant() };
+    let target = PlanTarget { input: of.input, out: &of.out, options, overwrite: a.overwrite };
+    plan_and_write(&target, (job, job_file), source, &findings)
+}
+
+/// Where a plan goes.
+pub(in crate::cli) struct PlanTarget<'a> {
+    /// What it is told of as.
+    pub input: &'a Path,
+    /// Its folder.
+    pub out: &'a Path,
+    /// What is written.
+    pub options: ExportOptions,
+    /// Whether what stands in the way is replaced.
+    pub overwrite: bool,
+}
+
+/// Plans a job on the part that was read from `source`, and writes its files.
+pub(in crate::cli) fn plan_and_write(
+    target: &PlanTarget<'_>,
+    (job, job_file): (Job, Option<&Path>),
+    source: Source,
+    findings: &[PlanFinding],
+) -> Result<WrittenPlan, CommandFailure> {
+    let PlanTarget { input: named, out, options, overwrite } = *target;
     // Known before the work is done, as far as names are.
     let setup = files::load_setup(&job, job_file).map_err(CommandFailure::failed)?;
-    let options = ExportOptions { dose: a.dose, variant: a.variant() };
-    export::conflicts(&of.out, &job, job_file, &setup, &options)
-        .and_then(|met| export::allowed(&of.out, met, a.overwrite))
+    export::conflicts(out, &job, job_file, &setup, &options)
+        .and_then(|met| export::allowed(out, met, overwrite))
         .map_err(not_exported)?;
     // Nobody cancels it: a key that ends the program ends all.
     let (pipeline, planned) = Pipeline::planned(Arc::new(source), &job, job_file).map_err(refused)?;
     let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-    tell_of_file(of.input, planned.report.findings.iter().filter_map(PlanFinding::in_file));
+    tell_of_file(named, planned.report.findings.iter().filter_map(PlanFinding::in_file));
     tell_of_cell(&job, setup);
     let wording = program_comment;
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings: &findings, wording, options };
-    let exported = export::write(&of.out, &input, job_file, a.overwrite, &Progress::default()).map_err(not_exported)?;
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings, wording, options };
+    let exported = export::write(out, &input, job_file, overwrite, &Progress::default()).map_err(not_exported)?;
     Ok(WrittenPlan { pipeline, planned, job, exported })
 }
 
 /// What there is to say of a plan that was written.
-fn told(made: &WrittenPlan) -> String {
+pub(in crate::cli) fn told(made: &WrittenPlan) -> String {
     let WrittenPlan { pipeline, planned, job, exported } = made;
     let mut text = report_lines(&exported.report, job);
     if let Some(t) = &exported.times {
@@ -129,32 +157,19 @@ impl PlanArguments {
     }
 }
 
-/// Scan, cell, head and robot that are named on the command line, by their full paths.
+/// Scan and head that are named on the command line, by their full paths.
 fn take_files(a: &PlanArguments, scan: Option<&Path>, job: &mut Job) -> Result<(), CommandFailure> {
-    let full = |path: &Path| match std::path::absolute(path) {
-        Ok(full) => Ok(full.display().to_string()),
-        Err(e) => {
-            Err(CommandFailure::Failed(say!(cli_no_path, file = path.display().to_string(), reason = e.to_string())))
-        }
-    };
-    let options = &a.options;
     if let Some(scan) = scan {
         // Another scan of the same part: where the last one lay says nothing of it.
         let failed = |e: ScanFileError| {
             CommandFailure::Failed(say!(in_file, file = scan.display().to_string(), what = e.sentence()))
         };
         let sha256 = scan::file::sha256(scan, &Progress::default()).map_err(failed)?;
-        let files = vec![ScanFile { file: full(scan)?, sha256 }];
+        let files = vec![ScanFile { file: full_path(scan)?, sha256 }];
         Edit::Scan(Box::new(ScanEdit::Files(files, job.scan.units))).apply(job, &[]);
     }
-    if let Some(cell) = options.cell() {
-        job.cell.file = full(cell)?;
-    }
-    if let Some(head) = options.head() {
-        job.beam.head = full(head)?;
-    }
-    if let Some(robot) = options.robot() {
-        job.cell.robot = if Robot::is_shipped(robot) { robot.clone() } else { full(Path::new(robot))? };
+    if let Some(head) = a.options.head() {
+        job.beam.head = full_path(head)?;
     }
     Ok(())
 }

@@ -42,6 +42,27 @@ pub enum GrindingStrategy {
     Along,
 }
 
+impl GrindingStrategy {
+    /// All of them, in the order of lists.
+    pub const ALL: [GrindingStrategy; 4] =
+        [GrindingStrategy::OneWay, GrindingStrategy::Zigzag, GrindingStrategy::Spiral, GrindingStrategy::Along];
+
+    /// The word used on the command line and in jobs.
+    pub fn word(self) -> &'static str {
+        match self {
+            GrindingStrategy::OneWay => "one-way",
+            GrindingStrategy::Zigzag => "zigzag",
+            GrindingStrategy::Spiral => "spiral",
+            GrindingStrategy::Along => "along",
+        }
+    }
+
+    /// The strategy of that word.
+    pub fn from_word(word: &str) -> Option<GrindingStrategy> {
+        GrindingStrategy::ALL.into_iter().find(|s| s.word() == word)
+    }
+}
+
 /// What a brush painted onto the mask.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
