@@ -39,6 +39,7 @@ fn passes(count: usize) -> Vec<Pass> {
         Target {
             p,
             n,
+            foot: p,
             a: n,
             o,
             state: pose::TargetState::Free,

@@ -41,6 +41,7 @@ fn line(from: [f64; 3], to: [f64; 3], a: [f64; 3]) -> Pass {
     let target = |p: Point3<f64>, laser: bool| Target {
         p,
         n: a,
+        foot: p,
         a,
         o,
         state: TargetState::Free,
@@ -359,7 +360,7 @@ fn short_moves_are_joined_where_they_run_straight() {
             .map(|i| {
                 let (p, lean_deg) = stand(f64::from(i) / 100.0);
                 let a = Vector3::new(0.0, libm::sin(lean_deg.to_radians()), libm::cos(lean_deg.to_radians()));
-                Target { p: Point3::from(p), a, laser: i > 0, ..one }
+                Target { p: Point3::from(p), foot: Point3::from(p), a, laser: i > 0, ..one }
             })
             .collect();
         pass

@@ -108,6 +108,11 @@ impl PlacedFrustum {
         least.max(0.0)
     }
 
+    /// How high its lowest point stands over the plane through `on` with the unit normal `n`, mm.
+    pub fn height_over(&self, on: &Point3<f64>, n: &Vector3<f64>) -> f64 {
+        (self.support(&-n) - on).dot(n)
+    }
+
     /// A quick test that uses only the axis and the greatest radius.
     #[inline]
     fn surely_apart(&self, corners: &[Point3<f64>; 3], reach_mm: f64) -> bool {

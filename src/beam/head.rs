@@ -121,18 +121,7 @@ impl Head {
         if file.part.is_empty() {
             return Err(StackError::Empty);
         }
-        for (i, p) in file.part.iter().enumerate() {
-            let HeadPart { from_mm, to_mm, r0_mm, r1_mm } = *p;
-            let part = i + 1;
-            let line = line_of(text, &[Step::Key("part"), Step::Entry(i)]).unwrap_or(1);
-            if !(from_mm < to_mm && from_mm >= -1000.0 && to_mm <= 10_000.0) {
-                return Err(StackError::Span { line, part, from_mm, to_mm });
-            }
-            let good = |r: f64| (0.0..=2000.0).contains(&r);
-            if !(good(r0_mm) && good(r1_mm) && r0_mm + r1_mm > 0.0) {
-                return Err(StackError::Radii { line, part, r0_mm, r1_mm });
-            }
-        }
+        check_stack(text, &file.part)?;
         Ok(Head::Stack(file.part))
     }
 
@@ -150,6 +139,26 @@ impl Head {
             Head::Stack(parts) | Head::Solid(_, parts) => parts,
         }
     }
+}
+
+/// Whether the pieces of a stack, the `[[part]]`s of a file's text, are plausible.
+///
+/// # Errors
+/// The first that is not.
+pub(super) fn check_stack(text: &str, stack: &[HeadPart]) -> Result<(), StackError> {
+    for (i, p) in stack.iter().enumerate() {
+        let HeadPart { from_mm, to_mm, r0_mm, r1_mm } = *p;
+        let part = i + 1;
+        let line = line_of(text, &[Step::Key("part"), Step::Entry(i)]).unwrap_or(1);
+        if !(from_mm < to_mm && from_mm >= -1000.0 && to_mm <= 10_000.0) {
+            return Err(StackError::Span { line, part, from_mm, to_mm });
+        }
+        let good = |r: f64| (0.0..=2000.0).contains(&r);
+        if !(good(r0_mm) && good(r1_mm) && r0_mm + r1_mm > 0.0) {
+            return Err(StackError::Radii { line, part, r0_mm, r1_mm });
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

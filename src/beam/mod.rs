@@ -1,8 +1,9 @@
-//! The tool: optics, the head behind them, and the space that both take up at a pose; also the bodies of facets that
-//! stand in its way, such as clamps.
+//! The tool: optics and the head behind them, or what grinds in their place, and the space that they take up at a pose;
+//! also the bodies of facets that stand in its way, such as clamps.
 //!
 //! Millimetres; along the beam, t runs from the point on the part and z from the focus.
 
+pub mod contact_tool;
 pub mod envelope;
 pub mod frustum;
 pub mod head;
@@ -14,12 +15,15 @@ mod simplex;
 pub mod tool_configuration;
 pub mod tool_geometry;
 
+pub use contact_tool::contact_body::ContactBody;
+pub use contact_tool::grinding::{ContactPlace, Grinding};
+pub use contact_tool::{Abrasive, ContactSide, ContactTool, ContactToolError, ContactToolFault};
 pub use frustum::Frustum;
 pub use head::{Head, HeadError, StackError};
 pub use head_part::HeadPart;
 pub use obstacle::{Obstacle, Standing};
 pub use optics::Optics;
-pub use process_settings::ProcessSettings;
+pub use process_settings::{ProcessSettings, WorkingMedium};
 pub use tool_configuration::ToolConfiguration;
 pub use tool_geometry::ToolGeometry;
 
@@ -32,6 +36,8 @@ pub struct Tool {
     pub clamps: Vec<Obstacle>,
     /// How far the part may lie off where it is taken to be, mm: beam and head keep so much more than their margin.
     pub slack_mm: f64,
+    /// What grinds in place of beam and head; `None`: a laser.
+    pub contact: Option<Grinding>,
 }
 
-crate::part::keyed!(Tool { head, clamps, slack_mm });
+crate::part::keyed!(Tool { head, clamps, slack_mm, contact });

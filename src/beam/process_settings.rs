@@ -1,13 +1,26 @@
-//! The process settings of a pass: where the focus stands, how wide, how fast and how strong the spot is.
+//! The process settings of a pass: where the focus stands, how wide, how fast and how strong the spot is; or how a
+//! contact tool stands and how hard it presses.
 //!
 //! Values alone; the job says which surface is made with which.
 
 use super::Optics;
 
+/// What works on the part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum WorkingMedium {
+    /// The light of a laser.
+    #[default]
+    Light,
+    /// A grinding disc.
+    Disc,
+    /// A grinding belt.
+    Belt,
+}
+
 /// The settings that a pass is made with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProcessSettings {
-    /// D: the focus stands at `p + D·a`, mm.
+    /// D: the focus stands at `p + D·a`, mm. Of a contact tool: from the foot of its axis to its reference point.
     pub defocus_mm: f64,
     /// Diameter of the spot on the part, mm.
     pub spot_mm: f64,
@@ -21,6 +34,12 @@ pub struct ProcessSettings {
     pub lead_in_mm: f64,
     /// Length by which the spot runs on beyond the line's end, mm.
     pub lead_out_mm: f64,
+    /// Radius of the quarter arcs by which a contact tool comes to a line and leaves it, mm; 0: none.
+    pub arc_mm: f64,
+    /// Force of a contact tool against the part, N; 0: none is kept.
+    pub force_n: f64,
+    /// What works: light, or what grinds.
+    pub medium: WorkingMedium,
     /// Layer of a build-up, from 0: the part has grown by those before.
     pub layer: u32,
 }
@@ -36,6 +55,9 @@ impl Default for ProcessSettings {
             frequency_khz: 0.0,
             lead_in_mm: 0.0,
             lead_out_mm: 0.0,
+            arc_mm: 0.0,
+            force_n: 0.0,
+            medium: WorkingMedium::Light,
             layer: 0,
         }
     }

@@ -1,5 +1,5 @@
 //! Tool geometry: the space that beam and head take up at a pose, as cut cones about the axis, from the
-//! point on the part upwards.
+//! point on the part upwards; or what a contact tool takes up, from the foot of its axis upwards.
 //!
 //! # The spot's own neighbourhood
 //! A beam of any width touches the surface that it works on. What it is allowed to be near is decided by
@@ -12,7 +12,7 @@ use super::HeadPart;
 use super::frustum::Frustum;
 use super::head::Head;
 use super::optics::Optics;
-use super::{Obstacle, Standing, Tool};
+use super::{ContactBody, Obstacle, Standing, Tool};
 
 /// Half angle of the cone within which beam and margin count, degrees.
 ///
@@ -45,8 +45,10 @@ pub struct ToolGeometry<'a> {
     pub head: Vec<Frustum>,
     /// Clamps on the part, in its frame: they stand in the way, and are no part of the tool.
     pub clamps: Vec<Standing<'a>>,
-    /// Whether there is a head; without one the beam is a ray, and keeps no margin.
+    /// Whether there is a head, or a contact tool; without one the beam is a ray, and keeps no margin.
     pub has_head: bool,
+    /// What grinds: then there is neither beam nor ray, and the head is what is mounted behind it.
+    pub contact: Option<ContactBody>,
     /// The beam's radius along t, mm: the corners of a polyline (t, radius).
     profile: Vec<(f64, f64)>,
     own: OwnCone,
@@ -71,7 +73,8 @@ impl OwnCone {
 impl<'a> ToolGeometry<'a> {
     /// The tool of a job. It keeps `margin_mm`, and the tool's slack on top of it. `spot_mm` is the spot's diameter on the
     /// part at the defocus distance.
-    /// `None`: the beam is a ray, and nothing is clamped on.
+    /// `None`: the beam is a ray, and nothing is clamped on. A contact tool takes the place of beam and head; its defocus
+    /// distance is that of its `ContactPlace`.
     pub fn new(
         tool: &'a Tool,
         optics: &Optics,
@@ -79,18 +82,24 @@ impl<'a> ToolGeometry<'a> {
         defocus_mm: f64,
         margin_mm: f64,
     ) -> Option<ToolGeometry<'a>> {
-        if tool.head.is_none() && tool.clamps.is_empty() {
+        if tool.head.is_none() && tool.contact.is_none() && tool.clamps.is_empty() {
             return None;
         }
+        let contact = tool.contact.as_ref().map(ContactBody::new);
         let shifted = |p: &HeadPart| Frustum {
             t0_mm: p.from_mm + defocus_mm,
             t1_mm: p.to_mm + defocus_mm,
             r0_mm: p.r0_mm,
             r1_mm: p.r1_mm,
         };
-        let has_head = tool.head.is_some();
+        let has_head = tool.head.is_some() || contact.is_some();
         // A ray asks for itself: as a thin cone without end it would be as wide on a turn as it gets at that end.
-        let profile = if has_head { profile(optics, spot_mm, defocus_mm) } else { Vec::new() };
+        let has_beam = has_head && contact.is_none();
+        let profile = if has_beam { profile(optics, spot_mm, defocus_mm) } else { Vec::new() };
+        let stack = match &tool.contact {
+            Some(grinding) => &grinding.tool.stack[..],
+            None => tool.head.as_ref().map_or(&[][..], Head::stack),
+        };
         let margin_mm = if has_head { margin_mm + tool.slack_mm } else { 0.0 };
         Some(ToolGeometry {
             defocus_mm,
@@ -98,21 +107,34 @@ impl<'a> ToolGeometry<'a> {
             beam: widened(&profile, margin_mm, OwnCone::WHOLE),
             own: OwnCone::WHOLE,
             short_mm: (0.1 * margin_mm).max(0.02),
-            head: tool.head.iter().flat_map(Head::stack).map(shifted).collect(),
+            head: stack.iter().map(shifted).collect(),
             clamps: tool.clamps.iter().map(Obstacle::standing).collect(),
             has_head,
+            contact,
             profile,
         })
     }
 
-    /// The head of a tool alone, measured from its focus: what moves with the laser off. `None` without a head.
+    /// The head of a tool alone, measured from its focus: what moves with the laser off. Of a contact tool all of it,
+    /// measured from its reference point; it may touch the skin, which it comes from. `None` without either.
     pub fn head_alone(tool: &'a Tool, margin_mm: f64) -> Option<ToolGeometry<'a>> {
-        tool.head.as_ref()?;
-        let body = ToolGeometry::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
+        if tool.head.is_none() && tool.contact.is_none() {
+            return None;
+        }
+        let mut body = ToolGeometry::new(tool, &Optics::default(), 1.0, 0.0, margin_mm)?;
+        if let Some(contact) = &mut body.contact {
+            contact.measure_from_reference();
+        }
         Some(ToolGeometry { beam: Vec::new(), ..body })
     }
 
-    /// A geometry that keeps a little less: `less_mm` of its margin, and `steps` times half a degree of the cone of
+    /// A contact tool that keeps its margin from skin as well, on its way through the air. `None` for all other tools.
+    pub fn lifted_off(&self) -> Option<ToolGeometry<'a>> {
+        let contact = self.contact.as_ref()?.lifted_off(self.margin_mm);
+        Some(ToolGeometry { contact: Some(contact), ..self.clone() })
+    }
+
+    /// A geometry that keeps a little less: `less_mm` of its margin (a contact tool may reach so much farther into skin), and `steps` times half a degree of the cone of
     /// its own neighbourhood. So what just passes with the one does not just hit with the other.
     pub fn eased(&self, less_mm: f64, steps: u8) -> ToolGeometry<'a> {
         let margin_mm = (self.margin_mm - less_mm).max(0.0);
@@ -120,7 +142,8 @@ impl<'a> ToolGeometry<'a> {
             slope: libm::tan((OWN_CONE_DEG - 0.5 * f64::from(steps)).to_radians()),
             start_mm: START_MM * (1.0 + 0.5 * f64::from(steps)),
         };
-        ToolGeometry { margin_mm, beam: widened(&self.profile, margin_mm, own), own, ..self.clone() }
+        let contact = self.contact.as_ref().map(|c| c.eased(less_mm));
+        ToolGeometry { margin_mm, beam: widened(&self.profile, margin_mm, own), own, contact, ..self.clone() }
     }
 
     /// The beam with another margin.
@@ -178,7 +201,7 @@ mod tests {
 
     #[test]
     fn the_cone_has_no_gap_and_keeps_to_both_bounds() {
-        let tool = Tool { head: Some(Head::Stack(Vec::new())), clamps: Vec::new(), slack_mm: 0.0 };
+        let tool = Tool { head: Some(Head::Stack(Vec::new())), ..Tool::default() };
         for defocus_mm in [-15.0, 0.0, 20.0] {
             let body = ToolGeometry::new(&tool, &Optics::default(), 1.0, defocus_mm, 0.5).expect("a head");
             assert!(body.beam.windows(2).all(|w| (w[0].t1_mm, w[0].r1_mm) == (w[1].t0_mm, w[1].r0_mm)));

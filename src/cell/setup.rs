@@ -20,6 +20,11 @@ pub struct Setup {
 }
 
 impl Setup {
+    /// Whether the tool presses with a force that the controller keeps.
+    pub fn keeps_force(&self) -> bool {
+        self.tool.contact.as_ref().is_some_and(|grinding| grinding.force_n > 0.0)
+    }
+
     /// The cell that is taken when none is named, without a robot.
     ///
     /// # Errors

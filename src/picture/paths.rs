@@ -193,6 +193,7 @@ mod tests {
         let target = |x: f64| Target {
             p: Point3::new(x, 0.0, 0.0),
             n: Vector3::z(),
+            foot: Point3::new(x, 0.0, 0.0),
             a: Vector3::z(),
             o: Vector3::x(),
             state: TargetState::Free,

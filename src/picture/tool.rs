@@ -1,4 +1,4 @@
-//! Head, beam and clamps as they stand at a target: the bodies that the proof is about.
+//! Head, beam and clamps, or a contact tool (its core, without its round edge), as they stand at a target: the bodies that the proof is about.
 
 use super::palette::Rgb;
 use super::solid::ColoredSolid;
@@ -11,6 +11,7 @@ use std::sync::Arc;
 const HEAD: Rgb = [196, 200, 208];
 const LIGHT: Rgb = [255, 120, 70];
 const CLAMP: Rgb = [120, 126, 138];
+const ABRASIVE: Rgb = [150, 110, 70];
 /// The part is seen through the head.
 const HEAD_ALPHA: u8 = 120;
 const LIGHT_ALPHA: u8 = 110;
@@ -38,10 +39,25 @@ impl ToolPicture {
             Some(Head::Stack(_)) => body.map_or(&[][..], |b| &b.head),
             _ => &[],
         };
+        // What grinds stands in place of head and beam.
+        let contact = body.and_then(|b| b.contact.as_ref().map(|c| (b, c)));
+        let (head, abrasive) = match contact {
+            Some((b, contact)) => (&b.head[..], &contact.core[..]),
+            None => (head, &[][..]),
+        };
         let with_head = body.filter(|b| b.has_head);
         ToolPicture {
-            head: head.iter().map(|f| turned(f, HEAD, HEAD_ALPHA)).collect(),
-            facets: tool.head.as_ref().and_then(Head::solid).map(|p| facets(p, HEAD, HEAD_ALPHA)),
+            head: abrasive
+                .iter()
+                .map(|f| turned(f, ABRASIVE, 255))
+                .chain(head.iter().map(|f| turned(f, HEAD, HEAD_ALPHA)))
+                .collect(),
+            facets: tool
+                .head
+                .as_ref()
+                .filter(|_| contact.is_none())
+                .and_then(Head::solid)
+                .map(|p| facets(p, HEAD, HEAD_ALPHA)),
             light: with_head
                 .map_or_else(Vec::new, |b| b.beam_with(0.0).iter().map(|f| turned(f, LIGHT, LIGHT_ALPHA)).collect()),
             defocus_mm: body.map_or(0.0, |b| b.defocus_mm),

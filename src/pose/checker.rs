@@ -76,6 +76,31 @@ impl Checker {
     }
 }
 
+/// What a contact tool keeps clear of, as numbers.
+#[derive(Clone, Debug)]
+pub struct KeptByContact {
+    /// The tool's core.
+    pub cones: Vec<CutCone>,
+    /// What it keeps from facets that it lies along, mm.
+    pub skin_mm: f64,
+    /// What it keeps from all others, mm.
+    pub wall_mm: f64,
+}
+
+impl Checker {
+    /// Index of a facet that a contact tool with the foot of its axis in `p` comes too near to.
+    pub fn touched(&self, p: &Point3<f64>, a: &Vector3<f64>, kept: &KeptByContact) -> Option<usize> {
+        self.facets.iter().position(|f| {
+            // A normal within 60° of the axis, or of its opposite.
+            let n = (f[1] - f[0]).cross(&(f[2] - f[0]));
+            let lies_along = 2.0 * n.dot(a).abs() >= n.norm();
+            let keeps_mm = if lies_along { kept.skin_mm } else { kept.wall_mm };
+            let alone = Checker { facets: vec![*f] };
+            kept.cones.iter().any(|cone| alone.cone_distance(p, a, cone, keeps_mm) < keeps_mm)
+        })
+    }
+}
+
 /// Least value of a convex function over 0 to 1, by golden section.
 fn lowest(f: impl Fn(f64) -> f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;

@@ -1,6 +1,7 @@
-//! From a transversal line to the targets of a pass: dense line, detection, correction; then, in `planned`, the
-//! test of the result and of the motion between, and the arch height reduction.
+//! From a transversal line to the targets of a pass: dense line, detection, correction, or how a contact tool stands;
+//! then, in `planned`, the test of the result and of the motion between, and the arch height reduction.
 
+mod contact_stand;
 mod planned;
 
 use super::correction::Correction;
@@ -15,6 +16,7 @@ use crate::part::Part;
 use crate::path::dense::{self, DensePoint};
 use crate::path::{SectionPoint, TransversalLine};
 use crate::progress::{Cancelled, Progress};
+use contact_stand::contact_stands;
 use nalgebra::Vector3;
 use planned::Planned;
 
@@ -154,17 +156,22 @@ fn planned_piece(
     let beam = BeamInterference::with(part, configuration.geometry.as_ref()).under(Some(progress));
     let dense = dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg);
     let dense_points = dense.len();
-    let (points, free) = detected(&beam, dense);
-    let mut planned = match correction {
-        Correction::None => {
+    let contact = configuration.geometry.as_ref().and_then(|g| g.contact.as_ref());
+    let (points, free) = if contact.is_some() { (Vec::new(), Vec::new()) } else { detected(&beam, &dense) };
+    let mut planned = match (contact, correction) {
+        (Some(contact), _) => {
+            let stands = contact_stands(&beam, &contact.place, &dense, line.closed);
+            Planned::of_contact(contact.place, &stands)
+        }
+        (None, Correction::None) => {
             let axes = points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect();
             Planned::along_normals(points, axes)
         }
-        Correction::SectionPlane => {
+        (None, Correction::SectionPlane) => {
             let axes = section_plane::correct(part, &beam, &points, &free, line.closed, *m, limit_deg);
             Planned::along_normals(points, axes)
         }
-        Correction::Clearance => {
+        (None, Correction::Clearance) => {
             let rows = clearance::correct(part, &beam, &points, &free, line.closed, *number, rules);
             Planned::of_rows(&rows, rules.tilt_rate_deg_mm)
         }
@@ -189,10 +196,10 @@ fn planned_piece(
 }
 
 /// Finds which points are free, and adds points where a run of interference begins or ends.
-fn detected(beam: &BeamInterference<'_>, points: Vec<DensePoint>) -> (Vec<DensePoint>, Vec<bool>) {
+fn detected(beam: &BeamInterference<'_>, points: &[DensePoint]) -> (Vec<DensePoint>, Vec<bool>) {
     let is_free = |q: &DensePoint| beam.is_free(&q.p, &q.n);
     let (mut out, mut free): (Vec<DensePoint>, Vec<bool>) = (Vec::with_capacity(points.len()), Vec::new());
-    for q in points {
+    for &q in points {
         let q_free = is_free(&q);
         if let (Some(last), Some(&last_free)) = (out.last().copied(), free.last()) {
             let mut stops: Vec<(DensePoint, bool)> = vec![(last, last_free)];

@@ -35,6 +35,8 @@ pub struct Target {
     pub p: Point3<f64>,
     /// Surface normal.
     pub n: Vector3<f64>,
+    /// Where the tool's axis begins, mm: in p, but for a disc that touches with its rim, whose axis passes beside it.
+    pub foot: Point3<f64>,
     /// Beam axis, from the surface towards the laser.
     pub a: Vector3<f64>,
     /// Travel direction, square to a.
@@ -67,9 +69,9 @@ impl Target {
         Tilt::of(&self.a, &self.n, &self.tangent())
     }
 
-    /// Where the focus stands: `p + D·a`, mm.
+    /// Where the focus stands: `p + D·a`, from the foot of the axis, mm.
     pub fn focus(&self, defocus_mm: f64) -> Point3<f64> {
-        self.p + self.a * defocus_mm
+        self.foot + self.a * defocus_mm
     }
 
     /// The path frame `[n o a | p + D·a]` in the part frame (P2: n = o × a).

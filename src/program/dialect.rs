@@ -79,6 +79,8 @@ pub enum Statement {
         /// A group rather than an analogue output.
         group: bool,
     },
+    /// A contact tool presses with so many newtons from here on; 0: no more.
+    Force(f64),
     /// A dwell, s.
     Wait(f64),
     /// A comment.

@@ -1,5 +1,6 @@
 //! What is left of a program from a pass on: from home to the first target of that pass, and on as before.
 
+use super::connecting::lead::arc_reaches_mm;
 use super::neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};
 use crate::pose::Pass;
 
@@ -31,9 +32,13 @@ pub fn steps_from(
     let Some((on, number)) = left else { return Ok(Steps::default()) };
     let mut before = list[..on].iter().rev().filter_map(|s| if let Step::Go(go) = s { Some(go) } else { None });
     let (Some(start), Some(pass)) = (before.next(), passes.get(number)) else { return Err(NoWayIn { pass: number }) };
-    let lead_in = before.next().filter(|go| is_lead_in(pass, go, start));
-    let with_lead = lead_in.and_then(|lead| Some((way_in(lead)?, Some(start))));
-    let Some((way, led)) = with_lead.or_else(|| Some((way_in(start)?, None))) else {
+    let lead_in = lead_in(pass, before, start);
+    // Behind the way to its far end the lead goes on, and ends in the target.
+    let with_lead = lead_in.split_last().and_then(|(far_end, nearer)| {
+        let led: Vec<Go> = nearer.iter().rev().copied().chain([start]).copied().collect();
+        Some((way_in(far_end)?, led))
+    });
+    let Some((way, led)) = with_lead.or_else(|| Some((way_in(start)?, Vec::new()))) else {
         return Err(NoWayIn { pass: number });
     };
     let home = list.iter().find(|s| matches!(s, Step::Home { .. })).cloned().ok_or(NoWayIn { pass: number })?;
@@ -42,12 +47,27 @@ pub fn steps_from(
     let (down, way) = way.split_last().ok_or(NoWayIn { pass: number })?;
     out.list.extend(way.iter().map(|go| Step::Go(*go)));
     out.say_pass(number, pass);
-    out.list.push(Step::Go(Go { target: start.target.filter(|_| led.is_none()), ..*down }));
-    out.list.extend(led.map(|start| Step::Go(*start)));
+    out.list.push(Step::Go(Go { target: start.target.filter(|_| led.is_empty()), ..*down }));
+    out.list.extend(led.into_iter().map(Step::Go));
     out.list.extend(list[..on].iter().rev().find(|s| matches!(s, Step::Process(_))).cloned());
     out.list.extend_from_slice(&list[on..]);
     out.measure();
     Ok(out)
+}
+
+/// The moves of the lead-in that ends in `start`, from there backwards; none where there is no lead-in. `before`: the
+/// moves before that one, the last first.
+fn lead_in<'a>(pass: &Pass, mut before: impl Iterator<Item = &'a Go>, start: &Go) -> Vec<&'a Go> {
+    if pass.settings.arc_mm <= 0.0 {
+        return before.next().filter(|go| is_lead_in(pass, go, start)).into_iter().collect();
+    }
+    let reaches = arc_reaches_mm(pass.settings.arc_mm);
+    let is_on_arc = |(reach_mm, go): (f64, &'a Go)| {
+        let is_straight = go.interpolation == Interpolation::Linear;
+        (is_straight && ((go.to.x - start.to.x).norm() - reach_mm).abs() < SAME_MM).then_some(go)
+    };
+    let moves: Option<Vec<&Go>> = reaches.map(|reach_mm| is_on_arc((reach_mm, before.next()?))).collect();
+    moves.unwrap_or_default()
 }
 
 /// Whether a move leads to where the lead-in of a pass begins: straight on before its first target.

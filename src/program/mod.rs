@@ -27,7 +27,7 @@ pub use from_pass::{NoWayIn, steps_from};
 pub use motion::curves::{Clearance, CurveSample, clearances, curves};
 pub use motion::timeline::{Breakdown, Moment, Timeline, TimelineStop};
 pub use motion::{lit, spot, sweep};
-pub use neutral::comment::{Caveat, Comment, FileNote, ProcessFigures, WITHOUT_WORDS, Wording};
+pub use neutral::comment::{Caveat, Comment, FileNote, GrindingFigures, ProcessFigures, WITHOUT_WORDS, Wording};
 pub use neutral::lines::{Move, ProgramLine, lines};
 pub use neutral::shortfall::{ByHand, OffSpeed, Shortfall};
 pub use neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};

@@ -1,7 +1,7 @@
-//! What is wrong with a head's file, and what beam or head hits.
+//! What is wrong with the file of a head or contact tool, and what they or the beam hit.
 
 use super::{Sentence, exact, id, say};
-use crate::beam::{HeadError, StackError};
+use crate::beam::{ContactToolError, ContactToolFault, HeadError, StackError};
 use crate::pose::{Blocker, Obstruction, ToolBody};
 
 impl Sentence for HeadError {
@@ -10,6 +10,34 @@ impl Sentence for HeadError {
             HeadError::File(e) => e.sentence(),
             HeadError::Stack { file, what } => say!(head_stack, file, what = what.sentence()),
             HeadError::Solid(e) => e.sentence(),
+        }
+    }
+}
+
+impl Sentence for ContactToolError {
+    fn sentence(&self) -> String {
+        match self {
+            ContactToolError::File(e) => e.sentence(),
+            ContactToolError::Tool { file, what } => say!(in_file, file, what = what.sentence()),
+        }
+    }
+}
+
+impl Sentence for ContactToolFault {
+    fn sentence(&self) -> String {
+        match self {
+            ContactToolFault::Toml(e) => e.sentence(),
+            ContactToolFault::Missing { key } => say!(contact_tool_missing, key = *key),
+            ContactToolFault::Needless { line, key } => say!(contact_tool_needless, line = id(line), key = *key),
+            ContactToolFault::Range { line, key, value, low, high } => say!(
+                contact_tool_range,
+                line = id(line),
+                key = *key,
+                value = exact(*value),
+                low = exact(*low),
+                high = exact(*high)
+            ),
+            ContactToolFault::Stack(e) => e.sentence(),
         }
     }
 }
@@ -36,6 +64,13 @@ impl Sentence for Blocker {
             (ToolBody::Head, Obstruction::Facet(facet)) => say!(head_hits_facet, facet = id(facet)),
             (ToolBody::Beam, Obstruction::Clamp(clamp)) => say!(beam_hits_clamp, clamp = id(clamp + 1)),
             (ToolBody::Head, Obstruction::Clamp(clamp)) => say!(head_hits_clamp, clamp = id(clamp + 1)),
+            (ToolBody::Abrasive, Obstruction::Facet(facet)) => say!(abrasive_hits_facet, facet = id(facet)),
+            (ToolBody::Abrasive, Obstruction::Clamp(clamp)) => say!(abrasive_hits_clamp, clamp = id(clamp + 1)),
+            (ToolBody::Abrasive, Obstruction::Unscanned) => say!(abrasive_in_unscanned),
+            (ToolBody::Gouge, Obstruction::Facet(facet)) => say!(abrasive_gouges_facet, facet = id(facet)),
+            // Clamps and what was not scanned are no skin.
+            (ToolBody::Gouge, Obstruction::Clamp(clamp)) => say!(abrasive_hits_clamp, clamp = id(clamp + 1)),
+            (ToolBody::Gouge, Obstruction::Unscanned) => say!(abrasive_in_unscanned),
             (ToolBody::Beam, Obstruction::Unscanned) => say!(beam_in_unscanned),
             (ToolBody::Head, Obstruction::Unscanned) => say!(head_in_unscanned),
         }

@@ -92,6 +92,7 @@ impl Sentence for TemplateError {
                 say!(template_unknown, key, template, name = braced(name), known)
             }
             TemplateFault::Touching => say!(template_touching, key, template),
+            TemplateFault::Blank => say!(template_blank, key),
             TemplateFault::NotPlain => say!(template_not_plain, key, template),
         }
     }

@@ -22,7 +22,9 @@ impl Sentence for JobError {
             JobError::Robot(e) => e.sentence(),
             JobError::Head(e) => e.sentence(),
             JobError::LaserBlocked { cell, obstacle, by: ToolBody::Beam } => say!(job_beam_blocked, cell, obstacle),
-            JobError::LaserBlocked { cell, obstacle, by: ToolBody::Head } => say!(job_head_blocked, cell, obstacle),
+            JobError::LaserBlocked { cell, obstacle, by: ToolBody::Head | ToolBody::Abrasive | ToolBody::Gouge } => {
+                say!(job_head_blocked, cell, obstacle)
+            }
             JobError::ChangedOnDisk { file } => say!(job_changed_on_disk, file),
             JobError::Unwritable(source) => say!(job_not_serialized, reason = source.to_string()),
             JobError::Write { file, source } => {

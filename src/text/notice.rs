@@ -98,8 +98,11 @@ fn not_proven(unproven: &Unproven, naming: &Naming<'_>) -> String {
     match (unproven.tool_body, unproven.surface.map(|s| naming.surface(s))) {
         (ToolBody::Beam, Some(surface)) => say!(notice_unproven_beam, moves, surface),
         (ToolBody::Head, Some(surface)) => say!(notice_unproven_head, moves, surface),
+        (ToolBody::Abrasive, Some(surface)) => say!(notice_unproven_abrasive, moves, surface),
+        (ToolBody::Gouge, Some(surface)) => say!(notice_unproven_gouge, moves, surface),
         (ToolBody::Beam, None) => say!(notice_unproven_beam_clamp, moves),
         (ToolBody::Head, None) => say!(notice_unproven_head_clamp, moves),
+        (ToolBody::Abrasive | ToolBody::Gouge, None) => say!(notice_unproven_abrasive_clamp, moves),
     }
 }
 

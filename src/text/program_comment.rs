@@ -2,7 +2,7 @@
 
 use super::list::joined;
 use super::{Arg, Message, exact, id, messages};
-use crate::program::{ByHand, Caveat, Comment, FileNote, ProcessFigures};
+use crate::program::{ByHand, Caveat, Comment, FileNote, GrindingFigures, ProcessFigures};
 
 /// The words of a message in English.
 macro_rules! english {
@@ -17,6 +17,7 @@ pub fn program_comment(comment: &Comment) -> String {
         Comment::Part(part) => english!(comment_part, version = env!("CARGO_PKG_VERSION"), part = part),
         Comment::Surfaces { shown, more } => surfaces(shown, *more),
         Comment::WorkedWith(figures) => process_figures(figures),
+        Comment::GroundWith(figures) => grinding_figures(figures),
         Comment::LineLayout { direction, spacing_mm, order } => english!(
             comment_laid,
             direction = direction.to_string(),
@@ -46,6 +47,8 @@ pub fn program_comment(comment: &Comment) -> String {
         Comment::Pass { number, surface, layer } => {
             english!(comment_pass_of_layer, number = id(number), surface = id(surface), layer = id(layer + 1))
         }
+        Comment::Force(force_n) if *force_n > 0.0 => english!(comment_force_on, force = exact(*force_n)),
+        Comment::Force(_) => english!(comment_force_off),
         Comment::Set(ByHand::PowerW(value)) => english!(comment_set_power, value = exact(*value)),
         Comment::Set(ByHand::FrequencyKhz(value)) => english!(comment_set_frequency, value = exact(*value)),
     }
@@ -92,6 +95,16 @@ fn process_figures(w: &ProcessFigures) -> String {
     english!(comment_worked_with, power = power, spot = spot, defocus = defocus, speed = speed)
 }
 
+fn grinding_figures(w: &GrindingFigures) -> String {
+    let [force, speed] = [w.force_n, w.speed_mm_s].map(exact);
+    match (w.is_belt, w.force_n > 0.0) {
+        (false, false) => english!(comment_ground_disc, speed = speed),
+        (false, true) => english!(comment_ground_disc_force, force = force, speed = speed),
+        (true, false) => english!(comment_ground_belt, speed = speed),
+        (true, true) => english!(comment_ground_belt_force, force = force, speed = speed),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,6 +127,9 @@ mod tests {
         assert_eq!(of(Comment::Pass { number: 0, surface: 7, layer: 1 }), "pass 0, surface 7, layer 2");
         assert_eq!(of(Comment::Set(ByHand::PowerW(1500.0))), "set power to 1500 W by hand");
         assert_eq!(of(Comment::Set(ByHand::FrequencyKhz(0.25))), "set frequency to 0.25 kHz by hand");
+        assert_eq!(of(Comment::Force(25.0)), "press with 25 N");
+        let figures = GrindingFigures { is_belt: false, force_n: 12.5, speed_mm_s: 50.0 };
+        assert_eq!(of(Comment::GroundWith(figures)), "grinding disc, force 12.5 N, speed 50 mm/s");
         assert_eq!(of(Comment::Surfaces { shown: vec![3, 1], more: 0 }), "surfaces 3 1");
         assert_eq!(of(Comment::Surfaces { shown: vec![3, 1], more: 1200 }), "surfaces 3 1 and 1200 more");
     }

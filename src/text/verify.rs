@@ -138,6 +138,7 @@ fn line(what: &Statement) -> String {
         Statement::OutputValue { number, value, group: false } => {
             say!(line_analogue, number = id(number), value = value.to_string())
         }
+        Statement::Force(n) => say!(line_force, force = n.to_string()),
         Statement::Wait(s) => say!(line_wait, seconds = s.to_string()),
         Statement::Comment(text) | Statement::Other(text) => text.clone(),
     }

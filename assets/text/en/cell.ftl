@@ -46,6 +46,7 @@ form_pulses = { $key } has { $value }: give 10 to 1000000, or -1000000 to -10
 template_lacks = { $key } = { $template } has no { $name }
 template_unknown = { $key } = { $template } has { $name }: give { $known }
 template_touching = { $key } = { $template }: put something between the braces, or it cannot be read back
+template_blank = { $key } is empty: give the words that end the force, or take both out
 template_not_plain = { $key } = { $template }: give one line of ASCII
 
 ## Frames

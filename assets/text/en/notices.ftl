@@ -17,6 +17,18 @@ notice_unproven_head_clamp = { $moves ->
     [one] 1 lit move is not proven: the head would hit a clamp
    *[other] { $moves } lit moves are not proven: the head would hit a clamp
 }
+notice_unproven_abrasive = { $moves ->
+    [one] 1 lit move is not proven: the grinding tool would come too close to { $surface }
+   *[other] { $moves } lit moves are not proven: the grinding tool would come too close to { $surface }
+}
+notice_unproven_gouge = { $moves ->
+    [one] 1 lit move is not proven: the grinding tool would cut into { $surface } beside its contact
+   *[other] { $moves } lit moves are not proven: the grinding tool would cut into { $surface } beside its contact
+}
+notice_unproven_abrasive_clamp = { $moves ->
+    [one] 1 lit move is not proven: the grinding tool would come too close to a clamp
+   *[other] { $moves } lit moves are not proven: the grinding tool would come too close to a clamp
+}
 remedy_not_proven = do not run the program; `clearbeam verify` names the lines; try another correction, or leave the surface out
 
 ## Not done

@@ -51,6 +51,7 @@ line_output_on = output { $number } on
 line_output_off = output { $number } off
 line_group = group { $number } to { $value }
 line_analogue = analogue output { $number } to { $value }
+line_force = a force of { $force } N
 line_wait = a wait of { $seconds } s
 way_by_joints = a move by joints
 way_straight = a straight move

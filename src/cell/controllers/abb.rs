@@ -1,6 +1,6 @@
 //! The `[abb]` table of a cell file.
 
-use super::templates::check_signals;
+use super::templates::{check_force, check_signals};
 use crate::cell::check::{FigureError, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +38,10 @@ pub struct Abb {
     pub wait: String,
     /// Comment line; `{text}` is replaced.
     pub comment: String,
+    /// Statement that makes a contact tool press with `{f}` newtons from there on; empty: that is a comment.
+    pub force_on: String,
+    /// Statement that ends it.
+    pub force_off: String,
     /// Ends lines with CR LF.
     pub crlf: bool,
 }
@@ -60,6 +64,8 @@ impl Default for Abb {
             group: "SetGO go{n},{v};".into(),
             wait: "WaitTime {s};".into(),
             comment: "! {text}".into(),
+            force_on: "FCRefForce \\Fz:={f}; FCRefStart;".into(),
+            force_off: "FCRefStop;".into(),
             crlf: true,
         }
     }
@@ -85,6 +91,7 @@ impl Abb {
         ])?;
         let all = [&self.output_on, &self.output_off, &self.analogue, &self.group, &self.wait, &self.comment];
         check_signals("abb", all.map(|t| Some(t.as_str())))?;
+        check_force("abb", &self.force_on, &self.force_off)?;
         Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! The `[estun]` table of a cell file.
 
-use super::templates::check_signals;
+use super::templates::{check_force, check_signals};
 use crate::cell::check::{FigureError, Letters, WordForm, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -32,6 +32,10 @@ pub struct Estun {
     pub wait: String,
     /// Comment line; `{text}` is replaced.
     pub comment: String,
+    /// Line that makes a contact tool press with `{f}` newtons from there on; empty: that is a comment.
+    pub force_on: String,
+    /// Line that ends it.
+    pub force_off: String,
     /// Ends lines with CR LF.
     pub crlf: bool,
 }
@@ -51,6 +55,8 @@ impl Default for Estun {
             group: "SetGO{IO=t_s.GO{n},Val={v}}".into(),
             wait: "Wait{T={s}}".into(),
             comment: "/* {text} */".into(),
+            force_on: String::new(),
+            force_off: String::new(),
             crlf: true,
         }
     }
@@ -75,6 +81,7 @@ impl Estun {
         ])?;
         let all = [&self.output_on, &self.output_off, &self.analogue, &self.group, &self.wait, &self.comment];
         check_signals("estun", all.map(|t| Some(t.as_str())))?;
+        check_force("estun", &self.force_on, &self.force_off)?;
         Ok(())
     }
 }

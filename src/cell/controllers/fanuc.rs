@@ -1,5 +1,6 @@
 //! The `[fanuc]` table of a cell file.
 
+use super::templates::check_force;
 use crate::cell::check::{FigureError, Letters, WordForm, name, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,10 @@ pub struct Fanuc {
     pub analogue: String,
     /// Instruction that sets the group of outputs `{n}` to `{v}`.
     pub group: String,
+    /// Line that makes a contact tool press with `{f}` newtons from there on; empty: that is a comment.
+    pub force_on: String,
+    /// Line that ends it.
+    pub force_off: String,
     /// Ends lines with CR LF.
     pub crlf: bool,
 }
@@ -44,6 +49,8 @@ impl Default for Fanuc {
             output_off: "DO[{n}]=OFF".into(),
             analogue: "AO[{n}]={v}".into(),
             group: "GO[{n}]={v}".into(),
+            force_on: String::new(),
+            force_off: String::new(),
             crlf: false,
         }
     }
@@ -60,6 +67,7 @@ impl Fanuc {
             ("fanuc.user_tool", f64::from(self.user_tool), 0.0, 29.0),
             ("fanuc.max_lines", f64::from(self.max_lines), 50.0, 9999.0),
         ])?;
+        check_force("fanuc", &self.force_on, &self.force_off)?;
         name("fanuc.program", &self.program, Letters::CapitalIdentifier, 32)?;
         let wrong = |key, value: &str, form| FigureError::WordForm { key, value: format!("{value:?}"), form };
         let share = self.termination.strip_prefix("CNT").and_then(|n| n.parse().ok());

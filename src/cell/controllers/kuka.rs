@@ -1,6 +1,6 @@
 //! The `[kuka]` table of a cell file.
 
-use super::templates::{check_signals, check_template};
+use super::templates::{check_force, check_signals, check_template};
 use crate::cell::check::{FigureError, Letters, name, plain_lines, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +39,10 @@ pub struct Kuka {
     pub wait: String,
     /// Comment line; `{text}` is replaced.
     pub comment: String,
+    /// Line that makes a contact tool press with `{f}` newtons from there on; empty: that is a comment.
+    pub force_on: String,
+    /// Line that ends it.
+    pub force_off: String,
     /// Ends lines with CR LF.
     pub crlf: bool,
 }
@@ -66,6 +70,8 @@ impl Default for Kuka {
             group: "GROUP{n}={v}".into(),
             wait: "WAIT SEC {s}".into(),
             comment: "; {text}".into(),
+            force_on: String::new(),
+            force_off: String::new(),
             crlf: true,
         }
     }
@@ -91,6 +97,7 @@ impl Kuka {
         check_template("kuka.joint_speed", &self.joint_speed, &["percent"])?;
         let all = [&self.output_on, &self.output_off, &self.analogue, &self.group, &self.wait, &self.comment];
         check_signals("kuka", all.map(|t| Some(t.as_str())))?;
+        check_force("kuka", &self.force_on, &self.force_off)?;
         Ok(())
     }
 }

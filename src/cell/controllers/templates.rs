@@ -129,6 +129,8 @@ pub enum TemplateFault {
     },
     /// Two values with nothing between them could not be told apart in a program.
     Touching,
+    /// There is nothing in it.
+    Blank,
     /// It is more than a line, or has other characters than ASCII.
     NotPlain,
 }
@@ -152,6 +154,22 @@ pub fn check_signals(table: &str, templates: [Option<&str>; 6]) -> Result<(), Te
     let all = SIGNALS.iter().zip(templates);
     all.filter_map(|((key, names), template)| Some((key, names, template?)))
         .try_for_each(|(key, names, template)| check_template(&format!("{table}.{key}"), template, names))
+}
+
+/// Checks a controller's templates of a force on and off. Both are empty where it knows no such words.
+///
+/// # Errors
+/// The first that cannot be filled, or not be read back, or that is missing.
+pub fn check_force(table: &str, force_on: &str, force_off: &str) -> Result<(), TemplateError> {
+    if force_on.is_empty() && force_off.is_empty() {
+        return Ok(());
+    }
+    let (on, off) = (format!("{table}.force_on"), format!("{table}.force_off"));
+    check_template(&on, force_on, &["f"])?;
+    check_template(&off, force_off, &[])?;
+    let empty = force_off.trim().is_empty();
+    let refused = || TemplateError { key: off, template: force_off.to_owned(), fault: TemplateFault::Blank };
+    if empty { Err(refused()) } else { Ok(()) }
 }
 
 /// Checks that a template has all values of `names`, and can be read back.

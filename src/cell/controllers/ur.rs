@@ -1,5 +1,6 @@
 //! The `[ur]` table of a cell file.
 
+use super::templates::check_force;
 use crate::cell::check::{FigureError, Letters, name, ranges};
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +30,10 @@ pub struct Ur {
     pub analogue: String,
     /// Statement that sets the whole number `{n}` to `{v}`.
     pub group: String,
+    /// Statement that makes a contact tool press with `{f}` newtons from there on; empty: that is a comment.
+    pub force_on: String,
+    /// Statement that ends it.
+    pub force_off: String,
     /// Ends lines with CR LF.
     pub crlf: bool,
 }
@@ -47,6 +52,10 @@ impl Default for Ur {
             output_off: "set_standard_digital_out({n}, False)".into(),
             analogue: "set_standard_analog_out({n}, {v})".into(),
             group: "write_output_integer_register({n}, {v})".into(),
+            force_on:
+                "force_mode(tool_pose(), [0, 0, 1, 0, 0, 0], [0, 0, {f}, 0, 0, 0], 2, [0.1, 0.1, 0.05, 0.2, 0.2, 0.2])"
+                    .into(),
+            force_off: "end_force_mode()".into(),
             crlf: false,
         }
     }
@@ -66,6 +75,7 @@ impl Ur {
             ("ur.acceleration_mm_s2", self.acceleration_mm_s2, 1.0, 100_000.0),
             ("ur.blend_mm", self.blend_mm, 0.0, 100.0),
         ])?;
+        check_force("ur", &self.force_on, &self.force_off)?;
         name("ur.program", &self.program, Letters::Identifier, 32)
     }
 }

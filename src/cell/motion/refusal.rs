@@ -45,7 +45,7 @@ impl RefusalCause {
     pub fn of_blocker(b: &Blocker) -> RefusalCause {
         match (b.tool_body, b.obstruction) {
             (_, Obstruction::Clamp(_) | Obstruction::Unscanned) => RefusalCause::Obstacle,
-            (ToolBody::Head, _) => RefusalCause::Head,
+            (ToolBody::Head | ToolBody::Abrasive | ToolBody::Gouge, _) => RefusalCause::Head,
             (ToolBody::Beam, _) => RefusalCause::Beam,
         }
     }

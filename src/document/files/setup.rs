@@ -49,7 +49,7 @@ pub fn load_tool(job: &Job, job_file: Option<&Path>) -> Result<Tool, JobError> {
     let head = named.map(|f| Head::load(&resolved(job_file, f))).transpose()?;
     let mut clamps = job.clamps.clone();
     clamps.iter_mut().try_for_each(|c| c.load(job_file.and_then(Path::parent)))?;
-    Ok(Tool { head, clamps, slack_mm: 0.0 })
+    Ok(Tool { head, clamps, slack_mm: 0.0, contact: None })
 }
 
 /// The cell that a job names, with the frames of its file.

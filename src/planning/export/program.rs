@@ -9,8 +9,7 @@ use crate::planning::plan::Plan;
 use crate::planning::report::{PlanFinding, Report, is_dark};
 use crate::planning::verify::{self, VerifyError};
 use crate::program::{
-    Comment, DRY_RUN_PERCENT, DialectError, FileNote, ProcessFigures, Program, ProgramFile, Step, Steps, Variant,
-    Wording, dialects,
+    Comment, DRY_RUN_PERCENT, DialectError, FileNote, Program, ProgramFile, Step, Steps, Variant, Wording, dialects,
 };
 use crate::progress::Progress;
 
@@ -152,7 +151,7 @@ fn process_comments(steps: &Steps) -> Vec<Comment> {
     let mut out: Vec<Comment> = Vec::new();
     for step in &steps.list {
         let Step::Process(settings) = step else { continue };
-        let comment = Comment::WorkedWith(ProcessFigures::of(settings));
+        let comment = Comment::of_settings(settings);
         if !out.contains(&comment) {
             out.push(comment);
         }

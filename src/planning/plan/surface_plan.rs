@@ -1,7 +1,7 @@
 //! One surface's share of a plan: its lines become passes. What has not changed is taken from the cache.
 
 use super::toolpath::{Ordered, Toolpath, ToolpathRules, plan_toolpath};
-use crate::beam::{Optics, ProcessSettings, Tool, ToolConfiguration, ToolGeometry};
+use crate::beam::{Abrasive, Optics, ProcessSettings, Tool, ToolConfiguration, ToolGeometry, WorkingMedium};
 use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::surfaces::Surface;
@@ -139,8 +139,8 @@ pub(in super::super) fn max_gap_mm(job: &Job) -> f64 {
 /// A surface's plan with the process settings of its job. They are not in the key of its poses: power changes no pose,
 /// speed only through the tilt rate of [`rules_of`], which is in the key, and without a head neither does the defocus.
 pub(in super::super) fn with_process_settings(mut made: Arc<SurfacePlan>, job: &Job, tool: &Tool) -> Arc<SurfacePlan> {
-    let wanted = process_settings(job);
-    let own = |w: &ProcessSettings| match tool.head {
+    let wanted = process_settings(job, tool);
+    let own = |w: &ProcessSettings| match tool.head.as_ref().filter(|_| tool.contact.is_none()) {
         None => ProcessSettings { layer: w.layer, ..wanted },
         Some(_) => ProcessSettings { defocus_mm: w.defocus_mm, spot_mm: w.spot_mm, layer: w.layer, ..wanted },
     };
@@ -168,16 +168,18 @@ pub fn tool_geometry<'a>(job: &Job, setup: &'a Setup) -> Option<ToolGeometry<'a>
 /// The tool configurations that may be tried over lines, the wanted one first, then drawn back and pushed forward by half
 /// of the standoff window and by all of it.
 pub(in super::super) fn configurations<'a>(job: &Job, tool: &'a Tool) -> Vec<ToolConfiguration<'a>> {
-    let wanted = process_settings(job);
-    let lifts: &[f64] = if job.path.standoff_mm > 0.0 { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
+    let wanted = process_settings(job, tool);
+    // What touches has no standoff.
+    let lifts: &[f64] =
+        if job.path.standoff_mm > 0.0 && tool.contact.is_none() { &[0.0, 0.5, 1.0, -0.5, -1.0] } else { &[0.0] };
     let lifted = |share: &f64| wanted.lifted(&job.optics, share * job.path.standoff_mm);
     lifts.iter().map(|s| ToolConfiguration::new(tool, &job.optics, lifted(s), job.beam.margin_mm)).collect()
 }
 
-/// The process settings of a job.
-fn process_settings(job: &Job) -> ProcessSettings {
+/// The process settings of a job, as its tool asks for them.
+pub(in super::super) fn process_settings(job: &Job, tool: &Tool) -> ProcessSettings {
     let b = &job.beam;
-    ProcessSettings {
+    let light = ProcessSettings {
         defocus_mm: b.defocus_mm,
         spot_mm: b.spot_mm,
         speed_mm_s: b.speed_mm_s,
@@ -185,7 +187,22 @@ fn process_settings(job: &Job) -> ProcessSettings {
         frequency_khz: b.frequency_khz,
         lead_in_mm: job.path.lead_in_mm,
         lead_out_mm: job.path.lead_out_mm,
-        layer: 0,
+        ..ProcessSettings::default()
+    };
+    let Some(grinding) = &tool.contact else { return light };
+    ProcessSettings {
+        defocus_mm: grinding.place().defocus_mm,
+        power_w: 0.0,
+        frequency_khz: 0.0,
+        lead_in_mm: 0.0,
+        lead_out_mm: 0.0,
+        arc_mm: grinding.arc_mm,
+        force_n: grinding.force_n,
+        medium: match grinding.tool.abrasive {
+            Abrasive::Disc { .. } => WorkingMedium::Disc,
+            Abrasive::Belt { .. } => WorkingMedium::Belt,
+        },
+        ..light
     }
 }
 
@@ -268,7 +285,7 @@ pub(in super::super) fn poses_key(
         rules,
         standoff_mm: job.path.standoff_mm,
         tool,
-        width: tool.head.is_some().then_some(width),
+        width: (tool.head.is_some() || tool.contact.is_some()).then_some(width),
     };
     Hasher::default().of(&toolpath).of(&by).finish()
 }

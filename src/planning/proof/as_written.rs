@@ -1,6 +1,7 @@
 //! The proof of a plan's lit moves as its program is written, while the plan can still be changed. What is read
 //! from a file on disk is `verify`'s.
 
+use super::super::plan::surface_plan::process_settings;
 use super::prover;
 use super::verify::{Poses, Verdict, drive_program, moves};
 use crate::cell::Setup;
@@ -69,7 +70,7 @@ pub fn proven_as_written(
     let of_line = |l: &ReadLine| matches!(l.what, Statement::Move(_)).then(|| numbers.next()).flatten();
     let number: Vec<Option<usize>> = read.iter().map(of_line).collect();
     let of_plan: Vec<Option<&Move>> = number.iter().map(|n| n.and_then(|n| planned.get(n).copied())).collect();
-    let poses = Poses { setup, defocus_mm: job.beam.defocus_mm };
+    let poses = Poses { setup, defocus_mm: process_settings(job, &setup.tool).defocus_mm };
     let driven = drive_program(&poses, &read, &of_plan, &mut Verdict::default());
     let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
     let proof = prover(part, setup, job).on_layers(&plan.grown).under(progress).prove(&lit)?;

@@ -1,4 +1,4 @@
-//! What the interference queries of beam and head against a part are asked of. The queries stand in `ray` and
+//! What the interference queries of beam and head, or of a contact tool, against a part are asked of. The queries stand in `ray` and
 //! `tool_body`.
 
 use super::blocker::Obstruction;
@@ -49,6 +49,11 @@ impl<'a> BeamInterference<'a> {
     /// takes the result asks [`BeamInterference::check`] first.
     pub fn under(self, progress: Option<&'a Progress>) -> BeamInterference<'a> {
         BeamInterference { progress, ..self }
+    }
+
+    /// Whether there is a ray: with a contact tool there is none, and poses are those of the foot of its axis.
+    pub(super) fn has_ray(&self) -> bool {
+        self.geometry.is_none_or(|g| g.contact.is_none())
     }
 
     /// # Errors

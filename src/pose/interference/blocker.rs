@@ -5,8 +5,12 @@
 pub enum ToolBody {
     /// The beam.
     Beam,
-    /// The head.
+    /// The head, or what is mounted behind a disc or belt.
     Head,
+    /// The disc or belt of a contact tool, too close to a wall or a clamp.
+    Abrasive,
+    /// The disc or belt where it reaches into the skin: it touches beside its contact.
+    Gouge,
 }
 
 impl ToolBody {
@@ -15,6 +19,8 @@ impl ToolBody {
         match self {
             ToolBody::Beam => "beam",
             ToolBody::Head => "head",
+            ToolBody::Abrasive => "abrasive",
+            ToolBody::Gouge => "gouge",
         }
     }
 }
@@ -61,6 +67,8 @@ impl std::fmt::Display for ToolBody {
         f.write_str(match self {
             ToolBody::Beam => "the beam",
             ToolBody::Head => "the head",
+            ToolBody::Abrasive => "the abrasive",
+            ToolBody::Gouge => "the abrasive beside its contact",
         })
     }
 }

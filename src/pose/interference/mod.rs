@@ -6,6 +6,7 @@
 mod beam_interference;
 mod blocker;
 mod ray;
+mod skin;
 mod tool_body;
 
 pub use beam_interference::BeamInterference;
@@ -17,14 +18,16 @@ pub use tool_body::FAR_MM;
 use nalgebra::{Point3, Vector3};
 
 impl BeamInterference<'_> {
-    /// Whether beam and head meet nothing, the spot in the point `p` of the surface, along the unit axis `a`.
+    /// Whether beam and head meet nothing, the spot in the point `p` of the surface, along the unit axis `a`; with a
+    /// contact tool, whether it touches nothing but the skin in its contact, the foot of its axis in `p`.
     pub fn is_free(&self, p: &Point3<f64>, a: &Vector3<f64>) -> bool {
-        self.check().is_ok() && self.is_ray_free(p, a) && self.is_body_free(p, a)
+        self.check().is_ok() && (!self.has_ray() || self.is_ray_free(p, a)) && self.is_body_free(p, a)
     }
 
     /// The nearest thing in the way of the ray, or else what is in the way of cone and head.
     pub fn blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
         self.check().ok()?;
-        self.ray_blocker(p, a).or_else(|| self.body_blocker(p, a))
+        let by_ray = if self.has_ray() { self.ray_blocker(p, a) } else { None };
+        by_ray.or_else(|| self.body_blocker(p, a))
     }
 }

@@ -72,6 +72,9 @@ impl BeamInterference<'_> {
         sag_mm: f64,
         stray_mm: impl Fn(f64) -> f64,
     ) -> Option<f64> {
+        if !self.has_ray() {
+            return None;
+        }
         self.obstacles()
             .filter_map(|(_, bvh, at)| conflict_with(bvh, &motion_into_frame(at.as_ref(), motion), sag_mm, &stray_mm))
             .reduce(f64::max)
@@ -80,6 +83,9 @@ impl BeamInterference<'_> {
     /// The nearest of what the ray from `from_mm` above `p` on goes through, or comes nearer to than a
     /// share of what a beam keeps at a target.
     pub fn passes_near(&self, p: &Point3<f64>, a: &Vector3<f64>, from_mm: f64, share: f64) -> Option<Obstruction> {
+        if !self.has_ray() {
+            return None;
+        }
         let mut first: Option<(f64, Obstruction)> = None;
         for (clamp, bvh, at) in self.obstacles() {
             let (p, a) = &into_frame(at.as_ref(), p, a);
@@ -102,8 +108,11 @@ impl BeamInterference<'_> {
     }
 
     /// The point nearest to `p` at which the line through `p` along `a` meets the part, within
-    /// `window_mm` either way; `p` itself where it meets none.
+    /// `window_mm` either way; `p` itself where it meets none, and for a contact tool, whose foot is not on the part.
     pub fn spot(&self, p: &Point3<f64>, a: &Vector3<f64>, window_mm: f64) -> Point3<f64> {
+        if !self.has_ray() {
+            return *p;
+        }
         let start = p - a * window_mm;
         let mut best: Option<f64> = None;
         self.bvh.visit_ray(&start, a, 0.0, 2.0 * window_mm, 0.0, |_, corners| {

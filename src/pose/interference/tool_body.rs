@@ -1,4 +1,4 @@
-//! Queries of the tool's bodies: cone and head against all facets of part and clamps.
+//! Queries of the tool's bodies: cone and head, or a contact tool, against all facets of part and clamps.
 //!
 //! Cut cones are asked what `ray` asks of the ray: is a pose free, what is in its way, may a motion touch
 //! anything. The margin is kept from everything; what the spot stands on is told from a wall by direction (see
@@ -6,9 +6,10 @@
 
 use super::beam_interference::{BeamInterference, RISE_MM, into_frame, motion_into_frame};
 use super::blocker::{Blocker, Obstruction, ToolBody};
+use super::skin;
 use crate::beam::frustum::PlacedFrustum;
 use crate::beam::tool_geometry::OWN_SINE;
-use crate::beam::{Frustum, ToolGeometry};
+use crate::beam::{ContactBody, Frustum, ToolGeometry};
 use crate::part::angle;
 use crate::pose::Pose;
 use nalgebra::{Point3, Vector3};
@@ -35,14 +36,37 @@ struct ToolShape<'f> {
     frustum: &'f Frustum,
     /// Clearance it keeps, mm; the beam's margin is in its frustum.
     keeps_mm: f64,
+    /// What the core of disc or belt keeps from skin, mm.
+    skin_mm: f64,
+}
+
+impl ToolShape<'_> {
+    /// The clearance that it keeps from a facet, mm; `None`: the facet does not count. `own`: the spot stands on it;
+    /// `is_skin`: a contact tool lies along it.
+    fn keeps_from(&self, own: bool, is_skin: bool) -> Option<f64> {
+        match self.tool_body {
+            ToolBody::Beam => (!own).then_some(self.keeps_mm),
+            ToolBody::Head => Some(self.keeps_mm),
+            ToolBody::Abrasive | ToolBody::Gouge => Some(if is_skin { self.skin_mm } else { self.keeps_mm }),
+        }
+    }
+
+    /// The most that it keeps from anything, mm.
+    fn most_mm(&self) -> f64 {
+        self.keeps_mm.max(self.skin_mm)
+    }
 }
 
 impl<'a> BeamInterference<'a> {
     /// The tool's bodies, the head's first.
     fn shapes<'f>(body: &'f ToolGeometry<'a>) -> impl Iterator<Item = ToolShape<'f>> {
-        let head =
-            body.head.iter().map(|frustum| ToolShape { tool_body: ToolBody::Head, frustum, keeps_mm: body.margin_mm });
-        head.chain(body.beam.iter().map(|frustum| ToolShape { tool_body: ToolBody::Beam, frustum, keeps_mm: 0.0 }))
+        let shape = |tool_body, keeps_mm| move |frustum| ToolShape { tool_body, frustum, keeps_mm, skin_mm: 0.0 };
+        let head = body.head.iter().map(shape(ToolBody::Head, body.margin_mm));
+        let abrasive = body.contact.iter().flat_map(|c| {
+            let (keeps_mm, skin_mm) = (c.round_mm + body.margin_mm, c.skin_mm);
+            c.core.iter().map(move |frustum| ToolShape { tool_body: ToolBody::Abrasive, frustum, keeps_mm, skin_mm })
+        });
+        head.chain(abrasive).chain(body.beam.iter().map(shape(ToolBody::Beam, 0.0)))
     }
 
     /// Whether cone and head keep their margin.
@@ -55,14 +79,17 @@ impl<'a> BeamInterference<'a> {
     /// Whether up to 32 of the tool's bodies keep their margin, all in one traversal.
     fn are_free(&self, shapes: &[ToolShape<'_>], p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         let all = (1u64 << shapes.len()) - 1;
+        let grinds = !self.has_ray();
         self.obstacles().all(|(clamp, bvh, at)| {
             let (p, a) = into_frame(at.as_ref(), p, a);
             let placed: Vec<PlacedFrustum> = shapes.iter().map(|shape| shape.frustum.placed(&p, &a)).collect();
             let among = |of: u32| (0..shapes.len()).filter(move |i| of >> i & 1 == 1);
             let hits = |corners: &[Point3<f64>; 3], of: u32| {
                 let own = clamp.is_none() && leaves(&p, &a, corners);
+                let is_skin = grinds && clamp.is_none() && skin::is_skin(&a, corners);
                 among(of).any(|i| {
-                    (!own || shapes[i].tool_body == ToolBody::Head) && placed[i].is_near(corners, shapes[i].keeps_mm)
+                    let keeps_mm = shapes[i].keeps_from(own, is_skin);
+                    keeps_mm.is_some_and(|keeps_mm| placed[i].is_near(corners, keeps_mm))
                 })
             };
             // The facet that was hit last is likely to be hit again.
@@ -74,7 +101,7 @@ impl<'a> BeamInterference<'a> {
                 all as u32,
                 |lo, hi, of| {
                     let near =
-                        |near: u32, i: usize| near | u32::from(placed[i].near_box(lo, hi, shapes[i].keeps_mm)) << i;
+                        |near: u32, i: usize| near | u32::from(placed[i].near_box(lo, hi, shapes[i].most_mm())) << i;
                     among(of).fold(0, near)
                 },
                 |corners, of| {
@@ -93,22 +120,33 @@ impl<'a> BeamInterference<'a> {
 
     /// The first of the tool's bodies that does not keep its margin, and what it is too close to.
     pub fn body_blocker(&self, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Blocker> {
-        let (shape, obstruction) =
-            Self::shapes(self.geometry?).find_map(|shape| Some((shape, self.first_obstruction(&shape, p, a)?)))?;
-        Some(Blocker { tool_body: shape.tool_body, obstruction, t_mm: shape.frustum.t0_mm })
+        Self::shapes(self.geometry?).find_map(|shape| {
+            let (tool_body, obstruction) = self.first_obstruction(&shape, p, a)?;
+            Some(Blocker { tool_body, obstruction, t_mm: shape.frustum.t0_mm })
+        })
     }
 
-    fn first_obstruction(&self, shape: &ToolShape<'_>, p: &Point3<f64>, a: &Vector3<f64>) -> Option<Obstruction> {
+    fn first_obstruction(
+        &self,
+        shape: &ToolShape<'_>,
+        p: &Point3<f64>,
+        a: &Vector3<f64>,
+    ) -> Option<(ToolBody, Obstruction)> {
+        let grinds = !self.has_ray();
         self.obstacles().find_map(|(clamp, bvh, at)| {
             let (p, a) = into_frame(at.as_ref(), p, a);
             let placed = shape.frustum.placed(&p, &a);
             let mut hit = None;
             bvh.visit_near_boxes(
-                |lo, hi| placed.near_box(lo, hi, shape.keeps_mm),
+                |lo, hi| placed.near_box(lo, hi, shape.most_mm()),
                 |facet, corners| {
-                    let counts = shape.tool_body == ToolBody::Head || clamp.is_some() || !leaves(&p, &a, corners);
-                    if counts && placed.is_near(corners, shape.keeps_mm) {
-                        hit = Some(clamp.unwrap_or(Obstruction::Facet(facet)));
+                    let own = clamp.is_none() && leaves(&p, &a, corners);
+                    let is_skin = grinds && clamp.is_none() && skin::is_skin(&a, corners);
+                    let keeps_mm = shape.keeps_from(own, is_skin);
+                    if keeps_mm.is_some_and(|keeps_mm| placed.is_near(corners, keeps_mm)) {
+                        let gouges = is_skin && shape.tool_body == ToolBody::Abrasive;
+                        let tool_body = if gouges { ToolBody::Gouge } else { shape.tool_body };
+                        hit = Some((tool_body, clamp.unwrap_or(Obstruction::Facet(facet))));
                     }
                     hit.is_none()
                 },
@@ -131,11 +169,14 @@ impl<'a> BeamInterference<'a> {
             return Some(0.0);
         }
         let mut least = most_mm;
+        if let Some(contact) = &body.contact {
+            least = self.abrasive_clearance_mm(contact, p, a, least);
+        }
         for shape in &body.head {
             for (_, bvh, at) in self.obstacles() {
                 let (p, a) = into_frame(at.as_ref(), p, a);
                 let placed = shape.placed(&p, &a);
-                if at.is_none() {
+                if at.is_none() && body.contact.is_none() {
                     // The spot itself is a facet corner at that distance: it bounds the search.
                     least = least.min(placed.distance_mm(&[p, p, p]) + 1e-6);
                 }
@@ -153,6 +194,30 @@ impl<'a> BeamInterference<'a> {
             }
         }
         Some(self.widest_mm(body, p, a, least.max(0.0)))
+    }
+
+    /// Clearance of disc or belt from walls and clamps, mm, at most `most_mm`: what it touches is no wall.
+    fn abrasive_clearance_mm(&self, contact: &ContactBody, p: &Point3<f64>, a: &Vector3<f64>, most_mm: f64) -> f64 {
+        let mut least = most_mm;
+        for shape in &contact.core {
+            for (clamp, bvh, at) in self.obstacles() {
+                let (p, a) = into_frame(at.as_ref(), p, a);
+                let placed = shape.placed(&p, &a);
+                let nearest = std::cell::Cell::new(least + contact.round_mm);
+                bvh.visit_near_boxes(
+                    |lo, hi| placed.near_box(lo, hi, nearest.get()),
+                    |_, corners| {
+                        let is_wall = clamp.is_some() || !skin::is_skin(&a, corners);
+                        if is_wall && placed.is_near(corners, nearest.get()) {
+                            nearest.set(nearest.get().min(placed.distance_mm(corners)));
+                        }
+                        nearest.get() > 0.0
+                    },
+                );
+                least = (nearest.get() - contact.round_mm).max(0.0);
+            }
+        }
+        least
     }
 
     /// The widest margin below `most_mm` with which the beam would still be free, to within
@@ -200,22 +265,33 @@ impl<'a> BeamInterference<'a> {
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.25 * angle::between_deg(&from.a, &to.a).to_radians()) * 2.0;
         let mut worst = Conflict::None;
+        let grinds = body.contact.is_some();
         for shape in Self::shapes(body) {
             let reach_mm = shape.frustum.reach_mm();
             let moved_mm = half_mm + half_turn * reach_mm + stray_mm(reach_mm);
-            let keeps_mm = shape.keeps_mm + moved_mm;
             let meets = self.obstacles().any(|(clamp, bvh, at)| {
                 let [from, middle, to] = motion_into_frame(at.as_ref(), motion);
                 let placed = shape.frustum.placed(&middle.p, &middle.a);
                 let mut met = false;
                 bvh.visit_near_boxes(
-                    |lo, hi| placed.near_box(lo, hi, keeps_mm),
+                    |lo, hi| placed.near_box(lo, hi, shape.most_mm() + moved_mm),
                     |_, corners| {
                         let own = shape.tool_body == ToolBody::Beam && clamp.is_none();
                         let harmless = own
                             && (leaves(&from.p, &from.a, corners) && leaves(&to.p, &to.a, corners)
                                 || !rises(&from, corners, sag_mm) && !rises(&to, corners, sag_mm));
-                        met = met || !harmless && placed.is_near(corners, keeps_mm);
+                        let is_skin = grinds
+                            && clamp.is_none()
+                            && [&from, &middle, &to].iter().all(|q| skin::is_skin(&q.a, corners));
+                        // In front of a facet's plane at both ends is in front of it on the way.
+                        let stays_before = || {
+                            let before_mm = shape.skin_mm + moved_mm - half_mm;
+                            let is_before =
+                                |q: &Pose| skin::is_before(&shape.frustum.placed(&q.p, &q.a), corners, before_mm);
+                            is_skin && is_before(&from) && is_before(&to)
+                        };
+                        let keeps_mm = shape.keeps_from(false, is_skin).unwrap_or(shape.keeps_mm) + moved_mm;
+                        met = met || !harmless && !stays_before() && placed.is_near(corners, keeps_mm);
                         !met
                     },
                 );

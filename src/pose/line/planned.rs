@@ -5,6 +5,8 @@ use super::super::clearance;
 use super::super::interference::{BeamInterference, Blocker};
 use super::super::target::{Pass, Split, Target, TargetState, against_normal_deg, travel};
 use super::super::{Pose, motion};
+use super::contact_stand::ContactStand;
+use crate::beam::ContactPlace;
 use crate::part::angle;
 use crate::path::chord::{self, ChordLimits, LinePlace};
 use crate::path::dense::{self, DensePoint};
@@ -33,6 +35,8 @@ pub(super) struct Planned {
     splits: Vec<bool>,
     /// How fast a corrected beam may turn against the normal, degrees/mm.
     rate_deg_mm: f64,
+    /// How a contact tool stands on the line; `None`: a beam, whose axis begins in the point.
+    contact: Option<ContactPlace>,
 }
 
 impl Planned {
@@ -43,7 +47,7 @@ impl Planned {
             |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
         let axes = points.iter().zip(axes).map(snapped).collect();
         let (aims, splits) = (points.iter().map(|q| q.n).collect(), vec![false; points.len()]);
-        Planned { points, axes, aims, splits, rate_deg_mm: f64::INFINITY }
+        Planned { points, axes, aims, splits, rate_deg_mm: f64::INFINITY, contact: None }
     }
 
     /// From the corrected points that the search for tilts found.
@@ -54,11 +58,29 @@ impl Planned {
             aims: rows.iter().map(|r| r.aim).collect(),
             splits: rows.iter().map(|r| r.is_split).collect(),
             rate_deg_mm,
+            contact: None,
+        }
+    }
+
+    /// Of a contact tool: at each point its axis, and whether it may stand so.
+    pub(super) fn of_contact(contact: ContactPlace, stands: &[ContactStand]) -> Planned {
+        Planned {
+            points: stands.iter().map(|s| s.q).collect(),
+            axes: stands.iter().map(|s| s.is_free.then_some(s.a)).collect(),
+            aims: stands.iter().map(|s| s.a).collect(),
+            splits: vec![false; stands.len()],
+            rate_deg_mm: f64::INFINITY,
+            contact: Some(contact),
         }
     }
 
     fn pose(&self, i: usize) -> Option<Pose> {
-        self.axes[i].map(|a| Pose { p: self.points[i].p, a })
+        self.axes[i].map(|a| self.stand(&self.points[i], a))
+    }
+
+    /// The pose of the tool with its axis along `a` at a point of the line.
+    fn stand(&self, q: &DensePoint, a: Vector3<f64>) -> Pose {
+        Pose { p: self.contact.map_or(q.p, |place| place.foot(&q.p, &q.n, &a)), a }
     }
 
     fn state(&self, i: usize) -> TargetState {
@@ -74,14 +96,18 @@ impl Planned {
     pub(super) fn test_motion(&mut self, beam: &BeamInterference<'_>, max_turn_deg: f64) {
         let max_turn_deg = max_turn_deg.min(CORRECTED_TURN_DEG);
         let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new()));
-        self.rate_deg_mm = old.rate_deg_mm;
+        (self.rate_deg_mm, self.contact) = (old.rate_deg_mm, old.contact);
         for i in 0..old.points.len() {
             self.push(old.points[i], old.axes[i], old.aims[i], old.splits[i]);
             let Some(next) = (i + 1 < old.points.len() && !old.splits[i + 1]).then_some(i + 1) else { continue };
             let Some((from, to)) = old.pose(i).zip(old.pose(next)) else { continue };
             let between = |t: f64| dense::midway(&old.points[i], &old.points[next], t);
             if let Some(t) = motion::hit(beam, &from, &to, 0.0) {
-                self.push(between(t), None, between(t).n, false);
+                let aim = match old.contact {
+                    Some(_) => angle::slerp(&old.aims[i], &old.aims[next], t),
+                    None => between(t).n,
+                };
+                self.push(between(t), None, aim, false);
                 continue;
             }
             // A hair of tolerance: turns are found in whole fractions of a degree.
@@ -114,7 +140,35 @@ impl Planned {
                     || i < last && (self.state(i + 1) != state || self.splits[i + 1])
             })
             .collect();
-        simplify(&self.points, &fixed, limits, |from, to| self.may_span(beam, from, to, limits.max_turn_deg))
+        simplify(&self.points, &fixed, limits, |from, to| {
+            self.may_span(beam, from, to, limits.max_turn_deg)
+                && self.feet_keep_to_chord(from, to, limits.chord_error_mm)
+        })
+    }
+
+    /// Whether the feet of a contact tool between two places lie within the chord error of the straight line that its
+    /// foot goes: where a line bends within the surface they go a wider way than the contact.
+    fn feet_keep_to_chord(&self, i: LinePlace, j: LinePlace, chord_error_mm: f64) -> bool {
+        let Some(place) = self.contact.filter(|place| place.behind_mm != 0.0) else { return true };
+        let at = |p: LinePlace| self.axis(p).map(|a| self.stand(&p.point_on(&self.points), a).p);
+        let (Some(from), Some(to)) = (at(i), at(j)) else { return true };
+        let line = to - from;
+        let length2 = line.norm_squared().max(1e-24);
+        (i.index + 1..j.index + usize::from(j.share > 0.0)).all(|k| {
+            let Some(a) = self.axes[k] else { return true };
+            let foot = place.foot(&self.points[k].p, &self.points[k].n, &a);
+            let along = ((foot - from).dot(&line) / length2).clamp(0.0, 1.0);
+            (foot - (from + line * along)).norm() <= chord_error_mm
+        })
+    }
+
+    /// What the axis would be at a place if nothing were in the way.
+    fn aim(&self, place: LinePlace) -> Vector3<f64> {
+        if self.contact.is_none() {
+            return place.point_on(&self.points).n;
+        }
+        let aim = self.aims[place.index];
+        self.aims.get(place.index + 1).filter(|_| place.share > 0.0).map_or(aim, |b| angle::slerp(&aim, b, place.share))
     }
 
     /// Axis at a place; between two points of one state.
@@ -131,7 +185,7 @@ impl Planned {
 
     /// Whether the straight motion between two places can stand for the points between.
     fn may_span(&self, beam: &BeamInterference<'_>, i: LinePlace, j: LinePlace, max_turn_deg: f64) -> bool {
-        let pose = |place: LinePlace| self.axis(place).map(|a| Pose { p: place.point_on(&self.points).p, a });
+        let pose = |place: LinePlace| self.axis(place).map(|a| self.stand(&place.point_on(&self.points), a));
         let (Some(from), Some(to)) = (pose(i), pose(j)) else {
             // Blocked points only mark the place; nothing moves along them with the laser on.
             return self.axes[i.index].is_none() && self.axes[j.index].is_none();
@@ -165,7 +219,8 @@ impl Planned {
         for &place in kept {
             let q = place.point_on(&self.points);
             let axis = self.axis(place);
-            let (state, a) = (self.state(place.index), axis.unwrap_or(q.n));
+            let (state, a) = (self.state(place.index), axis.unwrap_or_else(|| self.aim(place)));
+            let foot = self.stand(&q, a).p;
             let is_split = place.share == 0.0 && self.splits[place.index];
             let laser = !is_split
                 && state != TargetState::Blocked
@@ -173,8 +228,12 @@ impl Planned {
             if is_split {
                 splits.push(Split { point: targets.len(), wall: self.wall(beam, place.index) });
             }
-            let normal_hits = beam.blocker(&q.p, &q.n);
-            let clearance_mm = beam.clearance_mm(&q.p, &a);
+            // A contact tool has one way to stand.
+            let normal_hits = match self.contact {
+                Some(_) => beam.blocker(&foot, &a),
+                None => beam.blocker(&q.p, &q.n),
+            };
+            let clearance_mm = beam.clearance_mm(&foot, &a);
             let tangent = match place.share {
                 0.0 => tangents[place.index],
                 _ => self.points[place.index + 1].p - self.points[place.index].p,
@@ -182,8 +241,9 @@ impl Planned {
             targets.push(Target {
                 p: q.p,
                 n: q.n,
+                foot,
                 a,
-                o: travel(&tangent, &a),
+                o: self.travel(&tangent, &q.n, &a),
                 state,
                 laser,
                 normal_hits,
@@ -193,6 +253,12 @@ impl Planned {
         let chord_error_mm =
             kept.windows(2).map(|w| chord::chord_error_mm(&self.points, w[0], w[1])).fold(0.0, f64::max);
         Pass { targets, chord_error_mm, splits, ..pass }
+    }
+
+    /// Travel square to the axis; that of a contact tool lies in the plane of travel and normal.
+    fn travel(&self, tangent: &Vector3<f64>, n: &Vector3<f64>, a: &Vector3<f64>) -> Vector3<f64> {
+        let ahead = if self.contact.is_some() { travel(tangent, n) } else { *tangent };
+        travel(&ahead, a)
     }
 
     /// What keeps the beam from turning at the split `i`: something on the turn from one beam to the other, or ahead

@@ -5,7 +5,7 @@
 //! it, and back in along the next beam, which is free to infinity. Where the head is known it is swept on
 //! all of these but those outside the sphere, which is wider by it.
 
-use crate::beam::ToolGeometry;
+use crate::beam::{ContactBody, ToolGeometry};
 use crate::cell::mounting::Mounted;
 use crate::cell::{Air, Setup};
 use crate::part::{Part, angle, distance};
@@ -31,8 +31,10 @@ const ARC_DEG: f64 = 30.0;
 #[derive(Clone, Debug)]
 pub struct TransferSpace<'a> {
     part: &'a Part,
-    /// The head alone, where it is known.
+    /// The head alone, where it is known; a contact tool may touch the skin that it comes from.
     head: Option<ToolGeometry<'a>>,
+    /// A contact tool as it has to keep clear of the skin between two pieces.
+    lifted: Option<ToolGeometry<'a>>,
     /// How the flange carries the focus.
     mounted: Mounted,
     air: &'a Air,
@@ -74,10 +76,13 @@ impl<'a> TransferSpace<'a> {
                 (lo, hi) = (lo.inf(&p), hi.sup(&p));
             }
         }
-        let head_mm = head.iter().flat_map(|h| &h.head).map(|f| f.r0_mm.max(f.r1_mm)).fold(0.0, f64::max);
+        let abrasive_mm = head.iter().filter_map(|h| h.contact.as_ref()).map(ContactBody::radius_mm);
+        let head_mm = head.iter().flat_map(|h| &h.head).map(|f| f.r0_mm.max(f.r1_mm)).chain(abrasive_mm);
+        let head_mm = head_mm.fold(0.0, f64::max);
         let radius_mm = 0.5 * (hi - lo).norm() + defocus_mm.max(0.0) + air.retreat_mm + air.clearance_mm + head_mm;
         let centre = lo + (hi - lo) * 0.5;
-        TransferSpace { part, head, mounted, air, defocus_mm, centre, radius_mm, progress: None }
+        let lifted = head.as_ref().and_then(ToolGeometry::lifted_off);
+        TransferSpace { part, head, lifted, mounted, air, defocus_mm, centre, radius_mm, progress: None }
     }
 
     /// The space around the part as it was at another time.
@@ -92,7 +97,16 @@ impl<'a> TransferSpace<'a> {
 
     /// What the head hits on a straight move of the flange, if anything.
     pub fn head_hit(&self, from: &Station, to: &Station) -> Option<Blocker> {
-        let head = BeamInterference::with(self.part, Some(self.head.as_ref()?));
+        self.tool_hit(self.head.as_ref()?, from, to)
+    }
+
+    /// What the head hits on a straight move between two pieces, where a contact tool may not touch the skin either.
+    fn lifted_hit(&self, from: &Station, to: &Station) -> Option<Blocker> {
+        self.tool_hit(self.lifted.as_ref().or(self.head.as_ref())?, from, to)
+    }
+
+    fn tool_hit(&self, tool: &ToolGeometry<'a>, from: &Station, to: &Station) -> Option<Blocker> {
+        let head = BeamInterference::with(self.part, Some(tool));
         let carried = CarriedFocus::new(&self.mounted, from, to);
         head_hit(&head, &carried, (&carried.at(0.0), 0.0), (&carried.at(1.0), 1.0))
     }
@@ -100,6 +114,9 @@ impl<'a> TransferSpace<'a> {
     /// Whether the spot may go on straight with the laser off: the beam from focus or surface outwards, and the
     /// head.
     pub fn is_lead_free(&self, from: &Station, to: &Station, defocus_mm: f64) -> bool {
+        if self.lifted.is_some() {
+            return self.head_hit(from, to).is_none();
+        }
         // From the surface on the beam would lie in it wherever it is bent.
         let up_mm = (FROM_MM - defocus_mm).max(0.0);
         let pose = |s: &Station| Pose { p: s.x + s.a * up_mm, a: s.a };
@@ -112,7 +129,8 @@ impl<'a> TransferSpace<'a> {
         self.goes_on()
             && (up.x - down.x).norm() <= HOP_MM
             && self.is_clear(&up, &down)
-            && [(from, &up), (&up, &down), (&down, to)].iter().all(|(a, b)| self.head_hit(a, b).is_none())
+            && [(from, &up), (&down, to)].iter().all(|(a, b)| self.head_hit(a, b).is_none())
+            && self.lifted_hit(&up, &down).is_none()
     }
 
     /// Stations between the end of one piece and the start of the next, both excluded.
@@ -163,7 +181,7 @@ impl<'a> TransferSpace<'a> {
     /// Whether the head alone keeps clear of the part at a path frame.
     pub fn is_head_clear_at(&self, part_from_focus: &Isometry3<f64>) -> bool {
         let at = Station::at(part_from_focus);
-        self.head_hit(&at, &at).is_none()
+        self.lifted_hit(&at, &at).is_none()
     }
 
     fn clear_mm(&self) -> f64 {

@@ -114,10 +114,19 @@ impl FocusWalk<'_> {
         match piece.leads.before {
             None => self.push_connecting_move(here, start, first),
             Some(l) => {
-                let to = Station { o: start.o, ..l.at };
-                self.push_connecting_move(here, to, None);
-                self.out.air_mm += (start.x - to.x).norm();
-                self.push_move(start, l.seconds, first);
+                // The way out, backwards.
+                let way = l.stations(&start);
+                let mut before = Station { o: start.o, ..l.at };
+                self.push_connecting_move(here, before, None);
+                for (i, (_, seconds)) in way.iter().enumerate().rev() {
+                    let (to, target) = match i.checked_sub(1).and_then(|i| way.get(i)) {
+                        Some((to, _)) => (Station { o: start.o, ..*to }, None),
+                        None => (start, first),
+                    };
+                    self.out.air_mm += (to.x - before.x).norm();
+                    self.push_move(to, *seconds, target);
+                    before = to;
+                }
             }
         }
         start
@@ -152,10 +161,14 @@ impl FocusWalk<'_> {
     /// Adds the lead-out of a piece, if it has one.
     fn push_retreat(&mut self, end: Station, lead: Option<Lead>) -> Station {
         let Some(lead) = lead else { return end };
-        let to = Station { o: end.o, ..lead.at };
-        self.out.air_mm += (to.x - end.x).norm();
-        self.push_move(to, lead.seconds, None);
-        to
+        let mut here = end;
+        for (to, seconds) in lead.stations(&end) {
+            let to = Station { o: end.o, ..to };
+            self.out.air_mm += (to.x - here.x).norm();
+            self.push_move(to, seconds, None);
+            here = to;
+        }
+        here
     }
 
     /// Adds a straight move in a given time.

@@ -1,4 +1,4 @@
-//! Outputs, their values, dwells and comments as they are read, by the templates of a controller's table, in whatever
+//! Outputs, their values, forces, dwells and comments as they are read, by the templates of a controller's table, in whatever
 //! spelling. Moves are each dialect's own; `templates` writes what is read here.
 
 use super::spelling::Spelling;
@@ -14,6 +14,8 @@ pub struct SignalReader<'a> {
     output_off: String,
     analogue: String,
     group: String,
+    force_on: String,
+    force_off: String,
     wait: String,
     wait_per_s: f64,
     comment: &'a str,
@@ -30,6 +32,8 @@ impl<'a> SignalReader<'a> {
             output_off: plain(t.output_off),
             analogue: plain(t.analogue),
             group: plain(t.group),
+            force_on: plain(t.force_on),
+            force_off: plain(t.force_off),
             wait: plain(t.wait),
             wait_per_s: t.wait_per_s,
             comment: t.comment,
@@ -41,6 +45,7 @@ impl<'a> SignalReader<'a> {
     pub fn read(&self, line: &str) -> Option<Statement> {
         let plain = self.spelling.plain(line);
         let output = self.read_output(&plain).or_else(|| self.read_output_value(&plain));
+        let output = output.or_else(|| self.read_force(&plain));
         output.or_else(|| self.read_wait(&plain)).or_else(|| self.read_comment(line))
     }
 
@@ -71,6 +76,15 @@ impl<'a> SignalReader<'a> {
             })
         };
         output_value(&self.group, true).or_else(|| output_value(&self.analogue, false))
+    }
+
+    fn read_force(&self, plain: &str) -> Option<Statement> {
+        if self.force_on.is_empty() {
+            return None;
+        }
+        let off = || (self.force_off == plain).then_some(0.0);
+        let force_n = matched_key(&self.force_on, "f", plain).and_then(number).or_else(off)?;
+        Some(Statement::Force(force_n))
     }
 
     fn read_wait(&self, plain: &str) -> Option<Statement> {

@@ -1,11 +1,14 @@
-//! Outputs, their values, dwells and comments as they are written by the templates of a controller's table. Moves are each
+//! Outputs, their values, forces, dwells and comments as they are written by the templates of a controller's table. Moves are each
 //! dialect's own; `signals` reads what is written here.
 
 use super::spelling::Spelling;
-use crate::cell::controllers::templates::{check_signals, cut, filled, fixed, plain};
+use crate::cell::controllers::templates::{check_force, check_signals, cut, filled, fixed, plain};
 use crate::program::neutral::comment::{Comment, Wording};
 use crate::program::neutral::lines::ProgramLine;
 use crate::program::write_error::{SignalKind, WriteError};
+
+/// Decimals of a force, N.
+const FORCE_DECIMALS: usize = 2;
 
 /// A controller's templates of signals.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +25,10 @@ pub struct SignalTemplates<'a> {
     pub analogue_decimals: usize,
     /// Group `{n}` of outputs to the whole number `{v}`; empty: there is none.
     pub group: &'a str,
+    /// A contact tool presses with `{f}` newtons from here on; empty: that is a comment.
+    pub force_on: &'a str,
+    /// It presses no more.
+    pub force_off: &'a str,
     /// Dwell of `{s}`.
     pub wait: &'a str,
     /// How seconds are written as `{s}`.
@@ -49,6 +56,7 @@ impl SignalTemplates<'_> {
         let (analogue, group) = (value(self.analogue), value(self.group));
         let (on, off, wait, comment) = (self.output_on, self.output_off, self.wait, self.comment);
         check_signals(self.dialect, [Some(on), Some(off), analogue, group, Some(wait), Some(comment)])?;
+        check_force(self.dialect, self.force_on, self.force_off)?;
         if self.output_on == self.output_off { Err(WriteError::OffIsOn(self.dialect)) } else { Ok(()) }
     }
 
@@ -73,6 +81,13 @@ impl SignalTemplates<'_> {
                 }
                 vec![filled(template, &[("n", &number.to_string()), ("v", &fixed(*value, decimals))])]
             }
+            ProgramLine::Force(force_n) if self.force_on.is_empty() => {
+                self.comments(&wording(&Comment::Force(*force_n)))
+            }
+            ProgramLine::Force(force_n) if *force_n > 0.0 => {
+                vec![filled(self.force_on, &[("f", &fixed(*force_n, FORCE_DECIMALS))])]
+            }
+            ProgramLine::Force(_) => vec![self.force_off.to_owned()],
             ProgramLine::Wait(seconds) => vec![filled(self.wait, &[("s", &(self.seconds)(*seconds))])],
             ProgramLine::Move(_) => Vec::new(),
         })

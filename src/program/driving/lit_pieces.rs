@@ -19,29 +19,32 @@ pub(super) struct DrivenPiece {
     pub(super) leads: DrivenLeads,
 }
 
-/// Its leads, where they are wanted and the arm can make them.
+/// Its leads, where they are wanted and the arm can make them: moves from the piece's end outwards, none where there is
+/// no lead.
 #[derive(Clone, Default)]
 pub(super) struct DrivenLeads {
     /// To where the lead-in begins.
-    pub(super) before: Option<WorkMove>,
+    pub(super) before: Vec<WorkMove>,
     /// To where the lead-out ends.
-    pub(super) behind: Option<WorkMove>,
+    pub(super) behind: Vec<WorkMove>,
     pub(super) left_out: usize,
 }
 
 impl DrivenLeads {
     pub(super) fn has_any(&self) -> bool {
-        self.before.is_some() || self.behind.is_some()
+        !self.before.is_empty() || !self.behind.is_empty()
     }
 
     pub(super) fn leave_out(&mut self) {
-        self.left_out += usize::from(self.before.take().is_some()) + usize::from(self.behind.take().is_some());
+        for lead in [&mut self.before, &mut self.behind] {
+            self.left_out += usize::from(!std::mem::take(lead).is_empty());
+        }
     }
 }
 
 impl DrivenPiece {
     pub(super) fn entry(&self) -> ArmStand {
-        self.leads.before.map_or(self.start, |l| l.to)
+        self.leads.before.last().map_or(self.start, |l| l.to)
     }
 
     pub(super) fn last(&self) -> ArmStand {
@@ -49,7 +52,7 @@ impl DrivenPiece {
     }
 
     pub(super) fn exit(&self) -> ArmStand {
-        self.leads.behind.map_or(self.last(), |l| l.to)
+        self.leads.behind.last().map_or(self.last(), |l| l.to)
     }
 }
 
@@ -102,17 +105,21 @@ impl Drive<'_> {
     /// The leads that the arm can make.
     fn drive_leads(&self, wanted: Leads, start: &ArmStand, end: &ArmStand) -> DrivenLeads {
         let drive_lead = |lead: Lead, from: &ArmStand| {
-            let joints_deg =
-                self.robot.nearest_inverse(&self.mounted.flange_for(&lead.at.frame()), &from.joints_deg)?;
-            let to = ArmStand { at: lead.at, joints_deg };
-            let mut made = Vec::new();
-            self.push_lit_move(from, &to, lead.seconds, &mut made).ok()?;
-            made.pop()
+            let (mut here, mut made) = (*from, Vec::new());
+            for (at, seconds) in lead.stations(&from.at) {
+                let flange = self.mounted.flange_for(&at.frame());
+                let joints_deg = self.robot.nearest_inverse(&flange, &here.joints_deg)?;
+                let to = ArmStand { at, joints_deg };
+                self.push_lit_move(&here, &to, seconds, &mut made).ok()?;
+                here = to;
+            }
+            Some(made)
         };
         let before = wanted.before.map(|l| drive_lead(l, start));
         let behind = wanted.behind.map(|l| drive_lead(l, end));
-        let left_out = wanted.left_out + [before, behind].iter().filter(|l| matches!(l, Some(None))).count();
-        DrivenLeads { before: before.flatten(), behind: behind.flatten(), left_out }
+        let left_out = wanted.left_out + [&before, &behind].iter().filter(|l| matches!(l, Some(None))).count();
+        let made = |lead: Option<Option<Vec<WorkMove>>>| lead.flatten().unwrap_or_default();
+        DrivenLeads { before: made(before), behind: made(behind), left_out }
     }
 
     /// Moves at the speed of the work from one stand to the next, with stations in between where the spot needs them.

@@ -175,15 +175,21 @@ fn sequence(passes: &[Pass], ranges: &[LitRange], whole: &[DrivenPiece], ways: &
             announced_pass = Some(of.pass);
         }
         let begin = Some((of.pass, of.first));
-        let target = begin.filter(|_| piece.leads.before.is_none());
+        let target = begin.filter(|_| piece.leads.before.is_empty());
         out.push_connecting_move(&Go { target, ..*down }, at.as_ref());
-        if let Some(lead) = &piece.leads.before {
-            out.push_lead(&piece.start, lead.seconds, (&lead.to.at, begin));
+        let led_in = &piece.leads.before;
+        for (i, lead) in led_in.iter().enumerate().rev() {
+            // The way out, backwards.
+            let inner = i.checked_sub(1).and_then(|i| led_in.get(i));
+            let to = inner.map_or(&piece.start, |inner| &inner.to);
+            out.push_lead(to, lead.seconds, (&lead.to.at, begin.filter(|_| i == 0)));
         }
         out.set_process(&pass.settings);
         out.push_lit_piece(piece);
-        if let Some(lead) = &piece.leads.behind {
-            out.push_lead(&lead.to, lead.seconds, (&piece.last().at, None));
+        let mut from = piece.last().at;
+        for lead in &piece.leads.behind {
+            out.push_lead(&lead.to, lead.seconds, (&from, None));
+            from = lead.to.at;
         }
         at = Some(piece.exit().at);
     }

@@ -11,6 +11,7 @@ use crate::beam::{ProcessSettings, ToolConfiguration, ToolGeometry};
 use crate::cell::mounting::Mounted;
 use crate::part::{GrownPart, Part, angle};
 use crate::pose::Pose;
+use crate::pose::checker::KeptByContact;
 use crate::pose::motion::{Motion, Swept, swept};
 use crate::pose::{BeamInterference, Blocker, ToolBody};
 use crate::program::neutral::steps::{Step, Steps};
@@ -160,6 +161,17 @@ impl<'a> Prover<'a> {
     /// A prover with a little more margin, for plans.
     pub fn with_spare(&self) -> Prover<'a> {
         Prover { bodies: self.spare.clone(), ray_share: 0.5, ..self.clone() }
+    }
+
+    /// What a contact tool keeps clear of on moves of these settings; `None`: there is none.
+    pub fn kept_by_contact(&self, settings: &ProcessSettings) -> Option<KeptByContact> {
+        let geometry = self.tool_geometry(settings)?;
+        let contact = geometry.contact.as_ref()?;
+        Some(KeptByContact {
+            cones: contact.core.iter().map(|f| [f.t0_mm, f.t1_mm, f.r0_mm, f.r1_mm]).collect(),
+            skin_mm: contact.skin_mm,
+            wall_mm: contact.round_mm + geometry.margin_mm,
+        })
     }
 
     /// The tool geometry of a move. Falls back to the nearest settings that a plan has used.

@@ -75,7 +75,7 @@ impl Timeline {
         let (mut waiting_s, mut light) = (0.0, false);
         for line in lines(steps, setup) {
             match line {
-                ProgramLine::Comment(_) | ProgramLine::OutputValue { .. } => {}
+                ProgramLine::Comment(_) | ProgramLine::OutputValue { .. } | ProgramLine::Force(_) => {}
                 ProgramLine::Wait(s) => waiting_s += s,
                 ProgramLine::Output { number, on } => {
                     if number == setup.cell.outputs.laser.number && on != light {

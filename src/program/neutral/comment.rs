@@ -2,7 +2,7 @@
 //! knows none; they are English on every controller.
 
 use super::shortfall::ByHand;
-use crate::beam::ProcessSettings;
+use crate::beam::{ProcessSettings, WorkingMedium};
 use crate::cell::Mount;
 use crate::part::Units;
 use crate::part::units::StatedUnit;
@@ -28,6 +28,8 @@ pub enum Comment {
     },
     /// What some of its lit pieces are worked with.
     WorkedWith(ProcessFigures),
+    /// What some of its pieces are ground with.
+    GroundWith(GrindingFigures),
     /// How the lines are laid on the surfaces.
     LineLayout {
         /// Direction of the planes.
@@ -84,6 +86,8 @@ pub enum Comment {
         /// Number of its layer, from 0.
         layer: u32,
     },
+    /// A contact tool presses with so many newtons from here on; 0: no more. For controllers without words for it.
+    Force(f64),
     /// The operator has to set a figure before the program goes on.
     Set(ByHand),
 }
@@ -146,6 +150,31 @@ pub struct ProcessFigures {
     pub defocus_mm: f64,
     /// Speed of the spot, mm/s.
     pub speed_mm_s: f64,
+}
+
+/// What a piece is ground with, as far as programs say it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrindingFigures {
+    /// Whether by a belt rather than a disc.
+    pub is_belt: bool,
+    /// Force, N; 0: none is kept.
+    pub force_n: f64,
+    /// Speed of the contact, mm/s.
+    pub speed_mm_s: f64,
+}
+
+impl Comment {
+    /// What pieces of these settings are worked with.
+    pub fn of_settings(settings: &ProcessSettings) -> Comment {
+        match settings.medium {
+            WorkingMedium::Light => Comment::WorkedWith(ProcessFigures::of(settings)),
+            medium => Comment::GroundWith(GrindingFigures {
+                is_belt: medium == WorkingMedium::Belt,
+                force_n: settings.force_n,
+                speed_mm_s: settings.speed_mm_s,
+            }),
+        }
+    }
 }
 
 impl ProcessFigures {

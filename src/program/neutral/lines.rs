@@ -4,7 +4,7 @@
 use super::comment::Comment;
 use super::shortfall::ByHand;
 use super::steps::{Go, Interpolation, MoveTiming, Step, Steps};
-use crate::beam::ProcessSettings;
+use crate::beam::{ProcessSettings, WorkingMedium};
 use crate::cell::Setup;
 use crate::cell::outputs::{During, Outputs, Switch, ValueForm, ValueOutput};
 use nalgebra::Isometry3;
@@ -53,6 +53,8 @@ pub enum ProgramLine {
         /// A group rather than an analogue output.
         group: bool,
     },
+    /// A contact tool presses with so many newtons from here on; 0: no more.
+    Force(f64),
     /// A dwell, s.
     Wait(f64),
     /// A move.
@@ -60,7 +62,7 @@ pub enum ProgramLine {
 }
 
 /// The lines of a program's steps, with every output in a safe order: cooling, gas, powder, laser
-/// on, and off in reverse. The laser is switched off at the start, before each way home and at the end.
+/// on, then the force of a contact tool, and off in reverse. The laser is switched off at the start, before each way home and at the end.
 pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
     let outputs = &setup.cell.outputs;
     let off = ProgramLine::Output { number: outputs.laser.number, on: false };
@@ -83,9 +85,13 @@ pub fn lines(steps: &Steps, setup: &Setup) -> Vec<ProgramLine> {
             }
             Step::Laser(on) => {
                 lit = *on;
+                // It presses when it runs, and no more before it stops.
+                let presses = settings.force_n > 0.0;
                 if lit {
                     piece.iter().for_each(|s| turn(&mut out, s, true));
+                    out.extend(presses.then_some(ProgramLine::Force(settings.force_n)));
                 } else {
+                    out.extend(presses.then_some(ProgramLine::Force(0.0)));
                     piece.iter().rev().for_each(|s| turn(&mut out, s, false));
                 }
             }
@@ -157,9 +163,12 @@ fn turn(out: &mut Vec<ProgramLine>, switch: &Switch, on: bool) {
     }
 }
 
-/// Power and frequency, where they change: by their outputs, or said where they are set by hand. What the first
+/// Power and frequency of a laser, where they change: by their outputs, or said where they are set by hand. What the first
 /// piece is worked with stands in the program's head.
 fn output_values(outputs: &Outputs, before: Option<&ProcessSettings>, with: &ProcessSettings) -> Vec<ProgramLine> {
+    if with.medium != WorkingMedium::Light {
+        return Vec::new();
+    }
     let output_value = |output: &ValueOutput, by_hand: fn(f64) -> ByHand, value: f64, before: Option<f64>| {
         let scaled = value * output.scale;
         match output.form {

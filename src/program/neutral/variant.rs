@@ -75,7 +75,10 @@ impl Variant {
 fn dry(line: ProgramLine) -> Option<ProgramLine> {
     match line {
         ProgramLine::Output { number, .. } => Some(ProgramLine::Output { number, on: false }),
-        ProgramLine::OutputValue { .. } | ProgramLine::Wait(_) | ProgramLine::Comment(Comment::Set(_)) => None,
+        ProgramLine::OutputValue { .. }
+        | ProgramLine::Force(_)
+        | ProgramLine::Wait(_)
+        | ProgramLine::Comment(Comment::Set(_)) => None,
         ProgramLine::Move(m) => {
             let timing = slower(m.timing);
             Some(ProgramLine::Move(Box::new(Move { timing, lit: false, ..*m })))

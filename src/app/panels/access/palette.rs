@@ -22,7 +22,7 @@ pub(super) fn color(a: Access) -> Color32 {
         Access::Forbidden => FORBIDDEN,
         Access::Blocked(b) => match (b.obstruction, b.tool_body) {
             (Obstruction::Clamp(_) | Obstruction::Unscanned, _) => BY_CLAMP,
-            (_, ToolBody::Head) => BY_HEAD,
+            (_, ToolBody::Head | ToolBody::Abrasive | ToolBody::Gouge) => BY_HEAD,
             (_, ToolBody::Beam) => BY_BEAM,
         },
     }

@@ -10,7 +10,7 @@ use crate::program::dialect::{Goal, ReadLine, ReadMove, Statement};
 use crate::program::sweep::LitMove;
 use crate::program::{Interpolation, Move, MoveTiming, spot};
 use crate::progress::Cancelled;
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 
 /// A joint may be faster than its full speed by this share: joints are written with few digits.
@@ -153,6 +153,11 @@ pub(super) fn interference(
         .filter_map(|d| {
             let end = if d.lit.by_focus { d.lit.to } else { poses.setup.focus_for(&d.lit.to) };
             let layer = d.lit.settings.layer;
+            if let Some(kept) = expected.prover.kept_by_contact(&d.lit.settings) {
+                let (p, a) = (spot::planned_spot(&end, d.lit.settings.defocus_mm), end.rotation * Vector3::z());
+                let facet = checkers.get(layer as usize)?.touched(&p, &a, &kept)?;
+                return Some(Difference::HitsFacet { spot: p, facet }.at(d.at));
+            }
             let (p, a) =
                 expected.prover.spot(&BeamInterference::on(expected.prover.part_of(layer)), &end, &d.lit.settings);
             let facet = checkers.get(layer as usize)?.hit(&p, &a, spot::FROM_MM)?;

@@ -29,6 +29,7 @@ use crate::cell::Setup;
 use crate::document::model::Job;
 use crate::part::Part;
 use crate::planning::plan::Plan;
+use crate::planning::plan::surface_plan::process_settings;
 use crate::program::dialect::{ReadContext, ReadLine};
 use crate::program::{Dialect, ProgramFile, ReadError, Variant, dialects};
 use crate::progress::{Cancelled, Progress};
@@ -73,7 +74,7 @@ pub fn check_variant(
         Ok(read) => {
             let written = AsWritten::new(dialect, dialect.lines(variant, &planned.steps, setup), named)?;
             let prover = prover(part, setup, job).on_layers(&planned.grown);
-            let (moves, defocus_mm) = (moves(&written.lines), job.beam.defocus_mm);
+            let (moves, defocus_mm) = (moves(&written.lines), process_settings(job, &setup.tool).defocus_mm);
             let expected = Expected { part, setup, defocus_mm, prover, moves, written: &written.read };
             verify(&expected, &read, with_checker)?
         }
@@ -111,7 +112,7 @@ pub fn check_own(
     let read = dialect.read(first, &ReadContext { setup: named, open: &open }).map_err(VerifyError::OwnUnreadable)?;
     let lines = dialect.lines(variant, &plan.steps, setup);
     let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
-    let defocus_mm = job.beam.defocus_mm;
+    let defocus_mm = process_settings(job, &setup.tool).defocus_mm;
     let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };
     Ok(verify(&expected, &read, false)?)
 }

@@ -8,6 +8,9 @@
 //! Configurations `[cf1,cf4,cf6,cfx]`: the quarter that axes 1, 4 and 6 stand in, and
 //! `cfx = 4·(wrist behind axis 1) + 2·(wrist behind the lower arm) + (axis 5 below 0)`; without a
 //! robot all 0. That rule is not verified, and supervision is off (`ConfL\Off`).
+//! Words of force control are from memory of the option's manual and not verified: it has to be activated (`FCAct`)
+//! and its force frame set in the lines of `start`.
+//!
 //! Long programs call numbered procedures of the same module; the split is where the laser is off.
 
 mod read;
@@ -54,8 +57,9 @@ impl Dialect for AbbDialect {
         })
     }
 
-    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
-        vec!["confdata", "speeddata", "zonedata", "robhold"]
+    fn unverified(&self, setup: &Setup) -> Vec<&'static str> {
+        let force = setup.keeps_force().then_some(["abb.force_on", "abb.force_off"]);
+        ["confdata", "speeddata", "zonedata", "robhold"].into_iter().chain(force.into_iter().flatten()).collect()
     }
 
     fn claims(&self, text: &str) -> bool {
@@ -85,6 +89,8 @@ fn templates(abb: &Abb) -> SignalTemplates<'_> {
         analogue: &abb.analogue,
         analogue_decimals: 3,
         group: &abb.group,
+        force_on: &abb.force_on,
+        force_off: &abb.force_off,
         wait: &abb.wait,
         seconds: |s| fixed(s, 3),
         wait_per_s: 1.0,

@@ -92,6 +92,7 @@ fn row(text: &str, index: usize, setup: &Setup) -> Result<Statement, LineFault> 
         "analogue" | "group" => {
             Ok(Statement::OutputValue { number: plain_number()?, value: plain_value()?, group: *what == "group" })
         }
+        "force" => plain_value().map(Statement::Force),
         "wait" => plain_value().map(Statement::Wait),
         "say" => {
             let inner = said.strip_prefix('"').and_then(|t| t.strip_suffix('"'));

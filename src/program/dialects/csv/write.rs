@@ -41,6 +41,7 @@ fn row(line: &ProgramLine, wording: Wording) -> Vec<String> {
         ProgramLine::OutputValue { number: n, value, group } => {
             bare(if *group { "group" } else { "analogue" }, number(n), fixed(*value, DECIMALS), none())
         }
+        ProgramLine::Force(force_n) => bare("force", none(), fixed(*force_n, DECIMALS), none()),
         ProgramLine::Wait(seconds) => bare("wait", none(), fixed(*seconds, DECIMALS), none()),
         ProgramLine::Move(m) => write_move(m),
     }

@@ -90,6 +90,8 @@ fn templates(estun: &Estun) -> SignalTemplates<'_> {
         analogue: &estun.analogue,
         analogue_decimals: 3,
         group: &estun.group,
+        force_on: &estun.force_on,
+        force_off: &estun.force_off,
         wait: &estun.wait,
         seconds: |s| fixed(1000.0 * s, 0),
         wait_per_s: 1000.0,

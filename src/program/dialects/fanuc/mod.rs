@@ -94,6 +94,8 @@ fn templates(fanuc: &Fanuc) -> SignalTemplates<'_> {
         analogue: &fanuc.analogue,
         analogue_decimals: 3,
         group: &fanuc.group,
+        force_on: &fanuc.force_on,
+        force_off: &fanuc.force_off,
         wait: "WAIT {s}(sec)",
         // A dwell of 0 would say nothing.
         seconds: |s| fixed(s.max(0.01), 2).trim_start_matches('0').into(),

@@ -78,6 +78,8 @@ fn templates(kuka: &Kuka) -> SignalTemplates<'_> {
         analogue: &kuka.analogue,
         analogue_decimals: 3,
         group: &kuka.group,
+        force_on: &kuka.force_on,
+        force_off: &kuka.force_off,
         wait: &kuka.wait,
         seconds: |s| fixed(s, 3),
         wait_per_s: 1.0,

@@ -78,6 +78,8 @@ fn templates(nachi: &Nachi) -> SignalTemplates<'_> {
         analogue: &nachi.analogue,
         analogue_decimals: 3,
         group: &nachi.group,
+        force_on: "",
+        force_off: "",
         wait: &nachi.wait,
         seconds: |s| fixed(s, 3),
         wait_per_s: 1.0,

@@ -2,7 +2,8 @@
 //! flange, so the poses are the flange's. Long programs are cut into functions.
 //!
 //! Not verified on a controller: how many moves a function may have, and how the arm keeps the times of short moves
-//! that are rounded.
+//! that are rounded; and how `force_mode`, whose direction is that of the flange where it begins, follows a curved
+//! surface.
 
 mod read;
 mod write;
@@ -43,8 +44,9 @@ impl Dialect for UrDialect {
         })
     }
 
-    fn unverified(&self, _setup: &Setup) -> Vec<&'static str> {
-        vec!["ur.max_moves", "ur.blend_mm"]
+    fn unverified(&self, setup: &Setup) -> Vec<&'static str> {
+        let force = setup.keeps_force().then_some(["ur.force_on", "ur.force_off"]);
+        ["ur.max_moves", "ur.blend_mm"].into_iter().chain(force.into_iter().flatten()).collect()
     }
 
     fn claims(&self, text: &str) -> bool {
@@ -70,6 +72,8 @@ fn templates(ur: &Ur) -> SignalTemplates<'_> {
         analogue: &ur.analogue,
         analogue_decimals: 4,
         group: &ur.group,
+        force_on: &ur.force_on,
+        force_off: &ur.force_off,
         wait: "sleep({s})",
         seconds: |s| fixed(s, 3),
         wait_per_s: 1.0,

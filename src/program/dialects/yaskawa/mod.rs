@@ -73,6 +73,8 @@ fn templates(yaskawa: &Yaskawa) -> SignalTemplates<'_> {
         analogue: &yaskawa.analogue,
         analogue_decimals: 3,
         group: &yaskawa.group,
+        force_on: "",
+        force_off: "",
         wait: &yaskawa.wait,
         seconds: |s| fixed(s, 2),
         wait_per_s: 1.0,
