@@ -19,6 +19,14 @@ pub enum Activity {
     ComparingScan,
     /// Patches become surfaces.
     CuttingPatches,
+    /// The images of a weld are read.
+    ReadingImages,
+    /// Its areas are looked for in the grey image.
+    MaskingImage,
+    /// Its bead is measured.
+    MeasuringBead,
+    /// Areas that are ground become surfaces.
+    CuttingAreas,
     /// Facets are welded, oriented and cut into surfaces.
     BuildingPart,
     /// Surfaces are cut otherwise, to bring a part to order that shatters.

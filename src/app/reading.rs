@@ -66,7 +66,7 @@ impl Reading {
                 job.part.landmarks = Remembered::of(&job, &part, &built);
             }
             let stamp = stamp_of(&file);
-            let source = read(&file, progress)?;
+            let source = read(&file, job.depth_camera(job_file).as_deref(), progress)?;
             looked_at(&job, file, source, stamp, progress)
         });
     }
@@ -163,8 +163,8 @@ fn refused(e: JobError) -> Refused {
     Failure::Refused(Arc::new(e))
 }
 
-fn read(file: &Path, progress: &Progress) -> Result<Arc<Source>, Refused> {
-    let read = files::read_source(file, progress).map_err(refused)?;
+fn read(file: &Path, camera: Option<&Path>, progress: &Progress) -> Result<Arc<Source>, Refused> {
+    let read = files::read_source(file, camera, progress).map_err(refused)?;
     read.map(Arc::new).ok_or(Failure::Cancelled)
 }
 

@@ -167,6 +167,9 @@ pub enum ContactToolFault {
     Stack(StackError),
 }
 
+/// The tool that is shipped.
+const SHIPPED: &str = include_str!("../../assets/tools/disc.toml");
+
 /// An edge sharper than this cuts rather than grinds; and what a disc may reach into the skin is taken off its edge, so
 /// that there must be one, mm.
 const LEAST_EDGE_MM: f64 = 0.5;
@@ -181,6 +184,13 @@ impl ContactTool {
         let bytes = file::bytes(file)?;
         ContactTool::from_toml(file::text(&bytes, &name)?)
             .map_err(|what| ContactToolError::Tool { file: name.clone(), what })
+    }
+
+    /// The disc that is ground with where no tool is named.
+    pub fn shipped() -> ContactTool {
+        let side = ContactSide::Rim;
+        let abrasive = Abrasive::Disc { radius_mm: 50.0, edge_mm: 3.0, thickness_mm: 6.0, side };
+        ContactTool::from_toml(SHIPPED).unwrap_or(ContactTool { abrasive, stack: Vec::new() })
     }
 
     /// A contact tool from the text of its file.

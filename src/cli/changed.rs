@@ -15,7 +15,7 @@ use std::path::Path;
 /// The part is gone, is no usable part, or has changed so that a surface to clean is not found in its place.
 pub(super) fn part_of(job: Job, job_file: Option<&Path>) -> Result<(Job, Source, Vec<PlanFinding>), CommandFailure> {
     let file = files::part_file(&job, job_file).map_err(CommandFailure::failed)?;
-    let source = super::source_of(&file)?;
+    let source = super::source_of(&file, job.depth_camera(job_file).as_deref())?;
     if !job.part.is_of_another_file(&source.sha256) {
         let mut job = job;
         job.part.begin_with(&source, job_file);

@@ -30,7 +30,7 @@ pub struct InspectArguments {
 /// Reads the part and prints what was found.
 pub fn run(a: &InspectArguments) -> Result<CommandOutcome, CommandFailure> {
     ANGLE.check(a.angle).map_err(|e| CommandFailure::Usage(refused_option(&e)))?;
-    let source = super::source_of(&a.part)?;
+    let source = super::source_of(&a.part, None)?;
     let mut job = Job::default();
     (job.part.units, job.part.weld) = (a.units.unwrap_or_else(|| source.units()), a.weld);
     job.surfaces.angle_deg = a.angle;

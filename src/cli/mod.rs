@@ -119,9 +119,9 @@ pub fn run(command: &CliCommand) -> ExitCode {
     ExitCode::from(status)
 }
 
-/// Reads a part's file, or a scan as a part.
-fn source_of(file: &Path) -> Result<Source, CommandFailure> {
-    let read = read_source(file, &Progress::default()).map_err(CommandFailure::failed)?;
+/// Reads a part's file, or a scan as a part; `camera`: the one that took it, where it is a depth image.
+fn source_of(file: &Path, camera: Option<&Path>) -> Result<Source, CommandFailure> {
+    let read = read_source(file, camera, &Progress::default()).map_err(CommandFailure::failed)?;
     // Nobody can have cancelled it.
     Ok(read.unwrap_or_default())
 }

@@ -56,7 +56,7 @@ pub fn by_markers(shared: &[merging::Marker], file: &Path, scan: &Path) -> Resul
 
 /// Reads the part that scans are laid on, in the unit that its file states.
 pub fn part(path: &Path) -> Result<Part, CommandFailure> {
-    let source = super::source_of(path)?;
+    let source = super::source_of(path, None)?;
     let made = source.part(source.units(), Weld::default(), &Placement::default(), &[], &Progress::default());
     let named = |e: crate::part::file::PartFileError| {
         CommandFailure::Failed(say!(in_file, file = path.display().to_string(), what = e.sentence()))

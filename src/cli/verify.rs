@@ -158,7 +158,7 @@ fn part_as_it_is(job: Job, job_file: &Path) -> Result<(Job, Source), CommandFail
         Ok((job, source, _)) => Ok((job, source)),
         Err(why) => {
             let file = files::part_file(&job, Some(job_file)).map_err(CommandFailure::failed)?;
-            let source = super::source_of(&file).map_err(|_| why)?;
+            let source = super::source_of(&file, job.depth_camera(Some(job_file)).as_deref()).map_err(|_| why)?;
             let mut job = job;
             job.part.sha256.clone_from(&source.sha256);
             Ok((job, source))

@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::scanned::ScanError;
+use super::welded::WeldError;
 use crate::document::{JobError, ValueError};
 use crate::part::file::PartFileError;
 use crate::program::DialectError;
@@ -84,6 +85,9 @@ pub enum PlanningError {
     /// The scan says nothing of the part.
     #[error(transparent)]
     Scan(#[from] Failure<ScanError>),
+    /// The images of the weld say nothing.
+    #[error(transparent)]
+    Weld(#[from] Failure<WeldError>),
     /// Cell, robot or head cannot be used.
     #[error(transparent)]
     Setup(#[from] Failure<Arc<JobError>>),
@@ -114,6 +118,7 @@ impl PlanningError {
             self,
             PlanningError::Part(Failure::Cancelled)
                 | PlanningError::Scan(Failure::Cancelled)
+                | PlanningError::Weld(Failure::Cancelled)
                 | PlanningError::Setup(Failure::Cancelled)
                 | PlanningError::Plan(Failure::Cancelled)
         )

@@ -84,6 +84,7 @@ impl WeldKeys {
             closing_px,
             least_area_px,
             pass_depth_mm,
+            at_once,
             residual_mm,
             below_mm,
             removal_share,
@@ -108,7 +109,7 @@ impl WeldKeys {
         let mask = Hasher::default().of(&read).of(even_light_px).of(smoothing_px).of(sigmas).of(threshold);
         let masked = mask.of(opening_px).of(closing_px).of(least_area_px).of(painted).finish();
         let measured = Hasher::default().of(&masked).of(history).finish();
-        let ground = Hasher::default().of(&measured).of(&surfaces).of(areas).of(pass_depth_mm).of(residual_mm);
+        let ground = Hasher::default().of(&measured).of(&surfaces).of(areas).of(pass_depth_mm).of(at_once).of(residual_mm);
         let ground = ground.of(below_mm).of(removal_share).of(goes_on).finish();
         WeldKeys { read, masked, measured, ground }
     }
@@ -153,14 +154,17 @@ impl Keys {
         let weld_keys = weld.is_there().then(|| WeldKeys::new(files, surfaces, weld));
         let grinding = (weld.is_there(), &weld.tool, weld.lead_deg, weld.arc_mm, weld.force_n, weld.gouge_mm);
         let tool = Hasher::default().of(&files).of(&beam.head).of(clamps).of(&grinding.0).of(grinding.1);
-        let tool = tool.of(&grinding.2).of(&grinding.3).of(&grinding.4).of(&grinding.5).finish();
+        let chord_error_mm = weld.is_there().then_some(path.chord_error_mm);
+        let tool = tool.of(&chord_error_mm).of(&grinding.2).of(&grinding.3).of(&grinding.4).of(&grinding.5).finish();
         let cell_key = Hasher::default().of(&files).of(&cell.file).of(&cell.robot).finish();
         // Whether something stands in the beam's way is asked of beam and optics too.
         let setup = Hasher::default().of(&tool).of(&cell_key).of(cell).of(beam).of(optics);
         // Where the part stands follows from the scan, where it is known where the scanner stands.
         let scanner = (&scan.base_from_scan, &scan.flange_from_scan);
         let placed = scan_keys.filter(|_| scanner != (&None, &None)).map(|k| k.laid);
-        let setup = setup.of(&placed).of(scanner.0).of(scanner.1).finish();
+        // And from the images, where it is known where the camera stood.
+        let seen = weld_keys.filter(|_| !weld.hand_eye.is_empty()).map(|k| k.ground);
+        let setup = setup.of(&placed).of(scanner.0).of(scanner.1).of(&seen).finish();
         // Roughness readings are for the report alone.
         let ground = weld_keys.map(|keys| keys.ground);
         let plan = Hasher::default()

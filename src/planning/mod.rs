@@ -25,6 +25,7 @@ mod recognised;
 pub mod report;
 pub mod scanned;
 pub mod stage;
+pub mod welded;
 #[cfg(test)]
 mod stage_tests;
 

@@ -51,6 +51,7 @@ mod scan_file;
 mod values;
 mod verify;
 mod view;
+mod weld;
 
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, language, languages};

@@ -48,6 +48,7 @@ impl Sentence for PlanningError {
         match self {
             PlanningError::Part(e) => e.sentence(),
             PlanningError::Scan(e) => e.sentence(),
+            PlanningError::Weld(e) => e.sentence(),
             PlanningError::Setup(e) => e.sentence(),
             PlanningError::Plan(e) => e.sentence(),
         }

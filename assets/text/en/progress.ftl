@@ -30,3 +30,7 @@ activity_cleaning_scan = cleaning the scan
 activity_laying_scan = laying the scan on the part
 activity_comparing_scan = comparing scan and part
 activity_cutting_patches = cutting out worn patches
+activity_reading_images = reading the images
+activity_masking_image = looking for areas in the grey image
+activity_measuring_bead = measuring the bead
+activity_cutting_areas = making surfaces of the areas

@@ -1,12 +1,14 @@
 //! Why a job cannot be opened or saved.
 
 use super::scanned_part_error::ScannedPartError;
-use crate::beam::HeadError;
+use crate::beam::{ContactToolError, HeadError};
 use crate::cell::{CellError, RobotError};
 use crate::document::job_file::JobFileError;
 use crate::file::FileError;
 use crate::part::LoadError;
 use crate::pose::ToolBody;
+use crate::weld::camera_file::CameraFileError;
+use crate::weld::image_file::ImageFileError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -47,6 +49,15 @@ pub enum JobError {
         /// Why.
         source: ScannedPartError,
     },
+    /// The part is a depth image that cannot be used.
+    #[error(transparent)]
+    DepthImage(#[from] ImageFileError),
+    /// The camera that took it cannot be used.
+    #[error(transparent)]
+    Camera(#[from] CameraFileError),
+    /// The grinding tool cannot be used.
+    #[error(transparent)]
+    Grinder(#[from] ContactToolError),
     /// The cell cannot be used.
     #[error(transparent)]
     Cell(#[from] CellError),

@@ -2,6 +2,7 @@
 //! `job_file`'s.
 
 mod atomic;
+mod depth_part;
 mod error;
 mod inputs;
 mod part_file;

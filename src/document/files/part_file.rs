@@ -30,12 +30,13 @@ pub fn part_file(job: &Job, job_file: Option<&Path>) -> Result<PathBuf, JobError
 /// # Errors
 /// Gone, changed, or no usable part.
 pub fn read_part(job: &Job, job_file: Option<&Path>) -> Result<Source, JobError> {
-    read_unchanged(job, &part_file(job, job_file)?)
+    read_unchanged(job, job_file, &part_file(job, job_file)?)
 }
 
-fn read_unchanged(job: &Job, file: &Path) -> Result<Source, JobError> {
+fn read_unchanged(job: &Job, job_file: Option<&Path>, file: &Path) -> Result<Source, JobError> {
+    let camera = job.depth_camera(job_file);
     // Nobody can have cancelled it.
-    let source = read_source(file, &Progress::default())?.unwrap_or_default();
+    let source = read_source(file, camera.as_deref(), &Progress::default())?.unwrap_or_default();
     if job.part.is_of_another_file(&source.sha256) {
         return Err(JobError::PartChanged { file: file.display().to_string() });
     }
@@ -48,7 +49,7 @@ fn read_unchanged(job: &Job, file: &Path) -> Result<Source, JobError> {
 /// Gone, changed, or no usable part.
 pub fn load_part(job: &Job, job_file: Option<&Path>) -> Result<Part, JobError> {
     let file = part_file(job, job_file)?;
-    let built = build_part(&read_unchanged(job, &file)?, &job.part, &file, &Progress::default())?;
+    let built = build_part(&read_unchanged(job, job_file, &file)?, &job.part, &file, &Progress::default())?;
     // Nobody can have cancelled it.
     Ok(built.unwrap_or_default())
 }

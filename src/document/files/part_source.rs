@@ -1,6 +1,7 @@
 //! A part's file as jobs take it: facets as CAD systems write them, or the scan of a sound part, through whose points
-//! facets are laid here (P3: the nominal model may be a scan).
+//! facets are laid here (P3: the nominal model may be a scan), or the depth image of a weld.
 
+use super::depth_part::depth_source;
 use super::error::JobError;
 use super::scanned_part_error::ScannedPartError;
 use crate::part::raw_part::{Meshed, RawPart};
@@ -10,11 +11,14 @@ use crate::scan::file::{self, RawScan, ScanFileError, ScanKind};
 use crate::scan::meshing::{Oriented, mesh_of};
 use std::path::Path;
 
-/// Reads a part's file. `None`: the work was cancelled.
+/// Reads a part's file. `camera`: the one that took it, where the part is a depth image. `None`: the work was cancelled.
 ///
 /// # Errors
 /// It is neither a part nor a scan that tells a surface.
-pub fn read_source(file: &Path, progress: &Progress) -> Result<Option<Source>, JobError> {
+pub fn read_source(file: &Path, camera: Option<&Path>, progress: &Progress) -> Result<Option<Source>, JobError> {
+    if let Some(camera) = camera {
+        return depth_source(file, camera, progress);
+    }
     match Source::read_under(progress, file) {
         Err(why @ LoadError::Unusable { .. }) => match scanned(file, progress) {
             Ok(None) => Err(why.into()),

@@ -2,7 +2,7 @@
 
 use super::error::JobError;
 use super::paths::resolved;
-use crate::beam::{Head, Tool, ToolGeometry};
+use crate::beam::{ContactTool, Grinding, Head, Tool, ToolGeometry};
 use crate::cell::robot::RobotFigureError;
 use crate::cell::{Cell, Mount, Robot, RobotError, Setup};
 use crate::document::model::Job;
@@ -40,7 +40,7 @@ pub fn load_robot(job: &Job, job_file: Option<&Path>) -> Result<Option<Robot>, J
     })
 }
 
-/// Head and clamps of a job.
+/// Head, or grinding tool, and clamps of a job.
 ///
 /// # Errors
 /// A file cannot be read or has absurd figures.
@@ -49,7 +49,22 @@ pub fn load_tool(job: &Job, job_file: Option<&Path>) -> Result<Tool, JobError> {
     let head = named.map(|f| Head::load(&resolved(job_file, f))).transpose()?;
     let mut clamps = job.clamps.clone();
     clamps.iter_mut().try_for_each(|c| c.load(job_file.and_then(Path::parent)))?;
-    Ok(Tool { head, clamps, slack_mm: 0.0, contact: None })
+    let contact = job.weld.is_there().then(|| grinding(job, job_file)).transpose()?;
+    Ok(Tool { head, clamps, slack_mm: 0.0, contact })
+}
+
+/// How the grinding tool of a job is led.
+///
+/// # Errors
+/// Its file cannot be read or has absurd figures.
+fn grinding(job: &Job, job_file: Option<&Path>) -> Result<Grinding, JobError> {
+    let weld = &job.weld;
+    let tool = match weld.tool.as_str() {
+        "" => ContactTool::shipped(),
+        file => ContactTool::load(&resolved(job_file, file))?,
+    };
+    let (lead_deg, arc_mm, force_n) = (weld.lead_deg, weld.arc_mm, weld.force_n);
+    Ok(Grinding { tool, lead_deg, arc_mm, force_n, gouge_mm: weld.gouge_mm + job.path.chord_error_mm })
 }
 
 /// The cell that a job names, with the frames of its file.

@@ -2,7 +2,7 @@
 //! pass and how the grinding tool is led. A job without images grinds nothing. What it decides beside numbers stands in
 //! `weld_choices`; what the images say is `weld`'s.
 
-use super::declare::parameters;
+use super::declare::{count, parameters};
 use super::weld_choices::{
     AreaChoice, GrindingStrategy, GroundPass, NamedImage, PaintedStroke, RoughnessReading, WeldFiles,
 };
@@ -29,6 +29,9 @@ parameters! {
         pub least_area_px: f64,
         /// What one pass takes off, mm.
         pub pass_depth_mm: f64,
+        /// How many passes the program has: one, where the next images are to be taken behind it.
+        #[serde(deserialize_with = "count")]
+        pub at_once: u32,
         /// The height at which grinding stops, mm.
         pub residual_mm: f64,
         /// So far below the parent surface nothing may be ground, mm.

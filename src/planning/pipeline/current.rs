@@ -8,6 +8,7 @@ use super::super::planned::PlannedJob;
 use super::super::scanned::{Scanned, WornPart};
 use super::super::stage::Stage;
 use super::super::toolpath::Toolpath;
+use super::super::welded::{WeldOnPart, Welded};
 use super::Pipeline;
 use crate::cell::{Cell, Setup};
 use crate::document::files::JobError;
@@ -36,9 +37,14 @@ impl Pipeline {
         let keys = self.keys()?;
         let bare = (self.part.of(keys.part)?, self.surfaces.of(keys.surfaces)?);
         // While other patches are looked for nobody is shown a part without any.
-        let is_between = self.waits_for_scan() && self.scan.is_running() && self.scan.worn.newest().is_some();
+        let is_other = |is_running: bool, was_there: bool| is_running && was_there;
+        let is_between = self.waits_for_scan() && is_other(self.scan.is_running(), self.scan.worn.newest().is_some())
+            || self.waits_for_weld() && is_other(self.weld.is_running(), self.weld.ground.newest().is_some());
         if is_between {
             return None;
+        }
+        if let Some(on_part) = self.weld_on_part(keys) {
+            return Some((&on_part.ground.part, &on_part.ground.surfaces));
         }
         Some(self.worn(keys).map_or(bare, |worn| (&worn.part, &worn.surfaces)))
     }
@@ -46,6 +52,9 @@ impl Pipeline {
     /// Key of those.
     pub fn surfaces_key(&self) -> Option<Digest> {
         let keys = self.keys()?;
+        if let Some(weld) = keys.weld.filter(|_| self.weld_on_part(keys).is_some()) {
+            return Some(weld.ground);
+        }
         Some(keys.scan.filter(|_| self.worn(keys).is_some()).map_or(keys.surfaces, |scan| scan.worn))
     }
 
@@ -56,6 +65,20 @@ impl Pipeline {
 
     fn worn(&self, keys: &Keys) -> Option<&Arc<WornPart>> {
         keys.scan.and_then(|scan| self.scan.worn.of(scan.worn))
+    }
+
+    fn weld_on_part(&self, keys: &Keys) -> Option<&Arc<WeldOnPart>> {
+        keys.weld.and_then(|weld| self.weld.ground.of(weld.ground))
+    }
+
+    /// Whether the job grinds a weld whose areas are not there yet.
+    pub fn waits_for_weld(&self) -> bool {
+        self.keys().is_some_and(|keys| keys.weld.is_some() && self.weld_on_part(keys).is_none())
+    }
+
+    /// What is known of its weld; `None` where it has none, or its images are not read yet.
+    pub fn welded(&self) -> Option<Welded> {
+        self.weld.of(&self.keys()?.weld?)
     }
 
     /// Whether the job has a scan whose patches are not there yet: what is planned then would be another job.
@@ -108,6 +131,9 @@ impl Pipeline {
         if let Some(why) = keys.scan.and_then(|scan| self.scan.failure(&scan)) {
             return Some(why.clone().into());
         }
+        if let Some(why) = keys.weld.and_then(|weld| self.weld.failure(&weld)) {
+            return Some(why.clone().into());
+        }
         if let Some(Err(why)) = self.setup() {
             return Some(why.clone().into());
         }
@@ -116,12 +142,14 @@ impl Pipeline {
 
     /// Whether nothing is being computed.
     pub fn is_at_rest(&self) -> bool {
-        !self.part.is_running() && !self.scan.is_running() && !self.lines.is_running() && !self.plan.is_running()
+        let is_measuring = self.scan.is_running() || self.weld.is_running();
+        !self.part.is_running() && !is_measuring && !self.lines.is_running() && !self.plan.is_running()
     }
 
     /// How far the work is that is going on.
     pub fn progress(&self) -> Option<&Progress> {
-        self.part.progress().or(self.scan.progress()).or(self.lines.progress()).or(self.plan.progress())
+        let measuring = self.scan.progress().or(self.weld.progress());
+        self.part.progress().or(measuring).or(self.lines.progress()).or(self.plan.progress())
     }
 }
 

@@ -7,6 +7,7 @@
 mod current;
 mod scan_stages;
 mod syncing;
+mod weld_stages;
 
 use super::error::{PartError, PlanError, PlanningError};
 use super::executor::Executor;
@@ -25,6 +26,7 @@ use crate::document::model::JobPart;
 use crate::document::stamps::Stamps;
 use crate::part::{Digest, Part, Source, Surfaces};
 use scan_stages::ScanStages;
+use weld_stages::WeldStages;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -54,13 +56,14 @@ pub struct Pipeline {
     reading: u64,
     /// Time and size of those files when they were read.
     stamps: Stamps,
-    /// Keys of tool, cell and scan that those were taken for.
-    stamped: Option<(Digest, Digest, Option<Digest>)>,
+    /// Keys of tool, cell, scan and weld that those were taken for.
+    stamped: Option<(Digest, Digest, [Option<Digest>; 2])>,
     /// Surface plans and lines that other plans of this part can use again.
     pub cache: Arc<PlanCache>,
     part: Stage<Part, PartError>,
     surfaces: Stage<Surfaces, Infallible>,
     scan: ScanStages,
+    weld: WeldStages,
     /// Key of the part and surfaces that were told last.
     told: Option<Digest>,
     tool: Stage<Tool, Arc<JobError>>,
@@ -88,6 +91,7 @@ impl Pipeline {
             part: Stage::default(),
             surfaces: Stage::default(),
             scan: ScanStages::default(),
+            weld: WeldStages::default(),
             told: None,
             tool: Stage::default(),
             cell: Stage::default(),
@@ -122,6 +126,7 @@ impl Pipeline {
         self.wanted = None;
         self.part.try_again();
         self.scan.try_again();
+        self.weld.try_again();
         self.lines.try_again();
         self.plan.try_again();
     }
@@ -138,6 +143,7 @@ impl Pipeline {
     pub fn cancel(&mut self) {
         self.part.cancel();
         self.scan.cancel();
+        self.weld.cancel();
         if let Some(keys) = self.wanted.as_ref().map(|w| w.keys)
             && (self.lines.is_running() || self.plan.is_running())
         {

@@ -38,6 +38,7 @@ impl Pipeline {
         let keys = self.keys_for(&source, job, job_file);
         self.sync_part(&source, job, &keys);
         self.sync_scan(job, job_file, &keys);
+        self.sync_weld(job, job_file, &keys);
         if let Some(key) = self.surfaces_key().filter(|key| self.told != Some(*key) && self.surfaces().is_some()) {
             self.told = Some(key);
             changes.surfaces = true;
@@ -86,6 +87,15 @@ impl Pipeline {
         self.scan.sync(part, surfaces, job, job_file, scan, &*self.executor);
     }
 
+    fn sync_weld(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys) {
+        let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
+        let Some(weld) = &keys.weld else {
+            self.weld.stop();
+            return;
+        };
+        self.weld.sync(part, surfaces, job, job_file, weld, &*self.executor);
+    }
+
     /// Files are small and read at once; each is read again only where its own key changes, as frames are
     /// dragged.
     fn sync_setup(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys, changes: &mut Changes) {
@@ -93,10 +103,14 @@ impl Pipeline {
         let scan = &job.scan;
         let is_placed = keys.scan.is_some() && (scan.base_from_scan.is_some() || scan.flange_from_scan.is_some());
         let laid = keys.scan.filter(|_| is_placed).and_then(|scan| self.scan.laid.of(scan.laid));
-        if !self.setup.lacks(keys.setup) || is_placed && laid.is_none() {
+        // And likewise where it is known where the camera stood.
+        let is_seen = keys.weld.is_some() && !job.weld.hand_eye.is_empty();
+        let seen = keys.weld.filter(|_| is_seen).and_then(|weld| self.weld.ground.of(weld.ground)).cloned();
+        if !self.setup.lacks(keys.setup) || is_placed && laid.is_none() || is_seen && seen.is_none() {
             return;
         }
         let job = &placed_by_scan(job, laid.map(|laid| laid.model_from_scan));
+        let job = &seen.as_ref().map_or(Cow::Borrowed(&**job), |seen| seen.placed(job));
         let refused = |e: JobError| Failure::Refused(Arc::new(e));
         if self.tool.lacks(keys.tool) {
             self.tool.fill(keys.tool, || files::load_tool(job, job_file).map_err(refused));
@@ -117,7 +131,7 @@ impl Pipeline {
 
     /// Stamps the files that are read with the job, once any of them is another one.
     fn sync_stamps(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys) {
-        let of = (keys.tool, keys.cell, keys.scan.map(|scan| scan.read));
+        let of = (keys.tool, keys.cell, [keys.scan.map(|scan| scan.read), keys.weld.map(|weld| weld.read)]);
         if self.stamped == Some(of) || self.cell.lacks(keys.cell) {
             return;
         }
@@ -129,7 +143,7 @@ impl Pipeline {
     fn sync_plan(&mut self, job: &Job, keys: &Keys) {
         self.lines.poll();
         self.plan.poll();
-        if self.waits_for_scan() {
+        if self.waits_for_scan() || self.waits_for_weld() {
             self.lines.clear();
             self.plan.only(keys.plan);
             return;
@@ -154,11 +168,13 @@ impl Pipeline {
         if is_laid && self.plan.lacks(keys.plan) {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             let scanned = self.scanned();
+            let weld = self.welded().and_then(|welded| welded.ground);
             let slack_mm = scanned.as_ref().and_then(|s| s.laid.as_ref()).map_or(0.0, |laid| laid.slack_mm());
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let setup = beside_unscanned(with_slack(setup, slack_mm), &part);
                 let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let is_placed = job.scan.scanner(setup.mount).is_some();
+                plan.weld = weld;
                 plan.scan = scanned.and_then(|s| ScanReport::new(&s, is_placed));
                 let in_file = in_file(&part, &surfaces, &job, progress)?;
                 let report = Report::new(&plan, &surfaces).with_inputs(&in_file, &job, &setup);

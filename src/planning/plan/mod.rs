@@ -10,6 +10,7 @@ pub mod taken_by;
 pub mod toolpath;
 
 use super::scanned::ScanReport;
+use super::welded::WeldOnPart;
 use crate::cell::motion::{Choice, Refusal};
 use crate::part::{GrownPart, SurfaceId};
 use crate::pose::{Pass, TargetState};
@@ -47,6 +48,8 @@ pub struct Plan {
     pub cell: Option<CellReport>,
     /// The scan whose patches it works; `None`: it works surfaces of the model.
     pub scan: Option<ScanReport>,
+    /// The weld that it grinds; `None`: it grinds none.
+    pub weld: Option<Arc<WeldOnPart>>,
 }
 
 impl Plan {

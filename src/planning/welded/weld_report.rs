@@ -1,5 +1,6 @@
 //! What is known of a weld and its grinding: what `weld --json` prints, and key `weld` of `report.json`.
 
+use crate::weld::bead::AreaKind;
 use serde::Serialize;
 
 /// What the images say of a weld, and what its grinding comes to. Lengths mm, part frame.
@@ -36,16 +37,6 @@ pub struct WeldReport {
     /// Roughness; `None`: nobody has measured it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<RoughnessReport>,
-}
-
-/// What an area is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum AreaKind {
-    /// It stands above the surface around it.
-    Bead,
-    /// It does not.
-    Defect,
 }
 
 /// An area that is to be ground.

@@ -11,7 +11,7 @@ mod local_fit;
 mod order;
 mod outline;
 pub mod patches;
-mod refined;
+pub mod refined;
 pub mod section;
 pub mod smoothing;
 pub mod statistics;

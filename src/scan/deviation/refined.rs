@@ -15,12 +15,13 @@ use std::hash::{BuildHasherDefault, Hasher};
 
 /// A refined piece of a mesh; only facets that were cut, or asked for, are in it.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Refined {
-    pub(super) vertices: Vec<Point3<f64>>,
+pub struct RefinedPiece {
+    /// Places of its vertices, part frame, mm.
+    pub vertices: Vec<Point3<f64>>,
     /// Wound as the facets are.
-    pub(super) triangles: Vec<[u32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
     /// The facet that each triangle is a piece of; ascending.
-    pub(super) parent: Vec<u32>,
+    pub parent: Vec<u32>,
 }
 
 /// Two vertices, the lower index first.
@@ -72,13 +73,13 @@ struct Work<'a> {
 ///
 /// # Errors
 /// [`Cancelled`] when the work should end.
-pub(super) fn refined(
+pub fn refined(
     part: &Part,
     facets: impl Iterator<Item = u32>,
     most: usize,
     is_too_large: impl Fn(&[Point3<f64>; 3]) -> bool + Sync,
     progress: &Progress,
-) -> Result<Refined, Cancelled> {
+) -> Result<RefinedPiece, Cancelled> {
     let mut work = Work {
         mesh: &part.mesh,
         vertices: Vec::new(),
@@ -112,7 +113,7 @@ pub(super) fn refined(
     }
     work.pieces.sort_by_key(|p| p.parent);
     let triangles = work.pieces.iter().map(|p| p.corners).collect();
-    Ok(Refined { vertices: work.vertices, triangles, parent: work.pieces.iter().map(|p| p.parent).collect() })
+    Ok(RefinedPiece { vertices: work.vertices, triangles, parent: work.pieces.iter().map(|p| p.parent).collect() })
 }
 
 impl Work<'_> {

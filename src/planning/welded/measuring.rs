@@ -1,0 +1,92 @@
+//! What the images of a weld show: which masked areas stand above the metal around them, and how high. Areas that cannot be
+//! measured are told, and left alone.
+
+use super::{ReadWeld, WeldError};
+use crate::progress::Progress;
+use crate::weld::bead::{AreaKind, WeldBead, WeldBeadError, kind_of_area, measure};
+use crate::weld::masking::{DefectArea, MaskedImage};
+use crate::weld::parent::{ParentError, ParentSurface};
+use crate::weld::points::points;
+use crate::weld::raster::Mask;
+
+/// An area of the mask, measured.
+#[derive(Clone, Debug)]
+pub struct MeasuredArea {
+    /// As the grey image shows it.
+    pub seen: DefectArea,
+    /// Its pixels: a bead's by its height, any other area's by the grey image.
+    pub outline: Mask,
+    /// The metal around it.
+    pub parent: ParentSurface,
+    /// The bead that it is; `None`: nothing stands there.
+    pub bead: Option<WeldBead>,
+}
+
+/// An area that could not be measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnmeasuredArea {
+    /// Column and row of its middle, px.
+    pub centre_px: [f64; 2],
+    /// Why.
+    pub why: WeldBeadError,
+}
+
+/// What was measured.
+#[derive(Clone, Debug, Default)]
+pub struct MeasuredWeld {
+    /// The areas, beads first, each kind by area × contrast.
+    pub areas: Vec<MeasuredArea>,
+    /// What could not be measured.
+    pub unmeasured: Vec<UnmeasuredArea>,
+}
+
+/// An outline by the grey image is so far off that the metal beside it does not count as sound, px.
+const GREY_MARGIN_PX: f64 = 7.0;
+
+impl MeasuredArea {
+    /// What it is.
+    pub fn kind(&self) -> AreaKind {
+        if self.bead.is_some() { AreaKind::Bead } else { AreaKind::Flat }
+    }
+}
+
+impl MeasuredWeld {
+    /// The bead that is told of first: the one with the greatest area × contrast.
+    pub fn bead(&self) -> Option<&WeldBead> {
+        self.areas.iter().find_map(|area| area.bead.as_ref())
+    }
+}
+
+/// Measures every area of a mask.
+///
+/// # Errors
+/// There is no area, the greatest one cannot be measured, or the work was cancelled.
+pub fn measure_weld(read: &ReadWeld, masked: &MaskedImage, progress: &Progress) -> Result<MeasuredWeld, WeldError> {
+    let all = points(&read.depth, &read.camera, None);
+    let covered = masked.areas.mask_of_all();
+    let (mut beads, mut flat, mut unmeasured) = (Vec::new(), Vec::new(), Vec::new());
+    for (place, seen) in masked.areas.list.iter().enumerate() {
+        progress.check()?;
+        let area = masked.areas.mask(&[place]);
+        let of_area = |outline, parent, bead| MeasuredArea { seen: seen.clone(), outline, parent, bead };
+        let measured = match kind_of_area(&all, &area, &covered) {
+            Ok(AreaKind::Bead) => measure(&all, &area, &covered, &read.camera)
+                .map(|bead| of_area(bead.outline.clone(), bead.parent.clone(), Some(bead))),
+            Ok(AreaKind::Flat) => ParentSurface::fit(&all, &area, &covered, GREY_MARGIN_PX)
+                .map(|parent| of_area(area.clone(), parent, None))
+                .map_err(WeldBeadError::Parent),
+            Err(e) => Err(e.into()),
+        };
+        match measured {
+            Ok(area) if area.bead.is_some() => beads.push(area),
+            Ok(area) => flat.push(area),
+            Err(why) if place == 0 => return Err(WeldError::Bead(why)),
+            Err(why) => unmeasured.push(UnmeasuredArea { centre_px: seen.centroid_px, why }),
+        }
+    }
+    beads.append(&mut flat);
+    if beads.is_empty() {
+        return Err(WeldError::Bead(ParentError::NothingCovered.into()));
+    }
+    Ok(MeasuredWeld { areas: beads, unmeasured })
+}

@@ -1,0 +1,52 @@
+//! The images of a job's weld and the camera that took them, read and checked against each other.
+
+use super::WeldError;
+use crate::cell::hand_eye::{self, SeenFrom};
+use crate::document::files::resolved;
+use crate::document::model::{JobWeld, NamedImage};
+use crate::progress::Progress;
+use crate::weld::camera::Camera;
+use crate::weld::camera_file;
+use crate::weld::image_file::{self, ImageFile, ImageFileError, check_pair};
+use crate::weld::raster::{DepthImage, GreyImage};
+use std::path::Path;
+use std::sync::Arc;
+
+/// A grey image and a depth image of one moment.
+#[derive(Clone, Debug)]
+pub struct ReadWeld {
+    /// Levels from 0 to 255.
+    pub grey: GreyImage,
+    /// Depths in the units of the file.
+    pub depth: DepthImage,
+    /// The camera that took both.
+    pub camera: Camera,
+    /// Where it stood; `None`: nobody knows.
+    pub seen_from: Option<SeenFrom>,
+}
+
+/// Reads the images that a job in `job_file` names.
+///
+/// # Errors
+/// A file cannot be used, is another one than when the job was saved, or they do not belong together.
+pub fn read_weld(weld: &JobWeld, job_file: Option<&Path>, progress: &Progress) -> Result<ReadWeld, WeldError> {
+    let images = &weld.images;
+    let read = |named: &NamedImage, by: fn(&Path, &Progress) -> Result<ImageFile, ImageFileError>| {
+        let made = by(&resolved(job_file, &named.file), progress).map_err(|e| WeldError::Image(Arc::new(e)))?;
+        if !named.sha256.is_empty() && named.sha256 != made.sha256 {
+            return Err(WeldError::Changed { file: named.file.clone(), sha256: made.sha256 });
+        }
+        Ok(made.image)
+    };
+    let grey = read(&images.gray, image_file::read_grey)?;
+    let depth = read(&images.depth, image_file::read_depth)?;
+    check_pair(&grey, &depth).map_err(WeldError::Pair)?;
+    let camera = camera_file::read(&resolved(job_file, &images.camera.file));
+    let camera = camera.map_err(|e| WeldError::CameraFile(Arc::new(e)))?;
+    let named = || images.camera.file.clone();
+    camera.fits(grey.width, grey.height).map_err(|fault| WeldError::Camera { file: named(), fault })?;
+    let seen_from = Some(&weld.hand_eye).filter(|file| !file.is_empty());
+    let seen_from = seen_from.map(|file| hand_eye::read(&resolved(job_file, file))).transpose();
+    let seen_from = seen_from.map_err(|e| WeldError::HandEye(Arc::new(e)))?;
+    Ok(ReadWeld { grey, depth, camera, seen_from })
+}
