@@ -89,3 +89,4 @@ pub mod sample;
 pub mod scan;
 pub mod text;
 pub mod view;
+pub mod weld;

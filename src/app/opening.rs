@@ -173,7 +173,7 @@ impl App {
     fn look(&mut self, job: Job, file: PathBuf, shown: Option<Arc<Part>>) {
         let executor = self.derived.pipeline.executor().clone();
         let shown = shown.map(|part| (part, self.derived.part_of.clone()));
-        self.reading.look(job, file, shown, &*executor);
+        self.reading.look((job, self.document.file()), file, shown, &*executor);
     }
 
     fn looked_at(&mut self, looked: LookedAt) {

@@ -59,14 +59,21 @@ impl Reading {
 
     /// Begins to look what becomes of a job on a file. What its surfaces look like is known from the part that is
     /// shown, with the way it was built.
-    pub fn look(&mut self, mut job: Job, file: PathBuf, shown: Option<(Arc<Part>, JobPart)>, executor: &dyn Executor) {
+    pub fn look(
+        &mut self,
+        (mut job, job_file): (Job, Option<&Path>),
+        file: PathBuf,
+        shown: Option<(Arc<Part>, JobPart)>,
+        executor: &dyn Executor,
+    ) {
+        let camera = job.depth_camera(job_file);
         self.looking.clear();
         self.looking.start(Hasher::default().finish(), Activity::Reading, executor, move |progress| {
             if let Some((part, built)) = shown {
                 job.part.landmarks = Remembered::of(&job, &part, &built);
             }
             let stamp = stamp_of(&file);
-            let source = read(&file, job.depth_camera(job_file).as_deref(), progress)?;
+            let source = read(&file, camera.as_deref(), progress)?;
             looked_at(&job, file, source, stamp, progress)
         });
     }
@@ -187,7 +194,7 @@ fn part_there(job: &mut Job, job_file: Option<&Path>, progress: &Progress) -> Re
         Err(e) => return Err(refused(e)),
     };
     let stamp = stamp_of(&file);
-    let source = read(&file, progress)?;
+    let source = read(&file, job.depth_camera(job_file).as_deref(), progress)?;
     if job.part.is_of_another_file(&source.sha256) {
         return looked_at(job, file, source, stamp, progress).map(PartThere::Changed);
     }

@@ -1,6 +1,7 @@
 //! Changes of the weld of a job, each an [`Edit`](super::Edit) of its own.
 
-use super::model::{AreaChoice, GrindingStrategy, GroundPass, JobWeld, PaintedStroke, RoughnessReading, WeldFiles};
+use crate::weld::masking::BrushStroke;
+use super::model::{AreaChoice, GrindingStrategy, GroundPass, JobWeld, RoughnessReading, WeldFiles};
 
 /// A change of the weld.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +13,7 @@ pub enum WeldEdit {
     /// The level of the threshold; `None`: it follows from the histogram.
     Threshold(Option<f64>),
     /// A stroke of the brush, behind the others.
-    Paint(PaintedStroke),
+    Paint(BrushStroke),
     /// What was painted goes.
     Unpaint,
     /// How areas without height are ground.
@@ -88,8 +89,8 @@ mod tests {
         }
     }
 
-    fn stroke() -> PaintedStroke {
-        PaintedStroke { adds: true, radius_px: 4.0, points_px: vec![[10.0, 20.0], [11.0, 20.5]] }
+    fn stroke() -> BrushStroke {
+        BrushStroke { adds: true, radius_px: 4.0, way_px: vec![[10.0, 20.0], [11.0, 20.5]] }
     }
 
     fn all_kinds() -> Vec<WeldEdit> {

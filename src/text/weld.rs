@@ -18,7 +18,7 @@ impl Sentence for WeldError {
             WeldError::Pair(fault) => fault.sentence(),
             WeldError::CameraFile(e) => e.sentence(),
             WeldError::Camera { file, fault } => say!(in_file, file, what = fault.sentence()),
-            WeldError::HandEye(e) => e.sentence(),
+            WeldError::HandEye(_) => String::new(),
             WeldError::Mask(MaskError::NoImage { .. }) => say!(image_no_pixels),
             WeldError::Mask(MaskError::Cancelled) | WeldError::Cancelled => say!(text_cancelled),
             WeldError::NoArea => say!(weld_no_area),
@@ -63,7 +63,7 @@ impl Sentence for ImageFault {
         match self {
             ImageFault::NoPixels => say!(image_no_pixels),
             ImageFault::OneLevel { level } => say!(image_one_level, level = fixed(f64::from(*level), 0)),
-            ImageFault::Saturated { share } => say!(image_saturated, share = percent(*share)),
+            ImageFault::Saturated { share } => say!(image_saturated, share = percent(*share, 0)),
             ImageFault::NoDepth => say!(image_no_depth),
             ImageFault::SizesDiffer { grey, depth } => {
                 let [gray_width, gray_height] = grey.map(id);
@@ -134,7 +134,7 @@ impl Sentence for ParentError {
         match self {
             ParentError::NothingCovered => say!(weld_no_depth_there),
             ParentError::FewPoints { count, least } => say!(weld_few_points, count = *count, least = *least),
-            ParentError::OneSide { share } => say!(weld_one_side, share = percent(*share)),
+            ParentError::OneSide { share } => say!(weld_one_side, share = percent(*share, 0)),
             ParentError::NoSurface => say!(weld_no_surface),
         }
     }

@@ -6,7 +6,7 @@ weld_no_skin = the depth image tells no skin around the areas
 weld_not_on_part = the skin that the camera sees lies nowhere on the part: { $what }
 weld_no_depth_there = nothing was measured in depth where the mask is: take the images again, or paint less
 weld_few_points = only { $count } depths around the bead, { $least } are needed: take the images from nearer
-weld_one_side = the skin was measured on both sides along { $share } of the bead only: take the images so that both sides are seen
+weld_one_side = the skin was measured on both sides along { $share } % of the bead only: take the images so that both sides are seen
 weld_no_surface = the depths around the bead tell no surface
 weld_nothing_stands = nothing stands { $threshold } mm above the skin under the mask: there is nothing to grind off
 weld_leaves_image = the bead reaches the rim of the image, or of what was measured: take the images so that all of it is seen
@@ -42,7 +42,7 @@ image_float_grey = a grey image of floats does not say what is white: export it 
 image_other_pixels = pixels of this kind are not read: export 8 or 16 bits
 image_no_pixels = the image has no pixels
 image_one_level = all pixels of the image have the level { $level }: there is nothing on it
-image_saturated = { $share } of the image is white: take it with less light
+image_saturated = { $share } % of the image is white: take it with less light
 image_no_depth = the depth image has no depth at any pixel
 image_sizes_differ = the grey image has { $gray_width } × { $gray_height } pixels and the depth image { $depth_width } × { $depth_height }: both have to be of one camera
 

@@ -154,7 +154,7 @@ fn weld(job: &Job) -> Vec<Numbered<'static>> {
     for (i, stroke) in job.weld.painted.iter().enumerate() {
         let way = of_list("painted", i);
         out.extend(within("weld.painted", &way, &[stroke.radius_px], 0.0, MOST_PIXELS));
-        out.extend(stroke.points_px.iter().flat_map(|at| pixel("weld.painted", &way, at)));
+        out.extend(stroke.way_px.iter().flat_map(|at| pixel("weld.painted", &way, at)));
     }
     if let AreaChoice::At(places) = &job.weld.areas {
         let places = places.iter().enumerate();

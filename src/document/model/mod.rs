@@ -28,7 +28,7 @@ pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
 pub use weld::JobWeld;
 pub use weld_choices::{
-    AreaChoice, GrindingStrategy, GroundPass, NamedImage, PaintedStroke, RoughnessReading, WeldFiles,
+    AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles,
 };
 
 use super::recipe::Recipe;

@@ -4,8 +4,9 @@
 
 use super::declare::{count, parameters};
 use super::weld_choices::{
-    AreaChoice, GrindingStrategy, GroundPass, NamedImage, PaintedStroke, RoughnessReading, WeldFiles,
+    AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles,
 };
+use crate::weld::masking::BrushStroke;
 use serde::{Deserialize, Serialize};
 
 parameters! {
@@ -70,7 +71,7 @@ parameters! {
         pub tool: String = String::new(),
         /// What was painted onto the mask, in order.
         #[serde(skip_serializing_if = "Vec::is_empty")]
-        pub painted: Vec<PaintedStroke> = Vec::new(),
+        pub painted: Vec<BrushStroke> = Vec::new(),
         /// The passes that were ground, each with the images before it.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         pub history: Vec<GroundPass> = Vec::new(),

@@ -63,18 +63,6 @@ impl GrindingStrategy {
     }
 }
 
-/// What a brush painted onto the mask.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PaintedStroke {
-    /// Whether it adds to the mask, or takes away.
-    pub adds: bool,
-    /// Radius of the brush, px.
-    pub radius_px: f64,
-    /// Where it went: column and row.
-    pub points_px: Vec<[f64; 2]>,
-}
-
 /// Which areas are ground. They have no numbers that last from one image to the next, so those that are chosen are told by
 /// pixels in them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -125,7 +113,6 @@ impl AreaChoice {
 
 keyed!(WeldFiles { gray, depth, camera });
 keyed!(NamedImage { file, sha256 });
-keyed!(PaintedStroke { adds, radius_px, points_px });
 keyed!(GroundPass { images, height_mm, planned_mm });
 keyed!(RoughnessReading { point, before_um, after_um });
 keyed_words!(GrindingStrategy: OneWay, Zigzag, Spiral, Along);

@@ -29,6 +29,7 @@ use super::cell_report::CellReport;
 use super::dose::DoseReport;
 use super::plan::Plan;
 use super::scanned::{ScanReport, WornPatch};
+use super::welded::WeldReport;
 use crate::cell::Setup;
 use crate::document::Job;
 use crate::document::files::InputDigest;
@@ -117,6 +118,9 @@ pub struct Report {
     /// What is worn or built up by the scan, the farthest off first.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub patches: Option<Vec<WornPatch>>,
+    /// The weld that is ground; `None` where the job has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub weld: Option<WeldReport>,
     /// The files that it was planned from, as they were when it was exported; only what is exported has them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<InputDigest>,
@@ -188,6 +192,7 @@ impl Report {
             cell: plan.cell.clone(),
             scan: plan.scan.clone(),
             patches: plan.scan.as_ref().map(|s| s.patches.clone()),
+            weld: plan.weld.as_ref().map(|weld| weld.report.clone()),
             inputs: Vec::new(),
             written: None,
         }

@@ -96,7 +96,7 @@ fn is_chosen(area: &MeasuredArea, job: &Job) -> bool {
 struct AreaOnPart<'a> {
     of: &'a MeasuredArea,
     distance: OutlineDistance,
-    /// Heights at the feet of a bead's points; of any other area the places of its middle and its rim.
+    /// Heights at the feet of a bead's points, and nought at those of any other area.
     samples: AreaSamples,
     centre_line: Vec<CentrePoint>,
 }
@@ -106,11 +106,11 @@ impl<'a> AreaOnPart<'a> {
         let to_part = |p: &Point3<f64>| on.part_from_camera * p;
         let samples: Vec<(Point3<f64>, f64)> = match &of.bead {
             Some(bead) => bead.points.iter().map(|p| (to_part(&p.foot), p.height_mm)).collect(),
-            None => of.places_on_parent().iter().map(|p| (to_part(p), 0.0)).collect(),
+            None => of.places.iter().map(|p| (to_part(p), 0.0)).collect(),
         };
         let centre = |(p, n): (Point3<f64>, Vector3<f64>)| {
             let p = to_part(&p);
-            let p = on.part.bvh.closest(&p, AROUND_MM).map_or(p, |closest| closest.point);
+            let p = on.part.bvh.closest(&p, AROUND_MM).map_or(p, |closest| closest.foot);
             CentrePoint { p, n: on.part_from_camera * n }
         };
         let sections = of.bead.iter().flat_map(|bead| &bead.sections);

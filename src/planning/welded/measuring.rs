@@ -8,6 +8,7 @@ use crate::weld::masking::{DefectArea, MaskedImage};
 use crate::weld::parent::{ParentError, ParentSurface};
 use crate::weld::points::points;
 use crate::weld::raster::Mask;
+use nalgebra::Point3;
 
 /// An area of the mask, measured.
 #[derive(Clone, Debug)]
@@ -18,6 +19,8 @@ pub struct MeasuredArea {
     pub outline: Mask,
     /// The metal around it.
     pub parent: ParentSurface,
+    /// Where it was measured, on that metal, camera frame, mm.
+    pub places: Vec<Point3<f64>>,
     /// The bead that it is; `None`: nothing stands there.
     pub bead: Option<WeldBead>,
 }
@@ -68,7 +71,13 @@ pub fn measure_weld(read: &ReadWeld, masked: &MaskedImage, progress: &Progress) 
     for (place, seen) in masked.areas.list.iter().enumerate() {
         progress.check()?;
         let area = masked.areas.mask(&[place]);
-        let of_area = |outline, parent, bead| MeasuredArea { seen: seen.clone(), outline, parent, bead };
+        let of_area = |outline, parent: ParentSurface, bead: Option<WeldBead>| {
+            let places = match &bead {
+                Some(bead) => bead.points.iter().map(|p| p.foot).collect(),
+                None => points(&read.depth, &read.camera, Some(&area)).iter().map(|p| parent.foot(&p.point).foot).collect(),
+            };
+            MeasuredArea { seen: seen.clone(), outline, parent, places, bead }
+        };
         let measured = match kind_of_area(&all, &area, &covered) {
             Ok(AreaKind::Bead) => measure(&all, &area, &covered, &read.camera)
                 .map(|bead| of_area(bead.outline.clone(), bead.parent.clone(), Some(bead))),

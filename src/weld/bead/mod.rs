@@ -20,6 +20,7 @@ use super::raster::{Mask, Raster};
 use line::{Placed, Station};
 use nalgebra::{Point3, Vector2, Vector3};
 use rayon::prelude::*;
+use serde::Serialize;
 use thiserror::Error;
 
 pub use histogram::HeightHistogram;
@@ -99,11 +100,13 @@ pub struct BeadPoint {
 }
 
 /// What a masked area is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum AreaKind {
     /// It stands above the parent surface.
+    #[serde(rename = "bead")]
     Bead,
     /// It does not: a ground or scratched area.
+    #[serde(rename = "defect")]
     Flat,
 }
 
@@ -166,12 +169,12 @@ pub fn measure(points: &[PixelPoint], area: &Mask, covered: &Mask, camera: &Came
         return Err(WeldBeadError::LeavesImage);
     }
     let on_surface = |[u, v]: &[usize; 2]| {
-        let ray = camera.ray(*u as f64, *v as f64);
+        let ray = camera.ray(*u as f64, *v as f64)?;
         let depth = first.camera_from_local.translation.vector.z / ray.z;
         let foot = first.foot(&Point3::from(ray * depth));
-        Vector2::from(foot.local)
+        Some(Vector2::from(foot.local))
     };
-    let way: Vec<Vector2<f64>> = rough::way_along(&standing).iter().map(on_surface).collect();
+    let way: Vec<Vector2<f64>> = rough::way_along(&standing).iter().filter_map(on_surface).collect();
     let rough = Traced::along(&first, &way, &found)?;
     let outlined = rough.outline(camera, area);
     // The other areas stay covered; of this one the outline knows better than its mask.
