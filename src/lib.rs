@@ -8,6 +8,8 @@
 //! - [`sample`]: parts made by formula: the shipped samples, and solids that tests measure against.
 //! - [`scan`]: the part as it is. A [`scan::Cloud`] is cleaned, laid on the model ([`scan::registration`]) and compared with
 //!   it ([`scan::deviation`]): what is worn is a patch, which [`part::patched`] makes a surface of.
+//! - [`weld`]: beads and ground places in the grey and the depth image of a camera: from pixels by [`weld::masked`] to
+//!   points by [`weld::points()`], in the camera's frame.
 //! - [`path`]: where the spot travels. Families of section planes, transversal lines walked along
 //!   the topology, normals, the dense line, chord error, order, and what no line reaches.
 //! - [`beam`]: the tool. Optics, the head, the space they take up at a pose, and clamps, which stand in their way.

@@ -8,6 +8,7 @@ use clearbeam::part::digest_of;
 use clearbeam::planning::report::Report;
 use clearbeam::planning::{self, PlanCache};
 use clearbeam::progress::Progress;
+use clearbeam::sample::weld_panel::{self, WeldScene};
 use clearbeam::sample::{SAMPLES, camshaft, camshaft_scan, stl_bytes};
 use std::path::PathBuf;
 
@@ -77,6 +78,32 @@ fn the_files_are_what_is_made_here() {
     let scan = camshaft_scan::scan();
     assert_shipped("camshaft_scan.ply", &camshaft_scan::ply_bytes(&scan.points));
     assert_shipped("camshaft_truth.json", camshaft_scan::truth_json(&scan).as_bytes());
+}
+
+/// The images of the weld, by their pixels: how well a file is packed may differ from machine to machine.
+#[test]
+fn the_images_of_the_weld_are_what_is_made_here() {
+    let scene = WeldScene::new();
+    let (grey, depth) = scene.images(weld_panel::NOISE_MM, weld_panel::SEED);
+    let made = [("gray.png", weld_panel::grey_png(&grey)), ("depth.png", weld_panel::depth_png(&depth))];
+    let mut bytes = 0;
+    for (name, png) in made {
+        let file = folder().join("weld").join(name);
+        if blessing() {
+            std::fs::write(&file, &png).expect("writes");
+        }
+        let shipped = std::fs::read(&file).unwrap_or_default();
+        let pixels = |png: &[u8]| image::load_from_memory(png).ok();
+        assert!(
+            pixels(&shipped).is_some_and(|p| Some(p) == pixels(&png)),
+            "{} differs from what is made here",
+            file.display()
+        );
+        bytes += shipped.len();
+    }
+    assert!(bytes < 1_000_000, "{bytes} bytes of images");
+    assert_shipped("weld/camera.toml", weld_panel::camera_toml().as_bytes());
+    assert_shipped("weld/truth.json", weld_panel::truth_json(&scene).as_bytes());
 }
 
 #[test]

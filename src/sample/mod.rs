@@ -1,10 +1,12 @@
-//! The sample parts of the papers, made from formulas, closed-form solids for tests and benches, and scans of either.
+//! The sample parts of the papers, made from formulas, closed-form solids for tests and benches, scans of either, and
+//! the images of a welded panel.
 //!
 //! P1 to P3 show a test workpiece, a worm gear, a connecting rod, a front shaft, an acetabular cup
 //! and a worn camshaft, but give no files. These are parts of the same kinds with dimensions of our own, so that
 //! every claim of the papers (the crater beside the plate, the tooth gaps) can be tried. All are
-//! closed skins that weld exactly, except the cup, which is an open sheet. Nothing here reads
-//! files, and nothing of the planner is used. Same bytes on every machine: `libm` only, no hashing.
+//! closed skins that weld exactly, except the cup, which is an open sheet. P4's images are those of a scene,
+//! [`weld_panel`]. Nothing here reads files, and nothing of the planner is used. Same bytes on every machine: `libm`
+//! only, no hashing.
 
 mod cam_lobe;
 pub mod camshaft;
@@ -25,6 +27,7 @@ mod shell;
 pub mod solids;
 mod tooth_gap;
 mod turning;
+pub mod weld_panel;
 mod workpiece;
 mod worm_gear;
 
