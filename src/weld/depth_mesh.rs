@@ -80,6 +80,9 @@ mod tests {
         }
         let split = wall(|u| if u < 50 { 5000.0 } else { 9000.0 });
         assert!(split.iter().all(|f| f.iter().all(|p| (p[2] - f[0][2]).abs() < 1.0)), "no facet across the jump");
-        assert!(wall(|_| 0.0).is_empty() && depth_mesh(&DepthImage { width: 0, height: 0, values: Vec::new() }, &camera).is_empty());
+        assert!(
+            wall(|_| 0.0).is_empty()
+                && depth_mesh(&DepthImage { width: 0, height: 0, values: Vec::new() }, &camera).is_empty()
+        );
     }
 }

@@ -27,9 +27,7 @@ pub use scan_choices::{ContinuedDamage, ContinuedKind, PatchChoice, ScanLines, S
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
 pub use weld::JobWeld;
-pub use weld_choices::{
-    AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles,
-};
+pub use weld_choices::{AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles};
 
 use super::recipe::Recipe;
 use super::settings::Settings;

@@ -15,7 +15,7 @@ use crate::part::ground::Ground;
 use crate::part::growth::{Folds, laid_on};
 use crate::part::patched::{after_layers, before_pass};
 use crate::part::{Digest, GrownPart, GrowthError, Part, Surfaces};
-use crate::path::back_and_forth::back_and_forth;
+use crate::path::back_and_forth::{REACH_IN_SPACINGS, back_and_forth};
 use crate::path::planes::{self, Raster};
 use crate::path::{Order, SurfacePlanes};
 use crate::planning::error::PlanError;
@@ -91,10 +91,6 @@ pub(in super::super) fn grown_parts(
     made.into_iter().collect()
 }
 
-/// Lines of a zigzag are joined at the rim where their ends are no more than so many spacings apart: where a round rim
-/// slopes by 60° against them they are two.
-const BACK_AND_FORTH: f64 = 2.5;
-
 /// What one layer is planned from.
 #[derive(Clone, Copy)]
 pub(in super::super) struct LayerInput<'a> {
@@ -162,7 +158,7 @@ pub(in super::super) fn plan_layer(
             .ground(toolpath.surface)
             .is_some_and(|g| job.weld.strategy_of(g.is_bead()) == GrindingStrategy::Zigzag)
         {
-            ordered.lines = back_and_forth(ordered.lines, BACK_AND_FORTH * job.layers.spacing_mm);
+            ordered.lines = back_and_forth(ordered.lines, REACH_IN_SPACINGS * job.layers.spacing_mm);
         }
         let from = spot;
         spot = toolpath::end_of(&ordered.lines).or(spot);

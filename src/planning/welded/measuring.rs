@@ -74,7 +74,9 @@ pub fn measure_weld(read: &ReadWeld, masked: &MaskedImage, progress: &Progress) 
         let of_area = |outline, parent: ParentSurface, bead: Option<WeldBead>| {
             let places = match &bead {
                 Some(bead) => bead.points.iter().map(|p| p.foot).collect(),
-                None => points(&read.depth, &read.camera, Some(&area)).iter().map(|p| parent.foot(&p.point).foot).collect(),
+                None => {
+                    points(&read.depth, &read.camera, Some(&area)).iter().map(|p| parent.foot(&p.point).foot).collect()
+                }
             };
             MeasuredArea { seen: seen.clone(), outline, parent, places, bead }
         };

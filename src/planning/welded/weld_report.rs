@@ -142,4 +142,14 @@ impl AreaTimes {
         (0..3).fold(2, |best, i| if all[i] < all[best] { i } else { best })
     }
 }
-impl WeldReport { pub fn new(_: &super::MeasuredWeld, _: (&super::WeldPart, &super::GroundWeld), _: &super::WeldProgress, _: &crate::document::Job, _: &crate::progress::Progress) -> Result<WeldReport, super::WeldError> { Ok(WeldReport::default()) } }
+impl WeldReport {
+    pub fn new(
+        _: &super::MeasuredWeld,
+        _: (&super::WeldPart, &super::GroundWeld),
+        _: &super::WeldProgress,
+        _: &crate::document::Job,
+        _: &crate::progress::Progress,
+    ) -> Result<WeldReport, super::WeldError> {
+        Ok(WeldReport::default())
+    }
+}

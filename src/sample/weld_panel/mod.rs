@@ -100,9 +100,9 @@ impl WeldScene {
         BEAD_HEIGHT_MM[1]
     }
 
-    /// Greatest width of the bead, mm.
+    /// Median of the bead's widths along its line, mm.
     pub fn width_mm(&self) -> f64 {
-        BEAD_WIDTH_MM[1]
+        self.panel.median_width_mm()
     }
 
     /// Length of the bead's centre line on the skin, from tip to tip, mm.

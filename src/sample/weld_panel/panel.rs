@@ -104,6 +104,14 @@ impl WeldPanel {
         (0..points).map(at).map(|x| (x, self.line_y(x))).map(|(x, y)| Point3::new(x, y, self.parent(x, y))).collect()
     }
 
+    /// Median of the widths along the line, mm.
+    pub fn median_width_mm(&self) -> f64 {
+        let at = |k: i32| self.width_mm(HALF_LENGTH_MM * (f64::from(k) / 500.0 - 1.0));
+        let mut all: Vec<f64> = (0..=1000).map(at).collect();
+        all.sort_by(f64::total_cmp);
+        all[500]
+    }
+
     /// Width of the bead where its centre line has this x, mm, between its rims; the tips' rounding left aside.
     pub fn width_mm(&self, x: f64) -> f64 {
         let [least, most] = BEAD_WIDTH_MM;
