@@ -61,16 +61,12 @@ fn bead(x: f64, y: f64) -> Option<f64> {
 impl Scene {
     /// 0.83 mm a pixel.
     pub fn coarse() -> Scene {
-        Scene::seen(600.0, 0.0)
+        Scene::of_size(600.0, 0.0, [WIDTH, HEIGHT])
     }
 
-    /// 0.42 mm a pixel; the bead leaves the image at both ends.
+    /// The bead leaves the image on the right.
     pub fn leaving() -> Scene {
-        Scene::seen(1200.0, 0.0)
-    }
-
-    pub fn seen(focal: f64, shift_mm: f64) -> Scene {
-        Scene::of_size(focal, shift_mm, [WIDTH, HEIGHT])
+        Scene::of_size(1200.0, 30.0, [WIDTH, HEIGHT])
     }
 
     /// 0.42 mm a pixel, all of the bead.

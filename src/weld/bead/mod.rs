@@ -253,15 +253,6 @@ impl Traced {
             let halves: Vec<[Option<f64>; 2]> = on.par_iter().map(edges_of).collect();
             let widths = halves.iter().filter_map(|[l, r]| Some((*l)? + (*r)?));
             let width_mm = median(widths.clone().collect()).ok_or(WeldBeadError::NoEdges)?;
-            #[cfg(test)]
-            if std::env::var("DBG").is_ok() {
-                println!(
-                    "round {round} {ends_mm:?} {} {} {width_mm} last {last_mm} placed {}",
-                    widths.clone().count(),
-                    halves.len(),
-                    placed.len()
-                );
-            }
             if 2 * widths.count() < halves.len() {
                 return Err(WeldBeadError::NoEdges);
             }
