@@ -8,7 +8,7 @@ use super::parent::ParentSurface;
 use super::points::PixelPoint;
 use super::raster::{Mask, Raster};
 use crate::scan::made_up::Sequence;
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 const WIDTH: usize = 640;
 const HEIGHT: usize = 480;
@@ -61,16 +61,12 @@ fn bead(x: f64, y: f64) -> Option<f64> {
 impl Scene {
     /// 0.83 mm a pixel.
     pub fn coarse() -> Scene {
-        Scene::seen(600.0, 0.0)
+        Scene::of_size(600.0, 0.0, [WIDTH, HEIGHT])
     }
 
-    /// 0.42 mm a pixel; the bead leaves the image at both ends.
+    /// The bead leaves the image on the right.
     pub fn leaving() -> Scene {
-        Scene::seen(1200.0, 0.0)
-    }
-
-    pub fn seen(focal: f64, shift_mm: f64) -> Scene {
-        Scene::of_size(focal, shift_mm, [WIDTH, HEIGHT])
+        Scene::of_size(1200.0, 30.0, [WIDTH, HEIGHT])
     }
 
     /// 0.42 mm a pixel, all of the bead.
@@ -79,22 +75,21 @@ impl Scene {
     }
 
     fn of_size(focal: f64, shift_mm: f64, [width, height]: [usize; 2]) -> Scene {
-        let camera = Camera {
-            fx: focal,
-            fy: focal,
-            cx: width as f64 / 2.0 - 0.5,
-            cy: height as f64 / 2.0 - 0.5,
-            units_per_mm: 10.0,
-        };
+        let middle = [width, height].map(|side| side as f64 / 2.0 - 0.5);
+        let camera = Camera { units_per_mm: 10.0, ..Camera::pinhole(focal, focal, middle[0], middle[1]) };
         let mut scene =
             Scene { camera, mask: Raster { width, height, values: Vec::new() }, depths: Vec::new(), shift_mm };
         for i in 0..width * height {
-            let ray = camera.ray((i % width) as f64, (i / width) as f64);
+            let ray = scene.ray(i % width, i / width);
             let (z, on_bead) = scene.hit(ray.x, ray.y);
             scene.depths.push(z);
             scene.mask.values.push(on_bead);
         }
         scene
+    }
+
+    fn ray(&self, u: usize, v: usize) -> Vector3<f64> {
+        self.camera.ray(u as f64, v as f64).expect("a pinhole has all rays")
     }
 
     fn hit(&self, a: f64, b: f64) -> (f64, bool) {
@@ -153,10 +148,7 @@ impl Scene {
             }
             let z = (z * self.camera.units_per_mm).round() / self.camera.units_per_mm;
             if !holes[i] {
-                points.push(PixelPoint {
-                    pixel: [u as u32, v as u32],
-                    point: Point3::from(self.camera.ray(u as f64, v as f64) * z),
-                });
+                points.push(PixelPoint { pixel: [u as u32, v as u32], point: Point3::from(self.ray(u, v) * z) });
             }
         }
         points

@@ -32,6 +32,7 @@ pub use weld_choices::{AreaChoice, GrindingStrategy, GroundPass, NamedImage, Rou
 use super::recipe::Recipe;
 use super::settings::Settings;
 use crate::beam::{Obstacle, Optics};
+use crate::cell::Mount;
 use crate::part::{Part, Surfaces};
 use crate::pose::Correction;
 use crate::process::DoseParameters;
@@ -78,6 +79,8 @@ impl Job {
         job.beam.speed_mm_s = GRINDING_SPEED_MM_S;
         job.beam.defocus_mm = 0.0;
         job.path.correction = Correction::None;
+        // What is ground is large, and stands still.
+        job.cell.mount = Some(Mount::ToolInHand);
         job
     }
 }

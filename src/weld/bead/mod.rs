@@ -13,7 +13,7 @@ mod outline;
 mod rough;
 
 use super::camera::Camera;
-use super::parent::{Foot, ParentError, ParentSurface, at, median, mm_per_px};
+use super::parent::{Foot, ParentError, ParentSurface, median, mm_per_px};
 use super::pixel_distance::dilated;
 use super::points::PixelPoint;
 use super::raster::{Mask, Raster};
@@ -40,7 +40,7 @@ const EDGE_BELL: f64 = 3.0;
 /// The line is continued so far beyond its ends, mm, for the ends to be found.
 const CONTINUED_MM: f64 = 12.0;
 /// Over so many stations the direction of a continuation is taken.
-const DIRECTION: usize = 6;
+const DIRECTION: usize = 12;
 /// A bead shorter than this has no line, mm.
 const LEAST_LENGTH_MM: f64 = 10.0;
 /// Width of the bins of its histogram, mm.
@@ -142,7 +142,7 @@ pub enum WeldBeadError {
 /// It has no parent surface.
 pub fn kind_of_area(points: &[PixelPoint], area: &Mask, covered: &Mask) -> Result<AreaKind, ParentError> {
     let surface = ParentSurface::fit(points, area, covered, MARGIN_PX)?;
-    let inside: Vec<&PixelPoint> = points.iter().filter(|p| at(area, p.pixel).is_some_and(|on| *on)).collect();
+    let inside: Vec<&PixelPoint> = points.iter().filter(|p| is_in(area, p)).collect();
     let medians = rough::medians(&height_raster(area, &feet(&surface, &inside)));
     let all = medians.values.iter().filter(|h| h.is_finite());
     let threshold = rough::threshold_mm(surface.noise_mm);
@@ -159,7 +159,7 @@ pub fn measure(points: &[PixelPoint], area: &Mask, covered: &Mask, camera: &Came
     let first = ParentSurface::fit(points, area, covered, MARGIN_PX)?;
     let around_px = AROUND_MM / mm_per_px(points).ok_or(ParentError::NothingCovered)?;
     let around = dilated(area, around_px);
-    let near: Vec<&PixelPoint> = points.iter().filter(|p| at(&around, p.pixel).is_some_and(|on| *on)).collect();
+    let near: Vec<&PixelPoint> = points.iter().filter(|p| is_in(&around, p)).collect();
     let found = feet(&first, &near);
     let threshold_mm = rough::threshold_mm(first.noise_mm);
     let standing = rough::standing_area(&rough::medians(&height_raster(area, &found)), area, threshold_mm)
@@ -171,8 +171,7 @@ pub fn measure(points: &[PixelPoint], area: &Mask, covered: &Mask, camera: &Came
     let on_surface = |[u, v]: &[usize; 2]| {
         let ray = camera.ray(*u as f64, *v as f64)?;
         let depth = first.camera_from_local.translation.vector.z / ray.z;
-        let foot = first.foot(&Point3::from(ray * depth));
-        Some(Vector2::from(foot.local))
+        Some(Vector2::from(first.foot(&Point3::from(ray * depth)).local))
     };
     let way: Vec<Vector2<f64>> = rough::way_along(&standing).iter().filter_map(on_surface).collect();
     let rough = Traced::along(&first, &way, &found)?;
@@ -191,6 +190,11 @@ pub fn measure(points: &[PixelPoint], area: &Mask, covered: &Mask, camera: &Came
         return Err(WeldBeadError::LeavesImage);
     }
     Ok(traced.bead(parent, outline, &found))
+}
+
+fn is_in(mask: &Mask, p: &PixelPoint) -> bool {
+    let [u, v] = p.pixel.map(|c| c as usize);
+    mask.at(u, v) == Some(&true)
 }
 
 type Found<'p> = (&'p PixelPoint, Foot);
@@ -301,7 +305,7 @@ impl Traced {
             }
         };
         let sections: Vec<WeldSection> = self.stations.par_iter().zip(&self.half_mm).map(measured).collect();
-        let is_inside = |p: &PixelPoint| at(&outline, p.pixel).is_some_and(|on| *on);
+        let is_inside = |p: &PixelPoint| is_in(&outline, p);
         let points: Vec<BeadPoint> = found
             .iter()
             .filter(|(p, f)| f.is_converged && is_inside(p))
