@@ -132,7 +132,7 @@ impl Sentence for WeldBeadError {
 impl Sentence for ParentError {
     fn sentence(&self) -> String {
         match self {
-            ParentError::NothingCovered => say!(weld_no_depth_there),
+            ParentError::Sizes { .. } | ParentError::NothingCovered => say!(weld_no_depth_there),
             ParentError::FewPoints { count, least } => say!(weld_few_points, count = *count, least = *least),
             ParentError::OneSide { share } => say!(weld_one_side, share = percent(*share, 0)),
             ParentError::NoSurface => say!(weld_no_surface),
