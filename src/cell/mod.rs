@@ -21,6 +21,7 @@ pub mod check;
 pub mod collision;
 pub mod controllers;
 pub mod frame;
+pub mod hand_eye;
 pub mod motion;
 pub mod mount;
 pub mod mounting;
