@@ -16,6 +16,7 @@ pub mod image_file;
 pub mod masking;
 pub mod outline_distance;
 pub mod parent;
+pub mod passes;
 pub mod pixel_distance;
 pub mod points;
 pub mod raster;

@@ -1,6 +1,6 @@
 //! Why a job's weld says nothing. Sentences of it stand in `text`.
 
-use crate::cell::hand_eye::HandEyeFileError;
+use crate::cell::hand_eye::file::HandEyeFileError;
 use crate::planning::failure::Failure;
 use crate::progress::Cancelled;
 use crate::scan::registration::RegistrationError;
@@ -9,6 +9,7 @@ use crate::weld::camera::CameraFault;
 use crate::weld::camera_file::CameraFileError;
 use crate::weld::image_file::{ImageFault, ImageFileError};
 use crate::weld::masking::MaskError;
+use crate::weld::passes::PassError;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -52,6 +53,9 @@ pub enum WeldError {
     /// The greatest area cannot be measured.
     #[error(transparent)]
     Bead(WeldBeadError),
+    /// The bead cannot be ground in passes of this depth.
+    #[error(transparent)]
+    Passes(PassError),
     /// The skin around the areas is no part.
     #[error("no skin")]
     NoSkin,

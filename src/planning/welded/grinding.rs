@@ -70,7 +70,7 @@ pub fn ground(
     let mut patched = with_patches(&on.part, &on.surfaces, &refined, &cut, progress)?;
     patched.surfaces.grounds = grounds(&patched, &patches);
     let is_given_out =
-        |area: &AreaOnPart<'_>| area.of.bead.is_none() || passes.held.is_none() && passes.passes_left > 0;
+        |area: &AreaOnPart<'_>| area.of.bead.is_none() || passes.held.is_none() && !passes.left.is_empty();
     let chosen = areas.iter().zip(&patched.patches).filter(|(area, _)| is_given_out(area) && is_chosen(area.of, job));
     patched.surfaces.worked = Some(chosen.flat_map(|(_, pieces)| pieces.iter().map(|piece| piece.surface)).collect());
     let raised = standing(&patched.part, &patched.surfaces, progress)?;

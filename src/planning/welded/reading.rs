@@ -1,7 +1,7 @@
 //! The images of a job's weld and the camera that took them, read and checked against each other.
 
 use super::WeldError;
-use crate::cell::hand_eye::{self, SeenFrom};
+use crate::cell::hand_eye::file::{self as hand_eye_file, CameraStand};
 use crate::document::files::resolved;
 use crate::document::model::{JobWeld, NamedImage};
 use crate::progress::Progress;
@@ -22,7 +22,7 @@ pub struct ReadWeld {
     /// The camera that took both.
     pub camera: Camera,
     /// Where it stood; `None`: nobody knows.
-    pub seen_from: Option<SeenFrom>,
+    pub seen_from: Option<CameraStand>,
 }
 
 /// Reads the images that a job in `job_file` names.
@@ -46,7 +46,7 @@ pub fn read_weld(weld: &JobWeld, job_file: Option<&Path>, progress: &Progress) -
     let named = || images.camera.file.clone();
     camera.fits(grey.width, grey.height).map_err(|fault| WeldError::Camera { file: named(), fault })?;
     let seen_from = Some(&weld.hand_eye).filter(|file| !file.is_empty());
-    let seen_from = seen_from.map(|file| hand_eye::read(&resolved(job_file, file))).transpose();
+    let seen_from = seen_from.map(|file| hand_eye_file::read(&resolved(job_file, file))).transpose();
     let seen_from = seen_from.map_err(|e| WeldError::HandEye(Arc::new(e)))?;
     Ok(ReadWeld { grey, depth, camera, seen_from })
 }

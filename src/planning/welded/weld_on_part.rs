@@ -40,10 +40,10 @@ pub fn weld_on_part(
     progress: &Progress,
 ) -> Result<WeldOnPart, WeldError> {
     let on = weld_part(read, measured, model, job, progress)?;
-    let passes = WeldProgress::new(measured, &job.weld);
+    let passes = WeldProgress::new(measured, &job.weld)?;
     let ground = ground((read, measured, &on), &passes, job, progress)?;
-    let report = WeldReport::new(measured, (&on, &ground), &passes, job, progress)?;
-    let base_from_camera = read.seen_from.as_ref().map(|seen| seen.base_from_camera());
+    let report = WeldReport::new(measured, (&on, &ground), (&passes, read.seen_from.as_ref()), job, progress)?;
+    let base_from_camera = read.seen_from.as_ref().and_then(|seen| seen.base_from_camera);
     let measured = measured.clone();
     Ok(WeldOnPart { measured, on, ground, passes, report, base_from_camera })
 }

@@ -1,9 +1,7 @@
 //! Grinding a bead down in passes (P4 4): how many, to which level each, and what is left for each to take.
 //!
-//! Levels are heights above the parent surface. After each pass the bead is measured again and [`history`] plans what is
-//! left; here is the plan from one measurement. How fast and with what force a pass takes its depth is for others.
-
-pub mod history;
+//! Levels are heights above the parent surface. This is the plan from one measurement: after each pass the bead is measured
+//! again, and planned anew. How fast and with what force a pass takes its depth is for others.
 
 use super::bead::WeldBead;
 use thiserror::Error;
@@ -20,15 +18,11 @@ pub struct GrindingRules {
     pub depth_per_pass_mm: f64,
     /// The height that is left standing, mm; 0: down to the parent surface.
     pub residual_mm: f64,
-    /// How far a measured removal may be off the planned one, as a share of the planned, before the next pass is held.
-    pub most_off_share: f64,
-    /// How far below the parent surface the ground may lie, mm.
-    pub below_parent_mm: f64,
 }
 
 impl Default for GrindingRules {
     fn default() -> Self {
-        GrindingRules { depth_per_pass_mm: 0.5, residual_mm: 0.0, most_off_share: 0.3, below_parent_mm: 0.1 }
+        GrindingRules { depth_per_pass_mm: 0.5, residual_mm: 0.0 }
     }
 }
 
@@ -81,16 +75,14 @@ impl GrindingRules {
     /// # Errors
     /// The first that is out of its range.
     pub fn check(&self) -> Result<(), PassError> {
-        let GrindingRules { depth_per_pass_mm, residual_mm, most_off_share, below_parent_mm } = *self;
-        let not_below =
-            [("residual_mm", residual_mm), ("most_off_share", most_off_share), ("below_parent_mm", below_parent_mm)];
+        let GrindingRules { depth_per_pass_mm, residual_mm } = *self;
         if !(depth_per_pass_mm > 0.0 && depth_per_pass_mm.is_finite()) {
             return Err(PassError::Rule { key: "depth_per_pass_mm", value: depth_per_pass_mm });
         }
-        match not_below.into_iter().find(|(_, value)| !(*value >= 0.0 && value.is_finite())) {
-            Some((key, value)) => Err(PassError::Rule { key, value }),
-            None => Ok(()),
+        if !(residual_mm >= 0.0 && residual_mm.is_finite()) {
+            return Err(PassError::Rule { key: "residual_mm", value: residual_mm });
         }
+        Ok(())
     }
 }
 

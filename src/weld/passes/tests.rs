@@ -1,15 +1,10 @@
-use super::history::{BeadState, GrindingHistory, HoldReason, NextPass};
 use super::*;
 use proptest::prelude::*;
 
 const NO_AREA: fn(f64) -> f64 = |_| 0.0;
 
 fn rules(depth_per_pass_mm: f64, residual_mm: f64) -> GrindingRules {
-    GrindingRules { depth_per_pass_mm, residual_mm, ..GrindingRules::default() }
-}
-
-fn state(height_mm: f64) -> BeadState {
-    BeadState { height_mm, below_mm: 0.0 }
+    GrindingRules { depth_per_pass_mm, residual_mm }
 }
 
 #[test]
@@ -65,46 +60,4 @@ proptest! {
         prop_assert!(passes.windows(2).all(|w| w[0].area_mm2 <= w[1].area_mm2));
         prop_assert!((passes.len() as f64 - 1.0) * depth <= (height - residual).max(0.0) + 1e-9);
     }
-
-    /// Whatever passes take, what is left is planned from the measurement alone; held or not is told by the shares.
-    #[test]
-    fn what_is_left_follows_from_the_last_measurement(height in 2.0..15.0f64, removals in prop::collection::vec(0.2..1.8f64, 1..8)) {
-        let rules = rules(1.0, 0.1);
-        let mut history = GrindingHistory::begin(rules, state(height), NO_AREA).expect("a plan");
-        let mut now = height;
-        for share in removals {
-            let Some(pass) = history.left().passes.first().copied() else { break };
-            now -= share * pass.infeed_mm;
-            history.measured(state(now), NO_AREA).expect("a plan");
-            prop_assert_eq!(history.left(), &schedule(now, &rules, NO_AREA).expect("a plan"));
-            let last = history.ground().last().expect("one");
-            prop_assert!((last.off_share() - (share - 1.0)).abs() < 1e-6);
-            match history.next() {
-                NextPass::Done => prop_assert!(now <= 0.1 + 1e-9),
-                NextPass::Grind(_) => prop_assert!((share - 1.0).abs() <= 0.3 + 1e-6),
-                NextPass::Held { reasons, .. } => {
-                    prop_assert!((share - 1.0).abs() >= 0.3 - 1e-6);
-                    prop_assert_eq!(reasons.len(), 1);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn what_lies_below_the_parent_holds_the_next_pass() {
-    let mut history = GrindingHistory::begin(rules(1.0, 0.0), state(3.0), NO_AREA).expect("a plan");
-    assert!(matches!(history.next(), NextPass::Grind(GrindingPass { level_mm: 2.0, .. })));
-    history.measured(BeadState { height_mm: 2.0, below_mm: 0.25 }, NO_AREA).expect("a plan");
-    let NextPass::Held { reasons, pass } = history.next() else { panic!("{:?}", history.next()) };
-    assert_eq!((reasons, pass.level_mm), (vec![HoldReason::BelowParent { below_mm: 0.25 }], 1.0));
-    // Twice the planned depth, and below: both are told.
-    history.measured(BeadState { height_mm: 0.5, below_mm: 0.3 }, NO_AREA).expect("a plan");
-    let NextPass::Held { reasons, pass } = history.next() else { panic!("{:?}", history.next()) };
-    assert_eq!((reasons.len(), pass.infeed_mm), (2, 0.5));
-    history.measured(state(0.0), NO_AREA).expect("a plan");
-    assert_eq!((history.next(), history.ground().len()), (NextPass::Done, 3));
-    let before = history.clone();
-    assert!(history.measured(state(f64::NAN), NO_AREA).is_err());
-    assert_eq!(history, before);
 }
