@@ -209,6 +209,7 @@ pub fn weld_lines(weld: &WeldReport) -> Vec<String> {
     }
     let defects = weld.areas.iter().filter(|a| a.area == AreaKind::Flat);
     out.extend(defects.map(|a| say!(weld_defect, area = fixed(a.area_mm2, 0), aspect = fixed(a.aspect, 2))));
+    out.extend(weld.unmeasured.iter().map(Sentence::sentence));
     out.extend(weld.times.iter().map(times_line));
     out.extend(weld.held.iter().map(Sentence::sentence));
     if let Some(r) = &weld.roughness {

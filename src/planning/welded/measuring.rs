@@ -9,6 +9,7 @@ use crate::weld::parent::{ParentError, ParentSurface};
 use crate::weld::points::points;
 use crate::weld::raster::Mask;
 use nalgebra::Point3;
+use serde::{Serialize, Serializer};
 
 /// An area of the mask, measured.
 #[derive(Clone, Debug)]
@@ -26,12 +27,17 @@ pub struct MeasuredArea {
 }
 
 /// An area that could not be measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct UnmeasuredArea {
     /// Column and row of its middle, px.
     pub centre_px: [f64; 2],
-    /// Why.
+    /// Why; in reports a few English words.
+    #[serde(rename = "cause", serialize_with = "in_words")]
     pub why: WeldBeadError,
+}
+
+fn in_words<S: Serializer>(why: &WeldBeadError, s: S) -> Result<S::Ok, S::Error> {
+    s.collect_str(why)
 }
 
 /// What was measured.

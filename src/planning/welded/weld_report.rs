@@ -1,6 +1,6 @@
 //! What is known of a weld and its grinding: what `weld --json` prints, and key `weld` of `report.json`.
 
-use super::{GroundWeld, MeasuredWeld, WeldPart, WeldProgress, area_times};
+use super::{GroundWeld, MeasuredWeld, UnmeasuredArea, WeldPart, WeldProgress, area_times};
 use crate::cell::hand_eye::HandEye;
 use crate::cell::hand_eye::file::CameraStand;
 use crate::document::Job;
@@ -27,7 +27,10 @@ pub struct WeldReport {
     pub times: Vec<AreaTimes>,
     /// The areas that were found, the greatest first.
     pub areas: Vec<AreaReport>,
-    /// The passes of the bead.
+    /// Areas of the grey image that could not be measured, and are left alone.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unmeasured: Vec<UnmeasuredArea>,
+    /// The passes of the bead that are left.
     pub schedule: Vec<PassReport>,
     /// The passes that were ground, with what they took off.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -163,6 +166,7 @@ impl WeldReport {
         let report = WeldReport {
             times,
             areas: areas.collect(),
+            unmeasured: measured.unmeasured.clone(),
             passes: passes.left.len() as u32,
             schedule: passes.left.clone(),
             history: passes.done.clone(),
