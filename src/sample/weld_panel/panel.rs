@@ -77,8 +77,13 @@ impl WeldPanel {
 
     /// The place of the skin whose normal leads to a point.
     pub fn foot(&self, point: &Point3<f64>) -> SkinFoot {
+        self.foot_after(point, STEPS)
+    }
+
+    /// The same after so many steps.
+    pub(super) fn foot_after(&self, point: &Point3<f64>, steps: usize) -> SkinFoot {
         let [mut x, mut y] = [point.x, point.y];
-        for _ in 0..STEPS {
+        for _ in 0..steps {
             // The point is put onto the plane that touches the skin, and its place there is the next one.
             let (z, [a, b]) = self.skin(x, y);
             let off = (point.z - z - a * (point.x - x) - b * (point.y - y)) / (1.0 + a * a + b * b);
