@@ -19,7 +19,7 @@ impl Sentence for WeldError {
             WeldError::Changed { file, .. } => say!(weld_changed, file),
             WeldError::Pair(fault) => fault.sentence(),
             WeldError::CameraFile(e) => e.sentence(),
-            WeldError::Camera { file, fault } => say!(in_file, file, what = fault.sentence()),
+            WeldError::DepthCamera { file, fault } => say!(in_file, file, what = fault.sentence()),
             WeldError::HandEye(e) => e.sentence(),
             WeldError::Mask(MaskError::NoImage { .. }) => say!(image_no_pixels),
             WeldError::Mask(MaskError::Cancelled) | WeldError::Cancelled => say!(text_cancelled),

@@ -3,7 +3,7 @@
 //! The panel is a cylinder of 1500 mm radius, warped by 1.5 mm; the bead's centre line is 12 sin(x / 60), its section a cap
 //! 12 mm wide, its height 4 to 15 mm. Noise, 3 % holes in blobs, 5 % flying pixels at the edge.
 
-use super::camera::Camera;
+use super::camera::DepthCamera;
 use super::parent::ParentSurface;
 use super::points::PixelPoint;
 use super::raster::{Mask, Raster};
@@ -18,7 +18,7 @@ pub const LENGTH_MM: f64 = 260.0;
 
 /// What the camera would see without noise. Panel frame: x right, y down, heights towards the camera, which is 500 mm off.
 pub struct Scene {
-    pub camera: Camera,
+    pub camera: DepthCamera,
     pub mask: Mask,
     depths: Vec<f64>,
     /// Moves the bead along the panel, mm.
@@ -76,7 +76,7 @@ impl Scene {
 
     fn of_size(focal: f64, shift_mm: f64, [width, height]: [usize; 2]) -> Scene {
         let middle = [width, height].map(|side| side as f64 / 2.0 - 0.5);
-        let camera = Camera { units_per_mm: 10.0, ..Camera::pinhole(focal, focal, middle[0], middle[1]) };
+        let camera = DepthCamera { units_per_mm: 10.0, ..DepthCamera::pinhole(focal, focal, middle[0], middle[1]) };
         let mut scene =
             Scene { camera, mask: Raster { width, height, values: Vec::new() }, depths: Vec::new(), shift_mm };
         for i in 0..width * height {

@@ -7,7 +7,7 @@ use clearbeam::cell::hand_eye;
 use clearbeam::progress::Progress;
 use clearbeam::text::Sentence;
 use clearbeam::weld::masking::{MaskRules, masked};
-use clearbeam::weld::{Camera, camera_file, image_file, points};
+use clearbeam::weld::{DepthCamera, camera_file, image_file, points};
 use image::{DynamicImage, ImageFormat};
 use std::io::Cursor;
 
@@ -65,7 +65,7 @@ fn read_depth(bytes: &[u8]) -> String {
     match image_file::depth_from_bytes(bytes, "depth.png", &Progress::default()) {
         Ok(image) => {
             assert!(image.is_whole());
-            let all = points(&image, &Camera::pinhole(30.0, 30.0, 11.5, 7.5), None);
+            let all = points(&image, &DepthCamera::pinhole(30.0, 30.0, 11.5, 7.5), None);
             assert!(all.iter().all(|p| p.point.iter().all(|c| c.is_finite()) && p.point.z > 0.0));
             format!("{} points", all.len().checked_ilog2().unwrap_or(0))
         }

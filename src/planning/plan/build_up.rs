@@ -16,7 +16,7 @@ use crate::part::growth::{Folds, laid_on};
 use crate::part::patched::{after_layers, before_pass};
 use crate::part::{Digest, GrownPart, GrowthError, Part, Surfaces};
 use crate::path::back_and_forth::{REACH_IN_SPACINGS, back_and_forth};
-use crate::path::planes::{self, Raster};
+use crate::path::planes::{self, PlaneRaster};
 use crate::path::{Order, SurfacePlanes};
 use crate::planning::error::PlanError;
 use crate::progress::{Activity, Cancelled, Progress};
@@ -109,7 +109,7 @@ pub(in super::super) struct LayerInput<'a> {
 /// The planes of the surfaces of one layer.
 pub(in super::super) fn families(of: &LayerInput<'_>) -> Vec<SurfacePlanes> {
     let jobs = of.list.iter().filter_map(|n| Some((*n, of.jobs.get(n)?)));
-    let rasters: Vec<Raster> = jobs
+    let rasters: Vec<PlaneRaster> = jobs
         .filter(|(n, job)| layers_of(of.surfaces, *n, job).contains(&of.layer))
         .map(|(n, job)| raster(n, job))
         .collect();

@@ -35,7 +35,7 @@ pub enum WeldError {
     CameraFile(Arc<CameraFileError>),
     /// The camera is another one's.
     #[error("{file}: {fault}")]
-    Camera {
+    DepthCamera {
         /// The file.
         file: String,
         /// What does not fit.

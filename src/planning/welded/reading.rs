@@ -5,7 +5,7 @@ use crate::cell::hand_eye::file::{self as hand_eye_file, CameraStand};
 use crate::document::files::resolved;
 use crate::document::model::{JobWeld, NamedImage};
 use crate::progress::Progress;
-use crate::weld::camera::Camera;
+use crate::weld::camera::DepthCamera;
 use crate::weld::camera_file;
 use crate::weld::image_file::{self, ImageFile, ImageFileError, check_pair};
 use crate::weld::raster::{DepthImage, GreyImage};
@@ -20,7 +20,7 @@ pub struct ReadWeld {
     /// Depths in the units of the file.
     pub depth: DepthImage,
     /// The camera that took both.
-    pub camera: Camera,
+    pub camera: DepthCamera,
     /// Where it stood; `None`: nobody knows.
     pub seen_from: Option<CameraStand>,
 }
@@ -44,7 +44,7 @@ pub fn read_weld(weld: &JobWeld, job_file: Option<&Path>, progress: &Progress) -
     let camera = camera_file::read(&resolved(job_file, &images.camera.file));
     let camera = camera.map_err(|e| WeldError::CameraFile(Arc::new(e)))?;
     let named = || images.camera.file.clone();
-    camera.fits(grey.width, grey.height).map_err(|fault| WeldError::Camera { file: named(), fault })?;
+    camera.fits(grey.width, grey.height).map_err(|fault| WeldError::DepthCamera { file: named(), fault })?;
     let seen_from = Some(&weld.hand_eye).filter(|file| !file.is_empty());
     let seen_from = seen_from.map(|file| hand_eye_file::read(&resolved(job_file, file))).transpose();
     let seen_from = seen_from.map_err(|e| WeldError::HandEye(Arc::new(e)))?;

@@ -8,7 +8,7 @@ use crate::part::{Part, Surfaces};
 use crate::path::back_and_forth::{REACH_IN_SPACINGS, back_and_forth};
 use crate::path::motion_time::{ToolMotion, path_time};
 use crate::path::normals::VertexNormals;
-use crate::path::planes::{self, Raster};
+use crate::path::planes::{self, PlaneRaster};
 use crate::path::strategy::{self, Layout, Strategy};
 use crate::path::{Direction, Order, TransversalLine, order};
 use crate::progress::{Cancelled, Progress};
@@ -64,7 +64,7 @@ fn ways_of(
     spacing_mm: f64,
     progress: &Progress,
 ) -> Result<[Vec<Vec<Point3<f64>>>; 3], Cancelled> {
-    let raster = Raster { surface: number, direction: Direction::Auto, spacing_mm, offset_mm: None };
+    let raster = PlaneRaster { surface: number, direction: Direction::Auto, spacing_mm, offset_mm: None };
     let families = planes::planes(&part.mesh, surfaces, &[raster], &Rotation3::identity());
     let (Some(family), Some(surface)) = (families.first(), surfaces.get(number)) else { return Ok(Default::default()) };
     let normals = VertexNormals::new_under(progress, &part.mesh, surfaces, surface)?;

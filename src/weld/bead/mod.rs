@@ -12,7 +12,7 @@ mod line;
 mod outline;
 mod rough;
 
-use super::camera::Camera;
+use super::camera::DepthCamera;
 use super::parent::{Foot, ParentError, ParentSurface, median, mm_per_px};
 use super::pixel_distance::dilated;
 use super::points::PixelPoint;
@@ -155,7 +155,12 @@ pub fn kind_of_area(points: &[PixelPoint], area: &Mask, covered: &Mask) -> Resul
 ///
 /// # Errors
 /// There is no bead there, or not all of it.
-pub fn measure(points: &[PixelPoint], area: &Mask, covered: &Mask, camera: &Camera) -> Result<WeldBead, WeldBeadError> {
+pub fn measure(
+    points: &[PixelPoint],
+    area: &Mask,
+    covered: &Mask,
+    camera: &DepthCamera,
+) -> Result<WeldBead, WeldBeadError> {
     let first = ParentSurface::fit(points, area, covered, MARGIN_PX)?;
     let around_px = AROUND_MM / mm_per_px(points).ok_or(ParentError::NothingCovered)?;
     let around = dilated(area, around_px);
@@ -283,7 +288,7 @@ impl Traced {
         Err(WeldBeadError::NoEdges)
     }
 
-    fn outline(&self, camera: &Camera, like: &Mask) -> Mask {
+    fn outline(&self, camera: &DepthCamera, like: &Mask) -> Mask {
         outline::filled(&self.corners, camera, like.width, like.height)
     }
 
