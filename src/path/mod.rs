@@ -4,6 +4,7 @@
 //! Part frame, millimetres. Whether a beam can get there is decided in `pose`.
 
 pub mod along;
+pub mod along_rim;
 pub mod back_and_forth;
 pub mod chord;
 pub mod coverage;

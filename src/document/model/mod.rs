@@ -86,7 +86,7 @@ impl Job {
     }
 }
 
-/// Lines of a disc of 50 mm that leans by 10° leave ridges of 0.011 mm between them at this distance: `s² sin τ / 8r`.
+/// Lines of a disc of 30 mm that leans by 10° leave ridges of 0.018 mm between them at this distance: `s² sin τ / 8r`.
 const GRINDING_SPACING_MM: f64 = 5.0;
 /// Abrasives give way by more; a fifth of it would make four times the targets on a curved skin.
 const GRINDING_CHORD_ERROR_MM: f64 = 0.05;

@@ -5,6 +5,7 @@ use super::{AreaTimes, MeasuredWeld};
 use crate::document::Job;
 use crate::part::patched::PatchSurface;
 use crate::part::{Part, Surfaces};
+use crate::path::along_rim::along_rim;
 use crate::path::back_and_forth::{REACH_IN_SPACINGS, back_and_forth};
 use crate::path::motion_time::{ToolMotion, path_time};
 use crate::path::normals::VertexNormals;
@@ -77,6 +78,7 @@ fn ways_of(
     let (raster, spiral) = (laid(Strategy::Planes)?, laid(Strategy::Spiral)?);
     let ordered = |by: Order| order::ordered(raster.clone(), by, &family.normal);
     let zigzag = back_and_forth(ordered(Order::Zigzag), REACH_IN_SPACINGS * spacing_mm);
+    let spiral = along_rim(&part.mesh, surface, &normals, spiral);
     Ok([ordered(Order::OneWay), zigzag, spiral].map(|lines| lines.iter().flat_map(pieces).collect()))
 }
 

@@ -15,11 +15,12 @@ const SKIN_RADIUS_MM: f64 = 1500.0;
 const WARP_MM: f64 = 1.5;
 /// The bead reaches so far to both sides of x = 0, mm.
 const HALF_LENGTH_MM: f64 = 70.0;
-/// Swing of the S to both sides, mm, and where its middle lies: with the ground place's rim 12 mm away.
+/// Swing of the S to both sides, mm, and where its middle lies: with the ground place's rim some 40 mm away, so that a
+/// disc of 60 mm fits between.
 const SWING_MM: f64 = 9.0;
-const LINE_Y_MM: f64 = -20.0;
+const LINE_Y_MM: f64 = -34.0;
 /// Middle of the ground place, its half axes (46 × 38 mm), mm, and their turn.
-const GROUND_AT_MM: [f64; 2] = [10.0, 31.0];
+const GROUND_AT_MM: [f64; 2] = [10.0, 42.0];
 const GROUND_AXES_MM: [f64; 2] = [23.0, 19.0];
 const GROUND_TURN: f64 = 0.5;
 /// Where the camera stands: distance to the panel's middle, mm, and turns about its x, y and z.
