@@ -9,6 +9,7 @@ pub mod dense;
 pub mod ends;
 pub mod live_facets;
 pub mod measured_lines;
+pub mod motion_time;
 mod narrowest;
 pub mod neighbour_axes;
 pub mod normals;
