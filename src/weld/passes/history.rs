@@ -4,15 +4,7 @@
 //! parent surface: then it needs the operator's word, which is not kept here.
 
 use super::{GrindingPass, GrindingRules, PassError, PassSchedule, schedule};
-
-/// What a measurement says of a bead.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BeadState {
-    /// Greatest height above the parent surface, mm.
-    pub height_mm: f64,
-    /// Depth of the lowest place below the parent surface, mm, noise taken off; 0: none lies below.
-    pub below_mm: f64,
-}
+use crate::weld::bead::BeadState;
 
 /// A pass that was ground, between two measurements.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,6 @@
-use super::history::{BeadState, GrindingHistory, HoldReason, NextPass};
+use super::history::{GrindingHistory, HoldReason, NextPass};
 use super::*;
+use crate::weld::bead::BeadState;
 use proptest::prelude::*;
 
 const NO_AREA: fn(f64) -> f64 = |_| 0.0;
