@@ -18,6 +18,10 @@ impl Sentence for WeldError {
             WeldError::Image(e) => e.sentence(),
             WeldError::Changed { file, .. } => say!(weld_changed, file),
             WeldError::Pair(fault) => fault.sentence(),
+            WeldError::OtherSize { before, now } => {
+                let ([width, height], [now_width, now_height]) = (before.map(id), now.map(id));
+                say!(weld_other_size, width, height, now_width, now_height)
+            }
             WeldError::CameraFile(e) => e.sentence(),
             WeldError::DepthCamera { file, fault } => say!(in_file, file, what = fault.sentence()),
             WeldError::HandEye(e) => e.sentence(),

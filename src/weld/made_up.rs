@@ -23,6 +23,8 @@ pub struct Scene {
     depths: Vec<f64>,
     /// Moves the bead along the panel, mm.
     shift_mm: f64,
+    /// What stands higher was ground off, mm; below 0: into the panel.
+    level_mm: f64,
 }
 
 pub struct Noise {
@@ -61,24 +63,34 @@ fn bead(x: f64, y: f64) -> Option<f64> {
 impl Scene {
     /// 0.83 mm a pixel.
     pub fn coarse() -> Scene {
-        Scene::of_size(600.0, 0.0, [WIDTH, HEIGHT])
+        Scene::of_size(600.0, 0.0, [WIDTH, HEIGHT], f64::INFINITY)
     }
 
     /// The bead leaves the image on the right.
     pub fn leaving() -> Scene {
-        Scene::of_size(1200.0, 30.0, [WIDTH, HEIGHT])
+        Scene::of_size(1200.0, 30.0, [WIDTH, HEIGHT], f64::INFINITY)
     }
 
     /// 0.42 mm a pixel, all of the bead.
     pub fn fine() -> Scene {
-        Scene::of_size(1200.0, 0.0, [1000, 480])
+        Scene::ground(f64::INFINITY)
     }
 
-    fn of_size(focal: f64, shift_mm: f64, [width, height]: [usize; 2]) -> Scene {
+    /// The fine one, ground down to a level above the panel.
+    pub fn ground(level_mm: f64) -> Scene {
+        Scene::of_size(1200.0, 0.0, [1000, 480], level_mm)
+    }
+
+    fn of_size(focal: f64, shift_mm: f64, [width, height]: [usize; 2], level_mm: f64) -> Scene {
         let middle = [width, height].map(|side| side as f64 / 2.0 - 0.5);
         let camera = DepthCamera { units_per_mm: 10.0, ..DepthCamera::pinhole(focal, focal, middle[0], middle[1]) };
-        let mut scene =
-            Scene { camera, mask: Raster { width, height, values: Vec::new() }, depths: Vec::new(), shift_mm };
+        let mut scene = Scene {
+            camera,
+            mask: Raster { width, height, values: Vec::new() },
+            depths: Vec::new(),
+            shift_mm,
+            level_mm,
+        };
         for i in 0..width * height {
             let ray = scene.ray(i % width, i / width);
             let (z, on_bead) = scene.hit(ray.x, ray.y);
@@ -95,7 +107,7 @@ impl Scene {
     fn hit(&self, a: f64, b: f64) -> (f64, bool) {
         let depth = |z: f64| {
             let (x, y) = (a * z, b * z);
-            let over = bead(x - self.shift_mm, y);
+            let over = bead(x - self.shift_mm, y).map(|h| h.min(self.level_mm));
             (FAR_MM - parent(x, y) - over.unwrap_or(0.0), over.is_some())
         };
         let mut z = FAR_MM;

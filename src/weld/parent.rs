@@ -240,6 +240,9 @@ fn frame(under: &[Point3<f64>], around: &[Point3<f64>]) -> Option<Isometry3<f64>
     let (mut origin, mut normal) = (Point3::origin(), Vector3::zeros());
     for _ in 0..6 {
         let (middle, spread) = spread(around.iter().zip(weights.iter().copied()));
+        if !spread.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let eigen = SymmetricEigen::new(spread);
         normal = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
         origin = middle;
@@ -252,6 +255,9 @@ fn frame(under: &[Point3<f64>], around: &[Point3<f64>]) -> Option<Isometry3<f64>
     }
     let z = if normal.dot(&origin.coords) > 0.0 { -normal } else { normal };
     let (_, spread) = spread(under.iter().map(|p| (p, 1.0)));
+    if !spread.iter().all(|x| x.is_finite()) {
+        return None;
+    }
     let eigen = SymmetricEigen::new(spread);
     let longest = eigen.eigenvectors.column(eigen.eigenvalues.imax()).into_owned();
     let x = (longest - z * z.dot(&longest)).try_normalize(1e-9)?;

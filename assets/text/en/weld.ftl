@@ -1,6 +1,7 @@
 ### A weld that is ground: its images, its camera, what was measured.
 
 weld_changed = { $file } is another file than when the job was saved; take the images again
+weld_other_size = the images have { $now_width } × { $now_height } pixels, and those before the first pass { $width } × { $height }: take them with the same camera from the same place
 weld_no_area = no area stands out from the skin in the grey image: lower the threshold, or paint the area
 weld_too_many_passes = the bead takes more than 1000 passes of this depth: give a greater depth of a pass
 weld_no_skin = the depth image tells no skin around the areas

@@ -9,28 +9,22 @@
 //! No residual shows that poses turned about one axis alone, or hardly: such sets are refused. What they are taken from is
 //! [`mod@file`]'s business.
 
+mod error;
 pub mod file;
 mod refine;
 mod start;
+mod turns;
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::Isometry3;
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
+use turns::turn;
 
-/// Noise of a target's pose as depth cameras have it: turns in degrees, shifts in mm. Only their ratio moves the result.
-const NOISE_DEG: f64 = 0.1;
-const NOISE_MM: f64 = 0.3;
+pub use error::HandEyeError;
+
 /// Fewer poses are told: ten come within 1.2 mm nine times of ten, five within 2.7, three within 15.
 pub const ENOUGH_POSES: usize = 5;
 /// Two motions tell a rotation, three poses have them.
 const LEAST_POSES: usize = 3;
-/// Where no pose is turned against another by this, nothing is told: within ±5° a camera comes out 5 mm off, and closed
-/// forms 28 mm.
-const LEAST_TURN_DEG: f64 = 15.0;
-/// Axes of turns have to differ: the second singular value of the unit axes, over the root of their number. Axes within 2°
-/// of one another have 0.035 at most, two axes that are 8° apart 0.07; poses turned at will have about 0.5.
-const LEAST_SPREAD: f64 = 0.1;
-
 /// Where the camera is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -87,32 +81,6 @@ pub struct PoseResidual {
     pub turned_deg: f64,
 }
 
-/// Why poses tell no camera.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum HandEyeError {
-    /// There are too few.
-    #[error("{count} poses")]
-    FewPoses {
-        /// How many.
-        count: usize,
-    },
-    /// No two of them are turned enough against each other.
-    #[error("turned by {most_deg} degrees at most")]
-    SmallTurns {
-        /// The greatest turn between two poses, degrees.
-        most_deg: f64,
-    },
-    /// All turns are about one axis.
-    #[error("turned about {axis:?} only")]
-    OneAxis {
-        /// The axis in the flange's frame (camera on the hand) or the base's (camera fixed).
-        axis: [f64; 3],
-    },
-    /// A pose that is no number, or nothing fits.
-    #[error("no camera fits")]
-    NoFit,
-}
-
 /// Finds the camera from poses.
 ///
 /// # Errors
@@ -143,19 +111,6 @@ pub fn solve(place: CameraPlace, poses: &[HandEyePose]) -> Result<HandEye, HandE
         other_from_target: solved.other_from_target,
         residuals,
     })
-}
-
-/// A rotation as axis times angle, up to half a turn.
-fn turn(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
-    let q = if rotation.w < 0.0 { -rotation.into_inner() } else { rotation.into_inner() };
-    let sine = q.imag().norm();
-    let half = libm::atan2(sine, q.w);
-    if sine > 0.0 { q.imag() * (2.0 * half / sine) } else { Vector3::zeros() }
-}
-
-/// The rotation of an axis times an angle.
-fn rotation_of(turn: &Vector3<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_scaled_axis(*turn)
 }
 
 #[cfg(test)]

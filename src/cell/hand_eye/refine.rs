@@ -3,9 +3,12 @@
 //! Small turns are put on from the right, so the derivatives are those at nothing; they are taken by central differences,
 //! which at 1e-6 are good to ten digits here.
 
-use super::{NOISE_DEG, NOISE_MM, rotation_of, turn};
+use super::turns::{rotation_of, turn};
 use nalgebra::{Isometry3, SMatrix, SVector, Translation3, Vector3};
 
+/// Noise of a target's pose as depth cameras have it: turns in degrees, shifts in mm. Only their ratio moves the result.
+const NOISE_DEG: f64 = 0.1;
+const NOISE_MM: f64 = 0.3;
 /// Steps; from Park and Martin's guess four to eight do.
 const STEPS: usize = 60;
 /// Width of a difference: radians, and mm over a hundred.

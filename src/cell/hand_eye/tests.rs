@@ -1,8 +1,9 @@
 use super::file::{self, HandEyeFileError};
+use super::turns::rotation_of;
 use super::*;
 use crate::scan::made_up::Sequence;
 use crate::scan::transform_file::rows;
-use nalgebra::{Translation3, Unit};
+use nalgebra::{Translation3, Unit, UnitQuaternion, Vector3};
 
 /// Noise of target and robot: degrees and mm.
 const TARGET: [f64; 2] = [0.1, 0.3];

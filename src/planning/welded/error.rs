@@ -30,6 +30,14 @@ pub enum WeldError {
     /// The two images do not belong together.
     #[error(transparent)]
     Pair(ImageFault),
+    /// The images of now are of another size than those before the first pass.
+    #[error("{before:?} before, {now:?} now")]
+    OtherSize {
+        /// Width and height then, px.
+        before: [usize; 2],
+        /// Width and height now, px.
+        now: [usize; 2],
+    },
     /// The camera's file cannot be used.
     #[error(transparent)]
     CameraFile(Arc<CameraFileError>),

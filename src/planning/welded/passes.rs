@@ -3,7 +3,6 @@
 
 use super::{GroundPassReport, HeldReason, MeasuredWeld, PassReport, WeldError};
 use crate::document::model::JobWeld;
-use crate::weld::bead::WeldBead;
 use crate::weld::passes::{GrindingRules, area_above_mm2, schedule};
 
 /// Passes done and passes to come.
@@ -17,11 +16,6 @@ pub struct WeldProgress {
     pub held: Option<HeldReason>,
 }
 
-/// A share of the points may lie below the skin by noise, and nothing was ground there: the depth is told without them.
-const BELOW_SHARE: f64 = 0.02;
-/// Nor do depths count within so many standard deviations of the noise.
-const BELOW_SIGMAS: f64 = 3.0;
-
 impl WeldProgress {
     /// The passes of the bead of a job. Without a bead there are none.
     ///
@@ -34,13 +28,13 @@ impl WeldProgress {
         let done: Vec<GroundPassReport> = ground
             .map(|(pass, left_mm)| GroundPassReport { before_mm: pass.height_mm, planned_mm: pass.planned_mm, left_mm })
             .collect();
-        let below_mm = measured.bead().map_or(0.0, below_mm);
+        let below_mm = measured.below_mm;
         let held = done.last().and_then(|last| off_plan(last, weld.removal_share / 100.0));
         let held = held.or((below_mm > weld.below_mm).then_some(HeldReason::Below { below_mm }));
         let Some(bead) = measured.bead() else { return Ok(WeldProgress { done, left: Vec::new(), held: None }) };
         let rules = GrindingRules { depth_per_pass_mm: weld.pass_depth_mm, residual_mm: weld.residual_mm };
-        let planned =
-            schedule(height_mm, &rules, |level_mm| area_above_mm2(bead, level_mm)).map_err(WeldError::Passes)?;
+        let planned = schedule(height_mm, &rules, |level_mm| area_above_mm2(&bead.sections, bead.length_mm, level_mm))
+            .map_err(WeldError::Passes)?;
         let left = planned.passes.iter().map(|p| PassReport {
             level_mm: p.level_mm,
             infeed_mm: p.infeed_mm,
@@ -60,17 +54,6 @@ fn off_plan(pass: &GroundPassReport, most_share: f64) -> Option<HeldReason> {
     let (removed_mm, planned_mm) = (pass.before_mm - pass.left_mm, pass.before_mm - pass.planned_mm);
     ((removed_mm - planned_mm).abs() > most_share * planned_mm)
         .then_some(HeldReason::Removal { removed_mm, planned_mm })
-}
-
-/// How far the ground lies below the skin, mm, noise taken off.
-fn below_mm(bead: &WeldBead) -> f64 {
-    let mut heights: Vec<f64> = bead.points.iter().map(|p| p.height_mm).collect();
-    let at = (BELOW_SHARE * heights.len() as f64) as usize;
-    if heights.is_empty() {
-        return 0.0;
-    }
-    let low = *heights.select_nth_unstable_by(at, f64::total_cmp).1;
-    (-low - BELOW_SIGMAS * bead.parent.noise_mm).max(0.0)
 }
 
 #[cfg(test)]

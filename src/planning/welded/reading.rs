@@ -3,7 +3,7 @@
 use super::WeldError;
 use crate::cell::hand_eye::file::{self as hand_eye_file, CameraStand};
 use crate::document::files::resolved;
-use crate::document::model::{JobWeld, NamedImage};
+use crate::document::model::{JobWeld, NamedImage, WeldFiles};
 use crate::progress::Progress;
 use crate::weld::camera::DepthCamera;
 use crate::weld::camera_file;
@@ -21,6 +21,9 @@ pub struct ReadWeld {
     pub depth: DepthImage,
     /// The camera that took both.
     pub camera: DepthCamera,
+    /// The grey image and the depth image before the first pass; `None`: nothing was ground yet. They tell where the bead is,
+    /// of which too little may stand by now to be found.
+    pub before: Option<(GreyImage, DepthImage)>,
     /// Where it stood; `None`: nobody knows.
     pub seen_from: Option<CameraStand>,
 }
@@ -38,9 +41,16 @@ pub fn read_weld(weld: &JobWeld, job_file: Option<&Path>, progress: &Progress) -
         }
         Ok(made.image)
     };
-    let grey = read(&images.gray, image_file::read_grey)?;
-    let depth = read(&images.depth, image_file::read_depth)?;
-    check_pair(&grey, &depth).map_err(WeldError::Pair)?;
+    let pair = |of: &WeldFiles| {
+        let (grey, depth) = (read(&of.gray, image_file::read_grey)?, read(&of.depth, image_file::read_depth)?);
+        check_pair(&grey, &depth).map_err(WeldError::Pair)?;
+        Ok::<_, WeldError>((grey, depth))
+    };
+    let (grey, depth) = pair(images)?;
+    let before = weld.history.first().map(|pass| pair(&pass.images)).transpose()?;
+    if let Some((first, _)) = before.as_ref().filter(|(first, _)| first.size() != grey.size()) {
+        return Err(WeldError::OtherSize { before: first.size(), now: grey.size() });
+    }
     let camera = camera_file::read(&resolved(job_file, &images.camera.file));
     let camera = camera.map_err(|e| WeldError::CameraFile(Arc::new(e)))?;
     let named = || images.camera.file.clone();
@@ -48,5 +58,5 @@ pub fn read_weld(weld: &JobWeld, job_file: Option<&Path>, progress: &Progress) -
     let seen_from = Some(&weld.hand_eye).filter(|file| !file.is_empty());
     let seen_from = seen_from.map(|file| hand_eye_file::read(&resolved(job_file, file))).transpose();
     let seen_from = seen_from.map_err(|e| WeldError::HandEye(Arc::new(e)))?;
-    Ok(ReadWeld { grey, depth, camera, seen_from })
+    Ok(ReadWeld { grey, depth, before, camera, seen_from })
 }

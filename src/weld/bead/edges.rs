@@ -35,7 +35,8 @@ pub(super) fn section(placed: &[Placed], station: &Station, ends: [f64; 2]) -> V
     binned(between(placed, from, to).iter().map(|p| (p.left_mm, p.height_mm)))
 }
 
-fn binned(points: impl Iterator<Item = (f64, f64)>) -> Vec<BinHeight> {
+/// Heights by their distance beside the line, in bins.
+pub(super) fn binned(points: impl Iterator<Item = (f64, f64)>) -> Vec<BinHeight> {
     let mut all: Vec<(f64, f64)> = points.collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     let of = |p: &(f64, f64)| (p.0 / BIN_MM).floor();

@@ -1,5 +1,10 @@
 use super::*;
 use crate::weld::made_up::{self, Noise, Scene};
+use crate::weld::parent::ParentError;
+use crate::weld::passes::area_above_mm2;
+use crate::weld::pixel_distance::dilated;
+use crate::weld::points::PixelPoint;
+use crate::weld::raster::Mask;
 
 struct Errors {
     iou: f64,
@@ -108,6 +113,35 @@ fn what_is_no_bead_or_not_all_of_one_is_told() {
     let points = leaving.points(&Noise { seed: 1, depth_mm: 0.3 });
     let mask = grey_mask(&leaving);
     assert_eq!(measure(&points, &mask, &mask, &leaving.camera).err(), Some(WeldBeadError::LeavesImage));
+}
+
+/// Ground to a level, to the panel, and into it.
+#[test]
+fn what_is_left_is_measured_where_the_bead_was() {
+    let fine = Scene::fine();
+    let mask = grey_mask(&fine);
+    let bead = measure(&fine.points(&Noise { seed: 2, depth_mm: 0.3 }), &mask, &mask, &fine.camera).expect("a bead");
+    let left = |level_mm: f64| {
+        let points = Scene::ground(level_mm).points(&Noise { seed: 3, depth_mm: 0.3 });
+        bead.remaining(&points, &bead.outline).expect("a parent surface")
+    };
+    let same = left(f64::INFINITY);
+    assert!((same.state.height_mm - bead.max_height_mm).abs() < 0.2 && same.sections.len() == bead.sections.len());
+    let [five, none, into] = [5.0, 0.0, -0.5].map(|level| left(level).state);
+    println!("{five:?} {none:?} {into:?}");
+    assert!((five.height_mm - 5.0).abs() < 0.2 && five.below_mm < 0.1);
+    assert!(none.height_mm < 0.2 && none.below_mm < 0.1);
+    assert!(into.height_mm < 0.1 && (0.3..0.6).contains(&into.below_mm));
+    // A cap's width above a level is w·√(1 − level / height); the line is a little longer than x.
+    for level in [0.0f64, 2.0, 6.0] {
+        let chord = |t: f64| made_up::BEAD_MM * (1.0 - level / made_up::profile(t)).max(0.0).sqrt();
+        let along = |t: f64| libm::hypot(1.0, 0.2 * libm::cos(t / 60.0));
+        let truth: f64 =
+            (0..2600).map(|i| -130.0 + 0.1 * (f64::from(i) + 0.5)).map(|t| 0.1 * chord(t) * along(t)).sum();
+        let found = area_above_mm2(&bead.sections, bead.length_mm, level);
+        println!("{level}: {found:.0} mm² for {truth:.0}");
+        assert!((found / truth - 1.0).abs() < 0.03);
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //! Levels are heights above the parent surface. This is the plan from one measurement: after each pass the bead is measured
 //! again, and planned anew. How fast and with what force a pass takes its depth is for others.
 
-use super::bead::WeldBead;
+use super::bead::WeldSection;
 use thiserror::Error;
 
 /// More passes than this are none that anyone wants.
@@ -114,9 +114,9 @@ pub fn schedule(
 }
 
 /// Where a bead stands above a level, mm² on the parent surface: the widths of its sections above it, times their distance.
-pub fn area_above_mm2(bead: &WeldBead, level_mm: f64) -> f64 {
-    let sections = bead.sections.len();
-    let step_mm = if sections == 0 { 0.0 } else { bead.length_mm / sections as f64 };
+/// `length_mm`: of its centre line.
+pub fn area_above_mm2(sections: &[WeldSection], length_mm: f64, level_mm: f64) -> f64 {
+    let step_mm = length_mm / sections.len().max(1) as f64;
     let width = |profile: &[[f64; 2]], width_mm: f64| {
         let edge = 0.5 * width_mm;
         // The bead stands at 0 on its edges.
@@ -124,7 +124,7 @@ pub fn area_above_mm2(bead: &WeldBead, level_mm: f64) -> f64 {
         let corners: Vec<[f64; 2]> = corners.collect();
         corners.windows(2).map(|w| above(w[0], w[1], level_mm)).sum::<f64>()
     };
-    bead.sections.iter().map(|s| width(&s.profile_mm, s.width_mm) * step_mm).sum()
+    sections.iter().map(|s| width(&s.profile_mm, s.width_mm) * step_mm).sum()
 }
 
 /// How much of the way from one corner to the next lies above a level.
