@@ -4,12 +4,13 @@
 mod parts;
 
 use clearbeam::beam::{ContactTool, Grinding, Obstacle, Optics, ProcessSettings, Tool, ToolGeometry};
+use clearbeam::cell::motion::{Refusal, RefusalReason};
 use clearbeam::cell::{Mount, Robot, Setup};
 use clearbeam::document::segmented;
 use clearbeam::part::Part;
 use clearbeam::planning::verify::{DifferenceKind, Verdict, check};
 use clearbeam::pose::checker::KeptByContact;
-use clearbeam::pose::{BeamInterference, Blocker, Obstruction, TargetState, ToolBody};
+use clearbeam::pose::{BeamInterference, Blocker, Obstruction, Target, TargetState, ToolBody};
 use clearbeam::program::{ProgramFile, Step, dialects};
 use nalgebra::{Point3, Vector3};
 use parts::{Planned, block, sheet};
@@ -64,7 +65,7 @@ fn hit(part: &Part, tool: &Tool, p: [f64; 3], t: Vector3<f64>) -> Option<Blocker
 
 /// A trough (or, for a negative radius, a ridge) along y whose bottom (or top) lies along the y axis.
 fn trough(radius_mm: f64, half_width_mm: f64) -> Part {
-    let count = 240;
+    let count = 80;
     let at = |k: i32| {
         let x = half_width_mm * f64::from(k) / f64::from(count);
         let rise = radius_mm.abs() - (radius_mm * radius_mm - x * x).sqrt();
@@ -91,7 +92,7 @@ fn depth_mm(g: &Grinding, r: f64, edge: f64, trough_mm: f64, half_width_mm: f64)
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
     /// It touches a trough beside its contact just where the trough is narrower than (r − ρ) / sin τ + ρ, and is found
     /// to do so just where it goes deeper than it may.
     #[test]
@@ -161,13 +162,12 @@ fn it_may_stick_out_over_a_rim_and_not_into_a_clamp() {
     std::fs::write(&file, clearbeam::sample::stl_bytes(&block([-5.0, -5.0, -5.0], [5.0, 5.0, 5.0]))).expect("writes");
     let beside = |x: f64| {
         let mut clamp = Obstacle::of_file("clamp.stl".into(), &file);
-        clamp.load(None).ok();
-        let mut clamp = Obstacle { position_mm: [x, 0.0, 5.0], ..clamp };
+        clamp.position_mm = [x, -17.0, 5.0];
         clamp.load(Some(folder.path())).expect("reads");
         let t = Tool { clamps: vec![clamp], ..t.clone() };
         hit(&plate, &t, [0.0, 0.0, 0.0], Vector3::y())
     };
-    // The clamp begins 5 mm before its middle, the disc ends r beside the line.
+    // The clamp begins 5 mm before its middle, and stands where the disc is widest, r beside the line.
     assert_eq!(beside(25.0 + MARGIN_MM + 0.05), None);
     let found = beside(25.0 + MARGIN_MM - 0.05).expect("too near");
     assert_eq!((found.tool_body, found.obstruction), (ToolBody::Abrasive, Obstruction::Clamp(0)));
@@ -299,18 +299,25 @@ fn a_wall_across_the_lines_blocks_them_and_is_named() {
     let p = ground(&[wall], |_| {}, &mut setup);
     let blocked: Vec<_> = p.targets().filter(|t| t.state == TargetState::Blocked).collect();
     assert!(!blocked.is_empty() && p.targets().any(|t| t.state == TargetState::Free));
-    assert!(blocked.iter().all(|t| t.normal_hits.is_some_and(|b| b.obstruction.facet().is_some())));
+    // What cannot be drawn back along its axis, which leans towards the wall, is refused as a whole piece.
+    let is_refused = |t: &Target| {
+        let of = |r: &&Refusal| p.plan.passes[r.pass].targets[r.point].p == t.p;
+        p.plan.refusals.iter().find(of).is_some_and(|r| matches!(r.why, RefusalReason::HitDrawnBack { .. }))
+    };
+    assert!(blocked.iter().all(|t| t.normal_hits.is_some() || is_refused(t)), "{:?}", p.plan.refusals.first());
+    let by_wall = |t: &&&Target| t.normal_hits.is_some_and(|b| b.tool_body == ToolBody::Abrasive);
+    assert!(blocked.iter().filter(by_wall).count() > 4);
 }
 
 #[test]
-fn a_robot_grinds_with_the_part_in_hand() {
+fn a_robot_grinds_with_the_tool_in_hand() {
     let mut setup = parts::setup();
     setup.robot = Some(Robot::load("mz04", None).expect("shipped"));
-    assert_eq!(setup.mount, Mount::PartInHand);
+    setup.mount = Mount::ToolInHand;
     let mut p = ground(&[], |_| {}, &mut setup);
     p.job.cell.robot = "mz04".into();
     let lit = p.plan.steps.list.iter().filter(|s| **s == Step::Laser(true)).count();
-    assert!(lit > 0, "nothing can be driven: {:?}", p.plan.passes.len());
+    assert_eq!((lit, p.plan.refusals.first()), (p.plan.passes.len(), None));
     for dialect in ["abb", "ur"] {
         let files = program(&mut p, &setup, dialect);
         let verdict = verified(&p, &setup, &files);
