@@ -32,6 +32,9 @@ pub(super) fn height_mm(
     noise_mm: f64,
 ) -> Option<f64> {
     let inside = |half: f64| along_mm.min(ends_mm[1] - half).max(ends_mm[0] + half);
+    if !(width_mm > 0.0 && width_mm.is_finite()) {
+        return None;
+    }
     let most_across = HALF_OF_WIDTH * width_mm;
     let wide = Window { along_mm: inside(HALF_MM[1]), left_mm: middle_mm, half_mm: [HALF_MM[1], most_across] };
     let rows = wide.rows(placed);
@@ -39,7 +42,7 @@ pub(super) fn height_mm(
     let per_mm2 = rows.len() as f64 / (4.0 * HALF_MM[1] * most_across);
     let needed_mm2 = OF_QUADRIC * (noise_mm / UNCERTAINTY_MM) * (noise_mm / UNCERTAINTY_MM) / per_mm2;
     let along = (0.25 * needed_mm2 / HALF_MM[0]).clamp(HALF_MM[0], HALF_MM[1]);
-    let across = (0.25 * needed_mm2 / along).max(HALF_MM[0]).min(most_across.max(0.0));
+    let across = (0.25 * needed_mm2 / along).max(HALF_MM[0]).min(most_across);
     // A flat top has no crest: where it would not be higher the middle is as good, and no window passes the wide one.
     let at = Window::crest(&shape);
     let is_higher = at * (shape[2] + at * shape[5]) > 2.0 * UNCERTAINTY_MM;

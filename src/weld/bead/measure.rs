@@ -55,7 +55,8 @@ pub fn measure(
     let on_surface = |[u, v]: &[usize; 2]| {
         let ray = camera.ray(*u as f64, *v as f64)?;
         let depth = first.camera_from_local.translation.vector.z / ray.z;
-        Some(Vector2::from(first.foot(&Point3::from(ray * depth)).local))
+        let foot = first.foot(&Point3::from(ray * depth));
+        foot.is_converged.then_some(Vector2::from(foot.local))
     };
     let way: Vec<Vector2<f64>> = rough::way_along(&standing).iter().filter_map(on_surface).collect();
     let rough = Traced::along(&first, &way, &found)?;
