@@ -139,11 +139,12 @@ fn why(cause: RefusalCause) -> String {
     }
 }
 
-fn against(cause: RefusalCause, correction: Correction) -> String {
+fn against(cause: RefusalCause, correction: Option<Correction>) -> String {
     match (cause, correction) {
-        (RefusalCause::Beam | RefusalCause::Head, Correction::None) => say!(remedy_correct),
-        (RefusalCause::Beam | RefusalCause::Head, Correction::SectionPlane) => say!(remedy_clearance),
-        (RefusalCause::Beam | RefusalCause::Head, Correction::Clearance) => say!(remedy_tilt),
+        (RefusalCause::Beam | RefusalCause::Head, None) => say!(remedy_grinding),
+        (RefusalCause::Beam | RefusalCause::Head, Some(Correction::None)) => say!(remedy_correct),
+        (RefusalCause::Beam | RefusalCause::Head, Some(Correction::SectionPlane)) => say!(remedy_clearance),
+        (RefusalCause::Beam | RefusalCause::Head, Some(Correction::Clearance)) => say!(remedy_tilt),
         (RefusalCause::Obstacle, _) => say!(remedy_obstacle),
         (RefusalCause::Robot | RefusalCause::Singularity, _) => say!(remedy_turn_part),
         (RefusalCause::Reach, _) => say!(remedy_reach),

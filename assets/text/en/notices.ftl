@@ -68,6 +68,7 @@ why_limit = a joint would leave its limits
 why_speed = a joint would be too fast
 why_singularity = the arm would be singular
 remedy_no_lines = choose other surfaces, a smaller spacing, or another direction
+remedy_grinding = grind first what stands there, or take a smaller tool
 remedy_correct = let the beam be tilted: choose the correction section-plane or clearance
 remedy_clearance = choose the correction clearance
 remedy_tilt = allow a greater tilt, or clean it in another set-up

@@ -43,8 +43,8 @@ pub enum Notice {
         cause: RefusalCause,
         /// The surface in the way.
         by_surface: Option<SurfaceId>,
-        /// How the beam may be tilted on it.
-        correction: Correction,
+        /// How the beam may be tilted on it; `None`: what works there is no beam.
+        correction: Option<Correction>,
         /// How many.
         targets: usize,
         /// The first of them: pass and point.
@@ -184,7 +184,7 @@ fn left_out(out: &mut Vec<Notice>, groups: &mut Groups, problem: &Problem, cause
     }
     let (Some(pass), Some(point)) = (problem.pass, problem.point) else { return };
     groups.insert(group, out.len());
-    let correction = job.of_surface(surface).path.correction;
+    let correction = (!job.weld.is_there()).then(|| job.of_surface(surface).path.correction);
     let why = problem.why.clone();
     out.push(Notice::LeftOut { surface, cause, by_surface, correction, targets: 1, first: (pass, point), why });
 }
