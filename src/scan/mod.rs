@@ -12,7 +12,7 @@ pub mod continuation;
 pub mod deviation;
 pub mod file;
 #[cfg(test)]
-mod made_up;
+pub(crate) mod made_up;
 pub mod marker_file;
 pub mod merging;
 pub mod meshing;

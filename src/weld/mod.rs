@@ -13,6 +13,8 @@ pub mod camera_file;
 mod cubic_fit;
 pub mod depth_mesh;
 pub mod image_file;
+#[cfg(test)]
+pub(crate) mod made_up;
 pub mod masking;
 pub mod outline_distance;
 pub mod parent;
