@@ -1,6 +1,7 @@
 //! A weld that is ground: why its images say nothing, and what was measured and planned.
 
 use super::number::percent;
+use super::scan::how_it_lies;
 use super::{Sentence, clock, exact, fixed, id, say};
 use crate::cell::hand_eye::HandEyeError;
 use crate::cell::hand_eye::file::HandEyeFileError;
@@ -213,6 +214,7 @@ pub fn weld_lines(weld: &WeldReport) -> Vec<String> {
     }
     let defects = weld.areas.iter().filter(|a| a.area == AreaKind::Flat);
     out.extend(defects.map(|a| say!(weld_defect, area = fixed(a.area_mm2, 0), aspect = fixed(a.aspect, 2))));
+    out.extend(weld.registration.iter().flat_map(how_it_lies));
     out.extend(weld.unmeasured.iter().map(Sentence::sentence));
     out.extend(weld.times.iter().map(times_line));
     out.extend(weld.held.iter().map(Sentence::sentence));

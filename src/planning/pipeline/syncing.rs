@@ -170,6 +170,7 @@ impl Pipeline {
             let scanned = self.scanned();
             let weld = self.welded().and_then(|welded| welded.ground);
             let slack_mm = scanned.as_ref().and_then(|s| s.laid.as_ref()).map_or(0.0, |laid| laid.slack_mm());
+            let slack_mm = weld.as_ref().map_or(slack_mm, |weld| slack_mm.max(weld.on.slack_mm()));
             self.plan.start(key, Activity::Planning, &*self.executor, move |progress| {
                 let setup = beside_unscanned(with_slack(setup, slack_mm), &part);
                 let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;

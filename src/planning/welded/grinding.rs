@@ -144,16 +144,23 @@ fn depths(
     (read, on): (&ReadWeld, &WeldPart),
     progress: &Progress,
 ) -> Result<(Vec<f64>, Vec<Vec<u32>>), Cancelled> {
-    let mut normals = vec![Vector3::zeros(); piece.vertices.len()];
-    for (corners, &f) in piece.triangles.iter().zip(&piece.parent) {
-        corners.iter().for_each(|&v| normals[v as usize] = on.part.mesh.normals[f as usize]);
+    let eye = on.part_from_camera * Point3::origin();
+    let (mesh, mut normals) = (&on.part.mesh, vec![Vector3::zeros(); piece.vertices.len()]);
+    // The camera sees one side of a plate.
+    let is_seen = |f: u32| mesh.normals[f as usize].dot(&(mesh.centroid(f as usize) - eye)) < 0.0;
+    for (corners, &f) in piece.triangles.iter().zip(&piece.parent).filter(|(_, f)| is_seen(**f)) {
+        corners.iter().for_each(|&v| normals[v as usize] = mesh.normals[f as usize]);
     }
     let camera_from_part = on.part_from_camera.inverse();
     let at = |room: &mut Vec<_>, v: usize| {
         progress.check_at(v)?;
         let place = &piece.vertices[v];
         let seen = camera_from_part * place;
-        let within = |area: &AreaOnPart<'_>| area.distance.at_mm(&seen, &read.camera);
+        // Nor what lies behind the skin, or hides it.
+        let is_on = |area: &AreaOnPart<'_>| area.of.parent.foot(&seen).height_mm.abs() < AROUND_MM;
+        let is_faced = normals[v] != Vector3::zeros();
+        let within =
+            |area: &AreaOnPart<'_>| area.distance.at_mm(&seen, &read.camera).filter(|_| is_faced && is_on(area));
         let nearest = areas.iter().enumerate().filter_map(|(i, area)| Some((i, within(area)?)));
         let nearest = nearest.fold(None, |best: Option<(usize, f64)>, (i, mm)| match best {
             Some(best) if best.1 >= mm => Some(best),
@@ -172,7 +179,8 @@ fn depths(
     let found: Vec<(usize, f64)> =
         (0..piece.vertices.len()).into_par_iter().map_init(Vec::new, at).collect::<Result<_, Cancelled>>()?;
     let mut of_area = vec![Vec::new(); areas.len()];
-    for (number, corners) in (0u32..).zip(&piece.triangles) {
+    let seen = (0u32..).zip(&piece.triangles).zip(&piece.parent).filter(|(_, f)| is_seen(**f));
+    for ((number, corners), _) in seen {
         let standing = corners.iter().map(|&v| found[v as usize]).find(|(_, mm)| *mm > 0.0);
         if let Some((i, _)) = standing
             && corners.iter().all(|&v| found[v as usize].1.is_finite())

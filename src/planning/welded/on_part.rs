@@ -27,6 +27,13 @@ pub struct WeldPart {
     pub registration: Option<Registration>,
 }
 
+impl WeldPart {
+    /// How far the part may lie off, mm: what the registration leaves open.
+    pub fn slack_mm(&self) -> f64 {
+        self.registration.as_ref().map_or(0.0, Registration::slack_mm)
+    }
+}
+
 /// So many points are enough to lay them on a part.
 const LAID_POINTS: usize = 60_000;
 

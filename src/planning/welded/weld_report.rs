@@ -5,13 +5,14 @@ use crate::cell::hand_eye::HandEye;
 use crate::cell::hand_eye::file::CameraStand;
 use crate::document::Job;
 use crate::document::model::RoughnessReading;
+use crate::planning::scanned::RegistrationReport;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::transform_file;
 use crate::weld::bead::{AreaKind, WeldSection};
 use serde::Serialize;
 
 /// What the images say of a weld, and what its grinding comes to. Lengths mm, part frame.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct WeldReport {
     /// Height of the bead above the surface around it where it is highest; 0 where no area has any.
     pub max_height_mm: f64,
@@ -44,6 +45,9 @@ pub struct WeldReport {
     pub parent_rms_mm: f64,
     /// From the camera's frame to the part's, row by row.
     pub part_from_camera: [f64; 16],
+    /// How well the skin lies on the part; `None`: the part is what the camera sees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub registration: Option<RegistrationReport>,
     /// How well the poses of the camera's calibration fit; `None`: it was not calibrated here.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hand_eye: Option<HandEyeReport>,
@@ -172,6 +176,7 @@ impl WeldReport {
             history: passes.done.clone(),
             held: passes.held,
             part_from_camera: transform_file::rows(&on.part_from_camera),
+            registration: on.registration.as_ref().map(RegistrationReport::new),
             hand_eye: camera.and_then(|camera| camera.calibration.as_ref()).map(HandEyeReport::of),
             roughness: RoughnessReport::of(&job.weld.roughness),
             ..WeldReport::default()
