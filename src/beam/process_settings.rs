@@ -36,6 +36,9 @@ pub struct ProcessSettings {
     pub lead_out_mm: f64,
     /// Radius of the quarter arcs by which a contact tool comes to a line and leaves it, mm; 0: none.
     pub arc_mm: f64,
+    /// How fast the foot of a contact tool's axis may go, mm/s: where a line bends tightly it swings around the contact, which
+    /// goes slower there. 0: no bound, as with light.
+    pub axis_speed_mm_s: f64,
     /// Force of a contact tool against the part, N; 0: none is kept.
     pub force_n: f64,
     /// What works: light, or what grinds.
@@ -56,6 +59,7 @@ impl Default for ProcessSettings {
             lead_in_mm: 0.0,
             lead_out_mm: 0.0,
             arc_mm: 0.0,
+            axis_speed_mm_s: 0.0,
             force_n: 0.0,
             medium: WorkingMedium::Light,
             layer: 0,

@@ -69,6 +69,15 @@ impl Target {
         Tilt::of(&self.a, &self.n, &self.tangent())
     }
 
+    /// How long the move from the target before takes, s: at the speed of the work, and no faster than a contact tool may
+    /// swing.
+    pub fn seconds_from(&self, before: &Target, settings: &ProcessSettings) -> f64 {
+        let work_s = (self.p - before.p).norm() / settings.speed_mm_s;
+        let is_bound = settings.axis_speed_mm_s > 0.0;
+        let swing_s = if is_bound { (self.foot - before.foot).norm() / settings.axis_speed_mm_s } else { 0.0 };
+        work_s.max(swing_s)
+    }
+
     /// Where the focus stands: `p + D·a`, from the foot of the axis, mm.
     pub fn focus(&self, defocus_mm: f64) -> Point3<f64> {
         self.foot + self.a * defocus_mm

@@ -197,6 +197,7 @@ pub(in super::super) fn process_settings(job: &Job, tool: &Tool) -> ProcessSetti
         lead_in_mm: 0.0,
         lead_out_mm: 0.0,
         arc_mm: grinding.arc_mm,
+        axis_speed_mm_s: b.air_speed_mm_s.max(b.speed_mm_s),
         force_n: grinding.force_n,
         medium: match grinding.tool.abrasive {
             Abrasive::Disc { .. } => WorkingMedium::Disc,

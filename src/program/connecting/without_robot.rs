@@ -139,8 +139,7 @@ impl FocusWalk<'_> {
         self.out.list.push(Step::Laser(true));
         for i in piece.of.first + 1..=piece.of.last {
             let next = Station::of(&pass.targets[i], &pass.settings).nearest_to(&here);
-            let spot_mm = (pass.targets[i].p - pass.targets[i - 1].p).norm();
-            let seconds = spot_mm / pass.settings.speed_mm_s;
+            let seconds = pass.targets[i].seconds_from(&pass.targets[i - 1], &pass.settings);
             let mut done = 0.0;
             match self.straight.stations_between(&here, &next, &pass.settings, seconds) {
                 Ok(between) => {

@@ -89,7 +89,7 @@ impl Drive<'_> {
         let mut lit = Vec::new();
         for point in first + 1..=last {
             let to = arm_stand(point)?;
-            let seconds = (pass.targets[point].p - pass.targets[point - 1].p).norm() / pass.settings.speed_mm_s;
+            let seconds = pass.targets[point].seconds_from(&pass.targets[point - 1], &pass.settings);
             let before = lit.len();
             self.push_work_moves(&here, &to, (&pass.settings, seconds), &mut lit)
                 .map_err(|reason| refuse(point, reason))?;
