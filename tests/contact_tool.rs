@@ -176,8 +176,9 @@ fn it_may_stick_out_over_a_rim_and_not_into_a_clamp() {
 #[test]
 fn what_is_behind_the_disc_is_a_head() {
     let mut g = grinding(20.0, 2.0, 15.0);
-    g.tool.stack[0].r0_mm = 40.0;
-    g.tool.stack[0].r1_mm = 40.0;
+    // Its leading edge sinks by 60 sin 15° = 15.5 mm, from 12.4 mm above the plate.
+    g.tool.stack[0].r0_mm = 60.0;
+    g.tool.stack[0].r1_mm = 60.0;
     let plate = parts::part(&block([-60.0, -60.0, -10.0], [60.0, 60.0, 0.0]));
     let found = hit(&plate, &tool(g), [0.0, 0.0, 0.0], Vector3::y()).expect("the guard is too wide");
     assert_eq!(found.tool_body, ToolBody::Head);

@@ -1,8 +1,9 @@
 //! What stands in the hall for one job: the cell, the robot in it, and what the robot carries.
 
+use super::mount::Spin;
 use super::mounting::Mounted;
 use super::{Cell, CellError, Joints, Mount, PlaceError, Robot};
-use crate::beam::Tool;
+use crate::beam::{Abrasive, Grinding, Tool};
 use crate::part::distance::segments;
 use nalgebra::{Isometry3, Point3};
 
@@ -23,6 +24,12 @@ impl Setup {
     /// Whether the tool presses with a force that the controller keeps.
     pub fn keeps_force(&self) -> bool {
         self.tool.contact.as_ref().is_some_and(|grinding| grinding.force_n > 0.0)
+    }
+
+    /// The spin that a tool takes where this one is wanted: a belt runs along the travel, whatever is wanted.
+    pub fn spin(&self, wanted: Spin) -> Spin {
+        let is_belt = |grinding: &Grinding| matches!(grinding.tool.abrasive, Abrasive::Belt { .. });
+        if self.tool.contact.as_ref().is_some_and(is_belt) { Spin::Travel } else { wanted }
     }
 
     /// The cell that is taken when none is named, without a robot.

@@ -54,9 +54,9 @@ pub enum NoState {
 }
 
 impl<'a> Arm<'a> {
-    /// The arm of a setup; `None` without a robot.
+    /// The arm of a setup, with the spins that are wanted; `None` without a robot.
     pub fn new(setup: &'a Setup, spin: Spin) -> Option<Arm<'a>> {
-        let step = match spin {
+        let step = match setup.spin(spin) {
             Spin::Free => SPIN_STEP_DEG,
             // Along the travel, or against it.
             Spin::Travel => 180.0,

@@ -217,7 +217,7 @@ pub(in super::super) fn plan_surface(
     rules: &LineRules,
     progress: &Progress,
 ) -> Result<SurfacePlan, PlanError> {
-    let is_searched = rules.correction == Correction::Clearance;
+    let is_searched = rules.correction == Correction::Clearance && tool.contact.is_none();
     let configurations = configurations(job, tool);
     let both = ordered
         .lines
