@@ -2,7 +2,7 @@
 
 use super::number::percent;
 use super::scan::how_it_lies;
-use super::{Sentence, clock, exact, fixed, id, say};
+use super::{Sentence, exact, fixed, id, say};
 use crate::cell::hand_eye::HandEyeError;
 use crate::cell::hand_eye::file::HandEyeFileError;
 use crate::planning::welded::{AreaTimes, HeldReason, UnmeasuredArea, WeldError, WeldReport};
@@ -227,7 +227,7 @@ pub fn weld_lines(weld: &WeldReport) -> Vec<String> {
 
 /// How long each strategy takes for an area at a speed.
 fn times_line(t: &AreaTimes) -> String {
-    let [one_way, zigzag, spiral] = [t.one_way_s, t.zigzag_s, t.spiral_s].map(clock);
+    let [one_way, zigzag, spiral] = [t.one_way_s, t.zigzag_s, t.spiral_s].map(|s| fixed(s, 1));
     say!(weld_times, area = area_word(t.area), speed = exact(t.speed_mm_s), one_way, zigzag, spiral)
 }
 

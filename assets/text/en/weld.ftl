@@ -24,7 +24,7 @@ weld_bead = bead: { $height } mm high, { $width } mm wide, { $length } mm long; 
 weld_parent = skin around it: { $rms } mm off its points (root mean square), noise { $noise } mm
 weld_no_bead = no area stands above the skin
 weld_defect = defect area: { $area } mm², { $aspect } times as long as wide
-weld_times = { $area } at { $speed } mm/s: one-way { $one_way }, zigzag { $zigzag }, spiral { $spiral }
+weld_times = { $area } at { $speed } mm/s: one-way { $one_way } s, zigzag { $zigzag } s, spiral { $spiral } s
 weld_roughness = roughness at { $points ->
     [one] 1 point
    *[other] { $points } points
