@@ -5,13 +5,13 @@ use crate::document::model::JobWeld;
 use crate::progress::Progress;
 use crate::weld::masking::{MaskRules, MaskedImage, masked};
 
-/// Masks the grey image.
+/// Masks the grey image. That nothing stands out from the skin is told when it is to be measured: until then its steps can
+/// be looked at.
 ///
 /// # Errors
-/// Nothing stands out from the skin, or the work was cancelled.
+/// It is no image, or the work was cancelled.
 pub fn mask_weld(read: &ReadWeld, weld: &JobWeld, progress: &Progress) -> Result<MaskedImage, WeldError> {
-    let made = masked(&read.grey, &rules(weld), progress).map_err(WeldError::Mask)?;
-    if made.areas.list.is_empty() { Err(WeldError::NoArea) } else { Ok(made) }
+    masked(&read.grey, &rules(weld), progress).map_err(WeldError::Mask)
 }
 
 fn rules(weld: &JobWeld) -> MaskRules {
